@@ -1,0 +1,25 @@
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <functional>
+
+namespace scantrove {
+
+/// An integer that names one kind of thing only. Value 0 means "none" for every kind.
+template <class Tag>
+struct Id {
+  std::uint32_t value = 0;
+  constexpr explicit operator bool() const { return value != 0; }
+  auto operator<=>(const Id&) const = default;
+};
+
+using SegmentId = Id<struct SegmentTag>;  ///< a segment of one frame (S_t)
+using RegionId = Id<struct RegionTag>;    ///< a region of the label cloud, after the label table
+using ObjectId = Id<struct ObjectTag>;    ///< a row of the catalogue's table `objects`
+
+}  // namespace scantrove
+
+template <class Tag>
+struct std::hash<scantrove::Id<Tag>> {
+  std::size_t operator()(scantrove::Id<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+};

@@ -1,0 +1,44 @@
+#include "core/base/stage_timer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scantrove {
+
+DurationSummary summarise(std::vector<double> durations_ms) {
+  if (durations_ms.empty()) return {};
+  std::sort(durations_ms.begin(), durations_ms.end());
+  const auto at = [&](double fraction) {
+    const double rank = std::ceil(fraction * static_cast<double>(durations_ms.size()));
+    return durations_ms[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+  };
+  return {at(0.5), at(0.95)};
+}
+
+std::size_t StageTimer::indexOf(std::string_view name) {
+  const auto found = std::find_if(stages_.begin(), stages_.end(), [&](const Stage& s) { return s.name == name; });
+  if (found != stages_.end()) return static_cast<std::size_t>(found - stages_.begin());
+  stages_.push_back({std::string(name), 0, {}});
+  return stages_.size() - 1;
+}
+
+void StageTimer::add(std::string_view name, double duration_ms) {
+  const std::size_t stage = indexOf(name);
+  const auto found = std::find_if(pending_.begin(), pending_.end(), [&](const Pending& p) { return p.stage == stage; });
+  if (found != pending_.end()) {
+    found->duration_ms += duration_ms;
+  } else {
+    pending_.push_back({stage, duration_ms});
+  }
+}
+
+void StageTimer::endFrame() {
+  for (const Pending& pending : pending_) {
+    Stage& stage = stages_[pending.stage];
+    stage.last_ms = pending.duration_ms;
+    stage.all_ms.push_back(pending.duration_ms);
+  }
+  pending_.clear();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,70 @@
+#pragma once
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace scantrove {
+
+/// Median and 95th percentile of a set of durations.
+struct DurationSummary {
+  double median_ms = 0;
+  double p95_ms = 0;
+};
+
+[[nodiscard]] DurationSummary summarise(std::vector<double> durations_ms);
+
+/// Wall time of the named stages of one frame, in call order, and of all frames so far. One thread.
+class StageTimer {
+ public:
+  struct Stage {
+    std::string name;
+    double last_ms = 0;
+    std::vector<double> all_ms;
+  };
+
+  /// Runs `work` as the stage `name` and returns what it returns.
+  template <class Work>
+  auto time(std::string_view name, Work&& work) {
+    const Scope scope(*this, name);
+    return std::forward<Work>(work)();
+  }
+
+  /// Adds to the named stage of the current frame (a stage may run in several pieces).
+  void add(std::string_view name, double duration_ms);
+
+  /// Ends the frame: every stage that ran gains one entry in `all_ms`.
+  void endFrame();
+
+  [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
+
+ private:
+  class Scope {
+   public:
+    Scope(StageTimer& timer, std::string_view name)
+        : timer_(timer), name_(name), start_(std::chrono::steady_clock::now()) {}
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    ~Scope() {
+      const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start_;
+      timer_.add(name_, elapsed.count());
+    }
+
+   private:
+    StageTimer& timer_;
+    std::string_view name_;
+    std::chrono::steady_clock::time_point start_;
+  };
+
+  struct Pending {
+    std::size_t stage;
+    double duration_ms;
+  };
+  std::size_t indexOf(std::string_view name);
+
+  std::vector<Stage> stages_;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace scantrove

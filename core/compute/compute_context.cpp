@@ -1,0 +1,44 @@
+#include "core/compute/compute_context.h"
+
+#include "core/compute/device_choice.h"
+#include "core/compute/program_build.h"
+
+namespace scantrove {
+
+Result<std::unique_ptr<ComputeContext>> ComputeContext::create(const Options& options) {
+  Result<cl::Device> device = chooseDevice(options.device);
+  if (!device) return fail(device.error());
+  std::unique_ptr<ComputeContext> compute(new ComputeContext);
+  compute->device_ = *device;
+  compute->device_name_ = device->getInfo<CL_DEVICE_NAME>();
+  compute->device_name_.resize(std::char_traits<char>::length(compute->device_name_.c_str()));
+  compute->is_cpu_ = (device->getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+  compute->profiling_ = options.profiling;
+  try {
+    compute->context_ = cl::Context(*device);
+    compute->queue_ = cl::CommandQueue(compute->context_, *device, options.profiling ? CL_QUEUE_PROFILING_ENABLE : 0);
+  } catch (const cl::Error& error) {
+    return fail("The OpenCL device " + compute->device_name_ + " could not be opened (" + error.what() + ", code " +
+                    std::to_string(error.err()) + ").",
+                "Choose another with --device; 'scantrove devices' lists them.");
+  }
+  return compute;
+}
+
+Result<Kernel> ComputeContext::kernel(const KernelSource& source, const std::string& function,
+                                      const std::string& build_options) {
+  const std::string key = std::string(source.path) + '\n' + build_options;
+  auto found = programs_.find(key);
+  if (found == programs_.end()) {
+    Result<cl::Program> program = buildProgram(context_, device_, source, build_options);
+    if (!program) return fail(program.error());
+    found = programs_.emplace(key, std::move(*program)).first;
+  }
+  try {
+    return Kernel(cl::Kernel(found->second, function.c_str()), queue_, function, profiling_ ? kernel_times_ : nullptr);
+  } catch (const cl::Error&) {
+    return fail("The kernel " + function + " is not in " + std::string(source.path) + ".");
+  }
+}
+
+}  // namespace scantrove

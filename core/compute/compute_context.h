@@ -1,0 +1,59 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/compute/kernel.h"
+#include "core/compute/kernel_source.h"
+#include "core/compute/opencl.h"
+
+namespace scantrove {
+
+/// One OpenCL device with its in-order queue and its built programs. Everything on it runs on one thread
+/// (the scan worker's); only construction may fail softly. After that a device fault in the frame path throws
+/// `cl::Error`, which ScanPipeline::processFrame catches as the one edge.
+class ComputeContext {
+ public:
+  struct Options {
+    std::string device;      ///< see chooseDevice
+    bool profiling = false;  ///< measure every kernel; see kernelTimes
+  };
+
+  [[nodiscard]] static Result<std::unique_ptr<ComputeContext>> create(const Options& options);
+
+  ComputeContext(const ComputeContext&) = delete;
+  ComputeContext& operator=(const ComputeContext&) = delete;
+
+  /// The kernel `function` of `source`, built on first use with `build_options` and kept.
+  /// Error: the build failed; the message holds device, options and the whole compiler log.
+  [[nodiscard]] Result<Kernel> kernel(const KernelSource& source, const std::string& function,
+                                      const std::string& build_options = {});
+
+  [[nodiscard]] const cl::Context& context() const { return context_; }
+  [[nodiscard]] cl::CommandQueue& queue() { return queue_; }
+  [[nodiscard]] const std::string& deviceName() const { return device_name_; }
+
+  /// True where device memory is the host's: mapping a buffer costs no copy.
+  [[nodiscard]] bool isCpu() const { return is_cpu_; }
+
+  void finish() { queue_.finish(); }
+
+  /// Milliseconds spent on the device by kernel name since creation; empty unless profiling.
+  [[nodiscard]] const std::map<std::string, double>& kernelTimes() const { return *kernel_times_; }
+
+ private:
+  ComputeContext() = default;
+
+  cl::Device device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  std::string device_name_;
+  bool is_cpu_ = false;
+  bool profiling_ = false;
+  std::map<std::string, cl::Program> programs_;
+  std::shared_ptr<std::map<std::string, double>> kernel_times_ = std::make_shared<std::map<std::string, double>>();
+};
+
+}  // namespace scantrove

@@ -1,0 +1,89 @@
+#include "core/compute/device_choice.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+namespace scantrove {
+namespace {
+
+std::vector<cl::Device> allDevices() {
+  std::vector<cl::Device> devices;
+  std::vector<cl::Platform> platforms;
+  try {
+    cl::Platform::get(&platforms);
+  } catch (const cl::Error&) {
+    return devices;  // the ICD loader reports "no platform" as an error
+  }
+  for (const cl::Platform& platform : platforms) {
+    std::vector<cl::Device> found;
+    try {
+      platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
+    } catch (const cl::Error&) {
+      continue;  // a platform without devices
+    }
+    devices.insert(devices.end(), found.begin(), found.end());
+  }
+  std::stable_sort(devices.begin(), devices.end(), [](const cl::Device& a, const cl::Device& b) {
+    const auto is_gpu = [](const cl::Device& d) { return (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0; };
+    return is_gpu(a) && !is_gpu(b);
+  });
+  return devices;
+}
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+DeviceInfo describe(const cl::Device& device, int index) {
+  DeviceInfo info;
+  info.index = index;
+  info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+  info.platform = trimmed(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>());
+  info.version = trimmed(device.getInfo<CL_DEVICE_VERSION>());
+  info.is_gpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0;
+  info.compute_units = static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
+  info.memory_mb = static_cast<std::size_t>(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>() >> 20U);
+  return info;
+}
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> listDevices() {
+  std::vector<DeviceInfo> infos;
+  for (const cl::Device& device : allDevices()) infos.push_back(describe(device, static_cast<int>(infos.size())));
+  return infos;
+}
+
+Result<cl::Device> chooseDevice(const std::string& wanted_by_caller) {
+  const char* from_environment = std::getenv("SCANTROVE_DEVICE");
+  const std::string wanted =
+      wanted_by_caller.empty() && from_environment != nullptr ? from_environment : wanted_by_caller;
+  const std::vector<cl::Device> devices = allDevices();
+  if (devices.empty()) {
+    return fail("No OpenCL device found.",
+                "Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver.");
+  }
+  if (wanted.empty()) return devices.front();
+  std::size_t index = 0;
+  const char* end = wanted.data() + wanted.size();
+  if (const auto [stop, failure] = std::from_chars(wanted.data(), end, index); failure == std::errc{} && stop == end) {
+    if (index < devices.size()) return devices[index];
+  } else {
+    for (const cl::Device& device : devices) {
+      if (lowered(describe(device, 0).name).find(lowered(wanted)) != std::string::npos) return device;
+    }
+  }
+  std::string known;
+  for (const DeviceInfo& info : listDevices()) known += " [" + std::to_string(info.index) + "] " + info.name;
+  return fail("No OpenCL device matches '" + wanted + "'.", "There are:" + known + ".");
+}
+
+}  // namespace scantrove

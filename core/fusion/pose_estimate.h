@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Geometry>
+
+namespace scantrove {
+
+/// Whether the pose of a frame may be trusted. Only `tracking` and `relocalised` frames touch map and labels.
+enum class TrackingState { tracking, uncertain, lost, relocalised };
+
+[[nodiscard]] constexpr const char* toString(TrackingState state) {
+  switch (state) {
+    case TrackingState::tracking: return "tracking";
+    case TrackingState::uncertain: return "uncertain";
+    case TrackingState::lost: return "lost";
+    case TrackingState::relocalised: return "relocalised";
+  }
+  return "";
+}
+
+/// The pose of one frame as a value with a state.
+struct PoseEstimate {
+  TrackingState state = TrackingState::lost;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  double inlier_fraction = 0;  ///< associated pixels / pixels with depth that project into the model
+  double rmse_m = 0;           ///< point-to-plane, over the inliers
+  int free_directions = 0;     ///< directions of motion that the geometry does not determine (0 = well posed)
+
+  [[nodiscard]] bool usable() const { return state == TrackingState::tracking || state == TrackingState::relocalised; }
+};
+
+}  // namespace scantrove

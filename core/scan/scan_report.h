@@ -1,0 +1,47 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/scan/scan_params.h"
+
+namespace scantrove {
+
+/// What came out of a scan; written as report.json.
+struct ScanReport {
+  std::string source;
+  std::string device;
+  ScanParams params;
+  struct Frames {
+    int read = 0;        ///< frames that reached the pipeline
+    int tracked = 0;
+    int lost = 0;
+    int relocalised = 0;
+    int dropped = 0;     ///< live camera only
+    int skipped = 0;     ///< unreadable frames of the recording
+  } frames;
+  std::vector<int> lost_frames;  ///< indices of the source
+  double fps = 0;                ///< frames processed / wall time of processing, decoding included
+  double frame_median_ms = 0;
+  double frame_p95_ms = 0;
+  struct Stage {
+    std::string name;
+    double median_ms = 0;
+    double p95_ms = 0;
+  };
+  std::vector<Stage> stages;
+  double peak_memory_mb = 0;
+  int map_bricks = 0;
+  double map_megabytes = 0;
+  int regions = 0;
+  struct Object {
+    ObjectId id;
+    std::string name;
+    bool confirmed = false;
+    int views = 0;
+    std::string recognised_from;  ///< session that first added it; empty: added in this scan
+  };
+  std::vector<Object> objects;    ///< met in this scan
+};
+
+}  // namespace scantrove

@@ -1,0 +1,40 @@
+# Every library Scantrove stands on, all from Debian. Two traps:
+#  * find_package(PCL) drags in VTK's Qt 5 widgets, so PCL's plain libraries are linked by name;
+#  * opencv_highgui and vtkGUISupportQt link Qt 5 and are never linked (a test asserts it).
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d rgbd ximgproc)
+find_package(spdlog REQUIRED)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Sql Gui Widgets Svg OpenGL OpenGLWidgets)
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonTransforms FiltersSources InteractionStyle InteractionWidgets
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI IOImage)
+
+find_path(OPENCL_HPP_DIR CL/opencl.hpp REQUIRED)
+find_library(OPENCL_LIBRARY OpenCL REQUIRED)
+add_library(scantrove_opencl INTERFACE)
+target_link_libraries(scantrove_opencl INTERFACE ${OPENCL_LIBRARY})
+target_compile_definitions(scantrove_opencl INTERFACE
+  CL_HPP_TARGET_OPENCL_VERSION=120 CL_HPP_MINIMUM_OPENCL_VERSION=120 CL_TARGET_OPENCL_VERSION=120
+  CL_HPP_ENABLE_EXCEPTIONS)
+
+find_path(OPENNI2_INCLUDE_DIR OpenNI.h PATH_SUFFIXES openni2 REQUIRED)
+find_library(OPENNI2_LIBRARY OpenNI2 REQUIRED)
+add_library(scantrove_openni2 INTERFACE)
+target_include_directories(scantrove_openni2 SYSTEM INTERFACE ${OPENNI2_INCLUDE_DIR})
+target_link_libraries(scantrove_openni2 INTERFACE ${OPENNI2_LIBRARY})
+
+find_path(PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.12 REQUIRED)
+find_library(PCL_COMMON_LIBRARY pcl_common REQUIRED)
+find_library(PCL_IO_LIBRARY pcl_io REQUIRED)
+find_library(PCL_FEATURES_LIBRARY pcl_features REQUIRED)
+find_library(PCL_FILTERS_LIBRARY pcl_filters REQUIRED)
+add_library(scantrove_pcl INTERFACE)
+target_include_directories(scantrove_pcl SYSTEM INTERFACE ${PCL_INCLUDE_DIR})
+target_link_libraries(scantrove_pcl INTERFACE
+  ${PCL_COMMON_LIBRARY} ${PCL_IO_LIBRARY} ${PCL_FEATURES_LIBRARY} ${PCL_FILTERS_LIBRARY} Eigen3::Eigen)
+
+find_path(EXPECTED_INCLUDE_DIR tl/expected.hpp REQUIRED)
+find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
+find_path(TOMLPP_INCLUDE_DIR toml++/toml.h REQUIRED)
+find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
