@@ -13,12 +13,12 @@ struct ScanReport {
   std::string device;
   ScanParams params;
   struct Frames {
-    int read = 0;        ///< frames that reached the pipeline
+    int read = 0;  ///< frames that reached the pipeline
     int tracked = 0;
     int lost = 0;
     int relocalised = 0;
-    int dropped = 0;     ///< live camera only
-    int skipped = 0;     ///< unreadable frames of the recording
+    int dropped = 0;  ///< live camera only
+    int skipped = 0;  ///< unreadable frames of the recording
   } frames;
   std::vector<int> lost_frames;  ///< indices of the source
   double fps = 0;                ///< frames processed / wall time of processing, decoding included
@@ -41,7 +41,7 @@ struct ScanReport {
     int views = 0;
     std::string recognised_from;  ///< session that first added it; empty: added in this scan
   };
-  std::vector<Object> objects;    ///< met in this scan
+  std::vector<Object> objects;  ///< met in this scan
 };
 
 }  // namespace scantrove

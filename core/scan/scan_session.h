@@ -18,27 +18,45 @@ namespace scantrove {
 /// What a scan is to do.
 struct ScanRequest {
   enum class Poses { tracked, given };
-  std::string source;                                  ///< as openSource takes it
+  std::string source;  ///< as openSource takes it
   SourceOptions source_options;
   Poses poses = Poses::tracked;
   ScanParams params;
-  std::string device;                                  ///< as chooseDevice takes it
-  std::string database;                                ///< catalogue to search and add to
-  std::optional<std::filesystem::path> output_folder;  ///< where results go; none: nothing but the catalogue is written
+  std::string device;    ///< as chooseDevice takes it
+  std::string database;  ///< catalogue to search and add to
+  std::optional<std::filesystem::path>
+      output_folder;  ///< where results go; none: nothing but the catalogue is written
   bool label_maps = false;
   bool start_paused = false;
 };
 
 /// Things that must not be lost, in order.
-struct StateChanged { ScanState state; };
-struct ObjectAdded { ObjectId object; std::string name; };        ///< a new row of the catalogue
-struct ObjectRecognised { ObjectId object; std::string name; };   ///< first time in this scan
-struct ViewAdded { ObjectId object; };                            ///< another view of an object was kept
-struct FrameSkipped { int frame_index; Error error; };
-struct ScanFailed { Error error; };
-struct ScanFinished { ScanReport report; };
-using ScanEvent =
-    std::variant<StateChanged, ObjectAdded, ObjectRecognised, ViewAdded, FrameSkipped, ScanFailed, ScanFinished>;
+struct StateChanged {
+  ScanState state;
+};
+struct ObjectAdded {
+  ObjectId object;
+  std::string name;
+};  ///< a new row of the catalogue
+struct ObjectRecognised {
+  ObjectId object;
+  std::string name;
+};  ///< first time in this scan
+struct ViewAdded {
+  ObjectId object;
+};  ///< another view of an object was kept
+struct FrameSkipped {
+  int frame_index;
+  Error error;
+};
+struct ScanFailed {
+  Error error;
+};
+struct ScanFinished {
+  ScanReport report;
+};
+using ScanEvent = std::variant<StateChanged, ObjectAdded, ObjectRecognised, ViewAdded, FrameSkipped,
+                               ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device, pipeline and its database connection.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
@@ -56,9 +74,9 @@ class ScanSession {
   void start(ScanRequest request);
   void pause();
   void resume();
-  void step();   ///< one frame while paused
-  void stop();   ///< ends the scan cleanly: results are written, ScanFinished follows
-  void wait();   ///< until the scan that runs has ended
+  void step();  ///< one frame while paused
+  void stop();  ///< ends the scan cleanly: results are written, ScanFinished follows
+  void wait();  ///< until the scan that runs has ended
 
   /// Names or confirmations were edited in the database: the worker reads them again before its next frame.
   void catalogueChanged();

@@ -18,45 +18,45 @@ enum class ScanState { idle, starting, scanning, paused, stopping, finished, fai
 
 /// A discovered object as seen in the current frame.
 struct SeenObject {
-  ObjectId object;         ///< none while the candidate is still being watched
+  ObjectId object;  ///< none while the candidate is still being watched
   RegionId region;
-  std::string name;        ///< empty while `object` is none
-  bool recognised = false; ///< known from the catalogue before this scan, or met again
-  bool confirmed = false;  ///< by a person
-  cv::Rect2f box;          ///< in fractions of the colour image's width and height
+  std::string name;         ///< empty while `object` is none
+  bool recognised = false;  ///< known from the catalogue before this scan, or met again
+  bool confirmed = false;   ///< by a person
+  cv::Rect2f box;           ///< in fractions of the colour image's width and height
 };
 
 /// The points of one brick of the label cloud, at a version that grows with each change of the brick.
 struct CloudBrick {
   struct Point {
-    float x, y, z;             ///< world, metres
-    std::uint32_t label;       ///< raw label; resolve through ScanSnapshot::region_of_label
+    float x, y, z;        ///< world, metres
+    std::uint32_t label;  ///< raw label; resolve through ScanSnapshot::region_of_label
   };
-  Eigen::Vector3i position;    ///< in units of bricks
+  Eigen::Vector3i position;  ///< in units of bricks
   std::uint64_t version = 0;
-  std::vector<Point> points;   ///< replaces all earlier points of this brick
+  std::vector<Point> points;  ///< replaces all earlier points of this brick
 };
 
 /// What the window shows: one immutable value, made by the worker, collected from the mailbox by the window.
 /// Snapshots may be skipped: `changed_bricks` of a skipped one are carried over into the next.
 struct ScanSnapshot {
   ScanState state = ScanState::idle;
-  int frame_index = -1;              ///< of the source
+  int frame_index = -1;  ///< of the source
   int frames_done = 0;
-  int frames_total = 0;              ///< 0 = unknown (live)
+  int frames_total = 0;  ///< 0 = unknown (live)
   int frames_lost = 0;
-  int frames_skipped = 0;            ///< unreadable frames of the recording
-  int frames_dropped = 0;            ///< live camera only
+  int frames_skipped = 0;  ///< unreadable frames of the recording
+  int frames_dropped = 0;  ///< live camera only
   PoseEstimate pose;
-  Intrinsics K;                      ///< of the working resolution; for the frustum
+  Intrinsics K;                                               ///< of the working resolution; for the frustum
   std::shared_ptr<const std::vector<Eigen::Vector3f>> trail;  ///< camera centres so far, world
 
   // Panels. Shared images that nobody writes any more; any may be empty.
-  cv::Mat color;                     ///< CV_8UC3 BGR, full resolution
-  cv::Mat depth_raw_m;               ///< CV_32FC1 metres, 0 = none, working resolution
-  cv::Mat depth_fused_m;             ///< CV_32FC1 metres, 0 = none, working resolution: V_t's camera depth
-  cv::Mat segments;                  ///< CV_32SC1, S_t ids, working resolution
-  cv::Mat regions;                   ///< CV_32SC1, S_cloud,t region ids, working resolution
+  cv::Mat color;          ///< CV_8UC3 BGR, full resolution
+  cv::Mat depth_raw_m;    ///< CV_32FC1 metres, 0 = none, working resolution
+  cv::Mat depth_fused_m;  ///< CV_32FC1 metres, 0 = none, working resolution: V_t's camera depth
+  cv::Mat segments;       ///< CV_32SC1, S_t ids, working resolution
+  cv::Mat regions;        ///< CV_32SC1, S_cloud,t region ids, working resolution
   std::vector<SeenObject> objects;
 
   std::vector<CloudBrick> changed_bricks;
@@ -67,7 +67,7 @@ struct ScanSnapshot {
     double ms = 0;
   };
   std::vector<StageTime> stage_times;
-  double fps = 0;                    ///< over the last second of processing
+  double fps = 0;  ///< over the last second of processing
   int map_bricks = 0;
   double map_megabytes = 0;
   int region_count = 0;

@@ -1,0 +1,242 @@
+#include "core/scan/param_registry.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace scantrove {
+namespace {
+
+template <class Group, class Value>
+ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member, std::string unit,
+                 double minimum, double maximum, std::string help) {
+  ParamInfo info{std::move(key), std::move(unit), minimum, maximum, std::move(help), {}, {}, {}};
+  info.get = [=](const ScanParams& params) { return static_cast<double>(params.*group.*member); };
+  info.set = [=](ScanParams& params, double value) { params.*group.*member = static_cast<Value>(value); };
+  if constexpr (std::is_same_v<Value, bool>) info.choices = {"false", "true"};
+  return info;
+}
+
+template <class Group, class Value>
+ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member,
+                 std::vector<std::string> choices, std::string help) {
+  ParamInfo info{std::move(key),     "", 0, static_cast<double>(choices.size() - 1), std::move(help),
+                 std::move(choices), {}, {}};
+  info.get = [=](const ScanParams& params) { return static_cast<double>(params.*group.*member); };
+  info.set = [=](ScanParams& params, double value) {
+    params.*group.*member = static_cast<Value>(static_cast<int>(value));
+  };
+  return info;
+}
+
+/// 4 or 8, as words: nothing in between is meaningful.
+ParamInfo neighbours() {
+  ParamInfo info{"segmentation.neighbours",
+                 "",
+                 0,
+                 1,
+                 "how many neighbours of a pixel it shares an edge with",
+                 {"4", "8"},
+                 {},
+                 {}};
+  info.get = [](const ScanParams& params) { return params.segmentation.neighbours == 4 ? 0.0 : 1.0; };
+  info.set = [](ScanParams& params, double index) { params.segmentation.neighbours = index < 0.5 ? 4 : 8; };
+  return info;
+}
+
+std::vector<ParamInfo> makeRegistry() {
+  using F = FusionParams;
+  using S = SegmentationParams;
+  using L = LabelingParams;
+  using D = DiscoveryParams;
+  using C = DetectionParams;
+  const auto f = &ScanParams::fusion;
+  const auto s = &ScanParams::segmentation;
+  const auto l = &ScanParams::labeling;
+  const auto d = &ScanParams::discovery;
+  const auto c = &ScanParams::detection;
+  return {
+      number("fusion.voxel_size_m", f, &F::voxel_size_m, "m", 0.001, 0.1,
+             "side of a voxel of map and label cloud"),
+      number("fusion.truncation_vox", f, &F::truncation_vox, "voxels", 1.5, 16,
+             "half width of the signed-distance band"),
+      number("fusion.max_weight", f, &F::max_weight, "frames", 1, 255,
+             "the running average covers at most so many frames"),
+      number("fusion.min_depth_m", f, &F::min_depth_m, "m", 0, 5, "nearer readings are ignored"),
+      number("fusion.max_depth_m", f, &F::max_depth_m, "m", 0.2, 20, "farther readings are ignored"),
+      number("fusion.working_width", f, &F::working_width, "px", 40, 1920,
+             "width of V_t and N_t: tracking and segmentation run at this size"),
+      number("segmentation.k", s, &S::k, "", 1e-6, 10, "larger k, larger segments (eq. 3.4)"),
+      neighbours(),
+      number("segmentation.max_distance_factor", s, &S::max_distance_factor, "", 0.5, 50,
+             "neighbours farther apart than factor * z / f never join"),
+      number("segmentation.min_max_distance_m", s, &S::min_max_distance_m, "m", 0, 1, "least such distance"),
+      number("segmentation.min_pixels", s, &S::min_pixels, "px", 0, 10000, "smaller segments are absorbed"),
+      choice("labeling.rule", l, &L::rule, {"thesis", "evidence"},
+             "thesis: join where the overlap rule holds once; evidence: after it held in several frames"),
+      number("labeling.overlap_threshold", l, &L::overlap_threshold, "", 0.01, 1,
+             "O_thresh of the merging criterion"),
+      number("labeling.evidence_frames", l, &L::evidence_frames, "frames", 1, 100,
+             "frames that the rule must hold"),
+      number("labeling.voxel_confidence", l, &L::voxel_confidence, "", 0, 1,
+             "labels of voxels change only after repeated disagreement"),
+      number("labeling.update_distance_vox", l, &L::update_distance_vox, "voxels", 0.8660254, 4,
+             "distthresh of Algorithm 1"),
+      number("discovery.central_fraction", d, &D::central_fraction, "", 0.05, 1,
+             "an object's centroid lies in this middle part of the view"),
+      number("discovery.min_size_m", d, &D::min_size_m, "m", 0.001, 10, "least longest side of an object"),
+      number("discovery.max_size_m", d, &D::max_size_m, "m", 0.01, 10, "greatest longest side of an object"),
+      number("discovery.min_points", d, &D::min_points, "px", 1, 100000,
+             "least visible area, in pixels of a 640x480 image"),
+      number("discovery.persistent_frames", d, &D::persistent_frames, "frames", 1, 1000,
+             "frames with a stable size before a region counts as an object"),
+      number("discovery.size_tolerance", d, &D::size_tolerance, "", 0.01, 10,
+             "relative change of size that is still stable"),
+      number("discovery.min_thickness_ratio", d, &D::min_thickness_ratio, "", 0, 1,
+             "flatter regions are no objects"),
+      number("discovery.max_eccentricity", d, &D::max_eccentricity, "", 0, 1,
+             "longer and thinner regions are no objects"),
+      number("discovery.border_px", d, &D::border_px, "px", 0, 100,
+             "regions so close to the image border are no objects"),
+      number("detection.max_distance", c, &C::max_distance, "", 0, 2,
+             "below: recognised (0 = same picture, 2 = unrelated)"),
+      number("detection.shortlist", c, &C::shortlist, "views", 1, 1000,
+             "views compared in full after pruning"),
+      number("detection.size_tolerance", c, &C::size_tolerance, "", 0, 10,
+             "relative difference of size that may still match"),
+      number("detection.new_view_angle_deg", c, &C::new_view_angle_deg, "deg", 1, 180,
+             "views of an object are so far apart"),
+      number("detection.max_views", c, &C::max_views, "views", 1, 1000, "views kept of one object"),
+  };
+}
+
+/// Edit distance, to name the key that was probably meant.
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+Result<const ParamInfo*> findParam(const std::string& key) {
+  const auto& registry = paramRegistry();
+  const auto found =
+      std::find_if(registry.begin(), registry.end(), [&](const ParamInfo& p) { return p.key == key; });
+  if (found != registry.end()) return &*found;
+  const auto nearest =
+      std::min_element(registry.begin(), registry.end(), [&](const ParamInfo& a, const ParamInfo& b) {
+        return editDistance(a.key, key) < editDistance(b.key, key);
+      });
+  return fail("There is no parameter '" + key + "'.",
+              "Did you mean '" + nearest->key + "'? 'scantrove params' lists them all.");
+}
+
+std::string plain(double value) {
+  std::ostringstream out;
+  out.precision(6);
+  out << value;
+  return out.str();
+}
+
+Result<void> setNumber(ScanParams& params, const ParamInfo& info, double value) {
+  if (!(value >= info.minimum && value <= info.maximum)) {
+    return fail("The value " + plain(value) + " of '" + info.key + "' is out of range.",
+                "It must lie between " + plain(info.minimum) + " and " + plain(info.maximum) + ".");
+  }
+  info.set(params, value);
+  return {};
+}
+
+Result<void> setText(ScanParams& params, const ParamInfo& info, const std::string& text) {
+  if (!info.choices.empty()) {
+    const auto found = std::find(info.choices.begin(), info.choices.end(), text);
+    if (found != info.choices.end()) {
+      info.set(params, static_cast<double>(found - info.choices.begin()));
+      return {};
+    }
+    std::string words;
+    for (const std::string& word : info.choices) words += (words.empty() ? "" : ", ") + word;
+    return fail("'" + text + "' is no value of '" + info.key + "'.", "Choose one of: " + words + ".");
+  }
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc{} || stop != end || !std::isfinite(value)) {
+    return fail("'" + text + "' is no number.",
+                "Write " + info.key + "=" + info.text(params) + ", for example.");
+  }
+  return setNumber(params, info, value);
+}
+
+Result<void> setFromToml(ScanParams& params, const ParamInfo& info, const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return setText(params, info, *text);
+  if (const auto flag = node.value_exact<bool>()) return setText(params, info, *flag ? "true" : "false");
+  if (const auto value = node.value<double>()) return setText(params, info, plain(*value));
+  return fail("The parameter '" + info.key + "' is neither a number nor a word.");
+}
+
+}  // namespace
+
+std::string ParamInfo::text(const ScanParams& params) const {
+  const double value = get(params);
+  return choices.empty() ? plain(value) : choices[static_cast<std::size_t>(value)];
+}
+
+const std::vector<ParamInfo>& paramRegistry() {
+  static const std::vector<ParamInfo> registry = makeRegistry();
+  return registry;
+}
+
+Result<void> applySetting(ScanParams& params, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    return fail("'" + setting + "' is no setting.", "Write key=value, for example segmentation.k=0.02.");
+  }
+  const Result<const ParamInfo*> info = findParam(setting.substr(0, equals));
+  if (!info) return fail(info.error());
+  return setText(params, **info, setting.substr(equals + 1));
+}
+
+Result<void> loadConfig(ScanParams& params, const std::filesystem::path& file) {
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    return fail("The configuration " + file.string() +
+                    " cannot be read: " + std::string(error.description()) + " (line " +
+                    std::to_string(error.source().begin.line) + ").",
+                "'scantrove params' shows what such a file may hold.");
+  }
+  ScanParams changed = params;
+  for (const auto& [group, node] : table) {
+    const toml::table* entries = node.as_table();
+    if (entries == nullptr)
+      return fail("In " + file.string() + ": '" + std::string(group.str()) + "' is no table.");
+    for (const auto& [name, value] : *entries) {
+      const Result<const ParamInfo*> info =
+          findParam(std::string(group.str()) + "." + std::string(name.str()));
+      Result<void> done = info ? setFromToml(changed, **info, value) : Result<void>(fail(info.error()));
+      if (!done) {
+        return fail("In " + file.string() + ", line " + std::to_string(value.source().begin.line) + ": " +
+                        done.error().what,
+                    done.error().advice);
+      }
+    }
+  }
+  params = changed;
+  return {};
+}
+
+}  // namespace scantrove

@@ -1,0 +1,36 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scan/scan_params.h"
+
+namespace scantrove {
+
+/// One parameter as a person meets it: on the command line, in a configuration file, in the window.
+struct ParamInfo {
+  std::string key;   ///< e.g. "segmentation.k"
+  std::string unit;  ///< "m", "px", ...; empty = a pure number
+  double minimum = 0;
+  double maximum = 0;
+  std::string help;                              ///< one line
+  std::vector<std::string> choices;              ///< non-empty: the value is one of these words
+  std::function<double(const ScanParams&)> get;  ///< choices: the index of the word
+  std::function<void(ScanParams&, double)> set;
+
+  /// The value as it would be written in a configuration file.
+  [[nodiscard]] std::string text(const ScanParams& params) const;
+};
+
+/// All parameters, grouped by stage in pipeline order.
+[[nodiscard]] const std::vector<ParamInfo>& paramRegistry();
+
+/// Applies "key=value". Error: unknown key (names the nearest), not a number, outside its range.
+[[nodiscard]] Result<void> applySetting(ScanParams& params, const std::string& setting);
+
+/// Applies a TOML file of tables [fusion], [segmentation], ... Error names file, line and key.
+[[nodiscard]] Result<void> loadConfig(ScanParams& params, const std::filesystem::path& file);
+
+}  // namespace scantrove
