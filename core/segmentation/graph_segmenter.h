@@ -9,8 +9,9 @@
 
 namespace scantrove {
 
-/// Single-frame segmentation S_t of V_t, N_t: edge weights of eq. 3.5 on the device, then the graph segmentation of
-/// Felzenszwalb and Huttenlocher (eq. 3.1 - 3.4) on the host. Deterministic. One thread, the compute context's.
+/// Single-frame segmentation S_t of V_t, N_t: edge weights of eq. 3.5 on the device, then the graph
+/// segmentation of Felzenszwalb and Huttenlocher (eq. 3.1 - 3.4) on the host. Deterministic. One thread, the
+/// compute context's.
 class GraphSegmenter {
  public:
   [[nodiscard]] static Result<std::unique_ptr<GraphSegmenter>> create(ComputeContext& compute);

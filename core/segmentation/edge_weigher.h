@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/surface_maps.h"
+#include "core/segmentation/segmentation_params.h"
+
+namespace scantrove {
+
+/// The weighted pixel graph of one frame, on the host, in the order of edge_layout.h.
+struct EdgeKeys {
+  int width = 0;
+  int height = 0;
+  std::vector<cl_ushort4> keys;       ///< per pixel: E, S, SE, SW
+  std::vector<std::uint8_t> present;  ///< per pixel: 1 where vertex and normal exist
+};
+
+/// Launches weigh_edges: eq. 3.5 on V_t, N_t. One thread, the context's; may throw cl::Error.
+class EdgeWeigher {
+ public:
+  [[nodiscard]] static Result<EdgeWeigher> create(ComputeContext& compute);
+
+  /// Replaces `edges`; keeps buffers of device and host between frames of one size.
+  void weigh(const SurfaceMaps& surface, const SegmentationParams& params, EdgeKeys& edges);
+
+ private:
+  EdgeWeigher(ComputeContext& compute, Kernel kernel) : compute_(&compute), kernel_(std::move(kernel)) {}
+
+  ComputeContext* compute_;
+  Kernel kernel_;
+  Buffer<cl_ushort4> keys_;
+  Buffer<cl_uchar> present_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,74 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace scantrove {
+
+/// The partition of a weighted graph by Felzenszwalb and Huttenlocher (eq. 3.1 - 3.4): components joined in
+/// increasing weight while `Dif(C1, C2) <= min(Int(C1) + k / |C1|, Int(C2) + k / |C2|)`. Since weights rise,
+/// Int(C) is the weight of the last edge that joined C. Buffers are kept between graphs. One thread.
+class GraphPartition {
+ public:
+  /// `node_count` components of one node each.
+  void reset(std::size_t node_count, float k);
+
+  /// Tries to join across an edge; edges must come in increasing weight. Returns false if the predicate
+  /// rejected it (its ends lie in different components, now).
+  bool join(std::uint32_t a, std::uint32_t b, float weight) {
+    std::uint32_t root_a = find(a);
+    std::uint32_t root_b = find(b);
+    if (root_a == root_b) return true;
+    if (weight > std::min(nodes_[root_a].limit, nodes_[root_b].limit)) return false;
+    unite(root_a, root_b, weight);
+    return true;
+  }
+
+  /// Joins across an edge if its ends lie in different components of which one has fewer than `min_size`
+  /// nodes. Over the rejected edges in increasing weight, each small component goes to the neighbour with the
+  /// smallest Dif.
+  void absorb(std::uint32_t a, std::uint32_t b, float weight, std::uint32_t min_size) {
+    const std::uint32_t root_a = find(a);
+    const std::uint32_t root_b = find(b);
+    if (root_a == root_b || std::min(nodes_[root_a].size, nodes_[root_b].size) >= min_size) return;
+    unite(root_a, root_b, weight);
+  }
+
+  /// The component of a node, as the number of one of its nodes.
+  [[nodiscard]] std::uint32_t find(std::uint32_t node) {
+    while (nodes_[node].parent != node) {
+      nodes_[node].parent = nodes_[nodes_[node].parent].parent;
+      node = nodes_[node].parent;
+    }
+    return node;
+  }
+
+  [[nodiscard]] std::uint32_t sizeOf(std::uint32_t root) const { return nodes_[root].size; }
+
+ private:
+  struct Node {
+    std::uint32_t parent;
+    std::uint32_t size;  ///< of a root: nodes of the component
+    float limit;         ///< of a root: Int(C) + k / |C|
+  };
+
+  void unite(std::uint32_t root_a, std::uint32_t root_b, float weight) {
+    if (nodes_[root_a].size < nodes_[root_b].size) std::swap(root_a, root_b);
+    Node& winner = nodes_[root_a];
+    nodes_[root_b].parent = root_a;
+    winner.size += nodes_[root_b].size;
+    winner.limit = weight + k_ / static_cast<float>(winner.size);
+  }
+
+  std::vector<Node> nodes_;
+  float k_ = 0;
+};
+
+/// Sorts the edges 0 .. keys.size() - 1 by their 16-bit keys, ties by number, into `order`; those of
+/// kEdgeNever are left out. A counting sort: O(edges + keys). `counts` is working memory.
+void sortEdges(std::span<const std::uint16_t> keys, std::vector<std::uint32_t>& counts,
+               std::vector<std::uint32_t>& order);
+
+}  // namespace scantrove

@@ -1,0 +1,92 @@
+#include "core/segmentation/graph_segmenter.h"
+
+#include <array>
+
+#include "core/segmentation/edge_keys.h"
+#include "core/segmentation/edge_weigher.h"
+#include "core/segmentation/graph_partition.h"
+
+namespace scantrove {
+
+class GraphSegmenter::Machinery {
+ public:
+  explicit Machinery(EdgeWeigher weigher) : weigher_(std::move(weigher)) {}
+
+  SegmentMap segment(const SurfaceMaps& surface, const SegmentationParams& params) {
+    weigher_.weigh(surface, params, edges_);
+    partition(params);
+    return number();
+  }
+
+ private:
+  void partition(const SegmentationParams& params) {
+    const std::span<const std::uint16_t> keys(
+        edges_.keys.empty() ? nullptr : reinterpret_cast<const std::uint16_t*>(edges_.keys.data()),
+        edges_.keys.size() * EDGE_DIRECTIONS);
+    sortEdges(keys, counts_, order_);
+    components_.reset(edges_.keys.size(), params.k);
+
+    const auto width = static_cast<std::uint32_t>(edges_.width);
+    const std::array<std::uint32_t, EDGE_DIRECTIONS> offset = {1, width, width + 1, width - 1};
+    rejected_.clear();
+    for (const std::uint32_t edge : order_) {
+      const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
+      if (!components_.join(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]))) {
+        rejected_.push_back(edge);
+      }
+    }
+    const auto min_pixels = static_cast<std::uint32_t>(std::max(params.min_pixels, 0));
+    for (const std::uint32_t edge : rejected_) {
+      const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
+      components_.absorb(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]), min_pixels);
+    }
+  }
+
+  /// Numbers the components 1, 2, ... by their first pixel.
+  SegmentMap number() {
+    SegmentMap map;
+    map.width = edges_.width;
+    map.height = edges_.height;
+    map.ids.assign(edges_.present.size(), 0);
+    map.areas.assign(1, 0);
+    id_of_root_.assign(edges_.present.size(), 0);
+    for (std::size_t pixel = 0; pixel < map.ids.size(); ++pixel) {
+      std::uint32_t id = 0;
+      if (edges_.present[pixel] != 0) {
+        std::uint32_t& known = id_of_root_[components_.find(static_cast<std::uint32_t>(pixel))];
+        if (known == 0) {
+          known = static_cast<std::uint32_t>(map.areas.size());
+          map.areas.push_back(0);
+        }
+        id = known;
+      }
+      map.ids[pixel] = id;
+      ++map.areas[id];
+    }
+    return map;
+  }
+
+  EdgeWeigher weigher_;
+  EdgeKeys edges_;
+  GraphPartition components_;
+  std::vector<std::uint32_t> counts_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> rejected_;
+  std::vector<std::uint32_t> id_of_root_;
+};
+
+Result<std::unique_ptr<GraphSegmenter>> GraphSegmenter::create(ComputeContext& compute) {
+  Result<EdgeWeigher> weigher = EdgeWeigher::create(compute);
+  if (!weigher) return fail(weigher.error());
+  std::unique_ptr<GraphSegmenter> segmenter(new GraphSegmenter);
+  segmenter->machinery_ = std::make_unique<Machinery>(std::move(*weigher));
+  return segmenter;
+}
+
+GraphSegmenter::~GraphSegmenter() = default;
+
+SegmentMap GraphSegmenter::segment(const SurfaceMaps& surface, const SegmentationParams& params) {
+  return machinery_->segment(surface, params);
+}
+
+}  // namespace scantrove
