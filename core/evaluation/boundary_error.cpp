@@ -1,0 +1,29 @@
+#include "core/evaluation/boundary_error.h"
+
+#include <opencv2/core.hpp>
+
+#include "core/base/check.h"
+#include "core/evaluation/label_grid.h"
+
+namespace scantrove {
+
+double boundaryError(const cv::Mat1b& segmentation_boundary, const cv::Mat1b& truth_boundary) {
+  SCANTROVE_CHECK(segmentation_boundary.size() == truth_boundary.size());
+  if (truth_boundary.empty()) return 0;
+  const double sum =
+      cv::norm(distanceToBoundary(truth_boundary), distanceToBoundary(segmentation_boundary), cv::NORM_L1);
+  return sum / static_cast<double>(truth_boundary.total());
+}
+
+double boundaryShareNear(const cv::Mat1b& boundary, const cv::Mat1b& reference, double tolerance_px) {
+  SCANTROVE_CHECK(boundary.size() == reference.size());
+  const int all = cv::countNonZero(boundary);
+  if (all == 0) return 1;
+  if (cv::countNonZero(reference) == 0) return 0;
+  const cv::Mat1f distance = distanceToBoundary(reference);
+  cv::Mat1b found;
+  cv::bitwise_and(boundary, distance <= tolerance_px, found);
+  return static_cast<double>(cv::countNonZero(found)) / all;
+}
+
+}  // namespace scantrove

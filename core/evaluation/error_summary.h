@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+namespace scantrove {
+
+/// How a set of errors is distributed (unit of the errors); zeros for an empty set. The median of an even
+/// number of errors is the mean of the middle two.
+struct ErrorSummary {
+  double rmse = 0;
+  double mean = 0;
+  double median = 0;
+  double max = 0;
+  int count = 0;
+};
+
+[[nodiscard]] ErrorSummary summariseErrors(std::vector<double> errors);
+
+}  // namespace scantrove

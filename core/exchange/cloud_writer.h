@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "core/base/result.h"
+#include "core/exchange/labeled_point.h"
+
+namespace scantrove {
+
+/// Binary PCD with fields `x y z rgba label`; reads back as pcl::PointXYZRGBL. An empty cloud is a valid
+/// file. Written beside and renamed. Error: names `path`.
+Result<void> writePcd(const std::filesystem::path& path, std::span<const LabeledPoint> points);
+
+/// Binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label`.
+/// Written beside and renamed. Error: names `path`.
+Result<void> writePly(const std::filesystem::path& path, std::span<const LabeledPoint> points);
+
+}  // namespace scantrove

@@ -1,0 +1,22 @@
+#include "core/exchange/label_map_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/exchange/atomic_file.h"
+
+namespace scantrove {
+
+Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const LabelMapEntry> entries) {
+  using Json = nlohmann::ordered_json;
+  Json map = Json::object();
+  for (const LabelMapEntry& entry : entries) {
+    map[std::to_string(entry.region.value)] = {
+        {"color", entry.color},
+        {"object", entry.object ? Json(entry.object.value) : Json(nullptr)},
+        {"name", entry.object ? Json(entry.name) : Json(nullptr)}};
+  }
+  // A name may hold bytes that are not UTF-8: they are replaced rather than refused.
+  return writeFileAtomically(path, map.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace scantrove

@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "core/base/ids.h"
+#include "core/base/result.h"
+
+namespace scantrove {
+
+/// What one label of a cloud stands for.
+struct LabelMapEntry {
+  RegionId region;
+  std::array<std::uint8_t, 3> color{};  ///< red, green, blue
+  ObjectId object;                      ///< none: a region that is no known object
+  std::string name;                     ///< of the object; empty without one
+};
+
+/// labels.json: `{"<region id>": {"color": [r, g, b], "object": id or null, "name": text or null}, ...}`.
+/// Written beside and renamed. Error: names `path`.
+Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const LabelMapEntry> entries);
+
+}  // namespace scantrove

@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/exchange/stamped_pose.h"
+
+namespace scantrove {
+
+/// Reads camera-to-world poses, ordered by time, from what `path` turns out to be:
+///  * a file of TUM lines `t tx ty tz qx qy qz qw` (`#` starts a comment);
+///  * a .log file of 5-line blocks (Redwood, Open3D), timestamp = frame number / 30;
+///  * a folder with groundtruth.txt, or 7-Scenes' frame-NNNNNN.pose.txt (timestamp = NNNNNN / 30), or a
+///    trajectory.txt, or a trajectory.log in it or one folder below.
+/// Poses that are not finite are left out. Error: names the file and line, or what was looked for in the
+/// folder.
+[[nodiscard]] Result<Trajectory> readTrajectory(const std::filesystem::path& path);
+
+}  // namespace scantrove

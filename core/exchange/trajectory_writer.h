@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "core/base/result.h"
+#include "core/exchange/stamped_pose.h"
+
+namespace scantrove {
+
+/// One line `timestamp tx ty tz qx qy qz qw` a pose (TUM RGB-D benchmark), camera to world, qw >= 0.
+/// Written beside and renamed. Error: names `path`.
+Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses);
+
+/// One line of the twelve numbers of the upper 3x4 of T_world_camera a pose, row by row (KITTI odometry); no
+/// times.
+Result<void> writeKittiTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses);
+
+}  // namespace scantrove

@@ -1,0 +1,71 @@
+#include "core/scan/report_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/exchange/atomic_file.h"
+#include "core/scan/param_registry.h"
+
+namespace scantrove {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json paramsToJson(const ScanParams& params) {
+  Json json = Json::object();
+  for (const ParamInfo& info : paramRegistry()) {
+    json[info.key] = info.choices.empty() ? Json(info.get(params)) : Json(info.text(params));
+  }
+  return json;
+}
+
+Json stagesToJson(const std::vector<ScanReport::Stage>& stages) {
+  Json json = Json::object();
+  for (const ScanReport::Stage& stage : stages) {
+    json[stage.name] = {{"median_ms", stage.median_ms}, {"p95_ms", stage.p95_ms}};
+  }
+  return json;
+}
+
+Json objectsToJson(const std::vector<ScanReport::Object>& objects) {
+  Json json = Json::array();
+  for (const ScanReport::Object& object : objects) {
+    const bool is_new = object.recognised_from.empty();
+    json.push_back({{"id", object.id.value},
+                    {"name", object.name},
+                    {"confirmed", object.confirmed},
+                    {"views", object.views},
+                    {"recognised_from", is_new ? Json(nullptr) : Json(object.recognised_from)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+Json reportToJson(const ScanReport& report) {
+  const ScanReport::Frames& frames = report.frames;
+  return {{"source", report.source},
+          {"device", report.device},
+          {"params", paramsToJson(report.params)},
+          {"frames",
+           {{"read", frames.read},
+            {"tracked", frames.tracked},
+            {"lost", frames.lost},
+            {"relocalised", frames.relocalised},
+            {"dropped", frames.dropped},
+            {"skipped", frames.skipped}}},
+          {"lost_frames", report.lost_frames},
+          {"fps", report.fps},
+          {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
+          {"stages", stagesToJson(report.stages)},
+          {"peak_memory_mb", report.peak_memory_mb},
+          {"map", {{"bricks", report.map_bricks}, {"megabytes", report.map_megabytes}}},
+          {"regions", report.regions},
+          {"objects", objectsToJson(report.objects)}};
+}
+
+Result<void> writeReport(const std::filesystem::path& path, const ScanReport& report) {
+  return writeFileAtomically(path,
+                             reportToJson(report).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace scantrove
