@@ -1,0 +1,59 @@
+#include "core/base/stage_timer.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+
+namespace scantrove {
+namespace {
+
+TEST(Summarise, TakesTheNearestRank) {
+  EXPECT_EQ(summarise({}).median_ms, 0);
+  EXPECT_EQ(summarise({7}).median_ms, 7);
+  EXPECT_EQ(summarise({7}).p95_ms, 7);
+  std::vector<double> hundred;
+  for (int i = 100; i >= 1; --i) hundred.push_back(i);
+  EXPECT_EQ(summarise(hundred).median_ms, 50);
+  EXPECT_EQ(summarise(hundred).p95_ms, 95);
+}
+
+TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
+  StageTimer timer;
+  timer.add("track", 3);
+  timer.add("fuse", 5);
+  timer.add("track", 4);
+  timer.endFrame();
+  timer.add("fuse", 1);
+  timer.endFrame();
+  ASSERT_EQ(timer.stages().size(), 2U);
+  EXPECT_EQ(timer.stages()[0].name, "track");
+  EXPECT_EQ(timer.stages()[0].all_ms, std::vector<double>{7});
+  EXPECT_EQ(timer.stages()[1].all_ms, (std::vector<double>{5, 1}));
+  EXPECT_EQ(timer.stages()[1].last_ms, 1);
+}
+
+TEST(StageTimer, HandsBackTheResultOfTheWork) {
+  StageTimer timer;
+  EXPECT_EQ(timer.time("add", [] { return 1 + 2; }), 3);
+  timer.time("nothing", [] {});
+  timer.endFrame();
+  EXPECT_EQ(timer.stages().size(), 2U);
+}
+
+TEST(StageTimer, CountsWorkThatThrows) {
+  StageTimer timer;
+  EXPECT_THROW(timer.time("fault", [] { throw std::runtime_error("device lost"); }), std::runtime_error);
+  timer.endFrame();
+  EXPECT_EQ(timer.stages().at(0).all_ms.size(), 1U);
+}
+
+TEST(StageTimer, MeasuresWallTime) {
+  StageTimer timer;
+  timer.time("sleep", [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); });
+  timer.endFrame();
+  EXPECT_GE(timer.stages().at(0).last_ms, 5);
+}
+
+}  // namespace
+}  // namespace scantrove

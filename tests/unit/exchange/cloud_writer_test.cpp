@@ -1,0 +1,86 @@
+#include "core/exchange/cloud_writer.h"
+
+#include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <random>
+
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::TemporaryFolder;
+using PclCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
+
+std::vector<LabeledPoint> somePoints() {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> coordinate(-3, 3);
+  std::vector<LabeledPoint> points(1000);
+  for (LabeledPoint& p : points) {
+    p = {coordinate(random),
+         coordinate(random),
+         coordinate(random),
+         static_cast<std::uint8_t>(random()),
+         static_cast<std::uint8_t>(random()),
+         static_cast<std::uint8_t>(random()),
+         static_cast<std::uint32_t>(random())};
+  }
+  points[0].label = 0;
+  points[1].label = 70000;
+  points[2].label = 0xFFFFFFFFU;
+  return points;
+}
+
+std::vector<LabeledPoint> fromPcl(const PclCloud& cloud) {
+  std::vector<LabeledPoint> points;
+  for (const auto& p : cloud) points.push_back({p.x, p.y, p.z, p.r, p.g, p.b, p.label});
+  return points;
+}
+
+TEST(CloudWriter, PcdReadsBackEqual) {
+  const TemporaryFolder folder;
+  const auto points = somePoints();
+  ASSERT_TRUE(writePcd(folder / "cloud.pcd", points));
+  PclCloud cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile((folder / "cloud.pcd").string(), cloud), 0);
+  EXPECT_EQ(fromPcl(cloud), points);
+  const std::string header = test::readText(folder / "cloud.pcd").substr(0, 300);
+  EXPECT_NE(header.find("FIELDS x y z rgba label\n"), std::string::npos);
+  EXPECT_NE(header.find("DATA binary\n"), std::string::npos);
+}
+
+TEST(CloudWriter, PlyReadsBackEqual) {
+  const TemporaryFolder folder;
+  const auto points = somePoints();
+  ASSERT_TRUE(writePly(folder / "cloud.ply", points));
+  PclCloud cloud;
+  ASSERT_EQ(pcl::io::loadPLYFile((folder / "cloud.ply").string(), cloud), 0);
+  EXPECT_EQ(fromPcl(cloud), points);
+}
+
+TEST(CloudWriter, AnEmptyCloudIsAFileWithoutPoints) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writePcd(folder / "cloud.pcd", {}));
+  ASSERT_TRUE(writePly(folder / "cloud.ply", {}));
+  pcl::PCLPointCloud2 cloud;
+  pcl::PCDReader().readHeader((folder / "cloud.pcd").string(), cloud);
+  EXPECT_EQ(cloud.width * cloud.height, 0U);
+  EXPECT_EQ(cloud.fields.size(), 5U);
+  EXPECT_NE(test::readText(folder / "cloud.ply").find("element vertex 0\n"), std::string::npos);
+}
+
+TEST(CloudWriter, FailsWithThePathAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("file", "x");
+  for (const auto& result :
+       {writePcd(file / "cloud.pcd", somePoints()), writePly(file / "cloud.ply", somePoints())}) {
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().what.find((file / "cloud.").string()), std::string::npos);
+  }
+  EXPECT_EQ(test::readText(file), "x");
+}
+
+}  // namespace
+}  // namespace scantrove

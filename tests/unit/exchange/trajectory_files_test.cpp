@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include "core/exchange/trajectory_reader.h"
+#include "core/exchange/trajectory_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::TemporaryFolder;
+
+Trajectory someTrajectory() {
+  Trajectory poses;
+  for (int i = 0; i < 20; ++i) {
+    StampedPose pose;
+    pose.timestamp_s = 1305031225.9334 + i / 30.0;
+    pose.T_world_camera = Eigen::Translation3d(0.1 * i, -0.02 * i, 1.5) *
+                          Eigen::AngleAxisd(0.4 * i, Eigen::Vector3d(1, 2, 3).normalized());
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+TEST(Trajectory, TumReadsBackEqual) {
+  const TemporaryFolder folder;
+  const Trajectory written = someTrajectory();
+  ASSERT_TRUE(writeTumTrajectory(folder / "trajectory.txt", written));
+  const auto read = readTrajectory(folder / "trajectory.txt");
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->size(), written.size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    EXPECT_NEAR((*read)[i].timestamp_s, written[i].timestamp_s, 1e-6);
+    EXPECT_TRUE((*read)[i].T_world_camera.isApprox(written[i].T_world_camera, 1e-8));
+  }
+}
+
+TEST(Trajectory, TumLineOfAKnownPose) {
+  const TemporaryFolder folder;
+  StampedPose pose;
+  pose.timestamp_s = 0.5;
+  pose.T_world_camera =
+      Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(std::acos(-1.0) / 2, Eigen::Vector3d::UnitZ());
+  ASSERT_TRUE(writeTumTrajectory(folder / "t.txt", std::vector{pose}));
+  EXPECT_EQ(test::readText(folder / "t.txt"),
+            "# timestamp tx ty tz qx qy qz qw\n0.500000 1 2 3 0 0 0.707106781 0.707106781\n");
+}
+
+TEST(Trajectory, KittiLineHoldsTheUpperRows) {
+  const TemporaryFolder folder;
+  StampedPose pose;
+  pose.T_world_camera = Eigen::Translation3d(4, 5, 6) * Eigen::Quaterniond::Identity();
+  ASSERT_TRUE(writeKittiTrajectory(folder / "k.txt", std::vector{pose, pose}));
+  EXPECT_EQ(test::readText(folder / "k.txt"), "1 0 0 4 0 1 0 5 0 0 1 6\n1 0 0 4 0 1 0 5 0 0 1 6\n");
+}
+
+TEST(Trajectory, SortsByTimeAndLeavesOutPosesThatAreNotFinite) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("t.txt",
+                                 "# comment\n2.0 1 0 0 0 0 0 1 # late\n\n1.0 2 0 0 0 0 0 2\n"
+                                 "1.5 nan nan nan 0 0 0 1\n");
+  const auto read = readTrajectory(path);
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->size(), 2U);
+  EXPECT_EQ((*read)[0].timestamp_s, 1.0);
+  EXPECT_TRUE((*read)[0].T_world_camera.linear().isApprox(Eigen::Matrix3d::Identity()));
+}
+
+TEST(Trajectory, ReadsPosesOfA7ScenesFolder) {
+  const TemporaryFolder folder;
+  const std::string matrix = "1 0 0 0.25\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+  folder.write("frame-000030.pose.txt", matrix);
+  folder.write("frame-000060.pose.txt", matrix);
+  folder.write("frame-000090.pose.txt", "nan nan nan nan\nnan nan nan nan\nnan nan nan nan\n0 0 0 1\n");
+  const auto read = readTrajectory(folder.path());
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->size(), 2U);
+  EXPECT_EQ((*read)[0].timestamp_s, 1.0);
+  EXPECT_EQ((*read)[1].timestamp_s, 2.0);
+  EXPECT_EQ((*read)[1].T_world_camera.translation().x(), 0.25);
+}
+
+TEST(Trajectory, ReadsALogOneFolderBelow) {
+  const TemporaryFolder folder;
+  folder.write("test_scene/trajectory.log",
+               "0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n3 3 4\n1 0 0 7\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+  const auto read = readTrajectory(folder.path());
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->size(), 2U);
+  EXPECT_DOUBLE_EQ((*read)[1].timestamp_s, 0.1);
+  EXPECT_EQ((*read)[1].T_world_camera.translation().x(), 7);
+}
+
+TEST(Trajectory, SaysWhichLineIsNotUnderstood) {
+  const TemporaryFolder folder;
+  const auto bad = readTrajectory(folder.write("t.txt", "1 0 0 0 0 0 0 1\n2 0 0\n"));
+  ASSERT_FALSE(bad);
+  EXPECT_NE(bad.error().what.find("t.txt, line 2"), std::string::npos);
+  const auto empty = readTrajectory(folder.write("e.txt", "# nothing\n"));
+  ASSERT_FALSE(empty);
+  EXPECT_NE(empty.error().what.find("e.txt"), std::string::npos);
+  EXPECT_FALSE(readTrajectory(folder / "missing.txt"));
+  const TemporaryFolder without_poses;
+  EXPECT_NE(readTrajectory(without_poses.path()).error().advice.find("groundtruth.txt"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scantrove
