@@ -8,7 +8,8 @@ namespace scantrove {
 struct RegionMap {
   int width = 0;
   int height = 0;
-  std::vector<std::uint32_t> labels;   ///< raw labels (immutable, what voxels hold), row by row; 0 = unlabelled
+  std::vector<std::uint32_t>
+      labels;  ///< raw labels (immutable, what voxels hold), row by row; 0 = unlabelled
   std::vector<std::uint32_t> regions;  ///< the same resolved through the label table as known at this frame
 };
 

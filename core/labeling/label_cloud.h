@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/brick_map.h"
+#include "core/fusion/surface_maps.h"
+#include "core/labeling/kernels/label_voxel.h"
+#include "core/labeling/label_table.h"
+#include "core/labeling/labeling_params.h"
+#include "core/labeling/region_map.h"
+
+namespace scantrove {
+
+/// The label cloud (thesis 3.3.3): a raw label in every voxel of the brick map's bricks, on the device. One
+/// thread, the context's.
+class LabelCloud {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
+  ~LabelCloud();
+
+  /// S_prj,t: the raw label at each vertex of `surface`, row by row, 0 = none.
+  [[nodiscard]] std::vector<std::uint32_t> project(const SurfaceMaps& surface, const BrickMap& bricks);
+
+  /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
+  /// Allocates bricks where such a voxel has none. Returns the slots of the bricks that were visited.
+  std::span<const cl_int> update(const SurfaceMaps& surface, const RegionMap& merged, const LabelTable& table,
+                                 const LabelingParams& params, BrickMap& bricks);
+
+  /// Labelled voxels within a voxel of the surface, for some bricks.
+  struct Extract {
+    std::vector<LabelPoint> points;    ///< of all bricks, brick after brick
+    std::vector<std::uint32_t> first;  ///< slots.size() + 1: points of slots[i] are [first[i], first[i + 1])
+  };
+  [[nodiscard]] Extract extract(std::span<const cl_int> slots, const BrickMap& bricks, float truncation_vox);
+
+  /// slotCapacity * 512 label voxels (label_voxel.h), for tests.
+  [[nodiscard]] const Buffer<cl_uint>& voxels() const;
+  [[nodiscard]] std::size_t deviceBytes() const;
+
+ private:
+  LabelCloud() = default;
+  class Machinery;
+  std::unique_ptr<Machinery> machinery_;
+};
+
+}  // namespace scantrove

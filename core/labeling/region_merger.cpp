@@ -1,0 +1,164 @@
+#include "core/labeling/region_merger.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+namespace scantrove {
+namespace {
+
+/// Qualifying edges of each segment, largest overlap first.
+using EdgesOfSegment = std::vector<std::vector<OverlapGraph::Edge>>;
+
+EdgesOfSegment qualifyingEdges(const OverlapGraph& graph, float threshold) {
+  EdgesOfSegment edges(graph.segment_areas_px.size());
+  for (const OverlapGraph::Edge& edge : graph.edges) {
+    if (graph.qualifies(edge, threshold)) edges[edge.segment].push_back(edge);
+  }
+  for (auto& of_segment : edges) {
+    std::stable_sort(of_segment.begin(), of_segment.end(),
+                     [](const auto& a, const auto& b) { return a.overlap_px > b.overlap_px; });
+  }
+  return edges;
+}
+
+void joinRegions(RegionId a, RegionId b, LabelTable& table, int frame, RegionMerger::Outcome& outcome) {
+  const RegionId into = table.regionOf(a.value);
+  const RegionId from = table.regionOf(b.value);
+  if (table.join(into, from, LabelTable::Cause::algorithm, frame)) outcome.joined.emplace_back(into, from);
+}
+
+}  // namespace
+
+void RegionMerger::joinComponents(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table,
+                                  int frame, Outcome& outcome) const {
+  const std::size_t region_count = graph.region_ids.size();
+  std::vector<std::vector<std::uint32_t>> segments_of(region_count);
+  std::vector<std::vector<std::uint32_t>> regions_of(graph.segment_areas_px.size());
+  for (const OverlapGraph::Edge& edge : graph.edges) {
+    if (!graph.qualifies(edge, params.overlap_threshold)) continue;
+    segments_of[edge.region].push_back(edge.segment);
+    regions_of[edge.segment].push_back(edge.region);
+  }
+  std::vector<bool> visited(region_count, false);
+  std::vector<bool> segment_visited(regions_of.size(), false);
+  for (std::uint32_t start = 0; start < region_count; ++start) {
+    if (visited[start]) continue;
+    std::vector<std::uint32_t> component{start};
+    visited[start] = true;
+    for (std::size_t next = 0; next < component.size(); ++next) {
+      for (const std::uint32_t segment : segments_of[component[next]]) {
+        if (segment_visited[segment]) continue;
+        segment_visited[segment] = true;
+        for (const std::uint32_t region : regions_of[segment]) {
+          if (visited[region]) continue;
+          visited[region] = true;
+          component.push_back(region);
+        }
+      }
+    }
+    const std::uint32_t largest = *std::max_element(component.begin(), component.end(), [&](auto a, auto b) {
+      return graph.region_areas_px[a] < graph.region_areas_px[b];
+    });
+    for (const std::uint32_t region : component) {
+      if (region == largest) continue;
+      joinRegions(RegionId{graph.region_ids[largest]}, RegionId{graph.region_ids[region]}, table, frame,
+                  outcome);
+    }
+  }
+}
+
+void RegionMerger::joinByEvidence(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table,
+                                  int frame, Outcome& outcome) {
+  std::set<RegionPair> bridged;
+  for (const auto& edges : qualifyingEdges(graph, params.overlap_threshold)) {
+    for (std::size_t a = 0; a < edges.size(); ++a) {
+      for (std::size_t b = a + 1; b < edges.size(); ++b) {
+        bridged.insert(std::minmax(graph.region_ids[edges[a].region], graph.region_ids[edges[b].region]));
+      }
+    }
+  }
+  std::unordered_map<std::uint32_t, int> area_in_view;
+  for (std::size_t j = 0; j < graph.region_ids.size(); ++j)
+    area_in_view[graph.region_ids[j]] = graph.region_areas_px[j];
+
+  // Seen apart: evidence against.
+  for (auto entry = evidence_.begin(); entry != evidence_.end();) {
+    const auto& [pair, count] = *entry;
+    const bool both_seen = area_in_view.contains(pair.first) && area_in_view.contains(pair.second);
+    if (both_seen && !bridged.contains(pair) && --entry->second <= 0) {
+      entry = evidence_.erase(entry);
+    } else {
+      ++entry;
+    }
+  }
+  for (const RegionPair& pair : bridged) {
+    if (++evidence_[pair] < params.evidence_frames) continue;
+    const bool first_is_larger = area_in_view[pair.first] >= area_in_view[pair.second];
+    joinRegions(RegionId{first_is_larger ? pair.first : pair.second},
+                RegionId{first_is_larger ? pair.second : pair.first}, table, frame, outcome);
+  }
+  if (outcome.joined.empty()) return;
+
+  // What was known of a region that was joined is now known of the region that it became part of.
+  std::map<RegionPair, int> renamed;
+  for (const auto& [pair, count] : evidence_) {
+    const RegionPair now = std::minmax(table.regionOf(pair.first).value, table.regionOf(pair.second).value);
+    if (now.first != now.second) renamed[now] = std::max(renamed[now], count);
+  }
+  evidence_ = std::move(renamed);
+}
+
+RegionMerger::Outcome RegionMerger::merge(const SegmentMap& segments,
+                                          std::span<const std::uint32_t> projected, LabelTable& table,
+                                          const LabelingParams& params, int frame) {
+  Outcome outcome;
+  std::vector<std::uint32_t> projected_regions(projected.size());
+  const auto& region_of_label = table.regionOfLabel();
+  std::transform(projected.begin(), projected.end(), projected_regions.begin(),
+                 [&](std::uint32_t label) { return region_of_label[label]; });
+  const OverlapGraph graph = buildOverlapGraph(segments, projected_regions);
+
+  const bool by_evidence = params.rule == LabelingParams::Rule::evidence;
+  if (by_evidence) {
+    joinByEvidence(graph, params, table, frame, outcome);
+  } else {
+    joinComponents(graph, params, table, frame, outcome);
+  }
+
+  // The label of each segment, and the regions whose pixels it leaves alone.
+  const EdgesOfSegment edges = qualifyingEdges(graph, params.overlap_threshold);
+  std::vector<std::uint32_t> label_of_segment(segments.areas.size(), 0);
+  std::vector<std::vector<std::uint32_t>> kept_regions(segments.areas.size());
+  for (std::uint32_t segment = 1; segment < label_of_segment.size(); ++segment) {
+    if (edges[segment].empty()) {
+      label_of_segment[segment] = table.newLabel().value;
+      continue;
+    }
+    label_of_segment[segment] = table.regionOf(graph.region_ids[edges[segment].front().region]).value;
+    for (const OverlapGraph::Edge& edge : edges[segment]) {
+      const std::uint32_t region = table.regionOf(graph.region_ids[edge.region]).value;
+      if (region != label_of_segment[segment]) kept_regions[segment].push_back(region);
+    }
+  }
+
+  const auto& regions_now = table.regionOfLabel();
+  RegionMap& map = outcome.map;
+  map.width = segments.width;
+  map.height = segments.height;
+  map.labels.resize(projected.size());
+  map.regions.resize(projected.size());
+  for (std::size_t pixel = 0; pixel < projected.size(); ++pixel) {
+    const std::uint32_t segment = segments.ids[pixel];
+    std::uint32_t label = label_of_segment[segment];
+    const std::uint32_t projected_region = regions_now[projected_regions[pixel]];
+    const auto& kept = kept_regions[segment];
+    if (segment == 0 || std::find(kept.begin(), kept.end(), projected_region) != kept.end())
+      label = projected_region;
+    map.labels[pixel] = label;
+    map.regions[pixel] = regions_now[label];
+  }
+  return outcome;
+}
+
+}  // namespace scantrove

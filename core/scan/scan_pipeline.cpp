@@ -1,0 +1,167 @@
+#include "core/scan/scan_pipeline.h"
+
+#include <numeric>
+#include <unordered_set>
+
+#include "core/fusion/motion_prediction.h"
+
+namespace scantrove {
+namespace {
+/// A map is begun with a frame that has depth in at least this part of its pixels.
+constexpr double kLeastDepthToBegin = 0.05;
+}  // namespace
+
+Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compute, const Setup& setup) {
+  std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
+  const auto take = [](auto& member, auto result) -> Result<void> {
+    if (!result) return fail(result.error());
+    member = std::move(*result);
+    return {};
+  };
+  SCANTROVE_TRY(
+      take(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
+  SCANTROVE_TRY(take(pipeline->tracker_, Tracker::create(compute)));
+  SCANTROVE_TRY(take(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
+  SCANTROVE_TRY(take(pipeline->segmenter_, GraphSegmenter::create(compute)));
+  SCANTROVE_TRY(take(pipeline->cloud_, LabelCloud::create(compute)));
+  pipeline->finder_ = makeRuleBasedFinder(setup.params.discovery);
+  if (setup.database != nullptr) {
+    SCANTROVE_TRY(take(pipeline->collector_, ObjectCollector::create(compute, *setup.database, setup.session,
+                                                                     setup.params.detection)));
+  }
+  return pipeline;
+}
+
+template <class Work>
+auto ScanPipeline::stage(std::string_view name, Work&& work) {
+  return timer_.time(name, [&] {
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      compute_.finish();
+    } else {
+      auto result = work();
+      compute_.finish();
+      return result;
+    }
+  });
+}
+
+Result<FrameResult> ScanPipeline::processFrame(const RgbdFrame& frame) {
+  try {
+    Result<FrameResult> result = runStages(frame);
+    timer_.endFrame();
+    return result;
+  } catch (const cl::Error& error) {
+    return fail(
+        "The OpenCL device " + compute_.deviceName() + " failed in frame " + std::to_string(frame.index) +
+            ": " + error.what() + " (code " + std::to_string(error.err()) + ").",
+        "If memory ran out, scan less at once or use larger voxels (--set fusion.voxel_size_m=0.01).");
+  }
+}
+
+Result<FrameResult> ScanPipeline::runStages(const RgbdFrame& frame) {
+  FrameResult result;
+  const DepthPyramid* depth = nullptr;
+  stage("filter", [&] { depth = &preprocessor_->process(frame); });
+  working_K_ = depth->levels.front().K;
+
+  result.pose = stage("track", [&] { return estimatePose(frame, *depth); });
+  touched_ = {};
+  ++frame_;
+  if (!result.pose.usable()) return result;
+  const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
+
+  stage("integrate", [&] { map_->integrate(*depth, T_world_camera); });
+  stage("raycast", [&] { map_->raycast(T_world_camera, working_K_, surface_); });
+
+  result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
+  const std::vector<std::uint32_t> projected =
+      stage("project", [&] { return cloud_->project(surface_, map_->bricks()); });
+  RegionMerger::Outcome merged = stage(
+      "merge", [&] { return merger_.merge(result.segments, projected, table_, params_.labeling, frame_); });
+  result.regions = std::move(merged.map);
+  touched_ = stage("update", [&] {
+    return cloud_->update(surface_, result.regions, table_, params_.labeling, map_->bricks());
+  });
+
+  for (const auto& [into, from] : merged.joined) {
+    finder_->regionsMerged(into, from);
+    if (collector_) collector_->regionsMerged(into, from);
+  }
+  const std::vector<Candidate> candidates = stage("discover", [&] {
+    result.vertices_world.resize(static_cast<std::size_t>(working_K_.pixels()));
+    static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
+    surface_.vertices_world.read(
+        compute_.queue(),
+        {reinterpret_cast<cl_float4*>(result.vertices_world.data()), result.vertices_world.size()});
+    return finder_->find({result.regions, result.vertices_world, working_K_, T_world_camera});
+  });
+  if (!collector_) return result;
+
+  Result<ObjectCollector::Happenings> objects =
+      stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
+  if (!objects) return fail(objects.error());
+  result.objects = std::move(*objects);
+  return result;
+}
+
+PoseEstimate ScanPipeline::estimatePose(const RgbdFrame& frame, const DepthPyramid& depth) {
+  PoseEstimate pose;
+  if (poses_given_) {
+    if (!frame.T_world_camera) return pose;
+    pose.state = TrackingState::tracking;
+    pose.T_world_camera = *frame.T_world_camera;
+    pose.inlier_fraction = 1;
+    return pose;
+  }
+  if (!last_pose_) {
+    pose = firstPose(depth);
+  } else {
+    const Eigen::Isometry3d prediction =
+        before_last_pose_ ? predictPose(*last_pose_, *before_last_pose_) : *last_pose_;
+    pose = tracker_->track(depth, surface_, prediction);
+  }
+  before_last_pose_ = pose.usable() ? last_pose_ : std::nullopt;
+  if (pose.usable()) last_pose_ = pose.T_world_camera;
+  return pose;
+}
+
+PoseEstimate ScanPipeline::firstPose(const DepthPyramid& depth) {
+  const std::vector<cl_float4> vertices = depth.levels.front().vertices_camera.read(compute_.queue());
+  const auto pixels = static_cast<std::size_t>(depth.levels.front().K.pixels());
+  std::size_t valid = 0;
+  for (std::size_t i = 0; i < pixels; ++i) valid += vertices[i].s[3] > 0 ? 1U : 0U;
+  PoseEstimate pose;
+  if (static_cast<double>(valid) >= kLeastDepthToBegin * static_cast<double>(pixels)) {
+    pose.state = TrackingState::tracking;
+    pose.inlier_fraction = 1;
+  }
+  return pose;
+}
+
+void ScanPipeline::setParams(const ScanParams& params) {
+  const FusionParams fusion = params_.fusion;
+  params_ = params;
+  params_.fusion = fusion;
+  finder_->setParams(params_.discovery);
+  if (collector_) collector_->setParams(params_.detection);
+}
+
+Result<void> ScanPipeline::reloadCatalogue() { return collector_ ? collector_->reload() : Result<void>{}; }
+
+std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes() + cloud_->deviceBytes(); }
+
+int ScanPipeline::regionCount() {
+  std::vector<cl_int> slots(static_cast<std::size_t>(bricks().brickCount()));
+  std::iota(slots.begin(), slots.end(), 0);
+  std::unordered_set<std::uint32_t> regions;
+  for (const LabelPoint& point : extractCloud(slots).points)
+    regions.insert(table_.regionOf(point.label).value);
+  return static_cast<int>(regions.size());
+}
+
+LabelCloud::Extract ScanPipeline::extractCloud(std::span<const cl_int> slots) {
+  return cloud_->extract(slots, map_->bricks(), params_.fusion.truncation_vox);
+}
+
+}  // namespace scantrove

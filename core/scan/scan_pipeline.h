@@ -1,0 +1,109 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/stage_timer.h"
+#include "core/capture/rgbd_frame.h"
+#include "core/catalog/object_database.h"
+#include "core/compute/compute_context.h"
+#include "core/discovery/candidate_finder.h"
+#include "core/fusion/dense_map.h"
+#include "core/fusion/depth_preprocessor.h"
+#include "core/fusion/pose_estimate.h"
+#include "core/fusion/tracker.h"
+#include "core/labeling/label_cloud.h"
+#include "core/labeling/label_table.h"
+#include "core/labeling/region_map.h"
+#include "core/labeling/region_merger.h"
+#include "core/scan/object_collector.h"
+#include "core/scan/scan_params.h"
+#include "core/segmentation/graph_segmenter.h"
+
+namespace scantrove {
+
+/// What one frame gave. Maps are empty when the pose was not usable.
+struct FrameResult {
+  PoseEstimate pose;
+  SegmentMap segments;                          ///< S_t
+  RegionMap regions;                            ///< S_cloud,t
+  std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
+  ObjectCollector::Happenings objects;
+};
+
+/// One frame through every stage of the thesis. Owns map, label cloud and label table; cost per frame does
+/// not depend on how much was scanned. One thread, the compute context's.
+class ScanPipeline {
+ public:
+  struct Setup {
+    Intrinsics K;  ///< of the recording
+    ScanParams params;
+    bool poses_given = false;            ///< take RgbdFrame::T_world_camera instead of tracking
+    ObjectDatabase* database = nullptr;  ///< null: discover, but neither recognise nor collect
+    std::int64_t session = 0;
+  };
+
+  /// `compute` and the database outlive the pipeline.
+  [[nodiscard]] static Result<std::unique_ptr<ScanPipeline>> create(ComputeContext& compute,
+                                                                    const Setup& setup);
+
+  /// Error: the device or the database failed; the scan cannot go on. A lost frame is a value, not an error.
+  [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame);
+
+  /// Replaces all parameters but those of fusion, which are fixed for the life of the map.
+  void setParams(const ScanParams& params);
+
+  [[nodiscard]] Result<void> reloadCatalogue();
+
+  [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }
+  [[nodiscard]] const StageTimer& timer() const { return timer_; }
+  [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
+  [[nodiscard]] const LabelTable& labelTable() const { return table_; }
+  [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
+  [[nodiscard]] std::size_t deviceBytes() const;
+  /// Regions that still have a voxel near the surface, over the whole map.
+  [[nodiscard]] int regionCount();
+
+  /// Bricks whose labels the last frame may have changed.
+  [[nodiscard]] std::span<const cl_int> touchedSlots() const { return touched_; }
+  /// Labelled voxels near the surface in some bricks.
+  [[nodiscard]] LabelCloud::Extract extractCloud(std::span<const cl_int> slots);
+
+ private:
+  ScanPipeline(ComputeContext& compute, const Setup& setup)
+      : compute_(compute), params_(setup.params), poses_given_(setup.poses_given) {}
+
+  [[nodiscard]] Result<FrameResult> runStages(const RgbdFrame& frame);
+  [[nodiscard]] PoseEstimate estimatePose(const RgbdFrame& frame, const DepthPyramid& depth);
+  [[nodiscard]] PoseEstimate firstPose(const DepthPyramid& depth);
+  [[nodiscard]] std::vector<Candidate> discover(const FrameResult& result);
+
+  /// Times `work` as a stage, waiting for the device so that each stage pays for itself.
+  template <class Work>
+  auto stage(std::string_view name, Work&& work);
+
+  ComputeContext& compute_;
+  ScanParams params_;
+  bool poses_given_ = false;
+  Intrinsics working_K_;
+  StageTimer timer_;
+
+  std::unique_ptr<DepthPreprocessor> preprocessor_;
+  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<DenseMap> map_;
+  std::unique_ptr<GraphSegmenter> segmenter_;
+  std::unique_ptr<LabelCloud> cloud_;
+  LabelTable table_;
+  RegionMerger merger_;
+  std::unique_ptr<CandidateFinder> finder_;
+  std::unique_ptr<ObjectCollector> collector_;
+
+  SurfaceMaps surface_;                                // V_t, N_t of the last usable frame
+  std::optional<Eigen::Isometry3d> last_pose_;         // of the last usable frame
+  std::optional<Eigen::Isometry3d> before_last_pose_;  // of the frame before it, if that was usable too
+  std::span<const cl_int> touched_;
+  int frame_ = 0;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,172 @@
+#include "core/scan/scan_run.h"
+
+#include <sys/resource.h>
+
+#include <unordered_set>
+#include <utility>
+
+#include "core/capture/open_source.h"
+
+namespace scantrove {
+namespace {
+
+double peakMemoryMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // kilobytes on Linux
+}
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanSession::Listener listener,
+                                               LatestValue<ScanSnapshot>& mailbox) {
+  std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
+  const auto take = [](auto& member, auto result) -> Result<void> {
+    if (!result) return fail(result.error());
+    member = std::move(*result);
+    return {};
+  };
+  SCANTROVE_TRY(take(run->source_, openSource(request.source, request.source_options)));
+  const SourceInfo& info = run->source_->info();
+  const bool poses_given = request.poses == ScanRequest::Poses::given;
+  if (poses_given && !info.has_poses) {
+    return fail("The recording " + info.name + " (" + info.kind + ") has no poses.",
+                "Leave out --poses given.");
+  }
+  SCANTROVE_TRY(take(run->compute_, ComputeContext::create({request.device, false})));
+  if (request.output_folder) {
+    SCANTROVE_TRY(take(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
+  }
+  SCANTROVE_TRY(take(run->database_, ObjectDatabase::open(request.database)));
+  SCANTROVE_TRY(take(run->session_, run->database_->beginSession(info.name)));
+  SCANTROVE_TRY(
+      take(run->pipeline_, ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
+                                                                 run->database_.get(), run->session_})));
+  return run;
+}
+
+ScanRun::~ScanRun() = default;
+
+Result<ScanRun::Step> ScanRun::step() {
+  FrameRead read = source_->next();
+  frames_.dropped += read.dropped;
+  switch (read.status) {
+    case FrameRead::Status::end:
+      return Step::end;
+    case FrameRead::Status::failed:
+      return fail(read.error);
+    case FrameRead::Status::timeout:
+      return Step::nothing_yet;
+    case FrameRead::Status::skipped:
+      skip(read);
+      return Step::nothing_yet;
+    case FrameRead::Status::frame:
+      break;
+  }
+  if (request_.poses == ScanRequest::Poses::given && !read.frame.T_world_camera) {
+    read.error = {"Frame " + std::to_string(read.frame.index) + " has no usable pose and is left out.", ""};
+    skip(read);
+    return Step::nothing_yet;
+  }
+  SCANTROVE_TRY(process(std::move(read.frame)));
+  return Step::frame;
+}
+
+Result<void> ScanRun::process(RgbdFrame frame) {
+  const auto start = std::chrono::steady_clock::now();
+  Result<FrameResult> result = pipeline_->processFrame(frame);
+  if (!result) return fail(result.error());
+  frame_ms_.push_back(millisecondsSince(start));
+  count(*result, frame.index);
+  tell(*result);
+  if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
+  snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result), progress(ScanState::scanning));
+  return {};
+}
+
+void ScanRun::skip(const FrameRead& read) {
+  ++frames_.skipped;
+  listener_(FrameSkipped{read.frame.index, read.error});
+}
+
+void ScanRun::count(const FrameResult& result, int frame_index) {
+  ++frames_.read;
+  if (!result.pose.usable()) {
+    ++frames_.lost;
+    lost_frames_.push_back(frame_index);
+    return;
+  }
+  ++frames_.tracked;
+  if (result.pose.state == TrackingState::relocalised) ++frames_.relocalised;
+}
+
+void ScanRun::tell(const FrameResult& result) {
+  for (const ObjectRecord& added : result.objects.added) listener_(ObjectAdded{added.id, added.name});
+  for (const ObjectRecord& known : result.objects.recognised)
+    listener_(ObjectRecognised{known.id, known.name});
+  for (const ObjectId object : result.objects.new_views) listener_(ViewAdded{object});
+}
+
+ScanProgress ScanRun::progress(ScanState state) const {
+  return {state,
+          frames_.read + frames_.skipped,
+          source_->info().frame_count.value_or(0),
+          frames_.lost,
+          frames_.skipped,
+          frames_.dropped};
+}
+
+void ScanRun::showNow(ScanState state) { snapshots_.flush(*pipeline_, progress(state)); }
+
+void ScanRun::setParams(const ScanParams& params) {
+  const FusionParams fusion = request_.params.fusion;
+  request_.params = params;
+  request_.params.fusion = fusion;
+  pipeline_->setParams(request_.params);
+}
+
+void ScanRun::startClock() {
+  if (!clock_start_) clock_start_ = std::chrono::steady_clock::now();
+}
+
+void ScanRun::stopClock() {
+  if (clock_start_) elapsed_s_ += millisecondsSince(*clock_start_) / 1000.0;
+  clock_start_.reset();
+}
+
+Result<ScanReport> ScanRun::finish() {
+  stopClock();
+  const ScanReport report = makeReport();
+  if (output_) SCANTROVE_TRY(output_->finish(*pipeline_, report));
+  SCANTROVE_TRY(database_->endSession(session_));
+  return report;
+}
+
+ScanReport ScanRun::makeReport() {
+  ScanReport report;
+  report.source = request_.source;
+  report.device = compute_->deviceName();
+  report.params = request_.params;
+  report.frames = frames_;
+  report.lost_frames = lost_frames_;
+  report.fps = elapsed_s_ > 0 ? frames_.read / elapsed_s_ : 0;
+  const DurationSummary frame_time = summarise(frame_ms_);
+  report.frame_median_ms = frame_time.median_ms;
+  report.frame_p95_ms = frame_time.p95_ms;
+  for (const StageTimer::Stage& stage : pipeline_->timer().stages()) {
+    const DurationSummary time = summarise(stage.all_ms);
+    report.stages.push_back({stage.name, time.median_ms, time.p95_ms});
+  }
+  report.peak_memory_mb = peakMemoryMegabytes();
+  report.map_bricks = pipeline_->bricks().brickCount();
+  report.map_megabytes = static_cast<double>(pipeline_->deviceBytes()) / (1 << 20);
+  report.regions = pipeline_->regionCount();
+  report.objects = pipeline_->collector()->metObjects();
+  return report;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,76 @@
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "core/base/latest_value.h"
+#include "core/base/result.h"
+#include "core/capture/frame_source.h"
+#include "core/catalog/object_database.h"
+#include "core/compute/compute_context.h"
+#include "core/scan/scan_output.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/scan/scan_session.h"
+#include "core/scan/snapshot_builder.h"
+
+namespace scantrove {
+
+/// One scan from its first to its last frame: source, device, catalogue, pipeline, results. One thread, the
+/// worker's.
+class ScanRun {
+ public:
+  /// Opens everything that `request` names. Nothing is written when it fails.
+  [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
+                                                             ScanSession::Listener listener,
+                                                             LatestValue<ScanSnapshot>& mailbox);
+  ~ScanRun();
+
+  enum class Step { frame, nothing_yet, end };
+  /// Reads and processes the next frame. Error: the scan cannot go on.
+  [[nodiscard]] Result<Step> step();
+
+  [[nodiscard]] bool hasFrames() const { return frames_.read > 0; }
+
+  /// Posts a snapshot at once, with all that changed.
+  void showNow(ScanState state);
+
+  [[nodiscard]] Result<void> reloadCatalogue() { return pipeline_->reloadCatalogue(); }
+  void setParams(const ScanParams& params);
+
+  /// Wall time that must not count, because a person paused.
+  void startClock();
+  void stopClock();
+
+  /// Writes the results and closes the catalogue's session.
+  [[nodiscard]] Result<ScanReport> finish();
+
+ private:
+  ScanRun(ScanRequest request, ScanSession::Listener listener, LatestValue<ScanSnapshot>& mailbox)
+      : request_(std::move(request)), listener_(std::move(listener)), snapshots_(mailbox) {}
+
+  [[nodiscard]] Result<void> process(RgbdFrame frame);
+  void skip(const FrameRead& read);
+  void count(const FrameResult& result, int frame_index);
+  void tell(const FrameResult& result);
+  [[nodiscard]] ScanProgress progress(ScanState state) const;
+  [[nodiscard]] ScanReport makeReport();
+
+  ScanRequest request_;
+  ScanSession::Listener listener_;
+  SnapshotBuilder snapshots_;
+  std::unique_ptr<FrameSource> source_;
+  std::unique_ptr<ScanOutput> output_;
+  std::unique_ptr<ObjectDatabase> database_;
+  std::int64_t session_ = 0;
+  std::unique_ptr<ComputeContext> compute_;
+  std::unique_ptr<ScanPipeline> pipeline_;
+
+  ScanReport::Frames frames_;
+  std::vector<int> lost_frames_;
+  std::vector<double> frame_ms_;
+  double elapsed_s_ = 0;
+  std::optional<std::chrono::steady_clock::time_point> clock_start_;
+};
+
+}  // namespace scantrove

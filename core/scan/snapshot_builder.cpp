@@ -1,0 +1,132 @@
+#include "core/scan/snapshot_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <unordered_set>
+
+namespace scantrove {
+namespace {
+constexpr auto kLeastInterval = std::chrono::milliseconds(80);
+constexpr std::size_t kMostBricks =
+    1500;  // of one snapshot while scanning: bounds what it takes from a frame
+
+/// Ids as a CV_32SC1 image.
+cv::Mat idImage(const std::vector<std::uint32_t>& ids, int width, int height) {
+  if (ids.empty()) return {};
+  cv::Mat image(height, width, CV_32SC1);
+  std::transform(ids.begin(), ids.end(), image.begin<std::int32_t>(),
+                 [](std::uint32_t id) { return static_cast<std::int32_t>(id); });
+  return image;
+}
+
+cv::Mat rawDepth(const RgbdFrame& frame, const Intrinsics& K) {
+  if (frame.depth.empty()) return {};
+  cv::Mat small;
+  cv::resize(frame.depth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST);
+  small.convertTo(small, CV_32F, static_cast<double>(frame.metres_per_unit));
+  return small;
+}
+
+/// Camera depth of V_t, CV_32FC1 metres, 0 = no surface.
+cv::Mat fusedDepth(const FrameResult& result, const Intrinsics& K) {
+  if (result.vertices_world.empty()) return {};
+  const Eigen::Matrix<float, 3, 4> T_camera_world =
+      result.pose.T_world_camera.inverse().matrix().topRows<3>().cast<float>();
+  cv::Mat depth(K.height, K.width, CV_32FC1);
+  std::transform(result.vertices_world.begin(), result.vertices_world.end(), depth.begin<float>(),
+                 [&](const Eigen::Vector4f& v) { return v.w() > 0 ? T_camera_world.row(2).dot(v) : 0.0F; });
+  return depth;
+}
+
+}  // namespace
+
+void SnapshotBuilder::measureRate() {
+  const auto now = std::chrono::steady_clock::now();
+  frame_times_.push_back(now);
+  while (frame_times_.size() > 2 && now - frame_times_.front() > std::chrono::seconds(1))
+    frame_times_.pop_front();
+  const std::chrono::duration<double> span = now - frame_times_.front();
+  if (span.count() > 0) fps_ = static_cast<double>(frame_times_.size() - 1) / span.count();
+}
+
+void SnapshotBuilder::addFrame(ScanPipeline& pipeline, RgbdFrame frame, FrameResult result,
+                               const ScanProgress& progress) {
+  measureRate();
+  if (result.pose.usable()) trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
+  is_waiting_.resize(static_cast<std::size_t>(pipeline.bricks().brickCount()), false);
+  for (const cl_int slot : pipeline.touchedSlots()) {
+    if (is_waiting_[static_cast<std::size_t>(slot)]) continue;
+    is_waiting_[static_cast<std::size_t>(slot)] = true;
+    waiting_slots_.push_back(slot);
+  }
+  frame_ = std::move(frame);
+  result_ = std::move(result);
+  if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kLeastInterval) return;
+  post(pipeline, progress, kMostBricks);
+}
+
+void SnapshotBuilder::flush(ScanPipeline& pipeline, const ScanProgress& progress) {
+  post(pipeline, progress, std::numeric_limits<std::size_t>::max());
+}
+
+void SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress, std::size_t most_bricks) {
+  const Intrinsics& K = pipeline.workingIntrinsics();
+  auto snapshot = std::make_shared<ScanSnapshot>();
+  snapshot->state = progress.state;
+  snapshot->frame_index = frame_.index;
+  snapshot->frames_done = progress.frames_done;
+  snapshot->frames_total = progress.frames_total;
+  snapshot->frames_lost = progress.frames_lost;
+  snapshot->frames_skipped = progress.frames_skipped;
+  snapshot->frames_dropped = progress.frames_dropped;
+  snapshot->pose = result_.pose;
+  snapshot->K = K;
+  snapshot->trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
+  snapshot->color = frame_.color;
+  snapshot->depth_raw_m = rawDepth(frame_, K);
+  snapshot->depth_fused_m = fusedDepth(result_, K);
+  snapshot->segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
+  snapshot->regions = idImage(result_.regions.regions, result_.regions.width, result_.regions.height);
+  snapshot->objects = result_.objects.seen;
+  addChangedBricks(pipeline, most_bricks, *snapshot);
+  for (const StageTimer::Stage& stage : pipeline.timer().stages()) {
+    snapshot->stage_times.push_back({stage.name, stage.last_ms});
+  }
+  snapshot->fps = fps_;
+  snapshot->map_bricks = pipeline.bricks().brickCount();
+  snapshot->map_megabytes = static_cast<double>(pipeline.deviceBytes()) / (1 << 20);
+  const std::unordered_set<std::uint32_t> in_view(result_.regions.regions.begin(),
+                                                  result_.regions.regions.end());
+  snapshot->region_count = static_cast<int>(in_view.size()) - (in_view.contains(0) ? 1 : 0);
+  last_post_ = std::chrono::steady_clock::now();
+  mailbox_.post(std::move(snapshot));
+}
+
+void SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
+                                       ScanSnapshot& snapshot) {
+  // Bricks of a snapshot that was never collected go with this one.
+  if (const auto uncollected = mailbox_.collect()) snapshot.changed_bricks = uncollected->changed_bricks;
+  const auto count = std::min(most_bricks, waiting_slots_.size());
+  const std::vector<cl_int> slots(waiting_slots_.begin(),
+                                  waiting_slots_.begin() + static_cast<std::ptrdiff_t>(count));
+  waiting_slots_.erase(waiting_slots_.begin(), waiting_slots_.begin() + static_cast<std::ptrdiff_t>(count));
+  const LabelCloud::Extract extract = pipeline.extractCloud(slots);
+  ++version_;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    is_waiting_[static_cast<std::size_t>(slots[i])] = false;
+    CloudBrick brick;
+    brick.position = pipeline.bricks().positionOf(slots[i]);
+    brick.version = version_;
+    for (std::uint32_t p = extract.first[i]; p < extract.first[i + 1]; ++p) {
+      const LabelPoint& point = extract.points[p];
+      brick.points.push_back({point.x, point.y, point.z, point.label});
+    }
+    snapshot.changed_bricks.push_back(std::move(brick));
+  }
+  // The table changes with almost every frame while the scene is new; a copy is a few kilobytes.
+  snapshot.region_of_label =
+      std::make_shared<const std::vector<std::uint32_t>>(pipeline.labelTable().regionOfLabel());
+}
+
+}  // namespace scantrove

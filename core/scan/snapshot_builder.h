@@ -1,0 +1,54 @@
+#pragma once
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "core/base/latest_value.h"
+#include "core/capture/rgbd_frame.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/scan/scan_snapshot.h"
+
+namespace scantrove {
+
+/// How far a scan has come.
+struct ScanProgress {
+  ScanState state = ScanState::idle;
+  int frames_done = 0;
+  int frames_total = 0;
+  int frames_lost = 0;
+  int frames_skipped = 0;
+  int frames_dropped = 0;
+};
+
+/// Makes the snapshots of one scan. Works only when the window has collected the last one and enough time has
+/// passed, and sends a bounded number of label-cloud bricks each time, those that waited longest first. One
+/// thread, the worker's.
+class SnapshotBuilder {
+ public:
+  explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox) : mailbox_(mailbox) {}
+
+  /// Call for every frame: remembers trail and changed bricks, and posts a snapshot when one is due.
+  void addFrame(ScanPipeline& pipeline, RgbdFrame frame, FrameResult result, const ScanProgress& progress);
+
+  /// Posts what there is at once, with all bricks that still wait: at a pause, a step, the end.
+  void flush(ScanPipeline& pipeline, const ScanProgress& progress);
+
+ private:
+  void post(ScanPipeline& pipeline, const ScanProgress& progress, std::size_t most_bricks);
+  void addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks, ScanSnapshot& snapshot);
+  void measureRate();
+
+  LatestValue<ScanSnapshot>& mailbox_;
+  RgbdFrame frame_;
+  FrameResult result_;
+  std::vector<Eigen::Vector3f> trail_;
+  std::deque<cl_int> waiting_slots_;
+  std::vector<bool> is_waiting_;  // by slot
+  std::uint64_t version_ = 0;
+  std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
+  std::chrono::steady_clock::time_point last_post_;
+  double fps_ = 0;
+};
+
+}  // namespace scantrove
