@@ -6,8 +6,14 @@
 
 namespace scantrove {
 
-/// Colour (red, green, blue) by which files show a region: the same for the same id in every scan,
-/// neighbouring ids far apart in hue; id 0 (unlabelled) is mid grey.
-[[nodiscard]] std::array<std::uint8_t, 3> regionColor(RegionId region);
+/// Red, green, blue, each 0..255.
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// The colour of a region: the same in the 3D view, in the image panels, in files, and in every run. Neighbouring ids get far
+/// apart hues (golden-angle steps in OKLCH, so all are equally vivid). Region 0 ("unlabelled") is a neutral grey.
+[[nodiscard]] Rgb regionColor(RegionId region);
+
+/// The same table for segments of a single frame, whose ids mean nothing across frames.
+[[nodiscard]] Rgb segmentColor(SegmentId segment);
 
 }  // namespace scantrove
