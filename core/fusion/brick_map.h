@@ -8,21 +8,22 @@
 #include "core/base/result.h"
 #include "core/capture/intrinsics.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/brick_pages.h"
 #include "core/fusion/kernels/brick_layout.h"
 
 namespace scantrove {
 
-/// Which 8^3 bricks exist and where their voxels lie. The directory lives on the host and is mirrored on the device as a
-/// hash table (brick_layout.h); voxels live on the device only. No limit on extent or position other than memory:
-/// table and pools grow. Slots are handed out 0, 1, 2, ... One thread, the context's.
+/// Which 8^3 bricks exist and where their voxels lie. The directory lives on the host and is mirrored on the
+/// device as a hash table (brick_layout.h); voxels live on the device only. No limit on extent or position
+/// other than memory: table and pools grow. Slots are handed out 0, 1, 2, ... One thread, the context's.
 class BrickMap {
  public:
   BrickMap(ComputeContext& compute, float voxel_size_m);
   ~BrickMap();
 
   [[nodiscard]] float voxelSize() const;
-  [[nodiscard]] int brickCount() const;     ///< allocated bricks = used slots
-  [[nodiscard]] int slotCapacity() const;   ///< slots that pools must have room for; grows by doubling
+  [[nodiscard]] int brickCount() const;    ///< allocated bricks = used slots
+  [[nodiscard]] int slotCapacity() const;  ///< slots that pools must have room for; grows by doubling
   [[nodiscard]] std::size_t deviceBytes() const;
 
   /// Slot of a brick or BRICK_NONE.
@@ -30,21 +31,30 @@ class BrickMap {
   /// Position of the brick in `slot`.
   [[nodiscard]] const Eigen::Vector3i& positionOf(int slot) const;
 
-  /// Allocates those of `bricks` that do not exist (duplicates welcome) with weight 0 and label 0, on host and device.
-  /// Returns how many are new.
+  /// Allocates those of `bricks` that do not exist (duplicates welcome) with weight 0, on host and device;
+  /// slots follow the order of `bricks`. Returns how many are new.
   int allocate(std::span<const Eigen::Vector3i> bricks);
 
-  /// Slots of all bricks whose sphere meets the view frustum between the depths. Cost follows the view, not the map.
+  /// Slots of all bricks whose sphere meets the view frustum between the depths. Cost follows the view, not
+  /// the map.
   [[nodiscard]] std::vector<cl_int> slotsInView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
                                                 float min_depth_m, float max_depth_m) const;
 
   [[nodiscard]] const Buffer<BrickEntry>& table() const;
   [[nodiscard]] cl_uint tableMask() const;
-  [[nodiscard]] Buffer<TsdfVoxel>& voxels();   ///< slotCapacity() * BRICK_VOXELS
+  [[nodiscard]] Buffer<TsdfVoxel>& voxels();  ///< slotCapacity() * BRICK_VOXELS
   [[nodiscard]] const Buffer<TsdfVoxel>& voxels() const;
 
+  /// The same directory by pages (brick_page.h), for kernels that walk along rays.
+  [[nodiscard]] const BrickPages& pages() const;
+
+  /// slotsInView for a caller that has the view's pages already.
+  [[nodiscard]] std::vector<cl_int> slotsInPages(std::span<const int> pages,
+                                                 const ViewFrustum& frustum) const;
+  [[nodiscard]] const Buffer<cl_int>& pageSlots() const;
+
  private:
-  class Directory;
+  struct Directory;
   std::unique_ptr<Directory> directory_;
 };
 

@@ -1,0 +1,96 @@
+#include "core/fusion/brick_allocator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/compute/kernel_types.h"
+#include "embedded/fusion_kernels.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kPixelsEach = 16;   // list_missing_bricks.cl
+constexpr std::size_t kSeenSize = 32768;  // list_missing_bricks.cl
+constexpr std::size_t kFirstListSize = 16384;
+
+// Rays of a 120 degree view are at most twice as long as their depth.
+std::string bandOptions(const FusionParams& params) {
+  const int crossings = static_cast<int>(std::ceil(2.0F * params.truncation_vox * 1.5F / BRICK_SIDE));
+  return "-DBAND_CROSSINGS=" + std::to_string(std::max(1, crossings));
+}
+
+}  // namespace
+
+Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const FusionParams& params) {
+  Result<Kernel> find =
+      compute.kernel(kernels::find_missing_bricks, "find_missing_bricks", bandOptions(params));
+  if (!find) return fail(find.error());
+  Result<Kernel> list =
+      compute.kernel(kernels::list_missing_bricks, "list_missing_bricks", bandOptions(params));
+  if (!list) return fail(list.error());
+  BrickAllocator result(compute, params);
+  result.find_missing_bricks_ = *find;
+  result.list_missing_bricks_ = *list;
+  result.seen_ = Buffer<cl_uint>(compute.context(), kSeenSize);
+  result.list_ = Buffer<cl_int4>(compute.context(), kFirstListSize);
+  result.count_ = Buffer<cl_int>(compute.context(), 1);
+  return result;
+}
+
+int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
+                             const Eigen::Isometry3d& T_world_camera) {
+  const auto pixels = static_cast<std::size_t>(frame.K.pixels());
+  if (missing_.size() < pixels) missing_ = Buffer<cl_uchar>(compute_->context(), pixels + kPixelsEach);
+  const double brick_size_m = BRICK_SIDE * static_cast<double>(map.voxelSize());
+  const cl_float16 T_window_camera =
+      toKernel(Eigen::Isometry3d(window.fromCamera(T_world_camera, brick_size_m, brick_size_m)));
+  const float truncation_m = params_.truncation_vox * map.voxelSize();
+  const cl_float2 depth_range{{params_.min_depth_m, params_.max_depth_m}};
+  const cl_float4 K = toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy);
+  find_missing_bricks_.launch(
+      cl::NDRange(static_cast<std::size_t>(frame.K.width), static_cast<std::size_t>(frame.K.height)),
+      cl::NDRange(64, 1), frame.depth_m, frame.K.width, frame.K.height, K, T_window_camera, truncation_m,
+      depth_range, window.cells(), map.pageSlots(), window.size(), missing_);
+
+  std::vector<cl_int4> found = listMissing(map, window, frame, T_window_camera);
+  if (found.empty()) return 0;
+  std::vector<Eigen::Vector3i> bricks;
+  bricks.reserve(found.size());
+  for (const cl_int4& brick : found) {
+    bricks.push_back(window.firstBrick() + Eigen::Vector3i(brick.s[0], brick.s[1], brick.s[2]));
+  }
+  std::sort(bricks.begin(), bricks.end(), [](const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  return map.allocate(bricks);
+}
+
+std::vector<cl_int4> BrickAllocator::listMissing(const BrickMap& map, const BrickWindow& window,
+                                                 const DepthPyramid& frame,
+                                                 const cl_float16& T_window_camera) {
+  const auto pixels = static_cast<std::size_t>(frame.K.pixels());
+  const float truncation_m = params_.truncation_vox * map.voxelSize();
+  const cl_float4 K = toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy);
+  while (true) {
+    seen_.fill(compute_->queue(), 0);
+    count_.fill(compute_->queue(), 0);
+    list_missing_bricks_.launch(cl::NDRange((pixels + kPixelsEach - 1) / kPixelsEach), cl::NullRange,
+                                frame.depth_m, frame.K.width, frame.K.pixels(), K, T_window_camera,
+                                truncation_m, window.cells(), map.pageSlots(), window.size(), missing_, seen_,
+                                list_, static_cast<cl_int>(list_.size()), count_);
+    cl_int count = 0;
+    count_.read(compute_->queue(), std::span(&count, 1));
+    const auto found = static_cast<std::size_t>(count);
+    if (found > list_.size()) {
+      // A list cut off somewhere would depend on the order of the threads: once more with room for all.
+      list_ = Buffer<cl_int4>(compute_->context(), 2 * found);
+      continue;
+    }
+    std::vector<cl_int4> result(found);
+    list_.read(compute_->queue(), std::span<cl_int4>(result));
+    return result;
+  }
+}
+
+}  // namespace scantrove

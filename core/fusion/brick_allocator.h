@@ -1,0 +1,40 @@
+#pragma once
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/brick_map.h"
+#include "core/fusion/brick_window.h"
+#include "core/fusion/depth_pyramid.h"
+#include "core/fusion/fusion_params.h"
+
+namespace scantrove {
+
+/// Makes the bricks that a depth image needs: all that the band of one truncation in front of and behind a
+/// reading touches. One thread, the context's.
+class BrickAllocator {
+ public:
+  [[nodiscard]] static Result<BrickAllocator> create(ComputeContext& compute, const FusionParams& params);
+
+  /// Allocates into `map`; `window` holds the pages of the frame's view. Slots are handed out in an order
+  /// that only depends on the frame. Returns how many bricks are new.
+  int allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
+               const Eigen::Isometry3d& T_world_camera);
+
+ private:
+  BrickAllocator(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
+  [[nodiscard]] std::vector<cl_int4> listMissing(const BrickMap& map, const BrickWindow& window,
+                                                 const DepthPyramid& frame,
+                                                 const cl_float16& T_window_camera);
+
+  ComputeContext* compute_;
+  FusionParams params_;
+  Kernel find_missing_bricks_;
+  Kernel list_missing_bricks_;
+  Buffer<cl_uchar> missing_;
+  Buffer<cl_uint> seen_;
+  Buffer<cl_int4> list_;
+  Buffer<cl_int> count_;
+};
+
+}  // namespace scantrove

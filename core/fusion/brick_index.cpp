@@ -1,0 +1,46 @@
+#include "core/fusion/brick_index.h"
+
+#include <utility>
+
+namespace scantrove {
+namespace {
+constexpr std::size_t kFirstCapacity = 1U << 15U;
+constexpr BrickEntry kFree{0, 0, 0, BRICK_NONE};
+}  // namespace
+
+BrickIndex::BrickIndex() : entries_(kFirstCapacity, kFree) {}
+
+int BrickIndex::slotOf(const Eigen::Vector3i& brick) const {
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t i = brick_hash(brick.x(), brick.y(), brick.z()) & mask;
+  while (entries_[i].slot != BRICK_NONE) {
+    const BrickEntry& entry = entries_[i];
+    if (entry.x == brick.x() && entry.y == brick.y() && entry.z == brick.z()) return entry.slot;
+    i = (i + 1) & mask;
+  }
+  return BRICK_NONE;
+}
+
+std::size_t BrickIndex::insert(const Eigen::Vector3i& brick, int slot) {
+  if (2 * (count_ + 1) > entries_.size()) grow();
+  ++count_;
+  return place({brick.x(), brick.y(), brick.z(), slot});
+}
+
+std::size_t BrickIndex::place(const BrickEntry& entry) {
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t i = brick_hash(entry.x, entry.y, entry.z) & mask;
+  while (entries_[i].slot != BRICK_NONE) i = (i + 1) & mask;
+  entries_[i] = entry;
+  return i;
+}
+
+void BrickIndex::grow() {
+  const std::vector<BrickEntry> old =
+      std::exchange(entries_, std::vector<BrickEntry>(2 * entries_.size(), kFree));
+  for (const BrickEntry& entry : old) {
+    if (entry.slot != BRICK_NONE) place(entry);
+  }
+}
+
+}  // namespace scantrove

@@ -1,0 +1,72 @@
+#include "core/fusion/brick_pages.h"
+
+#include <cmath>
+
+namespace scantrove {
+namespace {
+
+constexpr double kLargestPage =
+    1 << 27;  // the last page of the space of 32-bit brick coordinates, and a little less
+
+Eigen::Vector3i pageOf(const Eigen::Vector3i& brick) {
+  return {brick.x() >> PAGE_SHIFT, brick.y() >> PAGE_SHIFT, brick.z() >> PAGE_SHIFT};
+}
+
+Eigen::Vector3i clampedPage(const Eigen::Vector3d& position) {
+  return position.array().floor().max(-kLargestPage).min(kLargestPage).cast<int>();
+}
+
+}  // namespace
+
+BrickPages::BrickPages() : pages_(1), page_slots_(PAGE_BRICKS, BRICK_NONE) {}
+
+std::size_t BrickPages::insert(const Eigen::Vector3i& brick, int slot) {
+  const Eigen::Vector3i position = pageOf(brick);
+  int index = index_.slotOf(position);
+  if (index == BRICK_NONE) {
+    index = static_cast<int>(pages_.size());
+    index_.insert(position, index);
+    pages_.push_back({position, {}});
+    page_slots_.resize(page_slots_.size() + PAGE_BRICKS, BRICK_NONE);
+  }
+  const Eigen::Vector3i local = brick - PAGE_SIDE * position;
+  const std::size_t element =
+      static_cast<std::size_t>(index) * PAGE_BRICKS +
+      static_cast<std::size_t>(local.x() + PAGE_SIDE * (local.y() + PAGE_SIDE * local.z()));
+  page_slots_[element] = slot;
+  pages_[static_cast<std::size_t>(index)].slots.push_back(slot);
+  return element;
+}
+
+std::vector<int> BrickPages::pagesInView(const ViewFrustum& frustum, double brick_size_m) const {
+  const double page_size_m = PAGE_SIDE * brick_size_m;
+  const double brick_radius_m = 0.5 * std::sqrt(3.0) * brick_size_m;
+  // Every brick's sphere lies in its page's sphere grown by what a sphere sticks out of its brick.
+  const double page_radius_m = 0.5 * std::sqrt(3.0) * page_size_m + brick_radius_m;
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(brick_radius_m);
+  const Eigen::Vector3i first = clampedPage((frustum.boundsWorld().min() - margin) / page_size_m);
+  const Eigen::Vector3i last = clampedPage((frustum.boundsWorld().max() + margin) / page_size_m);
+
+  std::vector<int> result;
+  const auto addIfSeen = [&](int index, const Eigen::Vector3i& position) {
+    const Eigen::Vector3d centre = (position.cast<double>().array() + 0.5) * page_size_m;
+    if (frustum.meetsSphere(centre, page_radius_m)) result.push_back(index);
+  };
+  const double box = ((last - first).cast<double>().array() + 1.0).prod();
+  if (box > static_cast<double>(pages_.size())) {
+    // A view larger than the map: look at what there is.
+    for (std::size_t i = 1; i < pages_.size(); ++i) addIfSeen(static_cast<int>(i), pages_[i].position);
+    return result;
+  }
+  for (int z = first.z(); z <= last.z(); ++z) {
+    for (int y = first.y(); y <= last.y(); ++y) {
+      for (int x = first.x(); x <= last.x(); ++x) {
+        const int index = index_.slotOf({x, y, z});
+        if (index != BRICK_NONE) addIfSeen(index, {x, y, z});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace scantrove

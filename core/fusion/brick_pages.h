@@ -1,0 +1,40 @@
+#pragma once
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/fusion/brick_index.h"
+#include "core/fusion/kernels/brick_page.h"
+#include "core/fusion/view_frustum.h"
+
+namespace scantrove {
+
+/// Bricks grouped into pages of 8^3, so that a question about a view looks at the pages of that view and at
+/// nothing else. A page is a dense table local brick -> slot (brick_page.h); page 0 is the empty one.
+class BrickPages {
+ public:
+  struct Page {
+    Eigen::Vector3i position = Eigen::Vector3i::Zero();  ///< first brick / 8
+    std::vector<int> slots;                              ///< its bricks' slots, ascending
+  };
+
+  BrickPages();
+
+  /// Adds a brick that is not yet there. Returns the index of the element of `pageSlots()` that was set.
+  std::size_t insert(const Eigen::Vector3i& brick, int slot);
+
+  /// Indices of the pages that the frustum meets, in a fixed order. `brick_size_m` is the side of a brick.
+  [[nodiscard]] std::vector<int> pagesInView(const ViewFrustum& frustum, double brick_size_m) const;
+
+  [[nodiscard]] const Page& page(int index) const { return pages_[static_cast<std::size_t>(index)]; }
+
+  /// PAGE_BRICKS slots for each page, one page after the other.
+  [[nodiscard]] std::span<const int> pageSlots() const { return page_slots_; }
+
+ private:
+  BrickIndex index_;
+  std::vector<Page> pages_;
+  std::vector<int> page_slots_;
+};
+
+}  // namespace scantrove

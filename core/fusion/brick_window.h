@@ -1,0 +1,39 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "core/compute/buffer.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/brick_pages.h"
+
+namespace scantrove {
+
+/// The box of pages around one view as kernels look bricks up in it (brick_page.h), on the device. The
+/// context's thread.
+class BrickWindow {
+ public:
+  /// Makes the window hold exactly `pages` (indices into `all`).
+  void set(ComputeContext& compute, const BrickPages& all, std::span<const int> pages);
+
+  [[nodiscard]] const Buffer<cl_int>& cells() const { return cells_; }
+
+  /// Pages along x, y, z and the number of cells.
+  [[nodiscard]] cl_int4 size() const { return size_; }
+
+  /// The brick at which the window starts.
+  [[nodiscard]] const Eigen::Vector3i& firstBrick() const { return first_brick_; }
+
+  /// Maps camera points in metres to units of `unit_m` counted from the window's first brick of side
+  /// `brick_size_m`.
+  [[nodiscard]] Eigen::Matrix4d fromCamera(const Eigen::Isometry3d& T_world_camera, double brick_size_m,
+                                           double unit_m) const;
+
+ private:
+  Buffer<cl_int> cells_;
+  std::vector<cl_int> host_cells_;
+  cl_int4 size_{{1, 1, 1, 1}};
+  Eigen::Vector3i first_brick_ = Eigen::Vector3i::Zero();
+};
+
+}  // namespace scantrove

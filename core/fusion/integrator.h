@@ -1,0 +1,40 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/brick_map.h"
+#include "core/fusion/brick_window.h"
+#include "core/fusion/depth_pyramid.h"
+#include "core/fusion/fusion_params.h"
+
+namespace scantrove {
+
+/// Averages a depth image into bricks (Curless and Levoy 1996). One thread, the context's.
+class Integrator {
+ public:
+  [[nodiscard]] static Result<Integrator> create(ComputeContext& compute, const FusionParams& params);
+
+  /// Updates the voxels of `slots` (those in the frame's view). Bricks wholly hidden behind what the frame
+  /// shows are passed over.
+  void integrate(BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
+                 const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
+
+ private:
+  Integrator(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
+  void readFarthest(const DepthPyramid& frame);
+  [[nodiscard]] bool mayChange(const DepthPyramid& frame, const Eigen::Vector3f& centre_camera,
+                               float radius_m) const;
+
+  ComputeContext* compute_;
+  FusionParams params_;
+  Kernel reduce_depth_tiles_;
+  Kernel integrate_bricks_;
+  Buffer<cl_float> farthest_;
+  std::vector<cl_float> host_farthest_;
+  Buffer<cl_int4> bricks_;
+  std::vector<cl_int4> host_bricks_;
+};
+
+}  // namespace scantrove

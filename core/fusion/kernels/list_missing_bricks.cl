@@ -1,0 +1,64 @@
+#include "core/fusion/kernels/brick_band.clh"
+
+// Lists the missing bricks of the pixels that find_missing_bricks marked: (x, y, z, 0) counted from the window's first brick.
+// Order is arbitrary; a brick appears once, or rarely more than once (when the set is full or the brick lies more than
+// 512 bricks off).
+//
+// One work-item: PIXELS_EACH neighbouring pixels of the image, read as one row. Mostly none is marked and nothing is done.
+// missing: pixels, rounded up to a multiple of PIXELS_EACH. list: capacity; count[0]: bricks found, also those beyond capacity.
+// seen: set of SEEN_SIZE keys, 0 = free; zeroed before the launch.
+#define PIXELS_EACH 16
+#define SEEN_SIZE 32768
+#define SEEN_PROBES 32
+
+inline void list_brick(const int x, const int y, const int z, global uint* seen, global int4* list, const int capacity,
+                       global int* count) {
+  const int bx = x + 512;
+  const int by = y + 512;
+  const int bz = z + 512;
+  if (((bx | by | bz) >> 10) == 0) {
+    const uint key = (uint)(bx | (by << 10) | (bz << 20)) | 0x80000000u;
+    uint i = brick_hash(x, y, z);
+    for (int probe = 0; probe < SEEN_PROBES; ++probe, ++i) {
+      const uint found = atomic_cmpxchg(&seen[i & (SEEN_SIZE - 1)], 0u, key);
+      if (found == key) return;
+      if (found == 0u) break;
+    }
+  }
+  const int position = atomic_inc(count);
+  if (position < capacity) list[position] = (int4)(x, y, z, 0);
+}
+
+kernel void list_missing_bricks(global const float* depth_m, const int width, const int pixels, const float4 K,
+                                const float16 T_window_camera, const float truncation_m, global const int* cells,
+                                global const int* page_slots, const int4 window_size, global const uchar* missing,
+                                global uint* seen, global int4* list, const int capacity, global int* count) {
+  const int first = PIXELS_EACH * (int)get_global_id(0);
+  if (first >= pixels) return;
+  const ulong2 marks = vload2(0, (global const ulong*)(missing + first));
+  if ((marks.x | marks.y) == 0) return;
+  for (int pixel = first; pixel < min(first + PIXELS_EACH, pixels); ++pixel) {
+    if (!missing[pixel]) continue;
+    const float z = depth_m[pixel];
+    const Band b = band_of_pixel(K, T_window_camera, (float)(pixel % width), (float)(pixel / width), z - truncation_m,
+                                 z + truncation_m);
+    for (int candidate = 0; candidate <= 3 * BAND_CROSSINGS; ++candidate) {
+      const int axis = candidate == 0 ? 3 : (candidate - 1) % 3;
+      const int k = (candidate + 2) / 3;
+      const float a = axis == 0 ? b.ax : axis == 1 ? b.ay : b.az;
+      const float d = axis == 0 ? b.dx : axis == 1 ? b.dy : b.dz;
+      int brick = 0;
+      float t = 0.0f;
+      if (axis < 3) {
+        t = band_crossing(a, d, k, &brick);
+        if (!(t > 0.0f && t <= 1.0f)) continue;
+      }
+      const int x = axis == 0 ? brick : (int)floor(b.ax + t * b.dx);
+      const int y = axis == 1 ? brick : (int)floor(b.ay + t * b.dy);
+      const int z_brick = axis == 2 ? brick : (int)floor(b.az + t * b.dz);
+      if (window_slot(cells, page_slots, window_size, x, y, z_brick) == BRICK_NONE) {
+        list_brick(x, y, z_brick, seen, list, capacity, count);
+      }
+    }
+  }
+}

@@ -1,0 +1,84 @@
+#include "core/fusion/raycaster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/compute/kernel_types.h"
+#include "core/fusion/view_depths.h"
+#include "embedded/fusion_kernels.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kTile = 8;  // pixels; tiles and work-groups of cast_rays
+
+constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
+
+}  // namespace
+
+Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams& params) {
+  Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", "-DTILE=" + std::to_string(kTile));
+  if (!cast) return fail(cast.error());
+  Raycaster result(compute, params);
+  result.cast_rays_ = *cast;
+  return result;
+}
+
+void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
+                     SurfaceMaps& surface) {
+  findRanges(map, slots, surface);
+  const double voxel_size_m = map.voxelSize();
+  const Eigen::Matrix4d T =
+      window.fromCamera(surface.T_world_camera, BRICK_SIDE * voxel_size_m, voxel_size_m);
+  const Eigen::Vector3d origin_m = window.firstBrick().cast<double>() * (BRICK_SIDE * voxel_size_m);
+  const Intrinsics& K = surface.K;
+  cast_rays_.launch(cl::NDRange(static_cast<std::size_t>(K.width), static_cast<std::size_t>(K.height)),
+                    cl::NDRange(kTile, kTile), ranges_, K.width, K.height, toKernel(K.fx, K.fy, K.cx, K.cy),
+                    toKernel(Eigen::Isometry3d(T)), map.voxelSize(), params_.truncation_vox * map.voxelSize(),
+                    toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
+                             static_cast<float>(origin_m.z()), 0.0F),
+                    window.cells(), map.pageSlots(), window.size(), map.voxels(), surface.vertices_world,
+                    surface.normals_world);
+}
+
+// The nearest and farthest depth at which a ray of each tile can meet a brick, from the spheres around the
+// bricks.
+void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, const SurfaceMaps& surface) {
+  const Intrinsics& K = surface.K;
+  const int columns = tiles(K.width);
+  const int rows = tiles(K.height);
+  const auto count = static_cast<std::size_t>(columns * rows);
+  host_ranges_.assign(count, {{params_.max_depth_m, kNearestView_m}});
+  const double size_m = BRICK_SIDE * static_cast<double>(map.voxelSize());
+  const float radius_m = 0.5F * std::sqrt(3.0F) * static_cast<float>(size_m);
+  const Eigen::Isometry3d T_camera_world = surface.T_world_camera.inverse();
+  const auto bound = [](float low, float high, float nearest, float farthest, float focal, float centre,
+                        int count_of) {
+    const float from = (focal * std::min(low / nearest, low / farthest) + centre) / kTile;
+    const float to = (focal * std::max(high / nearest, high / farthest) + centre) / kTile;
+    const float last = static_cast<float>(count_of) - 0.5F;
+    return std::pair(static_cast<int>(std::clamp(from, 0.0F, last)),
+                     static_cast<int>(std::clamp(to, -1.0F, last)));
+  };
+  for (const cl_int slot : slots) {
+    const Eigen::Vector3d brick = (map.positionOf(slot).cast<double>().array() + 0.5) * size_m;
+    const Eigen::Vector3f c = (T_camera_world * brick).cast<float>();
+    const float nearest = std::max(c.z() - radius_m, kNearestView_m);
+    const float farthest = std::max(std::min(c.z() + radius_m, params_.max_depth_m), nearest);
+    const auto [left, right] =
+        bound(c.x() - radius_m, c.x() + radius_m, nearest, farthest, K.fx, K.cx, columns);
+    const auto [top, bottom] = bound(c.y() - radius_m, c.y() + radius_m, nearest, farthest, K.fy, K.cy, rows);
+    for (int row = top; row <= bottom; ++row) {
+      for (int column = left; column <= right; ++column) {
+        cl_float2& range = host_ranges_[static_cast<std::size_t>(row * columns + column)];
+        range.s[0] = std::min(range.s[0], nearest);
+        range.s[1] = std::max(range.s[1], farthest);
+      }
+    }
+  }
+  if (ranges_.size() != count) ranges_ = Buffer<cl_float2>(compute_->context(), count);
+  ranges_.write(compute_->queue(), host_ranges_);
+}
+
+}  // namespace scantrove

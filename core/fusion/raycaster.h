@@ -1,0 +1,35 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/brick_map.h"
+#include "core/fusion/brick_window.h"
+#include "core/fusion/fusion_params.h"
+#include "core/fusion/surface_maps.h"
+
+namespace scantrove {
+
+/// The surface of a brick map as a camera sees it: V_t and N_t (thesis 3.1). One thread, the context's.
+class Raycaster {
+ public:
+  [[nodiscard]] static Result<Raycaster> create(ComputeContext& compute, const FusionParams& params);
+
+  /// Fills `surface`, whose `K` and `T_world_camera` say from where. `slots` are the bricks in that view,
+  /// `window` its pages.
+  void cast(const BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
+            SurfaceMaps& surface);
+
+ private:
+  Raycaster(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
+  void findRanges(const BrickMap& map, std::span<const cl_int> slots, const SurfaceMaps& surface);
+
+  ComputeContext* compute_;
+  FusionParams params_;
+  Kernel cast_rays_;
+  Buffer<cl_float2> ranges_;
+  std::vector<cl_float2> host_ranges_;
+};
+
+}  // namespace scantrove
