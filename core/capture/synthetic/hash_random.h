@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+
+namespace scantrove::synthetic {
+
+/// A well mixed 32-bit hash of up to three integers and a seed: random numbers without a state, so that
+/// a pixel's value does not depend on the order in which pixels are made.
+[[nodiscard]] constexpr std::uint32_t hashBits(std::uint32_t x, std::uint32_t y = 0, std::uint32_t z = 0,
+                                               std::uint32_t seed = 0) {
+  std::uint32_t h = x * 0x8da6b343U ^ y * 0xd8163841U ^ z * 0xcb1ab31fU ^ (seed + 0x9e3779b9U) * 0x85ebca6bU;
+  h ^= h >> 16;
+  h *= 0x7feb352dU;
+  h ^= h >> 15;
+  h *= 0x846ca68bU;
+  h ^= h >> 16;
+  return h;
+}
+
+/// Uniform in [0, 1).
+[[nodiscard]] constexpr float hashUniform(std::uint32_t bits) {
+  return static_cast<float>(bits >> 8) * 0x1p-24F;
+}
+
+}  // namespace scantrove::synthetic

@@ -1,0 +1,129 @@
+#include "core/capture/synthetic/lighting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/capture/synthetic/view_caster.h"
+
+namespace scantrove::synthetic {
+namespace {
+constexpr float kFar = 1e6F;
+constexpr double kMapHeight_m = 6;  // the maps look from this far
+}  // namespace
+
+Lighting::Lighting(const SyntheticScene& scene, const Vec3& centre, double radius)
+    : to_light_(Vec3(-0.50, -0.42, 0.86).normalized()),
+      from_light_(bake(scene, centre, to_light_, radius, 768)),
+      from_above_(bake(scene, centre, Vec3::UnitZ(), radius, 384)) {}
+
+float Lighting::DepthMap::at(int x, int y) const {
+  const bool inside = x >= 0 && y >= 0 && x < size && y < size;
+  return inside
+             ? z[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x)]
+             : kFar;
+}
+
+Lighting::DepthMap Lighting::bake(const SyntheticScene& scene, const Vec3& centre, const Vec3& to_light,
+                                  double radius, int size) {
+  View view;
+  view.parallel = true;
+  view.shadow_casters_only = true;
+  view.width = view.height = size;
+  view.fx = view.fy = size / (2 * radius);
+  view.cx = view.cy = (size - 1) / 2.0;
+  const Vec3 z_axis = -to_light;
+  const Vec3 x_axis = z_axis.cross(Vec3::UnitY()).normalized();
+  view.T_world_view.linear() << x_axis, z_axis.cross(x_axis), z_axis;
+  view.T_world_view.translation() = centre + to_light * kMapHeight_m;
+  const ViewCaster caster(scene, view);
+  DepthMap map{view.T_world_view.inverse(), view.fx, size, {}};
+  map.z.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  for (int v = 0; v < size; ++v) {
+    for (int u = 0; u < size; ++u) {
+      const ViewCaster::Hit hit = caster.cast(u, v);
+      map.z.push_back(hit ? static_cast<float>(hit.z) : kFar);
+    }
+  }
+  return map;
+}
+
+float Lighting::sunlit(const Vec3& point) const {
+  const Vec3 p = from_light_.T_map_world * point;
+  const double half = (from_light_.size - 1) / 2.0;
+  const double x = p.x() * from_light_.texels_per_metre + half;
+  const double y = p.y() * from_light_.texels_per_metre + half;
+  const int x0 = static_cast<int>(std::floor(x));
+  const int y0 = static_cast<int>(std::floor(y));
+  if (x0 < 1 || y0 < 1 || x0 + 2 >= from_light_.size || y0 + 2 >= from_light_.size) {
+    return 1;
+  }
+  // 4 x 4 comparisons, the outer ones weighted by how far the 3 x 3 window reaches into them.
+  const float fx = static_cast<float>(x) - static_cast<float>(x0);
+  const float fy = static_cast<float>(y) - static_cast<float>(y0);
+  const float weight_x[4] = {1 - fx, 1, 1, fx};
+  const float weight_y[4] = {1 - fy, 1, 1, fy};
+  const float z = static_cast<float>(p.z()) - 0.004F;
+  float lit = 0;
+  for (int dy = 0; dy < 4; ++dy) {
+    const float* row = &from_light_.z[static_cast<std::size_t>((y0 - 1 + dy) * from_light_.size + x0 - 1)];
+    for (int dx = 0; dx < 4; ++dx) {
+      lit += row[dx] >= z ? weight_x[dx] * weight_y[dy] : 0.0F;
+    }
+  }
+  return lit / 9;
+}
+
+float Lighting::openness(const Vec3& point) const {
+  static constexpr int kTaps = 6;
+  static constexpr std::array<float, 2> kRings_m{0.025F, 0.07F};
+  static const std::array<std::array<float, 2>, kTaps> kCircle = [] {
+    std::array<std::array<float, 2>, kTaps> circle{};
+    for (int i = 0; i < kTaps; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kTaps;
+      circle[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(angle)),
+                                             static_cast<float>(std::sin(angle))};
+    }
+    return circle;
+  }();
+  const Vec3 p = from_above_.T_map_world * point;
+  const auto scale = static_cast<float>(from_above_.texels_per_metre);
+  const float middle = 0.5F * static_cast<float>(from_above_.size - 1) + 0.5F;
+  const float x = static_cast<float>(p.x()) * scale + middle;
+  const float y = static_cast<float>(p.y()) * scale + middle;
+  const auto z = static_cast<float>(p.z());
+  float blocked = 0;
+  for (const float ring : kRings_m) {
+    for (const auto& direction : kCircle) {
+      const int u = static_cast<int>(std::floor(x + ring * scale * direction[0]));
+      const int v = static_cast<int>(std::floor(y + ring * scale * direction[1]));
+      const float higher = z - from_above_.at(u, v);  // z grows downwards in the map
+      blocked += std::clamp(higher / (2 * ring), 0.0F, 1.0F);
+    }
+  }
+  return 1 - 0.7F * blocked / (2 * kTaps);
+}
+
+Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo,
+                    float gloss) const {
+  static const Rgb kSun = Rgb(1.0F, 0.93F, 0.82F) * 0.80F;
+  static const Rgb kSky(0.40F, 0.43F, 0.48F);
+  static const Rgb kGround(0.22F, 0.20F, 0.175F);
+  const Vec3 lifted = point + normal * 0.006;
+  const auto facing = static_cast<float>(normal.dot(to_light_));
+  const auto up = static_cast<float>(0.5 + 0.5 * normal.z());
+  Rgb light = (kGround + (kSky - kGround) * up) * openness(lifted);
+  float highlight = 0;
+  if (facing > 0) {
+    const float sun = sunlit(lifted);
+    light += kSun * (facing * sun);
+    if (gloss > 0) {
+      const auto half = static_cast<float>(std::max(0.0, (to_light_ + to_eye).normalized().dot(normal)));
+      highlight = gloss * sun * std::pow(half, 60.0F);
+    }
+  }
+  return albedo * light + highlight;
+}
+
+}  // namespace scantrove::synthetic

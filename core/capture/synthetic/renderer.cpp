@@ -1,0 +1,79 @@
+#include "core/capture/synthetic/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/capture/synthetic/view_caster.h"
+
+namespace scantrove::synthetic {
+namespace {
+
+/// Linear light to an sRGB byte.
+std::uint8_t displayByte(float linear) {
+  static constexpr int kSteps = 4096;
+  static const std::array<std::uint8_t, kSteps> kTable = [] {
+    std::array<std::uint8_t, kSteps> table{};
+    for (int i = 0; i < kSteps; ++i) {
+      const float x = (static_cast<float>(i) + 0.5F) / kSteps;
+      const float s = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+      table[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(255 * s));
+    }
+    return table;
+  }();
+  const float soft = linear < 0.8F ? linear : 0.8F + 0.2F * (1 - std::exp((0.8F - linear) / 0.2F));
+  return kTable[static_cast<std::size_t>(std::clamp(soft * kSteps, 0.0F, kSteps - 1.0F))];
+}
+
+}  // namespace
+
+RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting, const Intrinsics& K,
+                          const Eigen::Isometry3d& T_world_camera) {
+  const View view{T_world_camera, K.fx, K.fy, K.cx, K.cy, K.width, K.height, false};
+  const ViewCaster caster(scene, view);
+  RenderedFrame frame;
+  frame.z_m = cv::Mat::zeros(K.height, K.width, CV_32FC1);
+  frame.incidence = cv::Mat::zeros(K.height, K.width, CV_32FC1);
+  frame.instances = cv::Mat::zeros(K.height, K.width, CV_16UC1);
+  if (lighting != nullptr) {
+    frame.color = cv::Mat(K.height, K.width, CV_8UC3, cv::Scalar(216, 208, 200));
+  }
+  for (int v = 0; v < K.height; ++v) {
+    for (int u = 0; u < K.width; ++u) {
+      const ViewCaster::Hit hit = caster.cast(u, v);
+      if (!hit) {
+        continue;
+      }
+      const SyntheticScene::Part& part = scene.parts()[static_cast<std::size_t>(hit.part)];
+      const SurfacePoint surface = part.shape->describe(caster.localPoint(hit, u, v), hit.piece);
+      const Vec3 ray_camera = Vec3((u - view.cx) / view.fx, (v - view.cy) / view.fy, 1);
+      const double length = ray_camera.norm();
+      const Vec3 to_eye = T_world_camera.linear() * ray_camera * (-1 / length);
+      Vec3 normal = part.T_world_part.linear() * surface.normal;
+      const double facing = normal.dot(to_eye);
+      frame.z_m.at<float>(v, u) = static_cast<float>(hit.z);
+      frame.incidence.at<float>(v, u) = static_cast<float>(std::abs(facing));
+      frame.instances.at<std::uint16_t>(v, u) = part.instance;
+      if (lighting == nullptr) {
+        continue;
+      }
+      normal = part.T_world_part.linear() * surface.shading_normal;
+      if (facing < 0) {
+        normal = -normal;
+      }
+      const auto footprint = static_cast<float>(hit.z / K.fx / std::max(std::abs(facing), 0.2));
+      const Vec3 point = T_world_camera * Vec3(ray_camera * hit.z);
+      const Rgb light = lighting->shade(point, normal, to_eye, albedo(part.material, surface, footprint),
+                                        part.material.gloss);
+      frame.color.at<cv::Vec3b>(v, u) = {displayByte(light[2]), displayByte(light[1]), displayByte(light[0])};
+    }
+  }
+  if (lighting != nullptr) {
+    // A lens is not a pinhole: the slight blur of a real camera also softens the stairs of one ray a pixel.
+    cv::GaussianBlur(frame.color, frame.color, {3, 3}, 0.6, 0.6, cv::BORDER_REPLICATE);
+  }
+  return frame;
+}
+
+}  // namespace scantrove::synthetic

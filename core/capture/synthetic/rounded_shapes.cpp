@@ -1,0 +1,150 @@
+#include "core/capture/synthetic/rounded_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace scantrove::synthetic {
+namespace {
+
+constexpr double kSurface_m = 1e-6;  // sphere tracing stops this close
+constexpr double kGrazing_m = 3e-5;  // a ray that ran out of steps this close still counts as a hit
+constexpr int kMaxSteps = 96;
+
+/// Sphere tracing from `t` to `leave`.
+template <class Distance>
+double march(const Ray& ray, double t, double leave, const Distance& distance) {
+  const double per_metre = 1.0 / ray.direction.norm();
+  double d = 0;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    d = distance(ray.at(t));
+    if (d < kSurface_m) {
+      return t;
+    }
+    t += d * per_metre;
+    if (!(t < leave)) {
+      return kNoHit;
+    }
+  }
+  return d < kGrazing_m ? t : kNoHit;
+}
+
+}  // namespace
+
+RoundedBox::RoundedBox(const Vec3& half_size, double radius)
+    : half_(half_size),
+      inner_(half_size.array() - std::min(radius, half_size.minCoeff())),
+      radius_(std::min(radius, half_size.minCoeff())) {}
+
+ShapeHit RoundedBox::intersect(const Ray& ray, double t_max) const {
+  const auto [enter, leave] = bounds().crossing(ray, t_max);
+  if (!(enter < leave) || enter <= 0) {
+    return {};
+  }
+  const Vec3 point = ray.at(enter);
+  const Vec3 outside = (point.cwiseAbs() - inner_).cwiseMax(0.0);
+  if (radius_ == 0 || (outside.array() > 0).count() <= 1) {
+    return {enter, 0};
+  }
+  return {march(ray, enter, leave,
+                [this](const Vec3& p) {
+                  const Vec3 q = p.cwiseAbs() - inner_;
+                  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0) - radius_;
+                }),
+          0};
+}
+
+SurfacePoint RoundedBox::describe(const Vec3& point, int /*part*/) const {
+  SurfacePoint surface;
+  surface.point = point;
+  const Vec3 sign = point.array().sign();
+  const Vec3 outside = (point.cwiseAbs() - inner_).cwiseMax(0.0);
+  int axis = 0;
+  if (radius_ > 0 && outside.squaredNorm() > 0) {
+    surface.normal = outside.normalized().cwiseProduct(sign);
+    surface.normal.cwiseAbs().maxCoeff(&axis);
+  } else {
+    (point.cwiseAbs() - half_).maxCoeff(&axis);
+    surface.normal = Vec3::Zero();
+    surface.normal[axis] = sign[axis];
+  }
+  surface.shading_normal = surface.normal;
+  const int u_axis = axis == 0 ? 1 : 0;
+  const int v_axis = axis == 2 ? 1 : 2;
+  surface.u = static_cast<float>(point[u_axis]);
+  surface.v = static_cast<float>(point[v_axis]);
+  surface.ru = static_cast<float>(point[u_axis] / half_[u_axis]);
+  surface.rv = static_cast<float>(point[v_axis] / half_[v_axis]);
+  surface.face = 2 * axis + (sign[axis] > 0 ? 1 : 0);
+  return surface;
+}
+
+ShapeHit Sphere::intersect(const Ray& ray, double t_max) const {
+  const double a = ray.direction.squaredNorm();
+  const double b = ray.origin.dot(ray.direction);
+  const double c = ray.origin.squaredNorm() - radius_ * radius_;
+  const double root = b * b - a * c;
+  if (!(root > 0)) {
+    return {};
+  }
+  const double t = (-b - std::sqrt(root)) / a;
+  return t > 0 && t < t_max ? ShapeHit{t, 0} : ShapeHit{};
+}
+
+SurfacePoint Sphere::describe(const Vec3& point, int /*part*/) const {
+  SurfacePoint surface;
+  surface.point = point;
+  surface.normal = point.normalized();
+  surface.shading_normal = surface.normal;
+  const double angle = std::atan2(point.y(), point.x());
+  const double height = std::asin(std::clamp(surface.normal.z(), -1.0, 1.0));
+  surface.u = static_cast<float>(angle * radius_);
+  surface.v = static_cast<float>(height * radius_);
+  surface.ru = static_cast<float>(angle / std::numbers::pi);
+  surface.rv = static_cast<float>(height * 2 / std::numbers::pi);
+  return surface;
+}
+
+Torus::Torus(double ring_radius, double tube_radius, double keep_above)
+    : ring_radius_(ring_radius), tube_radius_(tube_radius), keep_above_(keep_above) {}
+
+Bounds Torus::bounds() const {
+  const double outer = ring_radius_ + tube_radius_;
+  return {{-outer, std::max(-outer, keep_above_), -tube_radius_}, {outer, outer, tube_radius_}};
+}
+
+double Torus::tubeDistance(const Vec3& p) const {
+  const double off_ring = std::hypot(p.x(), p.y()) - ring_radius_;
+  return std::hypot(off_ring, p.z()) - tube_radius_;
+}
+
+ShapeHit Torus::intersect(const Ray& ray, double t_max) const {
+  const auto [enter, leave] = bounds().crossing(ray, t_max);
+  if (!(enter < leave)) {
+    return {};
+  }
+  return {march(ray, enter, leave,
+                [this](const Vec3& p) { return std::max(tubeDistance(p), keep_above_ - p.y()); }),
+          0};
+}
+
+SurfacePoint Torus::describe(const Vec3& point, int /*part*/) const {
+  SurfacePoint surface;
+  surface.point = point;
+  const double ring = std::hypot(point.x(), point.y());
+  const Vec3 centre(point.x() / ring * ring_radius_, point.y() / ring * ring_radius_, 0);
+  surface.normal = (point - centre).normalized();
+  if (std::abs(tubeDistance(point)) > 10 * kGrazing_m) {
+    surface.normal = -Vec3::UnitY();  // the flat cut
+  }
+  surface.shading_normal = surface.normal;
+  const double around = std::atan2(point.y(), point.x());
+  const double along = std::atan2(point.z(), ring - ring_radius_);
+  surface.u = static_cast<float>(around * ring_radius_);
+  surface.v = static_cast<float>(along * tube_radius_);
+  surface.ru = static_cast<float>(around / std::numbers::pi);
+  surface.rv = static_cast<float>(along / std::numbers::pi);
+  return surface;
+}
+
+}  // namespace scantrove::synthetic

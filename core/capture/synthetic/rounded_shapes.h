@@ -1,0 +1,48 @@
+#pragma once
+#include "core/capture/synthetic/shape.h"
+
+namespace scantrove::synthetic {
+
+/// A box around the origin whose edges are rounded with `radius` (0 = sharp). Flat faces are met exactly, the
+/// rounded edges by sphere tracing to a micrometre.
+class RoundedBox final : public Shape {
+ public:
+  RoundedBox(const Vec3& half_size, double radius);
+  [[nodiscard]] Bounds bounds() const override { return {-half_, half_}; }
+  [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
+  [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+
+ private:
+  Vec3 half_;
+  Vec3 inner_;
+  double radius_;
+};
+
+class Sphere final : public Shape {
+ public:
+  explicit Sphere(double radius) : radius_(radius) {}
+  [[nodiscard]] Bounds bounds() const override { return {Vec3::Constant(-radius_), Vec3::Constant(radius_)}; }
+  [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
+  [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+
+ private:
+  double radius_;
+};
+
+/// A ring around the z axis, of which the part with y >= `keep_above` is kept (-infinity keeps it whole).
+/// Sphere traced to a micrometre. The cut is flat.
+class Torus final : public Shape {
+ public:
+  Torus(double ring_radius, double tube_radius, double keep_above = -kNoHit);
+  [[nodiscard]] Bounds bounds() const override;
+  [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
+  [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+
+ private:
+  [[nodiscard]] double tubeDistance(const Vec3& point) const;
+  double ring_radius_;
+  double tube_radius_;
+  double keep_above_;
+};
+
+}  // namespace scantrove::synthetic

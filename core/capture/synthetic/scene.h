@@ -1,0 +1,60 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/capture/synthetic/material.h"
+#include "core/capture/synthetic/shape.h"
+
+namespace scantrove {
+
+/// Who is who in `RgbdFrame::instances`.
+struct InstanceName {
+  std::uint16_t id = 0;
+  std::string name;
+  bool is_object = false;   ///< false for floor, walls, table and other furniture that stays
+  bool non_convex = false;  ///< its shape has concave parts (a handle, a hollow, a step)
+};
+
+/// What a ray meets. World frame.
+struct RayHit {
+  double distance = synthetic::kNoHit;  ///< in units of the direction's length; infinite where nothing is met
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, towards the ray's origin
+  std::uint16_t instance = 0;                        ///< 0 where nothing is met
+  [[nodiscard]] bool hit() const { return instance != 0; }
+};
+
+/// Solids with colours, put together in a world frame: metres, z up, floor at z = 0. Immutable once built;
+/// any thread.
+class SyntheticScene {
+ public:
+  struct Part {
+    std::unique_ptr<synthetic::Shape> shape;
+    Eigen::Isometry3d T_world_part;
+    synthetic::Material material;
+    std::uint16_t instance;
+  };
+
+  /// The nearest surface point `origin + distance * direction`, distance > 0, by exact geometry and brute
+  /// force.
+  [[nodiscard]] RayHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+  /// Ids 1, 2, 3 ... in order; 1 is the floor.
+  [[nodiscard]] const std::vector<InstanceName>& instances() const { return instances_; }
+  /// The id of the instance of that name; 0 where there is none.
+  [[nodiscard]] std::uint16_t find(const std::string& name) const;
+
+  /// Building. New instances get the next id; parts of one instance may overlap.
+  std::uint16_t addInstance(std::string name, bool is_object, bool non_convex = false);
+  void add(std::uint16_t instance, std::unique_ptr<synthetic::Shape> shape,
+           const Eigen::Isometry3d& T_world_part, const synthetic::Material& material);
+
+ private:
+  std::vector<Part> parts_;
+  std::vector<InstanceName> instances_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/capture/frame_source.h"
+#include "core/capture/synthetic/scene.h"
+#include "core/capture/synthetic/trajectory.h"
+
+namespace scantrove {
+
+/// How to film a synthetic scene. World frame: metres, z up, floor at z = 0.
+struct SyntheticOptions {
+  SceneKind scene = SceneKind::tabletop;
+  Intrinsics K{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
+  int frames = 0;     ///< length of the recording; 0 = the scene's own; the camera goes on as long as asked
+  int start = 0;      ///< first frame of the recording that is given ...
+  int stride = 1;     ///< ... and then every stride-th
+  bool noise = true;  ///< Kinect model on depth and sensor noise on colour; false: exact, rounded to the unit
+  bool color = true;  ///< false: no colour images (a good third faster)
+  bool tremor = true;      ///< the small shaking of a hand
+  std::uint32_t seed = 1;  ///< of noise and tremor; the scene itself never changes
+  float metres_per_unit = 0.001F;
+};
+
+/// A rendered recording at 30 frames a second (`timestamp_s` = index / 30) with exact poses and instance
+/// masks.
+class SyntheticSource : public FrameSource {
+ public:
+  [[nodiscard]] virtual const SyntheticScene& scene() const = 0;
+  /// Exact T_world_camera of a frame, by its `RgbdFrame::index`.
+  [[nodiscard]] virtual Eigen::Isometry3d pose(int index) const = 0;
+};
+
+/// Error: no frame is left, or the intrinsics are not those of a camera.
+[[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
+
+/// `scene`: "tabletop" (also ""), "room", "l_block" or "chair_floor"; with ":exact" appended, without noise.
+/// Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays). Error: names the scene
+/// and those there are.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scene,
+                                                                       const SourceOptions& options);
+
+/// Who is who in the instance masks of a scene.
+[[nodiscard]] std::vector<InstanceName> instanceNames(SceneKind scene);
+
+}  // namespace scantrove
