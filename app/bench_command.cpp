@@ -1,0 +1,56 @@
+#include <QTemporaryDir>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/bench_statistics.h"
+#include "app/command.h"
+#include "app/core_application.h"
+#include "app/scan_options.h"
+#include "app/scan_runner.h"
+
+namespace scantrove {
+namespace {
+
+struct BenchCommand {
+  ScanOptions options;
+  bool json = false;
+};
+
+Result<void> bench(ScanRequest request, bool json) {
+  const CoreApplication qt;
+  const QTemporaryDir folder;  // an empty catalogue, gone afterwards: every run does the same work
+  if (!folder.isValid())
+    return fail("Cannot make a temporary folder: " + folder.errorString().toStdString() + ".");
+  request.database = folder.filePath("catalogue.sqlite").toStdString();
+  std::vector<BenchSample> samples;
+  const auto report = runToEnd(std::move(request), [&](const ScanSnapshot& snapshot) {
+    const bool is_new = samples.empty() || snapshot.frames_done > samples.back().frames_done;
+    if (is_new && snapshot.pose.usable()) samples.push_back(sampleOf(snapshot));
+  });
+  if (!report) return fail(report.error());
+  const auto quarters = quartersOf(samples);
+  if (json) {
+    std::cout << benchJson(*report, quarters).dump(1) << '\n';
+  } else {
+    std::cout << benchTable(*report, quarters);
+  }
+  return {};
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app, CommandOutcome& outcome) {
+  auto command = std::make_shared<BenchCommand>();
+  command->options.source = "demo";
+  CLI::App* sub =
+      app.add_subcommand("bench", "Time every stage of a scan, and the cost over the size of the map");
+  sub->add_option("SOURCE", command->options.source, "as 'scan' takes it (default demo)");
+  sub->add_flag("--json", command->json, "as JSON");
+  command->options.addTo(*sub);
+  sub->callback([command, &outcome] {
+    if (const auto done = bench(command->options.toRequest(), command->json); !done)
+      outcome.failWith(done.error());
+  });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,104 @@
+#include "app/bench_statistics.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/base/stage_timer.h"
+
+namespace scantrove {
+namespace {
+
+double sumOfMedians(const ScanReport& report) {
+  double sum = 0;
+  for (const ScanReport::Stage& stage : report.stages) sum += stage.median_ms;
+  return sum;
+}
+
+}  // namespace
+
+BenchSample sampleOf(const ScanSnapshot& snapshot) {
+  BenchSample sample;
+  sample.frames_done = snapshot.frames_done;
+  sample.bricks = snapshot.map_bricks;
+  for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) {
+    sample.frame_ms += stage.ms;
+    if (stage.name == "integrate" || stage.name == "raycast") sample.map_ms += stage.ms;
+  }
+  return sample;
+}
+
+std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples) {
+  std::vector<BenchQuarter> quarters;
+  if (samples.empty()) return quarters;
+  const int last = samples.back().frames_done;
+  auto begin = samples.begin();
+  for (int quarter = 1; quarter <= 4; ++quarter) {
+    const auto end = std::find_if(begin, samples.end(), [&](const BenchSample& s) {
+      return 4LL * s.frames_done > 1LL * quarter * last;
+    });
+    if (begin == end) continue;
+    std::vector<double> frame_ms, map_ms;
+    for (auto sample = begin; sample != end; ++sample) {
+      frame_ms.push_back(sample->frame_ms);
+      map_ms.push_back(sample->map_ms);
+    }
+    const BenchSample& newest = *std::prev(end);
+    quarters.push_back(
+        {newest.frames_done, newest.bricks, summarise(frame_ms).median_ms, summarise(map_ms).median_ms});
+    begin = end;
+  }
+  return quarters;
+}
+
+std::string benchTable(const ScanReport& report, const std::vector<BenchQuarter>& quarters) {
+  std::ostringstream text;
+  const double sum = sumOfMedians(report);
+  text << std::fixed << std::setprecision(1) << report.source << " on " << report.device << ": "
+       << report.frames.read << " frames, " << report.frames.lost << " lost, " << report.fps
+       << " fps, peak memory " << report.peak_memory_mb
+       << " MiB\n\nstage          median ms   p95 ms    share\n";
+  for (const ScanReport::Stage& stage : report.stages) {
+    text << std::left << std::setw(14) << stage.name << std::right << std::setw(10) << stage.median_ms
+         << std::setw(9) << stage.p95_ms << std::setw(8) << (sum > 0 ? 100 * stage.median_ms / sum : 0)
+         << " %\n";
+  }
+  text << std::left << std::setw(14) << "frame" << std::right << std::setw(10) << report.frame_median_ms
+       << std::setw(9) << report.frame_p95_ms
+       << "\n\nto frame     bricks   frame ms   map ms (medians of the quarter)\n";
+  for (const BenchQuarter& quarter : quarters) {
+    text << std::setw(8) << quarter.last_frame << std::setw(11) << quarter.bricks << std::setw(11)
+         << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
+  }
+  return text.str();
+}
+
+nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<BenchQuarter>& quarters) {
+  using Json = nlohmann::ordered_json;
+  const double sum = sumOfMedians(report);
+  Json stages = Json::object();
+  for (const ScanReport::Stage& stage : report.stages) {
+    stages[stage.name] = {{"median_ms", stage.median_ms},
+                          {"p95_ms", stage.p95_ms},
+                          {"share", sum > 0 ? stage.median_ms / sum : 0}};
+  }
+  Json list = Json::array();
+  for (const BenchQuarter& quarter : quarters) {
+    list.push_back({{"to_frame", quarter.last_frame},
+                    {"bricks", quarter.bricks},
+                    {"frame_median_ms", quarter.frame_median_ms},
+                    {"map_median_ms", quarter.map_median_ms}});
+  }
+  return {{"source", report.source},
+          {"device", report.device},
+          {"frames", report.frames.read},
+          {"lost", report.frames.lost},
+          {"fps", report.fps},
+          {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
+          {"peak_memory_mb", report.peak_memory_mb},
+          {"stages", stages},
+          {"quarters", list}};
+}
+
+}  // namespace scantrove

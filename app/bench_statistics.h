@@ -1,0 +1,36 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/scan/scan_report.h"
+#include "core/scan/scan_snapshot.h"
+
+namespace scantrove {
+
+/// How the cost of a frame goes with the size of the map.
+struct BenchSample {
+  int frames_done = 0;
+  int bricks = 0;
+  double frame_ms = 0;  ///< sum over the stages
+  double map_ms = 0;    ///< of integration and raycast
+};
+
+/// One quarter of a run.
+struct BenchQuarter {
+  int last_frame = 0;
+  int bricks = 0;  ///< at its end
+  double frame_median_ms = 0;
+  double map_median_ms = 0;
+};
+
+[[nodiscard]] BenchSample sampleOf(const ScanSnapshot& snapshot);
+
+/// Up to four quarters of equal numbers of frames; quarters without a sample are left out.
+[[nodiscard]] std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples);
+
+[[nodiscard]] std::string benchTable(const ScanReport& report, const std::vector<BenchQuarter>& quarters);
+[[nodiscard]] nlohmann::ordered_json benchJson(const ScanReport& report,
+                                               const std::vector<BenchQuarter>& quarters);
+
+}  // namespace scantrove

@@ -1,0 +1,35 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/base/result.h"
+
+namespace scantrove {
+
+/// What the program returns: a promise to scripts.
+enum ExitCode : int {
+  kDone = 0,
+  kJobFailed = 1,   ///< the world failed: one message on stderr
+  kWrongUsage = 2,  ///< the command line was not understood
+};
+
+/// Where a command's callback leaves what the program returns.
+struct CommandOutcome {
+  int exit_code = kDone;
+
+  /// Reports `error` on stderr, once, and makes the program return kJobFailed.
+  void failWith(const Error& error) {
+    std::cerr << "scantrove: " << error.message() << '\n';
+    exit_code = kJobFailed;
+  }
+};
+
+/// Each adds one subcommand with its options; its callback does the work and fills `outcome`.
+void addScanCommand(CLI::App& app, CommandOutcome& outcome);
+void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome);
+void addDevicesCommand(CLI::App& app, CommandOutcome& outcome);
+void addParamsCommand(CLI::App& app, CommandOutcome& outcome);
+void addObjectsCommand(CLI::App& app, CommandOutcome& outcome);
+void addBenchCommand(CLI::App& app, CommandOutcome& outcome);
+
+}  // namespace scantrove

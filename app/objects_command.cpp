@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iomanip>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/core_application.h"
+#include "core/catalog/object_database.h"
+
+namespace scantrove {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ObjectsCommand {
+  std::string database;
+  std::string object;  ///< an id or a name
+  std::string other;   ///< the second object, or the new name
+  bool json = false;
+  bool undo = false;
+};
+
+Result<std::unique_ptr<ObjectDatabase>> openExisting(const std::string& database) {
+  const bool is_file = database.find("://") == std::string::npos;
+  if (is_file && !std::filesystem::exists(database)) {
+    return fail("There is no database " + database + ".",
+                "A scan makes one: scantrove scan SOURCE --out DIR.");
+  }
+  return ObjectDatabase::open(database);
+}
+
+/// The object called `text`, or else the one with that id.
+Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& text) {
+  const auto by_name = database.findByName(text);
+  if (!by_name) return fail(by_name.error());
+  if (*by_name) return database.object(*by_name);
+  std::uint32_t id = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, id);
+  if (failure == std::errc{} && stop == end && id != 0) return database.object(ObjectId{id});
+  return fail("There is no object '" + text + "'.", "'scantrove objects list' shows names and ids.");
+}
+
+Json toJson(const ObjectRecord& object) {
+  return {
+      {"id", object.id.value},         {"name", object.name},
+      {"confirmed", object.confirmed}, {"size_m", {object.size_m.x(), object.size_m.y(), object.size_m.z()}},
+      {"views", object.views},         {"first_session", object.first_session_name},
+      {"created", object.created}};
+}
+
+Json toJson(const ObjectView& view) {
+  return {{"id", view.id},
+          {"session", view.session},
+          {"frame", view.frame_index},
+          {"width", view.color.cols},
+          {"height", view.color.rows},
+          {"direction", {view.direction.x(), view.direction.y(), view.direction.z()}}};
+}
+
+void print(const Json& json) {
+  std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+std::string sizeText(const ObjectRecord& object) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << object.size_m.x() * 100 << " x " << object.size_m.y() * 100
+       << " x " << object.size_m.z() * 100 << " cm";
+  return text.str();
+}
+
+void printObject(const ObjectRecord& object) {
+  std::cout << std::right << std::setw(5) << object.id.value << "  " << std::left << std::setw(24)
+            << object.name << std::setw(12) << (object.confirmed ? "confirmed" : "") << std::setw(18)
+            << sizeText(object) << object.views << (object.views == 1 ? " view  " : " views  ")
+            << object.created << '\n';
+}
+
+Result<void> list(ObjectDatabase& database, const ObjectsCommand& command) {
+  const auto objects = database.objects();
+  if (!objects) return fail(objects.error());
+  if (!command.json) {
+    for (const ObjectRecord& object : *objects) printObject(object);
+    return {};
+  }
+  Json json = Json::array();
+  for (const ObjectRecord& object : *objects) json.push_back(toJson(object));
+  print(json);
+  return {};
+}
+
+Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
+  const auto object = findObject(database, command.object);
+  if (!object) return fail(object.error());
+  const auto views = database.views(object->id);
+  if (!views) return fail(views.error());
+  if (command.json) {
+    Json json = toJson(*object);
+    json["views"] = Json::array();
+    for (const ObjectView& view : *views) json["views"].push_back(toJson(view));
+    print(json);
+    return {};
+  }
+  printObject(*object);
+  std::cout << "       first seen in " << object->first_session_name << '\n';
+  for (const ObjectView& view : *views) {
+    std::cout << "       view " << view.id << ": session " << view.session << ", frame " << view.frame_index
+              << ", " << view.color.cols << " x " << view.color.rows << " px\n";
+  }
+  return {};
+}
+
+/// Says what an object is now, after a change.
+Result<void> report(ObjectDatabase& database, ObjectId id, const ObjectsCommand& command) {
+  const auto object = database.object(id);
+  if (!object) return fail(object.error());
+  if (command.json) {
+    print(toJson(*object));
+  } else {
+    printObject(*object);
+  }
+  return {};
+}
+
+Result<void> rename(ObjectDatabase& database, const ObjectsCommand& command) {
+  const auto object = findObject(database, command.object);
+  if (!object) return fail(object.error());
+  SCANTROVE_TRY(database.rename(object->id, command.other));
+  return report(database, object->id, command);
+}
+
+Result<void> confirm(ObjectDatabase& database, const ObjectsCommand& command) {
+  const auto object = findObject(database, command.object);
+  if (!object) return fail(object.error());
+  SCANTROVE_TRY(database.setConfirmed(object->id, !command.undo));
+  return report(database, object->id, command);
+}
+
+Result<void> merge(ObjectDatabase& database, const ObjectsCommand& command) {
+  const auto into = findObject(database, command.object);
+  if (!into) return fail(into.error());
+  const auto from = findObject(database, command.other);
+  if (!from) return fail(from.error());
+  if (into->id == from->id) return fail("An object cannot be merged with itself.");
+  SCANTROVE_TRY(database.merge(into->id, from->id));
+  return report(database, into->id, command);
+}
+
+Result<void> remove(ObjectDatabase& database, const ObjectsCommand& command) {
+  const auto object = findObject(database, command.object);
+  if (!object) return fail(object.error());
+  SCANTROVE_TRY(database.remove(object->id));
+  if (command.json) {
+    print({{"deleted", object->id.value}});
+  } else {
+    std::cout << "deleted " << object->name << '\n';
+  }
+  return {};
+}
+
+using Action = Result<void> (*)(ObjectDatabase&, const ObjectsCommand&);
+
+CLI::App* addAction(CLI::App& parent, const std::string& name, const std::string& help,
+                    const std::shared_ptr<ObjectsCommand>& command, CommandOutcome& outcome, Action action) {
+  CLI::App* sub = parent.add_subcommand(name, help);
+  sub->add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
+  sub->add_flag("--json", command->json, "as JSON");
+  sub->callback([command, &outcome, action] {
+    const CoreApplication qt;
+    auto database = openExisting(command->database);
+    if (!database) return outcome.failWith(database.error());
+    if (const auto done = action(**database, *command); !done) outcome.failWith(done.error());
+  });
+  return sub;
+}
+
+}  // namespace
+
+void addObjectsCommand(CLI::App& app, CommandOutcome& outcome) {
+  auto command = std::make_shared<ObjectsCommand>();
+  CLI::App* objects = app.add_subcommand("objects", "List and edit the objects of a catalogue");
+  objects->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help, Action action) {
+    return addAction(*objects, name, help, command, outcome, action);
+  };
+  const auto take_object = [&](CLI::App* sub, const char* what) {
+    sub->add_option("OBJECT", command->object, what)->required();
+    return sub;
+  };
+  add("list", "All objects", list);
+  take_object(add("show", "One object with its views", show), "name or id");
+  take_object(add("rename", "Give an object another name", rename), "name or id")
+      ->add_option("NAME", command->other, "the new name")
+      ->required();
+  take_object(add("confirm", "Mark an object as right", confirm), "name or id")
+      ->add_flag("--undo", command->undo, "take the mark back");
+  take_object(add("merge", "Make two objects one", merge), "name or id of the object that stays")
+      ->add_option("OTHER", command->other, "name or id of the object whose views it takes over")
+      ->required();
+  take_object(add("delete", "Hide an object everywhere", remove), "name or id");
+}
+
+}  // namespace scantrove

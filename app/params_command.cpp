@@ -1,0 +1,79 @@
+#include <iomanip>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/scan_options.h"
+#include "core/scan/param_registry.h"
+
+namespace scantrove {
+namespace {
+
+struct ParamsCommand {
+  std::string config;
+  std::vector<std::string> settings;
+  bool json = false;
+};
+
+std::string plain(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string rangeOf(const ParamInfo& info) {
+  if (info.choices.empty()) return plain(info.minimum) + " .. " + plain(info.maximum);
+  std::string words;
+  for (const std::string& choice : info.choices) words += (words.empty() ? "" : "|") + choice;
+  return words;
+}
+
+void printTable(const ScanParams& params) {
+  std::cout << std::left;
+  for (const ParamInfo& info : paramRegistry()) {
+    std::cout << std::setw(34) << info.key << std::setw(12) << info.text(params) << std::setw(8) << info.unit
+              << std::setw(18) << rangeOf(info) << info.help << '\n';
+  }
+}
+
+void printJson(const ScanParams& params) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const ParamInfo& info : paramRegistry()) {
+    const bool is_number = info.choices.empty();
+    const auto value = [&](const ScanParams& from) {
+      return is_number ? Json::parse(info.text(from)) : Json(info.text(from));
+    };
+    Json entry = {
+        {"key", info.key}, {"value", value(params)}, {"default", value(ScanParams{})}, {"unit", info.unit}};
+    if (is_number) {
+      entry["range"] = {info.minimum, info.maximum};
+    } else {
+      entry["choices"] = info.choices;
+    }
+    entry["help"] = info.help;
+    list.push_back(std::move(entry));
+  }
+  std::cout << list.dump(1) << '\n';
+}
+
+}  // namespace
+
+void addParamsCommand(CLI::App& app, CommandOutcome&) {
+  auto command = std::make_shared<ParamsCommand>();
+  CLI::App* sub = app.add_subcommand("params", "List the parameters: value, unit, range, meaning");
+  sub->add_option("--config", command->config, "show the values after this TOML file")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
+  sub->add_option("--set", command->settings, "show the values after this setting")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("key=value");
+  sub->add_flag("--json", command->json, "as JSON");
+  sub->callback([command] {
+    const ScanParams params = paramsFrom(command->config, command->settings);
+    command->json ? printJson(params) : printTable(params);
+  });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,56 @@
+#include "app/progress_line.h"
+
+#include <unistd.h>
+
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace scantrove {
+
+using namespace std::chrono_literals;
+
+ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1) {
+  next_ = Clock::now() + (is_terminal_ ? 0ms : 3000ms);
+}
+
+ProgressLine::~ProgressLine() {
+  if (line_is_open_) std::cerr << '\n';
+}
+
+void ProgressLine::show(const ScanSnapshot& snapshot) {
+  if (Clock::now() < next_) return;
+  next_ = Clock::now() + (is_terminal_ ? 200ms : 3000ms);
+  clearLine();
+  std::cerr << describeProgress(snapshot) << (is_terminal_ ? "" : "\n") << std::flush;
+  line_is_open_ = is_terminal_;
+}
+
+void ProgressLine::say(const std::string& message) {
+  clearLine();
+  line_is_open_ = false;
+  std::cerr << message << '\n';
+}
+
+void ProgressLine::clearLine() {
+  if (line_is_open_) std::cerr << "\r\033[K";
+}
+
+std::string describeProgress(const ScanSnapshot& snapshot) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << snapshot.frames_done;
+  if (snapshot.frames_total > 0) {
+    text << '/' << snapshot.frames_total << " frames ("
+         << 100LL * snapshot.frames_done / snapshot.frames_total << " %)";
+  } else {
+    text << " frames";
+  }
+  text << ", " << snapshot.fps << " fps, " << toString(snapshot.pose.state) << ", " << snapshot.region_count
+       << " regions";
+  if (snapshot.frames_lost > 0) text << ", " << snapshot.frames_lost << " lost";
+  if (snapshot.frames_skipped > 0) text << ", " << snapshot.frames_skipped << " unreadable";
+  if (snapshot.frames_dropped > 0) text << ", " << snapshot.frames_dropped << " dropped";
+  return text.str();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,83 @@
+#include <filesystem>
+#include <iomanip>
+#include <memory>
+
+#include "app/command.h"
+#include "app/core_application.h"
+#include "app/scan_options.h"
+#include "app/scan_runner.h"
+#include "core/exchange/atomic_file.h"
+
+namespace scantrove {
+namespace {
+
+struct ScanCommand {
+  ScanOptions options;
+  std::string out;
+  std::string database;
+  bool label_maps = false;
+};
+
+void printSummary(const ScanReport& report, const std::string& out) {
+  const ScanReport::Frames& frames = report.frames;
+  std::size_t known = 0;
+  for (const ScanReport::Object& object : report.objects) known += object.recognised_from.empty() ? 0U : 1U;
+  std::cout << std::fixed << std::setprecision(1);
+  std::cout << "frames   " << frames.read << " read, " << frames.tracked << " tracked, " << frames.lost
+            << " lost";
+  if (frames.skipped > 0) std::cout << ", " << frames.skipped << " unreadable";
+  if (frames.dropped > 0) std::cout << ", " << frames.dropped << " dropped";
+  std::cout << "\nspeed    " << report.fps << " fps (frame " << report.frame_median_ms << " ms median, "
+            << report.frame_p95_ms << " ms p95) on " << report.device << "\nmap      " << report.map_bricks
+            << " bricks, " << report.map_megabytes << " MiB; peak memory " << report.peak_memory_mb
+            << " MiB\nregions  " << report.regions << "\nobjects  " << report.objects.size() - known
+            << " new, " << known << " recognised";
+  const char* separator = ": ";
+  for (const ScanReport::Object& object : report.objects) {
+    std::cout << separator << object.name;
+    separator = ", ";
+  }
+  std::cout << "\nresults  " << out << '\n';
+}
+
+Result<void> scan(const ScanCommand& command, ScanRequest request) {
+  // Before anything is opened: nobody wants to learn this at the end of a scan.
+  SCANTROVE_TRY(prepareOutputFolder(command.out));
+  request.output_folder = command.out;
+  request.database =
+      command.database.empty() ? (*request.output_folder / "catalogue.sqlite").string() : command.database;
+  request.label_maps = command.label_maps;
+  const CoreApplication qt;
+  const auto report = runToEnd(std::move(request));
+  if (!report) return fail(report.error());
+  if (report->frames.read == 0) {
+    return fail("No frame of " + report->source + " could be used (" +
+                    std::to_string(report->frames.skipped) + " unreadable).",
+                "Check the recording, --start and --stride.");
+  }
+  printSummary(*report, command.out);
+  return {};
+}
+
+}  // namespace
+
+void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
+  auto command = std::make_shared<ScanCommand>();
+  CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
+  sub->add_option("SOURCE", command->options.source,
+                  "a folder, an .oni file, 'demo', 'demo:room', 'camera', 'camera:URI'")
+      ->required();
+  sub->add_option("--out", command->out, "folder for the results; made when missing")
+      ->required()
+      ->type_name("DIR");
+  sub->add_option("--database", command->database,
+                  "catalogue to search and add to (default DIR/catalogue.sqlite)")
+      ->type_name("FILE|postgresql://...");
+  sub->add_flag("--label-maps", command->label_maps, "also write the segmentation of every frame as PNGs");
+  command->options.addTo(*sub);
+  sub->callback([command, &outcome] {
+    if (const auto done = scan(*command, command->options.toRequest()); !done) outcome.failWith(done.error());
+  });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,15 @@
+#pragma once
+#include <functional>
+
+#include "app/progress_line.h"
+#include "core/base/result.h"
+#include "core/scan/scan_session.h"
+
+namespace scantrove {
+
+/// Runs `request` to its end, or to the first Ctrl+C, with progress on stderr. `watch` sees each snapshot
+/// that was not overtaken by a newer one. Main thread; blocks. Error: why the scan could not start or go on.
+[[nodiscard]] Result<ScanReport> runToEnd(ScanRequest request,
+                                          const std::function<void(const ScanSnapshot&)>& watch = {});
+
+}  // namespace scantrove
