@@ -1,6 +1,6 @@
 #include "core/exchange/trajectory_writer.h"
 
-#include <cstdio>
+#include <charconv>
 #include <string>
 
 #include "core/exchange/atomic_file.h"
@@ -8,11 +8,14 @@
 namespace scantrove {
 namespace {
 
-void append(std::string& text, const char* format, double value) {
-  char number[64];
-  std::snprintf(number, sizeof number, format, value);
-  text += number;
+/// std::to_chars: printf would write decimal commas where the person's language does.
+void append(std::string& text, double value, std::chars_format format, int digits) {
+  char number[400];
+  const auto [end, failure] = std::to_chars(number, number + sizeof number, value, format, digits);
+  text.append(number, end);
 }
+
+void appendGeneral(std::string& text, double value) { append(text, value, std::chars_format::general, 9); }
 
 }  // namespace
 
@@ -22,8 +25,11 @@ Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<con
     const Eigen::Vector3d t = pose.T_world_camera.translation();
     Eigen::Quaterniond q(pose.T_world_camera.linear());
     if (q.w() < 0) q.coeffs() = -q.coeffs();
-    append(text, "%.6f", pose.timestamp_s);
-    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) append(text, " %.9g", value);
+    append(text, pose.timestamp_s, std::chars_format::fixed, 6);
+    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+      text += ' ';
+      appendGeneral(text, value);
+    }
     text += '\n';
   }
   return writeFileAtomically(path, text);
@@ -34,7 +40,8 @@ Result<void> writeKittiTrajectory(const std::filesystem::path& path, std::span<c
   for (const StampedPose& pose : poses) {
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) {
-        append(text, row + column == 0 ? "%.9g" : " %.9g", pose.T_world_camera.matrix()(row, column));
+        if (row + column > 0) text += ' ';
+        appendGeneral(text, pose.T_world_camera.matrix()(row, column));
       }
     }
     text += '\n';
