@@ -1,0 +1,105 @@
+#include "core/capture/camera_intrinsics.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/capture/text_file.h"
+
+namespace scantrove {
+
+namespace {
+
+bool isCentreNear(float centre, int size) {
+  return centre >= -0.5F * static_cast<float>(size) && centre <= 1.5F * static_cast<float>(size);
+}
+
+std::string describe(const Intrinsics& K) {
+  const auto text = [](float value) { return nlohmann::json(value).dump(); };
+  return text(K.fx) + "," + text(K.fy) + "," + text(K.cx) + "," + text(K.cy);
+}
+
+}  // namespace
+
+Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin) {
+  const std::string advice = "Give fx,fy,cx,cy in pixels, e.g. --intrinsics 525,525,319.5,239.5.";
+  if (!std::isfinite(K.fx) || !std::isfinite(K.fy) || !std::isfinite(K.cx) || !std::isfinite(K.cy)) {
+    return fail("Intrinsics " + describe(K) + " (" + origin + ") have values that are not finite.", advice);
+  }
+  if (!(K.fx > 0 && K.fy > 0)) {
+    return fail("Intrinsics " + describe(K) + " (" + origin + "): the focal lengths must be positive.",
+                advice);
+  }
+  if (!isCentreNear(K.cx, K.width) || !isCentreNear(K.cy, K.height)) {
+    return fail("Intrinsics " + describe(K) + " (" + origin + "): the centre lies far outside the " +
+                    std::to_string(K.width) + "x" + std::to_string(K.height) + " images.",
+                advice);
+  }
+  return {};
+}
+
+Intrinsics fitToImages(const CameraModel& model, int width, int height) {
+  if (model.K.width > 0 && model.K.height > 0) {
+    return model.K.width == width && model.K.height == height ? model.K : model.K.resizedTo(width, height);
+  }
+  Intrinsics K = model.K;
+  K.width = width;
+  K.height = height;
+  return K;
+}
+
+Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file) {
+  const Result<std::string> text = readTextFile(file);
+  if (!text) {
+    return fail(text.error());
+  }
+  const auto values = parseNumbers(*text);
+  if (!values || values->size() != 9) {
+    return fail(file.string() + " is not a 3x3 camera matrix.",
+                "Correct it, or give --intrinsics fx,fy,cx,cy.");
+  }
+  const auto at = [&](std::size_t i) { return static_cast<float>((*values)[i]); };
+  return CameraModel{{at(0), at(4), at(2), at(5), 0, 0}, std::nullopt};
+}
+
+Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
+  const Result<std::string> text = readTextFile(file);
+  if (!text) {
+    return fail(text.error());
+  }
+  try {
+    const nlohmann::json json = nlohmann::json::parse(*text);
+    const auto matrix = json.at("intrinsic_matrix").get<std::vector<float>>();
+    if (matrix.size() != 9) {
+      return fail(file.string() + ": intrinsic_matrix has " + std::to_string(matrix.size()) +
+                  " values, not 9.");
+    }
+    CameraModel model{
+        {matrix[0], matrix[4], matrix[6], matrix[7], json.value("width", 0), json.value("height", 0)},
+        std::nullopt};
+    if (json.contains("depth_scale")) {
+      model.units_per_metre = json.at("depth_scale").get<double>();
+    }
+    return model;
+  } catch (const nlohmann::json::exception& exception) {
+    return fail(file.string() + " is no Open3D camera: " + exception.what() + ".",
+                "Correct it, or give --intrinsics fx,fy,cx,cy.");
+  }
+}
+
+Result<std::optional<CameraModel>> findIntrinsics(const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto present = [](Result<CameraModel> model) {
+    return std::move(model).map([](CameraModel found) { return std::optional(std::move(found)); });
+  };
+  if (const auto file = folder / "camera-intrinsics.txt"; std::filesystem::exists(file, error)) {
+    return present(readIntrinsicsMatrix(file));
+  }
+  for (const char* const name : {"intrinsic.json", "camera_intrinsic.json"}) {
+    if (const auto file = folder / name; std::filesystem::exists(file, error)) {
+      return present(readIntrinsicsJson(file));
+    }
+  }
+  return std::optional<CameraModel>();
+}
+
+}  // namespace scantrove

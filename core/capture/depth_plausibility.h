@@ -1,0 +1,14 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+namespace scantrove {
+
+/// Median of the valid depths of an image (CV_16UC1, 0 = none), metres; empty if none is valid.
+[[nodiscard]] std::optional<double> medianDepth(const cv::Mat& depth, double metres_per_unit);
+
+/// Logs a warning that names --depth-scale if the median depth lies outside 0.2 - 8 m, the commonest mistake
+/// with recordings. Returns whether the depth is plausible (or there is none to judge).
+bool checkDepthScale(const cv::Mat& depth, double metres_per_unit, const std::string& source_name);
+
+}  // namespace scantrove

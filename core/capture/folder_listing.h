@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace scantrove {
+
+/// The names in a folder, sorted, hidden ones left out. Error: names the folder and the system's reason.
+[[nodiscard]] Result<std::vector<std::string>> listFolder(const std::filesystem::path& folder);
+
+/// `frame-000012.depth.png` taken apart.
+struct SevenScenesPart {
+  int number = 0;
+  std::string_view suffix;  ///< "depth.png"; points into the name
+};
+
+/// Empty if `name` is not of the form `frame-<digits>.<suffix>`.
+[[nodiscard]] std::optional<SevenScenesPart> sevenScenesPart(std::string_view name);
+
+/// The folder's own name, also when the path ends in a slash or is ".".
+[[nodiscard]] std::string folderName(const std::filesystem::path& folder);
+
+/// `text` in lower case (ASCII).
+[[nodiscard]] std::string lowerCase(std::string_view text);
+
+}  // namespace scantrove

@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/capture/frame_source.h"
+
+namespace scantrove {
+
+/// Opens a live camera by its OpenNI2 URI; empty: the first that is plugged in. Depth registered to colour
+/// and the two synchronised where the camera can, mirroring off. next() waits a second at most (timeout); an
+/// unplugged camera is `failed`. Error: no camera found, or it cannot be opened; says what to check.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri,
+                                                              const SourceOptions& options);
+
+/// Opens an .oni file as a recording: every depth frame as fast as it is read, with the colour frame nearest
+/// in time. Index = position, timestamp = the recording's. Error: cannot be opened, or holds no depth.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> openOniRecording(const std::filesystem::path& file,
+                                                                    const SourceOptions& options);
+
+}  // namespace scantrove

@@ -1,0 +1,185 @@
+#include "core/capture/openni_streams.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/capture/openni_library.h"
+
+namespace scantrove {
+
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+constexpr int kFramesPerSecond = 30;
+
+/// Sets 640x480 at 30 Hz in `format` if the sensor offers it; else leaves the sensor's own mode.
+void chooseMode(openni::VideoStream& stream, openni::PixelFormat format) {
+  const openni::Array<openni::VideoMode>& modes = stream.getSensorInfo().getSupportedVideoModes();
+  for (int i = 0; i < modes.getSize(); ++i) {
+    const openni::VideoMode& mode = modes[i];
+    if (mode.getResolutionX() == kWidth && mode.getResolutionY() == kHeight &&
+        mode.getFps() == kFramesPerSecond && mode.getPixelFormat() == format) {
+      stream.setVideoMode(mode);
+      return;
+    }
+  }
+}
+
+cv::Mat viewOf(const openni::VideoFrameRef& frame, int type) {
+  return {frame.getHeight(), frame.getWidth(), type, const_cast<void*>(frame.getData()),
+          static_cast<std::size_t>(frame.getStrideInBytes())};
+}
+
+/// Empty if the format is none that we know.
+cv::Mat copyColor(const openni::VideoFrameRef& frame) {
+  cv::Mat bgr;
+  switch (frame.getVideoMode().getPixelFormat()) {
+    case openni::PIXEL_FORMAT_RGB888:
+      cv::cvtColor(viewOf(frame, CV_8UC3), bgr, cv::COLOR_RGB2BGR);
+      break;
+    case openni::PIXEL_FORMAT_YUV422:
+      cv::cvtColor(viewOf(frame, CV_8UC2), bgr, cv::COLOR_YUV2BGR_UYVY);
+      break;
+    case openni::PIXEL_FORMAT_YUYV:
+      cv::cvtColor(viewOf(frame, CV_8UC2), bgr, cv::COLOR_YUV2BGR_YUYV);
+      break;
+    case openni::PIXEL_FORMAT_GRAY8:
+      cv::cvtColor(viewOf(frame, CV_8UC1), bgr, cv::COLOR_GRAY2BGR);
+      break;
+    default:
+      break;
+  }
+  return bgr;
+}
+
+void unmirror(cv::Mat& image, bool is_mirrored) {
+  if (is_mirrored && !image.empty()) {
+    cv::flip(image, image, 1);
+  }
+}
+
+double seconds(const openni::VideoFrameRef& frame) {
+  return static_cast<double>(frame.getTimestamp()) * 1e-6;
+}
+
+}  // namespace
+
+OpenNiStreams::~OpenNiStreams() {
+  for (openni::VideoStream* stream : {&depth_, &color_}) {
+    if (stream->isValid()) {
+      stream->stop();
+      stream->destroy();
+    }
+  }
+  device_.close();
+}
+
+Result<void> OpenNiStreams::open(const std::string& uri) {
+  SCANTROVE_TRY(initialiseOpenNi());
+  if (device_.open(uri.c_str()) != openni::STATUS_OK) {
+    return fail("OpenNI2 cannot open " + uri + ": " + openNiError() + ".");
+  }
+  if (device_.getSensorInfo(openni::SENSOR_DEPTH) == nullptr ||
+      depth_.create(device_, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
+    return fail(uri + " has no depth stream.",
+                "Scantrove needs depth; is this a colour-only camera or recording?");
+  }
+  if (device_.getSensorInfo(openni::SENSOR_COLOR) == nullptr ||
+      color_.create(device_, openni::SENSOR_COLOR) != openni::STATUS_OK) {
+    spdlog::warn("{} has no colour stream: depth only.", uri);
+  }
+  if (isRecording()) {
+    // A file keeps the images as they were made; setting the property would not turn them.
+    is_depth_mirrored_ = depth_.getMirroringEnabled();
+    is_color_mirrored_ = hasColor() && color_.getMirroringEnabled();
+    device_.getPlaybackControl()->setRepeatEnabled(false);
+    device_.getPlaybackControl()->setSpeed(-1.0F);  // as fast as frames are read
+  } else {
+    configureCamera();
+  }
+  if (depth_.start() != openni::STATUS_OK || (hasColor() && color_.start() != openni::STATUS_OK)) {
+    return fail("OpenNI2 cannot start the streams of " + uri + ": " + openNiError() + ".",
+                "Is another program using the camera?");
+  }
+  const openni::PixelFormat format = depth_.getVideoMode().getPixelFormat();
+  if (format != openni::PIXEL_FORMAT_DEPTH_1_MM && format != openni::PIXEL_FORMAT_DEPTH_100_UM) {
+    return fail(uri + " gives depth in OpenNI2's format " + std::to_string(format) + ".",
+                "Scantrove reads depth in 1 mm or 100 um steps.");
+  }
+  return {};
+}
+
+void OpenNiStreams::configureCamera() {
+  chooseMode(depth_, openni::PIXEL_FORMAT_DEPTH_1_MM);
+  depth_.setMirroringEnabled(false);
+  if (!hasColor()) {
+    return;
+  }
+  chooseMode(color_, openni::PIXEL_FORMAT_RGB888);
+  color_.setMirroringEnabled(false);
+  if (device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR)) {
+    device_.setImageRegistrationMode(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR);
+  }
+  device_.setDepthColorSyncEnabled(true);  // a camera that cannot says so; frames are paired by time anyway
+}
+
+int OpenNiStreams::depthFrameCount() {
+  openni::PlaybackControl* const playback = device_.getPlaybackControl();
+  return playback == nullptr ? 0 : std::max(0, playback->getNumberOfFrames(depth_));
+}
+
+double OpenNiStreams::metresPerUnit() const {
+  return depth_.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
+}
+
+cv::Size OpenNiStreams::size() const {
+  const openni::VideoMode mode = depth_.getVideoMode();
+  return {mode.getResolutionX(), mode.getResolutionY()};
+}
+
+std::optional<Intrinsics> OpenNiStreams::intrinsics() const {
+  const auto width = static_cast<float>(size().width);
+  const auto height = static_cast<float>(size().height);
+  const float horizontal = depth_.getHorizontalFieldOfView();
+  const float vertical = depth_.getVerticalFieldOfView();
+  const auto isAngle = [](float angle) { return angle > 0.1F && angle < 3.0F; };
+  if (!isAngle(horizontal) || !isAngle(vertical)) {
+    return std::nullopt;
+  }
+  return Intrinsics{width / (2 * std::tan(horizontal / 2)),
+                    height / (2 * std::tan(vertical / 2)),
+                    (width - 1) / 2,
+                    (height - 1) / 2,
+                    size().width,
+                    size().height};
+}
+
+Result<OpenNiStreams::Arrival> OpenNiStreams::wait(std::chrono::milliseconds timeout) {
+  openni::VideoStream* streams[] = {&depth_, &color_};
+  int ready = -1;
+  const openni::Status status = openni::OpenNI::waitForAnyStream(streams, hasColor() ? 2 : 1, &ready,
+                                                                 static_cast<int>(timeout.count()));
+  if (status == openni::STATUS_TIME_OUT) {
+    return Arrival{};
+  }
+  openni::VideoFrameRef frame;
+  if (status != openni::STATUS_OK || streams[ready]->readFrame(&frame) != openni::STATUS_OK ||
+      !frame.isValid()) {
+    return fail(openNiError());
+  }
+  Arrival arrival;
+  if (ready == 0) {
+    arrival.depth = OpenNiImage{viewOf(frame, CV_16UC1).clone(), seconds(frame)};
+    unmirror(arrival.depth->image, is_depth_mirrored_);
+  } else {
+    arrival.color = OpenNiImage{copyColor(frame), seconds(frame)};
+    unmirror(arrival.color->image, is_color_mirrored_);
+  }
+  return arrival;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,57 @@
+#pragma once
+#include <OpenNI.h>
+
+#include <chrono>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/capture/intrinsics.h"
+
+namespace scantrove {
+
+/// One image as OpenNI2 gave it, copied out of its buffers.
+struct OpenNiImage {
+  cv::Mat image;
+  double timestamp_s = 0;
+};
+
+/// The depth and colour streams of one OpenNI2 device (camera or .oni file), started. One thread.
+class OpenNiStreams {
+ public:
+  OpenNiStreams() = default;
+  OpenNiStreams(const OpenNiStreams&) = delete;
+  OpenNiStreams& operator=(const OpenNiStreams&) = delete;
+  ~OpenNiStreams();
+
+  /// Opens and starts the device `uri`. A camera is set to 640x480 where it can. Error: OpenNI2's words.
+  [[nodiscard]] Result<void> open(const std::string& uri);
+
+  [[nodiscard]] bool isRecording() const { return device_.isFile(); }
+  [[nodiscard]] std::string name() const { return device_.getDeviceInfo().getName(); }
+  [[nodiscard]] bool hasColor() const { return color_.isValid(); }
+  [[nodiscard]] int depthFrameCount();  ///< of a recording; 0 if it does not say
+  [[nodiscard]] double metresPerUnit() const;
+  /// From the field of view and the depth stream's size; empty if the device does not say.
+  [[nodiscard]] std::optional<Intrinsics> intrinsics() const;
+  [[nodiscard]] cv::Size size() const;  ///< of the depth images
+
+  /// What wait() gave: one of both, or nothing in time.
+  struct Arrival {
+    std::optional<OpenNiImage> depth;  ///< CV_16UC1
+    std::optional<OpenNiImage> color;  ///< CV_8UC3, BGR
+  };
+  /// Waits for the next image of either stream. Error: the device does not answer any more.
+  [[nodiscard]] Result<Arrival> wait(std::chrono::milliseconds timeout);
+
+ private:
+  void configureCamera();
+
+  openni::Device device_;
+  openni::VideoStream depth_, color_;
+  bool is_depth_mirrored_ = false;  // recordings only: a camera is told not to mirror
+  bool is_color_mirrored_ = false;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,52 @@
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/capture/frame_source.h"
+
+namespace scantrove {
+
+/// Reads another source on a thread of its own, so that decoding runs beside the work on the frame before. A
+/// recording loses nothing: its thread waits when the queue is full. A live source keeps only the newest
+/// frame and counts the others in FrameRead::dropped. An exception from the source becomes
+/// FrameRead::Status::failed.
+class ReadAhead final : public FrameSource {
+ public:
+  static constexpr std::size_t kCapacity = 4;
+
+  explicit ReadAhead(std::unique_ptr<FrameSource> source, std::size_t capacity = kCapacity);
+  ~ReadAhead() override;
+  ReadAhead(const ReadAhead&) = delete;
+  ReadAhead& operator=(const ReadAhead&) = delete;
+
+  [[nodiscard]] const SourceInfo& info() const override { return info_; }
+
+  /// Waits for the next frame. After end or failed, or after cancel(), gives that again (end) without
+  /// waiting.
+  [[nodiscard]] FrameRead next() override;
+
+  /// From any thread: makes a waiting next() return `end`, and stops reading after the frame being read now.
+  void cancel();
+
+ private:
+  void readAll(const std::stop_token& stop);
+  void postRecorded(FrameRead read, const std::stop_token& stop);
+  void postLive(FrameRead read);
+
+  std::unique_ptr<FrameSource> source_;
+  SourceInfo info_;
+  std::size_t capacity_;
+
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable_any changed_;
+  std::deque<FrameRead> queue_;
+  bool is_cancelled_ = false;
+  bool is_over_ = false;  // next() has given end or failed
+
+  std::jthread thread_;  // last: stopped and joined before anything it uses goes
+};
+
+}  // namespace scantrove

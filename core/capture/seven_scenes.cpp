@@ -1,0 +1,61 @@
+#include "core/capture/seven_scenes.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/capture/folder_listing.h"
+#include "core/capture/image_sequence.h"
+#include "core/capture/trajectory_file.h"
+
+namespace scantrove {
+
+bool isSevenScenesFolder(const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const auto part = sevenScenesPart(name);
+    return part && part->suffix == "depth.png";
+  });
+}
+
+Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path& folder,
+                                                     const std::vector<std::string>& names,
+                                                     const SourceOptions& options) {
+  constexpr Intrinsics kDefault{585, 585, 320, 240, 640, 480};
+  ImageSequence sequence;
+  sequence.kind = "7-Scenes";
+  sequence.folder = folder;
+  sequence.has_color = false;
+  std::map<int, ImageSequenceEntry> entries;
+  for (const std::string& name : names) {
+    const auto part = sevenScenesPart(name);
+    if (!part) {
+      continue;
+    }
+    if (part->suffix == "depth.png") {
+      entries[part->number].depth = folder / name;
+    } else if (part->suffix == "pose.txt") {
+      entries[part->number].pose_file = folder / name;
+      sequence.has_poses = true;
+    } else if (part->suffix == "color.jpg" || part->suffix == "color.jpeg" || part->suffix == "color.png") {
+      entries[part->number].color = folder / name;
+      sequence.has_color = true;
+    }
+  }
+  for (auto& [number, entry] : entries) {
+    if (entry.depth.empty() && entry.color.empty()) {
+      continue;  // a pose alone is no frame
+    }
+    entry.index = number;
+    entry.timestamp_s = number / kFrameRateHz;
+    sequence.entries.push_back(std::move(entry));
+  }
+  auto camera = findIntrinsics(folder);
+  if (!camera && !options.intrinsics) {
+    return fail(camera.error());
+  }
+  const bool is_known = camera && *camera;
+  sequence.camera = is_known ? **camera : CameraModel{kDefault, std::nullopt};
+  sequence.camera_origin = is_known ? (folder / "camera-intrinsics.txt").string() : "7-Scenes' own";
+  return openImageSequence(std::move(sequence), options);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/capture/frame_source.h"
+
+namespace scantrove {
+
+/// Whether the names of a folder's files include `frame-NNNNNN.depth.png`.
+[[nodiscard]] bool isSevenScenesFolder(const std::vector<std::string>& names);
+
+/// A folder of `frame-NNNNNN.{color.jpg|png, depth.png, pose.txt}` (Shotton 2013): depth in mm, 0 and 65535
+/// invalid, pose camera-to-world, `camera-intrinsics.txt` else 585 585 320 240. Index = the number in the
+/// name, timestamp = index / 30.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path& folder,
+                                                                   const std::vector<std::string>& names,
+                                                                   const SourceOptions& options);
+
+}  // namespace scantrove

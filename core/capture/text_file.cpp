@@ -1,0 +1,86 @@
+#include "core/capture/text_file.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace scantrove {
+
+namespace {
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
+constexpr std::string_view kSeparators = " \t\r\n\v\f,;";
+}  // namespace
+
+Result<std::string> readTextFile(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    return fail(file.string() + " is a folder, not a file.");
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    return fail("Cannot read " + file.string() + ": " + std::strerror(errno) + ".",
+                "Check the path and its permissions.");
+  }
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) {
+      return numbers;
+    }
+    text.remove_prefix(begin);
+    const std::string_view whole = text.substr(0, text.find_first_of(kSeparators));
+    std::string_view word = whole;
+    if (word.front() == '+') {  // from_chars takes no plus sign
+      word.remove_prefix(1);
+    }
+    double value = 0;
+    const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || stopped != word.data() + word.size()) {
+      return std::nullopt;
+    }
+    numbers.push_back(value);
+    text.remove_prefix(whole.size());
+  }
+}
+
+std::vector<std::string_view> splitLines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    if (!line.empty() && line.back() == '\r') {
+      line.remove_suffix(1);
+    }
+    lines.push_back(line);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::optional<int> parseFrameNumber(std::string_view digits) {
+  int number = 0;
+  const auto [stopped, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (digits.empty() || digits.size() > 12 || digits.front() == '-' || error != std::errc() ||
+      stopped != digits.data() + digits.size() || number > 999'999'999) {
+    return std::nullopt;
+  }
+  return number;
+}
+
+}  // namespace scantrove

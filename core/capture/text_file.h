@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace scantrove {
+
+/// All of a text file. Error: names the file and the system's reason.
+[[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& file);
+
+/// The numbers of a text separated by blanks or commas ("nan" and "inf" included), in any locale; empty if
+/// something is no number.
+[[nodiscard]] std::optional<std::vector<double>> parseNumbers(std::string_view text);
+
+/// The lines of a text, without line ends.
+[[nodiscard]] std::vector<std::string_view> splitLines(std::string_view text);
+
+/// `text` without blanks at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The whole of `digits` as a non-negative number below 10^9; empty otherwise.
+[[nodiscard]] std::optional<int> parseFrameNumber(std::string_view digits);
+
+}  // namespace scantrove

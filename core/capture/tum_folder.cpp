@@ -1,0 +1,198 @@
+#include "core/capture/tum_folder.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/capture/folder_listing.h"
+#include "core/capture/image_sequence.h"
+#include "core/capture/text_file.h"
+#include "core/capture/trajectory_file.h"
+
+namespace scantrove {
+
+namespace {
+
+constexpr double kPairTolerance_s = 0.02;
+constexpr double kTumUnitsPerMetre = 5000;
+constexpr std::array<Intrinsics, 3> kFreiburg = {{{517.3F, 516.5F, 318.6F, 255.3F, 640, 480},
+                                                  {520.9F, 521.0F, 325.1F, 249.7F, 640, 480},
+                                                  {535.4F, 539.2F, 320.1F, 247.6F, 640, 480}}};
+
+/// `rgb.txt` or `depth.txt`.
+struct ImageList {
+  std::vector<double> times_s;
+  std::vector<std::filesystem::path> files;
+  std::string comments;
+};
+
+Result<ImageList> readImageList(const std::filesystem::path& file) {
+  const Result<std::string> text = readTextFile(file);
+  if (!text) {
+    return fail(text.error());
+  }
+  std::vector<std::pair<double, std::filesystem::path>> images;
+  ImageList list;
+  int line_number = 0;
+  for (const std::string_view raw_line : splitLines(*text)) {
+    ++line_number;
+    const std::string_view line = trimmed(raw_line);
+    if (line.empty() || line.front() == '#') {
+      list.comments += std::string(line) + '\n';
+      continue;
+    }
+    const std::size_t blank = line.find_first_of(" \t,");
+    const auto time = parseNumbers(line.substr(0, blank));
+    if (blank == std::string_view::npos || !time || time->size() != 1 || !std::isfinite(time->front())) {
+      return fail(file.string() + ", line " + std::to_string(line_number) + " is not `timestamp filename`.");
+    }
+    images.emplace_back(time->front(), file.parent_path() / trimmed(line.substr(blank + 1)));
+  }
+  std::stable_sort(images.begin(), images.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [time, image] : images) {
+    list.times_s.push_back(time);
+    list.files.push_back(std::move(image));
+  }
+  return list;
+}
+
+/// Which of TUM's cameras a text names, 0 based; empty if none.
+std::optional<std::size_t> freiburgCamera(const std::string& text) {
+  const std::string lower = lowerCase(text);
+  for (std::size_t camera = 0; camera < kFreiburg.size(); ++camera) {
+    const std::string number = std::to_string(camera + 1);
+    for (const std::string& name :
+         {"freiburg" + number, "fr" + number + "/", "fr" + number + "_", "fr" + number + "-"}) {
+      if (lower.find(name) != std::string::npos) {
+        return camera;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_given) {
+  auto camera = freiburgCamera(folderName(sequence.folder) + "/");
+  if (!camera) {
+    camera = freiburgCamera(comments);
+  }
+  if (!camera && !is_given) {
+    spdlog::warn(
+        "{}: nothing says which camera recorded this TUM folder; using the intrinsics of freiburg1. "
+        "Give the right ones with --intrinsics fx,fy,cx,cy.",
+        folderName(sequence.folder));
+  }
+  const std::size_t chosen = camera.value_or(0);
+  sequence.camera = CameraModel{kFreiburg[chosen], std::nullopt};
+  sequence.camera_origin = "TUM freiburg" + std::to_string(chosen + 1);
+}
+
+Result<std::vector<ImageSequenceEntry>> pairImages(const std::filesystem::path& folder,
+                                                   const ImageList& depth,
+                                                   const std::optional<ImageList>& color) {
+  std::vector<ImageSequenceEntry> entries;
+  const auto add = [&](std::size_t i) -> ImageSequenceEntry& {
+    ImageSequenceEntry& entry = entries.emplace_back();
+    entry.index = static_cast<int>(entries.size()) - 1;
+    entry.timestamp_s = depth.times_s[i];
+    entry.depth = depth.files[i];
+    return entry;
+  };
+  if (!color) {
+    for (std::size_t i = 0; i < depth.files.size(); ++i) {
+      add(i);
+    }
+  } else {
+    for (const auto& [i, j] : associateTimes(depth.times_s, color->times_s, kPairTolerance_s)) {
+      add(i).color = color->files[j];
+    }
+  }
+  if (entries.empty()) {
+    return fail(folder.string() + ": no depth image can be paired with a colour image within 0.02 s (" +
+                    std::to_string(depth.files.size()) + " lines in depth.txt, " +
+                    std::to_string(color ? color->files.size() : 0) + " in rgb.txt).",
+                "Check that both lists use the same clock.");
+  }
+  return entries;
+}
+
+}  // namespace
+
+bool isTumFolder(const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), "depth.txt") != names.end();
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> associateTimes(const std::vector<double>& a,
+                                                                const std::vector<double>& b,
+                                                                double tolerance_s) {
+  struct Pair {
+    double distance_s;
+    std::size_t a, b;
+  };
+  std::vector<Pair> candidates;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    while (first < b.size() && b[first] < a[i] - tolerance_s) {
+      ++first;
+    }
+    for (std::size_t j = first; j < b.size() && b[j] <= a[i] + tolerance_s; ++j) {
+      candidates.push_back({std::abs(a[i] - b[j]), i, j});
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Pair& x, const Pair& y) { return x.distance_s < y.distance_s; });
+  std::vector<bool> used_a(a.size()), used_b(b.size());
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const Pair& pair : candidates) {
+    if (!used_a[pair.a] && !used_b[pair.b]) {
+      used_a[pair.a] = used_b[pair.b] = true;
+      pairs.emplace_back(pair.a, pair.b);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& folder,
+                                                   const SourceOptions& options) {
+  const auto depth = readImageList(folder / "depth.txt");
+  if (!depth) {
+    return fail(depth.error());
+  }
+  std::error_code error;
+  std::optional<ImageList> color;
+  if (std::filesystem::exists(folder / "rgb.txt", error)) {
+    auto list = readImageList(folder / "rgb.txt");
+    if (!list) {
+      return fail(list.error());
+    }
+    color = std::move(*list);
+  }
+  ImageSequence sequence;
+  sequence.kind = "TUM RGB-D";
+  sequence.folder = folder;
+  sequence.has_color = color.has_value();
+  sequence.units_per_metre = kTumUnitsPerMetre;
+  auto entries = pairImages(folder, *depth, color);
+  if (!entries) {
+    return fail(entries.error());
+  }
+  sequence.entries = std::move(*entries);
+  if (std::filesystem::exists(folder / "groundtruth.txt", error)) {
+    const auto trajectory = readTumTrajectory(folder / "groundtruth.txt");
+    if (!trajectory) {
+      return fail(trajectory.error());
+    }
+    sequence.has_poses = true;
+    for (ImageSequenceEntry& entry : sequence.entries) {
+      entry.T_world_camera = poseAt(*trajectory, entry.timestamp_s);
+    }
+  }
+  chooseCamera(sequence, depth->comments + (color ? color->comments : ""), options.intrinsics.has_value());
+  return openImageSequence(std::move(sequence), options);
+}
+
+}  // namespace scantrove
