@@ -1,0 +1,56 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/capture/intrinsics.h"
+
+namespace scantrove::reference {
+
+/// Algorithms 1 and 2 of the thesis, to the letter: every voxel of a dense volume, every frame. The volume's
+/// first voxel is `first` (in voxels), so that it may lie anywhere.
+struct DenseLabelCloud {
+  Eigen::Vector3i first;
+  int side = 0;
+  float voxel_size = 0;
+  std::vector<std::uint32_t> labels = std::vector<std::uint32_t>();
+
+  DenseLabelCloud(const Eigen::Vector3i& first_voxel, int voxels_a_side, float voxel_size_m)
+      : first(first_voxel),
+        side(voxels_a_side),
+        voxel_size(voxel_size_m),
+        labels(
+            static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+            0) {}
+
+  [[nodiscard]] std::size_t indexOf(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(side) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(side) +
+           static_cast<std::size_t>(x);
+  }
+
+  /// `vertices`: world, w = 0 = none. `merged`: S_cloud,t, 0 = unlabelled (such a pixel writes nothing).
+  void update(const std::vector<Eigen::Vector4f>& vertices, const std::vector<std::uint32_t>& merged,
+              const Intrinsics& K, const Eigen::Isometry3d& T_world_camera, float distthresh) {
+    const Eigen::Matrix4f T_camera_world = T_world_camera.inverse().matrix().cast<float>();
+    for (int z = 0; z < side; ++z) {
+      for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+          const Eigen::Vector3f v_g = (first + Eigen::Vector3i(x, y, z)).cast<float>() * voxel_size +
+                                      Eigen::Vector3f::Constant(0.5F * voxel_size);
+          const Eigen::Vector3f v = (T_camera_world * v_g.homogeneous()).head<3>();
+          if (v.z() <= 0) continue;
+          const int column = static_cast<int>(std::floor(v.x() * K.fx / v.z() + K.cx + 0.5F));
+          const int row = static_cast<int>(std::floor(v.y() * K.fy / v.z() + K.cy + 0.5F));
+          if (column < 0 || row < 0 || column >= K.width || row >= K.height) continue;
+          const auto pixel = static_cast<std::size_t>(row * K.width + column);
+          if (vertices[pixel].w() == 0 || merged[pixel] == 0) continue;
+          if ((vertices[pixel].head<3>() - v_g).norm() < distthresh) labels[indexOf(x, y, z)] = merged[pixel];
+        }
+      }
+    }
+  }
+};
+
+}  // namespace scantrove::reference

@@ -1,0 +1,146 @@
+#include "core/labeling/region_merger.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace scantrove {
+namespace {
+
+/// One-row images: each number an id.
+SegmentMap segmentsOf(const std::vector<std::uint32_t>& ids) {
+  SegmentMap map{static_cast<int>(ids.size()), 1, ids, {}};
+  map.areas.resize(*std::max_element(ids.begin(), ids.end()) + 1U, 0);
+  for (const std::uint32_t id : ids) ++map.areas[id];
+  return map;
+}
+
+LabelTable tableWith(int labels) {
+  LabelTable table;
+  for (int i = 0; i < labels; ++i) (void)table.newLabel();
+  return table;
+}
+
+LabelingParams thesisRule(float threshold = 0.3F) {
+  LabelingParams params;
+  params.rule = LabelingParams::Rule::thesis;
+  params.overlap_threshold = threshold;
+  return params;
+}
+
+LabelingParams evidenceRule(int frames) {
+  LabelingParams params;
+  params.rule = LabelingParams::Rule::evidence;
+  params.evidence_frames = frames;
+  return params;
+}
+
+TEST(OverlapGraph, CountsAreasAndOverlaps) {
+  const OverlapGraph graph =
+      buildOverlapGraph(segmentsOf({1, 1, 2, 2, 0, 2}), std::vector<std::uint32_t>{7, 7, 7, 9, 9, 0});
+  EXPECT_EQ(graph.region_ids, (std::vector<std::uint32_t>{7, 9}));
+  EXPECT_EQ(graph.region_areas_px, (std::vector<int>{3, 2}));
+  ASSERT_EQ(graph.edges.size(), 3U);
+  EXPECT_EQ(graph.edges[0].overlap_px, 2);  // 1 - 7
+  EXPECT_EQ(graph.edges[1].overlap_px, 1);  // 2 - 7
+  EXPECT_EQ(graph.edges[2].overlap_px, 1);  // 2 - 9
+}
+
+TEST(OverlapGraph, TheCriterionTakesEitherArea) {
+  // Segment 1 covers 2 of its 10 pixels with region 3, but that is all of region 3.
+  const OverlapGraph graph = buildOverlapGraph(segmentsOf(std::vector<std::uint32_t>(10, 1)),
+                                               std::vector<std::uint32_t>{3, 3, 0, 0, 0, 0, 0, 0, 0, 0});
+  EXPECT_TRUE(graph.qualifies(graph.edges[0], 0.3F));   // 2 / 2 > 0.3
+  EXPECT_FALSE(graph.qualifies(graph.edges[0], 1.0F));  // not more than all
+}
+
+TEST(RegionMerger, ASegmentOnUnlabelledGroundGetsANewLabel) {
+  LabelTable table;
+  RegionMerger merger;
+  const auto outcome =
+      merger.merge(segmentsOf({1, 1, 2, 0}), std::vector<std::uint32_t>(4, 0), table, thesisRule(), 0);
+  EXPECT_EQ(outcome.map.labels, (std::vector<std::uint32_t>{1, 1, 2, 0}));
+  EXPECT_EQ(outcome.map.regions, outcome.map.labels);
+  EXPECT_TRUE(outcome.joined.empty());
+}
+
+TEST(RegionMerger, TwoSegmentsOnOneRegionAreThatRegion) {
+  LabelTable table = tableWith(5);
+  RegionMerger merger;
+  const auto outcome =
+      merger.merge(segmentsOf({1, 1, 1, 2, 2, 2}), std::vector<std::uint32_t>(6, 5), table, thesisRule(), 0);
+  EXPECT_EQ(outcome.map.regions, std::vector<std::uint32_t>(6, 5));
+}
+
+TEST(RegionMerger, ThesisRuleJoinsWhatOneSegmentCoversIntoTheLargest) {
+  LabelTable table = tableWith(4);
+  RegionMerger merger;
+  const auto outcome = merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 4, 4, 4},
+                                    table, thesisRule(), 0);
+  EXPECT_EQ(outcome.map.regions, std::vector<std::uint32_t>(5, 4));
+  EXPECT_EQ(table.regionOf(2), RegionId{4});
+  EXPECT_EQ(outcome.joined, (std::vector<std::pair<RegionId, RegionId>>{{RegionId{4}, RegionId{2}}}));
+}
+
+TEST(RegionMerger, ThesisRuleFollowsChains) {
+  // Regions 1 - 2 share segment 1, regions 2 - 3 share segment 2: all one.
+  LabelTable table = tableWith(3);
+  RegionMerger merger;
+  (void)merger.merge(segmentsOf({1, 1, 1, 2, 2, 2}), std::vector<std::uint32_t>{1, 1, 2, 2, 3, 3}, table,
+                     thesisRule(), 0);
+  EXPECT_EQ(table.regionOf(1), table.regionOf(3));
+}
+
+TEST(RegionMerger, PixelsWithoutSegmentKeepTheirRegion) {
+  LabelTable table = tableWith(2);
+  RegionMerger merger;
+  const auto outcome =
+      merger.merge(segmentsOf({1, 1, 0}), std::vector<std::uint32_t>{1, 1, 2}, table, thesisRule(), 0);
+  EXPECT_EQ(outcome.map.regions, (std::vector<std::uint32_t>{1, 1, 2}));
+}
+
+TEST(RegionMerger, EvidenceRuleWaitsAndMeanwhileOverwritesNeitherRegion) {
+  LabelTable table = tableWith(2);
+  RegionMerger merger;
+  const SegmentMap bridge = segmentsOf({1, 1, 1, 1, 1, 1});
+  const std::vector<std::uint32_t> projected{1, 1, 1, 2, 2, 0};
+  for (int frame = 0; frame < 2; ++frame) {
+    const auto outcome = merger.merge(bridge, projected, table, evidenceRule(3), frame);
+    EXPECT_EQ(outcome.map.regions, (std::vector<std::uint32_t>{1, 1, 1, 2, 2, 1})) << "frame " << frame;
+  }
+  const auto outcome = merger.merge(bridge, projected, table, evidenceRule(3), 2);
+  EXPECT_EQ(outcome.map.regions, std::vector<std::uint32_t>(6, 1));
+  EXPECT_EQ(table.log()[0].frame, 2);
+}
+
+TEST(RegionMerger, SeenApartCountsAgainst) {
+  LabelTable table = tableWith(2);
+  RegionMerger merger;
+  const SegmentMap bridge = segmentsOf({1, 1, 1, 1});
+  const SegmentMap apart = segmentsOf({1, 1, 2, 2});
+  const std::vector<std::uint32_t> projected{1, 1, 2, 2};
+  for (int round = 0; round < 10; ++round) {
+    (void)merger.merge(bridge, projected, table, evidenceRule(2), round);
+    (void)merger.merge(apart, projected, table, evidenceRule(2), round);
+  }
+  EXPECT_NE(table.regionOf(1), table.regionOf(2));
+}
+
+TEST(RegionMerger, EvidenceFollowsARegionThatWasJoined) {
+  LabelTable table = tableWith(3);
+  RegionMerger merger;
+  const LabelingParams params = evidenceRule(2);
+  // Once for the pair 2 - 3, then 1 takes 2 in; once more for (1, was 2) - 3 completes it.
+  (void)merger.merge(segmentsOf({1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 3, 3}, table, params, 0);
+  (void)merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{1, 1, 1, 2, 2}, table, params,
+                     1);
+  (void)merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{1, 1, 1, 2, 2}, table, params,
+                     2);
+  ASSERT_EQ(table.regionOf(2), RegionId{1});
+  ASSERT_NE(table.regionOf(3), RegionId{1});
+  (void)merger.merge(segmentsOf({1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 3, 3}, table, params, 3);
+  EXPECT_EQ(table.regionOf(3), table.regionOf(1));
+}
+
+}  // namespace
+}  // namespace scantrove
