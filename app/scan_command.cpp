@@ -6,6 +6,7 @@
 #include "app/core_application.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
+#include "app/stop_signal.h"
 #include "core/exchange/atomic_file.h"
 
 namespace scantrove {
@@ -50,7 +51,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   const CoreApplication qt;
   const auto report = runToEnd(std::move(request));
   if (!report) return fail(report.error());
-  if (report->frames.read == 0) {
+  if (report->frames.read == 0 && !stopRequested()) {
     return fail("No frame of " + report->source + " could be used (" +
                     std::to_string(report->frames.skipped) + " unreadable).",
                 "Check the recording, --start and --stride.");

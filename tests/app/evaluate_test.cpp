@@ -1,0 +1,87 @@
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+void writeLabels(const std::filesystem::path& path, int cut) {
+  cv::Mat labels(4, 10, CV_16UC1, cv::Scalar(2));
+  labels.colRange(0, cut) = 1;
+  std::filesystem::create_directories(path.parent_path());
+  cv::imwrite(path.string(), labels);
+}
+
+TEST(EvaluateTrajectory, OfHandMadeFiles) {
+  const TemporaryFolder folder;
+  const auto truth = folder.write(
+      "truth.txt", "# t x y z qx qy qz qw\n0 -1 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n9 0 0 0 0 0 0 1\n");
+  const auto estimate = folder.write("estimate.txt", "0.01 -1.1 5 0 0 0 0 1\n1.0 1.1 5 0 0 0 0 1\n");
+  const auto json = jsonOf(scantrove({"evaluate", "trajectory", "--estimate", estimate, "--truth", truth}));
+  EXPECT_EQ(json["poses"]["matched"], 2);
+  EXPECT_EQ(json["poses"]["truth"], 3);
+  EXPECT_NEAR(json["ate_m"]["rmse"], 0.1, 1e-9);
+  EXPECT_NEAR(json["rpe_m"]["rmse"], 0.2, 1e-9);
+  EXPECT_NEAR(json["rpe_deg"]["max"], 0, 1e-9);
+}
+
+TEST(EvaluateTrajectory, TakesTheFolderOfARecording) {
+  const TemporaryFolder folder;
+  folder.write("scene/frame-000000.pose.txt", "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+  folder.write("scene/frame-000003.pose.txt", "1 0 0 1\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+  const auto estimate = folder.write("e.txt", "0 7 0 0 0 0 0 1\n0.1 8 0 0 0 0 0 1\n");
+  const auto json =
+      jsonOf(scantrove({"evaluate", "trajectory", "--estimate", estimate, "--truth", folder / "scene"}));
+  EXPECT_NEAR(json["ate_m"]["rmse"], 0, 1e-9);
+}
+
+TEST(EvaluateTrajectory, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const auto truth = folder.write("truth.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
+  const auto late = folder.write("late.txt", "50 0 0 0 0 0 0 1\n51 1 0 0 0 0 0 1\n");
+  const auto broken = folder.write("broken.txt", "0 0 0 0 0 0 0 1\n1 one 0 0 0 0 0 1\n");
+  const auto evaluate = [&](const std::filesystem::path& estimate) {
+    return scantrove({"evaluate", "trajectory", "--estimate", estimate, "--truth", truth});
+  };
+  expectJobFailure(evaluate(folder / "none.txt"), {"none.txt"});
+  expectJobFailure(evaluate(late), {"late.txt", "0.02 s"});
+  expectJobFailure(evaluate(broken), {"broken.txt, line 2"});
+}
+
+TEST(EvaluateSegmentation, OfHandMadeImages) {
+  const TemporaryFolder folder;
+  writeLabels(folder / "estimate/000005.png", 7);
+  writeLabels(folder / "estimate/000006.png", 5);
+  writeLabels(folder / "estimate/000007.png", 5);
+  writeLabels(folder / "truth/img-5-label.png", 5);
+  writeLabels(folder / "truth/img-6-label.png", 5);
+  const auto json = jsonOf(scantrove(
+      {"evaluate", "segmentation", "--estimate", folder / "estimate", "--truth", folder / "truth"}));
+  EXPECT_EQ(json["images"], 2);
+  EXPECT_NEAR(json["each"][0]["boundary_error"], 1.8, 1e-6);
+  EXPECT_NEAR(json["mean"]["boundary_error"], 0.9, 1e-6);
+  EXPECT_EQ(json["each"][1]["coverage"], 1);
+  EXPECT_EQ(json["mean"]["instances"], 4);
+  const auto strict = jsonOf(scantrove({"evaluate", "segmentation", "--estimate", folder / "estimate",
+                                        "--truth", folder / "truth", "--tolerance", "1"}));
+  EXPECT_EQ(json["each"][0]["boundary_f"], 1);
+  EXPECT_EQ(strict["each"][0]["boundary_f"], 0);
+}
+
+TEST(EvaluateSegmentation, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  writeLabels(folder / "estimate/000005.png", 7);
+  writeLabels(folder / "truth/000009.png", 7);
+  const auto evaluate = [&](const std::string& estimate) {
+    return scantrove(
+        {"evaluate", "segmentation", "--estimate", folder / estimate, "--truth", folder / "truth"});
+  };
+  expectJobFailure(evaluate("estimate"), {(folder / "estimate").string(), (folder / "truth").string()});
+  expectJobFailure(evaluate("missing"), {(folder / "missing").string()});
+  folder.write("broken/000009.png", "no image");
+  expectJobFailure(evaluate("broken"), {"000009.png"});
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+/// Waits until `condition` holds; false when the child ended or three minutes passed first.
+template <class Condition>
+bool waitUntil(ChildProcess& child, Condition&& condition) {
+  const auto end = std::chrono::steady_clock::now() + 180s;
+  while (std::chrono::steady_clock::now() < end) {
+    if (condition()) return true;
+    if (!child.isRunning()) return false;
+    std::this_thread::sleep_for(50ms);
+  }
+  return false;
+}
+
+std::size_t objectsIn(const fs::path& database) {
+  const Finished run = scantrove({"objects", "list", "--json", "--database", database});
+  if (run.exit_code != 0) return 0;
+  return nlohmann::json::parse(run.out).size();
+}
+
+TEST(Interruption, CtrlCWritesWhatThereIs) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    ChildProcess child(command({"scan", "demo", "--out", folder / "out"}));
+    // The first line of progress says that frames are being processed.
+    ASSERT_TRUE(waitUntil(child, [&] { return child.err().find(" fps") != std::string::npos; }))
+        << child.err();
+    child.kill(signal);
+    EXPECT_EQ(child.wait(), 0) << child.err();
+    const auto report = nlohmann::json::parse(readText(folder / "out/report.json"), nullptr, false);
+    ASSERT_TRUE(report.is_object());
+    EXPECT_GT(report["frames"]["read"], 0);
+    EXPECT_TRUE(fs::exists(folder / "out/trajectory.txt"));
+    EXPECT_TRUE(fs::exists(folder / "out/cloud.ply"));
+    EXPECT_NE(child.out().find("results"), std::string::npos);
+  }
+}
+
+TEST(Interruption, AKilledScanKeepsTheObjectsThatWereCommitted) {
+  const TemporaryFolder folder;
+  const fs::path database = folder / "out/catalogue.sqlite";
+  std::size_t committed = 0;
+  {
+    ChildProcess child(command({"scan", "demo", "--out", folder / "out"}));
+    ASSERT_TRUE(waitUntil(child, [&] {
+      if (!fs::exists(database)) return false;
+      std::this_thread::sleep_for(300ms);
+      committed = objectsIn(database);
+      return committed > 0;
+    })) << child.err();
+    child.kill(SIGKILL);
+    EXPECT_EQ(child.wait(), 128 + SIGKILL);
+  }
+  EXPECT_GE(objectsIn(database), committed);
+  EXPECT_FALSE(fs::exists(folder / "out/report.json"));
+  const auto objects = jsonOf(scantrove({"objects", "list", "--json", "--database", database}));
+  for (const auto& object : objects) {
+    const auto shown = jsonOf(scantrove(
+        {"objects", "show", "--json", "--database", database, std::to_string(object["id"].get<int>())}));
+    EXPECT_GE(shown["views"].size(), 1U);
+  }
+
+  // It can be worked with, and scanned into again.
+  const std::string name = objects[0]["name"];
+  EXPECT_EQ(scantrove({"objects", "rename", "--database", database, name, "my mug"}).exit_code, 0);
+  EXPECT_EQ(
+      jsonOf(scantrove({"objects", "confirm", "--json", "--database", database, "my mug"}))["confirmed"],
+      true);
+  EXPECT_EQ(scantrove({"scan", "demo", "--frames", "3", "--out", folder / "out"}).exit_code, 0);
+  EXPECT_EQ(jsonOf(scantrove({"objects", "show", "--json", "--database", database, "my mug"}))["name"],
+            "my mug");
+}
+
+TEST(Bench, PrintsStagesAndTheCostOverMapSize) {
+  const auto json = jsonOf(scantrove({"bench", "demo", "--frames", "8", "--json"}));
+  EXPECT_EQ(json["frames"], 8);
+  EXPECT_GT(json["fps"], 0);
+  EXPECT_GT(json["peak_memory_mb"], 0);
+  ASSERT_FALSE(json["stages"].empty());
+  double share = 0;
+  for (const auto& stage : json["stages"]) share += stage["share"].get<double>();
+  EXPECT_NEAR(share, 1, 1e-6);
+  ASSERT_FALSE(json["quarters"].empty());
+  EXPECT_GT(json["quarters"].back()["bricks"], 0);
+}
+
+}  // namespace
+}  // namespace scantrove::test

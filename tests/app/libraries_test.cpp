@@ -1,0 +1,18 @@
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Libraries, NoQt5IsLoadedBesideQt6) {
+  const Finished run = runProgram({"ldd", SCANTROVE_BINARY});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("libQt6Core"));  // ldd did look through the libraries
+  EXPECT_THAT(run.out, Not(HasSubstr("libQt5")));
+  EXPECT_THAT(run.out, Not(HasSubstr("not found")));
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,83 @@
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+/// A catalogue with at least two objects, found by a real scan of the demo; made once for all tests of this
+/// file.
+class Objects : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    const Finished run =
+        scantrove({"scan", "demo", "--frames", "40", "--stride", "2", "--out", *folder_ / "out"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  void SetUp() override {
+    copy_ = copies_ / "catalogue.sqlite";
+    std::filesystem::copy_file(*folder_ / "out/catalogue.sqlite", copy_);
+    const auto objects = jsonOf(run({"list"}));
+    ASSERT_GE(objects.size(), 2U) << "the demo did not give two objects";
+    first_ = objects[0]["name"];
+    second_ = objects[1]["name"];
+    first_views_ = objects[0]["views"];
+    second_views_ = objects[1]["views"];
+    count_ = objects.size();
+  }
+
+  Finished run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "objects");
+    arguments.insert(arguments.end(), {"--json", "--database", copy_});
+    return scantrove(arguments);
+  }
+
+  static TemporaryFolder* folder_;
+  TemporaryFolder copies_;
+  std::string copy_, first_, second_;
+  int first_views_ = 0, second_views_ = 0;
+  std::size_t count_ = 0;
+};
+TemporaryFolder* Objects::folder_ = nullptr;
+
+TEST_F(Objects, AreListedWithNamesThatWereGiven) {
+  EXPECT_THAT(first_, testing::StartsWith("Obj_"));
+  EXPECT_GE(first_views_, 1);
+  const Finished text = scantrove({"objects", "list", "--database", copy_});
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_THAT(text.out, testing::HasSubstr(first_));
+  EXPECT_THAT(text.out, testing::HasSubstr("cm"));
+}
+
+TEST_F(Objects, AreRenamedAndConfirmedByNameOrId) {
+  const auto renamed = jsonOf(run({"rename", first_, "blue mug"}));
+  EXPECT_EQ(renamed["name"], "blue mug");
+  const std::string id = std::to_string(renamed["id"].get<int>());
+  EXPECT_EQ(jsonOf(run({"confirm", id}))["confirmed"], true);
+  EXPECT_EQ(jsonOf(run({"show", "blue mug"}))["confirmed"], true);
+  EXPECT_EQ(jsonOf(run({"confirm", "--undo", "blue mug"}))["confirmed"], false);
+  expectJobFailure(run({"rename", second_, "blue mug"}), {"blue mug"});
+  expectJobFailure(run({"rename", second_, ""}), {});
+  expectJobFailure(run({"show", first_}), {first_});
+}
+
+TEST_F(Objects, AreMerged) {
+  const auto merged = jsonOf(run({"merge", first_, second_}));
+  EXPECT_EQ(merged["views"], first_views_ + second_views_);
+  EXPECT_EQ(jsonOf(run({"list"})).size(), count_ - 1);
+  expectJobFailure(run({"show", second_}), {second_});
+  expectJobFailure(run({"merge", first_, first_}), {"itself"});
+}
+
+TEST_F(Objects, AreDeleted) {
+  EXPECT_EQ(run({"delete", first_}).exit_code, 0);
+  EXPECT_EQ(jsonOf(run({"list"})).size(), count_ - 1);
+  expectJobFailure(run({"delete", "no such thing"}), {"no such thing"});
+}
+
+}  // namespace
+}  // namespace scantrove::test

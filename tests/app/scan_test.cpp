@@ -1,0 +1,176 @@
+#include <opencv2/core.hpp>
+
+#include <fstream>
+
+#include "core/exchange/label_image_writer.h"
+#include "core/exchange/trajectory_reader.h"
+#include "tests/app/recording.h"
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+Finished scan(const std::string& source, const fs::path& out, const std::vector<std::string>& options = {},
+              const ChildProcess::Environment& environment = {}) {
+  std::vector<std::string> arguments{"scan", source, "--out", out};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return scantrove(arguments, environment);
+}
+
+nlohmann::json reportIn(const fs::path& out) {
+  return nlohmann::json::parse(readText(out / "report.json"), nullptr, false);
+}
+
+TEST(Scan, WritesEverythingThatIsPromised) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 6);
+  const fs::path out = folder / "new" / "out";
+  const Finished run =
+      scan(folder / "recording", out, {"--label-maps", "--start", "1", "--stride", "2"}, {{"DISPLAY", ""}});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 tracked"));
+  EXPECT_THAT(run.out, HasSubstr(out.string()));
+
+  const auto trajectory = readTrajectory(out / "trajectory.txt");
+  ASSERT_TRUE(trajectory) << trajectory.error().message();
+  ASSERT_EQ(trajectory->size(), 3U);
+  EXPECT_NEAR((*trajectory)[0].timestamp_s, 1 / 30.0, 1e-6);
+  EXPECT_NEAR((*trajectory)[2].timestamp_s, 5 / 30.0, 1e-6);
+  for (const char* part : {"segments", "labels", "labels-final"}) {
+    for (const char* name : {"000001.png", "000003.png", "000005.png"}) {
+      const auto image = readLabelImage(out / part / name);
+      ASSERT_TRUE(image) << image.error().message();
+      EXPECT_EQ(image->size(), cv::Size(320, 240));
+      EXPECT_GT(cv::countNonZero(*image), 320 * 240 / 2) << part << name;
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(out / part), fs::directory_iterator()), 3) << part;
+  }
+  EXPECT_THAT(readText(out / "cloud.pcd").substr(0, 200), HasSubstr("FIELDS x y z rgba label"));
+  EXPECT_THAT(readText(out / "cloud.ply").substr(0, 400), HasSubstr("property uint label"));
+  EXPECT_TRUE(nlohmann::json::parse(readText(out / "labels.json"), nullptr, false).is_object());
+  EXPECT_TRUE(fs::exists(out / "catalogue.sqlite"));
+
+  const auto report = reportIn(out);
+  for (const char* key : {"source", "device", "params", "frames", "fps", "frame_ms", "stages",
+                          "peak_memory_mb", "map", "regions", "objects"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  EXPECT_EQ(report["frames"]["read"], 3);
+  EXPECT_EQ(report["frames"]["tracked"], 3);
+  EXPECT_EQ(report["frames"]["lost"], 0);
+  EXPECT_GT(report["fps"], 0);
+  EXPECT_GT(report["map"]["bricks"], 0);
+  EXPECT_GT(report["regions"], 0);
+  EXPECT_TRUE(report["params"].contains("segmentation.k"));
+  EXPECT_FALSE(report["stages"].empty());
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr(".part"))) << "a file beside was left";
+  }
+}
+
+TEST(Scan, WritesMapsOfFramesOnlyWhenAsked) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  ASSERT_EQ(scan(folder / "recording", folder / "out", {"--database", folder / "mine.sqlite"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "out/segments"));
+  EXPECT_FALSE(fs::exists(folder / "out/catalogue.sqlite"));
+  EXPECT_TRUE(fs::exists(folder / "mine.sqlite"));
+  EXPECT_EQ(jsonOf(scantrove({"objects", "list", "--json", "--database", folder / "mine.sqlite"})).type(),
+            nlohmann::json::value_t::array);
+}
+
+TEST(Scan, SkipsAndCountsAFrameThatIsCutShort) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 5);
+  truncate(folder / "recording/frame-000002.depth.png");
+  const Finished run = scan(folder / "recording", folder / "out");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("frame-000002.depth.png"));
+  EXPECT_EQ(reportIn(folder / "out")["frames"]["skipped"], 1);
+  EXPECT_EQ(reportIn(folder / "out")["frames"]["tracked"], 4);
+}
+
+TEST(Scan, SkipsAndCountsAPoseThatIsNotANumber) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 4);
+  folder.write("recording/frame-000001.pose.txt",
+               "nan nan nan nan\nnan nan nan nan\nnan nan nan nan\n0 0 0 1\n");
+  const Finished run = scan(folder / "recording", folder / "out", {"--poses", "given"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(reportIn(folder / "out")["frames"]["skipped"], 1);
+  EXPECT_EQ(reportIn(folder / "out")["frames"]["tracked"], 3);
+}
+
+TEST(Scan, OfARecordingWithoutOneGoodFrameFails) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  truncate(folder / "recording/frame-000000.depth.png");
+  truncate(folder / "recording/frame-000001.depth.png");
+  const Finished run = scan(folder / "recording", folder / "out");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("No frame of"));
+}
+
+TEST(ScanFails, OnSourcesThatAreNone) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "empty");
+  expectJobFailure(scan(folder / "missing", folder / "out"), {(folder / "missing").string()});
+  expectJobFailure(scan(folder / "empty", folder / "out"), {(folder / "empty").string()});
+  expectJobFailure(scan(folder.write("notes.txt", "x"), folder / "out"), {"notes.txt"});
+}
+
+TEST(ScanFails, OnImagesWithoutIntrinsics) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  fs::create_directories(folder / "images/color");
+  fs::create_directories(folder / "images/depth");
+  for (const char* i : {"0", "1"}) {
+    fs::copy(folder / ("recording/frame-00000" + std::string(i) + ".color.png"),
+             folder / ("images/color/" + std::string(i) + ".png"));
+    fs::copy(folder / ("recording/frame-00000" + std::string(i) + ".depth.png"),
+             folder / ("images/depth/" + std::string(i) + ".png"));
+  }
+  expectJobFailure(scan(folder / "images", folder / "out"), {"--intrinsics"});
+  EXPECT_EQ(scan(folder / "images", folder / "out",
+                 {"--intrinsics", "292.5,292.5,160,120", "--depth-scale", "1000"})
+                .exit_code,
+            0);
+}
+
+TEST(ScanFails, BeforeItStartsWhenTheOutputCannotBeWritten) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("file", "x");
+  // Permissions do not bind the superuser: below a file and in /proc nobody can write.
+  expectJobFailure(scan("demo", file / "out"), {(file / "out").string()});
+  expectJobFailure(scan("demo", "/proc/out"), {"/proc/out"});
+  EXPECT_EQ(readText(file), "x");
+}
+
+TEST(ScanFails, OnADatabaseThatIsNone) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  const fs::path file =
+      folder.write("letter.sqlite", "Dear reader, this is not a database at all. " + std::string(5000, '.'));
+  const std::string before = readText(file);
+  expectJobFailure(scan(folder / "recording", folder / "out", {"--database", file}), {"letter.sqlite"});
+  EXPECT_EQ(readText(file), before);
+  expectJobFailure(scantrove({"objects", "list", "--database", file}), {"letter.sqlite"});
+  expectJobFailure(scantrove({"objects", "list", "--database", folder / "none.sqlite"}), {"none.sqlite"});
+  expectJobFailure(scan(folder / "recording", folder / "out", {"--database", "postgresql://nowhere/x"}),
+                   {"postgresql"});
+}
+
+TEST(ScanFails, WithoutAnOpenClDevice) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  expectJobFailure(scan(folder / "recording", folder / "out", {},
+                        {{"OCL_ICD_VENDORS", "/nonexistent-folder-of-drivers/"}}),
+                   {"No OpenCL device", "pocl-opencl-icd"});
+  expectJobFailure(scan(folder / "recording", folder / "out", {"--device", "warp drive"}), {"warp drive"});
+}
+
+}  // namespace
+}  // namespace scantrove::test

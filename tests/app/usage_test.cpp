@@ -1,0 +1,116 @@
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Usage, HelpNamesEveryCommand) {
+  const Finished run = scantrove({"--help"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  for (const char* name : {"scan", "evaluate", "objects", "bench", "devices", "params", "--version"}) {
+    EXPECT_THAT(run.out, HasSubstr(name));
+  }
+}
+
+TEST(Usage, HelpOfACommandNamesItsOptions) {
+  const Finished run = scantrove({"scan", "--help"});
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* name :
+       {"--out", "--database", "--frames", "--start", "--stride", "--poses", "--intrinsics", "--depth-scale",
+        "--config", "--set", "--device", "--label-maps"}) {
+    EXPECT_THAT(run.out, HasSubstr(name));
+  }
+  EXPECT_EQ(scantrove({"objects", "rename", "--help"}).exit_code, 0);
+}
+
+TEST(Usage, VersionIsOneLine) {
+  const Finished run = scantrove({"--version"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, testing::MatchesRegex("scantrove [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(Usage, WhatIsNotUnderstoodIsNamed) {
+  expectWrongUsage(scantrove({"fold-laundry"}), {"fold-laundry"});
+  expectWrongUsage(scantrove({"scan", "demo", "--out", "x", "--fast"}), {"--fast"});
+  expectWrongUsage(scantrove({"scan", "--out", "x"}), {"SOURCE"});
+  expectWrongUsage(scantrove({"scan", "demo"}), {"--out"});
+  expectWrongUsage(scantrove({"objects"}), {"subcommand"});
+  expectWrongUsage(scantrove({"objects", "list"}), {"--database"});
+  expectWrongUsage(scantrove({"evaluate"}), {"subcommand"});
+  expectWrongUsage(scantrove({"evaluate", "trajectory", "--estimate", "x"}), {"--truth"});
+}
+
+TEST(Usage, ValuesAreChecked) {
+  const TemporaryFolder folder;
+  const auto scan = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"scan", "demo", "--out", folder / "out"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return scantrove(arguments);
+  };
+  expectWrongUsage(scan({"--frames", "0"}), {"--frames"});
+  expectWrongUsage(scan({"--frames", "many"}), {"--frames"});
+  expectWrongUsage(scan({"--start", "-1"}), {"--start"});
+  expectWrongUsage(scan({"--stride", "0"}), {"--stride"});
+  expectWrongUsage(scan({"--poses", "guessed"}), {"--poses"});
+  expectWrongUsage(scan({"--depth-scale", "0"}), {"--depth-scale"});
+  expectWrongUsage(scan({"--intrinsics", "525,525"}), {"--intrinsics"});
+  expectWrongUsage(scan({"--intrinsics", "0,525,319.5,239.5"}), {"--intrinsics", "fx,fy,cx,cy"});
+  expectWrongUsage(scan({"--intrinsics", "525,nan,319.5,239.5"}), {"--intrinsics"});
+  expectWrongUsage(scan({"--config", "missing.toml"}), {"missing.toml"});
+  expectWrongUsage(scan({"--set", "segmentation.kk=1"}), {"segmentation.kk", "segmentation.k"});
+  expectWrongUsage(scan({"--set", "segmentation.k=1000"}), {"segmentation.k"});
+  expectWrongUsage(scan({"--set", "segmentation.k=soft"}), {"segmentation.k"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(Params, AreListedWithDefaultUnitAndRange) {
+  const Finished run = scantrove({"params"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("segmentation.k"));
+  EXPECT_THAT(run.out, HasSubstr("fusion.voxel_size_m"));
+  const auto params = jsonOf(scantrove({"params", "--json"}));
+  ASSERT_TRUE(params.is_array());
+  for (const auto& entry : params) {
+    EXPECT_EQ(entry["value"], entry["default"]);
+    EXPECT_NE(entry["help"], "");
+    EXPECT_TRUE(entry.contains("unit"));
+    EXPECT_TRUE(entry.contains("range") != entry.contains("choices"));
+  }
+}
+
+TEST(Params, SettingsWinOverTheConfigurationFile) {
+  const TemporaryFolder folder;
+  const auto config = folder.write("c.toml", "[segmentation]\nk = 0.5\nmin_pixels = 33\n");
+  const auto params =
+      jsonOf(scantrove({"params", "--json", "--config", config, "--set", "segmentation.k=0.25"}));
+  double k = 0, min_pixels = 0;
+  for (const auto& entry : params) {
+    if (entry["key"] == "segmentation.k") k = entry["value"];
+    if (entry["key"] == "segmentation.min_pixels") min_pixels = entry["value"];
+  }
+  EXPECT_EQ(k, 0.25);
+  EXPECT_EQ(min_pixels, 33);
+  expectWrongUsage(scantrove({"params", "--config", folder.write("bad.toml", "[segmentation]\nk = = 1\n")}),
+                   {"bad.toml"});
+}
+
+TEST(Devices, AreListed) {
+  const Finished run = scantrove({"devices"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("[0] "));
+  EXPECT_THAT(run.out, HasSubstr("Cameras"));
+  const auto json = jsonOf(scantrove({"devices", "--json"}));
+  EXPECT_FALSE(json["opencl"].empty());
+  EXPECT_TRUE(json["cameras"].is_array());
+}
+
+TEST(Devices, WithoutADriverSayWhatToInstall) {
+  const Finished run = scantrove({"devices"}, {{"OCL_ICD_VENDORS", "/nonexistent-folder-of-drivers/"}});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("pocl-opencl-icd"));
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,86 @@
+#include "core/compute/device_choice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace scantrove {
+namespace {
+
+using testing::HasSubstr;
+
+std::string nameOf(const cl::Device& device) {
+  std::string name = device.getInfo<CL_DEVICE_NAME>();
+  while (!name.empty() && (name.back() == '\0' || name.back() == ' ')) name.pop_back();
+  return name;
+}
+
+class DeviceChoice : public testing::Test {
+ protected:
+  void SetUp() override {
+    unsetenv("SCANTROVE_DEVICE");
+    devices_ = listDevices();
+    ASSERT_FALSE(devices_.empty()) << "no OpenCL device: install pocl-opencl-icd";
+  }
+  void TearDown() override { unsetenv("SCANTROVE_DEVICE"); }
+
+  std::vector<DeviceInfo> devices_;
+};
+
+TEST_F(DeviceChoice, ListsGpusFirstWithRunningIndices) {
+  for (std::size_t i = 0; i < devices_.size(); ++i) {
+    EXPECT_EQ(devices_[i].index, static_cast<int>(i));
+    EXPECT_FALSE(devices_[i].name.empty());
+    EXPECT_GT(devices_[i].compute_units, 0);
+    EXPECT_GT(devices_[i].memory_mb, 0U);
+  }
+  EXPECT_TRUE(
+      std::is_partitioned(devices_.begin(), devices_.end(), [](const DeviceInfo& d) { return d.is_gpu; }));
+}
+
+TEST_F(DeviceChoice, TakesTheFirstUnlessTold) { EXPECT_EQ(nameOf(*chooseDevice("")), devices_.front().name); }
+
+TEST_F(DeviceChoice, TakesAnIndexOrPartOfAName) {
+  const DeviceInfo& last = devices_.back();
+  EXPECT_EQ(nameOf(*chooseDevice(std::to_string(last.index))), last.name);
+  std::string part = last.name.substr(last.name.size() / 2);
+  std::transform(part.begin(), part.end(), part.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const auto chosen = chooseDevice(part);
+  ASSERT_TRUE(chosen) << chosen.error().message();
+  EXPECT_THAT(nameOf(*chosen), HasSubstr(last.name.substr(last.name.size() / 2)));
+}
+
+TEST_F(DeviceChoice, AsksTheEnvironmentWhenNotTold) {
+  setenv("SCANTROVE_DEVICE", "no such device", 1);
+  EXPECT_FALSE(chooseDevice(""));
+  EXPECT_TRUE(chooseDevice("0"));
+}
+
+TEST_F(DeviceChoice, NamesWhatThereIsWhenNoneMatches) {
+  for (const std::string& wanted : {std::string("warp drive"), std::string("99"), std::string("-1")}) {
+    const auto chosen = chooseDevice(wanted);
+    ASSERT_FALSE(chosen) << wanted;
+    EXPECT_THAT(chosen.error().message(), HasSubstr("'" + wanted + "'"));
+    EXPECT_THAT(chosen.error().message(), HasSubstr(devices_.front().name));
+  }
+}
+
+TEST(DeviceChoiceDeathTest, WithoutAnyDriverNamesThePackageToInstall) {
+  // The loader reads its folder of drivers once: a fresh process sees an empty one.
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  setenv("OCL_ICD_VENDORS", "/nonexistent-folder-of-drivers/", 1);
+  EXPECT_EXIT(
+      {
+        const auto chosen = chooseDevice("");
+        std::fprintf(stderr, "%s\n", chosen ? "a device" : chosen.error().message().c_str());
+        std::exit(listDevices().empty() && !chosen ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "No OpenCL device found.*pocl-opencl-icd");
+  unsetenv("OCL_ICD_VENDORS");
+}
+
+}  // namespace
+}  // namespace scantrove

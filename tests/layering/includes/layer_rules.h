@@ -1,0 +1,199 @@
+#pragma once
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace scantrove::test {
+
+/// The source tree as the rules see it: each file (path from the root) and the headers it names, quotes and
+/// brackets off.
+using IncludeTree = std::map<std::string, std::vector<std::string>>;
+
+/// All C++ and OpenCL files below app, core and ui of `root`.
+inline IncludeTree readIncludes(const std::filesystem::path& root) {
+  static const std::set<std::string> kExtensions{".h", ".cpp", ".cl", ".clh"};
+  static const std::regex kInclude(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+  IncludeTree tree;
+  for (const char* top : {"app", "core", "ui"}) {
+    if (!std::filesystem::exists(root / top)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
+      if (!kExtensions.contains(entry.path().extension().string())) continue;
+      std::vector<std::string>& headers =
+          tree[std::filesystem::relative(entry.path(), root).generic_string()];
+      std::ifstream file(entry.path());
+      std::smatch match;
+      for (std::string line; std::getline(file, line);) {
+        if (std::regex_search(line, match, kInclude)) headers.push_back(match[1]);
+      }
+    }
+  }
+  return tree;
+}
+
+/// What the rules of the house forbid (docs: README, "The house"). Pure functions of an IncludeTree.
+class LayerRules {
+ public:
+  /// One sentence for every broken rule, in order of files.
+  [[nodiscard]] static std::vector<std::string> broken(const IncludeTree& tree) {
+    std::vector<std::string> findings;
+    for (const auto& [file, headers] : tree) {
+      for (const std::string& header : headers) {
+        if (const std::string why = whyForbidden(file, header); !why.empty()) {
+          findings.push_back(file + " includes " + header + ": " + why);
+        }
+      }
+      checkReach(tree, file, findings);
+    }
+    checkMeetingPlace(tree, findings);
+    return findings;
+  }
+
+ private:
+  enum class Toolkit { none, qt_core, qt_sql, qt_gui, vtk };
+
+  static bool startsWith(const std::string& text, const std::string& start) {
+    return text.rfind(start, 0) == 0;
+  }
+
+  /// "core/fusion/tracker.h" -> {"core", "fusion"}; "app/main.cpp" -> {"app", ""}.
+  static std::pair<std::string, std::string> placeOf(const std::string& path) {
+    const std::size_t first = path.find('/');
+    if (first == std::string::npos) return {"", ""};
+    const std::size_t second = path.find('/', first + 1);
+    return {path.substr(0, first),
+            second == std::string::npos ? "" : path.substr(first + 1, second - first - 1)};
+  }
+
+  static bool isOurs(const std::string& header) {
+    return startsWith(header, "core/") || startsWith(header, "ui/") || startsWith(header, "app/");
+  }
+
+  /// Which toolkit a foreign header belongs to. Qt classes of QtCore are listed; any other is taken for a Gui
+  /// one.
+  static Toolkit toolkitOf(const std::string& header) {
+    static const std::set<std::string> kQtCore{"QBuffer",       "QByteArray",     "QCoreApplication",
+                                               "QDateTime",     "QDir",           "QFile",
+                                               "QFileInfo",     "QIODevice",      "QList",
+                                               "QLocale",       "QObject",        "QRegularExpression",
+                                               "QScopeGuard",   "QStandardPaths", "QString",
+                                               "QStringList",   "QTemporaryDir",  "QTemporaryFile",
+                                               "QTextStream",   "QThread",        "QTimeZone",
+                                               "QTimer",        "QUuid",          "QVariant",
+                                               "QVector",       "QtGlobal",       "QtEndian",
+                                               "QElapsedTimer", "QSettings",      "QUrl",
+                                               "QResource",     "QMetaObject",    "QPointer",
+                                               "QDebug",        "QVariantMap",    "QStringView",
+                                               "QSaveFile",     "QHash"};
+    if (startsWith(header, "vtk")) return Toolkit::vtk;
+    if (startsWith(header, "QtCore/") || startsWith(header, "QJson") || kQtCore.contains(header))
+      return Toolkit::qt_core;
+    if (startsWith(header, "QtSql/") || startsWith(header, "QSql")) return Toolkit::qt_sql;
+    const bool is_qt =
+        header.size() > 1 && header[0] == 'Q' && std::isupper(static_cast<unsigned char>(header[1])) != 0;
+    return is_qt || startsWith(header, "Qt") ? Toolkit::qt_gui : Toolkit::none;
+  }
+
+  /// Plain data of one module that other modules may know (everything else of a module is its machinery).
+  static bool isPlainData(const std::string& header) {
+    static const std::set<std::string> kPlainData{
+        "core/capture/frame_source.h", "core/capture/intrinsics.h",       "core/capture/rgbd_frame.h",
+        "core/fusion/brick_map.h",     "core/fusion/depth_pyramid.h",     "core/fusion/pose_estimate.h",
+        "core/fusion/surface_maps.h",  "core/segmentation/segment_map.h", "core/labeling/region_map.h",
+        "core/discovery/candidate.h",  "core/catalog/object_record.h",    "core/exchange/labeled_point.h",
+        "core/exchange/stamped_pose.h"};
+    const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
+    return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
+  }
+
+  static std::string whyForbidden(const std::string& file, const std::string& header) {
+    const auto [layer, part] = placeOf(file);
+    if (isOurs(header)) return whyForbiddenOurs(layer, part, header);
+    const Toolkit toolkit = toolkitOf(header);
+    if (toolkit == Toolkit::none) return {};
+    if (layer == "core") {
+      const bool allowed = part == "catalog" && (toolkit == Toolkit::qt_core || toolkit == Toolkit::qt_sql);
+      return allowed ? "" : "core knows no Qt (but QtCore and QtSql in catalog) and no VTK";
+    }
+    if (layer == "ui" && (part == "scene" || part == "common") && toolkit != Toolkit::vtk) {
+      return "ui/" + part + " is without Qt";
+    }
+    if (layer == "ui" && part != "scene" && part != "view" && toolkit == Toolkit::vtk) {
+      return "only ui/scene and ui/view know VTK";
+    }
+    return {};
+  }
+
+  static std::string whyForbiddenOurs(const std::string& layer, const std::string& part,
+                                      const std::string& header) {
+    const auto [to_layer, to_part] = placeOf(header);
+    static const std::map<std::string, int> kHeight{{"core", 0}, {"ui", 1}, {"app", 2}};
+    if (kHeight.at(to_layer) > kHeight.at(layer)) return "dependencies go app -> ui -> core, never back";
+    if (layer != "core" || part == to_part || part == "scan" || to_part == "base") return {};
+    if (to_part == "scan") return "scan calls the modules, no module knows scan";
+    if (part == "base") return "base stands on nothing";
+    if (to_part == "compute") return {};
+    if (part == "compute") return "compute stands on base alone";
+    return isPlainData(header) ? "" : "modules know each other's plain data, not each other's machinery";
+  }
+
+  /// All headers of ours and others that compiling `file` pulls in through ours.
+  static std::set<std::string> reach(const IncludeTree& tree, const std::string& file) {
+    std::set<std::string> seen;
+    std::vector<std::string> open{file};
+    while (!open.empty()) {
+      const auto found = tree.find(open.back());
+      open.pop_back();
+      if (found == tree.end()) continue;
+      for (const std::string& header : found->second) {
+        if (seen.insert(header).second) open.push_back(header);
+      }
+    }
+    return seen;
+  }
+
+  /// What must not come in through the back door either.
+  static void checkReach(const IncludeTree& tree, const std::string& file,
+                         std::vector<std::string>& findings) {
+    const auto [layer, part] = placeOf(file);
+    if (layer != "ui") return;
+    const bool without_qt = part == "scene" || part == "common";
+    const bool without_vtk = part == "panels" || part == "models" || part == "bridge" || part == "theme";
+    if (!without_qt && !without_vtk) return;
+    for (const std::string& header : reach(tree, file)) {
+      const Toolkit toolkit = isOurs(header) ? Toolkit::none : toolkitOf(header);
+      if (without_vtk && toolkit == Toolkit::vtk)
+        findings.push_back(file + " reaches " + header + ": it is without VTK");
+      if (without_qt && toolkit != Toolkit::none && toolkit != Toolkit::vtk) {
+        findings.push_back(file + " reaches " + header + ": it is without Qt");
+      }
+    }
+  }
+
+  /// Qt and VTK meet in one file (a .cpp and its header) of ui/view.
+  static void checkMeetingPlace(const IncludeTree& tree, std::vector<std::string>& findings) {
+    std::set<std::string> stems;
+    for (const auto& [file, headers] : tree) {
+      const auto [layer, part] = placeOf(file);
+      const auto uses = [&, &names = headers](bool vtk) {
+        return std::any_of(names.begin(), names.end(), [&](const std::string& header) {
+          const Toolkit toolkit = isOurs(header) ? Toolkit::none : toolkitOf(header);
+          return vtk ? toolkit == Toolkit::vtk : toolkit != Toolkit::vtk && toolkit != Toolkit::none;
+        });
+      };
+      if (layer == "ui" && part == "view" && uses(true) && uses(false))
+        stems.insert(file.substr(0, file.rfind('.')));
+    }
+    if (stems.size() < 2) return;
+    std::string names;
+    for (const std::string& stem : stems) names += " " + stem;
+    findings.push_back("Qt and VTK meet in more than one file:" + names);
+  }
+};
+
+}  // namespace scantrove::test
