@@ -9,10 +9,12 @@
 
 namespace scantrove {
 
-/// Depth image to metres, edge-preserving filter, pyramid of vertex and normal maps. One thread, the context's.
+/// Depth image to metres, edge-preserving filter, pyramid of vertex and normal maps. One thread, the
+/// context's.
 class DepthPreprocessor {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<DepthPreprocessor>> create(ComputeContext& compute, const Intrinsics& K,
+  [[nodiscard]] static Result<std::unique_ptr<DepthPreprocessor>> create(ComputeContext& compute,
+                                                                         const Intrinsics& K,
                                                                          const FusionParams& params);
   ~DepthPreprocessor();
 

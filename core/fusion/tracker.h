@@ -9,9 +9,10 @@
 
 namespace scantrove {
 
-/// Frame-to-model tracking: coarse-to-fine projective point-to-plane ICP with Huber weights against the map's surface as
-/// raycast from the last good pose; motion along directions that the geometry does not determine is not changed from the prediction. Never throws on
-/// a singular system: it returns a state. One thread, the context's.
+/// Frame-to-model tracking: coarse-to-fine projective point-to-plane ICP with Huber weights against the map's
+/// surface as raycast from the last good pose; motion along directions that the geometry does not determine
+/// is not changed from the prediction. Never throws on a singular system: it returns a state. One thread, the
+/// context's.
 class Tracker {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Tracker>> create(ComputeContext& compute);

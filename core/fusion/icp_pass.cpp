@@ -1,0 +1,53 @@
+#include "core/fusion/icp_pass.h"
+
+#include <string>
+
+#include "core/compute/kernel_types.h"
+#include "core/fusion/kernels/icp_layout.h"
+#include "embedded/fusion_kernels.h"
+
+namespace scantrove {
+namespace {
+
+// A CPU core runs long runs without a group; a GPU needs many short ones. A float sum holds at most group *
+// run terms.
+constexpr int kCpuRun_px = 600;
+constexpr int kGpuGroup = 32;
+constexpr int kGpuRun_px = 8;
+
+}  // namespace
+
+Result<IcpPass> IcpPass::create(ComputeContext& compute) {
+  IcpPass pass(compute);
+  pass.group_ = compute.isCpu() ? 1 : kGpuGroup;
+  pass.run_ = compute.isCpu() ? kCpuRun_px : kGpuRun_px;
+  Result<Kernel> kernel =
+      compute.kernel(kernels::accumulate_icp, "accumulate_icp", "-DGROUP=" + std::to_string(pass.group_));
+  if (!kernel) return fail(kernel.error());
+  pass.kernel_ = std::move(*kernel);
+  return pass;
+}
+
+IcpSystem IcpPass::run(const DepthPyramid::Level& level, const SurfaceMaps& model,
+                       const Eigen::Isometry3d& T_world_frame, const IcpGates& gates) {
+  const int pixels = level.K.pixels();
+  const int per_group = group_ * run_;
+  const auto groups = static_cast<std::size_t>((pixels + per_group - 1) / per_group);
+  if (sums_.size() < groups * ICP_SUMS) sums_ = Buffer<cl_float>(compute_->context(), groups * ICP_SUMS);
+  host_sums_.resize(groups * ICP_SUMS);
+
+  const Eigen::Vector3d centre = T_world_frame.translation();
+  const Eigen::Vector3f c = centre.cast<float>();
+  const cl_float8 gate{{gates.distance_m, gates.distance_per_z2, gates.normal_cosine, gates.huber_m,
+                        gates.noise_per_z2, 0, 0, 0}};
+  const auto group = static_cast<std::size_t>(group_);
+  kernel_.launch(
+      cl::NDRange(groups * group), cl::NDRange(group), level.vertices_camera, level.normals_camera,
+      cl_int{pixels}, cl_int{run_}, toKernel(T_world_frame), toKernel(model.T_world_camera.inverse()),
+      toKernel(model.K.fx, model.K.fy, model.K.cx, model.K.cy), cl_int{model.K.width}, cl_int{model.K.height},
+      model.vertices_world, model.normals_world, toKernel(c.x(), c.y(), c.z(), 0), gate, sums_);
+  sums_.read(compute_->queue(), host_sums_);
+  return IcpSystem::fromSums(host_sums_, c.cast<double>());
+}
+
+}  // namespace scantrove

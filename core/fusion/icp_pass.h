@@ -1,0 +1,41 @@
+#pragma once
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/depth_pyramid.h"
+#include "core/fusion/icp_system.h"
+#include "core/fusion/surface_maps.h"
+
+namespace scantrove {
+
+/// Which pixels are associated in a pass, and how they weigh. Depth noise of structured light grows with z^2.
+struct IcpGates {
+  float distance_m = 0.05F;  ///< farther pairs are not associated; plus distance_per_z2 * z^2
+  float distance_per_z2 = 0.01F;
+  float normal_cosine = 0.86F;  ///< of the angle between normals, about 30 degrees
+  float huber_m = 0.005F;       ///< residuals beyond it count linearly; times 1 + noise_per_z2 * z^2
+  float noise_per_z2 = 0.5F;
+};
+
+/// Runs accumulate_icp: the sums of one frame level against the model at one pose. One thread, the context's;
+/// throws cl::Error on a device fault. Same input, same sums, bit for bit.
+class IcpPass {
+ public:
+  [[nodiscard]] static Result<IcpPass> create(ComputeContext& compute);
+
+  [[nodiscard]] IcpSystem run(const DepthPyramid::Level& level, const SurfaceMaps& model,
+                              const Eigen::Isometry3d& T_world_frame, const IcpGates& gates);
+
+ private:
+  explicit IcpPass(ComputeContext& compute) : compute_(&compute) {}
+
+  ComputeContext* compute_;
+  Kernel kernel_;
+  int group_ = 1;  ///< work-items of a group
+  int run_ = 1;    ///< pixels of a work-item
+  Buffer<cl_float> sums_;
+  std::vector<float> host_sums_;
+};
+
+}  // namespace scantrove

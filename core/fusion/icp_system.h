@@ -1,0 +1,48 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <span>
+
+namespace scantrove {
+
+/// The normal equations of one pass of point-to-plane ICP, J x = r, for the twist x = (rotation, translation)
+/// about `centre`: a world point p moves to centre + exp(rotation) (p - centre) + translation. Host side; any
+/// thread.
+struct IcpSystem {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+  Matrix6 JtJ = Matrix6::Zero();
+  Vector6 Jtr = Vector6::Zero();
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< world; the mean of the associated points
+  double radius_m = 0;       ///< root mean square distance of the associated points from `centre`
+  double weight = 0;         ///< trace of the translational part of JtJ = sum of the weights
+  double error = 0;          ///< sum w r^2, m^2 in units of the weights
+  double squared_error = 0;  ///< sum r^2, m^2
+  int inliers = 0;           ///< pixels associated
+  int overlap = 0;           ///< pixels with depth that meet a surface of the model
+  int readings = 0;          ///< pixels with depth
+
+  /// Adds the groups' sums (ICP_SUMS floats each, icp_layout.h) in double and in order, and moves the
+  /// equations from `kernel_centre` to the mean of the points.
+  [[nodiscard]] static IcpSystem fromSums(std::span<const float> sums, const Eigen::Vector3d& kernel_centre);
+};
+
+/// The least-squares motion of an IcpSystem.
+struct IcpStep {
+  Eigen::Isometry3d motion =
+      Eigen::Isometry3d::Identity();  ///< to be applied from the left: T_new = motion * T_old
+  double rotation_rad = 0;
+  double translation_m = 0;  ///< of the centre
+  int free_directions = 0;   ///< directions left at zero because the geometry does not determine them
+  bool finite =
+      false;  ///< false: nothing was associated or the sums are not finite; `motion` is the identity
+};
+
+/// Solves by eigen-decomposition of JtJ / weight with rotations measured in units of radius_m: along
+/// eigenvectors whose eigenvalue lies under `smallest_eigenvalue` (mean squared cosine between normals and
+/// direction) the solution is zero, so the pose keeps what it was predicted to be (solution remapping, Zhang,
+/// Kaess and Singh 2016). Never fails: see IcpStep::finite.
+[[nodiscard]] IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue);
+
+}  // namespace scantrove

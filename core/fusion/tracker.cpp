@@ -1,0 +1,112 @@
+#include "core/fusion/tracker.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/check.h"
+#include "core/fusion/icp_pass.h"
+#include "core/fusion/pose_judgement.h"
+
+namespace scantrove {
+namespace {
+
+// From the finest level to the coarsest; coarser pyramids use the first entries.
+constexpr std::array<int, 3> kPasses{4, 5, 10};
+constexpr std::array<float, 3> kDistance_m{0.05F, 0.07F, 0.10F};
+// A level has converged when a step is smaller than this.
+constexpr double kSmallStep_rad = 1e-4;
+constexpr double kSmallStep_m = 1e-4;
+// Mean squared cosine between the normals and a direction of motion below which the direction counts as free.
+constexpr double kSmallestEigenvalue = 0.002;
+// Predictions closer to each other than this lead to the same pose.
+constexpr double kSameGuess_rad = 0.005;
+constexpr double kSameGuess_m = 0.005;
+
+Eigen::Isometry3d withExactRotation(Eigen::Isometry3d T) {
+  T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
+  return T;
+}
+
+bool isSameGuess(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const Eigen::Isometry3d motion = a.inverse() * b;
+  return Eigen::AngleAxisd(motion.linear()).angle() < kSameGuess_rad &&
+         motion.translation().norm() < kSameGuess_m;
+}
+
+/// Mean squared distance over the frame's readings, where a reading that contradicts the model counts as far
+/// as the gate and one that does not meet it half of that.
+double costOf(const IcpSystem& system, double gate_m) {
+  if (system.readings == 0) return 0;
+  const double contradicting = system.overlap - system.inliers;
+  const double unmet = system.readings - system.overlap;
+  return (system.squared_error + (contradicting + 0.5 * unmet) * gate_m * gate_m) / system.readings;
+}
+
+}  // namespace
+
+class Tracker::Machinery {
+ public:
+  explicit Machinery(IcpPass pass) : pass_(std::move(pass)) {}
+
+  PoseEstimate track(const DepthPyramid& frame, const SurfaceMaps& model,
+                     const Eigen::Isometry3d& prediction) {
+    SCANTROVE_CHECK(!frame.levels.empty());
+    if (model.vertices_world.size() == 0) return {.T_world_camera = prediction};
+    const std::size_t coarsest = std::min(frame.levels.size(), kPasses.size()) - 1;
+    IcpOutcome outcome = descendFromBestGuess(frame, model, prediction, coarsest);
+    for (std::size_t level = coarsest; level > 0; --level) {
+      outcome = descend(frame, model, outcome.T_world_camera, level - 1);
+    }
+    outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
+    PoseEstimate pose = judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera);
+    if (pose.state == TrackingState::lost) pose.T_world_camera = prediction;
+    return pose;
+  }
+
+ private:
+  /// Passes at one level until the steps are small.
+  IcpOutcome descend(const DepthPyramid& frame, const SurfaceMaps& model, const Eigen::Isometry3d& guess,
+                     std::size_t level) {
+    IcpOutcome outcome{
+        .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
+    const IcpGates gates{.distance_m = kDistance_m[level]};
+    for (int i = 0; i < kPasses[level]; ++i) {
+      outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
+      outcome.step = solveIcp(outcome.system, kSmallestEigenvalue);
+      if (!outcome.step.finite) break;
+      outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
+      if (outcome.step.rotation_rad < kSmallStep_rad && outcome.step.translation_m < kSmallStep_m) break;
+    }
+    return outcome;
+  }
+
+  /// Aligns the coarsest level from the prediction and from the model's own pose (a camera that stopped); the
+  /// better of both.
+  IcpOutcome descendFromBestGuess(const DepthPyramid& frame, const SurfaceMaps& model,
+                                  const Eigen::Isometry3d& prediction, std::size_t coarsest) {
+    const auto gate = static_cast<double>(kDistance_m[coarsest]);
+    const IcpOutcome moving = descend(frame, model, prediction, coarsest);
+    if (isSameGuess(prediction, model.T_world_camera)) return moving;
+    const IcpOutcome resting = descend(frame, model, model.T_world_camera, coarsest);
+    return costOf(resting.system, gate) < costOf(moving.system, gate) ? resting : moving;
+  }
+
+  IcpPass pass_;
+};
+
+Result<std::unique_ptr<Tracker>> Tracker::create(ComputeContext& compute) {
+  Result<IcpPass> pass = IcpPass::create(compute);
+  if (!pass) return fail(pass.error());
+  std::unique_ptr<Tracker> tracker(new Tracker);
+  tracker->machinery_ = std::make_unique<Machinery>(std::move(*pass));
+  return tracker;
+}
+
+Tracker::~Tracker() = default;
+
+PoseEstimate Tracker::track(const DepthPyramid& frame, const SurfaceMaps& model,
+                            const Eigen::Isometry3d& prediction) {
+  return machinery_->track(frame, model, prediction);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,212 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/compute/kernel_types.h"
+#include "core/fusion/kernels/depth_plane.h"
+#include "embedded/fusion_kernels.h"
+#include "tests/kernels/tracking/analytic_scene.h"
+#include "tests/reference/depth_reference.h"
+#include "tests/support/each_device.h"
+
+namespace scantrove::test {
+namespace {
+
+using reference::DepthImage;
+
+// Floats of a few metres carry 2.4e-7 m; a dozen operations on differences stay below this.
+constexpr double kTolerance_m = 3e-6;
+
+/// Slanted ground, a step, noise like a camera's, holes, and a border of readings.
+DepthImage testImage(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  DepthImage image(width, height);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      double z = 1.0 + 2.0 * v / height + 0.3 * u / width;
+      if (u > width / 3 && u < width / 2 && v > height / 4) z = 0.8;
+      z += 0.0015 * z * z * noise(random);
+      image.at(u, v) = uniform(random) < 0.05 ? 0.0F : static_cast<float>(z);
+    }
+  }
+  return image;
+}
+
+/// A depth plane as depth_plane.clh describes it.
+struct Plane {
+  int width, height, runs, stride;
+  Buffer<cl_float> metres;
+
+  Plane(ComputeContext& compute, int w, int h)
+      : width(w),
+        height(h),
+        runs((w + PLANE_RUN - 1) / PLANE_RUN),
+        stride(runs * PLANE_RUN + 2 * PLANE_PAD),
+        metres(compute.context(), static_cast<std::size_t>(stride * (h + 2 * PLANE_PAD))) {
+    metres.fill(compute.queue(), 0.0F);
+  }
+  void write(ComputeContext& compute, const DepthImage& image) {
+    std::vector<float> all(metres.size(), 0.0F);
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) all[index(u, v)] = image.at(u, v);
+    }
+    metres.write(compute.queue(), all);
+  }
+  [[nodiscard]] DepthImage read(ComputeContext& compute) const {
+    const std::vector<float> all = metres.read(compute.queue());
+    DepthImage image(width, height);
+    double inside = 0, everything = 0;
+    for (const float z : all) everything += static_cast<double>(z);
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) inside += static_cast<double>(image.at(u, v) = all[index(u, v)]);
+    }
+    EXPECT_NEAR(inside, everything, 1e-6) << "the frame of zeros was written to";
+    return image;
+  }
+  [[nodiscard]] std::size_t index(int u, int v) const {
+    return static_cast<std::size_t>((v + PLANE_PAD) * stride + u + PLANE_PAD);
+  }
+};
+
+void expectSame(const DepthImage& actual, const DepthImage& expected) {
+  for (int v = 0; v < expected.height; ++v) {
+    for (int u = 0; u < expected.width; ++u) {
+      ASSERT_NEAR(actual.at(u, v), expected.at(u, v), kTolerance_m) << "pixel " << u << ", " << v;
+    }
+  }
+}
+
+Kernel kernelOf(ComputeContext& compute, const KernelSource& source, const char* name,
+                const char* options = "") {
+  auto kernel = compute.kernel(source, name, options);
+  EXPECT_TRUE(kernel) << kernel.error().message();
+  return *kernel;
+}
+
+TEST(ConvertDepth, KeepsTheRangeAndDropsTheRest) {
+  onEachDevice([](ComputeContext& compute) {
+    const std::vector<cl_ushort> units{0, 1, 299, 300, 301, 4999, 5000, 5001, 65534, 65535};
+    Buffer<cl_ushort> input(compute.context(), units.size());
+    Buffer<cl_float> output(compute.context(), units.size());
+    input.write(compute.queue(), units);
+    Kernel kernel = kernelOf(compute, kernels::convert_depth, "convert_depth");
+    kernel.launch(cl::NDRange(units.size()), cl::NDRange(4), input, static_cast<cl_int>(units.size()), 0.001F,
+                  0.3F, 5.0F, output);
+    const std::vector<float> z = output.read(compute.queue());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const float metres = static_cast<float>(units[i]) * 0.001F;
+      EXPECT_EQ(z[i], metres >= 0.3F && metres <= 5.0F ? metres : 0.0F) << units[i];
+    }
+  });
+}
+
+TEST(HalveDepth, MatchesTheFormula) {
+  onEachDevice([](ComputeContext& compute) {
+    Kernel kernel = kernelOf(compute, kernels::halve_depth, "halve_depth");
+    for (const auto& [width, height] : {std::pair(640, 480), {317, 233}, {33, 34}, {2, 2}}) {
+      const DepthImage large = testImage(width, height, 7);
+      Plane small(compute, width / 2, height / 2);
+      const auto items = cl::NDRange(static_cast<std::size_t>((small.width + 7) / 8),
+                                     static_cast<std::size_t>(small.height));
+      const DepthImage expected = reference::reduceDepth(large, small.width, small.height, 2, 2);
+
+      Buffer<cl_float> image(compute.context(), large.z.size());
+      image.write(compute.queue(), large.z);
+      kernel.launch(items, cl::NullRange, image, cl_int{width}, cl_int{0}, cl_int{small.width},
+                    cl_int{small.height}, cl_int{small.stride}, small.metres);
+      expectSame(small.read(compute), expected);
+
+      Plane plane(compute, width, height);
+      plane.write(compute, large);
+      kernel.launch(items, cl::NullRange, plane.metres, cl_int{plane.stride}, cl_int{PLANE_PAD},
+                    cl_int{small.width}, cl_int{small.height}, cl_int{small.stride}, small.metres);
+      expectSame(small.read(compute), expected);
+    }
+  });
+}
+
+TEST(ReduceDepth, MatchesTheFormulaAtAnyRatio) {
+  onEachDevice([](ComputeContext& compute) {
+    struct Case {
+      int width, height, small_width, small_height;
+      const char* options;
+    };
+    for (const Case& c : {Case{317, 233, 317, 233, "-DBLOCK=1"}, Case{317, 233, 100, 74, "-DBLOCK=5"},
+                          Case{320, 240, 80, 60, "-DBLOCK=4"}, Case{640, 480, 320, 240, "-DBLOCK=2"}}) {
+      SCOPED_TRACE(c.small_width);
+      const DepthImage large = testImage(c.width, c.height, 11);
+      Buffer<cl_float> image(compute.context(), large.z.size());
+      image.write(compute.queue(), large.z);
+      Plane small(compute, c.small_width, c.small_height);
+      const float ratio_x = static_cast<float>(c.width) / static_cast<float>(c.small_width);
+      const float ratio_y = static_cast<float>(c.height) / static_cast<float>(c.small_height);
+      Kernel kernel = kernelOf(compute, kernels::reduce_depth, "reduce_depth", c.options);
+      kernel.launch(
+          cl::NDRange(static_cast<std::size_t>(c.small_width), static_cast<std::size_t>(c.small_height)),
+          cl::NullRange, image, cl_int{c.width}, cl_int{c.height}, ratio_x, ratio_y, cl_int{c.small_width},
+          cl_int{c.small_height}, cl_int{small.stride}, small.metres);
+      const DepthImage actual = small.read(compute);
+      const DepthImage expected = reference::reduceDepth(
+          large, c.small_width, c.small_height, static_cast<double>(ratio_x), static_cast<double>(ratio_y));
+      // Pixel borders at non-integer ratios are rounded to 3e-5 pixels: a reading that belongs to a square by
+      // no more than that may set or miss its nearest surface, which moves a few small pixels by less than
+      // the jump.
+      int moved = 0;
+      for (std::size_t i = 0; i < expected.z.size(); ++i) {
+        if (std::abs(actual.z[i] - expected.z[i]) > 2e-5F) ++moved;
+        ASSERT_NEAR(actual.z[i], expected.z[i], 0.1) << i;
+      }
+      EXPECT_LE(moved, c.small_width * c.small_height / 100);
+    }
+  });
+}
+
+TEST(FilterDepth, MatchesTheFormula) {
+  onEachDevice([](ComputeContext& compute) {
+    Kernel kernel = kernelOf(compute, kernels::filter_depth, "filter_depth");
+    for (const auto& [width, height] : {std::pair(320, 240), {317, 233}, {5, 3}}) {
+      const DepthImage image = testImage(width, height, 3);
+      Plane input(compute, width, height), output(compute, width, height);
+      input.write(compute, image);
+      kernel.launch(cl::NDRange(static_cast<std::size_t>(input.runs), static_cast<std::size_t>(height)),
+                    cl::NullRange, input.metres, cl_int{input.runs}, cl_int{height}, cl_int{input.stride},
+                    0.008F, 0.008F, output.metres);
+      expectSame(output.read(compute), reference::filterDepth(image, 0.008, 0.008));
+    }
+  });
+}
+
+TEST(BuildSurface, MatchesTheFormula) {
+  onEachDevice([](ComputeContext& compute) {
+    Kernel kernel = kernelOf(compute, kernels::build_surface, "build_surface");
+    for (const auto& [width, height] : {std::pair(320, 240), {317, 233}, {1, 1}}) {
+      const Intrinsics K{290,   291,   static_cast<float>(width) / 2, static_cast<float>(height) / 2,
+                         width, height};
+      const DepthImage image = testImage(width, height, 5);
+      Plane plane(compute, width, height);
+      plane.write(compute, image);
+      const auto pixels = static_cast<std::size_t>(K.pixels());
+      Buffer<cl_float4> vertices(compute.context(), pixels), normals(compute.context(), pixels);
+      kernel.launch(cl::NDRange(static_cast<std::size_t>(width), static_cast<std::size_t>(height)),
+                    cl::NullRange, plane.metres, cl_int{width}, cl_int{height}, cl_int{plane.stride},
+                    toKernel(K.fx, K.fy, K.cx, K.cy), vertices, normals);
+      const auto actual_v = vertices.read(compute.queue());
+      const auto actual_n = normals.read(compute.queue());
+      const reference::Surface expected = reference::buildSurface(image, K);
+      for (std::size_t i = 0; i < pixels; ++i) {
+        for (Eigen::Index k = 0; k < 4; ++k) {
+          const auto c = static_cast<std::size_t>(k);
+          ASSERT_NEAR(static_cast<double>(actual_v[i].s[c]), expected.vertices[i](k), kTolerance_m)
+              << "vertex " << i;
+          // Differences of a few mm carry 2.4e-7 m of rounding each, so angles carry about 1e-4.
+          ASSERT_NEAR(static_cast<double>(actual_n[i].s[c]), expected.normals[i](k), 5e-4) << "normal " << i;
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,213 @@
+#include "core/fusion/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include "core/fusion/depth_preprocessor.h"
+#include "core/fusion/icp_pass.h"
+#include "core/fusion/motion_prediction.h"
+#include "tests/kernels/tracking/analytic_scene.h"
+#include "tests/reference/icp_reference.h"
+#include "tests/support/each_device.h"
+
+namespace scantrove::test {
+namespace {
+
+const Intrinsics kKinect{585, 585, 320, 240, 640, 480};
+const Intrinsics kWorking = kKinect.resizedTo(320, 240);
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+struct Rig {
+  std::unique_ptr<DepthPreprocessor> preprocessor;
+  std::unique_ptr<Tracker> tracker;
+
+  explicit Rig(ComputeContext& compute)
+      : preprocessor(std::move(*DepthPreprocessor::create(compute, kKinect, {}))),
+        tracker(std::move(*Tracker::create(compute))) {}
+};
+
+double translationBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return (a.inverse() * b).translation().norm();
+}
+double degreesBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return Eigen::AngleAxisd((a.inverse() * b).linear()).angle() / kDegree;
+}
+
+std::vector<Eigen::Vector4d> widened(const std::vector<cl_float4>& map) {
+  std::vector<Eigen::Vector4d> result;
+  for (const cl_float4& e : map) {
+    result.emplace_back(static_cast<double>(e.s[0]), static_cast<double>(e.s[1]), static_cast<double>(e.s[2]),
+                        static_cast<double>(e.s[3]));
+  }
+  return result;
+}
+
+TEST(IcpPass, SumsMatchTheFormula) {
+  onEachDevice([](ComputeContext& compute) {
+    const AnalyticScene scene = roomCorner();
+    Rig rig(compute);
+    const Eigen::Isometry3d T_model = pose(2, -3, 1, 0.05, -0.02, 0.1);
+    const Eigen::Isometry3d T_frame = T_model * pose(0.5, 0.7, -0.4, 0.01, 0.005, -0.01);
+    const SurfaceMaps model = scene.maps(compute, kWorking, T_model);
+    const DepthPyramid& frame = rig.preprocessor->process(scene.frame(kKinect, T_model));
+    auto pass = IcpPass::create(compute);
+    ASSERT_TRUE(pass) << pass.error().message();
+    const IcpGates gates;
+    for (const DepthPyramid::Level& level : frame.levels) {
+      const IcpSystem system = pass->run(level, model, T_frame, gates);
+      const reference::IcpSums expected = reference::accumulateIcp(
+          widened(level.vertices_camera.read(compute.queue())),
+          widened(level.normals_camera.read(compute.queue())), T_frame,
+          widened(model.vertices_world.read(compute.queue())),
+          widened(model.normals_world.read(compute.queue())), T_model, kWorking, system.centre,
+          {static_cast<double>(gates.distance_m), static_cast<double>(gates.distance_per_z2),
+           static_cast<double>(gates.normal_cosine), static_cast<double>(gates.huber_m),
+           static_cast<double>(gates.noise_per_z2)});
+      EXPECT_EQ(system.readings, expected.readings);
+      // Pixels whose projection or gate lies on the border within float rounding may fall to either side.
+      EXPECT_NEAR(system.overlap, expected.overlap, 1 + level.K.pixels() / 5000);
+      EXPECT_NEAR(system.inliers, expected.inliers, 1 + level.K.pixels() / 2000);
+      EXPECT_GT(system.inliers, level.K.pixels() / 2);
+      // They, and sums of 600 floats of 24 bits, leave this much of the whole.
+      EXPECT_LT((system.JtJ - expected.JtJ).norm() / expected.JtJ.norm(), 2e-3);
+      EXPECT_LT((system.Jtr - expected.Jtr).norm() / expected.Jtr.norm(), 2e-2);
+      EXPECT_NEAR(system.squared_error / expected.squared_error, 1, 1e-2);
+    }
+  });
+}
+
+TEST(Tracker, RecoversKnownMotions) {
+  onEachDevice([](ComputeContext& compute) {
+    const AnalyticScene scene = roomCorner();
+    Rig rig(compute);
+    const Eigen::Isometry3d T_model = pose(3, 2, -1, 0.1, 0.0, -0.1);
+    const SurfaceMaps model = scene.maps(compute, kWorking, T_model);
+    for (const Eigen::Isometry3d& motion :
+         {pose(0, 0, 0, 0, 0, 0), pose(1, 0, 0, 0, 0, 0), pose(0, 2, 0, 0, 0, 0), pose(0, 0, 2, 0, 0, 0),
+          pose(0, 0, 0, 0.02, 0, 0), pose(0, 0, 0, 0, 0.03, 0), pose(0, 0, 0, 0, 0, -0.04),
+          pose(-1.5, 1, 2, 0.02, -0.01, 0.02)}) {
+      const Eigen::Isometry3d truth = T_model * motion;
+      const DepthPyramid& frame = rig.preprocessor->process(scene.frame(kKinect, truth));
+      const PoseEstimate found = rig.tracker->track(frame, model, T_model);
+      EXPECT_EQ(found.state, TrackingState::tracking) << found.inlier_fraction << ' ' << found.rmse_m;
+      EXPECT_EQ(found.free_directions, 0);
+      EXPECT_LT(translationBetween(found.T_world_camera, truth), 0.001);
+      EXPECT_LT(degreesBetween(found.T_world_camera, truth), 0.05);
+      EXPECT_GT(found.inlier_fraction, 0.8);
+    }
+  });
+}
+
+TEST(Tracker, SameInputSamePose) {
+  onEachDevice([](ComputeContext& compute) {
+    const AnalyticScene scene = roomCorner();
+    Rig rig(compute);
+    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const DepthPyramid& frame = rig.preprocessor->process(scene.frame(kKinect, pose(1, 1, 0, 0.01, 0, 0)));
+    const PoseEstimate first = rig.tracker->track(frame, model, Eigen::Isometry3d::Identity());
+    for (int i = 0; i < 5; ++i) {
+      const PoseEstimate again = rig.tracker->track(frame, model, Eigen::Isometry3d::Identity());
+      EXPECT_TRUE((again.T_world_camera.matrix().array() == first.T_world_camera.matrix().array()).all());
+    }
+  });
+}
+
+TEST(Tracker, PoseDoesNotSlideInAPlane) {
+  onEachDevice([](ComputeContext& compute) {
+    AnalyticScene scene;
+    const Eigen::Vector3d normal = Eigen::Vector3d(0.3, 0.2, -1).normalized();
+    scene.plane({0, 0, 1.5}, normal);
+    Rig rig(compute);
+    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const Eigen::Isometry3d truth = pose(0.5, -0.5, 0, 0.01, 0.01, 0.02);
+    const Eigen::Isometry3d prediction = truth * pose(0, 0, 0, 0.003, 0.002, 0.01);
+    const PoseEstimate found =
+        rig.tracker->track(rig.preprocessor->process(scene.frame(kKinect, truth)), model, prediction);
+    EXPECT_EQ(found.free_directions, 3);
+    EXPECT_EQ(found.state, TrackingState::uncertain);
+    const Eigen::Vector3d moved = found.T_world_camera.translation() - prediction.translation();
+    const Eigen::Vector3d error = found.T_world_camera.translation() - truth.translation();
+    EXPECT_LT((moved - normal * normal.dot(moved)).norm(), 0.0005) << "slid in the plane";
+    EXPECT_LT(std::abs(normal.dot(error)), 0.001) << "the plane's own direction is determined";
+  });
+}
+
+TEST(Tracker, CylinderLeavesTwoDirectionsFree) {
+  onEachDevice([](ComputeContext& compute) {
+    AnalyticScene scene;
+    scene.cylinder({0, 0, 1.2}, {0, 1, 0}, 1.0);
+    Rig rig(compute);
+    const Eigen::Isometry3d T = pose(0, 0, 0, 0, 0, 0.9);
+    const SurfaceMaps model = scene.maps(compute, kWorking, T);
+    const PoseEstimate found = rig.tracker->track(
+        rig.preprocessor->process(scene.frame(kKinect, T * pose(0, 0, 0, 0.01, 0, 0))), model, T);
+    EXPECT_EQ(found.free_directions, 2);
+    EXPECT_EQ(found.state, TrackingState::uncertain);
+  });
+}
+
+TEST(Tracker, NothingToTrackIsLost) {
+  onEachDevice([](ComputeContext& compute) {
+    const AnalyticScene scene = roomCorner();
+    Rig rig(compute);
+    const Eigen::Isometry3d prediction = pose(1, 2, 3, 0.1, 0.2, 0.3);
+    RgbdFrame dark;
+    dark.depth = cv::Mat::zeros(480, 640, CV_16UC1);
+    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const PoseEstimate no_frame = rig.tracker->track(rig.preprocessor->process(dark), model, prediction);
+    EXPECT_EQ(no_frame.state, TrackingState::lost);
+    EXPECT_TRUE(no_frame.T_world_camera.isApprox(prediction));
+
+    const DepthPyramid& frame =
+        rig.preprocessor->process(scene.frame(kKinect, Eigen::Isometry3d::Identity()));
+    const SurfaceMaps void_space = AnalyticScene().maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    EXPECT_EQ(rig.tracker->track(frame, void_space, prediction).state, TrackingState::lost);
+    EXPECT_EQ(rig.tracker->track(frame, SurfaceMaps{}, prediction).state, TrackingState::lost);
+  });
+}
+
+TEST(Tracker, AnotherSceneIsNeverTracked) {
+  onEachDevice([](ComputeContext& compute) {
+    AnalyticScene other;
+    other.sphere({0.2, 0.1, 2.2}, 0.9)
+        .plane({0.8, 0, 0}, {-1, 0.3, 0})
+        .cylinder({-0.6, 0, 1.4}, {1, 2, 0.3}, 0.3);
+    const AnalyticScene scene = roomCorner();
+    Rig rig(compute);
+    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    for (const double turn_deg : {-10.0, 0.0, 15.0, 40.0}) {
+      const DepthPyramid& frame =
+          rig.preprocessor->process(other.frame(kKinect, pose(0, turn_deg, 0, 0, 0, 0)));
+      const PoseEstimate found = rig.tracker->track(frame, model, Eigen::Isometry3d::Identity());
+      EXPECT_FALSE(found.usable()) << turn_deg << ": inliers " << found.inlier_fraction << " rmse "
+                                   << found.rmse_m;
+    }
+  });
+}
+
+TEST(Tracker, MotionOutOfReachIsNeverWronglyTracked) {
+  onEachDevice([](ComputeContext& compute) {
+    const AnalyticScene scene = roomCorner();
+    Rig rig(compute);
+    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    for (const double turn_deg : {4.0, 6.0, 8.0, 12.0, 20.0, 30.0, 50.0}) {
+      const Eigen::Isometry3d truth = pose(turn_deg / 3, turn_deg, -turn_deg / 2, 0.002 * turn_deg, 0, 0);
+      const PoseEstimate found = rig.tracker->track(rig.preprocessor->process(scene.frame(kKinect, truth)),
+                                                    model, Eigen::Isometry3d::Identity());
+      if (!found.usable()) continue;
+      EXPECT_LT(translationBetween(found.T_world_camera, truth), 0.005) << turn_deg;
+      EXPECT_LT(degreesBetween(found.T_world_camera, truth), 0.2) << turn_deg;
+    }
+  });
+}
+
+TEST(MotionPrediction, GoesOnAtTheDampedSpeed) {
+  const Eigen::Isometry3d before = pose(1, 2, 3, 0.5, 0.1, 2);
+  const Eigen::Isometry3d last = before * pose(0, 2, 0, 0.1, 0, 0);
+  const Eigen::Isometry3d motion = last.inverse() * predictPose(last, before, 0.5);
+  EXPECT_NEAR(motion.translation().x(), 0.05, 1e-12);
+  EXPECT_NEAR(Eigen::AngleAxisd(motion.linear()).angle(), 1 * kDegree, 1e-9);
+  EXPECT_TRUE(predictPose(last, last).isApprox(last, 1e-12));
+}
+
+}  // namespace
+}  // namespace scantrove::test
