@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/synthetic_scan.h"
+
+namespace scantrove {
+namespace {
+
+using test::SyntheticScan;
+
+SyntheticOptions film(SceneKind scene, int frames) {
+  SyntheticOptions options;
+  options.scene = scene;
+  options.frames = frames;
+  return options;
+}
+
+// The thesis' central claims on a scene with exact truth: poses are right, and merging over time brings the
+// boundaries nearer to the truth than the same frames alone (table 4.1).
+TEST(SyntheticTabletop, TracksWithinTenMillimetresAndMergingBeatsSingleFrames) {
+  SyntheticScan scan(film(SceneKind::tabletop, 100));
+  scan.run();
+  ASSERT_EQ(scan.frames.size(), 100U);
+  for (const auto& frame : scan.frames) EXPECT_TRUE(frame.pose.usable());
+  const double ate = scan.trajectoryError();
+  RecordProperty("ate_mm", std::to_string(1000 * ate));
+  EXPECT_LT(ate, 0.010);
+
+  std::vector<SegmentationMetrics> single;
+  std::vector<SegmentationMetrics> merged;
+  for (std::size_t i = 20; i < scan.frames.size(); i += 4) {  // the first frames have nothing to merge yet
+    const auto& frame = scan.frames[i];
+    single.push_back(evaluateSegmentation(frame.segments, frame.instances));
+    merged.push_back(evaluateSegmentation(scan.finalRegions(frame), frame.instances));
+  }
+  const double single_error = averaged(single).boundary_error;
+  const double merged_error = averaged(merged).boundary_error;
+  RecordProperty("boundary_error_single", std::to_string(single_error));
+  RecordProperty("boundary_error_merged", std::to_string(merged_error));
+  std::cout << "ATE " << 1000 * ate << " mm; boundary error single " << single_error << ", merged "
+            << merged_error << "; coverage single " << averaged(single).coverage << ", merged "
+            << averaged(merged).coverage << '\n';
+  EXPECT_LT(merged_error, single_error);
+}
+
+// Thesis 4.3: segments of a non-convex object join once a convex connection was seen.
+TEST(SyntheticLBlock, TwoSegmentsInTheFirstFrameAreOneRegionAtTheEnd) {
+  SyntheticScan scan(film(SceneKind::l_block, 0));
+  scan.run();
+  ASSERT_GE(scan.frames.size(), 100U);
+  const int block = scan.source().scene().find("L block");
+  ASSERT_GT(block, 0);
+  const auto& first = scan.frames.front();
+  EXPECT_GE(SyntheticScan::labelsOf(first.segments, first.instances, block, 0.15).size(), 2U);
+  const auto& last = scan.frames.back();
+  EXPECT_EQ(SyntheticScan::labelsOf(scan.finalRegions(last), last.instances, block, 0.05).size(), 1U);
+  // ... and not together with what it stands on.
+  const int table = scan.source().scene().find("table");
+  ASSERT_GT(table, 0);
+  const cv::Mat regions = scan.finalRegions(last);
+  EXPECT_NE(SyntheticScan::labelsOf(regions, last.instances, block, 0.5),
+            SyntheticScan::labelsOf(regions, last.instances, table, 0.5));
+}
+
+// Thesis 4.5: the floor that a chair cuts in pieces becomes one region and stays one.
+TEST(SyntheticChairFloor, TheFloorCutByTheChairIsOneRegionAtTheEnd) {
+  SyntheticScan scan(film(SceneKind::chair_floor, 0));
+  scan.run();
+  const int floor = 1;
+  const auto& first = scan.frames.front();
+  EXPECT_GE(SyntheticScan::labelsOf(first.segments, first.instances, floor, 0.05).size(), 2U)
+      << "the first frame should show the floor in pieces";
+  const auto& last = scan.frames.back();
+  EXPECT_EQ(SyntheticScan::labelsOf(scan.finalRegions(last), last.instances, floor, 0.02).size(), 1U);
+  const int chair = scan.source().scene().find("chair");
+  ASSERT_GT(chair, 0);
+  const cv::Mat regions = scan.finalRegions(last);
+  const auto floor_label = SyntheticScan::labelsOf(regions, last.instances, floor, 0.5);
+  for (const int label : SyntheticScan::labelsOf(regions, last.instances, chair, 0.3)) {
+    EXPECT_NE(label, floor_label.at(0)) << "the chair has leaked into the floor";
+  }
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,36 @@
+#pragma once
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scan/scan_session.h"
+
+namespace scantrove::test {
+
+/// How a scan ended and what it said on the way.
+struct ScanEnding {
+  std::optional<ScanReport> report;  ///< empty: it failed
+  std::string error;
+  std::vector<FrameSkipped> skipped;
+  std::vector<std::string> added;       ///< names
+  std::vector<std::string> recognised;  ///< names
+};
+
+/// Runs one scan to its end through the session that window and command line use.
+inline ScanEnding runScan(ScanRequest request) {
+  ScanEnding ending;
+  ScanSession session([&](const ScanEvent& event) {  // read only after wait(): no lock needed
+    if (const auto* finished = std::get_if<ScanFinished>(&event)) ending.report = finished->report;
+    if (const auto* failed = std::get_if<ScanFailed>(&event)) ending.error = failed->error.message();
+    if (const auto* skipped = std::get_if<FrameSkipped>(&event)) ending.skipped.push_back(*skipped);
+    if (const auto* added = std::get_if<ObjectAdded>(&event)) ending.added.push_back(added->name);
+    if (const auto* known = std::get_if<ObjectRecognised>(&event)) ending.recognised.push_back(known->name);
+  });
+  session.start(std::move(request));
+  session.wait();
+  return ending;
+}
+
+}  // namespace scantrove::test

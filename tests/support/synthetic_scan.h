@@ -1,0 +1,111 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/capture/synthetic/synthetic_source.h"
+#include "core/evaluation/segmentation_metrics.h"
+#include "core/evaluation/trajectory_metrics.h"
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove::test {
+
+/// A synthetic scene run through the pipeline frame by frame, without a catalogue.
+class SyntheticScan {
+ public:
+  struct Frame {
+    PoseEstimate pose;
+    Eigen::Isometry3d true_pose;
+    cv::Mat segments;   ///< S_t, CV_32SC1, working resolution
+    cv::Mat regions;    ///< S_cloud,t as known at the frame, CV_32SC1
+    cv::Mat instances;  ///< truth, CV_32SC1, working resolution
+  };
+
+  explicit SyntheticScan(const SyntheticOptions& options, const ScanParams& params = {},
+                         bool poses_given = false) {
+    auto source = makeSyntheticSource(options);
+    EXPECT_TRUE(source) << (source ? "" : source.error().message());
+    source_ = std::move(*source);
+    auto compute = ComputeContext::create({});
+    EXPECT_TRUE(compute) << (compute ? "" : compute.error().message());
+    compute_ = std::move(*compute);
+    auto pipeline = ScanPipeline::create(*compute_, {options.K, params, poses_given, nullptr, 0});
+    EXPECT_TRUE(pipeline) << (pipeline ? "" : pipeline.error().message());
+    pipeline_ = std::move(*pipeline);
+  }
+
+  /// Processes all frames.
+  void run() {
+    for (;;) {
+      FrameRead read = source_->next();
+      if (read.status != FrameRead::Status::frame) break;
+      Result<FrameResult> result = pipeline_->processFrame(read.frame);
+      ASSERT_TRUE(result) << result.error().message();
+      Frame frame;
+      frame.pose = result->pose;
+      frame.true_pose = *read.frame.T_world_camera;
+      const Intrinsics& K = pipeline_->workingIntrinsics();
+      frame.segments = image(result->segments.ids, K);
+      frame.regions = image(result->regions.regions, K);
+      cv::resize(read.frame.instances, frame.instances, {K.width, K.height}, 0, 0, cv::INTER_NEAREST);
+      frame.instances.convertTo(frame.instances, CV_32S);
+      frames.push_back(std::move(frame));
+    }
+  }
+
+  /// ATE RMSE in metres over the usable frames.
+  [[nodiscard]] double trajectoryError() const {
+    std::vector<PosePair> pairs;
+    for (const Frame& frame : frames) {
+      const double time = static_cast<double>(pairs.size());
+      if (frame.pose.usable()) pairs.push_back({{time, frame.pose.T_world_camera}, {time, frame.true_pose}});
+    }
+    return absoluteTrajectoryError(pairs).rmse;
+  }
+
+  /// Regions of a frame with the label table as it is now.
+  [[nodiscard]] cv::Mat finalRegions(const Frame& frame) const {
+    cv::Mat now = frame.regions.clone();
+    for (auto& region : cv::Mat_<int>(now)) {
+      region = static_cast<int>(pipeline_->labelTable().regionOf(static_cast<std::uint32_t>(region)).value);
+    }
+    return now;
+  }
+
+  /// Ids of `labels` that hold at least `share` of the pixels where `instances` is `instance`.
+  [[nodiscard]] static std::vector<int> labelsOf(const cv::Mat& labels, const cv::Mat& instances,
+                                                 int instance, double share) {
+    std::map<int, int> count;
+    int total = 0;
+    for (int i = 0; i < static_cast<int>(labels.total()); ++i) {
+      const int label = labels.ptr<int>()[i];
+      if (instances.ptr<int>()[i] != instance || label == 0) continue;
+      ++count[label];
+      ++total;
+    }
+    std::vector<int> result;
+    for (const auto& [label, pixels] : count) {
+      if (pixels >= share * total) result.push_back(label);
+    }
+    return result;
+  }
+
+  std::vector<Frame> frames;
+  [[nodiscard]] const SyntheticSource& source() const { return *source_; }
+  [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
+
+ private:
+  static cv::Mat image(const std::vector<std::uint32_t>& ids, const Intrinsics& K) {
+    cv::Mat result(K.height, K.width, CV_32SC1, cv::Scalar(0));
+    std::copy(ids.begin(), ids.end(), result.begin<int>());
+    return result;
+  }
+
+  std::unique_ptr<SyntheticSource> source_;
+  std::unique_ptr<ComputeContext> compute_;
+  std::unique_ptr<ScanPipeline> pipeline_;
+};
+
+}  // namespace scantrove::test
