@@ -10,7 +10,8 @@
 namespace scantrove {
 namespace {
 
-constexpr int kTile = 16;  // pixels; the tiles of reduce_depth_tiles
+constexpr int kTile = 16;                        // pixels; the tiles of reduce_depth_tiles
+constexpr std::size_t kRows = BRICK_VOXELS / 8;  // work-items of integrate_bricks for one brick
 
 constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
 
@@ -53,8 +54,8 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
     bricks_ = Buffer<cl_int4>(compute_->context(), 2 * host_bricks_.size());
   bricks_.write(compute_->queue(), host_bricks_);
   const float max_weight = 256.0F * std::clamp(params_.max_weight, 1.0F, 255.0F);
-  integrate_bricks_.launch(cl::NDRange(host_bricks_.size() * BRICK_VOXELS), cl::NDRange(BRICK_VOXELS),
-                           bricks_, static_cast<cl_int>(host_bricks_.size()), toKernel(T_camera_window),
+  integrate_bricks_.launch(cl::NDRange(host_bricks_.size() * kRows), cl::NDRange(kRows), bricks_,
+                           static_cast<cl_int>(host_bricks_.size()), toKernel(T_camera_window),
                            toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy), frame.K.width,
                            frame.K.height, frame.depth_m, params_.max_depth_m,
                            params_.truncation_vox * map.voxelSize(), max_weight, map.voxels());
