@@ -12,19 +12,19 @@ namespace scantrove {
 
 /// One candidate to look up.
 struct DetectionQuery {
-  cv::Mat color;               ///< crop of the full-resolution frame, CV_8UC3 BGR
-  cv::Mat mask;                ///< same size, CV_8UC1, 255 = object
+  cv::Mat color;  ///< crop of the full-resolution frame, CV_8UC3 BGR
+  cv::Mat mask;   ///< same size, CV_8UC1, 255 = object
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
 };
 
 struct DetectionMatch {
-  ObjectId object;             ///< none: unknown
-  float distance = 2;          ///< of the best view, warped SSD per element
+  ObjectId object;     ///< none: unknown
+  float distance = 2;  ///< of the best view, warped SSD per element
 };
 
-/// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x 32 Lab
-/// thumbnails normalised per channel, 19 principal components to prune, SSD with warping and local shifts on the device.
-/// One thread, the compute context's.
+/// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x 32
+/// Lab thumbnails normalised per channel, 19 principal components to prune, SSD with warping and local shifts
+/// on the device. One thread, the compute context's.
 class Detector {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Detector>> create(ComputeContext& compute);
@@ -42,7 +42,7 @@ class Detector {
   [[nodiscard]] std::vector<DetectionMatch> find(const std::vector<DetectionQuery>& queries);
 
  private:
-  Detector() = default;
+  Detector();
   class Machinery;
   std::unique_ptr<Machinery> machinery_;
 };

@@ -1,0 +1,164 @@
+#include "core/catalog/database_connection.h"
+
+#include <unistd.h>
+
+#include <QDateTime>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSqliteHeader{"SQLite format 3\0", 16};
+
+// SQLite's primary result codes (sqlite.org/rescode.html); QtSql hands on the extended ones.
+enum SqliteCode {
+  kBusy = 5,
+  kLocked = 6,
+  kReadOnly = 8,
+  kIo = 10,
+  kCorrupt = 11,
+  kFull = 13,
+  kCannotOpen = 14,
+  kNotADb = 26
+};
+
+Error notADatabase(const std::string& file) {
+  return {"The file " + file + " is not a database.",
+          "Give another file name; a new catalogue is created where there is no file."};
+}
+
+Error describe(const std::string& file, const QSqlError& error) {
+  const std::string detail = error.databaseText().toStdString();
+  switch (error.nativeErrorCode().toInt() & 0xff) {
+    case kBusy:
+    case kLocked:
+      return {"The database " + file + " is locked by another program (waited 5 s).",
+              "Close the program that holds it, or use a copy of the file."};
+    case kReadOnly:
+      return {"The database " + file + " cannot be written (" + detail + ").",
+              "Give write permission to the file and to its folder, or use a copy."};
+    case kIo:
+      return {"Reading or writing the database " + file + " failed (" + detail + ").",
+              "Check the disk and its free space."};
+    case kCorrupt:
+      return {"The database " + file + " is damaged (" + detail + ").",
+              "Restore it from a backup, or try to rescue it with: sqlite3 FILE .recover"};
+    case kFull:
+      return {"The disk is full: the database " + file + " could not be written.",
+              "Free some space and try again."};
+    case kCannotOpen:
+      return {"The database " + file + " cannot be opened (" + detail + ").",
+              "Check that its folder exists and that you may write there."};
+    case kNotADb:
+      return notADatabase(file);
+    default:
+      return {"The database " + file + " refused an operation (" + error.text().toStdString() + ").", ""};
+  }
+}
+
+Result<void> checkExisting(const std::string& file) {
+  if (!fs::is_regular_file(file))
+    return fail(file + " is not a regular file.", "Give the name of a database file.");
+  if (::access(file.c_str(), R_OK | W_OK) != 0) {
+    return fail("You may not read and write the database " + file + ".",
+                "Change its permissions, or use a copy.");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string header(kSqliteHeader.size(), '\0');
+  stream.read(header.data(), static_cast<std::streamsize>(header.size()));
+  const bool is_empty = stream.gcount() == 0;
+  if (!is_empty && header != kSqliteHeader) return fail(notADatabase(file));
+  return {};
+}
+
+Result<void> checkPath(const std::string& file) {
+  if (file.empty()) return fail("No database was named.", "Give the name of a file.");
+  if (file.starts_with("postgresql://") || file.starts_with("postgres://")) {
+    return fail("This version keeps catalogues in SQLite files only; " + file + " names a PostgreSQL server.",
+                "Give the name of a file, e.g. --database catalogue.sqlite.");
+  }
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    return fail(file + " is a folder, not a database.", "Give the name of a file in it.");
+  }
+  const fs::path parent = fs::absolute(file, ignored).parent_path();
+  if (!fs::is_directory(parent, ignored)) {
+    return fail("The folder " + parent.string() + " for the database does not exist.",
+                "Create it, or check the name.");
+  }
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+    return fail(
+        "You may not write in " + parent.string() + ", where the database " + file + " keeps its journal.",
+        "Change the folder's permissions, or use a copy elsewhere.");
+  }
+  return fs::exists(file, ignored) ? checkExisting(file) : Result<void>();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::string& file) {
+  SCANTROVE_TRY(checkPath(file));
+  static std::atomic<unsigned> serial = 0;
+  std::unique_ptr<DatabaseConnection> connection(new DatabaseConnection);
+  connection->file_ = file;
+  connection->name_ = QString("scantrove-%1").arg(++serial);
+  connection->thread_ = std::this_thread::get_id();
+  QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", connection->name_);
+  if (!database.isValid()) {
+    return fail("QtSql's SQLite driver is missing.", "Install the package libqt6sql6-sqlite.");
+  }
+  database.setDatabaseName(QString::fromStdString(file));
+  database.setConnectOptions(QString("QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms));
+  if (!database.open()) return fail(describe(file, database.lastError()));
+  SCANTROVE_TRY(connection->configure());
+  return connection;
+}
+
+DatabaseConnection::~DatabaseConnection() { QSqlDatabase::removeDatabase(name_); }
+
+Result<void> DatabaseConnection::configure() {
+  // SQLite does not wait its busy timeout for the change to WAL, so wait here.
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeout_ms);
+  for (;;) {
+    const Result<QSqlQuery> wal = execute("PRAGMA journal_mode = WAL");
+    if (wal) break;
+    if (wal.error().what.find("locked") == std::string::npos || std::chrono::steady_clock::now() > deadline) {
+      return fail(wal.error());
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  for (const char* pragma : {"PRAGMA synchronous = NORMAL", "PRAGMA foreign_keys = ON"}) {
+    const Result<QSqlQuery> done = execute(pragma);
+    if (!done) return fail(done.error());
+  }
+  return {};
+}
+
+Result<QSqlQuery> DatabaseConnection::execute(const QString& sql, const QVariantList& values) {
+  SCANTROVE_CHECK(thread_ == std::this_thread::get_id());
+  QSqlQuery query(QSqlDatabase::database(name_, false));
+  query.setForwardOnly(true);
+  if (!query.prepare(sql)) return fail(describe(file_, query.lastError()));
+  for (const QVariant& value : values) query.addBindValue(value);
+  if (!query.exec()) return fail(describe(file_, query.lastError()));
+  return query;
+}
+
+Result<std::int64_t> DatabaseConnection::insert(const QString& sql, const QVariantList& values) {
+  const Result<QSqlQuery> query = execute(sql, values);
+  if (!query) return fail(query.error());
+  return query->lastInsertId().toLongLong();
+}
+
+QString DatabaseConnection::now() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs); }
+
+}  // namespace scantrove

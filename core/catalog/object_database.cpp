@@ -1,0 +1,165 @@
+#include "core/catalog/object_database.h"
+
+#include "core/catalog/database_connection.h"
+#include "core/catalog/migrations.h"
+#include "core/catalog/object_rows.h"
+#include "core/catalog/transaction.h"
+
+namespace scantrove {
+namespace {
+
+constexpr const char* kSelectObjects =
+    "SELECT o.id, o.name, o.confirmed, o.size_x_m, o.size_y_m, o.size_z_m,"
+    " (SELECT count(*) FROM views v WHERE v.object = o.id), o.first_session, s.source, o.created"
+    " FROM objects o LEFT JOIN sessions s ON s.id = o.first_session WHERE o.hidden = 0 ";
+
+ObjectRecord toRecord(const QSqlQuery& query) {
+  ObjectRecord record;
+  record.id = ObjectId{query.value(0).toUInt()};
+  record.name = query.value(1).toString().toStdString();
+  record.confirmed = query.value(2).toInt() != 0;
+  record.size_m = {query.value(3).toFloat(), query.value(4).toFloat(), query.value(5).toFloat()};
+  record.views = query.value(6).toInt();
+  record.first_session = query.value(7).toLongLong();
+  record.first_session_name = query.value(8).toString().toStdString();
+  record.created = query.value(9).toString().toStdString();
+  return record;
+}
+
+/// The N of the next Obj_N: above all that were given, and not the name of any object, visible or not.
+Result<int> nextNumber(DatabaseConnection& connection) {
+  Result<QSqlQuery> last = connection.execute("SELECT max(number) FROM objects");
+  if (!last) return fail(last.error());
+  int number = last->next() ? last->value(0).toInt() : 0;
+  for (;;) {
+    ++number;
+    Result<QSqlQuery> taken =
+        connection.execute("SELECT count(*) FROM objects WHERE name = ?", {QString("Obj_%1").arg(number)});
+    if (!taken) return fail(taken.error());
+    if (!taken->next() || taken->value(0).toInt() == 0) return number;
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::open(const std::string& database) {
+  Result<std::unique_ptr<DatabaseConnection>> connection = DatabaseConnection::open(database);
+  if (!connection) return fail(connection.error());
+  SCANTROVE_TRY(schema::migrate(**connection));
+  std::unique_ptr<ObjectDatabase> result(new ObjectDatabase);
+  result->connection_ = std::move(*connection);
+  return result;
+}
+
+ObjectDatabase::ObjectDatabase() = default;
+ObjectDatabase::~ObjectDatabase() = default;
+
+Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source) {
+  return inTransaction(*connection_, [&]() -> Result<std::int64_t> {
+    const QString name = QString::fromStdString(source);
+    const Result<std::int64_t> id = connection_->insert(
+        "INSERT INTO sessions (source, started) VALUES (?, ?)", {name, DatabaseConnection::now()});
+    if (!id) return id;
+    SCANTROVE_TRY(recordEvent(*connection_, "session-begin", {}, {}, {{"source", name}}, *id));
+    return id;
+  });
+}
+
+Result<void> ObjectDatabase::endSession(std::int64_t session) {
+  return inTransaction(*connection_, [&]() -> Result<void> {
+    const Result<QSqlQuery> done =
+        connection_->execute("UPDATE sessions SET ended = ? WHERE id = ?",
+                             {DatabaseConnection::now(), static_cast<qlonglong>(session)});
+    if (!done) return fail(done.error());
+    if (done->numRowsAffected() != 1) {
+      return fail("The database " + connection_->file() + " holds no session " + std::to_string(session) +
+                  ".");
+    }
+    return recordEvent(*connection_, "session-end", {}, {}, {}, session);
+  });
+}
+
+Result<std::vector<ObjectRecord>> ObjectDatabase::objects() {
+  Result<QSqlQuery> query = connection_->execute(QString(kSelectObjects) + "ORDER BY o.id");
+  if (!query) return fail(query.error());
+  std::vector<ObjectRecord> records;
+  while (query->next()) records.push_back(toRecord(*query));
+  return records;
+}
+
+Result<ObjectRecord> ObjectDatabase::object(ObjectId id) {
+  const Result<ObjectRow> row = readVisibleRow(*connection_, id);
+  if (!row) return fail(row.error());
+  Result<QSqlQuery> query = connection_->execute(QString(kSelectObjects) + "AND o.id = ?", {id.value});
+  if (!query) return fail(query.error());
+  if (!query->next())
+    return fail(readVisibleRow(*connection_, id).error());  // hidden by another process just now
+  return toRecord(*query);
+}
+
+Result<ObjectId> ObjectDatabase::findByName(const std::string& name) {
+  return visibleObjectNamed(*connection_, QString::fromStdString(name));
+}
+
+Result<ObjectId> ObjectDatabase::resolve(ObjectId id) {
+  const Result<ObjectRow> row = holderOf(*connection_, id);
+  if (!row) return fail(row.error());
+  return row->hidden ? ObjectId{} : row->id;
+}
+
+Result<ObjectRecord> ObjectDatabase::addObject(const Eigen::Vector3f& size_m, const ObjectView& first_view) {
+  const Result<ObjectId> added = inTransaction(*connection_, [&]() -> Result<ObjectId> {
+    const Result<int> number = nextNumber(*connection_);
+    if (!number) return fail(number.error());
+    const QString name = QString("Obj_%1").arg(*number);
+    const Result<std::int64_t> row = connection_->insert(
+        "INSERT INTO objects (number, name, size_x_m, size_y_m, size_z_m, first_session, created)"
+        " VALUES (?, ?, ?, ?, ?, ?, ?)",
+        {*number, name, size_m.x(), size_m.y(), size_m.z(), orNull(first_view.session),
+         DatabaseConnection::now()});
+    if (!row) return fail(row.error());
+    const ObjectId id{static_cast<std::uint32_t>(*row)};
+    SCANTROVE_TRY(recordEvent(*connection_, "add", id, {}, {{"name", name}}, first_view.session));
+    ObjectView view = first_view;
+    view.object = id;
+    const Result<std::int64_t> stored = insertView(view);
+    if (!stored) return fail(stored.error());
+    return id;
+  });
+  if (!added) return fail(added.error());
+  return object(*added);
+}
+
+Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name) {
+  const QString wanted = QString::fromStdString(name).trimmed();
+  if (wanted.isEmpty()) return fail("An object needs a name.", "Type one.");
+  return inTransaction(*connection_, [&]() -> Result<void> {
+    Result<ObjectRow> row = readVisibleRow(*connection_, id);
+    if (!row) return fail(row.error());
+    const Result<ObjectId> other = visibleObjectNamed(*connection_, wanted);
+    if (!other) return fail(other.error());
+    if (*other == id) return {};
+    if (*other) {
+      return fail("Another object in " + connection_->file() + " is called " + wanted.toStdString() + ".",
+                  "Choose another name, or merge the two if they are one.");
+    }
+    const QJsonObject before = row->toJson();
+    row->name = wanted;
+    SCANTROVE_TRY(writeRow(*connection_, *row));
+    return recordEvent(*connection_, "rename", id, before, row->toJson());
+  });
+}
+
+Result<void> ObjectDatabase::setConfirmed(ObjectId id, bool confirmed) {
+  return inTransaction(*connection_, [&]() -> Result<void> {
+    Result<ObjectRow> row = readVisibleRow(*connection_, id);
+    if (!row) return fail(row.error());
+    if (row->confirmed == confirmed) return {};
+    const QJsonObject before = row->toJson();
+    row->confirmed = confirmed;
+    SCANTROVE_TRY(writeRow(*connection_, *row));
+    return recordEvent(*connection_, confirmed ? "confirm" : "unconfirm", id, before, row->toJson());
+  });
+}
+
+}  // namespace scantrove

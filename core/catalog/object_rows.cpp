@@ -1,0 +1,88 @@
+#include "core/catalog/object_rows.h"
+
+#include <QJsonDocument>
+
+#include "core/catalog/database_connection.h"
+
+namespace scantrove {
+namespace {
+
+QVariant textOrNull(const QJsonObject& object) {
+  if (object.isEmpty()) return QVariant(QMetaType(QMetaType::QString));
+  return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+std::string nameForPeople(const ObjectRow& row) {
+  return std::to_string(row.id.value) + " (" + row.name.toStdString() + ")";
+}
+
+}  // namespace
+
+QVariant orNull(std::int64_t id) {
+  return id == 0 ? QVariant(QMetaType(QMetaType::LongLong)) : QVariant(static_cast<qlonglong>(id));
+}
+
+QJsonObject ObjectRow::toJson() const {
+  QJsonObject json{{"name", name}, {"confirmed", confirmed}, {"hidden", hidden}};
+  if (merged_into) json.insert("merged_into", static_cast<qint64>(merged_into.value));
+  return json;
+}
+
+Result<ObjectRow> readRow(DatabaseConnection& connection, ObjectId id) {
+  Result<QSqlQuery> query =
+      connection.execute("SELECT name, confirmed, hidden, merged_into FROM objects WHERE id = ?", {id.value});
+  if (!query) return fail(query.error());
+  if (!query->next()) {
+    return fail("The database " + connection.file() + " holds no object " + std::to_string(id.value) + ".",
+                "List its objects for the numbers there are.");
+  }
+  return ObjectRow{id, query->value(0).toString(), query->value(1).toInt() != 0, query->value(2).toInt() != 0,
+                   ObjectId{query->value(3).toUInt()}};
+}
+
+Result<ObjectRow> readVisibleRow(DatabaseConnection& connection, ObjectId id) {
+  Result<ObjectRow> row = readRow(connection, id);
+  if (!row || !row->hidden) return row;
+  if (row->merged_into) {
+    return fail("The object " + nameForPeople(*row) + " in " + connection.file() +
+                    " was merged into object " + std::to_string(row->merged_into.value) + ".",
+                "Use that one, or undo the merge.");
+  }
+  return fail("The object " + nameForPeople(*row) + " in " + connection.file() + " was deleted.",
+              "Restore it first.");
+}
+
+Result<ObjectId> visibleObjectNamed(DatabaseConnection& connection, const QString& name) {
+  Result<QSqlQuery> query =
+      connection.execute("SELECT id FROM objects WHERE name = ? AND hidden = 0", {name});
+  if (!query) return fail(query.error());
+  return query->next() ? ObjectId{query->value(0).toUInt()} : ObjectId{};
+}
+
+Result<void> writeRow(DatabaseConnection& connection, const ObjectRow& row) {
+  const Result<QSqlQuery> done = connection.execute(
+      "UPDATE objects SET name = ?, confirmed = ?, hidden = ?, merged_into = ? WHERE id = ?",
+      {row.name, static_cast<int>(row.confirmed), static_cast<int>(row.hidden), orNull(row.merged_into.value),
+       row.id.value});
+  if (!done) return fail(done.error());
+  return {};
+}
+
+Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,
+                         const QJsonObject& before, const QJsonObject& after, std::int64_t session) {
+  const Result<QSqlQuery> done = connection.execute(
+      "INSERT INTO events (created, action, object, session, before_json, after_json) VALUES (?, ?, ?, ?, ?, "
+      "?)",
+      {DatabaseConnection::now(), QString(action), orNull(object.value), orNull(session), textOrNull(before),
+       textOrNull(after)});
+  if (!done) return fail(done.error());
+  return {};
+}
+
+Result<ObjectRow> holderOf(DatabaseConnection& connection, ObjectId id) {
+  Result<ObjectRow> row = readRow(connection, id);
+  while (row && row->merged_into) row = readRow(connection, row->merged_into);
+  return row;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,121 @@
+#include "core/catalog/thumbnail_matcher.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+#include "core/catalog/kernels/thumbnail_layout.h"
+#include "embedded/catalog_kernels.h"
+
+namespace scantrove {
+namespace {
+
+static_assert(sizeof(Thumbnail::fine) == FINE_VIEW_BYTES && sizeof(Thumbnail::coarse) == COARSE_VIEW_BYTES);
+
+std::size_t count(int items, int bytes) {
+  return static_cast<std::size_t>(items) * static_cast<std::size_t>(bytes);
+}
+
+cl::NDRange range(int x, int y, int z) {
+  return {static_cast<std::size_t>(x), static_cast<std::size_t>(y), static_cast<std::size_t>(z)};
+}
+
+}  // namespace
+
+Result<ThumbnailMatcher> ThumbnailMatcher::create(ComputeContext& compute) {
+  ThumbnailMatcher matcher(compute);
+  const auto load = [&](Kernel& kernel, const KernelSource& source, const char* name) -> Result<void> {
+    Result<Kernel> built = compute.kernel(source, name);
+    if (!built) return fail(built.error());
+    kernel = std::move(*built);
+    return {};
+  };
+  SCANTROVE_TRY(load(matcher.warp_queries_, kernels::warp_queries, "warp_queries"));
+  SCANTROVE_TRY(load(matcher.shrink_queries_, kernels::warp_queries, "shrink_queries"));
+  SCANTROVE_TRY(load(matcher.score_warps_, kernels::match_thumbnails, "score_warps"));
+  SCANTROVE_TRY(load(matcher.refine_matches_, kernels::match_thumbnails, "refine_matches"));
+  return matcher;
+}
+
+void ThumbnailMatcher::reserve(int views) {
+  if (views <= capacity_) return;
+  const int capacity = std::max({views, 2 * capacity_, 64});
+  const auto grow = [&](Buffer<cl_char>& buffer, int bytes) {
+    Buffer<cl_char> larger(compute_->context(), count(capacity, bytes));
+    if (size_ > 0) compute_->queue().enqueueCopyBuffer(buffer.cl(), larger.cl(), 0, 0, count(size_, bytes));
+    buffer = std::move(larger);
+  };
+  grow(fine_views_, FINE_VIEW_BYTES);
+  grow(coarse_views_, COARSE_VIEW_BYTES);
+  capacity_ = capacity;
+}
+
+void ThumbnailMatcher::append(const Thumbnail& thumbnail) {
+  reserve(size_ + 1);
+  fine_views_.write(compute_->queue(), thumbnail.fine, count(size_, FINE_VIEW_BYTES));
+  coarse_views_.write(compute_->queue(), thumbnail.coarse, count(size_, COARSE_VIEW_BYTES));
+  ++size_;
+}
+
+void ThumbnailMatcher::removeByLast(int place) {
+  SCANTROVE_CHECK(place >= 0 && place < size_);
+  --size_;
+  if (place == size_) return;
+  const auto move = [&](Buffer<cl_char>& buffer, int bytes) {
+    compute_->queue().enqueueCopyBuffer(buffer.cl(), buffer.cl(), count(size_, bytes), count(place, bytes),
+                                        count(1, bytes));
+  };
+  move(fine_views_, FINE_VIEW_BYTES);
+  move(coarse_views_, COARSE_VIEW_BYTES);
+}
+
+void ThumbnailMatcher::prepareQueries(const std::vector<Thumbnail>& queries) {
+  const int n = static_cast<int>(queries.size());
+  if (n > query_capacity_) {
+    query_capacity_ = std::max(n, 8);
+    const cl::Context& context = compute_->context();
+    const int copies = query_capacity_ * THUMBNAIL_VARIANTS;
+    queries_ = Buffer<cl_char>(context, count(query_capacity_, FINE_VIEW_BYTES));
+    fine_queries_ = Buffer<cl_char>(context, count(copies, FINE_QUERY_BYTES));
+    coarse_queries_ = Buffer<cl_char>(context, count(copies, COARSE_QUERY_BYTES));
+    fine_queries_.fill(compute_->queue(), 0);  // the rims stay so
+    coarse_queries_.fill(compute_->queue(), 0);
+  }
+  std::vector<cl_char> bytes;
+  bytes.reserve(count(n, FINE_VIEW_BYTES));
+  for (const Thumbnail& query : queries) bytes.insert(bytes.end(), query.fine.begin(), query.fine.end());
+  queries_.write(compute_->queue(), bytes);
+  warp_queries_.launch(range(FINE_SIDE, 3 * FINE_SIDE, n * THUMBNAIL_VARIANTS), cl::NullRange, queries_,
+                       fine_queries_, n);
+  shrink_queries_.launch(range(COARSE_SIDE, 3 * COARSE_SIDE, n * THUMBNAIL_VARIANTS), cl::NullRange,
+                         fine_queries_, coarse_queries_, n);
+}
+
+std::vector<float> ThumbnailMatcher::distances(const std::vector<Thumbnail>& queries,
+                                               const std::vector<Pair>& pairs) {
+  if (pairs.empty()) return {};
+  prepareQueries(queries);
+  std::vector<cl_int2> places;
+  places.reserve(pairs.size());
+  for (const Pair& pair : pairs) {
+    SCANTROVE_CHECK(pair.query >= 0 && pair.query < static_cast<int>(queries.size()));
+    SCANTROVE_CHECK(pair.view >= 0 && pair.view < size_);
+    places.push_back({{pair.query, pair.view}});
+  }
+  if (places.size() > pairs_.size()) {
+    const std::size_t capacity = std::max<std::size_t>(2 * places.size(), 64);
+    pairs_ = Buffer<cl_int2>(compute_->context(), capacity);
+    scores_ = Buffer<cl_float>(compute_->context(), capacity * THUMBNAIL_WARPS);
+    distances_ = Buffer<cl_float>(compute_->context(), capacity);
+  }
+  pairs_.write(compute_->queue(), places);
+  const int n = static_cast<int>(places.size());
+  score_warps_.launch({static_cast<std::size_t>(THUMBNAIL_WARPS), places.size()}, cl::NullRange,
+                      coarse_queries_, coarse_views_, pairs_, scores_, n);
+  refine_matches_.launch({places.size()}, cl::NullRange, fine_queries_, fine_views_, pairs_, scores_,
+                         distances_, n);
+  std::vector<float> result(places.size());
+  distances_.read(compute_->queue(), result);
+  return result;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,122 @@
+#include "core/catalog/view_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace scantrove {
+namespace {
+
+constexpr int kMostSamples = 256;  // views that the components are fitted to
+constexpr float kGrowthToRefit = 1.25F;
+constexpr float kColorUnit = 40;  // CIE units of mean colour that count as 1 of distance
+
+using Coarse = std::array<std::int8_t, 3 * Thumbnail::kCoarsePixels>;
+
+Eigen::VectorXf toVector(const Coarse& coarse) {
+  return Eigen::Map<const Eigen::Matrix<std::int8_t, Eigen::Dynamic, 1>>(coarse.data(), coarse.size())
+      .cast<float>();
+}
+
+Coarse mirrored(const Coarse& coarse) {
+  Coarse result;
+  for (std::size_t row = 0; row < coarse.size(); row += Thumbnail::kCoarseSide) {
+    const auto begin = coarse.begin() + static_cast<std::ptrdiff_t>(row);
+    std::reverse_copy(begin, begin + Thumbnail::kCoarseSide,
+                      result.begin() + static_cast<std::ptrdiff_t>(row));
+  }
+  return result;
+}
+
+float colorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return (a - b).squaredNorm() / (kColorUnit * kColorUnit);
+}
+
+/// A size of zero is unknown and fits all.
+bool sizesAgree(float a, float b, float tolerance) {
+  return !(a > 0 && b > 0) || std::abs(a - b) <= tolerance * std::max(a, b);
+}
+
+}  // namespace
+
+std::optional<int> ViewIndex::find(ObjectId object) const {
+  for (int place = size() - 1; place >= 0; --place) {
+    if (objectAt(place) == object) return place;
+  }
+  return std::nullopt;
+}
+
+void ViewIndex::append(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
+  View view{object, thumbnail.mean_lab, size_m.norm(), thumbnail.coarse,
+            PrincipalComponents::Coordinates::Zero()};
+  if (!components_.isEmpty()) view.coordinates = components_.project(toVector(view.coarse));
+  views_.push_back(view);
+  const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
+  if (size() >= kFewViews && grown) fitComponents();
+}
+
+void ViewIndex::removeByLast(int place) {
+  views_[static_cast<std::size_t>(place)] = views_.back();
+  views_.pop_back();
+}
+
+void ViewIndex::clear() {
+  views_.clear();
+  components_ = {};
+  views_at_fit_ = 0;
+}
+
+void ViewIndex::fitComponents() {
+  const int samples = std::min(size(), kMostSamples);
+  Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
+  for (int i = 0; i < samples; ++i) {
+    const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
+    rows.row(i) = toVector(views_[place].coarse).transpose();
+  }
+  components_ = PrincipalComponents::fit(rows);
+  views_at_fit_ = size();
+  for (View& view : views_) view.coordinates = components_.project(toVector(view.coarse));
+}
+
+std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) const {
+  const float diagonal_m = query.size_m.norm();
+  PrincipalComponents::Coordinates straight, flipped;
+  const bool prune = size() >= kFewViews && !components_.isEmpty();
+  if (prune) {
+    straight = components_.project(toVector(query.thumbnail.coarse));
+    flipped = components_.project(toVector(mirrored(query.thumbnail.coarse)));
+  }
+  struct Ranked {
+    float distance;
+    int place;
+    bool operator<(const Ranked& other) const {
+      return distance < other.distance || (distance == other.distance && place < other.place);
+    }
+  };
+  std::vector<Ranked> ranked;
+  for (int place = 0; place < size(); ++place) {
+    const View& view = views_[static_cast<std::size_t>(place)];
+    const float color = colorDistance(query.thumbnail.mean_lab, view.mean_lab);
+    if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance))
+      continue;
+    const float distance = prune ? std::min((straight - view.coordinates).squaredNorm(),
+                                            (flipped - view.coordinates).squaredNorm())
+                                 : color;
+    ranked.push_back({distance, place});
+  }
+  if (prune && ranked.size() > static_cast<std::size_t>(std::max(limits.shortlist, 1))) {
+    const auto end = ranked.begin() + std::max(limits.shortlist, 1);
+    std::nth_element(ranked.begin(), end, ranked.end());
+    ranked.erase(end, ranked.end());
+  }
+  std::ranges::sort(ranked, std::less<>());
+  std::vector<int> places(ranked.size());
+  std::ranges::transform(ranked, places.begin(), &Ranked::place);
+  return places;
+}
+
+float ViewIndex::colorTerm(const Thumbnail& query, int place) const {
+  return colorDistance(query.mean_lab, views_[static_cast<std::size_t>(place)].mean_lab);
+}
+
+}  // namespace scantrove
