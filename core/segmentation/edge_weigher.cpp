@@ -13,14 +13,15 @@ Result<EdgeWeigher> EdgeWeigher::create(ComputeContext& compute) {
   return EdgeWeigher(compute, std::move(*kernel));
 }
 
-void EdgeWeigher::weigh(const SurfaceMaps& surface, const SegmentationParams& params, EdgeKeys& edges) {
+void EdgeWeigher::weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& normals,
+                        const SegmentationParams& params, EdgeKeys& edges) {
   const auto pixels = static_cast<std::size_t>(std::max(surface.K.pixels(), 0));
   edges.width = surface.K.width;
   edges.height = surface.K.height;
   edges.keys.resize(pixels);
   edges.present.resize(pixels);
   if (pixels == 0) return;
-  SCANTROVE_CHECK(surface.vertices_world.size() >= pixels && surface.normals_world.size() >= pixels);
+  SCANTROVE_CHECK(surface.vertices_world.size() >= pixels && normals.size() >= pixels);
   if (keys_.size() != pixels) {
     keys_ = Buffer<cl_ushort4>(compute_->context(), pixels);
     present_ = Buffer<cl_uchar>(compute_->context(), pixels);
@@ -30,9 +31,9 @@ void EdgeWeigher::weigh(const SurfaceMaps& surface, const SegmentationParams& pa
   const float focal_px = std::min(surface.K.fx, surface.K.fy);
   kernel_.launch(
       cl::NDRange(static_cast<std::size_t>(surface.K.width), static_cast<std::size_t>(surface.K.height)),
-      cl::NullRange, surface.vertices_world, surface.normals_world, keys_, present_, surface.K.width,
-      surface.K.height, params.neighbours, toKernel(row[0], row[1], row[2], row[3]),
-      params.max_distance_factor / focal_px, params.min_max_distance_m);
+      cl::NullRange, surface.vertices_world, normals, keys_, present_, surface.K.width, surface.K.height,
+      params.neighbours, toKernel(row[0], row[1], row[2], row[3]), params.max_distance_factor / focal_px,
+      params.min_max_distance_m);
   keys_.read(compute_->queue(), std::span<cl_ushort4>(edges.keys));
   present_.read(compute_->queue(), std::span<cl_uchar>(edges.present));
 }

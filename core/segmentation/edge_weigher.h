@@ -22,8 +22,10 @@ class EdgeWeigher {
  public:
   [[nodiscard]] static Result<EdgeWeigher> create(ComputeContext& compute);
 
-  /// Replaces `edges`; keeps buffers of device and host between frames of one size.
-  void weigh(const SurfaceMaps& surface, const SegmentationParams& params, EdgeKeys& edges);
+  /// Replaces `edges` by the weights between the vertices of `surface` with `normals` (as
+  /// SurfaceMaps::normals_world, or refined); keeps buffers of device and host between frames of one size.
+  void weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& normals, const SegmentationParams& params,
+             EdgeKeys& edges);
 
  private:
   EdgeWeigher(ComputeContext& compute, Kernel kernel) : compute_(&compute), kernel_(std::move(kernel)) {}

@@ -5,15 +5,19 @@
 #include "core/segmentation/edge_keys.h"
 #include "core/segmentation/edge_weigher.h"
 #include "core/segmentation/graph_partition.h"
+#include "core/segmentation/normal_refiner.h"
 
 namespace scantrove {
 
 class GraphSegmenter::Machinery {
  public:
-  explicit Machinery(EdgeWeigher weigher) : weigher_(std::move(weigher)) {}
+  Machinery(NormalRefiner refiner, EdgeWeigher weigher)
+      : refiner_(std::move(refiner)), weigher_(std::move(weigher)) {}
 
   SegmentMap segment(const SurfaceMaps& surface, const SegmentationParams& params) {
-    weigher_.weigh(surface, params, edges_);
+    const bool refine = params.refine_normals && surface.K.pixels() > 0;
+    weigher_.weigh(surface, refine ? refiner_.refine(surface, params) : surface.normals_world, params,
+                   edges_);
     partition(params);
     return number();
   }
@@ -66,6 +70,7 @@ class GraphSegmenter::Machinery {
     return map;
   }
 
+  NormalRefiner refiner_;
   EdgeWeigher weigher_;
   EdgeKeys edges_;
   GraphPartition components_;
@@ -76,10 +81,12 @@ class GraphSegmenter::Machinery {
 };
 
 Result<std::unique_ptr<GraphSegmenter>> GraphSegmenter::create(ComputeContext& compute) {
+  Result<NormalRefiner> refiner = NormalRefiner::create(compute);
+  if (!refiner) return fail(refiner.error());
   Result<EdgeWeigher> weigher = EdgeWeigher::create(compute);
   if (!weigher) return fail(weigher.error());
   std::unique_ptr<GraphSegmenter> segmenter(new GraphSegmenter);
-  segmenter->machinery_ = std::make_unique<Machinery>(std::move(*weigher));
+  segmenter->machinery_ = std::make_unique<Machinery>(std::move(*refiner), std::move(*weigher));
   return segmenter;
 }
 
