@@ -16,6 +16,12 @@ namespace scantrove::synthetic {
   return h;
 }
 
+/// floor() of a number that fits an int; without SSE 4.1 the library's is a call.
+[[nodiscard]] constexpr int floorInt(float x) {
+  const int truncated = static_cast<int>(x);
+  return truncated - (static_cast<float>(truncated) > x ? 1 : 0);
+}
+
 /// Uniform in [0, 1).
 [[nodiscard]] constexpr float hashUniform(std::uint32_t bits) {
   return static_cast<float>(bits >> 8) * 0x1p-24F;

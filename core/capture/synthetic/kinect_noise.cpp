@@ -98,8 +98,8 @@ cv::Mat measureDepth(const cv::Mat& z_m, const cv::Mat& incidence, const Intrins
           hashBits(static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v), frame, seed);
       const std::uint32_t more = hashBits(bits, frame, 1, seed);
       // Lateral noise: near an edge, the neighbour may be seen instead.
-      const int du = static_cast<int>(std::lround(lateral * gauss(bits)));
-      const int dv = static_cast<int>(std::lround(lateral * gauss(bits >> 12)));
+      const int du = floorInt(lateral * gauss(bits) + 0.5F);
+      const int dv = floorInt(lateral * gauss(bits >> 12) + 0.5F);
       const int nu = std::clamp(u + du, 0, z_m.cols - 1);
       const int nv = std::clamp(v + dv, 0, z_m.rows - 1);
       const float there = z_m.at<float>(nv, nu);
@@ -125,7 +125,7 @@ cv::Mat measureDepth(const cv::Mat& z_m, const cv::Mat& incidence, const Intrins
       if (!(noisy > z_min && noisy < z_max)) {
         continue;
       }
-      const float disparity_steps = std::round(steps_m / noisy);
+      const float disparity_steps = static_cast<float>(static_cast<int>(steps_m / noisy + 0.5F));
       out[u] = steps_m / disparity_steps;
     }
   }

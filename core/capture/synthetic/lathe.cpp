@@ -108,7 +108,7 @@ ShapeHit Lathe::intersect(const Ray& ray, double t_max) const {
 
 SurfacePoint Lathe::describe(const Vec3& point, int part) const {
   const Piece& piece = pieces_[static_cast<std::size_t>(part)];
-  const double ring = std::hypot(point.x(), point.y());
+  const double ring = lengthOf(point.x(), point.y());
   const double cos_around = ring > 0 ? point.x() / ring : 1;
   const double sin_around = ring > 0 ? point.y() / ring : 0;
   const Eigen::Vector2d step = piece.to - piece.from;

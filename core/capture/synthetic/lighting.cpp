@@ -5,10 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/capture/synthetic/hash_random.h"
 #include "core/capture/synthetic/view_caster.h"
 
 namespace scantrove::synthetic {
 namespace {
+constexpr float kInnerRing_m = 0.025F;
+constexpr float kOuterRing_m = 0.07F;
 constexpr float kFar = 1e6F;
 constexpr double kMapHeight_m = 6;  // the maps look from this far
 }  // namespace
@@ -16,7 +19,9 @@ constexpr double kMapHeight_m = 6;  // the maps look from this far
 Lighting::Lighting(const SyntheticScene& scene, const Vec3& centre, double radius)
     : to_light_(Vec3(-0.50, -0.42, 0.86).normalized()),
       from_light_(bake(scene, centre, to_light_, radius, 768)),
-      from_above_(bake(scene, centre, Vec3::UnitZ(), radius, 384)) {}
+      from_above_(bake(scene, centre, Vec3::UnitZ(), radius, 384)),
+      first_lit_(highestWithin(from_light_, 2.5 / from_light_.texels_per_metre)),
+      tops_(highestWithin(from_above_, kOuterRing_m + 0.01)) {}
 
 float Lighting::DepthMap::at(int x, int y) const {
   const bool inside = x >= 0 && y >= 0 && x < size && y < size;
@@ -49,14 +54,36 @@ Lighting::DepthMap Lighting::bake(const SyntheticScene& scene, const Vec3& centr
   return map;
 }
 
+Lighting::DepthMap Lighting::highestWithin(const DepthMap& map, double radius) {
+  const int reach = static_cast<int>(std::ceil(radius * map.texels_per_metre));
+  DepthMap result = map;
+  for (const bool along_x : {true, false}) {  // a square window, one axis after the other
+    const DepthMap source = result;
+    for (int y = 0; y < map.size; ++y) {
+      for (int x = 0; x < map.size; ++x) {
+        float highest = kFar;
+        for (int i = -reach; i <= reach; ++i) {
+          highest = std::min(highest, along_x ? source.at(x + i, y) : source.at(x, y + i));
+        }
+        result.z[static_cast<std::size_t>(y * map.size + x)] = highest;
+      }
+    }
+  }
+  return result;
+}
+
 float Lighting::sunlit(const Vec3& point) const {
   const Vec3 p = from_light_.T_map_world * point;
   const double half = (from_light_.size - 1) / 2.0;
   const double x = p.x() * from_light_.texels_per_metre + half;
   const double y = p.y() * from_light_.texels_per_metre + half;
-  const int x0 = static_cast<int>(std::floor(x));
-  const int y0 = static_cast<int>(std::floor(y));
+  const int x0 = floorInt(static_cast<float>(x));
+  const int y0 = floorInt(static_cast<float>(y));
   if (x0 < 1 || y0 < 1 || x0 + 2 >= from_light_.size || y0 + 2 >= from_light_.size) {
+    return 1;
+  }
+  const float z = static_cast<float>(p.z()) - 0.004F;
+  if (z <= first_lit_.at(x0, y0)) {
     return 1;
   }
   // 4 x 4 comparisons, the outer ones weighted by how far the 3 x 3 window reaches into them.
@@ -64,7 +91,6 @@ float Lighting::sunlit(const Vec3& point) const {
   const float fy = static_cast<float>(y) - static_cast<float>(y0);
   const float weight_x[4] = {1 - fx, 1, 1, fx};
   const float weight_y[4] = {1 - fy, 1, 1, fy};
-  const float z = static_cast<float>(p.z()) - 0.004F;
   float lit = 0;
   for (int dy = 0; dy < 4; ++dy) {
     const float* row = &from_light_.z[static_cast<std::size_t>((y0 - 1 + dy) * from_light_.size + x0 - 1)];
@@ -76,16 +102,20 @@ float Lighting::sunlit(const Vec3& point) const {
 }
 
 float Lighting::openness(const Vec3& point) const {
-  static constexpr int kTaps = 6;
-  static constexpr std::array<float, 2> kRings_m{0.025F, 0.07F};
-  static const std::array<std::array<float, 2>, kTaps> kCircle = [] {
-    std::array<std::array<float, 2>, kTaps> circle{};
-    for (int i = 0; i < kTaps; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kTaps;
-      circle[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(angle)),
-                                             static_cast<float>(std::sin(angle))};
+  struct Tap {
+    float x, y, reach;  // metres
+  };
+  static const std::array<Tap, 10> kTaps = [] {
+    std::array<Tap, 10> taps{};
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+      const bool inner = i < 4;
+      const double angle =
+          2 * std::numbers::pi * static_cast<double>(i) / (inner ? 4 : 6) + (inner ? 0.4 : 0);
+      const float reach = inner ? kInnerRing_m : kOuterRing_m;
+      taps[i] = {reach * static_cast<float>(std::cos(angle)), reach * static_cast<float>(std::sin(angle)),
+                 reach};
     }
-    return circle;
+    return taps;
   }();
   const Vec3 p = from_above_.T_map_world * point;
   const auto scale = static_cast<float>(from_above_.texels_per_metre);
@@ -93,16 +123,15 @@ float Lighting::openness(const Vec3& point) const {
   const float x = static_cast<float>(p.x()) * scale + middle;
   const float y = static_cast<float>(p.y()) * scale + middle;
   const auto z = static_cast<float>(p.z());
-  float blocked = 0;
-  for (const float ring : kRings_m) {
-    for (const auto& direction : kCircle) {
-      const int u = static_cast<int>(std::floor(x + ring * scale * direction[0]));
-      const int v = static_cast<int>(std::floor(y + ring * scale * direction[1]));
-      const float higher = z - from_above_.at(u, v);  // z grows downwards in the map
-      blocked += std::clamp(higher / (2 * ring), 0.0F, 1.0F);
-    }
+  if (z <= tops_.at(static_cast<int>(x), static_cast<int>(y))) {
+    return 1;
   }
-  return 1 - 0.7F * blocked / (2 * kTaps);
+  float blocked = 0;
+  for (const Tap& tap : kTaps) {
+    const float higher = z - from_above_.at(floorInt(x + scale * tap.x), floorInt(y + scale * tap.y));
+    blocked += std::clamp(higher / (2 * tap.reach), 0.0F, 1.0F);  // z grows downwards in the map
+  }
+  return 1 - 0.7F * blocked / static_cast<float>(kTaps.size());
 }
 
 Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo,

@@ -28,12 +28,15 @@ class Lighting {
   };
   static DepthMap bake(const SyntheticScene& scene, const Vec3& centre, const Vec3& to_light, double radius,
                        int size);
+  static DepthMap highestWithin(const DepthMap& map, double radius);
   [[nodiscard]] float sunlit(const Vec3& point) const;
   [[nodiscard]] float openness(const Vec3& point) const;
 
   Vec3 to_light_;
   DepthMap from_light_;
   DepthMap from_above_;
+  DepthMap first_lit_;  ///< what the light meets first around each texel of from_light_
+  DepthMap tops_;       ///< the highest thing around each texel: above it, nothing blocks the sky
 };
 
 }  // namespace scantrove::synthetic

@@ -8,9 +8,9 @@
 namespace scantrove::synthetic {
 namespace {
 
-std::uint32_t cell(float x) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(x))); }
+std::uint32_t cell(float x) { return static_cast<std::uint32_t>(floorInt(x)); }
 
-float fraction(float x) { return x - std::floor(x); }
+float fraction(float x) { return x - static_cast<float>(floorInt(x)); }
 
 float smoothstep(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
@@ -35,6 +35,12 @@ float noise(float x, float y, std::uint32_t seed) {
 
 /// 1 where detail of size `detail_m` is resolved, 0 where a pixel is larger.
 float detail(float detail_m, float footprint_m) { return 1 - smoothstep(0.4F, 1.2F, footprint_m / detail_m); }
+
+/// Noise with features of `size_m` that fades, and costs nothing, where a pixel is larger.
+float fineNoise(float x, float y, std::uint32_t seed, float size_m, float footprint_m) {
+  const float visible = detail(size_m, footprint_m);
+  return visible > 0 ? visible * noise(x, y, seed) : 0.0F;
+}
 
 /// 1 inside a band of relative `width` around the cell borders of x, anti-aliased over `blur` cells.
 float joint(float x, float width, float blur) {
@@ -68,9 +74,8 @@ float print(float x, float y, float rows, std::uint32_t seed) {
 
 Rgb wood(const Material& m, float u, float v, float footprint) {
   const float wave = noise(u * 2.5F, v * 9, m.seed) * 0.6F;
-  const float rings =
-      noise(u * 3 + 4 * wave, (v + 0.02F * wave) * 70, m.seed + 1) * detail(0.012F, footprint);
-  const float fibre = noise(u * 25, v * 400, m.seed + 2) * detail(0.0025F, footprint);
+  const float rings = fineNoise(u * 3 + 4 * wave, (v + 0.02F * wave) * 70, m.seed + 1, 0.012F, footprint);
+  const float fibre = fineNoise(u * 25, v * 400, m.seed + 2, 0.0025F, footprint);
   return m.main * (1 + 0.16F * wave + 0.15F * rings + 0.07F * fibre);
 }
 
@@ -91,7 +96,7 @@ Rgb planks(const Material& m, float u, float v, float footprint) {
 }
 
 Rgb bookCover(const Material& m, const SurfacePoint& s, float footprint) {
-  const float paper_lines = noise(s.u * 3, s.v * 900, m.seed) * detail(0.001F, footprint);
+  const float paper_lines = fineNoise(s.u * 3, s.v * 900, m.seed, 0.001F, footprint);
   if (s.face == 0) {  // the spine; u along y, v along z
     const float band = std::abs(s.ru);
     return band > 0.72F && band < 0.80F ? m.second
@@ -104,7 +109,7 @@ Rgb bookCover(const Material& m, const SurfacePoint& s, float footprint) {
   if (edge > 0.86F && edge < 0.90F) {
     return m.second;
   }
-  const float disc = std::hypot(s.ru, s.rv + 0.25F);
+  const float disc = lengthOf(s.ru, s.rv + 0.25F);
   if (disc < 0.38F) {
     return fraction(disc * 8) < 0.5F ? m.third : m.second;
   }
@@ -120,7 +125,7 @@ Rgb boxLabel(const Material& m, const SurfacePoint& s) {
   if (!front) {
     return mix(m.main, rgb(0x2b2b33), 0.8F * print(0.5F + 0.55F * s.ru, 0.5F - 0.6F * s.rv, 14, m.seed + 3));
   }
-  const float disc = std::hypot(s.ru * 0.9F, s.rv + 0.08F);
+  const float disc = lengthOf(s.ru * 0.9F, s.rv + 0.08F);
   if (disc < 0.36F) {
     const float petals = std::cos(5 * std::atan2(s.rv + 0.08F, s.ru) + static_cast<float>(m.seed));
     return disc < 0.16F + 0.12F * petals ? m.second : m.third;
@@ -140,7 +145,7 @@ Rgb canLabel(const Material& m, const SurfacePoint& s) {
     return m.second;
   }
   const float around = fraction(s.ru * 1.5F);  // the picture repeats three times in two turns
-  const float disc = std::hypot((around - 0.5F) * 3, s.rv);
+  const float disc = lengthOf((around - 0.5F) * 3, s.rv);
   if (disc < 0.55F) {
     return disc < 0.4F && fraction(disc * 9) < 0.5F ? m.second : m.third;
   }
@@ -159,7 +164,7 @@ Rgb picture(const Material& m, const SurfacePoint& s) {
   if (s.rv < hills) {
     return m.second;
   }
-  const float sun = std::hypot(s.ru - 0.35F, (s.rv - 0.4F) * 0.8F);
+  const float sun = lengthOf(s.ru - 0.35F, (s.rv - 0.4F) * 0.8F);
   return sun < 0.17F ? rgb(0xfff0b8) : mix(rgb(0xf3c9a0), rgb(0x8fc0dd), smoothstep(-0.2F, 0.8F, s.rv));
 }
 
@@ -177,7 +182,7 @@ Rgb albedo(const Material& m, const SurfacePoint& s, float footprint) {
   const float blur = footprint / m.scale;
   switch (m.pattern) {
     case Pattern::plain:
-      return m.main * (1 + 0.03F * noise(s.u * 60, s.v * 60, m.seed) * detail(0.01F, footprint));
+      return m.main * (1 + 0.03F * fineNoise(s.u * 60, s.v * 60, m.seed, 0.01F, footprint));
     case Pattern::checker:
       return mix(m.main, m.second, 0.5F - 0.5F * stripe(s.u / m.scale, blur) * stripe(s.v / m.scale, blur));
     case Pattern::stripes:
@@ -187,7 +192,7 @@ Rgb albedo(const Material& m, const SurfacePoint& s, float footprint) {
     case Pattern::dots: {
       const float row = s.v / m.scale;
       const float column = s.u / m.scale + 0.5F * static_cast<float>(cell(row) % 2U);
-      const float distance = std::hypot(fraction(column) - 0.5F, fraction(row) - 0.5F);
+      const float distance = lengthOf(fraction(column) - 0.5F, fraction(row) - 0.5F);
       return mix(m.second, m.main, smoothstep(0.26F - 0.5F * blur, 0.26F + 0.5F * blur + 1e-3F, distance));
     }
     case Pattern::wood:
@@ -201,7 +206,7 @@ Rgb albedo(const Material& m, const SurfacePoint& s, float footprint) {
     }
     case Pattern::weave: {
       const float edge = std::max(std::abs(s.ru), std::abs(s.rv));
-      const float thread = noise(s.u * 250, s.v * 250, m.seed) * detail(0.006F, footprint);
+      const float thread = fineNoise(s.u * 250, s.v * 250, m.seed, 0.006F, footprint);
       const float zigzag =
           stripe(s.v / m.scale + 0.8F * std::abs(fraction(s.u / m.scale * 0.5F) - 0.5F), blur);
       const Rgb field = edge > 0.78F && edge < 0.93F ? m.second : mix(m.main, m.third, 0.5F - 0.5F * zigzag);
@@ -209,7 +214,7 @@ Rgb albedo(const Material& m, const SurfacePoint& s, float footprint) {
     }
     case Pattern::plaster:
       return m.main * (1 + 0.05F * noise(s.u * 1.7F, s.v * 1.7F, m.seed) +
-                       0.05F * noise(s.u * 40, s.v * 40, m.seed + 1) * detail(0.025F, footprint));
+                       0.05F * fineNoise(s.u * 40, s.v * 40, m.seed + 1, 0.025F, footprint));
     case Pattern::speckle: {
       const float specks = noise(s.u / m.scale, s.v / m.scale, m.seed);
       return mix(m.main, m.second, smoothstep(0.35F, 0.55F, specks) * detail(m.scale, footprint));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "core/capture/synthetic/view_caster.h"
 
@@ -32,6 +33,12 @@ RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting,
                           const Eigen::Isometry3d& T_world_camera) {
   const View view{T_world_camera, K.fx, K.fy, K.cx, K.cy, K.width, K.height, false};
   const ViewCaster caster(scene, view);
+  std::vector<Eigen::Matrix3d> rotations;  // of each part
+  for (const SyntheticScene::Part& part : scene.parts()) {
+    rotations.emplace_back(part.T_world_part.linear());
+  }
+  const Eigen::Matrix3d R_world_camera = T_world_camera.linear();
+  const Vec3 eye = T_world_camera.translation();
   RenderedFrame frame;
   frame.z_m = cv::Mat::zeros(K.height, K.width, CV_32FC1);
   frame.incidence = cv::Mat::zeros(K.height, K.width, CV_32FC1);
@@ -45,12 +52,13 @@ RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting,
       if (!hit) {
         continue;
       }
-      const SyntheticScene::Part& part = scene.parts()[static_cast<std::size_t>(hit.part)];
+      const auto part_index = static_cast<std::size_t>(hit.part);
+      const SyntheticScene::Part& part = scene.parts()[part_index];
+      const Eigen::Matrix3d& rotation = rotations[part_index];
       const SurfacePoint surface = part.shape->describe(caster.localPoint(hit, u, v), hit.piece);
-      const Vec3 ray_camera = Vec3((u - view.cx) / view.fx, (v - view.cy) / view.fy, 1);
-      const double length = ray_camera.norm();
-      const Vec3 to_eye = T_world_camera.linear() * ray_camera * (-1 / length);
-      Vec3 normal = part.T_world_part.linear() * surface.normal;
+      const Vec3 ray = R_world_camera.lazyProduct(Vec3((u - view.cx) / view.fx, (v - view.cy) / view.fy, 1));
+      const Vec3 to_eye = ray * (-1 / ray.norm());
+      Vec3 normal = rotation.lazyProduct(surface.normal);
       const double facing = normal.dot(to_eye);
       frame.z_m.at<float>(v, u) = static_cast<float>(hit.z);
       frame.incidence.at<float>(v, u) = static_cast<float>(std::abs(facing));
@@ -58,12 +66,12 @@ RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting,
       if (lighting == nullptr) {
         continue;
       }
-      normal = part.T_world_part.linear() * surface.shading_normal;
+      normal = rotation.lazyProduct(surface.shading_normal);
       if (facing < 0) {
         normal = -normal;
       }
       const auto footprint = static_cast<float>(hit.z / K.fx / std::max(std::abs(facing), 0.2));
-      const Vec3 point = T_world_camera * Vec3(ray_camera * hit.z);
+      const Vec3 point = eye + hit.z * ray;
       const Rgb light = lighting->shade(point, normal, to_eye, albedo(part.material, surface, footprint),
                                         part.material.gloss);
       frame.color.at<cv::Vec3b>(v, u) = {displayByte(light[2]), displayByte(light[1]), displayByte(light[0])};

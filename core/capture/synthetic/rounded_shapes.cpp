@@ -60,7 +60,7 @@ SurfacePoint RoundedBox::describe(const Vec3& point, int /*part*/) const {
   const Vec3 sign = point.array().sign();
   const Vec3 outside = (point.cwiseAbs() - inner_).cwiseMax(0.0);
   int axis = 0;
-  if (radius_ > 0 && outside.squaredNorm() > 0) {
+  if (radius_ > 0 && (outside.array() > 0).count() > 1) {
     surface.normal = outside.normalized().cwiseProduct(sign);
     surface.normal.cwiseAbs().maxCoeff(&axis);
   } else {
@@ -114,8 +114,8 @@ Bounds Torus::bounds() const {
 }
 
 double Torus::tubeDistance(const Vec3& p) const {
-  const double off_ring = std::hypot(p.x(), p.y()) - ring_radius_;
-  return std::hypot(off_ring, p.z()) - tube_radius_;
+  const double off_ring = lengthOf(p.x(), p.y()) - ring_radius_;
+  return lengthOf(off_ring, p.z()) - tube_radius_;
 }
 
 ShapeHit Torus::intersect(const Ray& ray, double t_max) const {
@@ -131,10 +131,10 @@ ShapeHit Torus::intersect(const Ray& ray, double t_max) const {
 SurfacePoint Torus::describe(const Vec3& point, int /*part*/) const {
   SurfacePoint surface;
   surface.point = point;
-  const double ring = std::hypot(point.x(), point.y());
+  const double ring = lengthOf(point.x(), point.y());
   const Vec3 centre(point.x() / ring * ring_radius_, point.y() / ring * ring_radius_, 0);
   surface.normal = (point - centre).normalized();
-  if (std::abs(tubeDistance(point)) > 10 * kGrazing_m) {
+  if (keep_above_ - point.y() > tubeDistance(point)) {
     surface.normal = -Vec3::UnitY();  // the flat cut
   }
   surface.shading_normal = surface.normal;

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace scantrove::synthetic {
 
@@ -12,6 +14,12 @@ struct Ray {
   Vec3 direction;
   [[nodiscard]] Vec3 at(double t) const { return origin + t * direction; }
 };
+
+/// Plain and quick, for lengths far from overflow.
+template <class Real>
+[[nodiscard]] Real lengthOf(Real x, Real y) {
+  return std::sqrt(x * x + y * y);
+}
 
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 

@@ -40,7 +40,7 @@ Gaze alongSpline(std::span<const Gaze> points, double period_s, double time_s) {
 
 Gaze aroundTable(double t) {
   const double azimuth = (-100 + 15.5 * t) * kDegree;
-  const double radius = 0.80 + 0.05 * std::sin(0.9 * t);
+  const double radius = 0.87 + 0.05 * std::sin(0.9 * t);
   const double height = 1.27 + 0.10 * std::sin(0.55 * t + 0.5);
   return {{radius * std::cos(azimuth), radius * std::sin(azimuth), height},
           {0.03 * std::sin(0.7 * t), 0.03 * std::cos(0.5 * t), 0.76}};
@@ -50,7 +50,7 @@ Gaze aroundBlock(double t) {
   // Straight from the front for half a second, then round to the side, then back again.
   const double turned = 42 * (1 - std::cos(std::clamp(t - 0.5, 0.0, 1e9) * 2 * std::numbers::pi / 12));
   const double azimuth = turned * kDegree;
-  return {{0.72 * std::cos(azimuth), 0.72 * std::sin(azimuth), 1.20}, {0, 0, 0.78}};
+  return {{0.64 * std::cos(azimuth), 0.64 * std::sin(azimuth), 1.14}, {0, 0, 0.78}};
 }
 
 Gaze throughRoom(double t) {

@@ -1,12 +1,18 @@
 #include "core/capture/synthetic/view_caster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scantrove::synthetic {
 namespace {
 constexpr double kNear_m = 0.05;
+
+Vec3 corner(const Bounds& bounds, int i) {
+  return {(i & 1) != 0 ? bounds.high.x() : bounds.low.x(), (i & 2) != 0 ? bounds.high.y() : bounds.low.y(),
+          (i & 4) != 0 ? bounds.high.z() : bounds.low.z()};
 }
+}  // namespace
 
 ViewCaster::ViewCaster(const SyntheticScene& scene, const View& view)
     : scene_(scene),
@@ -18,82 +24,117 @@ ViewCaster::ViewCaster(const SyntheticScene& scene, const View& view)
   const Vec3 base(-view.cx / view.fx, -view.cy / view.fy, 0);
   const Vec3 per_u(1 / view.fx, 0, 0);
   const Vec3 per_v(0, 1 / view.fy, 0);
+  const Vec3 zero = Vec3::Zero();
   for (std::size_t i = 0; i < scene.parts().size(); ++i) {
     const SyntheticScene::Part& part = scene.parts()[i];
     const Eigen::Isometry3d T_part_view = part.T_world_part.inverse() * view.T_world_view;
     const Eigen::Matrix3d R = T_part_view.linear();
     LinearRays rays;
-    const Vec3 zero = Vec3::Zero();
     if (view.parallel) {
       rays = {T_part_view * base, R * per_u, R * per_v, R.col(2), zero, zero};
     } else {
       rays = {T_part_view.translation(), zero, zero, R * (base + Vec3::UnitZ()), R * per_u, R * per_v};
     }
     rays_.push_back(rays);
-    nearest_z_.push_back(0);
     if (view.shadow_casters_only && !part.material.casts_shadow) {
       continue;
     }
-    addToTiles(static_cast<std::uint16_t>(i), part.shape->bounds(), T_part_view.inverse());
+    const Bounds bounds = part.shape->bounds();
+    const Eigen::Array4i seen = tilesOf(bounds, T_part_view.inverse());
+    for (int y = seen[2]; y <= seen[3]; ++y) {
+      for (int x = seen[0]; x <= seen[1]; ++x) {
+        const auto [nearest, farthest] = depthRange(rays, bounds, x, y);
+        if (nearest <= farthest) {
+          tiles_[static_cast<std::size_t>(y * tiles_x_ + x)].push_back(
+              {static_cast<std::uint16_t>(i), nearest});
+        }
+      }
+    }
   }
   for (auto& tile : tiles_) {
     std::stable_sort(tile.begin(), tile.end(),
-                     [this](std::uint16_t a, std::uint16_t b) { return nearest_z_[a] < nearest_z_[b]; });
+                     [](const Candidate& a, const Candidate& b) { return a.nearest_z < b.nearest_z; });
   }
 }
 
-void ViewCaster::addToTiles(std::uint16_t part, const Bounds& bounds, const Eigen::Isometry3d& T_view_part) {
-  Eigen::Array2d low(view_.width, view_.height);
-  Eigen::Array2d high(-1, -1);
-  double nearest = kNoHit;
-  double farthest = -kNoHit;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p = T_view_part * Vec3((corner & 1) != 0 ? bounds.high.x() : bounds.low.x(),
-                                      (corner & 2) != 0 ? bounds.high.y() : bounds.low.y(),
-                                      (corner & 4) != 0 ? bounds.high.z() : bounds.low.z());
-    nearest = std::min(nearest, p.z());
-    farthest = std::max(farthest, p.z());
-    const double scale = view_.parallel ? 1 : 1 / std::max(p.z(), kNear_m);
+Eigen::Array4i ViewCaster::tilesOf(const Bounds& bounds, const Eigen::Isometry3d& T_view_part) const {
+  Eigen::Array2d low(kNoHit, kNoHit);
+  Eigen::Array2d high(-kNoHit, -kNoHit);
+  const auto include = [&](const Vec3& p) {
+    const double scale = view_.parallel ? 1 : 1 / p.z();
     const Eigen::Array2d pixel(view_.fx * p.x() * scale + view_.cx, view_.fy * p.y() * scale + view_.cy);
     low = low.min(pixel);
     high = high.max(pixel);
-  }
-  if (farthest <= 0) {
-    return;
-  }
-  nearest_z_[part] = std::max(nearest, 0.0);
-  if (!view_.parallel && nearest < kNear_m) {  // reaches behind the camera: may be seen anywhere
-    low = {0, 0};
-    high = {view_.width - 1, view_.height - 1};
+  };
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 p = T_view_part * corner(bounds, i);
+    if (p.z() >= kNear_m) {
+      include(p);
+    }
+    for (const int bit : {1, 2, 4}) {  // where edges pierce the near plane
+      const Vec3 q = T_view_part * corner(bounds, i | bit);
+      if ((p.z() < kNear_m) != (q.z() < kNear_m)) {
+        include(p + (q - p) * ((kNear_m - p.z()) / (q.z() - p.z())));
+      }
+    }
   }
   const auto tile = [](double pixel, int tiles) {
     return static_cast<int>(std::clamp(std::floor(pixel / kTile), -1.0, static_cast<double>(tiles)));
   };
-  const int x_end = std::min(tile(high.x(), tiles_x_), tiles_x_ - 1);
-  const int y_end = std::min(tile(high.y(), tiles_y_), tiles_y_ - 1);
-  for (int y = std::max(tile(low.y(), tiles_y_), 0); y <= y_end; ++y) {
-    for (int x = std::max(tile(low.x(), tiles_x_), 0); x <= x_end; ++x) {
-      tiles_[static_cast<std::size_t>(y * tiles_x_ + x)].push_back(part);
-    }
-  }
+  return {std::max(tile(low.x() - 1, tiles_x_), 0), std::min(tile(high.x() + 1, tiles_x_), tiles_x_ - 1),
+          std::max(tile(low.y() - 1, tiles_y_), 0), std::min(tile(high.y() + 1, tiles_y_), tiles_y_ - 1)};
 }
 
-ViewCaster::Hit ViewCaster::cast(double u, double v) const {
-  const int tile = static_cast<int>(v) / kTile * tiles_x_ + static_cast<int>(u) / kTile;
+std::pair<double, double> ViewCaster::depthRange(const LinearRays& rays, const Bounds& bounds, int tile_x,
+                                                 int tile_y) const {
+  // Along an axis on which all rays of the tile go the same way, the depth at which a ray crosses a face lies
+  // between those of the tile's corner rays (origin and direction are linear in u and v, and one of them is
+  // constant).
+  std::array<Ray, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners[i] = rays.at(tile_x * kTile + ((i & 1) != 0 ? kTile - 1 : 0),
+                         tile_y * kTile + ((i & 2) != 0 ? kTile - 1 : 0));
+  }
+  double nearest = 0;
+  double farthest = kNoHit;
+  for (int axis = 0; axis < 3; ++axis) {
+    double enter = kNoHit;
+    double leave = -kNoHit;
+    const bool forward = corners[0].direction[axis] > 0;
+    bool same_way = true;
+    for (const Ray& ray : corners) {
+      const double d = ray.direction[axis];
+      same_way = same_way && (d > 0) == forward && std::abs(d) > 1e-12;
+      const double first = forward ? bounds.low[axis] : bounds.high[axis];
+      const double second = forward ? bounds.high[axis] : bounds.low[axis];
+      enter = std::min(enter, (first - ray.origin[axis]) / d);
+      leave = std::max(leave, (second - ray.origin[axis]) / d);
+    }
+    if (same_way) {
+      nearest = std::max(nearest, enter);
+      farthest = std::min(farthest, leave);
+    }
+  }
+  constexpr double kRounding = 1e-9;
+  return {nearest - kRounding, farthest + kRounding};
+}
+
+ViewCaster::Hit ViewCaster::cast(int u, int v) const {
   Hit best;
-  for (const std::uint16_t part : tiles_[static_cast<std::size_t>(tile)]) {
-    if (nearest_z_[part] >= best.z) {
+  for (const Candidate& candidate : tiles_[static_cast<std::size_t>(v / kTile * tiles_x_ + u / kTile)]) {
+    if (candidate.nearest_z >= best.z) {
       break;
     }
-    const ShapeHit hit = scene_.parts()[part].shape->intersect(rays_[part].at(u, v), best.z);
+    const ShapeHit hit =
+        scene_.parts()[candidate.part].shape->intersect(rays_[candidate.part].at(u, v), best.z);
     if (hit.t < best.z) {
-      best = {hit.t, part, hit.part};
+      best = {hit.t, candidate.part, hit.part};
     }
   }
   return best;
 }
 
-Vec3 ViewCaster::localPoint(const Hit& hit, double u, double v) const {
+Vec3 ViewCaster::localPoint(const Hit& hit, int u, int v) const {
   return rays_[static_cast<std::size_t>(hit.part)].at(u, v).at(hit.z);
 }
 

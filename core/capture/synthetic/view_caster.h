@@ -29,9 +29,9 @@ class ViewCaster {
 
   /// Keeps a reference to the scene.
   ViewCaster(const SyntheticScene& scene, const View& view);
-  [[nodiscard]] Hit cast(double u, double v) const;
+  [[nodiscard]] Hit cast(int u, int v) const;
   /// The hit point in its part's frame.
-  [[nodiscard]] Vec3 localPoint(const Hit& hit, double u, double v) const;
+  [[nodiscard]] Vec3 localPoint(const Hit& hit, int u, int v) const;
 
  private:
   struct LinearRays {  // origin and direction of the ray of (u, v): base + u * per_u + v * per_v
@@ -41,15 +41,21 @@ class ViewCaster {
       return {origin + u * origin_u + v * origin_v, direction + u * direction_u + v * direction_v};
     }
   };
-  void addToTiles(std::uint16_t part, const Bounds& bounds, const Eigen::Isometry3d& T_view_part);
+  struct Candidate {
+    std::uint16_t part;
+    double nearest_z;  // no ray of the tile meets the part's bounds before this depth
+  };
+  /// Tiles that the part's bounds may be seen in, by its corners: first and last of x and y.
+  [[nodiscard]] Eigen::Array4i tilesOf(const Bounds& bounds, const Eigen::Isometry3d& T_view_part) const;
+  [[nodiscard]] std::pair<double, double> depthRange(const LinearRays& rays, const Bounds& bounds, int tile_x,
+                                                     int tile_y) const;
 
   static constexpr int kTile = 16;
   const SyntheticScene& scene_;
   View view_;
   int tiles_x_, tiles_y_;
-  std::vector<LinearRays> rays_;                   // for each part
-  std::vector<double> nearest_z_;                  // for each part
-  std::vector<std::vector<std::uint16_t>> tiles_;  // parts, by nearest_z_
+  std::vector<LinearRays> rays_;               // for each part
+  std::vector<std::vector<Candidate>> tiles_;  // nearest first
 };
 
 }  // namespace scantrove::synthetic

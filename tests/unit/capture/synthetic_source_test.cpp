@@ -1,0 +1,315 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <set>
+
+#include "core/capture/synthetic/synthetic_source.h"
+
+namespace scantrove {
+namespace {
+
+constexpr double kDegree = 3.14159265358979 / 180;
+
+SyntheticOptions exactOptions(SceneKind scene) {
+  SyntheticOptions options;
+  options.scene = scene;
+  options.K = options.K.resizedTo(160, 120);
+  options.noise = false;
+  options.color = false;
+  return options;
+}
+
+std::unique_ptr<SyntheticSource> open(const SyntheticOptions& options) {
+  auto source = makeSyntheticSource(options);
+  EXPECT_TRUE(source) << (source ? "" : source.error().message());
+  return std::move(*source);
+}
+
+RgbdFrame frameAt(SyntheticOptions options, int index) {
+  options.start = index;
+  FrameRead read = open(options)->next();
+  EXPECT_EQ(read.status, FrameRead::Status::frame);
+  return read.frame;
+}
+
+class EveryScene : public testing::TestWithParam<SceneKind> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
+                         testing::Values(SceneKind::tabletop, SceneKind::room, SceneKind::l_block,
+                                         SceneKind::chair_floor));
+
+TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
+  SyntheticOptions options = exactOptions(GetParam());
+  options.stride = 49;
+  const auto source = open(options);
+  const Intrinsics& K = options.K;
+  for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
+    const Eigen::Isometry3d T = *read.frame.T_world_camera;
+    EXPECT_TRUE(T.isApprox(source->pose(read.frame.index), 1e-12));
+    for (int v = 0; v < K.height; v += 3) {
+      for (int u = 0; u < K.width; u += 3) {
+        const Eigen::Vector3d ray((u - double{K.cx}) / K.fx, (v - double{K.cy}) / K.fy, 1);
+        const RayHit hit = source->scene().cast(T.translation(), T.linear() * ray);
+        ASSERT_EQ(read.frame.instances.at<std::uint16_t>(v, u), hit.instance) << u << " " << v;
+        const double z = read.frame.depth.at<std::uint16_t>(v, u) * 0.001;
+        ASSERT_NEAR(z, hit.hit() ? hit.distance : 0, 0.00051) << u << " " << v;
+        if (hit.hit()) {
+          ASSERT_LE(hit.normal.dot(T.linear() * ray), 0);
+          ASSERT_NEAR(hit.normal.norm(), 1, 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST_P(EveryScene, FramesAgreeWithEachOtherThroughTheirPoses) {
+  SyntheticOptions options = exactOptions(GetParam());
+  options.K = options.K.resizedTo(320, 240);
+  options.metres_per_unit = 0.0001F;
+  const Intrinsics& K = options.K;
+  const RgbdFrame a = frameAt(options, 30);
+  const RgbdFrame b = frameAt(options, 60);
+  const Eigen::Isometry3f T_b_a = (b.T_world_camera->inverse() * *a.T_world_camera).cast<float>();
+  int seen = 0;
+  int agreeing = 0;
+  int same_instance = 0;
+  for (int v = 0; v < K.height; ++v) {
+    for (int u = 0; u < K.width; ++u) {
+      const float z = static_cast<float>(a.depth.at<std::uint16_t>(v, u)) * a.metres_per_unit;
+      const Eigen::Vector3f p = T_b_a * K.backProject(static_cast<float>(u), static_cast<float>(v), z);
+      const int bu = static_cast<int>(std::floor(K.fx * p.x() / p.z() + K.cx + 0.5F));
+      const int bv = static_cast<int>(std::floor(K.fy * p.y() / p.z() + K.cy + 0.5F));
+      if (z == 0 || bu < 1 || bv < 1 || bu >= K.width - 1 || bv >= K.height - 1) {
+        continue;
+      }
+      // Within half a pixel the depth may change by the slope: compare with the range of the 3 x 3 around.
+      double low = 0;
+      double high = 0;
+      cv::minMaxLoc(b.depth(cv::Rect(bu - 1, bv - 1, 3, 3)), &low, &high);
+      const double scale = double{b.metres_per_unit};
+      if (p.z() > high * scale + 0.005) {
+        continue;  // hidden in b
+      }
+      ++seen;
+      agreeing += p.z() > low * scale - 0.002 ? 1 : 0;
+      const cv::Mat around = b.instances(cv::Rect(bu - 1, bv - 1, 3, 3));
+      same_instance += cv::countNonZero(around == a.instances.at<std::uint16_t>(v, u)) > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen, K.pixels() / 3);
+  EXPECT_GT(agreeing, 0.998 * seen);
+  EXPECT_GT(same_instance, 0.995 * seen);
+}
+
+TEST_P(EveryScene, CameraMovesLikeAHand) {
+  SyntheticOptions options = exactOptions(GetParam());
+  const auto source = open(options);
+  double path_m = 0;
+  for (int i = 0; i + 1 < *source->info().frame_count; ++i) {
+    const Eigen::Isometry3d step = source->pose(i).inverse() * source->pose(i + 1);
+    EXPECT_LT(step.translation().norm() * 30, 0.45) << "m/s at frame " << i;
+    EXPECT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 32 * kDegree) << "rad/s at frame " << i;
+    EXPECT_GT(step.translation().norm() + Eigen::AngleAxisd(step.linear()).angle(), 1e-6)
+        << "never quite still";
+    path_m += step.translation().norm();
+  }
+  EXPECT_LT(path_m * 30 / *source->info().frame_count, 0.35) << "m/s on average";
+  EXPECT_GT(path_m, 0.5);
+}
+
+TEST_P(EveryScene, NamesAreThoseOfTheMasks) {
+  const std::vector<InstanceName> names = instanceNames(GetParam());
+  ASSERT_FALSE(names.empty());
+  EXPECT_EQ(names.front().name, "floor");
+  std::set<std::string> different;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(names[i].id, i + 1);
+    different.insert(names[i].name);
+  }
+  EXPECT_EQ(different.size(), names.size());
+}
+
+class DemoScene : public testing::TestWithParam<SceneKind> {};
+INSTANTIATE_TEST_SUITE_P(Demos, DemoScene, testing::Values(SceneKind::tabletop, SceneKind::room));
+
+TEST_P(DemoScene, ShowsAtLeastTwelveObjectsAndSeveralNonConvex) {
+  SyntheticOptions options = exactOptions(GetParam());
+  options.stride = 25;
+  const auto source = open(options);
+  std::map<std::uint16_t, int> best_area;
+  for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
+    std::map<std::uint16_t, int> area;
+    for (int v = 0; v < options.K.height; ++v) {
+      for (int u = 0; u < options.K.width; ++u) {
+        ++area[read.frame.instances.at<std::uint16_t>(v, u)];
+      }
+    }
+    for (const auto& [id, pixels] : area) {
+      best_area[id] = std::max(best_area[id], pixels);
+    }
+  }
+  int objects = 0;
+  int non_convex = 0;
+  for (const InstanceName& instance : source->scene().instances()) {
+    const bool visible = best_area[instance.id] >= 500 / 16;  // 500 pixels at 640 x 480
+    objects += instance.is_object && visible ? 1 : 0;
+    non_convex += instance.is_object && instance.non_convex && visible ? 1 : 0;
+  }
+  EXPECT_GE(objects, 12);
+  EXPECT_GE(non_convex, 5);
+}
+
+/// Areas of the connected pieces of an instance, largest first, as fractions of the image.
+std::vector<double> piecesOf(const RgbdFrame& frame, std::uint16_t instance) {
+  const cv::Mat mask = frame.instances == instance;
+  cv::Mat labels;
+  cv::Mat statistics;
+  cv::Mat centres;
+  const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centres, 8);
+  std::vector<double> areas;
+  for (int i = 1; i < count; ++i) {
+    areas.push_back(statistics.at<int>(i, cv::CC_STAT_AREA) / static_cast<double>(mask.total()));
+  }
+  std::sort(areas.rbegin(), areas.rend());
+  return areas;
+}
+
+class ChairOnFloor : public testing::TestWithParam<SceneKind> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloor, testing::Values(SceneKind::room, SceneKind::chair_floor));
+
+TEST_P(ChairOnFloor, CutsTheFloorAtFirstAndNotLater) {
+  SyntheticOptions options = exactOptions(GetParam());
+  options.K = options.K.resizedTo(320, 240);
+  for (const int frame : {0, 5, 10}) {
+    const std::vector<double> first = piecesOf(frameAt(options, frame), 1);
+    ASSERT_GE(first.size(), 3U) << "left, right and between the legs; frame " << frame;
+    EXPECT_GT(first[1], 0.05);
+    EXPECT_GT(first[2], 0.02);
+  }
+  const std::vector<double> later = piecesOf(frameAt(options, 110), 1);
+  EXPECT_GT(later[0], 0.2);
+  EXPECT_TRUE(later.size() == 1 || later[1] < 0.02);
+}
+
+TEST(LBlock, SideThatJoinsItsPartsAppearsOnlyLater) {
+  SyntheticOptions options = exactOptions(SceneKind::l_block);
+  options.stride = 1;
+  const auto source = open(options);
+  const std::uint16_t block = source->scene().find("L block");
+  ASSERT_NE(block, 0);
+  const Intrinsics& K = options.K;
+  /// Pixels of the block, and those of them whose normal is that of its side (+-y).
+  const auto count = [&](int frame) {
+    const Eigen::Isometry3d T = source->pose(frame);
+    std::pair<int, int> pixels{0, 0};
+    for (int v = 0; v < K.height; ++v) {
+      for (int u = 0; u < K.width; ++u) {
+        const Eigen::Vector3d ray((u - double{K.cx}) / K.fx, (v - double{K.cy}) / K.fy, 1);
+        const RayHit hit = source->scene().cast(T.translation(), T.linear() * ray);
+        pixels.first += hit.instance == block ? 1 : 0;
+        pixels.second += hit.instance == block && std::abs(hit.normal.y()) > 0.95 ? 1 : 0;
+      }
+    }
+    return pixels;
+  };
+  const auto [first, first_side] = count(0);
+  const auto [later, later_side] = count(110);
+  EXPECT_GT(first, 800);
+  EXPECT_LT(first_side, 0.01 * first);
+  EXPECT_GT(later_side, 0.15 * later);
+}
+
+TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
+  SyntheticOptions options = exactOptions(SceneKind::tabletop);
+  options.noise = true;
+  options.color = true;
+  const RgbdFrame a = frameAt(options, 7);
+  const RgbdFrame b = frameAt(options, 7);
+  options.seed = 2;
+  const RgbdFrame c = frameAt(options, 7);
+  EXPECT_EQ(cv::countNonZero(a.depth != b.depth), 0);
+  EXPECT_EQ(cv::norm(a.color, b.color, cv::NORM_INF), 0);
+  EXPECT_TRUE(a.T_world_camera->matrix() == b.T_world_camera->matrix());
+  EXPECT_GT(cv::countNonZero(a.depth != c.depth), 1000);
+  EXPECT_FALSE(a.T_world_camera->matrix() == c.T_world_camera->matrix());
+}
+
+TEST(SyntheticSource, NoiseKeepsMostReadingsAndStaysNearTheTruth) {
+  SyntheticOptions options = exactOptions(SceneKind::tabletop);
+  options.K = options.K.resizedTo(640, 480);
+  const RgbdFrame exact = frameAt(options, 20);
+  options.noise = true;
+  const RgbdFrame noisy = frameAt(options, 20);
+  int readings = 0;
+  int close = 0;
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u) {
+      const double z = noisy.depth.at<std::uint16_t>(v, u) * 0.001;
+      const double truth = exact.depth.at<std::uint16_t>(v, u) * 0.001;
+      readings += z > 0 ? 1 : 0;
+      close += z > 0 && std::abs(z - truth) < 0.01 + 0.012 * truth * truth ? 1 : 0;
+    }
+  }
+  EXPECT_GT(readings, 0.85 * 640 * 480);
+  EXPECT_LT(readings, 0.99 * 640 * 480) << "there are shadows and dropouts";
+  EXPECT_GT(close, 0.98 * readings);
+}
+
+TEST(SyntheticSource, FramesSayWhatTheyAre) {
+  SourceOptions options;
+  options.start = 10;
+  options.stride = 3;
+  options.frames = 2;
+  options.depth_scale = 5000;
+  options.intrinsics = Intrinsics{600, 610, 300, 200, 0, 0};
+  const auto source = makeSyntheticSource("", options);
+  ASSERT_TRUE(source);
+  const SourceInfo& info = (*source)->info();
+  EXPECT_EQ(info.kind, "synthetic");
+  EXPECT_EQ(info.name, "tabletop");
+  EXPECT_EQ(info.frame_count, 2);
+  EXPECT_TRUE(info.has_poses);
+  EXPECT_FALSE(info.is_live);
+  EXPECT_EQ(info.intrinsics, (Intrinsics{600, 610, 300, 200, 640, 480}));
+  const FrameRead first = (*source)->next();
+  const FrameRead second = (*source)->next();
+  EXPECT_EQ(first.frame.index, 10);
+  EXPECT_EQ(second.frame.index, 13);
+  EXPECT_NEAR(second.frame.timestamp_s, 13 / 30.0, 1e-9);
+  EXPECT_FLOAT_EQ(first.frame.metres_per_unit, 0.0002F);
+  EXPECT_EQ(first.frame.color.type(), CV_8UC3);
+  EXPECT_EQ(first.frame.depth.type(), CV_16UC1);
+  EXPECT_EQ(first.frame.instances.size(), first.frame.depth.size());
+  EXPECT_EQ((*source)->next().status, FrameRead::Status::end);
+  EXPECT_EQ((*source)->next().status, FrameRead::Status::end);
+}
+
+TEST(SyntheticSource, LengthsAreThoseOfTheScenes) {
+  EXPECT_EQ((*makeSyntheticSource("tabletop", {}))->info().frame_count, 300);
+  EXPECT_EQ((*makeSyntheticSource("room", {}))->info().frame_count, 400);
+  SourceOptions options;
+  options.stride = 7;
+  EXPECT_EQ((*makeSyntheticSource("room:exact", options))->info().frame_count, 58);
+  options.frames = 1000;
+  EXPECT_EQ((*makeSyntheticSource("room", options))->info().frame_count, 58);
+}
+
+TEST(SyntheticSource, RefusesWhatItCannotFilm) {
+  using testing::HasSubstr;
+  const auto unknown = makeSyntheticSource("kitchen", {});
+  ASSERT_FALSE(unknown);
+  EXPECT_THAT(unknown.error().message(), HasSubstr("'kitchen'"));
+  EXPECT_THAT(unknown.error().message(), HasSubstr("tabletop or room"));
+  SourceOptions late;
+  late.start = 300;
+  const auto nothing = makeSyntheticSource("tabletop", late);
+  ASSERT_FALSE(nothing);
+  EXPECT_THAT(nothing.error().message(), HasSubstr("300 frames"));
+  SourceOptions blind;
+  blind.intrinsics = Intrinsics{0, 525, 320, 240, 640, 480};
+  EXPECT_FALSE(makeSyntheticSource("tabletop", blind));
+}
+
+}  // namespace
+}  // namespace scantrove
