@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <string_view>
+#include <thread>
 
 #include "core/capture/openni_library.h"
 
@@ -12,6 +14,7 @@ namespace scantrove {
 
 namespace {
 
+constexpr std::string_view kVirtualCamera = "Dummy";
 constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 constexpr int kFramesPerSecond = 30;
@@ -69,43 +72,54 @@ double seconds(const openni::VideoFrameRef& frame) {
 }  // namespace
 
 OpenNiStreams::~OpenNiStreams() {
-  for (openni::VideoStream* stream : {&depth_, &color_}) {
+  const bool is_virtual =
+      handles_->device.isValid() && handles_->device.getDeviceInfo().getUri() == kVirtualCamera;
+  for (openni::VideoStream* const stream : {&handles_->depth, &handles_->color}) {
     if (stream->isValid()) {
       stream->stop();
-      stream->destroy();
     }
   }
-  device_.close();
+  if (is_virtual) {
+    // Its driver's threads sleep for a frame's time and then use the stream, stopped or destroyed. So they
+    // get the time to end, and the streams stay until the process does.
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    static_cast<void>(handles_.release());
+    return;
+  }
+  handles_->depth.destroy();
+  handles_->color.destroy();
+  handles_->device.close();
 }
 
 Result<void> OpenNiStreams::open(const std::string& uri) {
   SCANTROVE_TRY(initialiseOpenNi());
-  if (device_.open(uri.c_str()) != openni::STATUS_OK) {
+  if (handles_->device.open(uri.c_str()) != openni::STATUS_OK) {
     return fail("OpenNI2 cannot open " + uri + ": " + openNiError() + ".");
   }
-  if (device_.getSensorInfo(openni::SENSOR_DEPTH) == nullptr ||
-      depth_.create(device_, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
+  if (handles_->device.getSensorInfo(openni::SENSOR_DEPTH) == nullptr ||
+      handles_->depth.create(handles_->device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
     return fail(uri + " has no depth stream.",
                 "Scantrove needs depth; is this a colour-only camera or recording?");
   }
-  if (device_.getSensorInfo(openni::SENSOR_COLOR) == nullptr ||
-      color_.create(device_, openni::SENSOR_COLOR) != openni::STATUS_OK) {
+  if (handles_->device.getSensorInfo(openni::SENSOR_COLOR) == nullptr ||
+      handles_->color.create(handles_->device, openni::SENSOR_COLOR) != openni::STATUS_OK) {
     spdlog::warn("{} has no colour stream: depth only.", uri);
   }
   if (isRecording()) {
     // A file keeps the images as they were made; setting the property would not turn them.
-    is_depth_mirrored_ = depth_.getMirroringEnabled();
-    is_color_mirrored_ = hasColor() && color_.getMirroringEnabled();
-    device_.getPlaybackControl()->setRepeatEnabled(false);
-    device_.getPlaybackControl()->setSpeed(-1.0F);  // as fast as frames are read
+    is_depth_mirrored_ = handles_->depth.getMirroringEnabled();
+    is_color_mirrored_ = hasColor() && handles_->color.getMirroringEnabled();
+    handles_->device.getPlaybackControl()->setRepeatEnabled(false);
+    handles_->device.getPlaybackControl()->setSpeed(-1.0F);  // as fast as frames are read
   } else {
     configureCamera();
   }
-  if (depth_.start() != openni::STATUS_OK || (hasColor() && color_.start() != openni::STATUS_OK)) {
+  if (handles_->depth.start() != openni::STATUS_OK ||
+      (hasColor() && handles_->color.start() != openni::STATUS_OK)) {
     return fail("OpenNI2 cannot start the streams of " + uri + ": " + openNiError() + ".",
                 "Is another program using the camera?");
   }
-  const openni::PixelFormat format = depth_.getVideoMode().getPixelFormat();
+  const openni::PixelFormat format = handles_->depth.getVideoMode().getPixelFormat();
   if (format != openni::PIXEL_FORMAT_DEPTH_1_MM && format != openni::PIXEL_FORMAT_DEPTH_100_UM) {
     return fail(uri + " gives depth in OpenNI2's format " + std::to_string(format) + ".",
                 "Scantrove reads depth in 1 mm or 100 um steps.");
@@ -114,38 +128,39 @@ Result<void> OpenNiStreams::open(const std::string& uri) {
 }
 
 void OpenNiStreams::configureCamera() {
-  chooseMode(depth_, openni::PIXEL_FORMAT_DEPTH_1_MM);
-  depth_.setMirroringEnabled(false);
+  chooseMode(handles_->depth, openni::PIXEL_FORMAT_DEPTH_1_MM);
+  handles_->depth.setMirroringEnabled(false);
   if (!hasColor()) {
     return;
   }
-  chooseMode(color_, openni::PIXEL_FORMAT_RGB888);
-  color_.setMirroringEnabled(false);
-  if (device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR)) {
-    device_.setImageRegistrationMode(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR);
+  chooseMode(handles_->color, openni::PIXEL_FORMAT_RGB888);
+  handles_->color.setMirroringEnabled(false);
+  if (handles_->device.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR)) {
+    handles_->device.setImageRegistrationMode(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR);
   }
-  device_.setDepthColorSyncEnabled(true);  // a camera that cannot says so; frames are paired by time anyway
+  handles_->device.setDepthColorSyncEnabled(
+      true);  // a camera that cannot says so; frames are paired by time anyway
 }
 
 int OpenNiStreams::depthFrameCount() {
-  openni::PlaybackControl* const playback = device_.getPlaybackControl();
-  return playback == nullptr ? 0 : std::max(0, playback->getNumberOfFrames(depth_));
+  openni::PlaybackControl* const playback = handles_->device.getPlaybackControl();
+  return playback == nullptr ? 0 : std::max(0, playback->getNumberOfFrames(handles_->depth));
 }
 
 double OpenNiStreams::metresPerUnit() const {
-  return depth_.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
+  return handles_->depth.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
 }
 
 cv::Size OpenNiStreams::size() const {
-  const openni::VideoMode mode = depth_.getVideoMode();
+  const openni::VideoMode mode = handles_->depth.getVideoMode();
   return {mode.getResolutionX(), mode.getResolutionY()};
 }
 
 std::optional<Intrinsics> OpenNiStreams::intrinsics() const {
   const auto width = static_cast<float>(size().width);
   const auto height = static_cast<float>(size().height);
-  const float horizontal = depth_.getHorizontalFieldOfView();
-  const float vertical = depth_.getVerticalFieldOfView();
+  const float horizontal = handles_->depth.getHorizontalFieldOfView();
+  const float vertical = handles_->depth.getVerticalFieldOfView();
   const auto isAngle = [](float angle) { return angle > 0.1F && angle < 3.0F; };
   if (!isAngle(horizontal) || !isAngle(vertical)) {
     return std::nullopt;
@@ -159,7 +174,7 @@ std::optional<Intrinsics> OpenNiStreams::intrinsics() const {
 }
 
 Result<OpenNiStreams::Arrival> OpenNiStreams::wait(std::chrono::milliseconds timeout) {
-  openni::VideoStream* streams[] = {&depth_, &color_};
+  openni::VideoStream* streams[] = {&handles_->depth, &handles_->color};
   int ready = -1;
   const openni::Status status = openni::OpenNI::waitForAnyStream(streams, hasColor() ? 2 : 1, &ready,
                                                                  static_cast<int>(timeout.count()));

@@ -2,6 +2,7 @@
 #include <OpenNI.h>
 
 #include <chrono>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
@@ -28,9 +29,9 @@ class OpenNiStreams {
   /// Opens and starts the device `uri`. A camera is set to 640x480 where it can. Error: OpenNI2's words.
   [[nodiscard]] Result<void> open(const std::string& uri);
 
-  [[nodiscard]] bool isRecording() const { return device_.isFile(); }
-  [[nodiscard]] std::string name() const { return device_.getDeviceInfo().getName(); }
-  [[nodiscard]] bool hasColor() const { return color_.isValid(); }
+  [[nodiscard]] bool isRecording() const { return handles_->device.isFile(); }
+  [[nodiscard]] std::string name() const { return handles_->device.getDeviceInfo().getName(); }
+  [[nodiscard]] bool hasColor() const { return handles_->color.isValid(); }
   [[nodiscard]] int depthFrameCount();  ///< of a recording; 0 if it does not say
   [[nodiscard]] double metresPerUnit() const;
   /// From the field of view and the depth stream's size; empty if the device does not say.
@@ -48,8 +49,12 @@ class OpenNiStreams {
  private:
   void configureCamera();
 
-  openni::Device device_;
-  openni::VideoStream depth_, color_;
+  /// OpenNI2's own objects, apart so that they can outlive this one (see the destructor).
+  struct Handles {
+    openni::Device device;
+    openni::VideoStream depth, color;
+  };
+  std::unique_ptr<Handles> handles_ = std::make_unique<Handles>();
   bool is_depth_mirrored_ = false;  // recordings only: a camera is told not to mirror
   bool is_color_mirrored_ = false;
 };

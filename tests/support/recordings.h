@@ -1,0 +1,26 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace scantrove::test {
+
+/// The folder of real recordings: SCANTROVE_DATA, else ../shared/data beside the source tree.
+inline std::filesystem::path recordingsFolder() {
+  if (const char* const given = std::getenv("SCANTROVE_DATA"); given != nullptr && *given != '\0') {
+    return given;
+  }
+  return std::filesystem::path(SCANTROVE_SOURCE_DIR) / ".." / "shared" / "data";
+}
+
+}  // namespace scantrove::test
+
+/// Declares `path`, the recording `name` (a folder or file below the recordings folder), or skips the test,
+/// saying what is missing.
+#define SCANTROVE_NEED_RECORDING(path, name)                                                               \
+  const std::filesystem::path path = ::scantrove::test::recordingsFolder() / (name);                       \
+  if (!std::filesystem::exists(path)) {                                                                    \
+    GTEST_SKIP() << "There is no recording " << path << ". Set SCANTROVE_DATA to the folder that has it."; \
+  }

@@ -1,0 +1,252 @@
+// What people really feed a program: missing, truncated, mixed and mistyped.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "core/capture/image_file.h"
+#include "core/capture/image_integrity.h"
+#include "tests/unit/capture/tiny_recordings.h"
+
+namespace scantrove {
+namespace {
+
+using namespace test;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Status = FrameRead::Status;
+
+TEST(BadInput, MissingPathIsNamed) {
+  EXPECT_THAT(openError("/nowhere/recording"),
+              AllOf(HasSubstr("/nowhere/recording"), HasSubstr("There is no")));
+  EXPECT_THAT(openError(""), HasSubstr("No source"));
+}
+
+TEST(BadInput, EmptyFolderListsWhatWasLookedFor) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(openError(folder.path()),
+              AllOf(HasSubstr(folder.path().string()), HasSubstr("empty"), HasSubstr("7-Scenes"),
+                    HasSubstr("depth.txt"), HasSubstr("depth/")));
+}
+
+TEST(BadInput, FolderOfOtherThingsListsWhatWasLookedFor) {
+  const TemporaryFolder folder;
+  folder.write("notes.md", "hello");
+  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("no recording"), HasSubstr("7-Scenes")));
+}
+
+TEST(BadInput, FileOfAnotherKindIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(openError(folder.write("film.mp4", "x")), HasSubstr("film.mp4"));
+}
+
+TEST(BadInput, FolderWithoutPermissionSaysSo) {
+  if (geteuid() == 0) {
+    GTEST_SKIP() << "The super-user may read everything.";
+  }
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder / "closed", 0, 1);
+  std::filesystem::permissions(folder / "closed", std::filesystem::perms::none);
+  EXPECT_THAT(openError(folder / "closed"), HasSubstr("ermission"));
+  std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_all);
+}
+
+TEST(BadInput, EmptyDepthFolderIsNamed) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "depth");
+  std::filesystem::create_directories(folder / "color");
+  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("depth"), HasSubstr("no images")));
+}
+
+/// Ten frames of which one was tampered with: nine come, one is skipped and its file named.
+void expectOnlySkipped(const std::filesystem::path& folder, std::size_t position, const std::string& reason) {
+  const auto source = openSource(folder.string(), {});
+  ASSERT_TRUE(source) << source.error().message();
+  testing::internal::CaptureStderr();
+  const auto reads = readAll(**source);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), IsEmpty());
+  ASSERT_EQ(reads.size(), 10U);
+  for (std::size_t i = 0; i < reads.size(); ++i) {
+    EXPECT_EQ(reads[i].status, i == position ? Status::skipped : Status::frame) << i;
+  }
+  EXPECT_THAT(reads[position].error.what,
+              AllOf(HasSubstr(numbered("%06d", static_cast<int>(position))), HasSubstr(reason)));
+}
+
+TEST(BadInput, TruncatedDepthIsSkipped) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  truncate(folder / "depth/000006.png", 0.7);
+  expectOnlySkipped(folder.path(), 6, "truncated");
+}
+
+TEST(BadInput, TruncatedJpegIsSkipped) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  std::filesystem::remove(folder / "color/000007.png");
+  writeImage(folder / "color/000007.jpg", tinyColor(7));
+  truncate(folder / "color/000007.jpg", 0.9);
+  expectOnlySkipped(folder.path(), 7, "truncated");
+}
+
+TEST(BadInput, EmptyFileIsSkipped) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  truncate(folder / "depth/000009.png", 0);
+  expectOnlySkipped(folder.path(), 9, "empty");
+}
+
+TEST(BadInput, TextInAnImageIsSkipped) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  folder.write("depth/000005.png", "not an image at all");
+  expectOnlySkipped(folder.path(), 5, "damaged");
+}
+
+TEST(BadInput, ImageOfAnotherSizeIsSkippedWithBothSizes) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  writeImage(folder / "depth/000008.png", tinyDepth(1000, {32, 24}));
+  expectOnlySkipped(folder.path(), 8, "is 32x24, the first frame 64x48");
+}
+
+TEST(BadInput, ColourOfAnotherSizeIsSkippedWithBothSizes) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  writeImage(folder / "color/000008.png", tinyColor(1, {32, 24}));
+  expectOnlySkipped(folder.path(), 8, "is 32x24, the first frame 64x48");
+}
+
+TEST(BadInput, UnusableFirstFrameIsSkippedToo) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  truncate(folder / "depth/000000.png", 0.5);
+  expectOnlySkipped(folder.path(), 0, "truncated");
+}
+
+TEST(BadInput, EightBitDepthIsSkipped) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 10);
+  writeImage(folder / "depth/000006.png", cv::Mat(kTinyHeight, kTinyWidth, CV_8UC1, cv::Scalar(9)));
+  expectOnlySkipped(folder.path(), 6, "8-bit with 1 channel");
+}
+
+TEST(BadInput, FolderOfColourAsDepthIsRefused) {
+  const TemporaryFolder folder;
+  writeImage(folder / "color/0.png", tinyColor(1));
+  writeImage(folder / "depth/0.png", tinyColor(1));
+  EXPECT_THAT(openError(folder.path()),
+              AllOf(HasSubstr("depth/0.png"), HasSubstr("8-bit with 3 channels"), HasSubstr("16-bit")));
+}
+
+TEST(BadInput, ColourOfAnotherShapeIsRefused) {
+  const TemporaryFolder folder;
+  writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
+  writeImage(folder / "depth/0.png", tinyDepth(1000));
+  EXPECT_THAT(openError(folder.path()), AllOf(HasSubstr("128x72"), HasSubstr("64x48")));
+}
+
+TEST(BadInput, FolderRemovedWhileReadingFails) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder / "recording", 0, 20);
+  const auto source = openSource((folder / "recording").string(), {});
+  ASSERT_TRUE(source);
+  ASSERT_EQ((*source)->next().status, Status::frame);
+  std::filesystem::remove_all(folder / "recording");
+  const auto reads = readAll(**source);
+  ASSERT_FALSE(reads.empty());
+  EXPECT_EQ(reads.back().status, Status::failed);
+  EXPECT_THAT(reads.back().error.what, HasSubstr("gone"));
+}
+
+TEST(BadInput, OptionsOutOfRangeAreRefused) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 4);
+  const auto errorWith = [&](auto change) {
+    SourceOptions options;
+    change(options);
+    return openError(folder.path(), options);
+  };
+  EXPECT_THAT(errorWith([](auto& o) { o.stride = 0; }), HasSubstr("--stride"));
+  EXPECT_THAT(errorWith([](auto& o) { o.start = -1; }), HasSubstr("--start"));
+  EXPECT_THAT(errorWith([](auto& o) { o.frames = 0; }), HasSubstr("--frames"));
+  EXPECT_THAT(errorWith([](auto& o) { o.depth_scale = 0.0; }), HasSubstr("--depth-scale"));
+  EXPECT_THAT(errorWith([](auto& o) { o.depth_scale = NAN; }), HasSubstr("--depth-scale"));
+  EXPECT_THAT(errorWith([](auto& o) { o.start = 4; }), HasSubstr("has 4 frames"));
+  EXPECT_THAT(errorWith([](auto& o) { o.intrinsics = Intrinsics{0, 525, 32, 24, 0, 0}; }),
+              HasSubstr("--intrinsics"));
+  EXPECT_THAT(errorWith([](auto& o) { o.intrinsics = Intrinsics{60, -60, 32, 24, 0, 0}; }),
+              HasSubstr("positive"));
+  EXPECT_THAT(errorWith([](auto& o) { o.intrinsics = Intrinsics{60, 60, 320, 24, 0, 0}; }),
+              HasSubstr("far outside"));
+  EXPECT_THAT(errorWith([](auto& o) { o.intrinsics = Intrinsics{60, 60, NAN, 24, 0, 0}; }),
+              HasSubstr("finite"));
+}
+
+TEST(BadInput, BrokenCameraFilesAreNamed) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 1);
+  folder.write("intrinsic.json", "{\"width\": 64}");
+  EXPECT_THAT(openError(folder.path()), HasSubstr("intrinsic.json"));
+  folder.write("camera-intrinsics.txt", "525 0 319.5\n0 525\n");
+  EXPECT_THAT(openError(folder.path()), HasSubstr("camera-intrinsics.txt"));
+  folder.write("camera-intrinsics.txt", "-525 0 32\n0 525 24\n0 0 1\n");
+  EXPECT_THAT(openError(folder.path()), HasSubstr("positive"));
+}
+
+TEST(BadInput, WrongDepthScaleIsNoticed) {
+  const TemporaryFolder folder;
+  writeNumberedFolder(folder.path(), 0, 1);
+  for (const double scale : {10000.0, 100.0}) {  // 0.1 m and 10 m
+    SourceOptions options;
+    options.depth_scale = scale;
+    options.intrinsics = Intrinsics{60, 60, 32, 24, 0, 0};
+    const CapturedLog log;
+    ASSERT_TRUE(openSource(folder.path().string(), options));
+    EXPECT_THAT(log.text(), HasSubstr("--depth-scale")) << scale;
+  }
+}
+
+TEST(BadInput, BrokenOniIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(openError(folder.write("broken.oni", "this is no recording")), HasSubstr("broken.oni"));
+}
+
+TEST(ImageDamage, IsFoundAtEveryLength) {
+  std::vector<uchar> png, jpeg;
+  cv::Mat noise(24, 32, CV_8UC3);
+  cv::randu(noise, 0, 255);
+  cv::imencode(".png", noise, png);
+  cv::imencode(".jpg", noise, jpeg);
+  for (const std::vector<uchar>& image : {png, jpeg}) {
+    EXPECT_THAT(findImageDamage(image), IsEmpty());
+    for (std::size_t length = 0; length < image.size(); ++length) {
+      EXPECT_FALSE(findImageDamage({image.data(), length}).empty()) << length << " of " << image.size();
+    }
+  }
+}
+
+TEST(ImageDamage, TrailingBytesAreNoDamage) {
+  std::vector<uchar> jpeg;
+  cv::imencode(".jpg", tinyColor(3), jpeg);
+  jpeg.insert(jpeg.end(), 100, 0);
+  EXPECT_THAT(findImageDamage(jpeg), IsEmpty());
+}
+
+TEST(ImageDamage, FlippedBitsAreAnErrorNotAPicture) {
+  const TemporaryFolder folder;
+  std::vector<uchar> png;
+  cv::Mat noise(kTinyHeight, kTinyWidth, CV_16UC1);
+  cv::randu(noise, 0, 60000);
+  cv::imencode(".png", noise, png);
+  png[png.size() / 2] ^= 0x40;
+  const auto file = folder.write("depth.png", std::string(png.begin(), png.end()));
+  const auto image = readDepthImage(file);
+  ASSERT_FALSE(image);
+  EXPECT_THAT(image.error().what, HasSubstr("depth.png"));
+}
+
+}  // namespace
+}  // namespace scantrove

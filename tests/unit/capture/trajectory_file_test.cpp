@@ -1,0 +1,85 @@
+#include "core/capture/trajectory_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+TEST(TumTrajectory, IsSortedNormalisedAndLeavesNanOut) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("t.txt",
+                                 "# comment\n\n2.5 1 2 3 0 0 2 2\r\n1.5 0 0 0 0 0 0 1\n"
+                                 "1.75 nan nan nan 0 0 0 1\n1.8 0 0 0 0 0 0 0\n");
+  const auto trajectory = readTumTrajectory(file);
+  ASSERT_TRUE(trajectory) << trajectory.error().message();
+  ASSERT_EQ(trajectory->size(), 2U);
+  EXPECT_EQ((*trajectory)[0].timestamp_s, 1.5);
+  EXPECT_EQ((*trajectory)[1].T_world_camera.translation(), Eigen::Vector3d(1, 2, 3));
+  const Eigen::Matrix3d quarter_turn =
+      Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).matrix();
+  EXPECT_TRUE((*trajectory)[1].T_world_camera.linear().isApprox(quarter_turn, 1e-12));
+}
+
+TEST(TumTrajectory, NamesTheBadLineAndTheMissingFile) {
+  const TemporaryFolder folder;
+  const auto bad = readTumTrajectory(folder.write("bad.txt", "1 0 0 0 0 0 0 1\n2 0 0 0\n"));
+  ASSERT_FALSE(bad);
+  EXPECT_THAT(bad.error().what, HasSubstr("bad.txt, line 2"));
+  const auto missing = readTumTrajectory(folder / "missing.txt");
+  ASSERT_FALSE(missing);
+  EXPECT_THAT(missing.error().what, HasSubstr("missing.txt"));
+  EXPECT_FALSE(readTumTrajectory(folder.write("empty.txt", "# nothing\n")));
+}
+
+TEST(TrajectoryLog, ReadsBlocksOfFiveLines) {
+  const TemporaryFolder folder;
+  const auto poses = readTrajectoryLog(folder.write(
+      "t.log", "3 3 4\n1 0 0 7\n0 1 0 8\n0 0 1 9\n0 0 0 1\n4 4 5\n0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n"));
+  ASSERT_TRUE(poses);
+  ASSERT_EQ(poses->size(), 1U);  // the all-zero matrix is no motion
+  EXPECT_EQ(poses->front().number, 3);
+  EXPECT_EQ(poses->front().T_world_camera.translation(), Eigen::Vector3d(7, 8, 9));
+  EXPECT_FALSE(readTrajectoryLog(folder.write("short.log", "0 0 1\n1 0 0 0\n")));
+}
+
+TEST(RigidMotion, AcceptsRoundedRotationsAndReturnsExactOnes) {
+  Eigen::Matrix4d rounded = Eigen::Matrix4d::Identity();
+  rounded.topLeftCorner<3, 3>() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).matrix() +
+                                  Eigen::Matrix3d::Constant(1e-4);
+  const auto motion = rigidMotion(rounded);
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE((motion->linear().transpose() * motion->linear()).isIdentity(1e-12));
+  Eigen::Matrix4d mirrored = Eigen::Matrix4d::Identity();
+  mirrored(0, 0) = -1;
+  EXPECT_FALSE(rigidMotion(mirrored));
+}
+
+TEST(PoseAt, InterpolatesSmallGapsOnly) {
+  Trajectory trajectory(3);
+  trajectory[0].timestamp_s = 1.00;
+  trajectory[1].timestamp_s = 1.08;
+  trajectory[1].T_world_camera.translate(Eigen::Vector3d(8, 0, 0));
+  trajectory[1].T_world_camera.rotate(Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY()));
+  trajectory[2].timestamp_s = 2.00;
+  const auto between = poseAt(trajectory, 1.02);
+  ASSERT_TRUE(between);
+  EXPECT_NEAR(between->translation().x(), 2, 1e-9);
+  EXPECT_TRUE(between->linear().isApprox(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()).matrix(), 1e-9));
+  EXPECT_TRUE(poseAt(trajectory, 1.095));  // 15 ms after a pose
+  EXPECT_FALSE(poseAt(trajectory, 1.5));   // far from both
+  EXPECT_TRUE(poseAt(trajectory, 0.985));
+  EXPECT_FALSE(poseAt(trajectory, 0.97));
+  EXPECT_FALSE(poseAt(trajectory, 2.03));
+  EXPECT_FALSE(poseAt({}, 1.0));
+}
+
+}  // namespace
+}  // namespace scantrove
