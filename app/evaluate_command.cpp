@@ -3,6 +3,7 @@
 
 #include "app/command.h"
 #include "app/label_image_pairs.h"
+#include "app/number_check.h"
 #include "core/evaluation/trajectory_metrics.h"
 #include "core/exchange/trajectory_reader.h"
 
@@ -96,18 +97,18 @@ void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
                 "ATE and RPE of a trajectory: a TUM file, a .log, or a recording's folder", command, outcome,
                 evaluateTrajectory)
       ->add_option("--delta", command->delta_frames, "frames between the poses of the relative error")
-      ->check(CLI::PositiveNumber)
+      ->check(atLeast(1))
       ->type_name("N");
   CLI::App* segmentation = addEvaluation(
       *evaluate, "segmentation", "Boundary error (eq. 4.1), boundary F, coverage of folders of label PNGs",
       command, outcome, evaluateSegmentations);
   segmentation
       ->add_option("--tolerance", command->metrics.tolerance_px, "of boundary precision and recall, pixels")
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeast(0))
       ->type_name("PX");
   segmentation
       ->add_option("--min-instance", command->metrics.min_instance_px, "leave out smaller true instances")
-      ->check(CLI::PositiveNumber)
+      ->check(atLeast(1))
       ->type_name("PX");
 }
 

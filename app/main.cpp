@@ -1,45 +1,33 @@
-#include <filesystem>
-
 #include "app/command.h"
-#include "core/base/log.h"
-
-#if __has_include("app/window_main.h")
+#include "app/window_command.h"
 #include "app/window_main.h"
-#endif
+#include "core/base/log.h"
 
 namespace scantrove {
 namespace {
 
-/// A word that is neither a command nor a source was a slip of the finger: it should not open a window.
-std::string checkSource(const std::string& source) {
-  const auto names = [&](const std::string& kind) {
-    return source == kind || source.starts_with(kind + ":");
-  };
-  if (names("demo") || names("camera") || std::filesystem::exists(source)) return {};
-  return "'" + source + "' is neither a command nor something to open (a folder, an .oni file, demo, camera)";
-}
-
-int openWindow([[maybe_unused]] int argc, [[maybe_unused]] char** argv,
-               [[maybe_unused]] const std::string& source) {
-#if __has_include("app/window_main.h")
-  return runWindow(argc, argv, source);
-#else
-  std::cerr << "scantrove: this build has no window. Scan without it: scantrove scan SOURCE --out DIR\n";
-  return kJobFailed;
-#endif
+/// Options before a command belong to the window: they would be lost.
+void refuseStrayOptions(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() > 0)
+      throw CLI::ExtrasError(app.get_name(), {option->get_name() + " must follow the command"});
+  }
 }
 
 int run(int argc, char** argv) {
   initialiseLog();
   CommandOutcome outcome;
-  std::string source;
+  WindowCommand window;
+  WindowOptions window_options;
   CLI::App app{
       "Sweep an RGB-D camera over a scene, collect its objects in a database.\n"
       "Without a command: opens the window (and SOURCE in it).",
       "scantrove"};
   app.set_version_flag("--version", std::string("scantrove ") + SCANTROVE_VERSION);
-  app.add_option("SOURCE", source, "a folder, an .oni file, 'demo', 'demo:room', 'camera' or 'camera:URI'")
-      ->check(CLI::Validator(checkSource, ""));
+  window.addTo(app);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("scantrove: ") + error.what() + "\nRun with --help for more information.\n";
+  });
   app.require_subcommand(0, 1);
   addScanCommand(app, outcome);
   addEvaluateCommand(app, outcome);
@@ -47,13 +35,18 @@ int run(int argc, char** argv) {
   addBenchCommand(app, outcome);
   addDevicesCommand(app, outcome);
   addParamsCommand(app, outcome);
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->preparse_callback([&app](std::size_t) { refuseStrayOptions(app); });
+  }
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) window_options = window.toOptions();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kWrongUsage;
   }
-  if (app.get_subcommands().empty()) return openWindow(argc, argv, source);
-  return outcome.exit_code;
+  if (!app.get_subcommands().empty()) return outcome.exit_code;
+  int own_arguments = 1;  // Qt has options of its own; ours are read already
+  return runWindow(own_arguments, argv, window_options);
 }
 
 }  // namespace

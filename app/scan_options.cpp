@@ -2,18 +2,15 @@
 
 #include <cmath>
 
+#include "app/number_check.h"
 #include "core/scan/param_registry.h"
 
 namespace scantrove {
 
 void ScanOptions::addTo(CLI::App& command) {
-  command.add_option("--frames", frames, "at most so many frames")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
-  command.add_option("--start", start, "skip so many frames first")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
-  command.add_option("--stride", stride, "then take every N-th")->check(CLI::PositiveNumber)->type_name("N");
+  command.add_option("--frames", frames, "at most so many frames")->check(atLeast(1))->type_name("N");
+  command.add_option("--start", start, "skip so many frames first")->check(atLeast(0))->type_name("N");
+  command.add_option("--stride", stride, "then take every N-th")->check(atLeast(1))->type_name("N");
   command.add_option("--poses", poses, "'tracked' by the camera tracker, or 'given' by the recording")
       ->check(CLI::IsMember({"tracked", "given"}))
       ->type_name("tracked|given");
@@ -22,7 +19,7 @@ void ScanOptions::addTo(CLI::App& command) {
       ->delimiter(',')
       ->type_name("fx,fy,cx,cy");
   command.add_option("--depth-scale", depth_scale, "depth units per metre of folders that do not carry it")
-      ->check(CLI::PositiveNumber)
+      ->check(above(0))
       ->type_name("S");
   command.add_option("--config", config, "parameters from a TOML file")
       ->check(CLI::ExistingFile)

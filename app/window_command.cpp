@@ -1,0 +1,63 @@
+#include "app/window_command.h"
+
+#include <charconv>
+#include <filesystem>
+
+namespace scantrove {
+namespace {
+
+/// A word that is neither a command nor a source was a slip of the finger: it should not open a window.
+std::string checkSource(const std::string& source) {
+  const auto names = [&](const std::string& kind) {
+    return source == kind || source.starts_with(kind + ":");
+  };
+  if (names("demo") || names("camera") || std::filesystem::exists(source)) return {};
+  return "'" + source + "' is neither a command nor something to open (a folder, an .oni file, demo, camera)";
+}
+
+/// "1400x900"
+bool readSize(const std::string& text, int& width, int& height) {
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != 'x') return false;
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  return second.ec == std::errc{} && second.ptr == end && width > 0 && height > 0;
+}
+
+}  // namespace
+
+void WindowCommand::addTo(CLI::App& app) {
+  app.add_option("SOURCE", scan_.source,
+                 "a folder, an .oni file, 'demo', 'demo:room', 'camera' or 'camera:URI'")
+      ->check(CLI::Validator(checkSource, ""));
+  scan_.addTo(app);
+  app.add_option("--database", database_, "catalogue (default: your own, in $XDG_DATA_HOME)")
+      ->type_name("FILE");
+  app.add_flag("--paused", paused_, "wait for Space before the first frame");
+  app.add_option("--theme", theme_, "as last time without it")
+      ->check(CLI::IsMember({"dark", "light"}))
+      ->type_name("dark|light");
+  app.add_option("--window-size", size_, "in pixels")->type_name("WxH");
+  app.add_option("--screenshot", screenshot_, "when SOURCE ends, save a picture of the window there and quit")
+      ->type_name("FILE");
+}
+
+WindowOptions WindowCommand::toOptions() const {
+  const ScanRequest request = scan_.toRequest();
+  WindowOptions options;
+  options.source = request.source;
+  options.source_options = request.source_options;
+  options.poses = request.poses;
+  options.device = request.device;
+  options.params = request.params;
+  options.database = database_;
+  options.start_paused = paused_;
+  options.theme = theme_;
+  if (!screenshot_.empty()) options.screenshot = screenshot_;
+  if (!size_.empty() && !readSize(size_, options.width, options.height)) {
+    throw CLI::ValidationError("--window-size", "needs width and height in pixels, for example 1400x900");
+  }
+  return options;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,28 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/scan_options.h"
+#include "ui/main_window/window_options.h"
+
+namespace scantrove {
+
+/// `scantrove [SOURCE]` without a command: the window.
+class WindowCommand {
+ public:
+  /// Adds the options to the program itself.
+  void addTo(CLI::App& app);
+
+  /// What they ask for. Throws CLI::ValidationError (wrong usage) with what is wrong.
+  [[nodiscard]] WindowOptions toOptions() const;
+
+ private:
+  ScanOptions scan_;
+  std::string database_;
+  std::string screenshot_;
+  std::string size_;
+  std::string theme_;
+  bool paused_ = false;
+};
+
+}  // namespace scantrove
