@@ -11,17 +11,23 @@
 namespace scantrove {
 namespace {
 
-constexpr int kTile = 8;  // pixels; tiles and work-groups of cast_rays
+constexpr int kTile = 8;  // pixels; what a work-item of cast_rays does at a time
+constexpr std::size_t kPad = 4;
 
 constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 }  // namespace
 
 Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams& params) {
-  Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", "-DTILE=" + std::to_string(kTile));
+  const std::string options = "-DPAD=" + std::to_string(kPad);
+  Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=2");
   if (!cast) return fail(cast.error());
+  Result<Kernel> orient =
+      compute.kernel(kernels::orient_surface, "orient_surface", options + " -DR=3 -DSLOPE=3.0f");
+  if (!orient) return fail(orient.error());
   Raycaster result(compute, params);
   result.cast_rays_ = *cast;
+  result.orient_surface_ = *orient;
   return result;
 }
 
@@ -33,13 +39,23 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
       window.fromCamera(surface.T_world_camera, BRICK_SIDE * voxel_size_m, voxel_size_m);
   const Eigen::Vector3d origin_m = window.firstBrick().cast<double>() * (BRICK_SIDE * voxel_size_m);
   const Intrinsics& K = surface.K;
-  cast_rays_.launch(cl::NDRange(static_cast<std::size_t>(K.width), static_cast<std::size_t>(K.height)),
-                    cl::NDRange(kTile, kTile), ranges_, K.width, K.height, toKernel(K.fx, K.fy, K.cx, K.cy),
-                    toKernel(Eigen::Isometry3d(T)), map.voxelSize(), params_.truncation_vox * map.voxelSize(),
-                    toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
-                             static_cast<float>(origin_m.z()), 0.0F),
-                    window.cells(), map.pageSlots(), window.size(), map.voxels(), surface.vertices_world,
-                    surface.normals_world);
+  const auto columns = static_cast<std::size_t>(tiles(K.width));
+  const auto rows = static_cast<std::size_t>(K.height);
+  const std::size_t padded = (8 * columns + 2 * kPad) * (rows + 2 * kPad);
+  if (depths_.size() != padded) {
+    depths_ = Buffer<cl_float>(compute_->context(), padded);
+    depths_.fill(compute_->queue(), 0.0F);
+  }
+  const cl_float4 kernel_K = toKernel(K.fx, K.fy, K.cx, K.cy);
+  const cl_float16 T_window_camera = toKernel(Eigen::Isometry3d(T));
+  cast_rays_.launch(cl::NDRange(columns, (rows + 1) / 2), cl::NullRange, ranges_, K.width, K.height, kernel_K,
+                    T_window_camera, params_.truncation_vox, window.cells(), map.pageSlots(), window.size(),
+                    map.voxels(), depths_);
+  orient_surface_.launch(cl::NDRange(columns, rows), cl::NullRange, depths_, K.width, K.height, kernel_K,
+                         T_window_camera, map.voxelSize(),
+                         toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
+                                  static_cast<float>(origin_m.z()), 0.0F),
+                         surface.vertices_world, surface.normals_world);
 }
 
 // The nearest and farthest depth at which a ray of each tile can meet a brick, from the spheres around the

@@ -28,7 +28,9 @@ class Raycaster {
   ComputeContext* compute_;
   FusionParams params_;
   Kernel cast_rays_;
+  Kernel orient_surface_;
   Buffer<cl_float2> ranges_;
+  Buffer<cl_float> depths_;
   std::vector<cl_float2> host_ranges_;
 };
 

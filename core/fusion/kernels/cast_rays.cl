@@ -1,163 +1,116 @@
-#include "core/fusion/kernels/brick_window.clh"
+#include "core/fusion/kernels/brick_field.clh"
 
-// V_t and N_t: along each pixel's ray the first place where the signed distance goes from + to -, found by steps no longer
-// than the distance allows and refined in the trilinear field; the normal is the field's gradient (central differences of
-// one voxel). A ray that comes from - to + first has met a surface from behind and gets no vertex.
+// The depth at which each pixel's ray first goes from + to - in the signed distance: steps through the nearest voxels, as long
+// as their distance and a little more, find the pair of samples around it; then secant steps in the trilinear field find its zero.
+// A ray that comes from - to + first has met a surface from behind and sees none.
 //
-// One work-item: one pixel; work-groups of TILE x TILE pixels share a depth range.
-// ranges: (nearest, farthest) camera z of the bricks in view per tile, ceil(width / TILE) a row; nearest > farthest = none.
-// T_window_camera: camera metres to voxels of the window. origin_m: world position of the window's first voxel corner.
-// vertices, normals: width * height, world, w = 1, or all 0.
+// One work-item: 8 x 2 pixels, one per vector lane.
+// ranges: (nearest, farthest) camera z of the bricks in view per tile of 8 x 8 pixels, ceil(width / 8) a row; nearest >=
+// farthest = none. T_window_camera: camera metres to voxels of the window. depths: camera z, 0 = no surface,
+// (height + 2 PAD) rows of 8 ceil(width / 8) + 2 PAD; only the inner ones are written.
+#define OVERSHOOT 0.5f    /* voxels; lands behind the surface rather than creeping up to it */
+#define UNSEEN_STEP 1.0f  /* voxels */
+#define UNSEEN_GAP 3.0f   /* voxels */
+#define BEHIND_FACE 0.05f /* voxels past a brick's face, to be safely in the next */
 
-typedef struct Field {
-  global const int* cells;
-  global const int* page_slots;
-  global const uint* voxels;
-  int4 size;
-  int bx, by, bz, slot; /* the brick looked up last */
-} Field;
+// Columns and rows of the 8 x 2 pixels of a work-item.
+#define LANE_COLUMNS (float16)(0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7)
+#define LANE_ROWS (float16)(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1)
 
-inline int field_slot(Field* field, const int bx, const int by, const int bz) {
-  if (bx != field->bx || by != field->by || bz != field->bz) {
-    field->bx = bx;
-    field->by = by;
-    field->bz = bz;
-    field->slot = window_slot(field->cells, field->page_slots, field->size, bx, by, bz);
-  }
-  return field->slot;
+// Where the ray leaves the cube of `side` (a power of two) voxels around voxel i, along one axis.
+inline float16 leave_cube(const float o, const float16 d, const float16 inverse_d, const int16 i, const int16 side) {
+  const int16 low = i & -side;
+  const float16 face = convert_float16(d > 0.0f ? low + side : low);
+  return (face - o) * inverse_d;
 }
 
-// The voxel (x, y, z) of the window as (distance in truncations, 1), or (0, 0) where never seen.
-inline float2 field_voxel(Field* field, const int x, const int y, const int z) {
-  const int slot = field_slot(field, x >> BRICK_SHIFT, y >> BRICK_SHIFT, z >> BRICK_SHIFT);
-  if (slot < 0) return (float2)(0.0f, 0.0f);
-  const uint voxel = field->voxels[slot * BRICK_VOXELS + (x & 7) + 8 * ((y & 7) + 8 * (z & 7))];
-  if ((voxel >> 16) == 0) return (float2)(0.0f, 0.0f);
-  return (float2)((float)(short)(voxel & 0xffffu) * (1.0f / 32767.0f), 1.0f);
-}
-
-// Trilinear distance at p (voxels; samples lie at voxel centres) and 1, or (0, 0) if one of the eight voxels was never seen.
-inline float2 field_at(Field* field, const float px, const float py, const float pz) {
-  const float fx = floor(px - 0.5f);
-  const float fy = floor(py - 0.5f);
-  const float fz = floor(pz - 0.5f);
-  const int x = (int)fx;
-  const int y = (int)fy;
-  const int z = (int)fz;
-  const float wx = px - 0.5f - fx;
-  const float wy = py - 0.5f - fy;
-  const float wz = pz - 0.5f - fz;
-  float2 c[8];
-  for (int i = 0; i < 8; ++i) c[i] = field_voxel(field, x + (i & 1), y + ((i >> 1) & 1), z + (i >> 2));
-  const float4 near_face = mix((float4)(c[0].x, c[2].x, c[4].x, c[6].x), (float4)(c[1].x, c[3].x, c[5].x, c[7].x), wx);
-  const float2 edge = mix((float2)(near_face.x, near_face.z), (float2)(near_face.y, near_face.w), wy);
-  const float valid = c[0].y * c[1].y * c[2].y * c[3].y * c[4].y * c[5].y * c[6].y * c[7].y;
-  return (float2)(mix(edge.x, edge.y, wz), valid);
-}
-
-// Difference of the field over two voxels around a point where it is 0, from the sides that were seen; false if none was.
-inline bool field_slope(const float2 before, const float2 after, float* slope) {
-  *slope = before.y * after.y > 0.0f ? after.x - before.x : 2.0f * (after.x - before.x);
-  return before.y + after.y > 0.0f;
-}
+// 1 / d, or so much that the ray never leaves along this axis.
+inline float16 inverse_of(const float16 d) { return fabs(d) > 1e-6f ? 1.0f / d : (d > 0.0f ? 1e6f : -1e6f); }
 
 kernel void cast_rays(global const float2* ranges, const int width, const int height, const float4 K,
-                      const float16 T_window_camera, const float voxel_size_m, const float truncation_m,
-                      const float4 origin_m, global const int* cells, global const int* page_slots,
-                      const int4 window_size, global const uint* voxels, global float4* vertices,
-                      global float4* normals) {
-  const int u = (int)get_global_id(0);
-  const int v = (int)get_global_id(1);
-  if (u >= width || v >= height) return;
-  const int pixel = v * width + u;
-  vertices[pixel] = (float4)(0.0f);
-  normals[pixel] = (float4)(0.0f);
-  const float2 range = ranges[(v / TILE) * ((width + TILE - 1) / TILE) + u / TILE];
-  if (!(range.x < range.y)) return;
+                      const float16 T_window_camera, const float truncation_vox, global const int* cells,
+                      global const int* page_slots, const int4 window_size, global const uint* voxels,
+                      global float* depths) {
+  const int column = (int)get_global_id(0);
+  const int v = 2 * (int)get_global_id(1);
+  const int columns = (width + 7) / 8;
+  if (column >= columns || v >= height) return;
+  const float2 range = ranges[(v / 8) * columns + column];
+  const Field field = {cells, page_slots, voxels, window_size};
 
-  Field field = {cells, page_slots, voxels, window_size, INT_MIN, 0, 0, BRICK_NONE};
-  const float cx = ((float)u - K.z) / K.x;
-  const float cy = ((float)v - K.w) / K.y;
   // p(t) = o + t d, t = camera z in metres.
-  const float ox = T_window_camera.s3;
-  const float oy = T_window_camera.s7;
-  const float oz = T_window_camera.sb;
-  const float dx = T_window_camera.s0 * cx + T_window_camera.s1 * cy + T_window_camera.s2;
-  const float dy = T_window_camera.s4 * cx + T_window_camera.s5 * cy + T_window_camera.s6;
-  const float dz = T_window_camera.s8 * cx + T_window_camera.s9 * cy + T_window_camera.sa;
-  const float t_voxel = 1.0f / sqrt(dx * dx + dy * dy + dz * dz);
-  const float inverse_x = 1.0f / dx;
-  const float inverse_y = 1.0f / dy;
-  const float inverse_z = 1.0f / dz;
-  const float truncation_vox = truncation_m / voxel_size_m;
+  const float16 T = T_window_camera;
+  const float16 cx = (LANE_COLUMNS + (float)(8 * column) - K.z) / K.x;
+  const float16 cy = (LANE_ROWS + (float)v - K.w) / K.y;
+  const float ox = T.s3, oy = T.s7, oz = T.sb;
+  const float16 dx = cx * T.s0 + (cy * T.s1 + T.s2);
+  const float16 dy = cx * T.s4 + (cy * T.s5 + T.s6);
+  const float16 dz = cx * T.s8 + (cy * T.s9 + T.sa);
+  const float16 inverse_x = inverse_of(dx), inverse_y = inverse_of(dy), inverse_z = inverse_of(dz);
+  const float16 t_voxel = 1.0f / sqrt(dx * dx + dy * dy + dz * dz);
 
-  float t = range.x;
-  float t_before = 0.0f;
-  float before = 0.0f; /* the distance at t_before; 0 = unknown */
-  float now = 0.0f;
-  bool met = false;
-  while (t < range.y) {
-    const float x = ox + t * dx;
-    const float y = oy + t * dy;
-    const float z = oz + t * dz;
-    const int bx = (int)floor(x) >> BRICK_SHIFT;
-    const int by = (int)floor(y) >> BRICK_SHIFT;
-    const int bz = (int)floor(z) >> BRICK_SHIFT;
-    if (field_slot(&field, bx, by, bz) < 0) {
-      // To just behind the face through which the ray leaves this brick.
-      const float tx = ((float)(BRICK_SIDE * (bx + (dx > 0.0f))) - ox) * inverse_x;
-      const float ty = ((float)(BRICK_SIDE * (by + (dy > 0.0f))) - oy) * inverse_y;
-      const float tz = ((float)(BRICK_SIDE * (bz + (dz > 0.0f))) - oz) * inverse_z;
-      const float leave = fmin(tx, fmin(ty, tz));
-      t = fmax(leave, t) + 0.05f * t_voxel;
-      before = 0.0f;
-      continue;
+  int16 active = (LANE_COLUMNS < (float)(width - 8 * column)) & (LANE_ROWS < (float)(height - v)) &
+                 (range.x < range.y ? -1 : 0);
+  int16 met = 0;
+  float16 t = range.x;
+  float16 t_before = 0.0f;
+  float16 before = 0.0f; /* the distance at t_before; 0 = unknown */
+  float16 now = 0.0f;
+  while (any16(active)) {
+    const int16 x = voxel_of(ox + t * dx);
+    const int16 y = voxel_of(oy + t * dy);
+    const int16 z = voxel_of(oz + t * dz);
+    const int16 page = field_page(&field, x, y, z);
+    const int16 slot = field_slot(&field, page, x, y, z);
+    const int16 side = page == PAGE_EMPTY ? PAGE_SIDE * BRICK_SIDE : BRICK_SIDE;
+    int16 seen;
+    now = field_voxel(&field, slot, x, y, z, &seen);
+
+    const int16 met_now = active & seen & (before > 0.0f) & (now <= 0.0f);
+    const int16 from_behind = seen & (before < 0.0f) & (now > 0.0f);
+    met |= met_now;
+    active &= ~(met_now | from_behind);
+    float16 next = t + t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : UNSEEN_STEP);
+    if (any16(active & (slot < 0))) {
+      const float16 leave = fmin(leave_cube(ox, dx, inverse_x, x, side),
+                                fmin(leave_cube(oy, dy, inverse_y, y, side), leave_cube(oz, dz, inverse_z, z, side)));
+      next = slot < 0 ? (leave > t ? leave : t) + BEHIND_FACE * t_voxel : next;
     }
-    float2 sample = field_voxel(&field, (int)floor(x), (int)floor(y), (int)floor(z));
-    if (sample.y > 0.0f && sample.x < 0.5f) sample = field_at(&field, x, y, z);
-    if (sample.y == 0.0f) {
-      t += t_voxel;
-      before = 0.0f;
-      continue;
+    // Voxels never seen (a speck without depth) do not hide the surface that the last distance has announced.
+    const int16 lost = ~seen & (t - t_before > (fabs(before) * truncation_vox + UNSEEN_GAP) * t_voxel);
+    before = active ? (seen ? now : (lost ? 0.0f : before)) : before;
+    t_before = active & seen ? t : t_before;
+    t = active ? next : t;
+    active &= t < range.y;
+    // `now` of the lanes that met their surface is used below.
+    if (any16(met_now)) {
+      t = met_now ? t_before + (t - t_before) * before / (before - now) : t;
     }
-    now = sample.x;
-    if (before > 0.0f && now <= 0.0f) {
-      met = true;
-      break;
-    }
-    if (before < 0.0f && now > 0.0f) return;
-    before = now;
-    t_before = t;
-    t += t_voxel * fmax(1.0f, 0.8f * truncation_vox * fabs(now));
   }
-  if (!met) return;
 
-  // Regula falsi between (t_before, before > 0) and (t, now <= 0).
-  float t_hit = t_before + (t - t_before) * before / (before - now);
-  for (int i = 0; i < 2; ++i) {
-    const float2 sample = field_at(&field, ox + t_hit * dx, oy + t_hit * dy, oz + t_hit * dz);
-    if (sample.y == 0.0f) break;
-    if (sample.x > 0.0f) {
-      t_before = t_hit;
-      before = sample.x;
-    } else {
-      t = t_hit;
-      now = sample.x;
+  float16 depth = 0.0f;
+  if (any16(met)) {
+    int16 known;
+    const float16 metres = truncation_vox * t_voxel; /* of camera z for one truncation along the ray */
+    float16 t0 = t;
+    float16 f0 = field_at(&field, ox + t0 * dx, oy + t0 * dy, oz + t0 * dz, &known);
+    met &= known;
+    float16 t1 = t0 + f0 * metres;
+#pragma unroll
+    for (int i = 0; i < SECANT_STEPS; ++i) {
+      const float16 f1 = field_at(&field, ox + t1 * dx, oy + t1 * dy, oz + t1 * dz, &known);
+      const float16 slope = (f1 - f0) / (t1 - t0);
+      // A slope that is not clearly downwards says nothing: step by the distance instead.
+      const float16 step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;
+      const float16 limit = 2.0f * t_voxel;
+      const float16 t2 = t1 + (step > limit ? limit : (step < -limit ? -limit : step));
+      t0 = known ? t1 : t0;
+      f0 = known ? f1 : f0;
+      t1 = known ? t2 : t0;
     }
-    t_hit = t_before + (t - t_before) * before / (before - now);
+    depth = met & (t1 > 0.0f) ? t1 : 0.0f;
   }
-  const float x = ox + t_hit * dx;
-  const float y = oy + t_hit * dy;
-  const float z = oz + t_hit * dz;
-  vertices[pixel] =
-      (float4)(origin_m.x + voxel_size_m * x, origin_m.y + voxel_size_m * y, origin_m.z + voxel_size_m * z, 1.0f);
-
-  float nx, ny, nz;
-  const bool sx = field_slope(field_at(&field, x - 1.0f, y, z), field_at(&field, x + 1.0f, y, z), &nx);
-  const bool sy = field_slope(field_at(&field, x, y - 1.0f, z), field_at(&field, x, y + 1.0f, z), &ny);
-  const bool sz = field_slope(field_at(&field, x, y, z - 1.0f), field_at(&field, x, y, z + 1.0f), &nz);
-  const float squared = nx * nx + ny * ny + nz * nz;
-  if (!(sx && sy && sz && squared > 0.0f)) return;
-  const float scale = (nx * dx + ny * dy + nz * dz > 0.0f ? -1.0f : 1.0f) / sqrt(squared);
-  normals[pixel] = (float4)(scale * nx, scale * ny, scale * nz, 1.0f);
+  global float* out = depths + (v + PAD) * (8 * columns + 2 * PAD) + 8 * column + PAD;
+  vstore8(depth.lo, 0, out);
+  if (v + 1 < height) vstore8(depth.hi, 0, out + 8 * columns + 2 * PAD);
 }
