@@ -31,7 +31,8 @@ class CandidateFinder {
   virtual void regionsMerged(RegionId into, RegionId from) = 0;
 };
 
-/// The rules of thesis 5.1: central, persistent in size, size in range, not flat, not eccentric, off the border.
+/// The rules of thesis 5.1: central, persistent in size, size in range, not flat, not eccentric, off the
+/// border.
 [[nodiscard]] std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& params);
 
 }  // namespace scantrove

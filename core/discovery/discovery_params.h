@@ -4,13 +4,16 @@ namespace scantrove {
 
 /// When a region is a candidate object (thesis 5.1).
 struct DiscoveryParams {
-  float central_fraction = 0.8F;   ///< the centroid lies in the middle part of the view, this fraction of width and height
-  float min_size_m = 0.02F;        ///< longest side of the oriented box
+  float central_fraction =
+      0.8F;  ///< the centroid lies in the middle part of the view, this fraction of width and height
+  float min_size_m = 0.02F;  ///< longest side of the oriented box
   float max_size_m = 1.0F;
-  int min_points = 500;            ///< pixels at 640x480 equivalent
-  int persistent_frames = 5;       ///< consecutive sightings with a stable size
-  float size_tolerance = 0.25F;    ///< relative change of area * z^2 that still counts as stable
-  float min_thickness_ratio = 0.02F;   ///< sqrt of smallest / largest eigenvalue of the points: below = flat
+  int min_points = 500;               ///< pixels at 640x480 equivalent
+  int persistent_frames = 5;          ///< consecutive sightings with a stable size
+  float size_tolerance = 0.25F;       ///< relative change of area * z^2 that still counts as stable
+  float min_thickness_ratio = 0.02F;  ///< sqrt of smallest / largest eigenvalue of the points: below = flat
+  float max_flat_size_m =
+      0.4F;  ///< flat regions up to this longest side may still be objects: books, boxes seen face on
   float max_eccentricity = 0.98F;  ///< of the image region's ellipse
   int border_px = 2;               ///< a region that comes this close to the image border is no candidate
 };

@@ -1,0 +1,19 @@
+#pragma once
+#include <Eigen/Core>
+#include <span>
+
+namespace scantrove {
+
+/// The shape of a set of points by its principal axes.
+struct OrientedBox {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< sides along the principal axes, longest first
+  float thickness_ratio = 0;  ///< sqrt(smallest / largest eigenvalue of the covariance)
+};
+
+/// The box along the principal axes (PCL's mean and covariance) that holds all but the outermost 1 % of the
+/// points to either side of each axis, so that few stray points do not stretch it. Looks at 4096 points at
+/// most, evenly taken. All zero for less than 3 points.
+[[nodiscard]] OrientedBox fitOrientedBox(std::span<const Eigen::Vector4f> points);
+
+}  // namespace scantrove

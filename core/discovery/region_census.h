@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <opencv2/core/types.hpp>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/labeling/region_map.h"
+
+namespace scantrove {
+
+/// What one pass over the labels says of one region, all its image parts together.
+struct RegionExtent {
+  RegionId region;
+  std::int64_t pixels = 0;
+  cv::Rect box_px;
+  double sum_u = 0, sum_v = 0, sum_uu = 0, sum_uv = 0, sum_vv = 0;  ///< over its pixels, image moments
+
+  [[nodiscard]] double centroidU() const { return sum_u / static_cast<double>(pixels); }
+  [[nodiscard]] double centroidV() const { return sum_v / static_cast<double>(pixels); }
+  /// Of the ellipse with the same second moments: 0 = round, towards 1 = a line.
+  [[nodiscard]] float eccentricity() const;
+};
+
+/// All regions of the image.
+struct RegionCensus {
+  std::vector<RegionExtent> extents;  ///< by region id
+  cv::Rect labelled_px;               ///< box around everything labelled
+};
+
+/// Counts regions run by run. Keeps its tables from frame to frame; cost: one read of the labels.
+class RegionCounter {
+ public:
+  [[nodiscard]] RegionCensus count(const RegionMap& map);
+
+ private:
+  std::vector<std::uint32_t> slot_of_region_;  // 1 + index in extents; 0 = not met in this frame
+};
+
+}  // namespace scantrove

@@ -1,0 +1,17 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/discovery/candidate_finder.h"
+#include "core/discovery/region_census.h"
+
+namespace scantrove {
+
+/// What the camera sees of a region as if face on: the sum of z^2 / (fx fy) over its pixels that have a
+/// surface, m^2. Unlike the area in pixels it stays the same as the camera comes near.
+[[nodiscard]] float visibleArea(const RegionExtent& extent, const DiscoveryInput& input);
+
+/// The vertices of the region's pixels that have a surface, world, row by row.
+[[nodiscard]] std::vector<Eigen::Vector4f> pointsOf(const RegionExtent& extent, const DiscoveryInput& input);
+
+}  // namespace scantrove

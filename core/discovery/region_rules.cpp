@@ -1,0 +1,65 @@
+#include "core/discovery/region_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scantrove {
+
+cv::Rect visibleFrame(const RegionCensus& census, int width, int height) {
+  const int strip_u = width / 25, strip_v = height / 25;
+  const cv::Rect& seen = census.labelled_px;
+  // A gap wider than a strip is no strip: the image's own edge holds there.
+  const auto inset = [](int gap, int strip) { return gap <= strip ? gap : 0; };
+  const int left = inset(seen.x, strip_u), right = inset(width - seen.br().x, strip_u);
+  const int top = inset(seen.y, strip_v), bottom = inset(height - seen.br().y, strip_v);
+  return {left, top, width - left - right, height - top - bottom};
+}
+
+bool isOffBorder(const RegionExtent& extent, const cv::Rect& visible_px, const DiscoveryParams& params) {
+  const cv::Rect& box = extent.box_px;
+  const int margin = params.border_px;
+  return box.x - visible_px.x >= margin && box.y - visible_px.y >= margin &&
+         visible_px.br().x - box.br().x >= margin && visible_px.br().y - box.br().y >= margin;
+}
+
+bool hasEnoughPoints(const RegionExtent& extent, const Intrinsics& K, const DiscoveryParams& params) {
+  const double scale = static_cast<double>(K.pixels()) / (640.0 * 480.0);
+  return static_cast<double>(extent.pixels) >= params.min_points * scale;
+}
+
+bool isCentral(const RegionExtent& extent, const Intrinsics& K, const DiscoveryParams& params) {
+  const double half = params.central_fraction / 2;
+  return std::abs(extent.centroidU() - (K.width - 1) / 2.0) <= half * K.width &&
+         std::abs(extent.centroidV() - (K.height - 1) / 2.0) <= half * K.height;
+}
+
+bool isNotEccentric(const RegionExtent& extent, const DiscoveryParams& params) {
+  return extent.eccentricity() <= params.max_eccentricity;
+}
+
+bool isSizeInRange(const OrientedBox& box, const DiscoveryParams& params) {
+  return box.size_m[0] >= params.min_size_m && box.size_m[0] <= params.max_size_m;
+}
+
+bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params) {
+  return box.size_m[0] <= params.max_flat_size_m || box.thickness_ratio >= params.min_thickness_ratio;
+}
+
+std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const OrientedBox& box, bool is_persistent,
+                                       const cv::Rect& visible_px, const Intrinsics& K,
+                                       const DiscoveryParams& params) {
+  std::vector<DiscoveryRule> broken;
+  const auto ask = [&](DiscoveryRule rule, bool holds) {
+    if (!holds) broken.push_back(rule);
+  };
+  ask(DiscoveryRule::off_border, isOffBorder(extent, visible_px, params));
+  ask(DiscoveryRule::enough_points, hasEnoughPoints(extent, K, params));
+  ask(DiscoveryRule::central, isCentral(extent, K, params));
+  ask(DiscoveryRule::not_eccentric, isNotEccentric(extent, params));
+  ask(DiscoveryRule::persistent, is_persistent);
+  ask(DiscoveryRule::size_in_range, isSizeInRange(box, params));
+  ask(DiscoveryRule::not_flat, isNotFlat(box, params));
+  return broken;
+}
+
+}  // namespace scantrove

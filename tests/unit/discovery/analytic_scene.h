@@ -1,0 +1,53 @@
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "core/discovery/candidate_finder.h"
+
+namespace scantrove::test {
+
+/// A camera of 160 x 120 at the origin of a world turned and moved by `T_world_camera`, looking at regions
+/// that are painted as image rectangles with a depth for each pixel.
+struct AnalyticScene {
+  Intrinsics K{150, 150, 79.5F, 59.5F, 160, 120};
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  RegionMap map;
+  std::vector<Eigen::Vector4f> vertices;
+
+  AnalyticScene() {
+    map.width = K.width;
+    map.height = K.height;
+    map.regions.assign(static_cast<std::size_t>(K.pixels()), 0);
+    vertices.assign(map.regions.size(), Eigen::Vector4f::Zero());
+    T_world_camera =
+        Eigen::Translation3d(0.3, -1, 2) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+    paint(1, {0, 0, K.width, K.height}, [](int, int) { return 2.0F; });  // a wall behind everything
+  }
+
+  void paint(std::uint32_t region, const cv::Rect& box, const std::function<float(int, int)>& depth) {
+    for (int v = box.y; v < box.br().y; ++v) {
+      for (int u = box.x; u < box.br().x; ++u) {
+        const auto pixel = static_cast<std::size_t>(v * K.width + u);
+        map.regions[pixel] = region;
+        const Eigen::Vector3f p = K.backProject(static_cast<float>(u), static_cast<float>(v), depth(u, v));
+        vertices[pixel] << (T_world_camera * p.cast<double>()).cast<float>(), 1;
+      }
+    }
+  }
+
+  /// A bulge towards the camera (height 1: like half a ball) over the rectangle, so that it is not flat.
+  void paintBump(std::uint32_t region, const cv::Rect& box, float z, float height = 1) {
+    paint(region, box, [&](int u, int v) {
+      const float x = (static_cast<float>(u - box.x) + 0.5F) / static_cast<float>(box.width) * 2 - 1;
+      const float y = (static_cast<float>(v - box.y) + 0.5F) / static_cast<float>(box.height) * 2 - 1;
+      const float radius = static_cast<float>(box.width) * z / K.fx / 2;
+      return z - height * radius * std::sqrt(std::max(0.0F, 1 - (x * x + y * y) / 2));
+    });
+  }
+
+  [[nodiscard]] DiscoveryInput input() const { return {map, vertices, K, T_world_camera}; }
+};
+
+}  // namespace scantrove::test

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "core/discovery/oriented_box.h"
+#include "core/discovery/region_census.h"
+#include "core/discovery/size_history.h"
+
+namespace scantrove {
+namespace {
+
+TEST(RegionCensus, EqualsPixelByPixelSums) {
+  std::mt19937 random(5);
+  RegionMap map;
+  map.width = 37;
+  map.height = 23;
+  for (int i = 0; i < 37 * 23; ++i)
+    map.regions.push_back(static_cast<std::uint32_t>(random() % 3 == 0 ? random() % 5 : 2));
+  RegionCounter counter;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const RegionCensus census = counter.count(map);
+    ASSERT_EQ(census.extents.size(), 4U);
+    for (const RegionExtent& extent : census.extents) {
+      double n = 0, u1 = 0, v1 = 0, uu = 0, uv = 0, vv = 0;
+      for (int v = 0; v < 23; ++v) {
+        for (int u = 0; u < 37; ++u) {
+          if (map.regions[static_cast<std::size_t>(v * 37 + u)] != extent.region.value) continue;
+          n += 1, u1 += u, v1 += v, uu += u * u, uv += u * v, vv += v * v;
+        }
+      }
+      EXPECT_EQ(extent.pixels, n);
+      EXPECT_EQ(extent.sum_u, u1);
+      EXPECT_EQ(extent.sum_v, v1);
+      EXPECT_EQ(extent.sum_uu, uu);
+      EXPECT_EQ(extent.sum_uv, uv);
+      EXPECT_EQ(extent.sum_vv, vv);
+    }
+  }
+}
+
+TEST(RegionCensus, EccentricityOfARectangle) {
+  // A rectangle a x b has second moments a^2/12, b^2/12: e = sqrt(1 - (b/a)^2), at any place.
+  RegionMap map;
+  map.width = 100;
+  map.height = 60;
+  map.regions.assign(6000, 0);
+  for (int v = 10; v < 20; ++v) {
+    for (int u = 30; u < 80; ++u) map.regions[static_cast<std::size_t>(v * 100 + u)] = 3;
+  }
+  const RegionCensus census = RegionCounter().count(map);
+  ASSERT_EQ(census.extents.size(), 1U);
+  EXPECT_NEAR(census.extents[0].eccentricity(), std::sqrt(1 - 0.04), 1e-6);
+  EXPECT_EQ(census.labelled_px, cv::Rect(30, 10, 50, 10));
+}
+
+TEST(OrientedBox, OfATurnedBox) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> unit(-0.5F, 0.5F);
+  const Eigen::Matrix3f R =
+      Eigen::AngleAxisf(1.1F, Eigen::Vector3f(1, -2, 0.5F).normalized()).toRotationMatrix();
+  std::vector<Eigen::Vector4f> points;
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3f p =
+        R * Eigen::Vector3f(0.1F * unit(random), 0.4F * unit(random), 0.2F * unit(random));
+    points.emplace_back(p.x() + 5, p.y() - 3, p.z() + 1, 1.0F);
+  }
+  points.emplace_back(9.0F, 9.0F, 9.0F, 1.0F);  // one stray point
+  const OrientedBox box = fitOrientedBox(points);
+  // 98 % of each side, within the sampling error of 4096 points.
+  EXPECT_NEAR(box.size_m[0], 0.392F, 0.01F);
+  EXPECT_NEAR(box.size_m[1], 0.196F, 0.01F);
+  EXPECT_NEAR(box.size_m[2], 0.098F, 0.01F);
+  EXPECT_LT((box.mean - Eigen::Vector3f(5, -3, 1)).norm(), 0.01F);
+}
+
+TEST(OrientedBox, OfAPlaneAndOfNothing) {
+  std::vector<Eigen::Vector4f> points;
+  for (int i = 0; i < 400; ++i) {
+    points.emplace_back(0.01F * static_cast<float>(i % 20), 0.01F * static_cast<float>(i / 20), 1.0F, 1.0F);
+  }
+  EXPECT_LT(fitOrientedBox(points).thickness_ratio, 1e-3F);
+  EXPECT_LT(fitOrientedBox(points).size_m[2], 1e-4F);
+  EXPECT_EQ(fitOrientedBox({}).size_m, Eigen::Vector3f(0, 0, 0));
+}
+
+TEST(SizeHistory, HoldsOnlyWhatWasSeenLast) {
+  SizeHistory history;
+  for (std::uint32_t frame = 0; frame < 100; ++frame) {
+    const SizeHistory::Sighting sightings[] = {{RegionId{frame + 1}, 1.0F}, {RegionId{1000}, 1.0F}};
+    history.add(sightings, 5);
+    EXPECT_EQ(history.regionCount(), 2U);
+  }
+  EXPECT_TRUE(history.isPersistent(RegionId{1000}, 5, 0.1F));
+  EXPECT_FALSE(history.isPersistent(RegionId{100}, 5, 0.1F));
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,235 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "analytic_scene.h"
+#include "core/discovery/region_points.h"
+#include "core/discovery/region_rules.h"
+
+namespace scantrove {
+namespace {
+
+using test::AnalyticScene;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+DiscoveryParams testParams() {
+  DiscoveryParams params;
+  params.min_points = 1600;  // at 640x480; 100 at 160x120
+  return params;
+}
+
+std::vector<std::uint32_t> idsOf(const std::vector<Candidate>& candidates) {
+  std::vector<std::uint32_t> ids;
+  for (const Candidate& candidate : candidates) ids.push_back(candidate.region.value);
+  return ids;
+}
+
+/// Ids of the last of `frames` equal frames.
+std::vector<std::uint32_t> findAfter(const AnalyticScene& scene, const DiscoveryParams& params, int frames) {
+  const auto finder = makeRuleBasedFinder(params);
+  std::vector<std::uint32_t> ids;
+  for (int i = 0; i < frames; ++i) ids = idsOf(finder->find(scene.input()));
+  return ids;
+}
+
+/// The rules that region `id` breaks once it was seen often enough.
+std::vector<DiscoveryRule> broken(const AnalyticScene& scene, const DiscoveryParams& params, std::uint32_t id,
+                                  bool is_persistent = true) {
+  RegionCounter counter;
+  const RegionCensus census = counter.count(scene.map);
+  for (const RegionExtent& extent : census.extents) {
+    if (extent.region.value != id) continue;
+    return brokenRules(extent, fitOrientedBox(pointsOf(extent, scene.input())), is_persistent,
+                       visibleFrame(census, scene.K.width, scene.K.height), scene.K, params);
+  }
+  ADD_FAILURE() << "no region " << id;
+  return {};
+}
+
+TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
+  AnalyticScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  scene.map.regions[50 * 160 + 60] = 1;  // a corner that belongs to the wall
+  const auto finder = makeRuleBasedFinder(testParams());
+  std::vector<Candidate> found;
+  for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
+  ASSERT_EQ(found.size(), 1U);
+  const Candidate& candidate = found[0];
+  EXPECT_EQ(candidate.region.value, 7U);
+  EXPECT_EQ(candidate.box_px, cv::Rect(60, 50, 40, 30));
+  EXPECT_EQ(candidate.pixels, 40 * 30 - 1);
+  EXPECT_EQ(cv::countNonZero(candidate.mask), 40 * 30 - 1);
+  EXPECT_EQ(candidate.mask.at<unsigned char>(0, 0), 0);
+  // 40 pixels at about 1 m and f = 150 are 0.27 m; the bulge's rim lies at 1 m, its front nearer.
+  EXPECT_NEAR(candidate.size_m[0], 0.26F, 0.04F);
+  EXPECT_GE(candidate.size_m[0], candidate.size_m[1]);
+  EXPECT_GE(candidate.size_m[1], candidate.size_m[2]);
+  EXPECT_NEAR(candidate.centroid_camera.z(), 0.9F, 0.05F);
+  const Eigen::Vector3f back =
+      (scene.T_world_camera * candidate.centroid_camera.cast<double>()).cast<float>();
+  EXPECT_LT((back - candidate.centroid_world).norm(), 1e-5F);
+}
+
+TEST(RuleBasedFinder, ListsCandidatesByRegion) {
+  AnalyticScene scene;
+  scene.paintBump(900, {40, 50, 20, 20}, 1.0F);
+  scene.paintBump(12, {90, 30, 20, 20}, 1.2F);
+  EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(12U, 900U));
+}
+
+TEST(RuleBasedFinder, NeedsPersistence) {
+  AnalyticScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  EXPECT_THAT(findAfter(scene, testParams(), 4), IsEmpty());
+  EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
+  EXPECT_THAT(broken(scene, testParams(), 7, false), ElementsAre(DiscoveryRule::persistent));
+}
+
+TEST(RuleBasedFinder, StartsAnewAfterAGapOrAChangeOfSize) {
+  AnalyticScene with, without, larger;
+  with.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  larger.paintBump(7, {50, 40, 60, 50}, 1.0F);
+  const auto finder = makeRuleBasedFinder(testParams());
+  const auto see = [&](const AnalyticScene& scene) { return idsOf(finder->find(scene.input())); };
+  for (int i = 0; i < 4; ++i) EXPECT_THAT(see(with), IsEmpty());
+  EXPECT_THAT(see(without), IsEmpty());
+  for (int i = 0; i < 4; ++i) EXPECT_THAT(see(with), IsEmpty());
+  EXPECT_THAT(see(with), ElementsAre(7U));
+  for (int i = 0; i < 4; ++i) EXPECT_THAT(see(larger), IsEmpty());
+  EXPECT_THAT(see(larger), ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, SizeIsMetricNotInPixels) {
+  // The camera approaches: the same 0.2 m plate fills ever more pixels.
+  const auto finder = makeRuleBasedFinder(testParams());
+  std::vector<std::uint32_t> ids;
+  for (int i = 0; i < 6; ++i) {
+    AnalyticScene scene;
+    const float z = 1.6F - 0.18F * static_cast<float>(i);
+    const int side = static_cast<int>(std::lround(0.2F * scene.K.fx / z));
+    scene.paint(7, {80 - side / 2, 60 - side / 2, side, side}, [z](int, int) { return z; });
+    ids = idsOf(finder->find(scene.input()));
+  }
+  EXPECT_THAT(ids, ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, RefusesWhatTouchesTheBorder) {
+  for (const cv::Rect& box : {cv::Rect(0, 45, 40, 30), cv::Rect(60, 0, 30, 40), cv::Rect(1, 45, 40, 30)}) {
+    AnalyticScene scene;
+    scene.paintBump(7, box, 1.0F);
+    DiscoveryParams params = testParams();
+    params.central_fraction = 1;
+    EXPECT_THAT(findAfter(scene, params, 6), IsEmpty()) << box;
+    EXPECT_THAT(broken(scene, params, 7), ElementsAre(DiscoveryRule::off_border)) << box;
+  }
+}
+
+TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
+  // As a Kinect's depth: nothing in the last columns. What ends there is cut off.
+  AnalyticScene scene;
+  scene.paintBump(7, {115, 45, 40, 30}, 1.0F);
+  DiscoveryParams params = testParams();
+  params.central_fraction = 1;
+  EXPECT_THAT(findAfter(scene, params, 5), ElementsAre(7U));
+  for (int v = 0; v < 120; ++v) {
+    for (int u = 155; u < 160; ++u) scene.map.regions[static_cast<std::size_t>(v * 160 + u)] = 0;
+  }
+  EXPECT_THAT(findAfter(scene, params, 5), IsEmpty());
+  EXPECT_THAT(broken(scene, params, 7), ElementsAre(DiscoveryRule::off_border));
+}
+
+TEST(RuleBasedFinder, AnObjectAloneInTheViewIsNotCutOff) {
+  AnalyticScene scene;
+  std::ranges::fill(scene.map.regions, 0U);
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, RefusesFewPoints) {
+  AnalyticScene scene;
+  scene.paintBump(7, {70, 50, 11, 9}, 1.0F);  // 99 < 100
+  EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
+  EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre(DiscoveryRule::enough_points));
+  scene.paintBump(7, {70, 50, 11, 10}, 1.0F);
+  EXPECT_THAT(findAfter(scene, testParams(), 6), ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, RefusesWhatIsNotCentral) {
+  AnalyticScene scene;
+  scene.paintBump(7, {4, 50, 20, 20}, 1.0F);  // centroid at u = 13.5, the middle part starts at 15.5
+  EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
+  EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre(DiscoveryRule::central));
+}
+
+TEST(RuleBasedFinder, RefusesTooLargeAndTooSmall) {
+  AnalyticScene scene;
+  scene.paintBump(7, {20, 20, 120, 80}, 1.6F, 0.2F);  // 1.28 m
+  EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
+  EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre(DiscoveryRule::size_in_range));
+  DiscoveryParams params = testParams();
+  params.max_size_m = 1.4F;
+  EXPECT_THAT(findAfter(scene, params, 6), ElementsAre(7U));
+  params.min_size_m = 1.35F;
+  EXPECT_THAT(broken(scene, params, 7), ElementsAre(DiscoveryRule::size_in_range));
+}
+
+TEST(RuleBasedFinder, RefusesLargePlanesAndKeepsBooks) {
+  AnalyticScene panel;  // 0.53 x 0.4 m
+  panel.paint(7, {60, 45, 40, 30}, [](int, int) { return 2.0F; });
+  EXPECT_THAT(findAfter(panel, testParams(), 6), IsEmpty());
+  EXPECT_THAT(broken(panel, testParams(), 7), ElementsAre(DiscoveryRule::not_flat));
+  AnalyticScene book;  // 0.27 x 0.2 m, as flat
+  book.paint(7, {60, 45, 40, 30}, [](int, int) { return 1.0F; });
+  EXPECT_THAT(findAfter(book, testParams(), 6), ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, RefusesLongThinShapes) {
+  AnalyticScene scene;
+  scene.paintBump(7, {40, 50, 80, 10}, 0.8F);  // 8 : 1
+  EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
+  EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre(DiscoveryRule::not_eccentric));
+}
+
+TEST(RuleBasedFinder, TakesAnObjectInSeveralPartsAsOne) {
+  // Something thin stands in front of it.
+  AnalyticScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  scene.paint(8, {78, 0, 4, 120}, [](int, int) { return 0.6F; });
+  const auto finder = makeRuleBasedFinder(testParams());
+  std::vector<Candidate> found;
+  for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].box_px, cv::Rect(60, 50, 40, 30));
+  EXPECT_EQ(found[0].pixels, 36 * 30);
+  EXPECT_EQ(found[0].mask.at<unsigned char>(10, 19), 0);
+  EXPECT_EQ(found[0].mask.at<unsigned char>(10, 30), 255);
+}
+
+TEST(RuleBasedFinder, SkipsPixelsWithoutSurface) {
+  AnalyticScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  scene.vertices[60 * 160 + 70] << NAN, NAN, NAN, 1;
+  scene.vertices[60 * 160 + 71].setZero();
+  EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, HistoryFollowsAMerge) {
+  AnalyticScene before, after;
+  before.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  after.paintBump(9, {60, 50, 40, 30}, 1.0F);
+  const auto finder = makeRuleBasedFinder(testParams());
+  for (int i = 0; i < 4; ++i) EXPECT_THAT(finder->find(before.input()), IsEmpty());
+  finder->regionsMerged(RegionId{9}, RegionId{7});
+  EXPECT_THAT(idsOf(finder->find(after.input())), ElementsAre(9U));
+}
+
+TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
+  AnalyticScene scene;
+  std::ranges::fill(scene.map.regions, 0U);
+  EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
+}
+
+}  // namespace
+}  // namespace scantrove
