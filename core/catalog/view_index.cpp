@@ -80,7 +80,7 @@ void ViewIndex::fitComponents() {
 
 std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) const {
   const float diagonal_m = query.size_m.norm();
-  PrincipalComponents::Coordinates straight, flipped;
+  PrincipalComponents::Coordinates straight = PrincipalComponents::Coordinates::Zero(), flipped = straight;
   const bool prune = size() >= kFewViews && !components_.isEmpty();
   if (prune) {
     straight = components_.project(toVector(query.thumbnail.coarse));

@@ -38,7 +38,9 @@ TEST(Thumbnail, IsNormalisedOverTheObjectAndZeroBehindIt) {
         for (int x = 0; x < 32; ++x) {
           const double value = thumbnail->fine[c * 1024 + static_cast<std::size_t>(y * 32 + x)] / 32.0;
           if (x < 14) sum += value, squares += value * value;
-          if (x > 18) EXPECT_EQ(value, 0);
+          if (x > 18) {
+            EXPECT_EQ(value, 0);
+          }
         }
       }
       EXPECT_NEAR(sum / (14 * 32), 0, 0.35) << size;  // the two blended columns carry the rest
