@@ -17,10 +17,11 @@ inline std::filesystem::path recordingsFolder() {
 
 }  // namespace scantrove::test
 
-/// Declares `path`, the recording `name` (a folder or file below the recordings folder), or skips the test,
-/// saying what is missing.
-#define SCANTROVE_NEED_RECORDING(path, name)                                                               \
-  const std::filesystem::path path = ::scantrove::test::recordingsFolder() / (name);                       \
-  if (!std::filesystem::exists(path)) {                                                                    \
-    GTEST_SKIP() << "There is no recording " << path << ". Set SCANTROVE_DATA to the folder that has it."; \
+/// Declares `variable`, the path of the recording `name` (a folder or file below the recordings folder), or
+/// skips the test, saying what is missing.
+#define SCANTROVE_NEED_RECORDING(variable, name)                                         \
+  const std::filesystem::path variable = ::scantrove::test::recordingsFolder() / (name); \
+  if (!std::filesystem::exists(variable)) {                                              \
+    GTEST_SKIP() << "There is no recording " << variable                                 \
+                 << ". Set SCANTROVE_DATA to the folder that has it.";                   \
   }
