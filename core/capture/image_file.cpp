@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "core/capture/depth_png.h"
 #include "core/capture/image_integrity.h"
 
 namespace scantrove {
@@ -51,6 +52,9 @@ Result<cv::Mat> decode(const std::filesystem::path& file, int flags) {
   }
   if (const std::string damage = findImageDamage(*bytes); !damage.empty()) {
     return fail(file.string() + " " + damage + ".");
+  }
+  if (flags == cv::IMREAD_UNCHANGED && isDepthPng(*bytes)) {
+    return decodeDepthPng(*bytes, file.string());
   }
   try {
     if (cv::Mat image = cv::imdecode(*bytes, flags); !image.empty()) {

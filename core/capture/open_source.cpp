@@ -8,10 +8,8 @@
 #include "core/capture/read_ahead.h"
 #include "core/capture/seven_scenes.h"
 #include "core/capture/source_options.h"
-#include "core/capture/tum_folder.h"
-#ifdef SCANTROVE_HAS_SYNTHETIC_SOURCE
 #include "core/capture/synthetic/synthetic_source.h"
-#endif
+#include "core/capture/tum_folder.h"
 
 namespace scantrove {
 
@@ -21,17 +19,11 @@ using OpenedSource = Result<std::unique_ptr<FrameSource>>;
 
 constexpr const char* kKnownSources =
     "Looked for a 7-Scenes folder (frame-000000.depth.png ...), a TUM RGB-D folder (depth.txt, rgb.txt), and "
-    "numbered images "
-    "(depth/ beside color/, image/ or rgb/).";
+    "numbered images (depth/ beside color/, image/ or rgb/).";
 
 OpenedSource openDemo(const std::string& source, const SourceOptions& options) {
   const std::string scene = source == "demo" ? "tabletop" : source.substr(source.find(':') + 1);
-#ifdef SCANTROVE_HAS_SYNTHETIC_SOURCE
   return makeSyntheticSource(scene, options);
-#else
-  static_cast<void>(options);
-  return fail("This build has no built-in scene, so " + scene + " cannot be opened.");
-#endif
 }
 
 /// A 7-Scenes download holds its recordings in seq-01, seq-02, ...: say so instead of only "nothing found".
