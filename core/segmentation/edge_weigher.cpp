@@ -19,23 +19,23 @@ void EdgeWeigher::weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& nor
   edges.width = surface.K.width;
   edges.height = surface.K.height;
   edges.keys.resize(pixels);
-  edges.present.resize(pixels);
+  edges.depths_m.resize(pixels);
   if (pixels == 0) return;
   SCANTROVE_CHECK(surface.vertices_world.size() >= pixels && normals.size() >= pixels);
   if (keys_.size() != pixels) {
     keys_ = Buffer<cl_ushort4>(compute_->context(), pixels);
-    present_ = Buffer<cl_uchar>(compute_->context(), pixels);
+    depths_ = Buffer<cl_float>(compute_->context(), pixels);
   }
   const Eigen::Matrix4d T_camera_world = surface.T_world_camera.inverse().matrix();
   const Eigen::RowVector4f row = T_camera_world.row(2).cast<float>();
   const float focal_px = std::min(surface.K.fx, surface.K.fy);
   kernel_.launch(
       cl::NDRange(static_cast<std::size_t>(surface.K.width), static_cast<std::size_t>(surface.K.height)),
-      cl::NullRange, surface.vertices_world, normals, keys_, present_, surface.K.width, surface.K.height,
+      cl::NullRange, surface.vertices_world, normals, keys_, depths_, surface.K.width, surface.K.height,
       params.neighbours, toKernel(row[0], row[1], row[2], row[3]), params.max_distance_factor / focal_px,
       params.min_max_distance_m);
   keys_.read(compute_->queue(), std::span<cl_ushort4>(edges.keys));
-  present_.read(compute_->queue(), std::span<cl_uchar>(edges.present));
+  depths_.read(compute_->queue(), std::span<cl_float>(edges.depths_m));
 }
 
 }  // namespace scantrove

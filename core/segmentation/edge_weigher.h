@@ -13,8 +13,8 @@ namespace scantrove {
 struct EdgeKeys {
   int width = 0;
   int height = 0;
-  std::vector<cl_ushort4> keys;       ///< per pixel: E, S, SE, SW
-  std::vector<std::uint8_t> present;  ///< per pixel: 1 where vertex and normal exist
+  std::vector<cl_ushort4> keys;  ///< per pixel: E, S, SE, SW
+  std::vector<float> depths_m;   ///< per pixel: z in the camera, 0 where vertex or normal is missing
 };
 
 /// Launches weigh_edges: eq. 3.5 on V_t, N_t. One thread, the context's; may throw cl::Error.
@@ -33,7 +33,7 @@ class EdgeWeigher {
   ComputeContext* compute_;
   Kernel kernel_;
   Buffer<cl_ushort4> keys_;
-  Buffer<cl_uchar> present_;
+  Buffer<cl_float> depths_;
 };
 
 }  // namespace scantrove

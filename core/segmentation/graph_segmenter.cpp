@@ -51,12 +51,13 @@ class GraphSegmenter::Machinery {
     SegmentMap map;
     map.width = edges_.width;
     map.height = edges_.height;
-    map.ids.assign(edges_.present.size(), 0);
+    map.ids.assign(edges_.depths_m.size(), 0);
     map.areas.assign(1, 0);
-    id_of_root_.assign(edges_.present.size(), 0);
+    map.depths_m = edges_.depths_m;
+    id_of_root_.assign(edges_.depths_m.size(), 0);
     for (std::size_t pixel = 0; pixel < map.ids.size(); ++pixel) {
       std::uint32_t id = 0;
-      if (edges_.present[pixel] != 0) {
+      if (edges_.depths_m[pixel] > 0) {
         std::uint32_t& known = id_of_root_[components_.find(static_cast<std::uint32_t>(pixel))];
         if (known == 0) {
           known = static_cast<std::uint32_t>(map.areas.size());

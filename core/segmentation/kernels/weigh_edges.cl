@@ -12,7 +12,8 @@
 //
 // One work-item: one pixel i and its forward edges. vertices, normals: width * height float4, w = 0 or anything not
 // finite: no such pixel. depth_row: the row of T_camera_world that gives z. keys: width * height ushort4 in the order of the
-// directions; edges that leave the image or meet a missing pixel are EDGE_NEVER. present: 1 where vertex and normal exist.
+// directions; edges that leave the image or meet a missing pixel are EDGE_NEVER. depths: z in metres where
+// vertex and normal exist, else 0.
 
 inline bool is_point(const float4 v, const float4 n) {
   return v.w > 0.0f && n.w > 0.0f && dot(v.xyz, v.xyz) < 1e12f && dot(n.xyz, n.xyz) > 0.5f && dot(n.xyz, n.xyz) < 2.0f;
@@ -29,16 +30,17 @@ inline ushort key_of(const float weight) {
 inline ushort edge_key(const float4 vi, const float4 ni, const float zi, const float4 vj, const float4 nj,
                        const float4 depth_row, const float distance_factor_per_f, const float min_distance) {
   const float3 step = vj.xyz - vi.xyz;
-  const float max_distance = fmax(distance_factor_per_f * fmin(zi, depth_of(vj, depth_row)), min_distance);
+  const float zj = depth_of(vj, depth_row);
+  const float max_distance = fmax(distance_factor_per_f * fmin(zi, zj), min_distance);
   const float3 turn = ni.xyz - nj.xyz;
   const float concave = 0.5f * dot(turn, turn);
   const float weight = dot(step, nj.xyz) > 0.0f ? concave * concave : concave;
-  const bool joins = is_point(vj, nj) && dot(step, step) < max_distance * max_distance;
+  const bool joins = is_point(vj, nj) && zj > 0.0f && dot(step, step) < max_distance * max_distance;
   return joins ? key_of(fmin(weight, 4.0f)) : (ushort)EDGE_NEVER;
 }
 
 kernel void weigh_edges(global const float4* vertices, global const float4* normals, global ushort4* keys,
-                        global uchar* present, const int width, const int height, const int neighbours,
+                        global float* depths, const int width, const int height, const int neighbours,
                         const float4 depth_row, const float distance_factor_per_f, const float min_distance) {
   const int x = get_global_id(0);
   const int y = get_global_id(1);
@@ -46,10 +48,10 @@ kernel void weigh_edges(global const float4* vertices, global const float4* norm
   const int i = y * width + x;
   const float4 v = vertices[i];
   const float4 n = normals[i];
-  const bool here = is_point(v, n);
+  const float z = depth_of(v, depth_row);
+  const bool here = is_point(v, n) && z > 0.0f;
   ushort4 result = (ushort4)(EDGE_NEVER);
   if (here) {
-    const float z = depth_of(v, depth_row);
     const bool east = x + 1 < width;
     const bool south = y + 1 < height;
     if (east) {
@@ -69,5 +71,5 @@ kernel void weigh_edges(global const float4* vertices, global const float4* norm
     }
   }
   keys[i] = result;
-  present[i] = here ? 1 : 0;
+  depths[i] = here ? z : 0.0f;
 }
