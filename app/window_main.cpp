@@ -1,0 +1,104 @@
+#include "app/window_main.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTimer>
+#include <clocale>
+#include <cstdlib>
+#include <iostream>
+
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/main_window/window_picture.h"
+#include "ui/panels/object_panel.h"
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
+#include "ui/view/scene_view.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kJobFailed = 1;
+constexpr int kSettle_ms = 1500;  ///< until the last snapshot is drawn
+
+bool isSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+/// VTK's OpenGL loader needs GLX, so on a Wayland desktop the window goes through X.
+void choosePlatform() {
+  if (!isSet("QT_QPA_PLATFORM") && isSet("WAYLAND_DISPLAY") && isSet("DISPLAY")) {
+    qputenv("QT_QPA_PLATFORM", "xcb");
+  }
+}
+
+void applyTheme(const std::string& wanted) {
+  const int remembered =
+      QSettings().value(QStringLiteral("theme"), static_cast<int>(ThemeChoice::system)).toInt();
+  ThemeChoice choice =
+      remembered >= 0 && remembered <= 2 ? static_cast<ThemeChoice>(remembered) : ThemeChoice::system;
+  if (wanted == "dark") choice = ThemeChoice::dark;
+  if (wanted == "light") choice = ThemeChoice::light;
+  Theme::instance().choose(choice);
+}
+
+/// When the scan has ended, shows the newest object's views, lets all be drawn, saves the picture and quits.
+void takePictureAtEnd(MainWindow& window, const QString& file) {
+  const auto save = [&window, file](int exit_code) {
+    window.objectPanel()->selectFirst();
+    QTimer::singleShot(kSettle_ms, &window, [&window, file, exit_code] {
+      const Result<void> saved = saveWindowPicture(window, file);
+      if (!saved) std::cerr << "scantrove: " << saved.error().message() << '\n';
+      QApplication::exit(saved ? exit_code : kJobFailed);
+    });
+  };
+  SessionBridge& bridge = window.controller().bridge();
+  QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [save] { save(kDone); });
+  QObject::connect(&bridge, &SessionBridge::scanFailed, &window, [save](const QString& message) {
+    std::cerr << "scantrove: " << message.toStdString() << '\n';
+    save(kJobFailed);
+  });
+  if (!window.controller().hasSource()) save(kDone);
+}
+
+}  // namespace
+
+int runWindow(int& argc, char** argv, const WindowOptions& options) {
+  choosePlatform();
+  if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("QT_QPA_PLATFORM")) {
+    std::cerr << "scantrove: There is no display to show the window on. "
+                 "Scan without it: scantrove scan SOURCE --out DIR\n";
+    return kJobFailed;
+  }
+  QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
+  QApplication application(argc, argv);
+  // QApplication sets the person's locale; numbers in files stay as the standard says.
+  std::setlocale(LC_NUMERIC, "C");
+  QApplication::setOrganizationName(QStringLiteral("scantrove"));
+  QApplication::setApplicationName(QStringLiteral("scantrove"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Scantrove"));
+  QApplication::setDesktopFileName(QStringLiteral("io.github.scantrove.Scantrove"));
+#ifdef SCANTROVE_VERSION
+  QApplication::setApplicationVersion(QStringLiteral(SCANTROVE_VERSION));
+#endif
+  initialiseResources();
+  applyTheme(options.theme);
+
+  MainWindow window(makeScanSessionPort, options);
+  window.show();
+  if (!options.source.empty()) {
+    window.controller().open(QString::fromStdString(options.source), options.source_options, options.poses);
+  }
+  if (options.screenshot) takePictureAtEnd(window, QString::fromStdString(options.screenshot->string()));
+  return QApplication::exec();
+}
+
+int runWindow(int& argc, char** argv, const std::string& source) {
+  WindowOptions options;
+  options.source = source;
+  return runWindow(argc, argv, options);
+}
+
+}  // namespace scantrove

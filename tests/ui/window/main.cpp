@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <clocale>
+
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
+#include "ui/view/scene_view.h"
+
+int main(int argc, char** argv) {
+  // Neither the person's settings nor their catalogue are touched.
+  const QTemporaryDir home;
+  for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"}) {
+    qputenv(variable, home.path().toLocal8Bit());
+  }
+  QSurfaceFormat::setDefaultFormat(scantrove::SceneView::surfaceFormat());
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  QApplication::setOrganizationName(QStringLiteral("scantrove"));
+  QApplication::setApplicationName(QStringLiteral("scantrove-tests"));
+  scantrove::initialiseResources();
+  scantrove::Theme::instance().choose(scantrove::ThemeChoice::dark);
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,80 @@
+#include "ui/bridge/session_bridge.h"
+
+#include <utility>
+
+namespace scantrove {
+namespace {
+
+constexpr int kInterval_ms = 66;
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+bool isStarting(const ScanEvent& event) {
+  const auto* changed = std::get_if<StateChanged>(&event);
+  return changed != nullptr && changed->state == ScanState::starting;
+}
+
+}  // namespace
+
+SessionBridge::SessionBridge(const SessionFactory& factory, QObject* parent) : QObject(parent) {
+  session_ = factory([this](const ScanEvent& event) { receive(event); });
+  timer_.setInterval(kInterval_ms);
+  connect(&timer_, &QTimer::timeout, this, &SessionBridge::deliver);
+  timer_.start();
+}
+
+SessionBridge::~SessionBridge() = default;
+
+void SessionBridge::start(const ScanRequest& request) { session_->start(request); }
+
+bool SessionBridge::busy() const {
+  return state_ == ScanState::starting || state_ == ScanState::scanning || state_ == ScanState::paused ||
+         state_ == ScanState::stopping;
+}
+
+void SessionBridge::receive(const ScanEvent& event) {
+  const std::scoped_lock lock(mutex_);
+  // What is still in the mailbox belongs to the scan before: it must not reach the window after this event.
+  if (isStarting(event) && session_ != nullptr) static_cast<void>(session_->snapshots().collect());
+  queue_.push_back(event);
+}
+
+void SessionBridge::deliver() {
+  std::vector<ScanEvent> events;
+  std::shared_ptr<const ScanSnapshot> snapshot;
+  {
+    const std::scoped_lock lock(mutex_);
+    snapshot = session_->snapshots().collect();
+    events = std::exchange(queue_, {});
+  }
+  // A snapshot collected together with `starting` was posted after it (see receive).
+  for (const ScanEvent& event : events) announce(event);
+  if (snapshot != nullptr) emit snapshotArrived(snapshot);
+}
+
+void SessionBridge::announce(const ScanEvent& event) {
+  std::visit(Overloaded{
+                 [this](const StateChanged& e) {
+                   state_ = e.state;
+                   emit stateChanged(e.state);
+                 },
+                 [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
+                 [this](const ObjectRecognised& e) {
+                   emit objectRecognised(e.object, QString::fromStdString(e.name));
+                 },
+                 [this](const ViewAdded& e) { emit viewAdded(e.object); },
+                 [this](const FrameSkipped& e) {
+                   emit frameSkipped(e.frame_index, QString::fromStdString(e.error.message()));
+                 },
+                 [this](const ScanFailed& e) { emit scanFailed(QString::fromStdString(e.error.message())); },
+                 [this](const ScanFinished& e) { emit scanFinished(e.report); },
+             },
+             event);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,59 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "ui/bridge/session_port.h"
+
+namespace scantrove {
+
+/// Carries a scan session's news from its thread to the window's. Events wait in a queue and none is lost; of
+/// the snapshots only the newest is collected, about 15 times a second. What is delivered is in order: a
+/// snapshot comes after all events that happened before it, and no snapshot of an earlier scan comes after
+/// `starting`. All of it is for the window's thread.
+class SessionBridge : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SessionBridge(const SessionFactory& factory, QObject* parent = nullptr);
+  ~SessionBridge() override;
+
+  void start(const ScanRequest& request);
+  void pause() { session_->pause(); }
+  void resume() { session_->resume(); }
+  void step() { session_->step(); }
+  void stop() { session_->stop(); }
+  void catalogueChanged() { session_->catalogueChanged(); }
+  void setParams(const ScanParams& params) { session_->setParams(params); }
+
+  /// The last state that was delivered, not the one the worker may be in by now.
+  [[nodiscard]] ScanState state() const { return state_; }
+  /// A scan runs or is about to: it can be stopped.
+  [[nodiscard]] bool busy() const;
+
+ signals:
+  void snapshotArrived(const std::shared_ptr<const scantrove::ScanSnapshot>& snapshot);
+  void stateChanged(scantrove::ScanState state);
+  void objectAdded(scantrove::ObjectId object, const QString& name);
+  void objectRecognised(scantrove::ObjectId object, const QString& name);
+  void viewAdded(scantrove::ObjectId object);
+  void frameSkipped(int frame_index, const QString& message);
+  void scanFailed(const QString& message);
+  void scanFinished(const scantrove::ScanReport& report);
+
+ private:
+  void receive(const ScanEvent& event);  ///< on the session's thread
+  void deliver();
+  void announce(const ScanEvent& event);
+
+  std::mutex mutex_;
+  std::vector<ScanEvent> queue_;  ///< guarded by mutex_
+  ScanState state_ = ScanState::idle;
+  QTimer timer_;
+  std::unique_ptr<SessionPort> session_;  ///< last: its thread ends before the rest goes
+};
+
+}  // namespace scantrove

@@ -1,0 +1,74 @@
+#include "ui/main_window/main_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QUndoStack>
+
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+
+MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(parent) {
+  open_folder =
+      make("folder", tr("Open &folder…"), tr("Ctrl+O"), tr("Open a recording that is a folder of images"));
+  open_recording =
+      make("recording", tr("Open &recording…"), tr("Ctrl+Shift+O"), tr("Open an OpenNI recording (.oni)"));
+  open_with_options = make("sliders", tr("Open &with options…"), tr("Ctrl+Alt+O"),
+                           tr("Give intrinsics, depth scale, or a part of the recording"));
+  open_camera = make("camera", tr("&Camera…"), tr("Ctrl+K"), tr("Scan with a depth camera"));
+  open_tabletop = make("table", tr("&Tabletop"), {}, tr("The built-in table with objects"));
+  open_room = make("room", tr("&Room"), {}, tr("The built-in room"));
+  open_catalogue = make("database", tr("Open c&atalogue…"), {}, tr("Use another file of objects"));
+  quit = make("", tr("&Quit"), tr("Ctrl+Q"), tr("End the program"));
+
+  start = make("start", tr("&Start"), tr("Ctrl+R"), tr("Scan from the beginning, or go on when paused"));
+  pause = make("pause", tr("&Pause"), tr("Space"), tr("Pause or go on"));
+  step = make("step", tr("One &frame"), tr("N"), tr("Process one frame and pause"));
+  stop = make("stop", tr("S&top"), tr("Ctrl+."), tr("End the scan; what was found is kept"));
+
+  undo = undo_stack.createUndoAction(this, tr("Undo"));
+  undo->setIcon(icon(QStringLiteral("undo")));
+  undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
+  redo = undo_stack.createRedoAction(this, tr("Redo"));
+  redo->setIcon(icon(QStringLiteral("redo")));
+  redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+  focus_objects =
+      make("search", tr("Go to the object &list"), tr("Ctrl+L"), tr("Puts the keys into the object list"));
+
+  theme_system = make("", tr("As the &system"), {}, tr("Dark or light as the desktop says"));
+  theme_light = make("sun", tr("&Light"), {}, tr("Light colours"));
+  theme_dark = make("moon", tr("&Dark"), {}, tr("Dark colours"));
+  auto* themes = new QActionGroup(this);
+  for (QAction* action : {theme_system, theme_light, theme_dark}) {
+    action->setCheckable(true);
+    themes->addAction(action);
+  }
+  reset_layout = make("", tr("&Usual arrangement"), {}, tr("Put all panels back in their places"));
+  help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("What the keys and the mouse do"));
+  help_keys->setShortcuts({QKeySequence(tr("?")), QKeySequence(Qt::Key_F1)});
+  about = make("info", tr("&About Scantrove"), {}, tr("Version and licence"));
+  enableFor(ScanState::idle, false);
+}
+
+QAction* MainActions::make(const char* picture, const QString& text, const QString& key,
+                           const QString& help) {
+  auto* action = new QAction(text, this);
+  if (*picture != '\0') action->setIcon(icon(QString::fromLatin1(picture)));
+  if (!key.isEmpty()) action->setShortcut(QKeySequence(key));
+  action->setToolTip(key.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, key));
+  return action;
+}
+
+void MainActions::enableFor(ScanState state, bool has_source) {
+  const bool busy = state == ScanState::starting || state == ScanState::scanning ||
+                    state == ScanState::paused || state == ScanState::stopping;
+  const bool paused = state == ScanState::paused;
+  start->setEnabled(has_source && (!busy || paused));
+  start->setText(paused ? tr("&Go on") : tr("&Start"));
+  pause->setEnabled(state == ScanState::scanning || paused);
+  step->setEnabled(state == ScanState::scanning || paused);
+  stop->setEnabled(busy && state != ScanState::stopping);
+  open_catalogue->setEnabled(!busy);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,232 @@
+#include "ui/main_window/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QListView>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "ui/main_window/main_actions.h"
+#include "ui/main_window/recent_sources.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/frame_panels.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/object_panel.h"
+#include "ui/panels/params_panel.h"
+#include "ui/panels/progress_strip.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_strip.h"
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+namespace {
+constexpr int kLayoutVersion = 1;
+const QString kGeometryKey = QStringLiteral("window/geometry");
+const QString kDocksKey = QStringLiteral("window/docks");
+}  // namespace
+
+MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& options)
+    : model_(editor_),
+      controller_(new ScanController(factory, options, this)),
+      actions_(new MainActions(editor_.undoStack(), this)) {
+  setWindowTitle(QStringLiteral("Scantrove"));
+  setWindowIcon(icon(QStringLiteral("scantrove")));
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  makeCentre();
+  makeDocks(options.params);
+  makeMenus();
+  makeToolBar();
+  status_ = new StatusStrip;
+  statusBar()->addWidget(status_, 1);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 0, 0);
+  connectActions();
+  connectSession();
+
+  resize(1480, 920);
+  if (options.width > 0 && options.height > 0) {
+    resize(options.width, options.height);
+  } else {
+    restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
+  }
+  usualArrangement();
+  restoreState(QSettings().value(kDocksKey).toByteArray(), kLayoutVersion);
+  showStartPage();
+  openCatalogue(options.database.empty() ? defaultCatalogueFile() : QString::fromStdString(options.database));
+}
+
+MainWindow::~MainWindow() {
+  // The scan ends, and with it all news, before the first widget goes.
+  delete controller_;
+}
+
+void MainWindow::makeCentre() {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  messages_ = new MessageBar(column);
+  centre_ = new QStackedWidget;
+  start_ = new StartPage;
+  scene_ = new ScenePane;
+  centre_->addWidget(start_);
+  centre_->addWidget(scene_);
+  layout->addWidget(messages_);
+  layout->addWidget(centre_, 1);
+  setCentralWidget(column);
+}
+
+void MainWindow::makeDocks(const ScanParams& params) {
+  const auto add = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(QString::fromLatin1(name));
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                      QDockWidget::DockWidgetClosable);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+  };
+  objects_ = new ObjectPanel(editor_, model_);
+  frames_ = new FramePanels;
+  params_ = new ParamsPanel(params);
+  objects_dock_ = add(tr("Objects"), "objectsDock", objects_, Qt::LeftDockWidgetArea);
+  params_dock_ = add(tr("Settings"), "settingsDock", params_, Qt::LeftDockWidgetArea);
+  frames_dock_ = add(tr("Current frame"), "framesDock", frames_, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::usualArrangement() {
+  for (QDockWidget* dock : {objects_dock_, params_dock_, frames_dock_}) {
+    dock->setFloating(false);
+    dock->show();
+  }
+  addDockWidget(Qt::LeftDockWidgetArea, objects_dock_);
+  addDockWidget(Qt::LeftDockWidgetArea, params_dock_);
+  splitDockWidget(objects_dock_, params_dock_, Qt::Vertical);
+  addDockWidget(Qt::RightDockWidgetArea, frames_dock_);
+  resizeDocks({objects_dock_, frames_dock_}, {290, width() < 1400 ? 360 : 440}, Qt::Horizontal);
+  resizeDocks({objects_dock_, params_dock_}, {1000, 130}, Qt::Vertical);
+}
+
+bool MainWindow::onStartPage() const { return centre_->currentWidget() == start_; }
+
+void MainWindow::showStartPage() {
+  if (!onStartPage() || docks_layout_.isEmpty()) docks_layout_ = saveState(kLayoutVersion);
+  start_->setRecent(recentSources());
+  centre_->setCurrentWidget(start_);
+  frames_dock_->hide();
+  params_dock_->hide();
+  progress_->clear();
+}
+
+void MainWindow::showScene() {
+  if (!onStartPage()) return;
+  centre_->setCurrentWidget(scene_);
+  restoreState(docks_layout_, kLayoutVersion);
+}
+
+void MainWindow::open(const QString& source) {
+  messages_->dismiss();
+  controller_->open(source);
+}
+
+void MainWindow::openCatalogue(const QString& file) {
+  if (const Result<void> done = editor_.open(file); !done) {
+    messages_->show(MessageBar::Kind::error, QString::fromStdString(done.error().message()));
+    return;
+  }
+  controller_->setDatabase(editor_.file());
+  objects_dock_->setToolTip(tr("Catalogue: %1").arg(editor_.file()));
+}
+
+void MainWindow::connectSession() {
+  SessionBridge& bridge = controller_->bridge();
+  connect(controller_, &ScanController::opening, this, &MainWindow::beginScan);
+  connect(&bridge, &SessionBridge::snapshotArrived, this,
+          [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(*snapshot); });
+  connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
+  connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
+  connect(&bridge, &SessionBridge::frameSkipped, this, [this](int /*frame_index*/, const QString& message) {
+    messages_->show(MessageBar::Kind::warning, message);
+  });
+  connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
+  connect(&bridge, &SessionBridge::objectRecognised, this,
+          [this](ObjectId object) { model_.markRecognised(object); });
+  connect(&bridge, &SessionBridge::viewAdded, this, [this](ObjectId object) { model_.refresh(object); });
+  connect(&editor_, &CatalogueEditor::changed, &bridge, &SessionBridge::catalogueChanged);
+  connect(&editor_, &CatalogueEditor::failed, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); });
+}
+
+void MainWindow::beginScan(const QString& source) {
+  setWindowTitle(tr("%1 — Scantrove").arg(sourceTitle(source)));
+  progress_->begin(sourceTitle(source));
+  scene_->view()->clearScene();
+  scene_->view()->scene().setVoxelSize(controller_->request().params.fusion.voxel_size_m);
+  frames_->clear();
+  model_.beginScan();
+  has_snapshot_ = false;
+  showScene();
+}
+
+void MainWindow::showSnapshot(const ScanSnapshot& snapshot) {
+  if (!has_snapshot_) {
+    has_snapshot_ = true;
+    rememberSource(controller_->source());
+    fillRecentMenu();
+  }
+  scene_->view()->showSnapshot(snapshot);
+  frames_->showSnapshot(snapshot);
+  status_->showSnapshot(snapshot);
+  progress_->showSnapshot(snapshot);
+  model_.setInView(snapshot.objects);
+}
+
+void MainWindow::showState(ScanState state) {
+  if (state == ScanState::starting) {
+    // Nothing of the scan before may remain, whatever came after its end was asked for.
+    scene_->view()->clearScene();
+    frames_->clear();
+  }
+  status_->showState(state);
+  scene_->view()->setScanning(state == ScanState::scanning);
+  actions_->enableFor(state, controller_->hasSource());
+}
+
+void MainWindow::scanFailed(const QString& message) {
+  messages_->show(MessageBar::Kind::error, message);
+  if (!has_snapshot_) showStartPage();
+}
+
+void MainWindow::chooseTheme(ThemeChoice choice) {
+  Theme::instance().choose(choice);
+  QSettings().setValue(QStringLiteral("theme"), static_cast<int>(choice));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings settings;
+  settings.setValue(kGeometryKey, saveGeometry());
+  settings.setValue(kDocksKey, onStartPage() ? docks_layout_ : saveState(kLayoutVersion));
+  controller_->stop();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
+    event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.isEmpty()) return;
+  event->acceptProposedAction();
+  open(urls.first().toLocalFile());
+}
+
+}  // namespace scantrove

@@ -1,0 +1,102 @@
+#pragma once
+#include <QMainWindow>
+#include <memory>
+
+#include "ui/bridge/session_port.h"
+#include "ui/main_window/window_options.h"
+#include "ui/models/catalogue_editor.h"
+#include "ui/models/object_list_model.h"
+#include "ui/theme/theme.h"
+
+class QStackedWidget;
+
+namespace scantrove {
+
+class FramePanels;
+class HelpDialog;
+class MainActions;
+class MessageBar;
+class ObjectPanel;
+class ParamsPanel;
+class ProgressStrip;
+class ScanController;
+class ScenePane;
+class StartPage;
+class StatusStrip;
+
+/// The window: holds the docks and menus and ties them to the scan, the catalogue and each other.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow(const SessionFactory& factory, const WindowOptions& options);
+  ~MainWindow() override;
+
+  void open(const QString& source);
+  void openCatalogue(const QString& file);
+
+  [[nodiscard]] ScanController& controller() { return *controller_; }
+  [[nodiscard]] CatalogueEditor& editor() { return editor_; }
+  [[nodiscard]] ObjectPanel* objectPanel() const { return objects_; }
+  [[nodiscard]] FramePanels* framePanels() const { return frames_; }
+  [[nodiscard]] ScenePane* scenePane() const { return scene_; }
+  [[nodiscard]] MessageBar* messageBar() const { return messages_; }
+  [[nodiscard]] StatusStrip* statusStrip() const { return status_; }
+  [[nodiscard]] ProgressStrip* progressStrip() const { return progress_; }
+  [[nodiscard]] MainActions& actions() const { return *actions_; }
+  [[nodiscard]] bool onStartPage() const;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makeCentre();
+  void makeDocks(const ScanParams& params);
+  void makeMenus();
+  void makeToolBar();
+  void connectActions();
+  void connectSession();
+  void fillRecentMenu();
+
+  void openFolder();
+  void openRecording();
+  void openWithOptions();
+  void openCamera();
+  void chooseCatalogue();
+  void showHelp();
+  void showAbout();
+
+  void beginScan(const QString& source);
+  void showSnapshot(const ScanSnapshot& snapshot);
+  void showState(ScanState state);
+  void scanFailed(const QString& message);
+  void showStartPage();
+  void showScene();
+  void usualArrangement();
+  void chooseTheme(ThemeChoice choice);
+
+  CatalogueEditor editor_;
+  ObjectListModel model_;
+  ScanController* controller_;
+  MainActions* actions_;
+  QStackedWidget* centre_ = nullptr;
+  StartPage* start_ = nullptr;
+  ScenePane* scene_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  FramePanels* frames_ = nullptr;
+  ObjectPanel* objects_ = nullptr;
+  ParamsPanel* params_ = nullptr;
+  ProgressStrip* progress_ = nullptr;
+  StatusStrip* status_ = nullptr;
+  HelpDialog* help_ = nullptr;
+  QMenu* recent_ = nullptr;
+  QDockWidget* objects_dock_ = nullptr;
+  QDockWidget* frames_dock_ = nullptr;
+  QDockWidget* params_dock_ = nullptr;
+  QByteArray docks_layout_;    ///< of the scan's page, while the start page is shown
+  bool has_snapshot_ = false;  ///< of the present scan
+};
+
+}  // namespace scantrove

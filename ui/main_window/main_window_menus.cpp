@@ -1,0 +1,194 @@
+// The menus, the tool bar, and the dialogs that they open.
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QListView>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/main_window/main_actions.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/recent_sources.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/camera_dialog.h"
+#include "ui/panels/help_dialog.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/object_panel.h"
+#include "ui/panels/params_panel.h"
+#include "ui/panels/progress_strip.h"
+#include "ui/panels/source_dialog.h"
+#include "ui/panels/start_page.h"
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+
+void MainWindow::makeMenus() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addActions({actions_->open_folder, actions_->open_recording, actions_->open_with_options});
+  file->addAction(actions_->open_camera);
+  QMenu* demo = file->addMenu(icon(QStringLiteral("cube")), tr("&Demo"));
+  demo->addActions({actions_->open_tabletop, actions_->open_room});
+  recent_ = file->addMenu(icon(QStringLiteral("clock")), tr("R&ecent"));
+  fillRecentMenu();
+  file->addSeparator();
+  file->addAction(actions_->open_catalogue);
+  file->addSeparator();
+  file->addAction(actions_->quit);
+
+  menuBar()
+      ->addMenu(tr("&Scan"))
+      ->addActions({actions_->start, actions_->pause, actions_->step, actions_->stop});
+
+  const ObjectPanel::Actions& objects = objects_->actions();
+  QMenu* edit = menuBar()->addMenu(tr("&Objects"));
+  edit->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
+  edit->addSeparator();
+  edit->addActions({actions_->undo, actions_->redo});
+  edit->addSeparator();
+  edit->addAction(actions_->focus_objects);
+
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction()});
+  view->addSeparator();
+  for (QDockWidget* dock : {objects_dock_, frames_dock_, params_dock_})
+    view->addAction(dock->toggleViewAction());
+  view->addAction(actions_->reset_layout);
+  view->addSeparator();
+  QMenu* theme = view->addMenu(tr("&Colours"));
+  theme->addActions({actions_->theme_system, actions_->theme_light, actions_->theme_dark});
+  menuBar()->addMenu(tr("&Help"))->addActions({actions_->help_keys, actions_->about});
+}
+
+void MainWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Scan"));
+  bar->setObjectName(QStringLiteral("scanToolBar"));
+  bar->setMovable(false);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  bar->toggleViewAction()->setVisible(false);
+  bar->setIconSize({20, 20});
+  auto* open_button = new QToolButton;
+  open_button->setText(tr("Open"));
+  open_button->setIcon(icon(QStringLiteral("folder")));
+  open_button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  open_button->setPopupMode(QToolButton::InstantPopup);
+  open_button->setToolTip(tr("Open a recording, a camera or the demo"));
+  auto* open_menu = new QMenu(open_button);
+  open_menu->addActions({actions_->open_folder, actions_->open_recording, actions_->open_camera});
+  open_menu->addSeparator();
+  open_menu->addActions({actions_->open_tabletop, actions_->open_room});
+  open_button->setMenu(open_menu);
+  bar->addWidget(open_button);
+  bar->addSeparator();
+  bar->addActions({actions_->start, actions_->pause, actions_->step, actions_->stop});
+  bar->addSeparator();
+  progress_ = new ProgressStrip;
+  bar->addWidget(progress_);
+  bar->addSeparator();
+  bar->addActions({actions_->undo, actions_->redo});
+  bar->addSeparator();
+  bar->addAction(actions_->help_keys);
+}
+
+void MainWindow::connectActions() {
+  const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
+  on(actions_->open_folder, [this] { openFolder(); });
+  on(actions_->open_recording, [this] { openRecording(); });
+  on(actions_->open_with_options, [this] { openWithOptions(); });
+  on(actions_->open_camera, [this] { openCamera(); });
+  on(actions_->open_tabletop, [this] { open(QStringLiteral("demo")); });
+  on(actions_->open_room, [this] { open(QStringLiteral("demo:room")); });
+  on(actions_->open_catalogue, [this] { chooseCatalogue(); });
+  on(actions_->quit, [this] { close(); });
+  on(actions_->start, [this] { controller_->start(); });
+  on(actions_->pause, [this] { controller_->togglePause(); });
+  on(actions_->step, [this] { controller_->step(); });
+  on(actions_->stop, [this] { controller_->stop(); });
+  on(actions_->focus_objects, [this] {
+    objects_dock_->show();
+    objects_->list()->setFocus(Qt::ShortcutFocusReason);
+    if (!objects_->list()->currentIndex().isValid()) objects_->list()->setCurrentIndex(model_.index(0));
+  });
+  on(actions_->theme_system, [this] { chooseTheme(ThemeChoice::system); });
+  on(actions_->theme_light, [this] { chooseTheme(ThemeChoice::light); });
+  on(actions_->theme_dark, [this] { chooseTheme(ThemeChoice::dark); });
+  on(actions_->reset_layout, [this] { usualArrangement(); });
+  on(actions_->help_keys, [this] { showHelp(); });
+  on(actions_->about, [this] { showAbout(); });
+  const ThemeChoice theme = Theme::instance().choice();
+  (theme == ThemeChoice::dark
+       ? actions_->theme_dark
+       : (theme == ThemeChoice::light ? actions_->theme_light : actions_->theme_system))
+      ->setChecked(true);
+
+  connect(start_, &StartPage::folderWanted, this, &MainWindow::openFolder);
+  connect(start_, &StartPage::recordingWanted, this, &MainWindow::openRecording);
+  connect(start_, &StartPage::cameraWanted, this, &MainWindow::openCamera);
+  connect(start_, &StartPage::sourceChosen, this, &MainWindow::open);
+  connect(params_, &ParamsPanel::changed, controller_, &ScanController::setParams);
+}
+
+void MainWindow::fillRecentMenu() {
+  recent_->clear();
+  for (const QString& source : recentSources()) {
+    QAction* action = recent_->addAction(sourceTitle(source), this, [this, source] { open(source); });
+    action->setToolTip(source);
+  }
+  recent_->setToolTipsVisible(true);
+  recent_->setEnabled(!recent_->isEmpty());
+  if (recent_->isEmpty()) return;
+  recent_->addSeparator();
+  recent_->addAction(tr("Forget these"), this, [this] {
+    forgetRecentSources();
+    fillRecentMenu();
+    start_->setRecent({});
+  });
+}
+
+void MainWindow::openFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of a recording"));
+  if (!folder.isEmpty()) open(folder);
+}
+
+void MainWindow::openRecording() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Recording"), {}, tr("OpenNI recordings (*.oni)"));
+  if (!file.isEmpty()) open(file);
+}
+
+void MainWindow::openWithOptions() {
+  SourceDialog dialog(controller_->source(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  messages_->dismiss();
+  controller_->open(dialog.source(), dialog.options(), dialog.poses());
+}
+
+void MainWindow::openCamera() {
+  CameraDialog dialog(listCameras, this);
+  if (dialog.exec() == QDialog::Accepted && !dialog.source().isEmpty()) open(dialog.source());
+}
+
+void MainWindow::chooseCatalogue() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Catalogue to open or create"), editor_.file(),
+                                   tr("Catalogues (*.sqlite)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (!file.isEmpty()) openCatalogue(file);
+}
+
+void MainWindow::showHelp() {
+  if (help_ == nullptr) help_ = new HelpDialog(this);
+  help_->show();
+  help_->raise();
+  help_->activateWindow();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Scantrove"),
+                     tr("<h3>Scantrove %1</h3><p>Sweep a depth camera over a scene, collect its objects in a "
+                        "database.</p>")
+                         .arg(QApplication::applicationVersion()));
+}
+
+}  // namespace scantrove

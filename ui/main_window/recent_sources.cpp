@@ -1,0 +1,35 @@
+#include "ui/main_window/recent_sources.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace scantrove {
+namespace {
+const QString kKey = QStringLiteral("recent_sources");
+constexpr int kMost = 8;
+
+bool stillThere(const QString& source) {
+  return source == QLatin1String("demo") || source.startsWith(QLatin1String("demo:")) ||
+         source == QLatin1String("camera") || source.startsWith(QLatin1String("camera:")) ||
+         QFileInfo::exists(source);
+}
+}  // namespace
+
+QStringList recentSources() {
+  QStringList sources;
+  for (const QString& source : QSettings().value(kKey).toStringList()) {
+    if (stillThere(source)) sources << source;
+  }
+  return sources;
+}
+
+void rememberSource(const QString& source) {
+  QStringList sources = recentSources();
+  sources.removeAll(source);
+  sources.prepend(source);
+  QSettings().setValue(kKey, QStringList(sources.mid(0, kMost)));
+}
+
+void forgetRecentSources() { QSettings().remove(kKey); }
+
+}  // namespace scantrove

@@ -1,0 +1,52 @@
+#include "ui/main_window/scan_controller.h"
+
+namespace scantrove {
+
+ScanController::ScanController(const SessionFactory& factory, const WindowOptions& options, QObject* parent)
+    : QObject(parent), bridge_(factory) {
+  request_.device = options.device;
+  request_.params = options.params;
+  request_.start_paused = options.start_paused;
+}
+
+void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
+  source_ = source;
+  request_.source = source.toStdString();
+  request_.source_options = options;
+  request_.poses = poses;
+  emit opening(source_);
+  bridge_.start(request_);
+}
+
+void ScanController::start() {
+  if (bridge_.state() == ScanState::paused) {
+    bridge_.resume();
+  } else if (hasSource()) {
+    emit opening(source_);
+    bridge_.start(request_);
+  }
+}
+
+void ScanController::togglePause() {
+  if (bridge_.state() == ScanState::paused) {
+    bridge_.resume();
+  } else if (bridge_.state() == ScanState::scanning) {
+    bridge_.pause();
+  }
+}
+
+void ScanController::step() {
+  if (bridge_.state() == ScanState::scanning) bridge_.pause();
+  if (bridge_.state() == ScanState::paused) bridge_.step();
+}
+
+void ScanController::stop() {
+  if (bridge_.busy()) bridge_.stop();
+}
+
+void ScanController::setParams(const ScanParams& params) {
+  request_.params = params;
+  bridge_.setParams(params);
+}
+
+}  // namespace scantrove

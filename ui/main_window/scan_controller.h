@@ -1,0 +1,42 @@
+#pragma once
+#include <QObject>
+#include <QString>
+
+#include "ui/bridge/session_bridge.h"
+#include "ui/main_window/window_options.h"
+
+namespace scantrove {
+
+/// What the window's scan commands do: keeps what is open and with which settings, and drives the session.
+class ScanController : public QObject {
+  Q_OBJECT
+
+ public:
+  ScanController(const SessionFactory& factory, const WindowOptions& options, QObject* parent = nullptr);
+
+  [[nodiscard]] SessionBridge& bridge() { return bridge_; }
+  [[nodiscard]] const QString& source() const { return source_; }
+  [[nodiscard]] bool hasSource() const { return !source_.isEmpty(); }
+  [[nodiscard]] const ScanRequest& request() const { return request_; }
+
+  /// Opens a source and begins to scan it.
+  void open(const QString& source, const SourceOptions& options = {},
+            ScanRequest::Poses poses = ScanRequest::Poses::tracked);
+  /// The present source again from its beginning, or on when paused.
+  void start();
+  void togglePause();
+  void step();
+  void stop();
+  void setParams(const ScanParams& params);
+  void setDatabase(const QString& file) { request_.database = file.toStdString(); }
+
+ signals:
+  void opening(const QString& source);
+
+ private:
+  ScanRequest request_;
+  QString source_;
+  SessionBridge bridge_;
+};
+
+}  // namespace scantrove

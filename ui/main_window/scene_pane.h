@@ -1,0 +1,36 @@
+#pragma once
+#include <QWidget>
+
+#include "ui/view/scene_view.h"
+
+class QAction;
+class QFrame;
+
+namespace scantrove {
+
+/// The 3D view with its own few buttons floating in a corner.
+class ScenePane : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScenePane(QWidget* parent = nullptr);
+
+  [[nodiscard]] SceneView* view() const { return view_; }
+  [[nodiscard]] QAction* followAction() const { return follow_; }
+  [[nodiscard]] QAction* fitAction() const { return fit_; }
+  [[nodiscard]] QAction* gridAction() const { return grid_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void paintTheme();
+
+  SceneView* view_;
+  QFrame* buttons_;
+  QAction* follow_;
+  QAction* fit_;
+  QAction* grid_;
+};
+
+}  // namespace scantrove

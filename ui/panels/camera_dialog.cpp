@@ -1,0 +1,80 @@
+#include "ui/panels/camera_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+
+CameraDialog::CameraDialog(Lister lister, QWidget* parent)
+    : QDialog(parent),
+      lister_(std::move(lister)),
+      list_(new QListWidget),
+      advice_(new QLabel),
+      open_(nullptr) {
+  setWindowTitle(tr("Choose a camera"));
+  setMinimumSize(460, 320);
+  list_->setAccessibleName(tr("Cameras"));
+  list_->setIconSize({24, 24});
+  list_->setSpacing(2);
+  advice_->setObjectName(QStringLiteral("cameraAdvice"));
+  advice_->setWordWrap(true);
+  advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  open_ = buttons->addButton(tr("&Scan with it"), QDialogButtonBox::AcceptRole);
+  open_->setProperty("primary", true);
+  open_->setDefault(true);
+  QPushButton* again = buttons->addButton(tr("&Look again"), QDialogButtonBox::ActionRole);
+  connect(again, &QPushButton::clicked, this, &CameraDialog::refresh);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(list_, &QListWidget::itemActivated, this, &QDialog::accept);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 14);
+  layout->setSpacing(10);
+  layout->addWidget(advice_);
+  layout->addWidget(list_, 1);
+  layout->addWidget(buttons);
+  refresh();
+}
+
+QString CameraDialog::source() const {
+  const QListWidgetItem* item = list_->currentItem();
+  return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
+}
+
+void CameraDialog::refresh() {
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  const Result<std::vector<CameraInfo>> cameras = lister_();
+  QGuiApplication::restoreOverrideCursor();
+  list_->clear();
+  const auto add = [this](const QString& title, const QString& uri) {
+    auto* item = new QListWidgetItem(icon(QStringLiteral("camera")), title, list_);
+    item->setData(Qt::UserRole, QStringLiteral("camera:") + uri);
+    item->setToolTip(uri);
+  };
+  if (cameras) {
+    for (const CameraInfo& camera : *cameras) {
+      add(QString::fromStdString(camera.vendor.empty() ? camera.name : camera.vendor + " " + camera.name),
+          QString::fromStdString(camera.uri));
+    }
+  }
+  if (!cameras) {
+    advice_->setText(QString::fromStdString(cameras.error().message()));
+  } else if (cameras->empty()) {
+    advice_->setText(tr("<b>No depth camera was found.</b><br>%1")
+                         .arg(QString::fromStdString(cameraAdvice()).toHtmlEscaped()));
+  } else {
+    advice_->setText(tr("Depth cameras on this computer:"));
+  }
+  add(tr("Virtual test camera (a moving pattern, to check that cameras work at all)"),
+      QStringLiteral("Dummy"));
+  list_->setCurrentRow(0);
+}
+
+}  // namespace scantrove

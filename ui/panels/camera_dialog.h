@@ -1,0 +1,36 @@
+#pragma once
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/capture/cameras.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace scantrove {
+
+/// Lists the depth cameras of this computer and the virtual one; says what to do when there is none.
+class CameraDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  using Lister = std::function<Result<std::vector<CameraInfo>>()>;
+
+  explicit CameraDialog(Lister lister, QWidget* parent = nullptr);
+  /// "camera:URI" of what was chosen.
+  [[nodiscard]] QString source() const;
+
+ public slots:
+  void refresh();
+
+ private:
+  Lister lister_;
+  QListWidget* list_;
+  QLabel* advice_;
+  QPushButton* open_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,58 @@
+#include "ui/panels/help_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <array>
+#include <utility>
+
+namespace scantrove {
+
+HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Keys and mouse"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(22, 18, 22, 16);
+  layout->setSpacing(14);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(22);
+  grid->setVerticalSpacing(6);
+
+  int row = 0;
+  const auto heading = [&](const QString& text) {
+    auto* label = new QLabel(QStringLiteral("<b>%1</b>").arg(text));
+    if (row > 0) label->setContentsMargins(0, 10, 0, 0);
+    grid->addWidget(label, row++, 0, 1, 2);
+  };
+  const auto line = [&](const QString& keys, const QString& meaning) {
+    auto* label = new QLabel(keys);
+    label->setProperty("keys", true);
+    grid->addWidget(label, row, 0);
+    grid->addWidget(new QLabel(meaning), row++, 1);
+  };
+  heading(tr("Scan"));
+  line(tr("Ctrl+O"), tr("Open a folder (Ctrl+Shift+O: a recording)"));
+  line(tr("Space"), tr("Pause and go on"));
+  line(tr("N"), tr("One frame, while paused"));
+  line(tr("Ctrl+R"), tr("Start from the beginning"));
+  line(tr("Ctrl+."), tr("Stop"));
+  heading(tr("Objects (with the list in focus: Ctrl+L)"));
+  line(tr("F2"), tr("Rename"));
+  line(tr("Return"), tr("Confirm, or take it back"));
+  line(tr("Del"), tr("Delete"));
+  line(tr("M"), tr("Merge the selected objects into the oldest"));
+  line(tr("Ctrl+Z, Ctrl+Shift+Z"), tr("Undo, redo"));
+  heading(tr("3D view"));
+  line(tr("Drag, arrow keys"), tr("Turn"));
+  line(tr("Shift+drag, Shift+arrow keys"), tr("Move"));
+  line(tr("Wheel, + and −"), tr("Zoom"));
+  line(tr("Double click, Home"), tr("Show all"));
+  line(tr("F"), tr("Follow the camera"));
+  line(tr("G"), tr("Ground grid"));
+  layout->addLayout(grid);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  layout->addWidget(buttons);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,68 @@
+#include "ui/panels/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
+
+namespace scantrove {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), picture_(new QLabel), label_(new QLabel) {
+  setObjectName(QStringLiteral("messageBar"));
+  label_->setObjectName(QStringLiteral("messageText"));
+  label_->setWordWrap(true);
+  label_->setTextFormat(Qt::PlainText);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close = new QToolButton;
+  close->setIcon(icon(QStringLiteral("close")));
+  close->setIconSize({14, 14});
+  close->setToolTip(tr("Dismiss this message"));
+  close->setAccessibleName(tr("Dismiss this message"));
+  connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(14, 8, 8, 8);
+  layout->setSpacing(10);
+  layout->addWidget(picture_, 0, Qt::AlignTop);
+  layout->addWidget(label_, 1);
+  layout->addWidget(close, 0, Qt::AlignTop);
+  connect(&Theme::instance(), &Theme::changed, this, &MessageBar::paintKind);
+  hide();
+}
+
+void MessageBar::show(Kind kind, const QString& text) {
+  if (isVisibleTo(parentWidget()) && kind_ == Kind::error && kind != Kind::error) return;
+  repeats_ = isVisibleTo(parentWidget()) && text == text_ ? repeats_ + 1 : 1;
+  kind_ = kind;
+  text_ = text;
+  label_->setText(repeats_ > 1 ? tr("%1  (%2 times)").arg(text).arg(repeats_) : text);
+  setAccessibleName(text);
+  paintKind();
+  QFrame::show();
+}
+
+void MessageBar::dismiss() {
+  text_.clear();
+  hide();
+}
+
+void MessageBar::paintKind() {
+  const ThemeColors& colors = Theme::instance().colors();
+  const QColor color =
+      kind_ == Kind::error ? colors.bad : (kind_ == Kind::warning ? colors.warning : colors.info);
+  picture_->setPixmap(
+      icon(kind_ == Kind::info ? QStringLiteral("info") : QStringLiteral("warning"), color).pixmap(20, 20));
+  QColor fill = color;
+  fill.setAlpha(colors.dark ? 40 : 28);
+  setStyleSheet(
+      QStringLiteral(
+          "#messageBar { background: rgba(%1,%2,%3,%4); border: none; border-bottom: 1px solid %5; }")
+          .arg(fill.red())
+          .arg(fill.green())
+          .arg(fill.blue())
+          .arg(fill.alpha())
+          .arg(color.name()));
+}
+
+}  // namespace scantrove

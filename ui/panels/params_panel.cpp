@@ -1,0 +1,183 @@
+#include "ui/panels/params_panel.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.h"
+#include "core/scan/param_registry.h"
+
+namespace scantrove {
+namespace {
+
+// The slider is logarithmic: 100 steps a decade.
+constexpr double kLowestK = 0.001;
+constexpr int kStepsPerDecade = 100;
+constexpr int kSteps = 300;
+
+int stepOfK(double k) { return static_cast<int>(std::lround(kStepsPerDecade * std::log10(k / kLowestK))); }
+double kOfStep(int step) { return kLowestK * std::pow(10.0, static_cast<double>(step) / kStepsPerDecade); }
+
+const ParamInfo& infoOf(const std::string& key) {
+  const std::vector<ParamInfo>& all = paramRegistry();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&key](const ParamInfo& info) { return info.key == key; });
+  SCANTROVE_CHECK(found != all.end());
+  return *found;
+}
+
+QString helpOf(const ParamInfo& info) {
+  return QStringLiteral("%1<br><code>%2</code>")
+      .arg(QString::fromStdString(info.help).toHtmlEscaped(), QString::fromStdString(info.key));
+}
+
+}  // namespace
+
+ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(parent), params_(params) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 4, 12, 10);
+  layout->setSpacing(8);
+  layout->addWidget(makeDetailSlider());
+
+  auto* more = new QToolButton;
+  more->setText(tr("More settings"));
+  more->setCheckable(true);
+  more->setArrowType(Qt::RightArrow);
+  more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  layout->addWidget(more);
+
+  auto* box = new QWidget;
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setSpacing(6);
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  addField(form, "labeling.evidence_frames", tr("Merge after"));
+  addField(form, "labeling.overlap_threshold", tr("Overlap to merge"));
+  addField(form, "discovery.min_size_m", tr("Smallest object"));
+  addField(form, "discovery.max_size_m", tr("Largest object"));
+  addField(form, "discovery.persistent_frames", tr("Found after"));
+  addField(form, "detection.max_distance", tr("Recognition limit"));
+  addField(form, "fusion.voxel_size_m", tr("Voxel size *"));
+  addField(form, "fusion.max_depth_m", tr("Farthest depth *"));
+  auto* note = new QLabel(tr("* from the next scan on"));
+  note->setProperty("muted", true);
+  auto* reset = new QPushButton(tr("Defaults"));
+  reset->setToolTip(tr("Set all parameters back to their defaults"));
+  connect(reset, &QPushButton::clicked, this, &ParamsPanel::setDefaults);
+  auto* last_row = new QHBoxLayout;
+  last_row->addWidget(note, 1);
+  last_row->addWidget(reset);
+  form->addRow(last_row);
+  layout->addWidget(box);
+  layout->addStretch(1);
+  box->hide();
+  connect(more, &QToolButton::toggled, this, [more, box](bool open) {
+    more->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    box->setVisible(open);
+  });
+}
+
+QWidget* ParamsPanel::makeDetailSlider() {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(3);
+  auto* head = new QHBoxLayout;
+  head->addWidget(new QLabel(tr("Segment size, k")));
+  head->addStretch(1);
+  k_value_ = new QLabel;
+  head->addWidget(k_value_);
+  layout->addLayout(head);
+  k_slider_ = new QSlider(Qt::Horizontal);
+  k_slider_->setRange(0, kSteps);
+  k_slider_->setPageStep(kStepsPerDecade / 10);
+  k_slider_->setAccessibleName(tr("Segment size, k"));
+  k_slider_->setToolTip(
+      tr("The one parameter of the segmentation: a larger k gives fewer, larger segments. "
+         "Works at once, also while scanning."));
+  layout->addWidget(k_slider_);
+  auto* ends = new QHBoxLayout;
+  for (const QString& text : {tr("finer"), tr("coarser")}) {
+    auto* label = new QLabel(text);
+    label->setProperty("muted", true);
+    ends->addWidget(label);
+    if (ends->count() == 1) ends->addStretch(1);
+  }
+  layout->addLayout(ends);
+  connect(k_slider_, &QSlider::valueChanged, this, [this](int step) {
+    params_.segmentation.k = static_cast<float>(kOfStep(step));
+    showK();
+    emit changed(params_);
+  });
+  refreshers_.emplace_back([this] {
+    const QSignalBlocker quiet(k_slider_);
+    k_slider_->setValue(stepOfK(static_cast<double>(params_.segmentation.k)));
+    showK();
+  });
+  refreshers_.back()();
+  return box;
+}
+
+void ParamsPanel::showK() {
+  k_value_->setText(QStringLiteral("<b>%1</b>").arg(static_cast<double>(params_.segmentation.k), 0, 'g', 2));
+}
+
+void ParamsPanel::addField(QFormLayout* form, const std::string& key, const QString& label) {
+  const ParamInfo& info = infoOf(key);
+  QWidget* field = makeField(info);
+  field->setToolTip(helpOf(info));
+  field->setAccessibleName(label);
+  form->addRow(label, field);
+  form->labelForField(field)->setToolTip(helpOf(info));
+}
+
+QWidget* ParamsPanel::makeField(const ParamInfo& info) {
+  if (!info.choices.empty()) {
+    auto* choice = new QComboBox;
+    for (const std::string& word : info.choices) choice->addItem(QString::fromStdString(word));
+    connect(choice, &QComboBox::activated, this, [this, &info](int index) {
+      info.set(params_, index);
+      emit changed(params_);
+    });
+    refreshers_.emplace_back(
+        [this, &info, choice] { choice->setCurrentIndex(static_cast<int>(info.get(params_))); });
+    refreshers_.back()();
+    return choice;
+  }
+  auto* number = new QDoubleSpinBox;
+  const double value = info.get(params_);
+  const bool whole = info.unit == "frames" || info.unit == "px" || info.unit == "views";
+  const int decimals = whole ? 0 : (value < 0.02 ? 4 : 2);
+  number->setDecimals(decimals);
+  number->setRange(info.minimum, info.maximum);
+  number->setSingleStep(whole ? 1 : (value < 0.02 ? 0.0005 : 0.05));
+  if (!info.unit.empty()) number->setSuffix(QLatin1Char(' ') + QString::fromStdString(info.unit));
+  number->setKeyboardTracking(false);
+  connect(number, &QDoubleSpinBox::valueChanged, this, [this, &info](double entered) {
+    info.set(params_, entered);
+    emit changed(params_);
+  });
+  refreshers_.emplace_back([this, &info, number] {
+    const QSignalBlocker quiet(number);
+    number->setValue(info.get(params_));
+  });
+  refreshers_.back()();
+  return number;
+}
+
+void ParamsPanel::setDefaults() {
+  params_ = ScanParams{};
+  for (const auto& refresh : refreshers_) refresh();
+  emit changed(params_);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,44 @@
+#pragma once
+#include <QWidget>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/scan/scan_params.h"
+
+class QFormLayout;
+class QLabel;
+class QSlider;
+
+namespace scantrove {
+
+struct ParamInfo;
+
+/// The parameters a person may want to turn: k, and behind "More" a few others. A change is announced at
+/// once.
+class ParamsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ParamsPanel(const ScanParams& params, QWidget* parent = nullptr);
+  [[nodiscard]] const ScanParams& params() const { return params_; }
+
+ signals:
+  void changed(const scantrove::ScanParams& params);
+
+ public slots:
+  void setDefaults();
+
+ private:
+  QWidget* makeDetailSlider();
+  QWidget* makeField(const ParamInfo& info);
+  void addField(QFormLayout* form, const std::string& key, const QString& label);
+  void showK();
+
+  ScanParams params_;
+  QSlider* k_slider_ = nullptr;
+  QLabel* k_value_ = nullptr;
+  std::vector<std::function<void()>> refreshers_;  ///< show params_ again, each in its field
+};
+
+}  // namespace scantrove

@@ -1,0 +1,60 @@
+#include "ui/panels/progress_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+
+namespace scantrove {
+
+ProgressStrip::ProgressStrip(QWidget* parent)
+    : QWidget(parent), title_(new QLabel), bar_(new QProgressBar), count_(new QLabel) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 0, 10, 0);
+  layout->setSpacing(14);
+  QFont bold = title_->font();
+  bold.setWeight(QFont::DemiBold);
+  title_->setFont(bold);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Progress of the scan"));
+  bar_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  count_->setProperty("muted", true);
+  layout->addWidget(title_);
+  layout->addWidget(bar_, 1);
+  layout->addWidget(count_);
+  clear();
+}
+
+void ProgressStrip::begin(const QString& title) {
+  title_->setText(title);
+  count_->clear();
+  bar_->setRange(0, 0);
+  bar_->show();
+  since_start_.start();
+}
+
+void ProgressStrip::clear() {
+  title_->clear();
+  count_->clear();
+  bar_->hide();
+}
+
+QString ProgressStrip::text() const { return count_->text(); }
+
+void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
+  if (snapshot.frames_total > 0) {
+    bar_->setRange(0, snapshot.frames_total);
+    bar_->setValue(snapshot.frames_done);
+    bar_->show();
+    count_->setText(tr("%1 of %2 frames").arg(snapshot.frames_done).arg(snapshot.frames_total));
+    return;
+  }
+  bar_->hide();
+  const qint64 seconds = since_start_.isValid() ? since_start_.elapsed() / 1000 : 0;
+  count_->setText(tr("%1:%2   %3 frames")
+                      .arg(seconds / 60)
+                      .arg(seconds % 60, 2, 10, QLatin1Char('0'))
+                      .arg(snapshot.frames_done));
+}
+
+}  // namespace scantrove

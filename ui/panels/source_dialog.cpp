@@ -1,0 +1,114 @@
+#include "ui/panels/source_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace scantrove {
+namespace {
+
+QSpinBox* numberField(int minimum, int value, const QString& special = {}) {
+  auto* box = new QSpinBox;
+  box->setRange(minimum, 1'000'000);
+  box->setSpecialValueText(special);
+  box->setValue(value);
+  return box;
+}
+
+}  // namespace
+
+std::optional<Intrinsics> parseIntrinsics(const QString& text) {
+  const QStringList parts = text.split(QLatin1Char(','));
+  if (parts.size() != 4) return std::nullopt;
+  std::array<float, 4> values{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    bool ok = false;
+    values[i] = parts[static_cast<qsizetype>(i)].trimmed().toFloat(&ok);
+    if (!ok) return std::nullopt;
+  }
+  if (!(values[0] > 0 && values[1] > 0)) return std::nullopt;
+  return Intrinsics{values[0], values[1], values[2], values[3], 0, 0};
+}
+
+SourceDialog::SourceDialog(const QString& source, QWidget* parent)
+    : QDialog(parent),
+      source_(new QLineEdit(source)),
+      intrinsics_(new QLineEdit),
+      depth_scale_(new QLineEdit),
+      start_(numberField(0, 0)),
+      stride_(numberField(1, 1)),
+      frames_(numberField(0, 0, tr("all"))),
+      poses_(new QComboBox),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel)) {
+  setWindowTitle(tr("Open with options"));
+  setMinimumWidth(520);
+  intrinsics_->setPlaceholderText(tr("as the recording says; or fx, fy, cx, cy in pixels"));
+  depth_scale_->setPlaceholderText(tr("as the recording says; or units per metre, for example 1000"));
+  poses_->addItems({tr("Track the camera"), tr("Use the recording's own poses")});
+
+  auto* form = new QFormLayout;
+  form->setSpacing(8);
+  auto* row = new QHBoxLayout;
+  auto* browse_button = new QPushButton(tr("Browse…"));
+  connect(browse_button, &QPushButton::clicked, this, &SourceDialog::browse);
+  row->addWidget(source_, 1);
+  row->addWidget(browse_button);
+  form->addRow(tr("&Folder or recording"), row);
+  form->addRow(tr("&Intrinsics"), intrinsics_);
+  form->addRow(tr("&Depth scale"), depth_scale_);
+  form->addRow(tr("Camera &poses"), poses_);
+  form->addRow(tr("Skip &first frames"), start_);
+  form->addRow(tr("&Every n-th frame"), stride_);
+  form->addRow(tr("At &most frames"), frames_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(18, 16, 18, 14);
+  layout->setSpacing(14);
+  layout->addLayout(form);
+  layout->addWidget(buttons_);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  for (QLineEdit* field : {source_, intrinsics_, depth_scale_}) {
+    connect(field, &QLineEdit::textChanged, this, &SourceDialog::validate);
+  }
+  validate();
+}
+
+QString SourceDialog::source() const { return source_->text().trimmed(); }
+
+SourceOptions SourceDialog::options() const {
+  SourceOptions options;
+  options.start = start_->value();
+  options.stride = stride_->value();
+  if (frames_->value() > 0) options.frames = frames_->value();
+  options.intrinsics = parseIntrinsics(intrinsics_->text());
+  bool ok = false;
+  const double scale = depth_scale_->text().toDouble(&ok);
+  if (ok && scale > 0) options.depth_scale = scale;
+  return options;
+}
+
+ScanRequest::Poses SourceDialog::poses() const {
+  return poses_->currentIndex() == 1 ? ScanRequest::Poses::given : ScanRequest::Poses::tracked;
+}
+
+void SourceDialog::browse() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the recording"), source());
+  if (!folder.isEmpty()) source_->setText(folder);
+}
+
+void SourceDialog::validate() {
+  const bool intrinsics_fine =
+      intrinsics_->text().trimmed().isEmpty() || parseIntrinsics(intrinsics_->text()).has_value();
+  bool number = false;
+  const double scale = depth_scale_->text().toDouble(&number);
+  const bool scale_fine = depth_scale_->text().trimmed().isEmpty() || (number && scale > 0);
+  buttons_->button(QDialogButtonBox::Open)->setEnabled(!source().isEmpty() && intrinsics_fine && scale_fine);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,173 @@
+#include "ui/panels/start_page.h"
+
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kColumnWidth = 640;
+constexpr int kMaxRecent = 5;
+
+QLabel* mutedLabel(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setProperty("muted", true);
+  label->setWordWrap(true);
+  return label;
+}
+
+/// A large button: picture, what it does, one line about it.
+class StartCard : public QToolButton {
+ public:
+  StartCard(const QString& icon_name, const QString& title, const QString& explanation) {
+    setObjectName(QStringLiteral("startCard"));
+    setAccessibleName(title);
+    setAccessibleDescription(explanation);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setFixedHeight(76);
+    setCursor(Qt::PointingHandCursor);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(16, 8, 16, 8);
+    row->setSpacing(14);
+    picture_ = new QLabel;
+    row->addWidget(picture_);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(2);
+    texts->addStretch();
+    auto* heading = new QLabel(title);
+    QFont bold = heading->font();
+    bold.setWeight(QFont::DemiBold);
+    heading->setFont(bold);
+    texts->addWidget(heading);
+    texts->addWidget(mutedLabel(explanation));
+    texts->addStretch();
+    row->addLayout(texts, 1);
+    for (QLabel* label : findChildren<QLabel*>()) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    const auto tint = [this, icon_name] {
+      picture_->setPixmap(scantrove::icon(icon_name, Theme::instance().colors().accent).pixmap(30, 30));
+    };
+    connect(&Theme::instance(), &Theme::changed, this, tint);
+    tint();
+  }
+
+ private:
+  QLabel* picture_;
+};
+
+}  // namespace
+
+QString sourceTitle(const QString& source) {
+  if (source == QLatin1String("demo")) return StartPage::tr("Demo: tabletop");
+  if (source == QLatin1String("demo:room")) return StartPage::tr("Demo: room");
+  if (source == QLatin1String("camera")) return StartPage::tr("Camera");
+  if (source == QLatin1String("camera:Dummy")) return StartPage::tr("Virtual test camera");
+  if (source.startsWith(QLatin1String("camera:"))) return StartPage::tr("Camera %1").arg(source.mid(7));
+  const QString name = QFileInfo(source).fileName();
+  return name.isEmpty() ? source : name;
+}
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+  auto* column = new QWidget;
+  column->setMaximumWidth(kColumnWidth);
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(20, 20, 20, 20);
+  layout->setSpacing(10);
+  layout->addStretch(2);
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(18);
+  auto* logo = new QLabel;
+  logo->setPixmap(icon(QStringLiteral("scantrove")).pixmap(72, 72));
+  head->addWidget(logo);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(2);
+  auto* name = new QLabel(QStringLiteral("Scantrove"));
+  QFont large = name->font();
+  large.setPointSizeF(large.pointSizeF() * 2.1);
+  large.setWeight(QFont::DemiBold);
+  name->setFont(large);
+  words->addWidget(name);
+  words->addWidget(
+      mutedLabel(tr("Sweep a depth camera over a scene. Objects are found as you move, known ones are\n"
+                    "recognised, and the rest are collected for you to name and confirm.")));
+  head->addLayout(words, 1);
+  layout->addLayout(head);
+  layout->addSpacing(16);
+
+  auto* cards = new QGridLayout;
+  cards->setSpacing(10);
+  const auto add = [&](int row, int place, const char* picture, const QString& title, const QString& text) {
+    auto* card = new StartCard(QString::fromLatin1(picture), title, text);
+    cards->addWidget(card, row, place);
+    return card;
+  };
+  connect(add(0, 0, "folder", tr("Open a folder…"), tr("7-Scenes, TUM, numbered images")),
+          &QToolButton::clicked, this, &StartPage::folderWanted);
+  connect(add(0, 1, "recording", tr("Open a recording…"), tr("An OpenNI file (.oni)")), &QToolButton::clicked,
+          this, &StartPage::recordingWanted);
+  connect(add(1, 0, "camera", tr("Camera…"), tr("A depth camera on this computer")), &QToolButton::clicked,
+          this, &StartPage::cameraWanted);
+  connect(add(1, 1, "table", tr("Demo: tabletop"), tr("A built-in scene; nothing needed")),
+          &QToolButton::clicked, this, [this] { emit sourceChosen(QStringLiteral("demo")); });
+  cards->setColumnStretch(0, 1);
+  cards->setColumnStretch(1, 1);
+  layout->addLayout(cards);
+
+  recent_box_ = new QWidget;
+  auto* recent_column = new QVBoxLayout(recent_box_);
+  recent_column->setContentsMargins(0, 14, 0, 0);
+  recent_column->setSpacing(2);
+  auto* recent_title = new QLabel(tr("Recent"));
+  QFont bold = recent_title->font();
+  bold.setWeight(QFont::DemiBold);
+  recent_title->setFont(bold);
+  recent_column->addWidget(recent_title);
+  recent_ = new QVBoxLayout;
+  recent_->setSpacing(0);
+  recent_column->addLayout(recent_);
+  layout->addWidget(recent_box_);
+
+  layout->addSpacing(10);
+  auto* hint =
+      mutedLabel(tr("Or drop a folder or a recording anywhere on this window. Press ? for the keys."));
+  layout->addWidget(hint);
+  layout->addStretch(3);
+
+  auto* outer = new QHBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addStretch(1);
+  outer->addWidget(column, 100);
+  outer->addStretch(1);
+  setRecent({});
+}
+
+void StartPage::setRecent(const QStringList& sources) {
+  while (QLayoutItem* item = recent_->takeAt(0)) {
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (const QString& source : sources.mid(0, kMaxRecent)) {
+    auto* button = new QToolButton;
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIcon(icon(QStringLiteral("clock")));
+    button->setIconSize({16, 16});
+    const QFileInfo file(source);
+    button->setText(file.exists() ? QStringLiteral("  %1    %2").arg(sourceTitle(source), file.absolutePath())
+                                  : QStringLiteral("  %1").arg(sourceTitle(source)));
+    button->setToolTip(source);
+    button->setCursor(Qt::PointingHandCursor);
+    connect(button, &QToolButton::clicked, this, [this, source] { emit sourceChosen(source); });
+    recent_->addWidget(button);
+  }
+  recent_box_->setVisible(!sources.isEmpty());
+}
+
+}  // namespace scantrove

@@ -1,0 +1,31 @@
+#pragma once
+#include <QStringList>
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace scantrove {
+
+/// What the window shows before anything is open: what this is, and the ways to begin.
+class StartPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StartPage(QWidget* parent = nullptr);
+  void setRecent(const QStringList& sources);
+
+ signals:
+  void folderWanted();
+  void recordingWanted();
+  void cameraWanted();
+  void sourceChosen(const QString& source);
+
+ private:
+  QVBoxLayout* recent_;
+  QWidget* recent_box_;
+};
+
+/// A source in words: "Demo: tabletop", "kitchen".
+[[nodiscard]] QString sourceTitle(const QString& source);
+
+}  // namespace scantrove

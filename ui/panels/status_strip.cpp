@@ -1,0 +1,160 @@
+#include "ui/panels/status_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <algorithm>
+#include <vector>
+
+#include "ui/common/tracking_color.h"
+#include "ui/theme/theme.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kStagesInLine = 4;
+
+QString trackingInWords(TrackingState state) {
+  switch (state) {
+    case TrackingState::tracking:
+      return StatusStrip::tr("Tracking");
+    case TrackingState::uncertain:
+      return StatusStrip::tr("Uncertain");
+    case TrackingState::lost:
+      return StatusStrip::tr("Lost: go back to a place already seen");
+    case TrackingState::relocalised:
+      return StatusStrip::tr("Found again");
+  }
+  return {};
+}
+
+QString stageTable(const ScanSnapshot& snapshot, double total_ms) {
+  QString rows;
+  for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) {
+    rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'>%2 ms</td></tr>")
+                .arg(QString::fromStdString(stage.name).toHtmlEscaped(), QString::number(stage.ms, 'f', 1));
+  }
+  return StatusStrip::tr(
+             "<b>Time of the last frame, stage by stage</b><table>%1"
+             "<tr><td><b>together</b></td><td align='right'><b>%2 ms</b></td></tr></table>")
+      .arg(rows, QString::number(total_ms, 'f', 1));
+}
+
+}  // namespace
+
+QString stateInWords(ScanState state) {
+  switch (state) {
+    case ScanState::idle:
+      return StatusStrip::tr("Ready");
+    case ScanState::starting:
+      return StatusStrip::tr("Starting…");
+    case ScanState::scanning:
+      return StatusStrip::tr("Scanning");
+    case ScanState::paused:
+      return StatusStrip::tr("Paused");
+    case ScanState::stopping:
+      return StatusStrip::tr("Stopping…");
+    case ScanState::finished:
+      return StatusStrip::tr("Finished");
+    case ScanState::failed:
+      return StatusStrip::tr("Failed");
+  }
+  return {};
+}
+
+StatusStrip::StatusStrip(QWidget* parent)
+    : QWidget(parent),
+      state_label_(new QLabel),
+      speed_(new QLabel),
+      stages_(new QLabel),
+      map_(new QLabel),
+      losses_(new QLabel) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 3, 10, 3);
+  layout->setSpacing(18);
+  layout->addWidget(state_label_);
+  layout->addWidget(speed_);
+  layout->addWidget(stages_);
+  layout->addStretch(1);
+  layout->addWidget(losses_);
+  layout->addWidget(map_);
+  state_label_->setObjectName(QStringLiteral("stateLabel"));
+  state_label_->setAccessibleName(tr("Tracking state"));
+  speed_->setToolTip(tr("Frames processed in a second"));
+  map_->setToolTip(tr("Size of the map, and the number of regions in it"));
+  losses_->setToolTip(
+      tr("Frames that could not be used: tracking lost, unreadable, or dropped because the camera was "
+         "faster"));
+  // The stages give way first when the window is narrow.
+  stages_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->setStretchFactor(stages_, 10);
+  for (QLabel* label : {speed_, stages_, map_, losses_}) label->setProperty("muted", true);
+  connect(&Theme::instance(), &Theme::changed, this, &StatusStrip::paintState);
+  paintState();
+}
+
+void StatusStrip::showState(ScanState state) {
+  state_ = state;
+  if (state == ScanState::starting) clear();
+  paintState();
+}
+
+void StatusStrip::clear() {
+  has_pose_ = false;
+  for (QLabel* label : {speed_, stages_, map_, losses_}) label->clear();
+  stages_->setToolTip({});
+}
+
+QString StatusStrip::stateText() const {
+  if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
+  return stateInWords(state_);
+}
+
+void StatusStrip::paintState() {
+  const ThemeColors& colors = Theme::instance().colors();
+  QColor color = colors.muted_text;
+  if (state_ == ScanState::scanning && has_pose_) {
+    const Rgb c = trackingColor(tracking_);
+    color = QColor(c[0], c[1], c[2]);
+  } else if (state_ == ScanState::paused || state_ == ScanState::stopping) {
+    color = colors.warning;
+  } else if (state_ == ScanState::finished) {
+    color = colors.good;
+  } else if (state_ == ScanState::failed) {
+    color = colors.bad;
+  }
+  state_label_->setText(
+      QStringLiteral("<span style='color:%1'>●</span>&nbsp;&nbsp;<b>%2</b>").arg(color.name(), stateText()));
+}
+
+void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
+  const QLocale locale;
+  tracking_ = snapshot.pose.state;
+  has_pose_ = snapshot.frame_index >= 0;
+  paintState();
+  speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
+
+  double total_ms = 0;
+  for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) total_ms += stage.ms;
+  std::vector<ScanSnapshot::StageTime> slowest = snapshot.stage_times;
+  std::stable_sort(slowest.begin(), slowest.end(), [](const auto& a, const auto& b) { return a.ms > b.ms; });
+  slowest.resize(std::min(slowest.size(), kStagesInLine));
+  QStringList parts;
+  for (const ScanSnapshot::StageTime& stage : slowest) {
+    parts << QStringLiteral("%1 %2").arg(QString::fromStdString(stage.name),
+                                         QString::number(stage.ms, 'f', 0));
+  }
+  stages_->setText(tr("%1 ms a frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))));
+  stages_->setToolTip(stageTable(snapshot, total_ms));
+
+  map_->setText(tr("%1 regions   %2 bricks   %3 MB")
+                    .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),
+                         locale.toString(snapshot.map_megabytes, 'f', 0)));
+  QStringList losses;
+  if (snapshot.frames_lost > 0) losses << tr("%1 lost").arg(snapshot.frames_lost);
+  if (snapshot.frames_skipped > 0) losses << tr("%1 unreadable").arg(snapshot.frames_skipped);
+  if (snapshot.frames_dropped > 0) losses << tr("%1 dropped").arg(snapshot.frames_dropped);
+  losses_->setText(losses.isEmpty() ? tr("no frame lost") : losses.join(QStringLiteral(" · ")));
+}
+
+}  // namespace scantrove

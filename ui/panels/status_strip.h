@@ -1,0 +1,39 @@
+#pragma once
+#include <QWidget>
+
+#include "core/scan/scan_snapshot.h"
+
+class QLabel;
+
+namespace scantrove {
+
+/// One line about the running scan: is the camera tracked, how fast, how large the map, what was lost. The
+/// stage times in full are in its tooltip.
+class StatusStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StatusStrip(QWidget* parent = nullptr);
+
+  void showState(ScanState state);
+  void showSnapshot(const ScanSnapshot& snapshot);
+  void clear();
+  [[nodiscard]] QString stateText() const;
+
+ private:
+  void paintState();
+
+  ScanState state_ = ScanState::idle;
+  TrackingState tracking_ = TrackingState::lost;
+  bool has_pose_ = false;
+  QLabel* state_label_;
+  QLabel* speed_;
+  QLabel* stages_;
+  QLabel* map_;
+  QLabel* losses_;
+};
+
+/// "scanning", "paused", ... in plain words.
+[[nodiscard]] QString stateInWords(ScanState state);
+
+}  // namespace scantrove

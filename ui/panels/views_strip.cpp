@@ -1,0 +1,89 @@
+#include "ui/panels/views_strip.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "ui/theme/theme.h"
+
+namespace scantrove {
+namespace {
+constexpr int kGap = 6;
+constexpr int kHeight = 84;
+
+int widthOf(const QImage& picture) {
+  return std::clamp(picture.width() * kHeight / std::max(1, picture.height()), 40, 160);
+}
+}  // namespace
+
+ViewsStrip::ViewsStrip(QWidget* parent) : QWidget(parent) {
+  setFixedHeight(kHeight + 4);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Views of the selected object"));
+  setToolTip(tr("Views of the selected object, newest first. Scroll with the wheel or the arrow keys."));
+}
+
+void ViewsStrip::setViews(std::vector<QImage> pictures) {
+  pictures_ = std::move(pictures);
+  offset_ = 0;
+  update();
+}
+
+int ViewsStrip::contentWidth() const {
+  int sum = 0;
+  for (const QImage& picture : pictures_) sum += widthOf(picture) + kGap;
+  return sum;
+}
+
+void ViewsStrip::paintEvent(QPaintEvent* /*event*/) {
+  const ThemeColors& colors = Theme::instance().colors();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (pictures_.empty()) {
+    painter.setPen(colors.muted_text);
+    painter.drawText(rect(), Qt::AlignCenter, tr("No views yet"));
+    return;
+  }
+  int x = -offset_;
+  for (const QImage& picture : pictures_) {
+    const QRect cell(x, 2, widthOf(picture), kHeight);
+    QPainterPath shape;
+    shape.addRoundedRect(cell, 6, 6);
+    painter.save();
+    painter.setClipPath(shape);
+    painter.fillRect(cell, colors.dark ? QColor(0x15, 0x17, 0x1b) : QColor(0xe4, 0xe8, 0xed));
+    const QSize fitted = picture.size().scaled(cell.size(), Qt::KeepAspectRatio);
+    painter.drawImage(QRect(cell.center() - QPoint(fitted.width() / 2 - 1, fitted.height() / 2 - 1), fitted),
+                      picture);
+    painter.restore();
+    x += cell.width() + kGap;
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(colors.accent, 1));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+  }
+}
+
+void ViewsStrip::scrollBy(int pixels) {
+  offset_ = std::clamp(offset_ + pixels, 0, std::max(0, contentWidth() - width()));
+  update();
+}
+
+void ViewsStrip::wheelEvent(QWheelEvent* event) {
+  const QPoint turn = event->angleDelta();
+  scrollBy(-(turn.x() != 0 ? turn.x() : turn.y()) / 2);
+  event->accept();
+}
+
+void ViewsStrip::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) {
+    scrollBy(event->key() == Qt::Key_Left ? -90 : 90);
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace scantrove

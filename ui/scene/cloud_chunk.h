@@ -1,0 +1,92 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/scan/scan_snapshot.h"
+
+class vtkRenderer;
+
+namespace scantrove {
+
+/// Bricks along the edge of a chunk.
+inline constexpr int kChunkBricks = 16;
+/// Level n draws about every kLevelStride[n]-th point, larger.
+inline constexpr std::array<std::size_t, 4> kLevelStride{1, 4, 16, 64};
+
+/// A cube of bricks that is sent to the graphics card as one piece, at one of several levels of detail.
+class CloudChunk {
+ public:
+  using RegionOfLabel = std::vector<std::uint32_t>;
+
+  explicit CloudChunk(vtkRenderer* renderer);
+  ~CloudChunk();
+  CloudChunk(const CloudChunk&) = delete;
+  CloudChunk& operator=(const CloudChunk&) = delete;
+
+  /// Replaces the brick's points unless the stored version is newer. Returns by how many the number of points
+  /// grew.
+  std::ptrdiff_t setBrick(const CloudBrick& brick, float voxel_size_m);
+
+  /// The chunk must be drawn anew when it holds a label for which `changed_labels[label]` is true.
+  void markIfUses(const std::vector<bool>& changed_labels);
+
+  void setLevel(std::size_t level);
+  [[nodiscard]] std::size_t level() const { return wanted_level_; }
+  [[nodiscard]] bool dirty() const { return dirty_ || built_level_ != wanted_level_; }
+  [[nodiscard]] bool shown() const { return built_level_ < kLevelStride.size(); }
+  /// In view or not; chunks out of view are neither drawn nor rebuilt.
+  void show(bool visible);
+  [[nodiscard]] bool inView() const { return in_view_; }
+
+  /// Sends points and colours of the wanted level to VTK.
+  void rebuild(const RegionOfLabel* region_of_label, float voxel_size_m);
+
+  /// Sets the drawn size: `pixels_at_1m` is the edge of a voxel in pixels at one metre from the camera.
+  void setPointScale(float pixels_at_1m);
+
+  [[nodiscard]] std::size_t pointCount() const { return point_count_; }
+  /// About how many points the level draws.
+  [[nodiscard]] std::size_t pointCount(std::size_t level) const {
+    return (point_count_ + kLevelStride[level] - 1) / kLevelStride[level];
+  }
+  [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
+  void collectNormals(std::vector<Eigen::Vector3f>& normals) const;
+  /// Appends one height along `up` for each brick.
+  void collectHeights(const Eigen::Vector3f& up, std::vector<float>& heights) const;
+
+  int waiting_rounds = 0;  ///< how often a rebuild was put off
+
+ private:
+  struct Brick {
+    std::uint64_t version = 0;
+    std::vector<CloudBrick::Point> points;
+    std::vector<std::uint8_t> shade;  ///< one for each point, 255 = fully lit
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  };
+  struct BrickKey {
+    int x, y, z;
+    auto operator<=>(const BrickKey&) const = default;
+  };
+
+  vtkRenderer* renderer_;
+  vtkSmartPointer<vtkActor> actor_;
+  vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
+  std::map<BrickKey, Brick> bricks_;
+  Eigen::AlignedBox3f bounds_;
+  std::size_t point_count_ = 0;
+  std::size_t wanted_level_ = 0;
+  std::size_t built_level_ = kLevelStride.size();  ///< none yet
+  bool dirty_ = true;
+  bool in_view_ = false;
+};
+
+}  // namespace scantrove

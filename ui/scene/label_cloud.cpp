@@ -1,0 +1,153 @@
+#include "ui/scene/label_cloud.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace scantrove {
+namespace {
+
+int floorDivide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+/// Planes of the camera's view: positive distance on the inner side of all six.
+bool mayBeVisible(const std::array<double, 24>& planes, const Eigen::AlignedBox3f& box) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Eigen::Vector3d normal(planes[4 * i], planes[4 * i + 1], planes[4 * i + 2]);
+    Eigen::Vector3d corner;
+    for (int axis = 0; axis < 3; ++axis) corner[axis] = normal[axis] >= 0 ? box.max()[axis] : box.min()[axis];
+    if (normal.dot(corner) + planes[4 * i + 3] < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+LabelCloud::LabelCloud(vtkRenderer* renderer) : renderer_(renderer) {}
+LabelCloud::~LabelCloud() = default;
+
+void LabelCloud::clear() {
+  chunks_.clear();
+  region_of_label_.reset();
+  bounds_.setEmpty();
+  point_count_ = 0;
+  drawn_point_count_ = 0;
+}
+
+void LabelCloud::update(const std::vector<CloudBrick>& changed, RegionOfLabel region_of_label) {
+  if (region_of_label != nullptr && region_of_label != region_of_label_) recolor(region_of_label);
+  std::ptrdiff_t growth = 0;
+  for (const CloudBrick& brick : changed) {
+    const ChunkKey key{floorDivide(brick.position.x(), kChunkBricks),
+                       floorDivide(brick.position.y(), kChunkBricks),
+                       floorDivide(brick.position.z(), kChunkBricks)};
+    std::unique_ptr<CloudChunk>& chunk = chunks_[key];
+    if (chunk == nullptr) chunk = std::make_unique<CloudChunk>(renderer_);
+    growth += chunk->setBrick(brick, voxel_size_m_);
+    bounds_.extend(chunk->bounds());
+  }
+  point_count_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(point_count_) + growth);
+}
+
+void LabelCloud::recolor(const RegionOfLabel& newer) {
+  std::vector<bool> changed(newer->size(), false);
+  bool any = false;
+  for (std::size_t label = 0; label < newer->size(); ++label) {
+    // Labels that were not in the older table were drawn with their own number.
+    const bool known = region_of_label_ != nullptr && label < region_of_label_->size();
+    const auto old_region = known ? (*region_of_label_)[label] : static_cast<std::uint32_t>(label);
+    if ((*newer)[label] != old_region) any = changed[label] = true;
+  }
+  region_of_label_ = newer;
+  if (!any) return;
+  for (auto& [key, chunk] : chunks_) chunk->markIfUses(changed);
+}
+
+void LabelCloud::chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget) {
+  std::array<double, 24> planes{};
+  camera->GetFrustumPlanes(static_cast<double>(width_px) / std::max(1, height_px), planes.data());
+  const Eigen::Vector3f eye = Eigen::Vector3d(camera->GetPosition()).cast<float>();
+  const double half_angle = camera->GetViewAngle() * 3.14159265358979 / 360;
+  const auto pixels_at_1m = static_cast<float>(height_px / 2.0 / std::tan(half_angle)) * voxel_size_m_;
+
+  struct Candidate {
+    CloudChunk* chunk;
+    float spacing_px;  ///< of neighbouring points at the finest level, at the chunk's near side
+  };
+  std::vector<Candidate> visible;
+  for (auto& [key, chunk] : chunks_) {
+    const bool inside = chunk->pointCount() > 0 && mayBeVisible(planes, chunk->bounds());
+    chunk->show(inside);
+    if (!inside) continue;
+    const float distance = std::max(0.2F, std::sqrt(chunk->bounds().squaredExteriorDistance(eye)) + 0.3F);
+    visible.push_back({chunk.get(), pixels_at_1m / distance});
+  }
+
+  // The smallest gap in pixels between drawn points for which the whole fits the budget.
+  constexpr std::array<float, 7> kTargets_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 1e9F};
+  for (const float target : kTargets_px) {
+    drawn_point_count_ = 0;
+    for (const Candidate& candidate : visible) {
+      std::size_t level = 0;
+      while (level + 1 < kLevelStride.size() &&
+             candidate.spacing_px * std::sqrt(static_cast<float>(kLevelStride[level + 1])) <= target) {
+        ++level;
+      }
+      candidate.chunk->setLevel(level);
+      drawn_point_count_ += candidate.chunk->pointCount(level);
+    }
+    if (drawn_point_count_ <= point_budget) break;
+  }
+  for (const Candidate& candidate : visible) candidate.chunk->setPointScale(pixels_at_1m);
+}
+
+bool LabelCloud::prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
+                         std::size_t rebuild_budget) {
+  chooseLevels(camera, width_px, height_px, point_budget);
+  std::vector<CloudChunk*> dirty;
+  for (auto& [key, chunk] : chunks_) {
+    if (!chunk->inView() || !chunk->dirty()) continue;
+    ++chunk->waiting_rounds;
+    dirty.push_back(chunk.get());
+  }
+  // Longest waiting first, so that none starves; what was never shown before that.
+  std::sort(dirty.begin(), dirty.end(), [](const CloudChunk* a, const CloudChunk* b) {
+    if (a->shown() != b->shown()) return !a->shown();
+    return a->waiting_rounds > b->waiting_rounds;
+  });
+  std::size_t spent = 0;
+  for (CloudChunk* chunk : dirty) {
+    if (spent > 0 && spent + chunk->pointCount(chunk->level()) > rebuild_budget) return false;
+    chunk->rebuild(region_of_label_.get(), voxel_size_m_);
+    chunk->waiting_rounds = 0;
+    spent += chunk->pointCount(chunk->level());
+  }
+  if (!dirty.empty())
+    chooseLevels(camera, width_px, height_px, point_budget);  // shows what is new, sized right
+  return true;
+}
+
+bool LabelCloud::upToDate() const {
+  return std::none_of(chunks_.begin(), chunks_.end(),
+                      [](const auto& entry) { return entry.second->inView() && entry.second->dirty(); });
+}
+
+std::vector<Eigen::Vector3f> LabelCloud::brickNormals() const {
+  std::vector<Eigen::Vector3f> normals;
+  for (const auto& [key, chunk] : chunks_) chunk->collectNormals(normals);
+  return normals;
+}
+
+float LabelCloud::floorHeight(const Eigen::Vector3f& up) const {
+  std::vector<float> heights;
+  for (const auto& [key, chunk] : chunks_) chunk->collectHeights(up, heights);
+  if (heights.empty()) return 0;
+  const auto place = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 50);
+  std::nth_element(heights.begin(), place, heights.end());
+  return *place;
+}
+
+}  // namespace scantrove

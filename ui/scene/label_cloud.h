@@ -1,0 +1,74 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/scan/scan_snapshot.h"
+#include "ui/scene/cloud_chunk.h"
+
+class vtkRenderer;
+class vtkCamera;
+
+namespace scantrove {
+
+/// The label cloud as points in a VTK renderer, grouped into chunks of bricks. Only chunks whose bricks
+/// changed are sent to the graphics card again, and each chunk is drawn at the coarsest level that still
+/// looks closed from where the camera stands. One thread (the one of the OpenGL context).
+class LabelCloud {
+ public:
+  using RegionOfLabel = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+  explicit LabelCloud(vtkRenderer* renderer);
+  ~LabelCloud();
+  LabelCloud(const LabelCloud&) = delete;
+  LabelCloud& operator=(const LabelCloud&) = delete;
+
+  void clear();
+
+  /// Edge of a voxel in metres: the distance of neighbouring points, for closing gaps between them.
+  void setVoxelSize(float metres) { voxel_size_m_ = metres; }
+
+  /// Takes over the changed bricks (older versions than the stored are ignored) and the region of each raw
+  /// label; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
+  void update(const std::vector<CloudBrick>& changed, RegionOfLabel region_of_label);
+
+  /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
+  /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed. Returns true
+  /// when all chunks in view are up to date.
+  bool prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
+               std::size_t rebuild_budget);
+
+  [[nodiscard]] std::size_t pointCount() const { return point_count_; }
+  [[nodiscard]] std::size_t drawnPointCount() const { return drawn_point_count_; }
+  [[nodiscard]] std::size_t chunkCount() const { return chunks_.size(); }
+  [[nodiscard]] bool upToDate() const;
+  [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
+
+  /// Surface normals of the bricks (sign arbitrary), weighted by their number of points: for finding "up".
+  [[nodiscard]] std::vector<Eigen::Vector3f> brickNormals() const;
+
+  /// Height along `up` (unit) below which only 2 % of the bricks lie; 0 when there are none.
+  [[nodiscard]] float floorHeight(const Eigen::Vector3f& up) const;
+
+ private:
+  struct ChunkKey {
+    int x, y, z;
+    auto operator<=>(const ChunkKey&) const = default;
+  };
+  void recolor(const RegionOfLabel& newer);
+  void chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget);
+
+  vtkRenderer* renderer_;
+  std::map<ChunkKey, std::unique_ptr<CloudChunk>> chunks_;
+  RegionOfLabel region_of_label_;
+  Eigen::AlignedBox3f bounds_;
+  std::size_t point_count_ = 0;
+  std::size_t drawn_point_count_ = 0;
+  float voxel_size_m_ = 3.0F / 512.0F;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,104 @@
+#include "ui/scene/label_cloud_scene.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtk_glew.h>
+
+#include <algorithm>
+
+#include "ui/scene/up_direction.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kFirstLeveling_points = 20'000;
+
+/// Point sizes come from the chunks' vertex shader (see CloudChunk).
+void enableProgramPointSize(vtkObject* /*caller*/, unsigned long /*event*/, void* /*client*/,
+                            void* /*data*/) {
+  glEnable(GL_PROGRAM_POINT_SIZE);
+}
+
+void setBackground(vtkRenderer* renderer, const Rgb& top, const Rgb& bottom) {
+  renderer->GradientBackgroundOn();
+  renderer->SetBackground(bottom[0] / 255.0, bottom[1] / 255.0, bottom[2] / 255.0);
+  renderer->SetBackground2(top[0] / 255.0, top[1] / 255.0, top[2] / 255.0);
+}
+
+}  // namespace
+
+LabelCloudScene::LabelCloudScene()
+    : renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      cloud_(renderer_),
+      sensor_(renderer_),
+      grid_(renderer_) {
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetCallback(enableProgramPointSize);
+  renderer_->AddObserver(vtkCommand::StartEvent, command);
+  setColors(Colors{});
+}
+
+void LabelCloudScene::setColors(const Colors& colors) {
+  setBackground(renderer_, colors.background_top, colors.background_bottom);
+  grid_.setColor(colors.grid);
+  sensor_.setTrailColor(colors.trail);
+}
+
+void LabelCloudScene::clear() {
+  cloud_.clear();
+  sensor_.clear();
+  viewpoint_ = OrbitCamera();
+  grid_.place({0, 1, 1.5F}, -Eigen::Vector3f::UnitY(), 2);
+  following_ = true;
+  has_pose_ = false;
+  points_at_leveling_ = 0;
+}
+
+void LabelCloudScene::update(const ScanSnapshot& snapshot) {
+  cloud_.update(snapshot.changed_bricks, snapshot.region_of_label);
+  sensor_.setPose(snapshot.pose, snapshot.K);
+  sensor_.setTrail(snapshot.trail);
+  if (snapshot.frame_index < 0) return;
+
+  const Eigen::Isometry3f T_world_camera = snapshot.pose.T_world_camera.cast<float>();
+  if (!has_pose_) {
+    first_up_ = -T_world_camera.linear().col(1);
+    viewpoint_.setUp(first_up_);
+  }
+  if (cloud_.pointCount() > std::max(kFirstLeveling_points, 2 * points_at_leveling_)) levelOut();
+  if (following_ && snapshot.pose.usable()) {
+    // From behind and above the sensor's shoulder, at what lies in front of it.
+    const Eigen::Vector3f centre = T_world_camera.translation();
+    const Eigen::Vector3f ahead = T_world_camera.linear().col(2);
+    const Eigen::Vector3f side = T_world_camera.linear().col(0);
+    const Eigen::Vector3f eye = centre - 1.1F * ahead + 0.55F * viewpoint_.up() + 0.35F * side;
+    viewpoint_.approach(eye, centre + 1.5F * ahead, has_pose_ ? 0.12F : 1.0F);
+  }
+  has_pose_ = true;
+}
+
+void LabelCloudScene::levelOut() {
+  points_at_leveling_ = cloud_.pointCount();
+  const Eigen::Vector3f up = findUp(cloud_.brickNormals(), first_up_);
+  viewpoint_.setUp(up);
+  const Eigen::AlignedBox3f& box = cloud_.bounds();
+  const Eigen::Vector3f centre = box.center();
+  grid_.place(centre + (cloud_.floorHeight(up) - centre.dot(up)) * up, up, 0.6F * box.diagonal().norm());
+}
+
+void LabelCloudScene::fitAll(float aspect) {
+  following_ = false;
+  viewpoint_.fit(cloud_.bounds(), aspect);
+}
+
+bool LabelCloudScene::prepare(int width_px, int height_px, std::size_t point_budget,
+                              std::size_t rebuild_budget) {
+  Eigen::AlignedBox3f all = cloud_.bounds();
+  all.extend(sensor_.bounds());
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  viewpoint_.applyTo(camera, all);
+  return cloud_.prepare(camera, width_px, height_px, point_budget, rebuild_budget);
+}
+
+}  // namespace scantrove

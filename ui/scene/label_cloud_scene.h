@@ -1,0 +1,63 @@
+#pragma once
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+
+#include "core/scan/scan_snapshot.h"
+#include "ui/scene/ground_grid.h"
+#include "ui/scene/label_cloud.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/scene/sensor_track.h"
+
+namespace scantrove {
+
+/// All that the 3D view shows, behind one renderer: cloud, sensor, grid, and the viewpoint. Free of Qt;
+/// whoever owns an OpenGL context adds renderer() to a render window. One thread.
+class LabelCloudScene {
+ public:
+  struct Colors {
+    Rgb background_top{38, 42, 50};
+    Rgb background_bottom{24, 26, 31};
+    Rgb grid{62, 67, 77};
+    Rgb trail{225, 229, 235};
+  };
+
+  LabelCloudScene();
+
+  [[nodiscard]] vtkRenderer* renderer() { return renderer_; }
+  void clear();
+  void setVoxelSize(float metres) { cloud_.setVoxelSize(metres); }
+  void setColors(const Colors& colors);
+  void setGridVisible(bool visible) { grid_.setVisible(visible); }
+
+  /// Takes over what is new in the snapshot; draws nothing.
+  void update(const ScanSnapshot& snapshot);
+
+  /// The viewpoint trails the sensor and looks where it looks; any call of viewpoint() by the person's hand
+  /// should end it.
+  void setFollowing(bool following) { following_ = following; }
+  [[nodiscard]] bool following() const { return following_; }
+  [[nodiscard]] OrbitCamera& viewpoint() { return viewpoint_; }
+  void fitAll(float aspect);
+
+  /// To call right before rendering into a viewport of this size; see LabelCloud::prepare.
+  bool prepare(int width_px, int height_px, std::size_t point_budget, std::size_t rebuild_budget);
+
+  [[nodiscard]] const LabelCloud& cloud() const { return cloud_; }
+
+ private:
+  void levelOut();
+
+  vtkSmartPointer<vtkRenderer> renderer_;
+  LabelCloud cloud_;
+  SensorTrack sensor_;
+  GroundGrid grid_;
+  OrbitCamera viewpoint_;
+  bool following_ = true;
+  bool has_pose_ = false;
+  Eigen::Vector3f first_up_ = -Eigen::Vector3f::UnitY();
+  std::size_t points_at_leveling_ = 0;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,317 @@
+#include "ui/view/scene_view.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <algorithm>
+#include <cmath>
+
+namespace scantrove {
+namespace {
+
+constexpr double kTimeShareWhileScanning = 0.25;
+constexpr int kShortestInterval_ms = 100;  ///< while scanning
+constexpr int kLongestInterval_ms = 2000;
+constexpr int kSettle_ms = 350;
+constexpr double kMovingTarget_ms = 45;
+constexpr double kScanningTarget_ms = 90;
+constexpr double kStillTarget_ms = 900;
+constexpr std::size_t kRebuildWhileScanning_points = 150'000;
+constexpr float kTurnPerPixel_rad = 0.006F;
+
+}  // namespace
+
+/// VTK's render window in Qt's context. Answers VTK's questions about the context.
+class SceneView::RenderWindow {
+ public:
+  RenderWindow(SceneView& view, vtkRenderer* renderer)
+      : view_(view), window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
+    window_->SetOwnContext(0);
+    window_->SetFrameBlitModeToNoBlit();
+    window_->SetMultiSamples(0);
+    window_->SetReadyForRendering(true);
+    window_->SetMapped(1);
+    window_->SetIsDirect(1);
+    window_->SetSupportsOpenGL(1);
+    observe(vtkCommand::WindowMakeCurrentEvent, onMakeCurrent);
+    observe(vtkCommand::WindowIsCurrentEvent, onIsCurrent);
+    window_->AddRenderer(renderer);
+    window_->OpenGLInitContext();
+  }
+
+  ~RenderWindow() { window_->Finalize(); }
+  RenderWindow(const RenderWindow&) = delete;
+  RenderWindow& operator=(const RenderWindow&) = delete;
+
+  [[nodiscard]] vtkGenericOpenGLRenderWindow& vtk() { return *window_; }
+
+ private:
+  using Callback = void (*)(vtkObject*, unsigned long, void*, void*);
+
+  void observe(unsigned long event, Callback callback) {
+    const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+    command->SetCallback(callback);
+    command->SetClientData(&view_);
+    window_->AddObserver(event, command);
+  }
+
+  /// makeCurrent() also binds Qt's framebuffer: harmful while VTK is drawing into its own. Only when needed.
+  static void onMakeCurrent(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* /*data*/) {
+    auto* view = static_cast<SceneView*>(client);
+    if (QOpenGLContext::currentContext() != view->context()) view->makeCurrent();
+  }
+
+  static void onIsCurrent(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* data) {
+    const auto* view = static_cast<SceneView*>(client);
+    *static_cast<bool*>(data) =
+        view->context() != nullptr && QOpenGLContext::currentContext() == view->context();
+  }
+
+  SceneView& view_;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+};
+
+SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
+  setFormat(surfaceFormat());
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(240, 180);
+  setAccessibleName(tr("3D view"));
+  setAccessibleDescription(
+      tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
+  draw_timer_.setSingleShot(true);
+  connect(&draw_timer_, &QTimer::timeout, this, QOverload<>::of(&QWidget::update));
+  settle_timer_.setSingleShot(true);
+  settle_timer_.setInterval(kSettle_ms);
+  connect(&settle_timer_, &QTimer::timeout, this, [this] {
+    moving_ = false;
+    schedule();
+  });
+  since_draw_.start();
+}
+
+SceneView::~SceneView() {
+  // VTK frees its OpenGL objects while the context still lives.
+  makeCurrent();
+  window_.reset();
+  scene_.clear();
+  doneCurrent();
+}
+
+QSurfaceFormat SceneView::surfaceFormat() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
+  format.setRedBufferSize(8);
+  format.setGreenBufferSize(8);
+  format.setBlueBufferSize(8);
+  format.setAlphaBufferSize(8);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setSamples(0);
+  format.setSwapInterval(0);
+  return format;
+}
+
+void SceneView::clearScene() {
+  if (window_ != nullptr) makeCurrent();
+  scene_.clear();
+  if (window_ != nullptr) doneCurrent();
+  emit followingChanged(scene_.following());
+  schedule();
+}
+
+void SceneView::showSnapshot(const ScanSnapshot& snapshot) {
+  scene_.update(snapshot);
+  schedule();
+}
+
+void SceneView::setScanning(bool scanning) {
+  scanning_ = scanning;
+  schedule();
+}
+
+void SceneView::setColors(const LabelCloudScene::Colors& colors) {
+  scene_.setColors(colors);
+  schedule();
+}
+
+void SceneView::setFollowing(bool following) {
+  if (following == scene_.following()) return;
+  scene_.setFollowing(following);
+  emit followingChanged(following);
+  schedule();
+}
+
+void SceneView::fitAll() {
+  scene_.fitAll(static_cast<float>(width()) / static_cast<float>(std::max(1, height())));
+  emit followingChanged(false);
+  schedule();
+}
+
+void SceneView::setGridVisible(bool visible) {
+  scene_.setGridVisible(visible);
+  schedule();
+}
+
+void SceneView::schedule() {
+  if (draw_timer_.isActive()) return;
+  int wait_ms = 0;
+  if (scanning_ && !moving_) {
+    const int interval_ms = std::clamp(static_cast<int>(draw_ms_ / kTimeShareWhileScanning),
+                                       kShortestInterval_ms, kLongestInterval_ms);
+    wait_ms = std::max(0, interval_ms - static_cast<int>(since_draw_.elapsed()));
+  }
+  draw_timer_.start(wait_ms);
+}
+
+std::size_t SceneView::pointBudget() const {
+  if (full_detail_) return 4'000'000;
+  const double target_ms = moving_ ? kMovingTarget_ms : (scanning_ ? kScanningTarget_ms : kStillTarget_ms);
+  return static_cast<std::size_t>(std::clamp(target_ms / ms_per_point_, 20'000.0, 4'000'000.0));
+}
+
+void SceneView::initializeGL() {
+  window_ = std::make_unique<RenderWindow>(*this, scene_.renderer());
+  // A new context (the view moved to another window) knows nothing of the old one's framebuffers.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    makeCurrent();
+    window_.reset();
+    doneCurrent();
+  });
+}
+
+void SceneView::resizeGL(int /*width*/, int /*height*/) {}
+
+void SceneView::paintGL() {
+  QElapsedTimer timer;
+  timer.start();
+  const QSize pixels = size() * devicePixelRatioF();
+  vtkGenericOpenGLRenderWindow& window = window_->vtk();
+  window.SetSize(pixels.width(), pixels.height());
+  window.SetScreenSize(pixels.width(), pixels.height());
+  // Qt changed OpenGL's state behind VTK's back.
+  window.GetState()->Reset();
+  window.GetState()->Push();
+  const std::size_t rebuild_budget = scanning_ && !full_detail_ ? kRebuildWhileScanning_points : 10'000'000;
+  const bool complete = scene_.prepare(pixels.width(), pixels.height(), pointBudget(), rebuild_budget);
+  window.Render();
+  window.GetState()->Pop();
+  blitToWidget();
+
+  const double took_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  draw_ms_ += 0.3 * (took_ms - draw_ms_);
+  const std::size_t points = scene_.cloud().drawnPointCount();
+  if (points > 20'000) ms_per_point_ += 0.2 * (took_ms / static_cast<double>(points) - ms_per_point_);
+  ms_per_point_ = std::clamp(ms_per_point_, 1e-6, 1e-2);
+  since_draw_.start();
+  if (!complete) schedule();
+}
+
+void SceneView::blitToWidget() {
+  QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
+  vtkOpenGLFramebufferObject* source = window_->vtk().GetDisplayFramebuffer();
+  const QSize pixels = size() * devicePixelRatioF();
+  source->Bind(GL_READ_FRAMEBUFFER);
+  source->ActivateReadBuffer(0);
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glDisable(GL_SCISSOR_TEST);
+  gl->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(),
+                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  // VTK leaves transparency in the picture; the widget must be opaque.
+  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl->glClearColor(0, 0, 0, 1);
+  gl->glClear(GL_COLOR_BUFFER_BIT);
+  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void SceneView::interacted() {
+  moving_ = true;
+  settle_timer_.start();
+  if (scene_.following()) {
+    scene_.setFollowing(false);
+    emit followingChanged(false);
+  }
+  draw_timer_.stop();
+  draw_timer_.start(0);
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  last_mouse_ = event->position();
+  setFocus(Qt::MouseFocusReason);
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF step = event->position() - last_mouse_;
+  last_mouse_ = event->position();
+  const auto dx = static_cast<float>(step.x());
+  const auto dy = static_cast<float>(step.y());
+  const auto tall = static_cast<float>(std::max(1, height()));
+  const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->buttons().testFlag(Qt::MiddleButton) || (event->buttons().testFlag(Qt::LeftButton) && shifted)) {
+    scene_.viewpoint().pan(-dx / tall, dy / tall);
+  } else if (event->buttons().testFlag(Qt::LeftButton)) {
+    scene_.viewpoint().orbit(-dx * kTurnPerPixel_rad, dy * kTurnPerPixel_rad);
+  } else if (event->buttons().testFlag(Qt::RightButton)) {
+    scene_.viewpoint().zoom(std::exp(dy * 0.006F));
+  } else {
+    return;
+  }
+  interacted();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* /*event*/) {}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) fitAll();
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  scene_.viewpoint().zoom(std::exp(-static_cast<float>(event->angleDelta().y()) / 120.0F * 0.14F));
+  interacted();
+  event->accept();
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  constexpr float kStep_rad = 0.10F;
+  OrbitCamera& viewpoint = scene_.viewpoint();
+  const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
+  switch (event->key()) {
+    case Qt::Key_Left:
+      shifted ? viewpoint.pan(-0.05F, 0) : viewpoint.orbit(kStep_rad, 0);
+      break;
+    case Qt::Key_Right:
+      shifted ? viewpoint.pan(0.05F, 0) : viewpoint.orbit(-kStep_rad, 0);
+      break;
+    case Qt::Key_Up:
+      shifted ? viewpoint.pan(0, 0.05F) : viewpoint.orbit(0, kStep_rad);
+      break;
+    case Qt::Key_Down:
+      shifted ? viewpoint.pan(0, -0.05F) : viewpoint.orbit(0, -kStep_rad);
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      viewpoint.zoom(0.88F);
+      break;
+    case Qt::Key_Minus:
+      viewpoint.zoom(1 / 0.88F);
+      break;
+    case Qt::Key_Home:
+      fitAll();
+      return;
+    default:
+      QOpenGLWidget::keyPressEvent(event);
+      return;
+  }
+  interacted();
+}
+
+}  // namespace scantrove

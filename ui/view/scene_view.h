@@ -1,0 +1,82 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <memory>
+
+#include "core/scan/scan_snapshot.h"
+#include "ui/scene/label_cloud_scene.h"
+
+namespace scantrove {
+
+/// The 3D view: the one place where Qt and VTK meet. VTK draws into its own framebuffer inside Qt's OpenGL
+/// context, which is then copied to the widget's. Draws seldom while a scan runs, so that most of the machine
+/// stays with the scan, and coarser while the person turns the view.
+///
+/// Left drag turns, middle or Shift+left drag moves, right drag or wheel zooms, double click fits all;
+/// arrow keys, + and - and Home do the same from the keyboard.
+class SceneView : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// The surface format VTK needs; to set as the default before QApplication is made.
+  static QSurfaceFormat surfaceFormat();
+
+  [[nodiscard]] LabelCloudScene& scene() { return scene_; }
+  void clearScene();
+  void showSnapshot(const ScanSnapshot& snapshot);
+  /// While true, drawing takes at most about a third of this thread's time.
+  void setScanning(bool scanning);
+  void setColors(const LabelCloudScene::Colors& colors);
+
+  [[nodiscard]] bool following() const { return scene_.following(); }
+  /// Draws everything at full detail, however long it takes (for a picture of the window).
+  void setFullDetail(bool full) { full_detail_ = full; }
+
+  [[nodiscard]] QSize sizeHint() const override { return {900, 640}; }
+
+ public slots:
+  void setFollowing(bool following);
+  void fitAll();
+  void setGridVisible(bool visible);
+
+ signals:
+  void followingChanged(bool following);
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  class RenderWindow;
+
+  /// Draws as soon as the share of time allows.
+  void schedule();
+  void interacted();
+  void blitToWidget();
+  [[nodiscard]] std::size_t pointBudget() const;
+
+  LabelCloudScene scene_;
+  std::unique_ptr<RenderWindow> window_;
+  QTimer draw_timer_;
+  QTimer settle_timer_;  ///< after the last movement: back to full detail
+  QElapsedTimer since_draw_;
+  QPointF last_mouse_;
+  double draw_ms_ = 30;         ///< smoothed time of drawing
+  double ms_per_point_ = 6e-4;  ///< smoothed; llvmpipe takes about 0.8 us a point
+  bool scanning_ = false;
+  bool moving_ = false;
+  bool full_detail_ = false;
+};
+
+}  // namespace scantrove
