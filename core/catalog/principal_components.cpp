@@ -10,7 +10,7 @@ namespace scantrove {
 
 PrincipalComponents PrincipalComponents::fit(const Eigen::MatrixXf& rows) {
   SCANTROVE_CHECK(rows.rows() >= kCount && rows.cols() >= kCount);
-  constexpr int kSpare = 5, kRounds = 6;  // spare directions and rounds settle the last components
+  constexpr int kSpare = 5, kRounds = 4;  // spare directions and rounds settle the last components
   const Eigen::Index width = std::min<Eigen::Index>({kCount + kSpare, rows.rows(), rows.cols()});
   PrincipalComponents result;
   result.mean_ = rows.colwise().mean();

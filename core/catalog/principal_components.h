@@ -11,7 +11,7 @@ class PrincipalComponents {
   using Coordinates = Eigen::Matrix<float, kCount, 1>;
 
   /// `rows`: one vector a row, at least kCount of them. Subspace iteration from a fixed start, so that the
-  /// same rows give the same components everywhere; cost rows * columns * about 500 multiplications.
+  /// same rows give the same components everywhere; cost rows * columns * about 300 multiplications.
   [[nodiscard]] static PrincipalComponents fit(const Eigen::MatrixXf& rows);
 
   /// Distances between coordinates are at most those between the vectors.

@@ -15,6 +15,10 @@ std::size_t count(int items, int bytes) {
   return static_cast<std::size_t>(items) * static_cast<std::size_t>(bytes);
 }
 
+// Group sizes are fixed: PoCL builds a kernel anew for each size that it meets.
+const cl::NDRange kWarpGroup(FINE_SIDE, 4, 1), kShrinkGroup(COARSE_SIDE, 4, 1),
+    kScoreGroup(THUMBNAIL_WARPS, 1), kRefineGroup(4);
+
 cl::NDRange range(int x, int y, int z) {
   return {static_cast<std::size_t>(x), static_cast<std::size_t>(y), static_cast<std::size_t>(z)};
 }
@@ -84,9 +88,9 @@ void ThumbnailMatcher::prepareQueries(const std::vector<Thumbnail>& queries) {
   bytes.reserve(count(n, FINE_VIEW_BYTES));
   for (const Thumbnail& query : queries) bytes.insert(bytes.end(), query.fine.begin(), query.fine.end());
   queries_.write(compute_->queue(), bytes);
-  warp_queries_.launch(range(FINE_SIDE, 3 * FINE_SIDE, n * THUMBNAIL_VARIANTS), cl::NullRange, queries_,
+  warp_queries_.launch(range(FINE_SIDE, 3 * FINE_SIDE, n * THUMBNAIL_VARIANTS), kWarpGroup, queries_,
                        fine_queries_, n);
-  shrink_queries_.launch(range(COARSE_SIDE, 3 * COARSE_SIDE, n * THUMBNAIL_VARIANTS), cl::NullRange,
+  shrink_queries_.launch(range(COARSE_SIDE, 3 * COARSE_SIDE, n * THUMBNAIL_VARIANTS), kShrinkGroup,
                          fine_queries_, coarse_queries_, n);
 }
 
@@ -109,9 +113,9 @@ std::vector<float> ThumbnailMatcher::distances(const std::vector<Thumbnail>& que
   }
   pairs_.write(compute_->queue(), places);
   const int n = static_cast<int>(places.size());
-  score_warps_.launch({static_cast<std::size_t>(THUMBNAIL_WARPS), places.size()}, cl::NullRange,
+  score_warps_.launch({static_cast<std::size_t>(THUMBNAIL_WARPS), places.size()}, kScoreGroup,
                       coarse_queries_, coarse_views_, pairs_, scores_, n);
-  refine_matches_.launch({places.size()}, cl::NullRange, fine_queries_, fine_views_, pairs_, scores_,
+  refine_matches_.launch({places.size()}, kRefineGroup, fine_queries_, fine_views_, pairs_, scores_,
                          distances_, n);
   std::vector<float> result(places.size());
   distances_.read(compute_->queue(), result);

@@ -8,10 +8,11 @@ namespace scantrove {
 namespace {
 
 constexpr int kMostSamples = 256;  // views that the components are fitted to
-constexpr float kGrowthToRefit = 1.25F;
-constexpr float kColorUnit = 40;  // CIE units of mean colour that count as 1 of distance
+constexpr float kGrowthToRefit = 1.5F;
+constexpr int kEnoughViews = 2000;  // the components of so many are those of more: fitted no more
+constexpr float kColorUnit = 40;    // CIE units of mean colour that count as 1 of distance
 
-using Coarse = std::array<std::int8_t, 3 * Thumbnail::kCoarsePixels>;
+using Coarse = decltype(Thumbnail::coarse);
 
 Eigen::VectorXf toVector(const Coarse& coarse) {
   return Eigen::Map<const Eigen::Matrix<std::int8_t, Eigen::Dynamic, 1>>(coarse.data(), coarse.size())
@@ -47,21 +48,24 @@ std::optional<int> ViewIndex::find(ObjectId object) const {
 }
 
 void ViewIndex::append(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
-  View view{object, thumbnail.mean_lab, size_m.norm(), thumbnail.coarse,
-            PrincipalComponents::Coordinates::Zero()};
-  if (!components_.isEmpty()) view.coordinates = components_.project(toVector(view.coarse));
+  View view{object, thumbnail.mean_lab, size_m.norm(), PrincipalComponents::Coordinates::Zero()};
+  if (!components_.isEmpty()) view.coordinates = components_.project(toVector(thumbnail.coarse));
   views_.push_back(view);
+  coarse_.push_back(thumbnail.coarse);
   const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
-  if (size() >= kFewViews && grown) fitComponents();
+  if (size() >= kFewViews && grown && views_at_fit_ < kEnoughViews) fitComponents();
 }
 
 void ViewIndex::removeByLast(int place) {
   views_[static_cast<std::size_t>(place)] = views_.back();
   views_.pop_back();
+  coarse_[static_cast<std::size_t>(place)] = coarse_.back();
+  coarse_.pop_back();
 }
 
 void ViewIndex::clear() {
   views_.clear();
+  coarse_.clear();
   components_ = {};
   views_at_fit_ = 0;
 }
@@ -71,11 +75,13 @@ void ViewIndex::fitComponents() {
   Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
   for (int i = 0; i < samples; ++i) {
     const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
-    rows.row(i) = toVector(views_[place].coarse).transpose();
+    rows.row(i) = toVector(coarse_[place]).transpose();
   }
   components_ = PrincipalComponents::fit(rows);
   views_at_fit_ = size();
-  for (View& view : views_) view.coordinates = components_.project(toVector(view.coarse));
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    views_[i].coordinates = components_.project(toVector(coarse_[i]));
+  }
 }
 
 std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) const {

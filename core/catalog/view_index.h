@@ -43,16 +43,17 @@ class ViewIndex {
   [[nodiscard]] float colorTerm(const Thumbnail& query, int place) const;
 
  private:
-  struct View {
+  using Coarse = decltype(Thumbnail::coarse);
+  struct View {  // what every query reads: small
     ObjectId object;
     Eigen::Vector3f mean_lab;
     float diagonal_m;
-    std::array<std::int8_t, 3 * Thumbnail::kCoarsePixels> coarse;
     PrincipalComponents::Coordinates coordinates;
   };
   void fitComponents();
 
   std::vector<View> views_;
+  std::vector<Coarse> coarse_;  // to fit the components to
   PrincipalComponents components_;
   int views_at_fit_ = 0;
 };

@@ -41,9 +41,9 @@ inline float fine_distance(global const char* q, global const char* v, int* ener
   int16 ssd = 0, energy = 0;
   for (int row = 0; row < 3 * FINE_SIDE; ++row) {
     global const char* line = q + (row / FINE_SIDE * FINE_STRIDE + row % FINE_SIDE) * FINE_STRIDE;
-    for (int half = 0; half < 2; ++half) {
-      const int16 a = convert_int16(vload16(half, line));
-      const int16 b = convert_int16(vload16(half, v + row * FINE_SIDE));
+    for (int part = 0; part < 2; ++part) {
+      const int16 a = convert_int16(vload16(part, line));
+      const int16 b = convert_int16(vload16(part, v + row * FINE_SIDE));
       const int16 d = a - b;
       ssd += d * d;
       energy += a * a + b * b;
@@ -56,14 +56,14 @@ inline float fine_distance(global const char* q, global const char* v, int* ener
 inline int shifted_ssd(global const char* q, global const char* v) {
   int16 ssd = 0;
   for (int y = 0; y < FINE_SIDE; ++y) {
-    for (int half = 0; half < 2; ++half) {
+    for (int part = 0; part < 2; ++part) {
       int16 best = 0x7fffffff;
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
           int16 sum = 0;
           for (int c = 0; c < 3; ++c) {
-            const int16 a = convert_int16(vload16(half, q + (c * FINE_STRIDE + y + dy) * FINE_STRIDE + dx));
-            const int16 b = convert_int16(vload16(half, v + (c * FINE_SIDE + y) * FINE_SIDE));
+            const int16 a = convert_int16(vload16(part, q + (c * FINE_STRIDE + y + dy) * FINE_STRIDE + dx));
+            const int16 b = convert_int16(vload16(part, v + (c * FINE_SIDE + y) * FINE_SIDE));
             const int16 d = a - b;
             sum += d * d;
           }
