@@ -7,6 +7,31 @@
 namespace scantrove {
 namespace {
 
+constexpr int kMostVotesAgainst = 2;     // times evidence_frames
+constexpr int kLeastTouchingPixels = 8;  // fewer are noise of the outline
+
+using RegionPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Pairs of regions (smaller id first) that are neighbours along enough pixels of the image.
+std::vector<RegionPair> touchingRegions(const std::vector<std::uint32_t>& regions, int width) {
+  std::vector<RegionPair> contacts;
+  const auto meet = [&](std::uint32_t a, std::uint32_t b) {
+    if (a != b && a != 0 && b != 0) contacts.push_back(std::minmax(a, b));
+  };
+  const auto row_length = static_cast<std::size_t>(width);
+  for (std::size_t pixel = 0; pixel < regions.size(); ++pixel) {
+    if ((pixel + 1) % row_length != 0) meet(regions[pixel], regions[pixel + 1]);
+    if (pixel + row_length < regions.size()) meet(regions[pixel], regions[pixel + row_length]);
+  }
+  std::sort(contacts.begin(), contacts.end());
+  std::vector<RegionPair> touching;
+  for (std::size_t first = 0, next = 0; first < contacts.size(); first = next) {
+    while (next < contacts.size() && contacts[next] == contacts[first]) ++next;
+    if (next - first >= kLeastTouchingPixels) touching.push_back(contacts[first]);
+  }
+  return touching;
+}
+
 /// Qualifying edges of each segment, largest overlap first.
 using EdgesOfSegment = std::vector<std::vector<OverlapGraph::Edge>>;
 
@@ -68,8 +93,9 @@ void RegionMerger::joinComponents(const OverlapGraph& graph, const LabelingParam
   }
 }
 
-void RegionMerger::joinByEvidence(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table,
-                                  int frame, Outcome& outcome) {
+void RegionMerger::joinByEvidence(const OverlapGraph& graph, const std::vector<RegionPair>& touching,
+                                  const LabelingParams& params, LabelTable& table, int frame,
+                                  Outcome& outcome) {
   std::set<RegionPair> bridged;
   for (const auto& edges : qualifyingEdges(graph, params.overlap_threshold)) {
     for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -78,33 +104,31 @@ void RegionMerger::joinByEvidence(const OverlapGraph& graph, const LabelingParam
       }
     }
   }
+  for (const RegionPair& pair : touching) {
+    if (bridged.contains(pair)) continue;
+    int& votes = evidence_[pair];
+    votes = std::max(votes - 1, -kMostVotesAgainst * params.evidence_frames);
+  }
   std::unordered_map<std::uint32_t, int> area_in_view;
   for (std::size_t j = 0; j < graph.region_ids.size(); ++j)
     area_in_view[graph.region_ids[j]] = graph.region_areas_px[j];
-
-  // Seen apart: evidence against.
-  for (auto entry = evidence_.begin(); entry != evidence_.end();) {
-    const auto& [pair, count] = *entry;
-    const bool both_seen = area_in_view.contains(pair.first) && area_in_view.contains(pair.second);
-    if (both_seen && !bridged.contains(pair) && --entry->second <= 0) {
-      entry = evidence_.erase(entry);
-    } else {
-      ++entry;
-    }
-  }
   for (const RegionPair& pair : bridged) {
     if (++evidence_[pair] < params.evidence_frames) continue;
     const bool first_is_larger = area_in_view[pair.first] >= area_in_view[pair.second];
     joinRegions(RegionId{first_is_larger ? pair.first : pair.second},
                 RegionId{first_is_larger ? pair.second : pair.first}, table, frame, outcome);
   }
-  if (outcome.joined.empty()) return;
+  if (!outcome.joined.empty()) renameJoined(table);
+}
 
-  // What was known of a region that was joined is now known of the region that it became part of.
+void RegionMerger::renameJoined(const LabelTable& table) {
   std::map<RegionPair, int> renamed;
-  for (const auto& [pair, count] : evidence_) {
+  for (const auto& [pair, votes] : evidence_) {
     const RegionPair now = std::minmax(table.regionOf(pair.first).value, table.regionOf(pair.second).value);
-    if (now.first != now.second) renamed[now] = std::max(renamed[now], count);
+    if (now.first == now.second) continue;
+    const auto [entry, is_new] = renamed.try_emplace(now, votes);
+    if (!is_new && std::abs(votes) > std::abs(entry->second))
+      entry->second = votes;  // the one that knows more
   }
   evidence_ = std::move(renamed);
 }
@@ -121,7 +145,7 @@ RegionMerger::Outcome RegionMerger::merge(const SegmentMap& segments,
 
   const bool by_evidence = params.rule == LabelingParams::Rule::evidence;
   if (by_evidence) {
-    joinByEvidence(graph, params, table, frame, outcome);
+    joinByEvidence(graph, touchingRegions(projected_regions, segments.width), params, table, frame, outcome);
   } else {
     joinComponents(graph, params, table, frame, outcome);
   }

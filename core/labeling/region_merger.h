@@ -20,10 +20,12 @@ namespace scantrove {
 /// component is named by its projected region of largest area (segment ids have no life beyond their frame);
 /// one without any gets a new label.
 ///
-/// Rule `evidence` (after Tateno et al. 2015): two regions that one segment qualifies with are joined only
-/// after this happened in `evidence_frames` frames more than they were seen apart. Until then such a segment
-/// overwrites neither: its pixels keep their projected region, and only the rest take the region of largest
-/// overlap.
+/// Rule `evidence` (after Tateno et al. 2015): frames vote on each pair of regions. A segment that qualifies
+/// with both speaks for joining them; where they touch in the image and the segments keep them apart, the
+/// frame speaks against. They are joined when the votes for lead by `evidence_frames`; votes against count up
+/// to twice that, so that a long time apart outweighs a short leak, but not for ever. Until then such a
+/// segment overwrites neither: its pixels keep their projected region, and only the rest take the region of
+/// largest overlap.
 class RegionMerger {
  public:
   struct Outcome {
@@ -41,10 +43,13 @@ class RegionMerger {
 
   void joinComponents(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table, int frame,
                       Outcome& outcome) const;
-  void joinByEvidence(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table, int frame,
-                      Outcome& outcome);
+  void joinByEvidence(const OverlapGraph& graph, const std::vector<RegionPair>& touching,
+                      const LabelingParams& params, LabelTable& table, int frame, Outcome& outcome);
 
-  std::map<RegionPair, int> evidence_;
+  /// What was known of a region that was joined is now known of the region that it became part of.
+  void renameJoined(const LabelTable& table);
+
+  std::map<RegionPair, int> evidence_;  // votes for less votes against
 };
 
 }  // namespace scantrove

@@ -9,7 +9,10 @@ namespace {
 
 /// One-row images: each number an id.
 SegmentMap segmentsOf(const std::vector<std::uint32_t>& ids) {
-  SegmentMap map{static_cast<int>(ids.size()), 1, ids, {}};
+  SegmentMap map;
+  map.width = static_cast<int>(ids.size());
+  map.height = 1;
+  map.ids = ids;
   map.areas.resize(*std::max_element(ids.begin(), ids.end()) + 1U, 0);
   for (const std::uint32_t id : ids) ++map.areas[id];
   return map;
@@ -113,17 +116,49 @@ TEST(RegionMerger, EvidenceRuleWaitsAndMeanwhileOverwritesNeitherRegion) {
   EXPECT_EQ(table.log()[0].frame, 2);
 }
 
+/// Two regions side by side, `height` rows high (they touch along that many pixels), and segments over them.
+struct Neighbours {
+  static constexpr int kHeight = 12;
+  static std::vector<std::uint32_t> rows(const std::vector<std::uint32_t>& row) {
+    std::vector<std::uint32_t> image;
+    for (int y = 0; y < kHeight; ++y) image.insert(image.end(), row.begin(), row.end());
+    return image;
+  }
+  static SegmentMap segments(const std::vector<std::uint32_t>& row) {
+    SegmentMap map = segmentsOf(rows(row));
+    map.width = static_cast<int>(row.size());
+    map.height = kHeight;
+    return map;
+  }
+  std::vector<std::uint32_t> projected = rows({1, 1, 2, 2});
+  SegmentMap bridge = segments({1, 1, 1, 1});
+  SegmentMap apart = segments({1, 1, 2, 2});
+};
+
 TEST(RegionMerger, SeenApartCountsAgainst) {
   LabelTable table = tableWith(2);
   RegionMerger merger;
-  const SegmentMap bridge = segmentsOf({1, 1, 1, 1});
-  const SegmentMap apart = segmentsOf({1, 1, 2, 2});
-  const std::vector<std::uint32_t> projected{1, 1, 2, 2};
+  const Neighbours scene;
   for (int round = 0; round < 10; ++round) {
-    (void)merger.merge(bridge, projected, table, evidenceRule(2), round);
-    (void)merger.merge(apart, projected, table, evidenceRule(2), round);
+    (void)merger.merge(scene.apart, scene.projected, table, evidenceRule(2), round);
+    (void)merger.merge(scene.bridge, scene.projected, table, evidenceRule(2), round);
   }
   EXPECT_NE(table.regionOf(1), table.regionOf(2));
+}
+
+TEST(RegionMerger, ALongTimeApartOutweighsAShortLeakButNotForEver) {
+  LabelTable table = tableWith(2);
+  RegionMerger merger;
+  const Neighbours scene;
+  const LabelingParams params = evidenceRule(3);
+  for (int frame = 0; frame < 100; ++frame)
+    (void)merger.merge(scene.apart, scene.projected, table, params, frame);
+  // 6 votes against at the most (twice 3), and a lead of 3 for: the ninth frame joins.
+  for (int frame = 0; frame < 8; ++frame)
+    (void)merger.merge(scene.bridge, scene.projected, table, params, frame);
+  EXPECT_NE(table.regionOf(1), table.regionOf(2));
+  (void)merger.merge(scene.bridge, scene.projected, table, params, 8);
+  EXPECT_EQ(table.regionOf(1), table.regionOf(2));
 }
 
 TEST(RegionMerger, EvidenceFollowsARegionThatWasJoined) {
