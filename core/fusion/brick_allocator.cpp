@@ -4,13 +4,14 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/check.h"
 #include "core/compute/kernel_types.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kPixelsEach = 16;   // list_missing_bricks.cl
+constexpr int kGroup = 16;                // pixels of a group of find_missing_bricks
 constexpr std::size_t kSeenSize = 32768;  // list_missing_bricks.cl
 constexpr std::size_t kFirstListSize = 16384;
 
@@ -40,20 +41,22 @@ Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const Fus
 
 int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                              const Eigen::Isometry3d& T_world_camera) {
-  const auto pixels = static_cast<std::size_t>(frame.K.pixels());
-  if (missing_.size() < pixels) missing_ = Buffer<cl_uchar>(compute_->context(), pixels + kPixelsEach);
-  const double brick_size_m = BRICK_SIDE * static_cast<double>(map.voxelSize());
-  const cl_float16 T_window_camera =
-      toKernel(Eigen::Isometry3d(window.fromCamera(T_world_camera, brick_size_m, brick_size_m)));
+  SCANTROVE_CHECK(frame.K.width >= kGroup);
+  const cl::NDRange groups(static_cast<std::size_t>((frame.K.width + kGroup - 1) / kGroup),
+                           static_cast<std::size_t>(frame.K.height));
+  const std::size_t group_count = groups.get()[0] * groups.get()[1];
+  if (missing_.size() < group_count) missing_ = Buffer<cl_uchar>(compute_->context(), group_count);
+  const double voxel_size_m = map.voxelSize();
+  const Eigen::Matrix4d T_window_camera =
+      window.fromCamera(T_world_camera, BRICK_SIDE * voxel_size_m, voxel_size_m);
   const float truncation_m = params_.truncation_vox * map.voxelSize();
   const cl_float2 depth_range{{params_.min_depth_m, params_.max_depth_m}};
-  const cl_float4 K = toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy);
-  find_missing_bricks_.launch(
-      cl::NDRange(static_cast<std::size_t>(frame.K.width), static_cast<std::size_t>(frame.K.height)),
-      cl::NDRange(64, 1), frame.depth_m, frame.K.width, frame.K.height, K, T_window_camera, truncation_m,
-      depth_range, window.cells(), map.pageSlots(), window.size(), missing_);
+  find_missing_bricks_.launch(groups, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height,
+                              toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy),
+                              toKernel(Eigen::Isometry3d(T_window_camera)), truncation_m, depth_range,
+                              window.cells(), map.pageSlots(), window.size(), missing_);
 
-  std::vector<cl_int4> found = listMissing(map, window, frame, T_window_camera);
+  std::vector<cl_int4> found = listMissing(map, window, frame, T_world_camera, groups);
   if (found.empty()) return 0;
   std::vector<Eigen::Vector3i> bricks;
   bricks.reserve(found.size());
@@ -68,17 +71,21 @@ int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const Dep
 
 std::vector<cl_int4> BrickAllocator::listMissing(const BrickMap& map, const BrickWindow& window,
                                                  const DepthPyramid& frame,
-                                                 const cl_float16& T_window_camera) {
-  const auto pixels = static_cast<std::size_t>(frame.K.pixels());
+                                                 const Eigen::Isometry3d& T_world_camera,
+                                                 const cl::NDRange& groups) {
   const float truncation_m = params_.truncation_vox * map.voxelSize();
+  const double brick_size_m = BRICK_SIDE * static_cast<double>(map.voxelSize());
+  const cl_float16 T_window_camera =
+      toKernel(Eigen::Isometry3d(window.fromCamera(T_world_camera, brick_size_m, brick_size_m)));
   const cl_float4 K = toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy);
+  const cl_float2 depth_range{{params_.min_depth_m, params_.max_depth_m}};
   while (true) {
     seen_.fill(compute_->queue(), 0);
     count_.fill(compute_->queue(), 0);
-    list_missing_bricks_.launch(cl::NDRange((pixels + kPixelsEach - 1) / kPixelsEach), cl::NullRange,
-                                frame.depth_m, frame.K.width, frame.K.pixels(), K, T_window_camera,
-                                truncation_m, window.cells(), map.pageSlots(), window.size(), missing_, seen_,
-                                list_, static_cast<cl_int>(list_.size()), count_);
+    list_missing_bricks_.launch(groups, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height, K,
+                                T_window_camera, truncation_m, depth_range, window.cells(), map.pageSlots(),
+                                window.size(), missing_, seen_, list_, static_cast<cl_int>(list_.size()),
+                                count_);
     cl_int count = 0;
     count_.read(compute_->queue(), std::span(&count, 1));
     const auto found = static_cast<std::size_t>(count);

@@ -16,8 +16,8 @@ class BrickAllocator {
  public:
   [[nodiscard]] static Result<BrickAllocator> create(ComputeContext& compute, const FusionParams& params);
 
-  /// Allocates into `map`; `window` holds the pages of the frame's view. Slots are handed out in an order
-  /// that only depends on the frame. Returns how many bricks are new.
+  /// Allocates into `map`, from images at least 16 pixels wide; `window` holds the pages of the frame's view.
+  /// Slots are handed out in an order that only depends on the frame. Returns how many bricks are new.
   int allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                const Eigen::Isometry3d& T_world_camera);
 
@@ -25,7 +25,8 @@ class BrickAllocator {
   BrickAllocator(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
   [[nodiscard]] std::vector<cl_int4> listMissing(const BrickMap& map, const BrickWindow& window,
                                                  const DepthPyramid& frame,
-                                                 const cl_float16& T_window_camera);
+                                                 const Eigen::Isometry3d& T_world_camera,
+                                                 const cl::NDRange& groups);
 
   ComputeContext* compute_;
   FusionParams params_;

@@ -20,7 +20,7 @@ constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams& params) {
   const std::string options = "-DPAD=" + std::to_string(kPad);
-  Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=2");
+  Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=3");
   if (!cast) return fail(cast.error());
   Result<Kernel> orient =
       compute.kernel(kernels::orient_surface, "orient_surface", options + " -DR=3 -DSLOPE=3.0f");

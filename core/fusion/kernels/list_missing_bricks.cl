@@ -1,13 +1,12 @@
 #include "core/fusion/kernels/brick_band.clh"
 
-// Lists the missing bricks of the pixels that find_missing_bricks marked: (x, y, z, 0) counted from the window's first brick.
-// Order is arbitrary; a brick appears once, or rarely more than once (when the set is full or the brick lies more than
-// 512 bricks off).
+// Lists the missing bricks of the groups of pixels that find_missing_bricks marked: (x, y, z, 0) counted from the window's first
+// brick. Order is arbitrary; a brick appears once, or rarely more than once (when the set is full or the brick lies more
+// than 512 bricks off).
 //
-// One work-item: PIXELS_EACH neighbouring pixels of the image, read as one row. Mostly none is marked and nothing is done.
-// missing: pixels, rounded up to a multiple of PIXELS_EACH. list: capacity; count[0]: bricks found, also those beyond capacity.
-// seen: set of SEEN_SIZE keys, 0 = free; zeroed before the launch.
-#define PIXELS_EACH 16
+// One work-item: one group. Mostly none is marked and nothing is done.
+// Arguments as there, but T_window_camera: camera metres to bricks of the window. list: capacity; count[0]: bricks found,
+// also those beyond capacity. seen: set of SEEN_SIZE keys, 0 = free; zeroed before the launch.
 #define SEEN_SIZE 32768
 #define SEEN_PROBES 32
 
@@ -29,19 +28,19 @@ inline void list_brick(const int x, const int y, const int z, global uint* seen,
   if (position < capacity) list[position] = (int4)(x, y, z, 0);
 }
 
-kernel void list_missing_bricks(global const float* depth_m, const int width, const int pixels, const float4 K,
-                                const float16 T_window_camera, const float truncation_m, global const int* cells,
-                                global const int* page_slots, const int4 window_size, global const uchar* missing,
-                                global uint* seen, global int4* list, const int capacity, global int* count) {
-  const int first = PIXELS_EACH * (int)get_global_id(0);
-  if (first >= pixels) return;
-  const ulong2 marks = vload2(0, (global const ulong*)(missing + first));
-  if ((marks.x | marks.y) == 0) return;
-  for (int pixel = first; pixel < min(first + PIXELS_EACH, pixels); ++pixel) {
-    if (!missing[pixel]) continue;
-    const float z = depth_m[pixel];
-    const Band b = band_of_pixel(K, T_window_camera, (float)(pixel % width), (float)(pixel / width), z - truncation_m,
-                                 z + truncation_m);
+kernel void list_missing_bricks(global const float* depth_m, const int width, const int height, const float4 K,
+                                const float16 T_window_camera, const float truncation_m, const float2 depth_range,
+                                global const int* cells, global const int* page_slots, const int4 window_size,
+                                global const uchar* missing, global uint* seen, global int4* list, const int capacity,
+                                global int* count) {
+  const int group = (int)get_global_id(0);
+  const int v = (int)get_global_id(1);
+  const int groups = (width + 15) / 16;
+  if (group >= groups || v >= height || !missing[v * groups + group]) return;
+  for (int u = 16 * group; u < min(16 * group + 16, width); ++u) {
+    const float z = depth_m[v * width + u];
+    if (!(z >= depth_range.x && z <= depth_range.y)) continue;
+    const Band b = band_of_pixel(K, T_window_camera, (float)u, (float)v, z - truncation_m, z + truncation_m);
     for (int candidate = 0; candidate <= 3 * BAND_CROSSINGS; ++candidate) {
       const int axis = candidate == 0 ? 3 : (candidate - 1) % 3;
       const int k = (candidate + 2) / 3;

@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "tests/kernels/fusion/fusion_test_support.h"
+#include "tests/reference/dense_tsdf_reference.h"
+
+namespace scantrove {
+namespace {
+
+using test::AnalyticScene;
+
+FusionParams coarse() {
+  FusionParams params;
+  params.voxel_size_m = 0.01F;
+  return params;
+}
+
+AnalyticScene ballOnWall() {
+  AnalyticScene scene;
+  scene.plane({0, 0, 0.4}, {0.2, -0.1, -1}).sphere({-0.1, 0.1, 0.05}, 0.17);
+  return scene;
+}
+
+// Poses around the origin, which has bricks with negative and positive coordinates on all sides.
+std::vector<Eigen::Isometry3d> poses() {
+  return {test::lookAt({0, 0, -1.0}, {0, 0, 0}), test::lookAt({0.3, -0.2, -0.9}, {0, 0.05, 0}),
+          test::lookAt({-0.35, 0.1, -0.8}, {0.05, 0, 0.1}, {1, 0.2, 0})};
+}
+
+TEST(Integrator, EqualsTheDenseVolumeVoxelByVoxel) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const FusionParams params = coarse();
+    const Intrinsics K = test::oddCamera();
+    const double truncation_m = params.truncation_vox * params.voxel_size_m;
+    const Eigen::Vector3i first(-48, -48, -32);
+    const Eigen::Vector3i size(96, 96, 80);
+    reference::DenseTsdf dense(first, size, params.voxel_size_m, truncation_m, params.max_weight);
+    auto map = test::makeMap(compute, params);
+    int frames = 0;
+    for (const Eigen::Isometry3d& T : poses()) {
+      std::vector<float> depth = ballOnWall().depth(K, T);
+      test::addDisparityNoise(depth, K, 1);
+      for (std::size_t i = 0; i < depth.size(); i += 37) depth[i] = 0;
+      map->integrate(test::frameOf(compute, depth, K), T);
+      // A brick that is made later has missed the frames before: the volume is compared frame by frame from
+      // its start on.
+      dense.integrate(depth, K, T, params.max_depth_m);
+      ++frames;
+    }
+    // Each of the averages is rounded to 1/32767 of a truncation, half of it at most; the depth along the ray
+    // is a float (1e-7 of a metre, 1e-5 truncations), and so is the transform.
+    const double tolerance = 0.5 * frames / 32767.0 + 2e-4;
+    const test::HostVoxels voxels(compute, map->bricks());
+    int compared = 0;
+    int unequal = 0;
+    int missed = 0;
+    for (int z = 0; z < size.z(); ++z) {
+      for (int y = 0; y < size.y(); ++y) {
+        for (int x = 0; x < size.x(); ++x) {
+          const Eigen::Vector3i voxel = first + Eigen::Vector3i(x, y, z);
+          const reference::DenseTsdf::Voxel& expected = dense.at(voxel);
+          const TsdfVoxel* found = voxels.find(voxel);
+          if (found == nullptr) {
+            // Only free space may be without a brick.
+            missed += expected.weight > 0 && expected.distance < 0.99 && !expected.doubtful;
+            continue;
+          }
+          if (expected.doubtful || found->weight != static_cast<int>(256 * expected.weight)) {
+            missed += !expected.doubtful && found->weight > 256 * expected.weight;
+            continue;
+          }
+          ++compared;
+          unequal += std::abs(found->distance / 32767.0 - expected.distance) > tolerance;
+        }
+      }
+    }
+    EXPECT_GT(compared, 40000);
+    EXPECT_EQ(unequal, 0);
+    EXPECT_EQ(missed, 0);
+  });
+}
+
+TEST(Integrator, CountsObservationsUpToTheLargestWeight) {
+  test::onEachDevice([](ComputeContext& compute) {
+    FusionParams params = coarse();
+    params.max_weight = 5;
+    const Intrinsics K = test::oddCamera();
+    AnalyticScene scene;
+    scene.plane({0, 0, 1}, {0, 0, -1});
+    auto map = test::makeMap(compute, params);
+    const DepthPyramid frame = test::frameOf(compute, scene.depth(K, Eigen::Isometry3d::Identity()), K);
+    for (int i = 1; i <= 8; ++i) {
+      map->integrate(frame, Eigen::Isometry3d::Identity());
+      const test::HostVoxels voxels(compute, map->bricks());
+      const TsdfVoxel* voxel = voxels.find({0, 0, 99});
+      ASSERT_NE(voxel, nullptr);
+      EXPECT_EQ(voxel->weight, 256 * std::min(i, 5));
+      EXPECT_NEAR(voxel->distance, 32767 * (1.0 - 0.995) / 0.04, 5);
+    }
+  });
+}
+
+TEST(Integrator, AllocatesTheWholeBandAndLittleElse) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const FusionParams params = coarse();
+    const Intrinsics K = test::oddCamera();
+    const double truncation_m = params.truncation_vox * params.voxel_size_m;
+    const double brick_m = 8 * static_cast<double>(params.voxel_size_m);
+    for (const Eigen::Isometry3d& T : poses()) {
+      const std::vector<float> depth = ballOnWall().depth(K, T);
+      auto map = test::makeMap(compute, params);
+      map->integrate(test::frameOf(compute, depth, K), T);
+      std::vector<int> touched(static_cast<std::size_t>(map->bricks().brickCount()), 0);
+      int missing = 0;
+      for (int v = 0; v < K.height; ++v) {
+        for (int u = 0; u < K.width; ++u) {
+          const float z = depth[static_cast<std::size_t>(v * K.width + u)];
+          if (!(z >= params.min_depth_m && z <= params.max_depth_m)) continue;
+          for (int i = 0; i <= 40; ++i) {
+            const double t = z + (i / 20.0 - 1.0) * truncation_m;
+            const Eigen::Vector3d p =
+                T * (K.backProject(static_cast<float>(u), static_cast<float>(v), 1.0F).cast<double>() * t);
+            const Eigen::Vector3d brick = p / brick_m;
+            const Eigen::Vector3d inside = brick - brick.array().floor().matrix();
+            if (inside.minCoeff() < 1e-4 || inside.maxCoeff() > 1 - 1e-4)
+              continue;  // on a face: either is right
+            const int slot = map->bricks().slotOf(brick.array().floor().matrix().cast<int>());
+            if (slot == BRICK_NONE) {
+              ++missing;
+            } else {
+              touched[static_cast<std::size_t>(slot)] = 1;
+            }
+          }
+        }
+      }
+      EXPECT_EQ(missing, 0);
+      // Bricks clipped between two of the samples above only.
+      const auto untouched = std::count(touched.begin(), touched.end(), 0);
+      EXPECT_LT(static_cast<double>(untouched), 0.02 * map->bricks().brickCount());
+    }
+  });
+}
+
+TEST(Integrator, MakesNothingOfReadingsThatAreNone) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const Intrinsics K = test::oddCamera();
+    auto map = test::makeMap(compute);
+    std::vector<float> depth(static_cast<std::size_t>(K.pixels()), 0.0F);
+    map->integrate(test::frameOf(compute, depth, K), Eigen::Isometry3d::Identity());
+    EXPECT_EQ(map->bricks().brickCount(), 0);
+    const float none[] = {0.0F,
+                          65.535F,
+                          -1.0F,
+                          1e30F,
+                          std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity(),
+                          0.1F};
+    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = none[i % std::size(none)];
+    map->integrate(test::frameOf(compute, depth, K), Eigen::Isometry3d::Identity());
+    EXPECT_EQ(map->bricks().brickCount(), 0);
+
+    // Nor do they touch bricks that exist.
+    const std::vector<float> wall(depth.size(), 1.0F);
+    map->integrate(test::frameOf(compute, wall, K), Eigen::Isometry3d::Identity());
+    const test::HostVoxels before(compute, map->bricks());
+    for (float& z : depth) z = z == 0.1F ? 0.0F : z;
+    map->integrate(test::frameOf(compute, depth, K), Eigen::Isometry3d::Identity());
+    const test::HostVoxels after(compute, map->bricks());
+    const std::size_t used =
+        static_cast<std::size_t>(map->bricks().brickCount()) * BRICK_VOXELS * sizeof(TsdfVoxel);
+    EXPECT_GT(used, 0U);
+    EXPECT_EQ(std::memcmp(before.all().data(), after.all().data(), used), 0);
+  });
+}
+
+TEST(Integrator, CarvesWhatIsGone) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const Intrinsics K = test::oddCamera();
+    auto map = test::makeMap(compute, coarse());
+    const std::vector<float> near_wall(static_cast<std::size_t>(K.pixels()), 0.8F);
+    const std::vector<float> far_wall(static_cast<std::size_t>(K.pixels()), 1.6F);
+    map->integrate(test::frameOf(compute, near_wall, K), Eigen::Isometry3d::Identity());
+    for (int i = 0; i < 8; ++i)
+      map->integrate(test::frameOf(compute, far_wall, K), Eigen::Isometry3d::Identity());
+    const test::HostVoxels voxels(compute, map->bricks());
+    const TsdfVoxel* behind_near_wall = voxels.find({0, 0, 82});
+    ASSERT_NE(behind_near_wall, nullptr);
+    EXPECT_GT(behind_near_wall->distance, 0);
+  });
+}
+
+TEST(Integrator, GivesTheSameBitsForTheSameInput) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const Intrinsics K = test::oddCamera();
+    std::vector<TsdfVoxel> results[2];
+    std::vector<Eigen::Vector3i> bricks[2];
+    for (int run = 0; run < 2; ++run) {
+      auto map = test::makeMap(compute);
+      for (const Eigen::Isometry3d& T : poses()) {
+        map->integrate(test::frameOf(compute, ballOnWall().depth(K, T), K), T);
+      }
+      for (int slot = 0; slot < map->bricks().brickCount(); ++slot)
+        bricks[run].push_back(map->bricks().positionOf(slot));
+      results[run] = map->bricks().voxels().read(compute.queue());
+      results[run].resize(bricks[run].size() * BRICK_VOXELS);
+    }
+    EXPECT_EQ(bricks[0], bricks[1]);
+    EXPECT_EQ(std::memcmp(results[0].data(), results[1].data(), results[0].size() * sizeof(TsdfVoxel)), 0);
+  });
+}
+
+}  // namespace
+}  // namespace scantrove
