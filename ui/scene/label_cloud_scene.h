@@ -6,7 +6,7 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/ground_grid.h"
-#include "ui/scene/label_cloud.h"
+#include "ui/scene/cloud_chunks.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/sensor_track.h"
 
@@ -41,16 +41,16 @@ class LabelCloudScene {
   [[nodiscard]] OrbitCamera& viewpoint() { return viewpoint_; }
   void fitAll(float aspect);
 
-  /// To call right before rendering into a viewport of this size; see LabelCloud::prepare.
+  /// To call right before rendering into a viewport of this size; see CloudChunks::prepare.
   bool prepare(int width_px, int height_px, std::size_t point_budget, std::size_t rebuild_budget);
 
-  [[nodiscard]] const LabelCloud& cloud() const { return cloud_; }
+  [[nodiscard]] const CloudChunks& cloud() const { return cloud_; }
 
  private:
   void levelOut();
 
   vtkSmartPointer<vtkRenderer> renderer_;
-  LabelCloud cloud_;
+  CloudChunks cloud_;
   SensorTrack sensor_;
   GroundGrid grid_;
   OrbitCamera viewpoint_;

@@ -18,14 +18,14 @@ namespace scantrove {
 /// The label cloud as points in a VTK renderer, grouped into chunks of bricks. Only chunks whose bricks
 /// changed are sent to the graphics card again, and each chunk is drawn at the coarsest level that still
 /// looks closed from where the camera stands. One thread (the one of the OpenGL context).
-class LabelCloud {
+class CloudChunks {
  public:
   using RegionOfLabel = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-  explicit LabelCloud(vtkRenderer* renderer);
-  ~LabelCloud();
-  LabelCloud(const LabelCloud&) = delete;
-  LabelCloud& operator=(const LabelCloud&) = delete;
+  explicit CloudChunks(vtkRenderer* renderer);
+  ~CloudChunks();
+  CloudChunks(const CloudChunks&) = delete;
+  CloudChunks& operator=(const CloudChunks&) = delete;
 
   void clear();
 

@@ -1,4 +1,4 @@
-#include "ui/scene/label_cloud.h"
+#include "ui/scene/cloud_chunks.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -26,10 +26,10 @@ bool mayBeVisible(const std::array<double, 24>& planes, const Eigen::AlignedBox3
 
 }  // namespace
 
-LabelCloud::LabelCloud(vtkRenderer* renderer) : renderer_(renderer) {}
-LabelCloud::~LabelCloud() = default;
+CloudChunks::CloudChunks(vtkRenderer* renderer) : renderer_(renderer) {}
+CloudChunks::~CloudChunks() = default;
 
-void LabelCloud::clear() {
+void CloudChunks::clear() {
   chunks_.clear();
   region_of_label_.reset();
   bounds_.setEmpty();
@@ -37,7 +37,7 @@ void LabelCloud::clear() {
   drawn_point_count_ = 0;
 }
 
-void LabelCloud::update(const std::vector<CloudBrick>& changed, RegionOfLabel region_of_label) {
+void CloudChunks::update(const std::vector<CloudBrick>& changed, RegionOfLabel region_of_label) {
   if (region_of_label != nullptr && region_of_label != region_of_label_) recolor(region_of_label);
   std::ptrdiff_t growth = 0;
   for (const CloudBrick& brick : changed) {
@@ -52,7 +52,7 @@ void LabelCloud::update(const std::vector<CloudBrick>& changed, RegionOfLabel re
   point_count_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(point_count_) + growth);
 }
 
-void LabelCloud::recolor(const RegionOfLabel& newer) {
+void CloudChunks::recolor(const RegionOfLabel& newer) {
   std::vector<bool> changed(newer->size(), false);
   bool any = false;
   for (std::size_t label = 0; label < newer->size(); ++label) {
@@ -66,7 +66,7 @@ void LabelCloud::recolor(const RegionOfLabel& newer) {
   for (auto& [key, chunk] : chunks_) chunk->markIfUses(changed);
 }
 
-void LabelCloud::chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget) {
+void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget) {
   std::array<double, 24> planes{};
   camera->GetFrustumPlanes(static_cast<double>(width_px) / std::max(1, height_px), planes.data());
   const Eigen::Vector3f eye = Eigen::Vector3d(camera->GetPosition()).cast<float>();
@@ -104,7 +104,7 @@ void LabelCloud::chooseLevels(vtkCamera* camera, int width_px, int height_px, st
   for (const Candidate& candidate : visible) candidate.chunk->setPointScale(pixels_at_1m);
 }
 
-bool LabelCloud::prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
+bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
                          std::size_t rebuild_budget) {
   chooseLevels(camera, width_px, height_px, point_budget);
   std::vector<CloudChunk*> dirty;
@@ -130,18 +130,18 @@ bool LabelCloud::prepare(vtkCamera* camera, int width_px, int height_px, std::si
   return true;
 }
 
-bool LabelCloud::upToDate() const {
+bool CloudChunks::upToDate() const {
   return std::none_of(chunks_.begin(), chunks_.end(),
                       [](const auto& entry) { return entry.second->inView() && entry.second->dirty(); });
 }
 
-std::vector<Eigen::Vector3f> LabelCloud::brickNormals() const {
+std::vector<Eigen::Vector3f> CloudChunks::brickNormals() const {
   std::vector<Eigen::Vector3f> normals;
   for (const auto& [key, chunk] : chunks_) chunk->collectNormals(normals);
   return normals;
 }
 
-float LabelCloud::floorHeight(const Eigen::Vector3f& up) const {
+float CloudChunks::floorHeight(const Eigen::Vector3f& up) const {
   std::vector<float> heights;
   for (const auto& [key, chunk] : chunks_) chunk->collectHeights(up, heights);
   if (heights.empty()) return 0;
