@@ -1,6 +1,7 @@
 #include "core/catalog/detector.h"
 
 #include <optional>
+#include <string>
 
 #include "core/catalog/thumbnail.h"
 #include "core/catalog/thumbnail_matcher.h"
@@ -10,7 +11,14 @@ namespace scantrove {
 
 class Detector::Machinery {
  public:
-  explicit Machinery(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {}
+  explicit Machinery(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {
+    // Colour tables and device code are made on first use: now, not in the middle of a scan.
+    const cv::Mat color(2, 2, CV_8UC3, cv::Scalar(10, 20, 30)), mask(2, 2, CV_8UC1, cv::Scalar(255));
+    const Thumbnail thumbnail = makeThumbnail(color, mask).value();
+    matcher_.append(thumbnail);
+    static_cast<void>(matcher_.distances({thumbnail}, {{0, 0}}));
+    matcher_.clear();
+  }
 
   DetectionParams params;
 
@@ -70,7 +78,13 @@ Result<std::unique_ptr<Detector>> Detector::create(ComputeContext& compute) {
   Result<ThumbnailMatcher> matcher = ThumbnailMatcher::create(compute);
   if (!matcher) return fail(matcher.error());
   std::unique_ptr<Detector> detector(new Detector);
-  detector->machinery_ = std::make_unique<Machinery>(std::move(*matcher));
+  try {
+    detector->machinery_ = std::make_unique<Machinery>(std::move(*matcher));
+  } catch (const cl::Error& error) {
+    return fail("The OpenCL device " + compute.deviceName() + " could not run the detector (" + error.what() +
+                    ", code " + std::to_string(error.err()) + ").",
+                "Choose another with --device; 'scantrove devices' lists them.");
+  }
   return detector;
 }
 
