@@ -9,7 +9,18 @@ SyntheticScene makeLBlockScene() {
          {0, 0, -0.1});
   addTable(scene, {}, {1.1, 1.1, 0.70}, {Pattern::wood, rgb(0xc79a66)});
   addLBlock(scene, "L block", {0, 0, 0.70, 0}, {0.26, 0.20, 0.22}, 0.08, 0.02,
-            {Pattern::wood, rgb(0x7fb069)});
+            {Pattern::wood, rgb(0x7fb069), {}, {}, 0.03F});
+  // Company at a distance: a bare table top would leave the camera's position open.
+  addWall(scene, "wall, back", {-2.0, 0, 0, 90}, 4.4, 0xe6e1d6);
+  addWall(scene, "wall, left", {0, -2.2, 0, 180}, 4.0, 0x9fb8ad);
+  addCarton(scene, "carton", {-0.40, -0.34, 0.70, 25}, {0.17, 0.07, 0.24},
+            {Pattern::boxLabel, rgb(0xf2b632), rgb(0xc8402f), rgb(0xfff4d8), 0.03F, 0.05F, true, 3});
+  addVase(scene, "vase", {-0.42, 0.26, 0.70},
+          {Pattern::bands, rgb(0x2f6f8f), rgb(0xe8eef0), {}, 0.032F, 0.35F});
+  addBowl(scene, "bowl", {0.10, -0.42, 0.70},
+          {Pattern::bands, rgb(0xd97b4a), rgb(0xf0d9b8), {}, 0.022F, 0.35F});
+  addBall(scene, "ball", {-0.14, 0.44, 0.70}, 0.06,
+          {Pattern::stripes, rgb(0xd7263d), rgb(0xf5f1e8), {}, 0.0628F, 0.3F});
   return scene;
 }
 
@@ -21,6 +32,10 @@ SyntheticScene makeChairFloorScene() {
   addWall(scene, "wall, right", {2.35, 0, 0, 90}, 3.0, 0x9fb8ad);
   addChair(scene, "chair", {0.0, 0.0, 0, 8}, {Pattern::wood, rgb(0x8a5a35)},
            {Pattern::weave, rgb(0x3c7a89), rgb(0x2e5f6b), rgb(0x4f93a3), 0.02F});
+  addCarton(scene, "parcel", {1.05, 1.05, 0, 25}, {0.36, 0.28, 0.34},
+            {Pattern::boxLabel, rgb(0xc69c6d), rgb(0xa57c52), rgb(0xf3ead8), 0.03F, 0, true, 21});
+  addBasket(scene, "basket", {-0.80, 1.15, 0, 0},
+            {Pattern::checker, rgb(0xc9a36b), rgb(0xa67c45), {}, 0.03F});
   return scene;
 }
 

@@ -48,7 +48,7 @@ Gaze aroundTable(double t) {
 
 Gaze aroundBlock(double t) {
   // Straight from the front for half a second, then round to the side, then back again.
-  const double turned = 42 * (1 - std::cos(std::clamp(t - 0.5, 0.0, 1e9) * 2 * std::numbers::pi / 12));
+  const double turned = 42 * (1 - std::cos(std::clamp(t - 0.5, 0.0, 1e9) * 2 * std::numbers::pi / 15));
   const double azimuth = turned * kDegree;
   return {{0.64 * std::cos(azimuth), 0.64 * std::sin(azimuth), 1.14}, {0, 0, 0.78}};
 }

@@ -214,7 +214,7 @@ TEST(LBlock, SideThatJoinsItsPartsAppearsOnlyLater) {
     return pixels;
   };
   const auto [first, first_side] = count(0);
-  const auto [later, later_side] = count(110);
+  const auto [later, later_side] = count(140);
   EXPECT_GT(first, 800);
   EXPECT_LT(first_side, 0.01 * first);
   EXPECT_GT(later_side, 0.15 * later);
