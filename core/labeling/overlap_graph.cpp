@@ -10,6 +10,7 @@ OverlapGraph buildOverlapGraph(const SegmentMap& segments, std::span<const std::
   SCANTROVE_CHECK(projected.size() == segments.ids.size());
   OverlapGraph graph;
   graph.segment_areas_px = segments.areas;
+  graph.least_cover_px = static_cast<int>(projected.size() / 2000);
   const std::size_t segment_count = segments.areas.size();
 
   // Counts by (region index, segment); a row a region, made when the region is first seen.

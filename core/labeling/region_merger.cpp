@@ -32,13 +32,14 @@ std::vector<RegionPair> touchingRegions(const std::vector<std::uint32_t>& region
   return touching;
 }
 
-/// Qualifying edges of each segment, largest overlap first.
+/// Edges of each segment that fulfil a criterion, largest overlap first.
 using EdgesOfSegment = std::vector<std::vector<OverlapGraph::Edge>>;
+using Criterion = bool (OverlapGraph::*)(const OverlapGraph::Edge&, float) const;
 
-EdgesOfSegment qualifyingEdges(const OverlapGraph& graph, float threshold) {
+EdgesOfSegment edgesBySegment(const OverlapGraph& graph, Criterion holds, float threshold) {
   EdgesOfSegment edges(graph.segment_areas_px.size());
   for (const OverlapGraph::Edge& edge : graph.edges) {
-    if (graph.qualifies(edge, threshold)) edges[edge.segment].push_back(edge);
+    if ((graph.*holds)(edge, threshold)) edges[edge.segment].push_back(edge);
   }
   for (auto& of_segment : edges) {
     std::stable_sort(of_segment.begin(), of_segment.end(),
@@ -97,7 +98,7 @@ void RegionMerger::joinByEvidence(const OverlapGraph& graph, const std::vector<R
                                   const LabelingParams& params, LabelTable& table, int frame,
                                   Outcome& outcome) {
   std::set<RegionPair> bridged;
-  for (const auto& edges : qualifyingEdges(graph, params.overlap_threshold)) {
+  for (const auto& edges : edgesBySegment(graph, &OverlapGraph::covers, params.overlap_threshold)) {
     for (std::size_t a = 0; a < edges.size(); ++a) {
       for (std::size_t b = a + 1; b < edges.size(); ++b) {
         bridged.insert(std::minmax(graph.region_ids[edges[a].region], graph.region_ids[edges[b].region]));
@@ -151,7 +152,8 @@ RegionMerger::Outcome RegionMerger::merge(const SegmentMap& segments,
   }
 
   // The label of each segment, and the regions whose pixels it leaves alone.
-  const EdgesOfSegment edges = qualifyingEdges(graph, params.overlap_threshold);
+  const EdgesOfSegment edges = edgesBySegment(graph, &OverlapGraph::qualifies, params.overlap_threshold);
+  const EdgesOfSegment covered = edgesBySegment(graph, &OverlapGraph::covers, params.overlap_threshold);
   std::vector<std::uint32_t> label_of_segment(segments.areas.size(), 0);
   std::vector<std::vector<std::uint32_t>> kept_regions(segments.areas.size());
   for (std::uint32_t segment = 1; segment < label_of_segment.size(); ++segment) {
@@ -160,7 +162,7 @@ RegionMerger::Outcome RegionMerger::merge(const SegmentMap& segments,
       continue;
     }
     label_of_segment[segment] = table.regionOf(graph.region_ids[edges[segment].front().region]).value;
-    for (const OverlapGraph::Edge& edge : edges[segment]) {
+    for (const OverlapGraph::Edge& edge : covered[segment]) {
       const std::uint32_t region = table.regionOf(graph.region_ids[edge.region]).value;
       if (region != label_of_segment[segment]) kept_regions[segment].push_back(region);
     }

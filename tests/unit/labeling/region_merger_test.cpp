@@ -57,6 +57,19 @@ TEST(OverlapGraph, TheCriterionTakesEitherArea) {
   EXPECT_FALSE(graph.qualifies(graph.edges[0], 1.0F));  // not more than all
 }
 
+TEST(OverlapGraph, ASmallSegmentAstrideABorderCoversNeitherSide) {
+  // Segment 2 lies half on region 1 and half on region 2, but is a small part of both.
+  std::vector<std::uint32_t> ids(20, 1);
+  ids[9] = ids[10] = 2;
+  std::vector<std::uint32_t> projected(20, 1);
+  std::fill(projected.begin() + 10, projected.end(), 2U);
+  const OverlapGraph graph = buildOverlapGraph(segmentsOf(ids), projected);
+  for (const OverlapGraph::Edge& edge : graph.edges) {
+    EXPECT_TRUE(graph.qualifies(edge, 0.3F));
+    EXPECT_EQ(graph.covers(edge, 0.3F), edge.segment == 1);
+  }
+}
+
 TEST(RegionMerger, ASegmentOnUnlabelledGroundGetsANewLabel) {
   LabelTable table;
   RegionMerger merger;
