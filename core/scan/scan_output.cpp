@@ -13,6 +13,7 @@
 #include "core/exchange/region_palette.h"
 #include "core/exchange/trajectory_writer.h"
 #include "core/scan/report_json.h"
+#include "core/segmentation/upsample_segments.h"
 
 namespace scantrove {
 namespace {
@@ -40,12 +41,18 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
   trajectory_.push_back({frame.timestamp_s, result.pose.T_world_camera});
   if (!label_maps_) return {};
   const std::string name = labelFileName(frame.index);
+  const cv::Size size = frame.depth.size();
   const SegmentMap& segments = result.segments;
-  SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, segments.ids, segments.width, segments.height,
-                                frame.depth.size()));
-  const RegionMap& regions = result.regions;
-  SCANTROVE_TRY(writeLabelImage(folder_ / "labels" / name, numbers_.numbersOf(regions.regions), regions.width,
-                                regions.height, frame.depth.size()));
+  const auto atInputResolution = [&](std::span<const std::uint32_t> ids) {
+    const auto* depth = frame.depth.ptr<std::uint16_t>();
+    return upsampleByDepth(ids, segments.depths_m, segments.width, segments.height,
+                           {size.width, size.height, {depth, frame.depth.total()}, frame.metres_per_unit});
+  };
+  SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, atInputResolution(segments.ids), size.width,
+                                size.height, size));
+  SCANTROVE_TRY(writeLabelImage(folder_ / "labels" / name,
+                                numbers_.numbersOf(atInputResolution(result.regions.regions)), size.width,
+                                size.height, size));
   label_files_.emplace_back(name);
   return {};
 }
