@@ -15,7 +15,9 @@ struct DiscoveryParams {
   float max_flat_size_m =
       0.4F;  ///< flat regions up to this longest side may still be objects: books, boxes seen face on
   float max_eccentricity = 0.98F;  ///< of the image region's ellipse
-  int border_px = 2;               ///< a region that comes this close to the image border is no candidate
+  float max_hidden_fraction =
+      0.5F;           ///< of the outline behind nearer things: above = background seen through a gap
+  int border_px = 2;  ///< a region that comes this close to the image border is no candidate
 };
 
 }  // namespace scantrove

@@ -11,6 +11,11 @@ namespace scantrove {
 /// surface, m^2. Unlike the area in pixels it stays the same as the camera comes near.
 [[nodiscard]] float visibleArea(const RegionExtent& extent, const DiscoveryInput& input);
 
+/// How much of the region's outline is hidden behind something nearer: over the steps from its pixels to
+/// other regions' pixels that have a surface, the fraction where that surface is nearer by more than 3 cm and
+/// 2 % of the depth. 0 for an object that stands free, 1 for a patch of floor or wall seen through a gap.
+[[nodiscard]] float hiddenFraction(const RegionExtent& extent, const DiscoveryInput& input);
+
 /// The vertices of the region's pixels that have a surface, world, row by row.
 [[nodiscard]] std::vector<Eigen::Vector4f> pointsOf(const RegionExtent& extent, const DiscoveryInput& input);
 

@@ -45,7 +45,11 @@ bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params) {
   return box.size_m[0] <= params.max_flat_size_m || box.thickness_ratio >= params.min_thickness_ratio;
 }
 
-std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const OrientedBox& box, bool is_persistent,
+bool isNotBackground(float hidden_fraction, const DiscoveryParams& params) {
+  return hidden_fraction <= params.max_hidden_fraction;
+}
+
+std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const RegionShape& shape,
                                        const cv::Rect& visible_px, const Intrinsics& K,
                                        const DiscoveryParams& params) {
   std::vector<DiscoveryRule> broken;
@@ -56,9 +60,10 @@ std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const Oriente
   ask(DiscoveryRule::enough_points, hasEnoughPoints(extent, K, params));
   ask(DiscoveryRule::central, isCentral(extent, K, params));
   ask(DiscoveryRule::not_eccentric, isNotEccentric(extent, params));
-  ask(DiscoveryRule::persistent, is_persistent);
-  ask(DiscoveryRule::size_in_range, isSizeInRange(box, params));
-  ask(DiscoveryRule::not_flat, isNotFlat(box, params));
+  ask(DiscoveryRule::persistent, shape.is_persistent);
+  ask(DiscoveryRule::size_in_range, isSizeInRange(shape.box, params));
+  ask(DiscoveryRule::not_flat, isNotFlat(shape.box, params));
+  ask(DiscoveryRule::not_background, isNotBackground(shape.hidden_fraction, params));
   return broken;
 }
 

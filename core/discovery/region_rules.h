@@ -18,6 +18,7 @@ enum class DiscoveryRule {
   persistent,  ///< seen several times in a row with one size
   size_in_range,
   not_flat,
+  not_background,  ///< not a piece of floor or wall between nearer things
 };
 
 /// The image without the strips at its edges in which nothing is labelled (a Kinect's depth image has such
@@ -35,9 +36,18 @@ enum class DiscoveryRule {
 /// From one side a box or a book is a plane too: flat is refused only where it is larger than a book.
 [[nodiscard]] bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params);
 
+[[nodiscard]] bool isNotBackground(float hidden_fraction, const DiscoveryParams& params);
+
+/// What the rules look at besides the image.
+struct RegionShape {
+  OrientedBox box;
+  float hidden_fraction = 0;
+  bool is_persistent = false;
+};
+
 /// All rules that a region breaks, in the order above; the finder stops at the first.
-[[nodiscard]] std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const OrientedBox& box,
-                                                     bool is_persistent, const cv::Rect& visible_px,
-                                                     const Intrinsics& K, const DiscoveryParams& params);
+[[nodiscard]] std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const RegionShape& shape,
+                                                     const cv::Rect& visible_px, const Intrinsics& K,
+                                                     const DiscoveryParams& params);
 
 }  // namespace scantrove

@@ -53,8 +53,9 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!isCentral(extent, input.K, params_) || !isNotEccentric(extent, params_)) continue;
       if (!history_.isPersistent(extent.region, params_.persistent_frames, params_.size_tolerance)) continue;
       const OrientedBox box = fitOrientedBox(pointsOf(extent, input));
-      if (isSizeInRange(box, params_) && isNotFlat(box, params_))
-        candidates.push_back(toCandidate(extent, box, input));
+      if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
+      if (!isNotBackground(hiddenFraction(extent, input), params_)) continue;
+      candidates.push_back(toCandidate(extent, box, input));
     }
     return candidates;
   }

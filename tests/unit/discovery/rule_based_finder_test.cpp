@@ -41,8 +41,9 @@ std::vector<DiscoveryRule> broken(const AnalyticScene& scene, const DiscoveryPar
   const RegionCensus census = counter.count(scene.map);
   for (const RegionExtent& extent : census.extents) {
     if (extent.region.value != id) continue;
-    return brokenRules(extent, fitOrientedBox(pointsOf(extent, scene.input())), is_persistent,
-                       visibleFrame(census, scene.K.width, scene.K.height), scene.K, params);
+    const RegionShape shape{fitOrientedBox(pointsOf(extent, scene.input())),
+                            hiddenFraction(extent, scene.input()), is_persistent};
+    return brokenRules(extent, shape, visibleFrame(census, scene.K.width, scene.K.height), scene.K, params);
   }
   ADD_FAILURE() << "no region " << id;
   return {};
@@ -223,6 +224,19 @@ TEST(RuleBasedFinder, HistoryFollowsAMerge) {
   for (int i = 0; i < 4; ++i) EXPECT_THAT(finder->find(before.input()), IsEmpty());
   finder->regionsMerged(RegionId{9}, RegionId{7});
   EXPECT_THAT(idsOf(finder->find(after.input())), ElementsAre(9U));
+}
+
+TEST(RuleBasedFinder, RefusesBackgroundSeenThroughAGap) {
+  AnalyticScene scene;
+  scene.paint(2, {0, 0, 160, 120}, [](int, int) { return 0.9F; });  // a screen with a window
+  scene.paintBump(7, {60, 45, 40, 30}, 1.3F, 0.2F);
+  EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
+  EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre(DiscoveryRule::not_background));
+  // Nothing nearer but below it: an object behind another.
+  scene.paint(2, {0, 0, 160, 45}, [](int, int) { return 1.3F; });
+  scene.paint(2, {0, 45, 60, 75}, [](int, int) { return 1.3F; });
+  scene.paint(2, {100, 45, 60, 75}, [](int, int) { return 1.3F; });
+  EXPECT_THAT(findAfter(scene, testParams(), 6), ElementsAre(7U));
 }
 
 TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
