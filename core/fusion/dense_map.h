@@ -10,14 +10,16 @@
 
 namespace scantrove {
 
-/// The dense map: a truncated signed distance in sparse bricks (Curless and Levoy; thesis 2.2, 3.1). Cost per frame follows the
-/// view, never what was scanned. One thread, the context's.
+/// The dense map: a truncated signed distance in sparse bricks (Curless and Levoy; thesis 2.2, 3.1). Cost per
+/// frame follows the view, never what was scanned. One thread, the context's.
 class DenseMap {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<DenseMap>> create(ComputeContext& compute, const FusionParams& params);
+  [[nodiscard]] static Result<std::unique_ptr<DenseMap>> create(ComputeContext& compute,
+                                                                const FusionParams& params);
   ~DenseMap();
 
-  /// Allocates bricks along the band around each depth reading, then averages the frame into the bricks in view.
+  /// Allocates bricks along the band around each depth reading, then averages the frame into the bricks in
+  /// view.
   void integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
 
   /// V_t and N_t from `T_world_camera` for camera `K`; buffers of `surface` are made or resized as needed.

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kTile = 8;  // pixels; what a work-item of cast_rays does at a time
 constexpr std::size_t kPad = 4;
+constexpr float kNoPlane = 1e30F;  // fit_planes.cl
+constexpr const char* kPlaneOptions = " -DR=3 -DSLOPE=3.0f";
 
 constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
 
@@ -22,11 +24,13 @@ Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams&
   const std::string options = "-DPAD=" + std::to_string(kPad);
   Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=3");
   if (!cast) return fail(cast.error());
-  Result<Kernel> orient =
-      compute.kernel(kernels::orient_surface, "orient_surface", options + " -DR=3 -DSLOPE=3.0f");
+  Result<Kernel> fit = compute.kernel(kernels::fit_planes, "fit_planes", options + kPlaneOptions);
+  if (!fit) return fail(fit.error());
+  Result<Kernel> orient = compute.kernel(kernels::orient_surface, "orient_surface", options + kPlaneOptions);
   if (!orient) return fail(orient.error());
   Raycaster result(compute, params);
   result.cast_rays_ = *cast;
+  result.fit_planes_ = *fit;
   result.orient_surface_ = *orient;
   return result;
 }
@@ -45,14 +49,17 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
   if (depths_.size() != padded) {
     depths_ = Buffer<cl_float>(compute_->context(), padded);
     depths_.fill(compute_->queue(), 0.0F);
+    planes_ = Buffer<cl_float>(compute_->context(), 4 * padded);
+    planes_.fill(compute_->queue(), kNoPlane);
   }
   const cl_float4 kernel_K = toKernel(K.fx, K.fy, K.cx, K.cy);
   const cl_float16 T_window_camera = toKernel(Eigen::Isometry3d(T));
   cast_rays_.launch(cl::NDRange(columns, (rows + 1) / 2), cl::NullRange, ranges_, K.width, K.height, kernel_K,
                     T_window_camera, params_.truncation_vox, window.cells(), map.pageSlots(), window.size(),
                     map.voxels(), depths_);
-  orient_surface_.launch(cl::NDRange(columns, rows), cl::NullRange, depths_, K.width, K.height, kernel_K,
-                         T_window_camera, map.voxelSize(),
+  fit_planes_.launch(cl::NDRange(columns, rows), cl::NullRange, depths_, K.width, K.height, K.fx, planes_);
+  orient_surface_.launch(cl::NDRange(columns, rows), cl::NullRange, depths_, planes_, K.width, K.height,
+                         kernel_K, T_window_camera, map.voxelSize(),
                          toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
                                   static_cast<float>(origin_m.z()), 0.0F),
                          surface.vertices_world, surface.normals_world);

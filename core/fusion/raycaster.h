@@ -28,9 +28,11 @@ class Raycaster {
   ComputeContext* compute_;
   FusionParams params_;
   Kernel cast_rays_;
+  Kernel fit_planes_;
   Kernel orient_surface_;
   Buffer<cl_float2> ranges_;
   Buffer<cl_float> depths_;
+  Buffer<cl_float> planes_;
   std::vector<cl_float2> host_ranges_;
 };
 
