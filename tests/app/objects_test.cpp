@@ -9,8 +9,8 @@ class Objects : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    const Finished run =
-        scantrove({"scan", "demo", "--frames", "40", "--stride", "2", "--out", *folder_ / "out"});
+    const Finished run = scantrove({"scan", "demo", "--frames", "12", "--set",
+                                    "discovery.persistent_frames=3", "--out", *folder_ / "out"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   static void TearDownTestSuite() {
