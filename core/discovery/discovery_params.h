@@ -9,7 +9,7 @@ struct DiscoveryParams {
   float min_size_m = 0.02F;  ///< longest side of the oriented box
   float max_size_m = 1.0F;
   int min_points = 500;               ///< pixels at 640x480 equivalent
-  int persistent_frames = 5;          ///< consecutive sightings with a stable size
+  int persistent_frames = 10;         ///< consecutive sightings with a stable size
   float size_tolerance = 0.25F;       ///< relative change of area * z^2 that still counts as stable
   float min_thickness_ratio = 0.02F;  ///< sqrt of smallest / largest eigenvalue of the points: below = flat
   float max_flat_size_m =

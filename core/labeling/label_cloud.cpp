@@ -11,7 +11,7 @@ namespace {
 constexpr int kMissingCapacity = 1 << 16;
 
 struct LabelingKernels {
-  Kernel project, list_touched, update, extract;
+  Kernel project, list_missing, update, extract;
 };
 
 Result<LabelingKernels> buildKernels(ComputeContext& compute) {
@@ -23,7 +23,7 @@ Result<LabelingKernels> buildKernels(ComputeContext& compute) {
     return {};
   };
   SCANTROVE_TRY(build(kernels::project_labels, "project_labels", built.project));
-  SCANTROVE_TRY(build(kernels::list_touched_bricks, "list_touched_bricks", built.list_touched));
+  SCANTROVE_TRY(build(kernels::list_missing_bricks, "list_missing_bricks", built.list_missing));
   SCANTROVE_TRY(build(kernels::update_labels, "update_labels", built.update));
   SCANTROVE_TRY(build(kernels::extract_points, "extract_points", built.extract));
   return built;
@@ -35,7 +35,7 @@ class LabelCloud::Machinery {
   Machinery(ComputeContext& compute, LabelingKernels built)
       : compute_(compute),
         kernels_(std::move(built)),
-        counts_(compute.context(), 2),
+        count_(compute.context(), 1),
         missing_(compute.context(), kMissingCapacity) {}
 
   std::vector<std::uint32_t> project(const SurfaceMaps& surface, const BrickMap& bricks) {
@@ -53,22 +53,26 @@ class LabelCloud::Machinery {
   std::span<const cl_int> update(const SurfaceMaps& surface, const RegionMap& merged, const LabelTable& table,
                                  const LabelingParams& params, BrickMap& bricks) {
     const float reach = params.update_distance_vox * bricks.voxelSize();
-    listTouched(surface, reach, bricks);
-    if (touched_host_.empty()) return {};
-
+    makeMissingBricks(surface, reach, bricks);
+    fitPools(bricks);
     fit(new_labels_, merged.labels.size());
     new_labels_.write(compute_.queue(), merged.labels);
     const auto& regions = table.regionOfLabel();
     fit(region_of_label_, regions.size());
     region_of_label_.write(compute_.queue(), regions);
-
+    count_.fill(compute_.queue(), 0);
+    ++stamp_;
     const Intrinsics& K = surface.K;
-    kernels_.update.launch(cl::NDRange(touched_host_.size() * 64), cl::NDRange(64), touched_,
-                           static_cast<cl_int>(touched_host_.size()), positions_, surface.vertices_world,
-                           new_labels_, region_of_label_, toKernel(surface.T_world_camera.inverse()),
+    kernels_.update.launch(cl::NDRange(static_cast<std::size_t>(K.pixels())), cl::NDRange(64),
+                           surface.vertices_world, new_labels_, region_of_label_, bricks.table(),
+                           bricks.tableMask(), toKernel(surface.T_world_camera.inverse()),
                            toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width}, cl_int{K.height},
                            bricks.voxelSize(), reach, static_cast<cl_int>(params.voxel_confidence ? 1 : 0),
-                           labels_);
+                           cl_int{stamp_}, labels_, stamps_, count_, touched_);
+    cl_int count = 0;
+    count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
+    touched_host_.resize(static_cast<std::size_t>(count));
+    touched_.read(compute_.queue(), std::span<cl_int>(touched_host_));
     return touched_host_;
   }
 
@@ -137,25 +141,19 @@ class LabelCloud::Machinery {
     positions_known_ = bricks.brickCount();
   }
 
-  /// Fills touched_ and touched_host_; makes missing bricks and looks again until none is missing.
-  void listTouched(const SurfaceMaps& surface, float reach, BrickMap& bricks) {
+  /// Allocates every brick that a voxel within `reach` of a vertex lies in.
+  void makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& bricks) {
     const int pixels = surface.K.pixels();
     for (;;) {
-      fitPools(bricks);
-      counts_.fill(compute_.queue(), 0);
-      ++stamp_;
-      kernels_.list_touched.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
+      count_.fill(compute_.queue(), 0);
+      kernels_.list_missing.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
                                    surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(),
-                                   reach, 1.0F / (bricks.voxelSize() * BRICK_SIDE), cl_int{stamp_}, stamps_,
-                                   counts_, touched_, missing_, cl_int{kMissingCapacity});
-      cl_int counts[2];
-      counts_.read(compute_.queue(), std::span<cl_int>(counts));
-      if (counts[1] == 0) {
-        touched_host_.resize(static_cast<std::size_t>(counts[0]));
-        touched_.read(compute_.queue(), std::span<cl_int>(touched_host_));
-        return;
-      }
-      std::vector<cl_int4> missing(static_cast<std::size_t>(std::min(counts[1], cl_int{kMissingCapacity})));
+                                   reach, 1.0F / (bricks.voxelSize() * BRICK_SIDE), count_, missing_,
+                                   cl_int{kMissingCapacity});
+      cl_int count = 0;
+      count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
+      if (count == 0) return;
+      std::vector<cl_int4> missing(static_cast<std::size_t>(std::min(count, cl_int{kMissingCapacity})));
       missing_.read(compute_.queue(), std::span<cl_int4>(missing));
       std::vector<Eigen::Vector3i> wanted;
       for (const cl_int4& m : missing) wanted.emplace_back(m.s[0], m.s[1], m.s[2]);
@@ -166,7 +164,7 @@ class LabelCloud::Machinery {
   ComputeContext& compute_;
   LabelingKernels kernels_;
   Buffer<cl_uint> labels_;
-  Buffer<cl_int> stamps_, touched_, counts_, listed_, offsets_;
+  Buffer<cl_int> stamps_, touched_, count_, listed_, offsets_;
   Buffer<cl_int4> positions_, missing_;
   Buffer<cl_uint> projected_, new_labels_, region_of_label_;
   Buffer<LabelPoint> points_;

@@ -26,7 +26,7 @@ class LabelCloud {
   [[nodiscard]] std::vector<std::uint32_t> project(const SurfaceMaps& surface, const BrickMap& bricks);
 
   /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
-  /// Allocates bricks where such a voxel has none. Returns the slots of the bricks that were visited.
+  /// Allocates bricks where such a voxel has none. Returns the slots of the bricks that were written to.
   std::span<const cl_int> update(const SurfaceMaps& surface, const RegionMap& merged, const LabelTable& table,
                                  const LabelingParams& params, BrickMap& bricks);
 

@@ -1,17 +1,19 @@
-// Label cloud update (thesis, Algorithms 1 and 2) for the listed bricks:
+// Label cloud update (thesis, Algorithms 1 and 2), turned inside out. The algorithm visits every voxel of space:
 //   v_g = (voxel + 0.5) * voxel_size, seen in pixel u = floor(K (T_camera_world v_g) + 0.5) with depth > 0;
 //   where |V_t(u) - v_g| < reach and S_cloud,t(u) != 0 the voxel takes S_cloud,t(u).
+// A voxel is seen in one pixel at most, and only voxels within reach of that pixel's vertex are written: so visit those from
+// the pixel, and write those that are seen in it. The result is the same, and no voxel is written twice.
 // With confidence: a voxel of the same region gains one (up to the cap), of another loses one and
 // changes at zero; without: it is overwritten.
-// One work-item: one row of 8 voxels along x (64 rows a brick).
-//   touched          slots to visit
-//   positions        slots x int4, brick positions
+// One work-item: one pixel.
 //   vertices         pixels x float4, world, w = 0: no surface
 //   new_labels       pixels, S_cloud,t as raw labels
 //   region_of_label  region of each raw label
-//   labels           slots x 512 label voxels, in/out
+//   labels           slots x 512 label voxels, in/out; every brick within reach exists
+//   stamps           slots, in/out: number of the update in which the slot was last listed, so that it is listed once
+//   touched, count   out: slots in which a voxel was visited
 #include "core/compute/kernels/common.clh"
-#include "core/fusion/kernels/brick_layout.h"
+#include "core/fusion/kernels/brick_lookup.clh"
 #include "core/labeling/kernels/label_voxel.h"
 
 inline uint changed_voxel(const uint voxel, const uint label, const int use_confidence,
@@ -26,32 +28,49 @@ inline uint changed_voxel(const uint voxel, const uint label, const int use_conf
   return confidence > 1u ? LABEL_VOXEL(held, confidence - 1u) : LABEL_VOXEL(label, 1u);
 }
 
-kernel void update_labels(global const int* touched, const int touched_count, global const int4* positions,
-                          global const float4* vertices, global const uint* new_labels,
-                          global const uint* region_of_label, const float16 T_camera_world, const float4 K,
-                          const int width, const int height, const float voxel_size, const float reach,
-                          const int use_confidence, global uint* labels) {
-  const int item = get_global_id(0);
-  if (item >= touched_count * 64) return;
-  const int slot = touched[item >> 6];
-  const int row = item & 63;
-  const int4 brick = positions[slot];
-  const float3 first = (float3)((float)(8 * brick.x) + 0.5f, (float)(8 * brick.y + (row & 7)) + 0.5f,
-                                (float)(8 * brick.z + (row >> 3)) + 0.5f) * voxel_size;
-  global uint* row_labels = labels + slot * BRICK_VOXELS + 8 * row;
-  for (int x = 0; x < 8; ++x) {
-    const float3 v_g = (float3)(first.x + (float)x * voxel_size, first.y, first.z);
-    const float3 p = transform_point(T_camera_world, v_g);
-    if (!(p.z > 0.0f)) continue;
-    const float u = floor(K.x * p.x / p.z + K.z + 0.5f);
-    const float v = floor(K.y * p.y / p.z + K.w + 0.5f);
-    if (!(u >= 0.0f && v >= 0.0f && u < (float)width && v < (float)height)) continue;
-    const int pixel = (int)v * width + (int)u;
-    const float4 vertex = vertices[pixel];
-    const float3 offset = vertex.xyz - v_g;
-    if (!(vertex.w > 0.0f && dot(offset, offset) < reach * reach)) continue;
-    const uint label = new_labels[pixel];
-    if (label == 0u) continue;
-    row_labels[x] = changed_voxel(row_labels[x], label, use_confidence, region_of_label);
+kernel void update_labels(global const float4* vertices, global const uint* new_labels,
+                          global const uint* region_of_label, global const BrickEntry* table, const uint mask,
+                          const float16 T_camera_world, const float4 K, const int width, const int height,
+                          const float voxel_size, const float reach, const int use_confidence, const int stamp,
+                          global uint* labels, volatile global int* stamps, volatile global int* count,
+                          global int* touched) {
+  const int pixel = get_global_id(0);
+  if (pixel >= width * height) return;
+  const float4 vertex = vertices[pixel];
+  const uint label = new_labels[pixel];
+  if (!(vertex.w > 0.0f) || label == 0u) return;
+  const float column = (float)(pixel % width);
+  const float row = (float)(pixel / width);
+
+  // Voxels whose centres lie in the box of half side `reach`; one more on each side against rounding.
+  const float per_metre = 1.0f / voxel_size;
+  const int x0 = (int)floor((vertex.x - reach) * per_metre - 0.5f), x1 = (int)ceil((vertex.x + reach) * per_metre - 0.5f);
+  const int y0 = (int)floor((vertex.y - reach) * per_metre - 0.5f), y1 = (int)ceil((vertex.y + reach) * per_metre - 0.5f);
+  const int z0 = (int)floor((vertex.z - reach) * per_metre - 0.5f), z1 = (int)ceil((vertex.z + reach) * per_metre - 0.5f);
+  int bx = 0, by = 0, bz = 0, slot = BRICK_NONE;
+  for (int z = z0; z <= z1; ++z) {
+    const float dz = vertex.z - ((float)z + 0.5f) * voxel_size;
+    for (int y = y0; y <= y1; ++y) {
+      const float dy = vertex.y - ((float)y + 0.5f) * voxel_size;
+      if (!(dy * dy + dz * dz < reach * reach)) continue;
+      for (int x = x0; x <= x1; ++x) {
+        const float3 v_g = ((float3)((float)x, (float)y, (float)z) + 0.5f) * voxel_size;
+        const float dx = vertex.x - v_g.x;
+        if (!(dx * dx + dy * dy + dz * dz < reach * reach)) continue;
+        const float3 p = transform_point(T_camera_world, v_g);
+        if (!(p.z > 0.0f)) continue;
+        if (floor(K.x * p.x / p.z + K.z + 0.5f) != column || floor(K.y * p.y / p.z + K.w + 0.5f) != row) continue;
+        if (slot == BRICK_NONE || bx != x >> BRICK_SHIFT || by != y >> BRICK_SHIFT || bz != z >> BRICK_SHIFT) {
+          bx = x >> BRICK_SHIFT;
+          by = y >> BRICK_SHIFT;
+          bz = z >> BRICK_SHIFT;
+          slot = find_brick(table, mask, bx, by, bz);
+          if (slot == BRICK_NONE) continue;
+          if (stamps[slot] != stamp && atomic_xchg(stamps + slot, stamp) != stamp) touched[atomic_inc(count)] = slot;
+        }
+        global uint* voxel = labels + slot * BRICK_VOXELS + (x & 7) + 8 * ((y & 7) + 8 * (z & 7));
+        *voxel = changed_voxel(*voxel, label, use_confidence, region_of_label);
+      }
+    }
   }
 }
