@@ -4,11 +4,6 @@
 #include "embedded/segmentation_kernels.h"
 
 namespace scantrove {
-namespace {
-
-constexpr int kRadius_px = 2;
-
-}  // namespace
 
 Result<NormalRefiner> NormalRefiner::create(ComputeContext& compute) {
   const std::string options = "-DRADIUS=" + std::to_string(kRadius_px);

@@ -12,6 +12,8 @@ namespace scantrove {
 /// N_t, 0.76 with these). One thread, the context's; may throw cl::Error.
 class NormalRefiner {
  public:
+  static constexpr int kRadius_px = 2;  ///< windows of 5 x 5 pixels
+
   [[nodiscard]] static Result<NormalRefiner> create(ComputeContext& compute);
 
   /// Per pixel of `surface` the unit normal in the world towards the camera, (x, y, z, 1); all 0 where there

@@ -1,0 +1,19 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace scantrove::reference {
+
+/// Eq. 3.5 in double precision for one edge i -> j of points and unit normals towards the camera; empty =
+/// MAXWGHT.
+inline std::optional<double> edgeWeight(const Eigen::Vector3d& v_i, const Eigen::Vector3d& n_i,
+                                        const Eigen::Vector3d& v_j, const Eigen::Vector3d& n_j,
+                                        double d_max) {
+  if ((v_i - v_j).norm() >= d_max) return std::nullopt;
+  const double concave = 1 - n_i.dot(n_j);
+  return (v_j - v_i).dot(n_j) > 0 ? concave * concave : concave;
+}
+
+}  // namespace scantrove::reference
