@@ -23,7 +23,7 @@ Result<LabelingKernels> buildKernels(ComputeContext& compute) {
     return {};
   };
   SCANTROVE_TRY(build(kernels::project_labels, "project_labels", built.project));
-  SCANTROVE_TRY(build(kernels::list_missing_bricks, "list_missing_bricks", built.list_missing));
+  SCANTROVE_TRY(build(kernels::list_uncovered_bricks, "list_uncovered_bricks", built.list_missing));
   SCANTROVE_TRY(build(kernels::update_labels, "update_labels", built.update));
   SCANTROVE_TRY(build(kernels::extract_points, "extract_points", built.extract));
   return built;

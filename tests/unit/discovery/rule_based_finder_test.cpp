@@ -16,6 +16,7 @@ using testing::IsEmpty;
 
 DiscoveryParams testParams() {
   DiscoveryParams params;
+  params.persistent_frames = 5;
   params.min_points = 1600;  // at 640x480; 100 at 160x120
   return params;
 }

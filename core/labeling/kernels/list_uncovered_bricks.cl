@@ -5,7 +5,7 @@
 //   count    out: how many; those beyond the capacity are not stored
 #include "core/fusion/kernels/brick_lookup.clh"
 
-kernel void list_missing_bricks(global const float4* vertices, const int pixels, global const BrickEntry* table,
+kernel void list_uncovered_bricks(global const float4* vertices, const int pixels, global const BrickEntry* table,
                                 const uint mask, const float reach, const float bricks_per_metre,
                                 volatile global int* count, global int4* missing, const int capacity) {
   const int i = get_global_id(0);
