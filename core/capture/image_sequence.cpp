@@ -81,7 +81,10 @@ class ImageSequenceSource final : public FrameSource {
       return read;
     }
     const cv::Size frame_size(info_.intrinsics.width, info_.intrinsics.height);
-    if (sequence_.has_color && images->color.size() != frame_size) {
+    if (sequence_.has_color && sequence_.color_camera) {
+      images->color = registerColor(images->color, *sequence_.color_camera, images->depth, metres_per_unit_,
+                                    info_.intrinsics);
+    } else if (sequence_.has_color && images->color.size() != frame_size) {
       cv::Mat resized;
       cv::resize(images->color, resized, frame_size, 0, 0, cv::INTER_AREA);
       images->color = resized;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/capture/camera_intrinsics.h"
+#include "core/capture/color_registration.h"
 #include "core/capture/frame_source.h"
 
 namespace scantrove {
@@ -29,6 +30,7 @@ struct ImageSequence {
   double units_per_metre = 1000;            ///< SourceOptions override it
   bool has_color = true;                    ///< false: depth only; else a frame without colour is skipped
   bool has_poses = false;
+  std::optional<ColorCamera> color_camera;  ///< where colour was recorded by another camera, unregistered
 };
 
 /// Makes a source of it: selects the frames, and decodes the first usable one to learn the image size, which

@@ -55,6 +55,11 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
   const bool is_known = camera && *camera;
   sequence.camera = is_known ? **camera : CameraModel{kDefault, std::nullopt};
   sequence.camera_origin = is_known ? (folder / "camera-intrinsics.txt").string() : "7-Scenes' own";
+  // The recordings' own camera; folders in the same layout from other cameras are taken as registered.
+  Intrinsics K = sequence.camera.K;
+  K.width = kDefault.width;
+  K.height = kDefault.height;
+  if (K == kDefault && !options.intrinsics) sequence.color_camera = kKinectColorCamera;
   return openImageSequence(std::move(sequence), options);
 }
 
