@@ -23,17 +23,14 @@ class Integrator {
 
  private:
   Integrator(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
-  void readFarthest(const DepthPyramid& frame);
-  [[nodiscard]] bool mayChange(const DepthPyramid& frame, const Eigen::Vector3f& centre_camera,
-                               float radius_m) const;
-
   ComputeContext* compute_;
   FusionParams params_;
   Kernel reduce_depth_tiles_;
+  Kernel select_bricks_;
   Kernel integrate_bricks_;
   Buffer<cl_float> farthest_;
-  std::vector<cl_float> host_farthest_;
   Buffer<cl_int4> bricks_;
+  Buffer<cl_uchar> selected_;
   std::vector<cl_int4> host_bricks_;
 };
 

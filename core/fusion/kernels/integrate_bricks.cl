@@ -6,18 +6,20 @@
 // D is read at the nearest pixel; z is along the optical axis, as depth cameras measure it.
 //
 // One work-item: one row of 8 voxels along x as a float8 (PoCL does not vectorise this over work-items by itself).
-// bricks: brick_count of (x, y, z, slot), counted from the window's first brick; 64 work-items each.
+// bricks: brick_count of (x, y, z, slot), counted from the window's first brick; 64 work-items each;
+// those not selected (select_bricks) are left as they are.
 // T_camera_window: voxels from the window's first to camera metres. depth_m: width * height metres; only readings in
 // (0, max_depth_m] count. voxels: BRICK_VOXELS a slot, TsdfVoxel as one uint (distance low, weight high).
 #define WEIGHT_ONE 256.0f
 
-kernel void integrate_bricks(global const int4* restrict bricks, const int brick_count, const float16 T_camera_window,
-                             const float4 K, const int width, const int height, global const float* restrict depth_m,
+kernel void integrate_bricks(global const int4* restrict bricks, const int brick_count,
+                             global const uchar* restrict selected, const float16 T_camera_window, const float4 K,
+                             const int width, const int height, global const float* restrict depth_m,
                              const float max_depth_m, const float truncation_m, const float max_weight,
                              global uint8* restrict voxels) {
   const int row = (int)get_global_id(0) & 63;
   const int number = (int)get_global_id(0) >> 6;
-  if (number >= brick_count) return;
+  if (number >= brick_count || !selected[number]) return;
   const int4 brick = bricks[number];
   const float x = (float)(BRICK_SIDE * brick.x) + 0.5f;
   const float y = (float)(BRICK_SIDE * brick.y + (row & 7)) + 0.5f;

@@ -1,0 +1,53 @@
+// selected(brick) = 1 if a depth reading may change one of its voxels, 0 if it is hidden wholly behind what the image shows, out
+// of sight or where there is no reading: compares the depth of the brick's nearest corner with the farthest readings of the
+// tiles that its corners' image spans.
+//
+// One work-item: one brick, its corners in a float8. bricks: brick_count of (x, y, z, slot), counted from the window's first
+// brick. T_camera_window: voxels from the window's first to camera metres. farthest: see reduce_depth_tiles (TILE is a build
+// option of both). selected: brick_count.
+#define NEAR_M 0.01f
+
+inline float smallest(const float8 a) {
+  const float4 b = fmin(a.lo, a.hi);
+  return fmin(fmin(b.x, b.y), fmin(b.z, b.w));
+}
+
+kernel void select_bricks(global const int4* bricks, const int brick_count, const float16 T_camera_window,
+                          const float4 K, const int width, const int height, global const float* farthest,
+                          const float truncation_m, global uchar* selected) {
+  const int i = (int)get_global_id(0);
+  if (i >= brick_count) return;
+  const float16 T = T_camera_window;
+  const float8 x = (float)(8 * bricks[i].x) + (float8)(0, 8, 0, 8, 0, 8, 0, 8);
+  const float8 y = (float)(8 * bricks[i].y) + (float8)(0, 0, 8, 8, 0, 0, 8, 8);
+  const float8 z = (float)(8 * bricks[i].z) + (float8)(0, 0, 0, 0, 8, 8, 8, 8);
+  const float8 camera_x = T.s0 * x + T.s1 * y + T.s2 * z + T.s3;
+  const float8 camera_y = T.s4 * x + T.s5 * y + T.s6 * z + T.s7;
+  const float8 camera_z = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
+  const float nearest = smallest(camera_z);
+  if (!(nearest > NEAR_M)) {
+    selected[i] = 1; /* around the camera: its image says nothing */
+    return;
+  }
+  const float8 u = camera_x / camera_z * K.x + (K.z + 0.5f);
+  const float8 v = camera_y / camera_z * K.y + (K.w + 0.5f);
+  const float left = smallest(u);
+  const float right = -smallest(-u);
+  const float top = smallest(v);
+  const float bottom = -smallest(-v);
+  int found = 0;
+  if (right >= 0.0f && left < (float)width && bottom >= 0.0f && top < (float)height) {
+    const int tiles_x = (width + TILE - 1) / TILE;
+    const int first_x = (int)fmax(left, 0.0f) / TILE;
+    const int first_y = (int)fmax(top, 0.0f) / TILE;
+    const int last_x = (int)fmin(right, (float)(width - 1)) / TILE;
+    const int last_y = (int)fmin(bottom, (float)(height - 1)) / TILE;
+    for (int ty = first_y; ty <= last_y && !found; ++ty) {
+      for (int tx = first_x; tx <= last_x && !found; ++tx) {
+        const float reading = farthest[ty * tiles_x + tx];
+        found = reading > 0.0f && reading > nearest - truncation_m;
+      }
+    }
+  }
+  selected[i] = (uchar)found;
+}
