@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/app/scantrove_program.h"
 
 namespace scantrove::test {
@@ -62,7 +64,8 @@ TEST(Interruption, AKilledScanKeepsTheObjectsThatWereCommitted) {
   EXPECT_GE(objectsIn(database), committed);
   EXPECT_FALSE(fs::exists(folder / "out/report.json"));
   const auto objects = jsonOf(scantrove({"objects", "list", "--json", "--database", database}));
-  for (const auto& object : objects) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(objects.size(), 3); ++i) {
+    const auto& object = objects[i];
     const auto shown = jsonOf(scantrove(
         {"objects", "show", "--json", "--database", database, std::to_string(object["id"].get<int>())}));
     EXPECT_GE(shown["views"].size(), 1U);

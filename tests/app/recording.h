@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +13,19 @@
 
 namespace scantrove::test {
 
-/// A small 7-Scenes recording: a camera that does not move before a slanted wall with a ball in front of it.
+/// Depth in metres along the ray (u, v, 1): the corner of a room (two walls and the floor) with a ball before
+/// it.
+inline float depthOfCorner(float u, float v) {
+  float z = 1.6F / (1.0F + 0.3F * u + 0.2F * v);
+  if (v > 0.05F) z = std::min(z, 0.35F / v);
+  if (u < 0.1F) z = std::min(z, 0.45F / (0.2F - u));
+  // |z (u, v, 1) - (0, 0, 1.2)| = 0.2
+  const float a = u * u + v * v + 1.0F;
+  const float under_root = 1.2F * 1.2F - a * (1.2F * 1.2F - 0.04F);
+  return under_root > 0 ? std::min(z, (1.2F - std::sqrt(under_root)) / a) : z;
+}
+
+/// A small 7-Scenes recording of that corner by a camera that does not move.
 inline void writeRecording(const std::filesystem::path& folder, int frames) {
   std::filesystem::create_directories(folder);
   const int width = 320, height = 240;
@@ -21,12 +35,7 @@ inline void writeRecording(const std::filesystem::path& folder, int frames) {
     for (int x = 0; x < width; ++x) {
       const float u = (static_cast<float>(x) - 160.0F) / f;
       const float v = (static_cast<float>(y) - 120.0F) / f;
-      float z = 1.6F / (1.0F + 0.3F * u + 0.2F * v);
-      // |z (u, v, 1) - (0, 0, 1.2)| = 0.2
-      const float a = u * u + v * v + 1.0F;
-      const float under_root = 1.2F * 1.2F - a * (1.2F * 1.2F - 0.04F);
-      if (under_root > 0) z = std::min(z, (1.2F - std::sqrt(under_root)) / a);
-      depth(y, x) = static_cast<std::uint16_t>(std::lround(1000.0F * z));
+      depth(y, x) = static_cast<std::uint16_t>(std::lround(1000.0F * depthOfCorner(u, v)));
     }
   }
   const cv::Mat color(height, width, CV_8UC3, cv::Scalar(90, 120, 150));

@@ -109,9 +109,7 @@ TEST(Scan, OfARecordingWithoutOneGoodFrameFails) {
   writeRecording(folder / "recording", 2);
   truncate(folder / "recording/frame-000000.depth.png");
   truncate(folder / "recording/frame-000001.depth.png");
-  const Finished run = scan(folder / "recording", folder / "out");
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("No frame of"));
+  expectJobFailure(scan(folder / "recording", folder / "out"), {"frame-000000.depth.png", "truncated"});
 }
 
 TEST(ScanFails, OnSourcesThatAreNone) {
@@ -122,22 +120,29 @@ TEST(ScanFails, OnSourcesThatAreNone) {
   expectJobFailure(scan(folder.write("notes.txt", "x"), folder / "out"), {"notes.txt"});
 }
 
-TEST(ScanFails, OnImagesWithoutIntrinsics) {
+TEST(Scan, OfImagesWithoutIntrinsicsSaysWhatItAssumed) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
-  fs::create_directories(folder / "images/color");
-  fs::create_directories(folder / "images/depth");
-  for (const char* i : {"0", "1"}) {
-    fs::copy(folder / ("recording/frame-00000" + std::string(i) + ".color.png"),
-             folder / ("images/color/" + std::string(i) + ".png"));
-    fs::copy(folder / ("recording/frame-00000" + std::string(i) + ".depth.png"),
-             folder / ("images/depth/" + std::string(i) + ".png"));
+  for (const char* kind : {"color", "depth"}) {
+    fs::create_directories(folder.path() / "images" / kind);
+    for (const char* i : {"0", "1"}) {
+      fs::copy(folder.path() / "recording" / (std::string("frame-00000") + i + "." + kind + ".png"),
+               folder.path() / "images" / kind / (std::string(i) + ".png"));
+    }
   }
-  expectJobFailure(scan(folder / "images", folder / "out"), {"--intrinsics"});
-  EXPECT_EQ(scan(folder / "images", folder / "out",
-                 {"--intrinsics", "292.5,292.5,160,120", "--depth-scale", "1000"})
-                .exit_code,
-            0);
+  const Finished assumed = scan(folder / "images", folder / "out");
+  EXPECT_EQ(assumed.exit_code, 0);
+  EXPECT_THAT(assumed.err, HasSubstr("--intrinsics"));
+  const Finished told = scan(folder / "images", folder / "out", {"--intrinsics", "292.5,292.5,160,120"});
+  EXPECT_EQ(told.exit_code, 0);
+  EXPECT_THAT(told.err, testing::Not(HasSubstr("--intrinsics")));
+}
+
+TEST(ScanFails, OnIntrinsicsThatCannotBeOfTheseImages) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  expectJobFailure(scan(folder / "recording", folder / "out", {"--intrinsics", "292.5,292.5,5000,120"}),
+                   {"--intrinsics"});
 }
 
 TEST(ScanFails, BeforeItStartsWhenTheOutputCannotBeWritten) {
