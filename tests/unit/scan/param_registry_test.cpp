@@ -1,0 +1,76 @@
+#include "core/scan/param_registry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& setting) {
+  ScanParams params;
+  const Result<void> done = applySetting(params, setting);
+  return done ? "" : done.error().message();
+}
+
+TEST(ParamRegistry, EveryDefaultLiesInItsRangeAndEveryKeyIsThereOnce) {
+  std::set<std::string> keys;
+  const ScanParams defaults;
+  for (const ParamInfo& info : paramRegistry()) {
+    EXPECT_TRUE(keys.insert(info.key).second) << info.key;
+    EXPECT_GE(info.get(defaults), info.minimum) << info.key;
+    EXPECT_LE(info.get(defaults), info.maximum) << info.key;
+    EXPECT_FALSE(info.help.empty()) << info.key;
+  }
+}
+
+TEST(ParamRegistry, WhatIsSetIsWhatIsRead) {
+  for (const ParamInfo& info : paramRegistry()) {
+    ScanParams params;
+    for (const double value : {info.minimum, info.maximum}) {
+      info.set(params, value);
+      EXPECT_NEAR(info.get(params), value, 1e-5 * std::abs(value)) << info.key;
+      ScanParams again;
+      const Result<void> done = applySetting(again, info.key + "=" + info.text(params));
+      ASSERT_TRUE(done) << done.error().message();
+      EXPECT_NEAR(info.get(again), value, 1e-4 * std::abs(value)) << info.key;
+    }
+  }
+}
+
+TEST(ParamRegistry, RefusalsNameWhatIsWrong) {
+  EXPECT_THAT(refusal("segmentation.q=1"), HasSubstr("Did you mean 'segmentation.k'"));
+  EXPECT_THAT(refusal("segmentation.k=many"), HasSubstr("'many' is no number"));
+  EXPECT_THAT(refusal("segmentation.k=nan"), HasSubstr("no number"));
+  EXPECT_THAT(refusal("segmentation.k=-1"), HasSubstr("between"));
+  EXPECT_THAT(refusal("segmentation.k"), HasSubstr("key=value"));
+  EXPECT_THAT(refusal("labeling.rule=best"), HasSubstr("thesis, evidence"));
+  EXPECT_THAT(refusal("segmentation.neighbours=6"), HasSubstr("4, 8"));
+}
+
+TEST(ParamRegistry, ConfigurationFilesAreAppliedWholeOrNotAtAll) {
+  const test::TemporaryFolder folder;
+  ScanParams params;
+  ASSERT_TRUE(loadConfig(params, folder.write("good.toml",
+                                              "[segmentation]\nk = 0.5\n[labeling]\nrule = \"thesis\"\n"
+                                              "voxel_confidence = false\n")));
+  EXPECT_FLOAT_EQ(params.segmentation.k, 0.5F);
+  EXPECT_EQ(params.labeling.rule, LabelingParams::Rule::thesis);
+  EXPECT_FALSE(params.labeling.voxel_confidence);
+
+  const Result<void> bad = loadConfig(params, folder.write("bad.toml", "[segmentation]\nk = 0.7\nkk = 1\n"));
+  ASSERT_FALSE(bad);
+  EXPECT_THAT(bad.error().message(), HasSubstr("line 3"));
+  EXPECT_FLOAT_EQ(params.segmentation.k, 0.5F);
+  const Result<void> broken = loadConfig(params, folder.write("broken.toml", "[segmentation\n"));
+  ASSERT_FALSE(broken);
+  EXPECT_THAT(broken.error().message(), HasSubstr("broken.toml"));
+}
+
+}  // namespace
+}  // namespace scantrove
