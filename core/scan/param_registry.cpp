@@ -84,7 +84,7 @@ std::vector<ParamInfo> makeRegistry() {
              "frames that the rule must hold"),
       number("labeling.voxel_confidence", l, &L::voxel_confidence, "", 0, 1,
              "labels of voxels change only after repeated disagreement"),
-      number("labeling.update_distance_vox", l, &L::update_distance_vox, "voxels", 0.8660254, 4,
+      number("labeling.update_distance_vox", l, &L::update_distance_vox, "voxels", 0.8661, 4,
              "distthresh of Algorithm 1"),
       number("discovery.central_fraction", d, &D::central_fraction, "", 0.05, 1,
              "an object's centroid lies in this middle part of the view"),
