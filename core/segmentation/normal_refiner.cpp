@@ -1,17 +1,17 @@
 #include "core/segmentation/normal_refiner.h"
 
 #include "core/compute/kernel_types.h"
+#include "core/segmentation/kernels/window_layout.h"
 #include "embedded/segmentation_kernels.h"
 
 namespace scantrove {
 
 Result<NormalRefiner> NormalRefiner::create(ComputeContext& compute) {
-  const std::string options = "-DRADIUS=" + std::to_string(kRadius_px);
-  Result<Kernel> invert = compute.kernel(kernels::refine_normals, "invert_depth", options);
+  Result<Kernel> invert = compute.kernel(kernels::refine_normals, "invert_depth");
   if (!invert) return fail(invert.error());
-  Result<Kernel> fit = compute.kernel(kernels::refine_normals, "fit_planes", options);
+  Result<Kernel> fit = compute.kernel(kernels::refine_normals, "fit_planes");
   if (!fit) return fail(fit.error());
-  Result<Kernel> choose = compute.kernel(kernels::refine_normals, "choose_normals", options);
+  Result<Kernel> choose = compute.kernel(kernels::refine_normals, "choose_normals");
   if (!choose) return fail(choose.error());
   return NormalRefiner(compute, std::move(*invert), std::move(*fit), std::move(*choose));
 }
@@ -20,14 +20,13 @@ void NormalRefiner::resize(int width, int height) {
   if (width == width_ && height == height_) return;
   width_ = width;
   height_ = height;
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const auto padded =
-      static_cast<std::size_t>(width + 2 * kRadius_px) * static_cast<std::size_t>(height + 2 * kRadius_px);
-  inverse_depth_ = Buffer<cl_float>(compute_->context(), padded);
+  const auto stride = static_cast<std::size_t>(WINDOW_STRIDE(width));
+  const auto rows = static_cast<std::size_t>(height);
+  inverse_depth_ = Buffer<cl_float>(compute_->context(), stride * (rows + 2 * WINDOW_RADIUS));
   inverse_depth_.fill(compute_->queue(), 0.0F);
-  planes_ = Buffer<cl_float4>(compute_->context(), pixels);
-  concavity_ = Buffer<cl_float>(compute_->context(), pixels);
-  normals_ = Buffer<cl_float4>(compute_->context(), pixels);
+  planes_ = Buffer<cl_float>(compute_->context(), 4 * stride * rows);
+  concavity_ = Buffer<cl_float>(compute_->context(), stride * rows);
+  normals_ = Buffer<cl_float4>(compute_->context(), static_cast<std::size_t>(width) * rows);
 }
 
 const Buffer<cl_float4>& NormalRefiner::refine(const SurfaceMaps& surface, const SegmentationParams& params) {
@@ -39,7 +38,9 @@ const Buffer<cl_float4>& NormalRefiner::refine(const SurfaceMaps& surface, const
   const cl::NDRange pixels(static_cast<std::size_t>(K.width), static_cast<std::size_t>(K.height));
   invert_.launch(pixels, cl::NullRange, surface.vertices_world, inverse_depth_, K.width, K.height,
                  toKernel(row[0], row[1], row[2], row[3]));
-  fit_.launch(pixels, cl::NullRange, inverse_depth_, planes_, concavity_, K.width, K.height,
+  const cl::NDRange vectors(static_cast<std::size_t>((K.width + WINDOW_LANES - 1) / WINDOW_LANES),
+                            static_cast<std::size_t>(K.height));
+  fit_.launch(vectors, cl::NullRange, inverse_depth_, planes_, concavity_, K.width, K.height,
               toKernel(K.fx, K.fy, K.cx, K.cy), params.normal_gate_m);
   choose_.launch(pixels, cl::NullRange, inverse_depth_, planes_, concavity_, normals_, K.width, K.height,
                  toKernel(surface.T_world_camera), params.normal_gate_m, params.concave_from_m);

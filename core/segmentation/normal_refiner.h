@@ -12,8 +12,6 @@ namespace scantrove {
 /// N_t, 0.76 with these). One thread, the context's; may throw cl::Error.
 class NormalRefiner {
  public:
-  static constexpr int kRadius_px = 2;  ///< windows of 5 x 5 pixels
-
   [[nodiscard]] static Result<NormalRefiner> create(ComputeContext& compute);
 
   /// Per pixel of `surface` the unit normal in the world towards the camera, (x, y, z, 1); all 0 where there
@@ -30,7 +28,7 @@ class NormalRefiner {
   int width_ = 0;
   int height_ = 0;
   Buffer<cl_float> inverse_depth_;
-  Buffer<cl_float4> planes_;
+  Buffer<cl_float> planes_;
   Buffer<cl_float> concavity_;
   Buffer<cl_float4> normals_;
 };

@@ -47,7 +47,7 @@ void segment(benchmark::State& state) {
   for (auto _ : state) segments = (*segmenter)->segment(surface, {}).count();
   state.counters["segments"] = segments;
 }
-BENCHMARK(segment)->Arg(320)->Arg(640)->Unit(benchmark::kMillisecond);
+BENCHMARK(segment)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 void refineNormals(benchmark::State& state) {
   const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
@@ -57,7 +57,7 @@ void refineNormals(benchmark::State& state) {
     device().finish();
   }
 }
-BENCHMARK(refineNormals)->Arg(320)->Arg(640)->Unit(benchmark::kMillisecond);
+BENCHMARK(refineNormals)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 void weighEdges(benchmark::State& state) {
   const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
@@ -67,7 +67,7 @@ void weighEdges(benchmark::State& state) {
   EdgeKeys edges;
   for (auto _ : state) weigher->weigh(surface, normals, {}, edges);
 }
-BENCHMARK(weighEdges)->Arg(320)->Arg(640)->Unit(benchmark::kMillisecond);
+BENCHMARK(weighEdges)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 void sortTheEdges(benchmark::State& state) {
   const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
@@ -79,6 +79,6 @@ void sortTheEdges(benchmark::State& state) {
   std::vector<std::uint32_t> counts, order;
   for (auto _ : state) sortEdges(keys, counts, order);
 }
-BENCHMARK(sortTheEdges)->Arg(320)->Arg(640)->Unit(benchmark::kMillisecond);
+BENCHMARK(sortTheEdges)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

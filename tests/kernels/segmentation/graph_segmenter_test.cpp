@@ -137,7 +137,8 @@ TEST(GraphSegmenter, AValleyPartsAndARidgeDoesNot) {
   const Intrinsics K{260, 260, 79.5F, 59.5F, 160, 120};
   test::onEachDevice([&](ComputeContext& compute) {
     for (const bool convex : {true, false}) {
-      const reference::RenderedFaces faces = reference::render(reference::wedge(convex, 0.25), K);
+      const reference::RenderedFaces faces =
+          reference::render(reference::wedge(convex, convex ? 0.25 : 0.8), K);
       const SegmentMap map = segment(compute, upload(compute, {K, faces.vertices, faces.normals}), {});
       ASSERT_EQ(map.count(), convex ? 1 : 2);
       for (std::size_t i = 0; i < map.ids.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "core/segmentation/kernels/window_layout.h"
 #include "core/segmentation/normal_refiner.h"
 #include "tests/reference/plane_scene.h"
 #include "tests/reference/refine_normals_reference.h"
@@ -11,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kRadius_px = NormalRefiner::kRadius_px;
+constexpr int kRadius_px = WINDOW_RADIUS;
 
 std::vector<cl_float4> refine(ComputeContext& compute, const Intrinsics& K,
                               const Eigen::Isometry3d& T_world_camera,
