@@ -87,8 +87,8 @@ void MainWindow::makeDocks(const ScanParams& params) {
   const auto add = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QString::fromLatin1(name));
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
-                      QDockWidget::DockWidgetClosable);
+    // Hidden and shown in the View menu.
+    dock->setFeatures(QDockWidget::DockWidgetMovable);
     dock->setWidget(content);
     addDockWidget(area, dock);
     return dock;

@@ -96,7 +96,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   name->setFont(large);
   words->addWidget(name);
   words->addWidget(
-      mutedLabel(tr("Sweep a depth camera over a scene. Objects are found as you move, known ones are\n"
+      mutedLabel(tr("Sweep a depth camera over a scene. Objects are found as you move, known ones are "
                     "recognised, and the rest are collected for you to name and confirm.")));
   head->addLayout(words, 1);
   layout->addLayout(head);

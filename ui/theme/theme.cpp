@@ -101,7 +101,8 @@ QToolButton { border: none; border-radius: 6px; padding: 6px; background: transp
 QToolButton:hover { background: %3; }
 QToolButton:pressed, QToolButton:checked { background: %4; }
 QToolButton:focus { outline: none; border: 1px solid %5; padding: 5px; }
-QToolButton[popupMode="2"] { padding-right: 18px; }
+QToolButton[popupMode="2"] { padding-right: 20px; }
+QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 5px; }
 QPushButton { border: 1px solid %1; border-radius: 6px; padding: 6px 14px; background: palette(button); }
 QPushButton:hover { background: %3; }
 QPushButton:pressed { background: %4; }
@@ -109,7 +110,7 @@ QPushButton:focus { border-color: %5; }
 QPushButton:disabled { color: %6; }
 QPushButton[primary="true"] { background: %5; border-color: %5; color: palette(highlighted-text); font-weight: 600; }
 QPushButton[primary="true"]:disabled { background: %4; border-color: %4; color: %6; }
-QDockWidget { titlebar-close-icon: none; font-weight: 600; }
+QDockWidget { font-weight: 600; }
 QDockWidget::title { text-align: left; padding: 8px 10px 6px 10px; background: palette(window); }
 QStatusBar { background: palette(window); border-top: 1px solid %1; }
 QStatusBar::item { border: none; }

@@ -63,8 +63,13 @@ TEST_F(CatalogueEditorTest, ModelListsNewestFirstWithPictures) {
   const QColor centre = picture.pixelColor(picture.width() / 2, picture.height() / 2);
   EXPECT_GT(centre.blue(), 200);
   EXPECT_LT(centre.red(), 60);
-  // What is not the object is dimmed.
+}
+
+TEST(ViewPicture, DimsWhatIsNotTheObject) {
+  const QImage picture = viewPicture(test::discView({0, 0, 255}));
+  EXPECT_EQ(picture.pixelColor(40, 30), QColor(255, 0, 0));
   EXPECT_LT(picture.pixelColor(1, 1).lightness(), 80);
+  EXPECT_TRUE(viewPicture(ObjectView{}).isNull());
 }
 
 TEST_F(CatalogueEditorTest, ModelFollowsTheDatabaseRowByRow) {

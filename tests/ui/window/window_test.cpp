@@ -67,6 +67,12 @@ class WindowTest : public test::CatalogueTest {
 
   QLineEdit* nameEditor() { return list()->findChild<QLineEdit*>(QStringLiteral("objectNameEditor")); }
 
+  /// Return in the name's field; Qt hands the text on from its event loop.
+  void endEditing() {
+    QTest::keyClick(nameEditor(), Qt::Key_Return);
+    QTest::qWait(50);
+  }
+
   void pressButton(QAction* action) {
     for (QToolButton* button : window_->objectPanel()->findChildren<QToolButton*>()) {
       if (button->defaultAction() != action) continue;
@@ -104,7 +110,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Green cup"));
-  QTest::keyClick(nameEditor(), Qt::Key_Return);
+  endEditing();
   EXPECT_EQ(stored(objects_[1]).name, "Green cup");
   EXPECT_FALSE(stored(objects_[1]).confirmed);
 
@@ -124,7 +130,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByMouseIsStored) {
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Red ball"));
-  QTest::keyClick(nameEditor(), Qt::Key_Return);
+  endEditing();
   pressButton(window_->objectPanel()->actions().confirm);
   EXPECT_EQ(stored(objects_[0]).name, "Red ball");
   EXPECT_TRUE(stored(objects_[0]).confirmed);
@@ -153,7 +159,7 @@ TEST_F(WindowTest, ARefusedNameIsSaidInTheBarAndNothingIsLost) {
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Obj_1"));
-  QTest::keyClick(nameEditor(), Qt::Key_Return);
+  endEditing();
   EXPECT_TRUE(window_->messageBar()->isVisible());
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }
@@ -227,6 +233,9 @@ TEST_F(WindowTest, AnObjectThatTheScanAddsAppears) {
 TEST_F(WindowTest, ADroppedFolderIsOpened) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(folder_.path())});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
   QCoreApplication::sendEvent(window_.get(), &drop);
   EXPECT_EQ(session_->last_request.source, folder_.path().toStdString());
