@@ -10,6 +10,7 @@
 
 namespace scantrove::synthetic {
 namespace {
+constexpr double kLift_m = 0.006;  // off the surface, so that it does not shade itself
 constexpr float kInnerRing_m = 0.025F;
 constexpr float kOuterRing_m = 0.07F;
 constexpr float kFar = 1e6F;
@@ -101,7 +102,7 @@ float Lighting::sunlit(const Vec3& point) const {
   return lit / 9;
 }
 
-float Lighting::openness(const Vec3& point) const {
+float Lighting::openness(const Vec3& point, const Vec3& normal) const {
   struct Tap {
     float x, y, reach;  // metres
   };
@@ -117,7 +118,7 @@ float Lighting::openness(const Vec3& point) const {
     }
     return taps;
   }();
-  const Vec3 p = from_above_.T_map_world * point;
+  const Vec3 p = from_above_.T_map_world * Vec3(point + kLift_m * normal);
   const auto scale = static_cast<float>(from_above_.texels_per_metre);
   const float middle = 0.5F * static_cast<float>(from_above_.size - 1) + 0.5F;
   const float x = static_cast<float>(p.x()) * scale + middle;
@@ -134,15 +135,15 @@ float Lighting::openness(const Vec3& point) const {
   return 1 - 0.7F * blocked / static_cast<float>(kTaps.size());
 }
 
-Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo,
-                    float gloss) const {
+Rgb Lighting::shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo, float gloss,
+                    float openness) const {
   static const Rgb kSun = Rgb(1.0F, 0.93F, 0.82F) * 0.80F;
   static const Rgb kSky(0.40F, 0.43F, 0.48F);
   static const Rgb kGround(0.22F, 0.20F, 0.175F);
-  const Vec3 lifted = point + normal * 0.006;
+  const Vec3 lifted = point + kLift_m * normal;
   const auto facing = static_cast<float>(normal.dot(to_light_));
   const auto up = static_cast<float>(0.5 + 0.5 * normal.z());
-  Rgb light = (kGround + (kSky - kGround) * up) * openness(lifted);
+  Rgb light = (kGround + (kSky - kGround) * up) * openness;
   float highlight = 0;
   if (facing > 0) {
     const float sun = sunlit(lifted);

@@ -12,10 +12,14 @@ class Lighting {
   /// Shadows reach `radius` metres around `centre`; beyond, everything is lit.
   Lighting(const SyntheticScene& scene, const Vec3& centre, double radius);
 
+  /// How much of the room's light arrives at a surface point, 0..1: little in corners and under things.
+  /// Changes slowly along a surface.
+  [[nodiscard]] float openness(const Vec3& point, const Vec3& normal) const;
+
   /// Light that leaves a surface point towards the eye. World frame, unit vectors, `to_eye` away from the
   /// surface.
   [[nodiscard]] Rgb shade(const Vec3& point, const Vec3& normal, const Vec3& to_eye, const Rgb& albedo,
-                          float gloss) const;
+                          float gloss, float openness) const;
 
  private:
   /// A square depth image seen from above or from the light.
@@ -30,7 +34,6 @@ class Lighting {
                        int size);
   static DepthMap highestWithin(const DepthMap& map, double radius);
   [[nodiscard]] float sunlit(const Vec3& point) const;
-  [[nodiscard]] float openness(const Vec3& point) const;
 
   Vec3 to_light_;
   DepthMap from_light_;

@@ -23,8 +23,10 @@ Rgb mix(const Rgb& a, const Rgb& b, float t) { return a + (b - a) * t; }
 float noise(float x, float y, std::uint32_t seed) {
   const std::uint32_t ix = cell(x);
   const std::uint32_t iy = cell(y);
-  const float fx = smoothstep(0, 1, fraction(x));
-  const float fy = smoothstep(0, 1, fraction(y));
+  const float tx = fraction(x);
+  const float ty = fraction(y);
+  const float fx = tx * tx * (3 - 2 * tx);
+  const float fy = ty * ty * (3 - 2 * ty);
   const auto at = [&](std::uint32_t dx, std::uint32_t dy) {
     return hashUniform(hashBits(ix + dx, iy + dy, 7, seed));
   };

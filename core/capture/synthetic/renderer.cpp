@@ -27,6 +27,15 @@ std::uint8_t displayByte(float linear) {
   return kTable[static_cast<std::size_t>(std::clamp(soft * kSteps, 0.0F, kSteps - 1.0F))];
 }
 
+/// Neighbouring pixels of a row on one surface, which share what changes slowly.
+constexpr int kRun_px = 4;
+struct Run {
+  int part = -1;
+  int first_u = 0;
+  Vec3 normal = Vec3::Zero();
+  float openness = 1;
+};
+
 }  // namespace
 
 RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting, const Intrinsics& K,
@@ -47,6 +56,7 @@ RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting,
     frame.color = cv::Mat(K.height, K.width, CV_8UC3, cv::Scalar(216, 208, 200));
   }
   for (int v = 0; v < K.height; ++v) {
+    Run run;
     for (int u = 0; u < K.width; ++u) {
       const ViewCaster::Hit hit = caster.cast(u, v);
       if (!hit) {
@@ -72,8 +82,11 @@ RenderedFrame renderFrame(const SyntheticScene& scene, const Lighting* lighting,
       }
       const auto footprint = static_cast<float>(hit.z / K.fx / std::max(std::abs(facing), 0.2));
       const Vec3 point = eye + hit.z * ray;
+      if (hit.part != run.part || u - run.first_u >= kRun_px || normal.dot(run.normal) < 0.98) {
+        run = {hit.part, u, normal, lighting->openness(point, normal)};
+      }
       const Rgb light = lighting->shade(point, normal, to_eye, albedo(part.material, surface, footprint),
-                                        part.material.gloss);
+                                        part.material.gloss, run.openness);
       frame.color.at<cv::Vec3b>(v, u) = {displayByte(light[2]), displayByte(light[1]), displayByte(light[0])};
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -48,16 +49,16 @@ struct Bounds {
   [[nodiscard]] std::pair<double, double> crossing(const Ray& ray, double t_max) const {
     double enter = 0;
     double leave = t_max;
-    for (int axis = 0; axis < 3; ++axis) {
+    const auto cut = [&](int axis) {
       const double inverse = 1.0 / ray.direction[axis];
-      double a = (low[axis] - ray.origin[axis]) * inverse;
-      double b = (high[axis] - ray.origin[axis]) * inverse;
-      if (a > b) {
-        std::swap(a, b);
-      }
-      enter = a > enter ? a : enter;
-      leave = b < leave ? b : leave;
-    }
+      const double a = (low[axis] - ray.origin[axis]) * inverse;
+      const double b = (high[axis] - ray.origin[axis]) * inverse;
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    };
+    cut(0);
+    cut(1);
+    cut(2);
     return {enter, leave};
   }
 };

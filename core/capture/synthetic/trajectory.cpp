@@ -15,8 +15,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 /// Where the camera is and what its middle looks at.
 struct Gaze {
-  Vector3d eye;
-  Vector3d target;
+  Vector3d eye = Vector3d::Zero();
+  Vector3d target = Vector3d::Zero();
 };
 
 /// Uniform cubic B-spline through the neighbourhood of the points, one a `period_s`, forth and back for ever.

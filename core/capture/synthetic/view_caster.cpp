@@ -93,7 +93,7 @@ std::pair<double, double> ViewCaster::depthRange(const LinearRays& rays, const B
   std::array<Ray, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
     corners[i] = rays.at(tile_x * kTile + ((i & 1) != 0 ? kTile - 1 : 0),
-                         tile_y * kTile + ((i & 2) != 0 ? kTile - 1 : 0));
+                         tile_y * kTile + ((i & 2) != 0 ? kTile - 1 : 0), view_.parallel);
   }
   double nearest = 0;
   double farthest = kNoHit;
@@ -125,8 +125,8 @@ ViewCaster::Hit ViewCaster::cast(int u, int v) const {
     if (candidate.nearest_z >= best.z) {
       break;
     }
-    const ShapeHit hit =
-        scene_.parts()[candidate.part].shape->intersect(rays_[candidate.part].at(u, v), best.z);
+    const ShapeHit hit = scene_.parts()[candidate.part].shape->intersect(
+        rays_[candidate.part].at(u, v, view_.parallel), best.z);
     if (hit.t < best.z) {
       best = {hit.t, candidate.part, hit.part};
     }
@@ -135,7 +135,7 @@ ViewCaster::Hit ViewCaster::cast(int u, int v) const {
 }
 
 Vec3 ViewCaster::localPoint(const Hit& hit, int u, int v) const {
-  return rays_[static_cast<std::size_t>(hit.part)].at(u, v).at(hit.z);
+  return rays_[static_cast<std::size_t>(hit.part)].at(u, v, view_.parallel).at(hit.z);
 }
 
 }  // namespace scantrove::synthetic

@@ -37,8 +37,9 @@ class ViewCaster {
   struct LinearRays {  // origin and direction of the ray of (u, v): base + u * per_u + v * per_v
     Vec3 origin, origin_u, origin_v;
     Vec3 direction, direction_u, direction_v;
-    [[nodiscard]] Ray at(double u, double v) const {
-      return {origin + u * origin_u + v * origin_v, direction + u * direction_u + v * direction_v};
+    [[nodiscard]] Ray at(double u, double v, bool parallel) const {
+      return parallel ? Ray{origin + u * origin_u + v * origin_v, direction}
+                      : Ray{origin, direction + u * direction_u + v * direction_v};
     }
   };
   struct Candidate {
