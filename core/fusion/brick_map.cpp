@@ -82,7 +82,7 @@ int BrickMap::allocate(std::span<const Eigen::Vector3i> bricks) {
     if (d.index.slotOf(brick) != BRICK_NONE) continue;
     const int slot = old_count + static_cast<int>(fresh.size());
     changed_entries.push_back(d.index.insert(brick, slot));
-    changed_page_slots.push_back(d.pages.insert(brick, slot));
+    d.pages.insert(brick, slot, changed_page_slots);
     fresh.push_back(brick);
   }
   if (fresh.empty()) return 0;

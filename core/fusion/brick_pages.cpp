@@ -12,30 +12,49 @@ Eigen::Vector3i pageOf(const Eigen::Vector3i& brick) {
   return {brick.x() >> PAGE_SHIFT, brick.y() >> PAGE_SHIFT, brick.z() >> PAGE_SHIFT};
 }
 
+std::size_t localIndex(const Eigen::Vector3i& local) {
+  return static_cast<std::size_t>(local.x() + PAGE_SIDE * (local.y() + PAGE_SIDE * local.z()));
+}
+
 Eigen::Vector3i clampedPage(const Eigen::Vector3d& position) {
   return position.array().floor().max(-kLargestPage).min(kLargestPage).cast<int>();
 }
 
 }  // namespace
 
-BrickPages::BrickPages() : pages_(1), page_slots_(PAGE_BRICKS, BRICK_NONE) {}
+BrickPages::BrickPages() : pages_(1), page_slots_(PAGE_BRICKS, PAGE_EMPTY_CUBE(PAGE_SHIFT)) {}
 
-std::size_t BrickPages::insert(const Eigen::Vector3i& brick, int slot) {
+void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
   const Eigen::Vector3i position = pageOf(brick);
   int index = index_.slotOf(position);
   if (index == BRICK_NONE) {
     index = static_cast<int>(pages_.size());
     index_.insert(position, index);
     pages_.push_back({position, {}});
-    page_slots_.resize(page_slots_.size() + PAGE_BRICKS, BRICK_NONE);
+    page_slots_.resize(page_slots_.size() + PAGE_BRICKS, PAGE_EMPTY_CUBE(PAGE_SHIFT - 1));
   }
   const Eigen::Vector3i local = brick - PAGE_SIDE * position;
-  const std::size_t element =
-      static_cast<std::size_t>(index) * PAGE_BRICKS +
-      static_cast<std::size_t>(local.x() + PAGE_SIDE * (local.y() + PAGE_SIDE * local.z()));
+  const std::size_t page_start = static_cast<std::size_t>(index) * PAGE_BRICKS;
+  for (int level = PAGE_SHIFT - 1; level > 0; --level) keepEmptyBelow(level, page_start, local, changed);
+  const std::size_t element = page_start + localIndex(local);
   page_slots_[element] = slot;
+  changed.push_back(element);
   pages_[static_cast<std::size_t>(index)].slots.push_back(slot);
-  return element;
+}
+
+// The cube of (2^level)^3 bricks around `local` is no longer empty: its empty bricks may claim smaller cubes
+// only.
+void BrickPages::keepEmptyBelow(int level, std::size_t page_start, const Eigen::Vector3i& local,
+                                std::vector<std::size_t>& changed) {
+  const int side = 1 << level;
+  const Eigen::Vector3i first(local.x() & -side, local.y() & -side, local.z() & -side);
+  if (page_slots_[page_start + localIndex(local)] > PAGE_EMPTY_CUBE(level)) return;
+  for (int i = 0; i < side * side * side; ++i) {
+    const Eigen::Vector3i offset(i % side, i / side % side, i / (side * side));
+    const std::size_t element = page_start + localIndex(first + offset);
+    page_slots_[element] = PAGE_EMPTY_CUBE(level - 1);
+    changed.push_back(element);
+  }
 }
 
 std::vector<int> BrickPages::pagesInView(const ViewFrustum& frustum, double brick_size_m) const {

@@ -20,8 +20,9 @@ class BrickPages {
 
   BrickPages();
 
-  /// Adds a brick that is not yet there. Returns the index of the element of `pageSlots()` that was set.
-  std::size_t insert(const Eigen::Vector3i& brick, int slot);
+  /// Adds a brick that is not yet there. Appends the indices of the elements of `pageSlots()` that were set
+  /// to `changed`.
+  void insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
 
   /// Indices of the pages that the frustum meets, in a fixed order. `brick_size_m` is the side of a brick.
   [[nodiscard]] std::vector<int> pagesInView(const ViewFrustum& frustum, double brick_size_m) const;
@@ -32,6 +33,9 @@ class BrickPages {
   [[nodiscard]] std::span<const int> pageSlots() const { return page_slots_; }
 
  private:
+  void keepEmptyBelow(int level, std::size_t page_start, const Eigen::Vector3i& local,
+                      std::vector<std::size_t>& changed);
+
   BrickIndex index_;
   std::vector<Page> pages_;
   std::vector<int> page_slots_;

@@ -10,7 +10,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kTile = 8;                         // pixels; the tiles of reduce_depth_tiles
-constexpr std::size_t kRows = BRICK_VOXELS / 8;  // work-items of integrate_bricks for one brick
+constexpr std::size_t kRows = BRICK_VOXELS / 16;  // work-items of integrate_bricks for one brick
 
 constexpr std::size_t tiles(int pixels) { return static_cast<std::size_t>((pixels + kTile - 1) / kTile); }
 

@@ -12,8 +12,10 @@ struct IcpOutcome {
   int pixels = 0;    ///< of the finest level
 };
 
-/// Whether the pose may be trusted, with its figures. `jump`: from the prediction, `motion`: from the pose of
-/// the model; both frame to frame. No pose is called `tracking` that might corrupt the map.
-[[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion);
+/// Whether the pose may be trusted, with its figures. `motion`: from the pose of the model, in the camera's
+/// frame. `searched`: the pose was found by trying many guesses. A far motion and a search leave more room
+/// for a false minimum and so need more evidence: no pose is called `tracking` that might corrupt the map.
+[[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion,
+                                     bool searched);
 
 }  // namespace scantrove

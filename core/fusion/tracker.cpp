@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/base/check.h"
 #include "core/fusion/icp_pass.h"
@@ -11,16 +12,17 @@ namespace scantrove {
 namespace {
 
 // From the finest level to the coarsest; coarser pyramids use the first entries.
-constexpr std::array<int, 3> kPasses{4, 5, 10};
+constexpr std::array<int, 3> kPasses{6, 8, 14};
 constexpr std::array<float, 3> kDistance_m{0.05F, 0.07F, 0.10F};
-// A level has converged when a step is smaller than this.
-constexpr double kSmallStep_rad = 1e-4;
-constexpr double kSmallStep_m = 1e-4;
+// A level has converged when a step is smaller than this, in radians and metres.
+constexpr std::array<double, 3> kSmallStep{1e-4, 2e-4, 4e-4};
 // Mean squared cosine between the normals and a direction of motion below which the direction counts as free.
 constexpr double kSmallestEigenvalue = 0.002;
 // Predictions closer to each other than this lead to the same pose.
 constexpr double kSameGuess_rad = 0.005;
 constexpr double kSameGuess_m = 0.005;
+// The search after a failure turns the camera this far about each axis.
+constexpr double kSearch_rad = 0.10;
 
 Eigen::Isometry3d withExactRotation(Eigen::Isometry3d T) {
   T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
@@ -53,12 +55,12 @@ class Tracker::Machinery {
     SCANTROVE_CHECK(!frame.levels.empty());
     if (model.vertices_world.size() == 0) return {.T_world_camera = prediction};
     const std::size_t coarsest = std::min(frame.levels.size(), kPasses.size()) - 1;
-    IcpOutcome outcome = descendFromBestGuess(frame, model, prediction, coarsest);
-    for (std::size_t level = coarsest; level > 0; --level) {
-      outcome = descend(frame, model, outcome.T_world_camera, level - 1);
+    const IcpOutcome coarse = descendFromBestGuess(frame, model, prediction, coarsest);
+    PoseEstimate pose = finish(frame, model, coarse, coarsest, false);
+    if (pose.state != TrackingState::tracking && pose.free_directions == 0 && coarse.system.readings > 0) {
+      const PoseEstimate found = finish(frame, model, search(frame, model, coarsest), coarsest, true);
+      if (found.state == TrackingState::tracking) pose = found;
     }
-    outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
-    PoseEstimate pose = judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera);
     if (pose.state == TrackingState::lost) pose.T_world_camera = prediction;
     return pose;
   }
@@ -75,7 +77,7 @@ class Tracker::Machinery {
       outcome.step = solveIcp(outcome.system, kSmallestEigenvalue);
       if (!outcome.step.finite) break;
       outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
-      if (outcome.step.rotation_rad < kSmallStep_rad && outcome.step.translation_m < kSmallStep_m) break;
+      if (std::max(outcome.step.rotation_rad, outcome.step.translation_m) < kSmallStep[level]) break;
     }
     return outcome;
   }
@@ -89,6 +91,36 @@ class Tracker::Machinery {
     if (isSameGuess(prediction, model.T_world_camera)) return moving;
     const IcpOutcome resting = descend(frame, model, model.T_world_camera, coarsest);
     return costOf(resting.system, gate) < costOf(moving.system, gate) ? resting : moving;
+  }
+
+  /// The finer levels after the coarsest, and the verdict.
+  PoseEstimate finish(const DepthPyramid& frame, const SurfaceMaps& model, const IcpOutcome& coarse,
+                      std::size_t coarsest, bool searched) {
+    IcpOutcome outcome = coarse;
+    for (std::size_t level = coarsest; level > 0; --level) {
+      outcome = descend(frame, model, outcome.T_world_camera, level - 1);
+    }
+    outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
+    return judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera, searched);
+  }
+
+  /// The best of several turns of the camera at the model's pose: a hand's jerk is mostly rotation, and a
+  /// camera that was lost often comes back.
+  IcpOutcome search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest) {
+    const auto gate = static_cast<double>(kDistance_m[coarsest]);
+    IcpOutcome best;
+    double best_cost = std::numeric_limits<double>::max();
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double angle_rad : {-kSearch_rad, kSearch_rad}) {
+        const Eigen::Isometry3d turn(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::Unit(axis)));
+        IcpOutcome outcome = descend(frame, model, model.T_world_camera * turn, coarsest);
+        const double cost = costOf(outcome.system, gate);
+        if (cost >= best_cost) continue;
+        best_cost = cost;
+        best = std::move(outcome);
+      }
+    }
+    return best;
   }
 
   IcpPass pass_;

@@ -62,7 +62,6 @@ kernel void cast_rays(global const float2* ranges, const int width, const int he
     const int16 z = voxel_of(oz + t * dz);
     const int16 page = field_page(&field, x, y, z);
     const int16 slot = field_slot(&field, page, x, y, z);
-    const int16 side = page == PAGE_EMPTY ? PAGE_SIDE * BRICK_SIDE : BRICK_SIDE;
     int16 seen;
     now = field_voxel(&field, slot, x, y, z, &seen);
 
@@ -72,6 +71,7 @@ kernel void cast_rays(global const float2* ranges, const int width, const int he
     active &= ~(met_now | from_behind);
     float16 next = t + t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : UNSEEN_STEP);
     if (any16(active & (slot < 0))) {
+      const int16 side = (int16)BRICK_SIDE << (slot < 0 ? -1 - slot : 0);
       const float16 leave = fmin(leave_cube(ox, dx, inverse_x, x, side),
                                 fmin(leave_cube(oy, dy, inverse_y, y, side), leave_cube(oz, dz, inverse_z, z, side)));
       next = slot < 0 ? (leave > t ? leave : t) + BEHIND_FACE * t_voxel : next;
@@ -108,7 +108,7 @@ kernel void cast_rays(global const float2* ranges, const int width, const int he
       f0 = known ? f1 : f0;
       t1 = known ? t2 : t0;
     }
-    depth = met & (t1 > 0.0f) ? t1 : 0.0f;
+    depth = (met & (t1 > 0.0f)) ? t1 : 0.0f;
   }
   global float* out = depths + (v + PAD) * (8 * columns + 2 * PAD) + 8 * column + PAD;
   vstore8(depth.lo, 0, out);

@@ -55,7 +55,7 @@ kernel void list_missing_bricks(global const float* depth_m, const int width, co
       const int x = axis == 0 ? brick : (int)floor(b.ax + t * b.dx);
       const int y = axis == 1 ? brick : (int)floor(b.ay + t * b.dy);
       const int z_brick = axis == 2 ? brick : (int)floor(b.az + t * b.dz);
-      if (window_slot(cells, page_slots, window_size, x, y, z_brick) == BRICK_NONE) {
+      if (window_slot(cells, page_slots, window_size, x, y, z_brick) < 0) {
         list_brick(x, y, z_brick, seen, list, capacity, count);
       }
     }
