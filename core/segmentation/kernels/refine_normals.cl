@@ -1,17 +1,19 @@
 #include "core/compute/kernels/common.clh"
 #include "core/segmentation/kernels/window_layout.h"
 
-// Normals for segmentation, from the vertices alone: smooth on flat and convex surface, sharp where it is concave.
+// Normals for segmentation, from the vertices alone: smooth on flat and convex surface, sharp where it is
+// concave.
 //
-// A plane seen by a pinhole camera has an inverse depth that is linear in the pixel: 1/z = A (u - x) + B (v - y) + C
-// around pixel (x, y). A least-squares fit over a window, of the readings within `gate` of the centre's depth, gives the plane m . p = 1
-// with m = (A fx, B fy, C + A (cx - x) + B (cy - y)) in the camera frame and the normal -m / |m| towards the camera.
-// The rim's mean residual above the middle's says whether the surface is concave (a valley is nearer at its rim). There a
-// smoothing window would round off the very crease that eq. 3.5 is to find, so that there the pixel takes the plane of that window
-// around it that fits best (Kuwahara's filter); such a window lies on one side of the crease.
+// A plane seen by a pinhole camera has an inverse depth that is linear in the pixel: 1/z = A (u - x) + B (v
+// - y) + C around pixel (x, y). A least-squares fit over a window, of the readings within `gate` of the
+// centre's depth, gives the plane m . p = 1 with m = (A fx, B fy, C + A (cx - x) + B (cy - y)) in the
+// camera frame and the normal -m / |m| towards the camera. The rim's mean residual above the middle's says
+// whether the surface is concave (a valley is nearer at its rim). There a smoothing window would round off
+// the very crease that eq. 3.5 is to find, so that there the pixel takes the plane of that window around it
+// that fits best (Kuwahara's filter); such a window lies on one side of the crease.
 
-/// One work-item: one pixel. vertices: width * height float4 in the world, w = 0: none. depth_row: the row of
-/// T_camera_world that gives z. inverse_depth: 1 / z, 0 = none; the padding is not written.
+/// One work-item: one pixel. vertices: width * height float4 in the world, w = 0: none. depth_row: the row
+/// of T_camera_world that gives z. inverse_depth: 1 / z, 0 = none; the padding is not written.
 kernel void invert_depth(global const float4* vertices, global float* inverse_depth, const int width, const int height,
                          const float4 depth_row) {
   const int x = get_global_id(0);
@@ -23,10 +25,11 @@ kernel void invert_depth(global const float4* vertices, global float* inverse_de
   inverse_depth[(y + WINDOW_RADIUS) * WINDOW_STRIDE(width) + x + WINDOW_RADIUS] = valid ? 1.0f / z : 0.0f;
 }
 
-/// One work-item: the windows around WINDOW_LANES pixels in a row, in explicit vectors (the compiler does not make them by itself here:
-/// 5 times slower). planes: four images of height rows of `WINDOW_STRIDE`: the normal's x, y, z in the camera frame and the window's RMS
-/// distance from its plane in metres, FLT_MAX where there are too few readings. concavity: the same shape, metres by which the
-/// rim stands out above the middle. What is written right of the image means nothing.
+/// One work-item: the windows around WINDOW_LANES pixels in a row, in explicit vectors (the compiler does
+/// not make them by itself here: 11 times slower). planes: four images of height rows of `WINDOW_STRIDE`:
+/// the normal's x, y, z in the camera frame and the window's RMS distance from its plane in metres, FLT_MAX
+/// where there are too few readings. concavity: the same shape, metres by which the rim stands out above
+/// the middle. What is written right of the image means nothing.
 kernel void fit_planes(global const float* restrict inverse_depth, global float* restrict planes,
                        global float* restrict concavity, const int width, const int height, const float4 K,
                        const float gate) {
@@ -94,7 +97,8 @@ kernel void fit_planes(global const float* restrict inverse_depth, global float*
   vstore16(rise, 0, concavity + target);
 }
 
-/// One work-item: the normal of one pixel, in the world: (x, y, z, 1), or all 0 where no window around it fits.
+/// One work-item: the normal of one pixel, in the world: (x, y, z, 1), or all 0 where no window around it
+/// fits.
 kernel void choose_normals(global const float* restrict inverse_depth, global const float* restrict planes,
                            global const float* restrict concavity, global float4* restrict normals, const int width,
                            const int height, const float16 T_world_camera, const float gate, const float concave_from) {

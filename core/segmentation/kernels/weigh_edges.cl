@@ -6,14 +6,14 @@
 //            (1 - n_i . n_j)^2  if closer and (v_j - v_i) . n_j > 0   (convex)
 //            1 - n_i . n_j      otherwise                             (concave)
 //
-// with unit normals towards the camera, j the forward neighbour of i, and
-// d_max = max(distance_factor * min(z_i, z_j) / f, min_distance). 1 - n_i . n_j is computed as |n_i - n_j|^2 / 2, which for unit
-// vectors is the same and keeps its precision near 0.
+// with unit normals towards the camera, j the forward neighbour of i, and d_max = max(distance_factor *
+// min(z_i, z_j) / f, min_distance). 1 - n_i . n_j is computed as |n_i - n_j|^2 / 2, which for unit vectors
+// is the same and keeps its precision near 0.
 //
-// One work-item: one pixel i and its forward edges. vertices, normals: width * height float4, w = 0 or anything not
-// finite: no such pixel. depth_row: the row of T_camera_world that gives z. keys: width * height ushort4 in the order of the
-// directions; edges that leave the image or meet a missing pixel are EDGE_NEVER. depths: z in metres where
-// vertex and normal exist, else 0.
+// One work-item: one pixel i and its forward edges. vertices, normals: width * height float4, w = 0 or
+// anything not finite: no such pixel. depth_row: the row of T_camera_world that gives z. keys: width *
+// height ushort4 in the order of the directions; edges that leave the image or meet a missing pixel are
+// EDGE_NEVER. depths: z in metres where vertex and normal exist, else 0.
 
 inline bool is_point(const float4 v, const float4 n) {
   return v.w > 0.0f && n.w > 0.0f && dot(v.xyz, v.xyz) < 1e12f && dot(n.xyz, n.xyz) > 0.5f && dot(n.xyz, n.xyz) < 2.0f;

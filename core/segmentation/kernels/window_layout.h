@@ -1,7 +1,8 @@
 // The padded images of refine_normals.cl, shared by host (C++) and device (OpenCL C).
 //
-// Windows have (2 WINDOW_RADIUS + 1)^2 pixels. An image of inverse depths has WINDOW_RADIUS zeros on each side and its rows are
-// filled up with zeros to WINDOW_STRIDE elements, so that a vector of WINDOW_LANES windows needs no test of its bounds.
+// Windows have (2 WINDOW_RADIUS + 1)^2 pixels. An image of inverse depths has WINDOW_RADIUS zeros on each
+// side and its rows are filled up with zeros to WINDOW_STRIDE elements, so that a vector of WINDOW_LANES
+// windows needs no test of its bounds.
 #ifndef SCANTROVE_WINDOW_LAYOUT_H
 #define SCANTROVE_WINDOW_LAYOUT_H
 
