@@ -1,0 +1,84 @@
+// The dense map on the kitchen recording with its own poses, after so many frames: what integrating that
+// frame again and casting its view cost. The map's cost follows the view, so the numbers may differ by what
+// is seen, not by how much was scanned. Wall time is on however many cores the device has; CPU time is the
+// process's.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/capture/open_source.h"
+#include "core/fusion/dense_map.h"
+#include "core/fusion/depth_preprocessor.h"
+
+namespace {
+
+using namespace scantrove;
+
+std::string kitchen() {
+  const char* const given = std::getenv("SCANTROVE_DATA");
+  const std::filesystem::path folder =
+      given != nullptr ? std::filesystem::path(given)
+                       : std::filesystem::path(SCANTROVE_SOURCE_DIR) / ".." / "shared/data";
+  return (folder / "kitchen").string();
+}
+
+ComputeContext& device() {
+  static auto compute = ComputeContext::create({});
+  return **compute;
+}
+
+/// The map after some frames of the recording, ready to take the last of them once more.
+struct Scan {
+  std::unique_ptr<DepthPreprocessor> preprocessor;
+  std::unique_ptr<DenseMap> map;
+  DepthPyramid frame;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+
+bool fuse(benchmark::State& state, Scan& scan) {
+  auto source = openSource(kitchen(), {});
+  if (!source) {
+    state.SkipWithError(source.error().message().c_str());
+    return false;
+  }
+  const FusionParams params;
+  scan.preprocessor = std::move(*DepthPreprocessor::create(device(), (*source)->info().intrinsics, params));
+  scan.map = std::move(*DenseMap::create(device(), params));
+  for (int i = 0; i < state.range(0);) {
+    const FrameRead read = (*source)->next();
+    if (read.status == FrameRead::Status::end) break;
+    if (read.status != FrameRead::Status::frame || !read.frame.T_world_camera) continue;
+    scan.frame = scan.preprocessor->process(read.frame);
+    scan.T_world_camera = *read.frame.T_world_camera;
+    scan.map->integrate(scan.frame, scan.T_world_camera);
+    ++i;
+  }
+  return true;
+}
+
+void integrate(benchmark::State& state) {
+  Scan scan;
+  if (!fuse(state, scan)) return;
+  for (auto _ : state) {
+    scan.map->integrate(scan.frame, scan.T_world_camera);
+    device().finish();
+  }
+  state.counters["bricks"] = scan.map->bricks().brickCount();
+}
+BENCHMARK(integrate)->Arg(50)->Arg(480)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+    benchmark::kMillisecond);
+
+void raycast(benchmark::State& state) {
+  Scan scan;
+  if (!fuse(state, scan)) return;
+  SurfaceMaps surface;
+  for (auto _ : state) {
+    scan.map->raycast(scan.T_world_camera, scan.frame.K.resizedTo(320, 240), surface);
+    device().finish();
+  }
+  state.counters["bricks"] = scan.map->bricks().brickCount();
+}
+BENCHMARK(raycast)->Arg(50)->Arg(480)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
