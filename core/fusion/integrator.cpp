@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kTile = 8;                         // pixels; the tiles of reduce_depth_tiles
+constexpr int kTile = 8;                          // pixels; the tiles of reduce_depth_tiles
 constexpr std::size_t kRows = BRICK_VOXELS / 16;  // work-items of integrate_bricks for one brick
 
 constexpr std::size_t tiles(int pixels) { return static_cast<std::size_t>((pixels + kTile - 1) / kTile); }
@@ -57,11 +57,11 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
 
   const cl::NDRange tile_grid(tiles(frame.K.width), tiles(frame.K.height));
   const std::size_t tile_count = tile_grid.get()[0] * tile_grid.get()[1];
-  if (farthest_.size() < tile_count) farthest_ = Buffer<cl_float>(compute_->context(), tile_count);
+  if (extents_.size() < tile_count) extents_ = Buffer<cl_float2>(compute_->context(), tile_count);
   reduce_depth_tiles_.launch(tile_grid, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height,
-                             params_.max_depth_m, farthest_);
+                             params_.max_depth_m, extents_);
   select_bricks_.launch(cl::NDRange(slots.size()), cl::NDRange(64), bricks_, count, T, K, frame.K.width,
-                        frame.K.height, farthest_, truncation_m, selected_);
+                        frame.K.height, extents_, truncation_m, selected_);
   integrate_bricks_.launch(cl::NDRange(slots.size() * kRows), cl::NDRange(kRows), bricks_, count, selected_,
                            T, K, frame.K.width, frame.K.height, frame.depth_m, params_.max_depth_m,
                            truncation_m, max_weight, map.voxels());

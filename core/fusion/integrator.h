@@ -28,7 +28,7 @@ class Integrator {
   Kernel reduce_depth_tiles_;
   Kernel select_bricks_;
   Kernel integrate_bricks_;
-  Buffer<cl_float> farthest_;
+  Buffer<cl_float2> extents_;
   Buffer<cl_int4> bricks_;
   Buffer<cl_uchar> selected_;
   std::vector<cl_int4> host_bricks_;

@@ -24,8 +24,8 @@ struct Evidence {
   double inlier_fraction;
   double residual_m;  ///< root mean square over the inliers, in units of the noise (1 + noise_per_z2 z^2)
 };
-constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.55, .residual_m = 0.0100};
-constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.72, .residual_m = 0.0090};
+constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual_m = 0.0115};
+constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual_m = 0.0090};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual_m = 0.0070};
 constexpr double kFar_rad = 0.07;
 constexpr double kFar_m = 0.08;

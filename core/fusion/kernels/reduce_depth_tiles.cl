@@ -1,9 +1,10 @@
-// farthest(tile) = the largest depth reading of a tile of TILE x TILE pixels (a build option), 0 where it has none.
+// extent(tile) = (smallest, largest) depth reading of a tile of TILE x TILE pixels (a build option); smallest is 0 where a pixel
+// has none, largest is 0 where all have none.
 //
-// One work-item: one tile. depth_m: width * height metres, readings beyond max_depth_m do not count. farthest: one float a tile,
-// row by row, ceil(width / TILE) a row.
+// One work-item: one tile. depth_m: width * height metres, only what lies in (0, max_depth_m] is a reading. extents: one pair a
+// tile, row by row, ceil(width / TILE) a row.
 kernel void reduce_depth_tiles(global const float* depth_m, const int width, const int height, const float max_depth_m,
-                               global float* farthest) {
+                               global float2* extents) {
   const int tiles_x = (width + TILE - 1) / TILE;
   const int tx = (int)get_global_id(0);
   const int ty = (int)get_global_id(1);
@@ -11,11 +12,14 @@ kernel void reduce_depth_tiles(global const float* depth_m, const int width, con
   const int right = min(width, (tx + 1) * TILE);
   const int bottom = min(height, (ty + 1) * TILE);
   float largest = 0.0f;
+  float smallest = max_depth_m;
   for (int v = ty * TILE; v < bottom; ++v) {
     for (int u = tx * TILE; u < right; ++u) {
-      const float z = depth_m[v * width + u];
-      largest = (z > largest && z <= max_depth_m) ? z : largest;
+      const float reading = depth_m[v * width + u];
+      const float z = (reading > 0.0f && reading <= max_depth_m) ? reading : 0.0f;
+      largest = z > largest ? z : largest;
+      smallest = z < smallest ? z : smallest;
     }
   }
-  farthest[ty * tiles_x + tx] = largest;
+  extents[ty * tiles_x + tx] = (float2)(smallest, largest);
 }

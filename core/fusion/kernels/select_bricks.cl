@@ -1,9 +1,9 @@
-// selected(brick) = 1 if a depth reading may change one of its voxels, 0 if it is hidden wholly behind what the image shows, out
-// of sight or where there is no reading: compares the depth of the brick's nearest corner with the farthest readings of the
-// tiles that its corners' image spans.
+// selected(brick) = 0 if no depth reading can change its voxels: it is hidden wholly behind what the image shows, out of sight or
+// where there is no reading; 2 if every voxel certainly lies a truncation or more in front of a reading; else 1. Compares the
+// depths of the brick's corners with the readings of the tiles that their image spans.
 //
 // One work-item: one brick, its corners in a float8. bricks: brick_count of (x, y, z, slot), counted from the window's first
-// brick. T_camera_window: voxels from the window's first to camera metres. farthest: see reduce_depth_tiles (TILE is a build
+// brick. T_camera_window: voxels from the window's first to camera metres. extents: see reduce_depth_tiles (TILE is a build
 // option of both). selected: brick_count.
 #define NEAR_M 0.01f
 
@@ -13,7 +13,7 @@ inline float smallest(const float8 a) {
 }
 
 kernel void select_bricks(global const int4* bricks, const int brick_count, const float16 T_camera_window,
-                          const float4 K, const int width, const int height, global const float* farthest,
+                          const float4 K, const int width, const int height, global const float2* extents,
                           const float truncation_m, global uchar* selected) {
   const int i = (int)get_global_id(0);
   if (i >= brick_count) return;
@@ -35,19 +35,22 @@ kernel void select_bricks(global const int4* bricks, const int brick_count, cons
   const float right = -smallest(-u);
   const float top = smallest(v);
   const float bottom = -smallest(-v);
-  int found = 0;
+  const float farthest = -smallest(-camera_z);
+  int reached = 0;
+  int in_front = left >= 0.0f && right < (float)width && top >= 0.0f && bottom < (float)height;
   if (right >= 0.0f && left < (float)width && bottom >= 0.0f && top < (float)height) {
     const int tiles_x = (width + TILE - 1) / TILE;
     const int first_x = (int)fmax(left, 0.0f) / TILE;
     const int first_y = (int)fmax(top, 0.0f) / TILE;
     const int last_x = (int)fmin(right, (float)(width - 1)) / TILE;
     const int last_y = (int)fmin(bottom, (float)(height - 1)) / TILE;
-    for (int ty = first_y; ty <= last_y && !found; ++ty) {
-      for (int tx = first_x; tx <= last_x && !found; ++tx) {
-        const float reading = farthest[ty * tiles_x + tx];
-        found = reading > 0.0f && reading > nearest - truncation_m;
+    for (int ty = first_y; ty <= last_y; ++ty) {
+      for (int tx = first_x; tx <= last_x; ++tx) {
+        const float2 extent = extents[ty * tiles_x + tx];
+        reached |= extent.y > 0.0f && extent.y > nearest - truncation_m;
+        in_front &= extent.x > farthest + truncation_m;
       }
     }
   }
-  selected[i] = (uchar)found;
+  selected[i] = reached ? (in_front ? 2 : 1) : 0;
 }
