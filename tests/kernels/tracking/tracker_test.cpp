@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/icp_pass.h"
 #include "core/fusion/motion_prediction.h"
@@ -128,6 +130,35 @@ TEST(Tracker, PoseDoesNotSlideInAPlane) {
     const Eigen::Vector3d error = found.T_world_camera.translation() - truth.translation();
     EXPECT_LT((moved - normal * normal.dot(moved)).norm(), 0.0005) << "slid in the plane";
     EXPECT_LT(std::abs(normal.dot(error)), 0.001) << "the plane's own direction is determined";
+  });
+}
+
+TEST(Tracker, NoiseOnAPlaneDeterminesNothing) {
+  onEachDevice([](ComputeContext& compute) {
+    AnalyticScene scene;
+    scene.plane({0, 0, 1.5}, {0.1, 0.5, -1});
+    Rig rig(compute);
+    SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    std::mt19937 random(1);
+    std::normal_distribution<float> lean(0.0F, 0.035F);  // 2 degrees
+    std::vector<cl_float4> normals = model.normals_world.read(compute.queue());
+    for (cl_float4& n : normals) {
+      Eigen::Vector3f leaning(n.s[0] + lean(random), n.s[1] + lean(random), n.s[2] + lean(random));
+      leaning.normalize();
+      n = {{leaning.x(), leaning.y(), leaning.z(), 1}};
+    }
+    model.normals_world.write(compute.queue(), normals);
+    RgbdFrame frame = scene.frame(kKinect, Eigen::Isometry3d::Identity());
+    std::uniform_int_distribution<int> noise(-15, 15);  // of 0.2 mm
+    for (int i = 0; i < 640 * 480; ++i) {
+      auto& units = frame.depth.at<std::uint16_t>(i / 640, i % 640);
+      if (units > 0) units = static_cast<std::uint16_t>(units + noise(random));
+    }
+    const Eigen::Isometry3d prediction = pose(0, 0, 0, 0.02, 0.01, 0);
+    const PoseEstimate found = rig.tracker->track(rig.preprocessor->process(frame), model, prediction);
+    EXPECT_EQ(found.free_directions, 3);
+    EXPECT_FALSE(found.usable());
+    EXPECT_NEAR(found.T_world_camera.translation().x(), 0.02, 0.002);
   });
 }
 
