@@ -110,7 +110,8 @@ void MainWindow::usualArrangement() {
   addDockWidget(Qt::LeftDockWidgetArea, params_dock_);
   splitDockWidget(objects_dock_, params_dock_, Qt::Vertical);
   addDockWidget(Qt::RightDockWidgetArea, frames_dock_);
-  resizeDocks({objects_dock_, frames_dock_}, {290, width() < 1400 ? 360 : 440}, Qt::Horizontal);
+  resizeDocks({objects_dock_, frames_dock_}, {width() < 1400 ? 250 : 290, width() < 1400 ? 370 : 480},
+              Qt::Horizontal);
   resizeDocks({objects_dock_, params_dock_}, {1000, 130}, Qt::Vertical);
 }
 

@@ -115,7 +115,7 @@ bool CatalogueEditor::remove(const std::vector<ObjectId>& objects) {
       return {};
     };
   };
-  return perform(tr("Delete %n object(s)", nullptr, static_cast<int>(objects.size())),
+  return perform(objects.size() == 1 ? tr("Delete object") : tr("Delete %1 objects").arg(objects.size()),
                  for_all(&ObjectDatabase::remove), for_all(&ObjectDatabase::restore));
 }
 
@@ -130,8 +130,8 @@ bool CatalogueEditor::merge(const std::vector<ObjectId>& objects) {
       return {};
     });
   };
-  return perform(tr("Merge %n objects", nullptr, static_cast<int>(objects.size())),
-                 into_first(&ObjectDatabase::merge, false), into_first(&ObjectDatabase::unmerge, true));
+  return perform(tr("Merge %1 objects").arg(objects.size()), into_first(&ObjectDatabase::merge, false),
+                 into_first(&ObjectDatabase::unmerge, true));
 }
 
 QString defaultCatalogueFile() {

@@ -6,6 +6,10 @@
 
 namespace scantrove {
 
+QString viewsInWords(int views) {
+  return views == 1 ? ObjectListModel::tr("1 view") : ObjectListModel::tr("%1 views").arg(views);
+}
+
 QImage viewPicture(const ObjectView& view) {
   const cv::Mat& color = view.color;
   if (color.empty() || color.type() != CV_8UC3) return {};
@@ -42,7 +46,7 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
   const ObjectRecord& record = row.record;
   const auto size_text = [&record] {
     const auto cm = [](float metres) { return QString::number(std::lround(100 * metres)); };
-    return tr("%1 × %2 × %3 cm").arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
+    return tr("%1×%2×%3 cm").arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
   };
   switch (role) {
     case Qt::DisplayRole:
@@ -51,11 +55,12 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
       return row.thumbnail;
     case Qt::AccessibleTextRole:
-      return tr("%1, %2, %n view(s)", nullptr, record.views)
-          .arg(QString::fromStdString(record.name), record.confirmed ? tr("confirmed") : tr("not confirmed"));
+      return tr("%1, %2, %3")
+          .arg(QString::fromStdString(record.name), record.confirmed ? tr("confirmed") : tr("not confirmed"),
+               viewsInWords(record.views));
     case Qt::ToolTipRole:
-      return tr("<b>%1</b><br>%2, %n view(s)<br>First seen in: %3<br>%4", nullptr, record.views)
-          .arg(QString::fromStdString(record.name).toHtmlEscaped(), size_text(),
+      return tr("<b>%1</b><br>%2, %3<br>First seen in: %4<br>%5")
+          .arg(QString::fromStdString(record.name).toHtmlEscaped(), size_text(), viewsInWords(record.views),
                QString::fromStdString(record.first_session_name).toHtmlEscaped(),
                record.confirmed ? tr("Confirmed") : tr("Not yet confirmed: F2 names it, Return confirms it"));
     case ObjectIdRole:

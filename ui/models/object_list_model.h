@@ -18,7 +18,7 @@ class ObjectListModel : public QAbstractListModel {
     ObjectIdRole = Qt::UserRole + 1,
     ConfirmedRole,
     ViewCountRole,
-    SizeTextRole,    ///< "12 × 9 × 8 cm"
+    SizeTextRole,    ///< "12×9×8 cm"
     InViewRole,      ///< seen in the frame shown now
     RecognisedRole,  ///< known before this scan and met in it
     AddedNowRole,    ///< added by this scan
@@ -60,6 +60,9 @@ class ObjectListModel : public QAbstractListModel {
   std::set<ObjectId> added_;
   std::set<ObjectId> recognised_;
 };
+
+/// "1 view", "7 views".
+[[nodiscard]] QString viewsInWords(int views);
 
 /// The view's crop with what is not the object dimmed; for lists.
 [[nodiscard]] QImage viewPicture(const ObjectView& view);

@@ -35,8 +35,7 @@ void paintPicture(QPainter* painter, const QRect& rect, const QImage& picture, c
   painter->restore();
 }
 
-/// Returns the chip's width.
-int paintTag(QPainter* painter, const QPoint& left_centre, const QString& text, const QColor& color) {
+void paintTag(QPainter* painter, const QPoint& left_centre, const QString& text, const QColor& color) {
   QFont font = painter->font();
   font.setPointSizeF(font.pointSizeF() * 0.82);
   font.setWeight(QFont::DemiBold);
@@ -51,7 +50,6 @@ int paintTag(QPainter* painter, const QPoint& left_centre, const QString& text, 
   painter->drawRoundedRect(chip, chip.height() / 2.0, chip.height() / 2.0);
   painter->setPen(color);
   painter->drawText(chip, Qt::AlignCenter, text);
-  return chip.width();
 }
 
 }  // namespace
@@ -87,27 +85,26 @@ void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   bold.setWeight(QFont::DemiBold);
   painter->setFont(bold);
   painter->setPen(option.palette.color(QPalette::Text));
-  const QString name =
-      QFontMetrics(bold).elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, text.width());
+  const bool recognised = index.data(ObjectListModel::RecognisedRole).toBool();
+  const bool tagged = recognised || index.data(ObjectListModel::AddedNowRole).toBool();
+  const QFontMetrics metrics(bold);
+  const QString name = metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight,
+                                          text.width() - (tagged ? 52 : 0));
   painter->drawText(text.adjusted(0, 12, 0, 0), Qt::AlignLeft | Qt::AlignTop, name);
+  if (tagged) {
+    const QPoint left(text.left() + metrics.horizontalAdvance(name) + 8,
+                      text.top() + 13 + metrics.height() / 2);
+    paintTag(painter, left, recognised ? tr("known") : tr("new"), recognised ? colors.info : colors.warning);
+  }
 
   QFont small = option.font;
   small.setPointSizeF(option.font.pointSizeF() * 0.88);
   painter->setFont(small);
   painter->setPen(colors.muted_text);
-  const int views = index.data(ObjectListModel::ViewCountRole).toInt();
-  const int second_line = card.bottom() - 22;
-  int x = text.left();
-  const bool recognised = index.data(ObjectListModel::RecognisedRole).toBool();
-  if (recognised || index.data(ObjectListModel::AddedNowRole).toBool()) {
-    x += 6 + paintTag(painter, {x, second_line + 1}, recognised ? tr("known") : tr("new"),
-                      recognised ? colors.info : colors.warning);
-    painter->setFont(small);
-    painter->setPen(colors.muted_text);
-  }
-  const QString details = QStringLiteral("%1 · %2").arg(tr("%n view(s)", nullptr, views),
-                                                        index.data(ObjectListModel::SizeTextRole).toString());
-  const QRect line(x, second_line - 10, card.right() - kPadding - x, 22);
+  const QString details =
+      QStringLiteral("%1 · %2").arg(viewsInWords(index.data(ObjectListModel::ViewCountRole).toInt()),
+                                    index.data(ObjectListModel::SizeTextRole).toString());
+  const QRect line(text.left(), card.bottom() - 32, card.right() - kPadding - text.left(), 22);
   painter->drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
                     QFontMetrics(small).elidedText(details, Qt::ElideRight, line.width()));
 

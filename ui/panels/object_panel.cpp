@@ -155,9 +155,8 @@ void ObjectPanel::updateSelection() {
                                                                    : tr("&Confirm"));
   details_->setVisible(any);
   strip_->setVisible(record != nullptr);
-  selected_name_->setText(record != nullptr
-                              ? QString::fromStdString(record->name)
-                              : tr("%n objects selected", nullptr, static_cast<int>(chosen.size())));
+  selected_name_->setText(record != nullptr ? QString::fromStdString(record->name)
+                                            : tr("%1 objects selected").arg(chosen.size()));
   const ObjectId object = record != nullptr ? record->id : ObjectId{};
   const int views = record != nullptr ? record->views : -1;
   if (object == shown_ && views == shown_views_) return;

@@ -20,7 +20,7 @@ namespace scantrove {
 namespace {
 
 // The slider is logarithmic: 100 steps a decade.
-constexpr double kLowestK = 0.001;
+constexpr double kLowestK = 0.01;
 constexpr int kStepsPerDecade = 100;
 constexpr int kSteps = 300;
 

@@ -2,15 +2,23 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace scantrove {
 namespace {
 
 constexpr float kBrickVoxels = 8;
-constexpr float kAmbient = 0.56F;
+constexpr float kAmbient = 0.58F;
 constexpr std::size_t kMinPoints = 5;
+constexpr float kMinWeight = 2;
+constexpr float kReach = 0.14F;        ///< of the Gaussian, squared, in bricks
+constexpr float kSameSurface = 0.82F;  ///< cosine of the angle up to which normals are averaged
+
+Eigen::Vector3f cellCentre(std::size_t cell) {
+  return {(cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
+          (cell & 4U) != 0 ? 0.75F : 0.25F};
+}
 
 struct Moments {
   float weight = 0;
@@ -24,7 +32,6 @@ struct Moments {
   }
 
   [[nodiscard]] Eigen::Vector3f normal() const {
-    if (!(weight > 0)) return Eigen::Vector3f::Zero();
     const Eigen::Vector3f mean = sum / weight;
     const Eigen::Matrix3f covariance = squares / weight - mean * mean.transpose();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
@@ -33,7 +40,7 @@ struct Moments {
   }
 };
 
-/// Brightness 0..1 of a surface seen from either side: a key light and a weaker one from across.
+/// A key light, and a weaker one from across.
 float brightness(const Eigen::Vector3f& normal) {
   static const Eigen::Vector3f key = Eigen::Vector3f(0.45F, -0.80F, -0.40F).normalized();
   static const Eigen::Vector3f fill = Eigen::Vector3f(-0.70F, -0.10F, -0.70F).normalized();
@@ -41,49 +48,75 @@ float brightness(const Eigen::Vector3f& normal) {
   return kAmbient + (1 - kAmbient) * std::min(1.0F, 1.25F * lit);
 }
 
+/// The normal of a cell at (x, y, z) counted in cells from the middle brick's corner, -2 <= x < 4.
+Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
+  const auto brick_of = [](int cell) { return static_cast<std::size_t>((cell + 2) / 2); };
+  const CellNormals* cells = bricks[brick_of(x) + 3 * brick_of(y) + 9 * brick_of(z)];
+  if (cells == nullptr) return Eigen::Vector3f::Zero();
+  const auto in_brick = [](int cell) { return static_cast<std::size_t>((cell + 2) % 2); };
+  return (*cells)[in_brick(x) + 2 * in_brick(y) + 4 * in_brick(z)];
+}
+
 }  // namespace
 
-BrickShading shadeBrick(const CloudBrick& brick, float voxel_size_m) {
-  const std::vector<CloudBrick::Point>& points = brick.points;
-  BrickShading result;
-  result.shade.assign(points.size(), static_cast<std::uint8_t>(200));
-  if (points.size() < kMinPoints) return result;
-
+CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m) {
+  CellNormals normals;
+  normals.fill(Eigen::Vector3f::Zero());
+  if (brick.points.size() < kMinPoints) return normals;
   // In bricks, from the brick's corner: 0..1, which also keeps the sums well conditioned.
-  std::vector<Eigen::Vector3f> local(points.size());
   const float brick_m = kBrickVoxels * voxel_size_m;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    local[i] =
-        Eigen::Vector3f(points[i].x, points[i].y, points[i].z) / brick_m - brick.position.cast<float>();
-  }
-
-  Moments whole;
   std::array<Moments, 8> cells;
-  for (const Eigen::Vector3f& p : local) {
-    whole.add(p, 1);
+  for (const CloudBrick::Point& point : brick.points) {
+    const Eigen::Vector3f p =
+        Eigen::Vector3f(point.x, point.y, point.z) / brick_m - brick.position.cast<float>();
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-      const Eigen::Vector3f centre((cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
-                                   (cell & 4U) != 0 ? 0.75F : 0.25F);
-      cells[cell].add(p, std::exp(-(p - centre).squaredNorm() / 0.09F));
+      cells[cell].add(p, std::exp(-(p - cellCentre(cell)).squaredNorm() / kReach));
     }
   }
-  result.normal = whole.normal() * static_cast<float>(points.size());
-
-  std::array<float, 8> light{};
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    light[cell] = brightness(cells[cell].weight > 2 ? cells[cell].normal() : whole.normal());
+    if (cells[cell].weight > kMinWeight) normals[cell] = cells[cell].weight * cells[cell].normal();
   }
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    // Trilinear between the cell centres, so that no cell edges show.
-    const Eigen::Vector3f t = (2 * local[i].array() - 0.5F).cwiseMax(0.0F).cwiseMin(1.0F);
-    float value = 0;
-    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-      value += light[cell] * ((cell & 1U) != 0 ? t.x() : 1 - t.x()) * ((cell & 2U) != 0 ? t.y() : 1 - t.y()) *
-               ((cell & 4U) != 0 ? t.z() : 1 - t.z());
+  return normals;
+}
+
+CellLight cellLight(const Neighbourhood& bricks) {
+  CellLight light{};
+  for (int cell = 0; cell < 8; ++cell) {
+    const int cx = cell & 1;
+    const int cy = (cell >> 1) & 1;
+    const int cz = cell >> 2;
+    const Eigen::Vector3f own = normalAt(bricks, cx, cy, cz);
+    const float own_length = own.norm();
+    Eigen::Vector3f sum = 2 * own;
+    for (int dz = -1; own_length > 0 && dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Eigen::Vector3f other = normalAt(bricks, cx + dx, cy + dy, cz + dz);
+          const float along = other.dot(own);
+          if (std::abs(along) < kSameSurface * own_length * other.norm()) continue;
+          sum += along >= 0 ? other : Eigen::Vector3f(-other);
+        }
+      }
     }
-    result.shade[i] = static_cast<std::uint8_t>(std::clamp(255 * value, 0.0F, 255.0F));
+    light[static_cast<std::size_t>(cell)] = own_length > 0 ? brightness(sum.normalized()) : 0.8F;
   }
-  return result;
+  return light;
+}
+
+float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick) {
+  const Eigen::Vector3f t = (2 * in_brick.array() - 0.5F).cwiseMax(0.0F).cwiseMin(1.0F);
+  float value = 0;
+  for (std::size_t cell = 0; cell < light.size(); ++cell) {
+    value += light[cell] * ((cell & 1U) != 0 ? t.x() : 1 - t.x()) * ((cell & 2U) != 0 ? t.y() : 1 - t.y()) *
+             ((cell & 4U) != 0 ? t.z() : 1 - t.z());
+  }
+  return value;
+}
+
+Eigen::Vector3f mainNormal(const CellNormals& cells) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& normal : cells) sum += normal.dot(sum) >= 0 ? normal : Eigen::Vector3f(-normal);
+  return sum;
 }
 
 }  // namespace scantrove

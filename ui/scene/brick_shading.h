@@ -1,21 +1,32 @@
 #pragma once
 #include <Eigen/Core>
-#include <cstdint>
-#include <vector>
+#include <array>
+#include <cstddef>
 
 #include "core/scan/scan_snapshot.h"
 
 namespace scantrove {
 
-struct BrickShading {
-  std::vector<std::uint8_t> shade;  ///< one for each point, 255 = fully lit
-  Eigen::Vector3f normal =
-      Eigen::Vector3f::Zero();  ///< of the whole brick, length = number of points, sign arbitrary
-};
+/// Surface normals at the centres of a brick's 2 x 2 x 2 cells, cell x + 2 y + 4 z; length = how many points
+/// stand behind it, zero where there are hardly any, sign arbitrary.
+using CellNormals = std::array<Eigen::Vector3f, 8>;
+/// Brightness 0..1 at the same places.
+using CellLight = std::array<float, 8>;
+/// The 27 bricks around one, index (dx+1) + 3 (dy+1) + 9 (dz+1); null where there is none.
+using Neighbourhood = std::array<const CellNormals*, 27>;
 
-/// Gives points a shape without normals in the snapshot: surface normals from the points around each corner
-/// of the brick's 2 x 2 x 2 cells (principal components, Gaussian weights), lit from a fixed direction on
-/// both sides.
-[[nodiscard]] BrickShading shadeBrick(const CloudBrick& brick, float voxel_size_m);
+/// Normals from the points around each cell's centre (principal components, Gaussian weights): the snapshot
+/// carries none, and without light the cloud has no shape.
+[[nodiscard]] CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m);
+
+/// Light on the cells of the middle brick. Normals are averaged with those of the cells around that lie on
+/// the same surface, so that no brick stands out and edges stay sharp; lit on both sides.
+[[nodiscard]] CellLight cellLight(const Neighbourhood& bricks);
+
+/// Between the cell centres; `in_brick` in 0..1 along each axis.
+[[nodiscard]] float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick);
+
+/// Sum of a brick's cell normals, aligned with each other: its main surface.
+[[nodiscard]] Eigen::Vector3f mainNormal(const CellNormals& cells);
 
 }  // namespace scantrove

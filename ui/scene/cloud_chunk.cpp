@@ -16,7 +16,6 @@
 #include <cmath>
 
 #include "core/exchange/region_palette.h"
-#include "ui/scene/brick_shading.h"
 
 namespace scantrove {
 namespace {
@@ -52,7 +51,7 @@ CloudChunk::CloudChunk(vtkRenderer* renderer)
   actor_->GetShaderProperty()->AddVertexShaderReplacement(
       "//VTK::PositionVC::Impl", true,
       "//VTK::PositionVC::Impl\n"
-      "  gl_PointSize = clamp(point_scale / gl_Position.w, point_minimum, 24.0);\n",
+      "  gl_PointSize = clamp(point_scale / gl_Position.w, point_minimum, 40.0);\n",
       false);
   actor_->VisibilityOff();
   setPointScale(5);
@@ -68,9 +67,7 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
       static_cast<std::ptrdiff_t>(brick.points.size()) - static_cast<std::ptrdiff_t>(mine.points.size());
   mine.version = brick.version;
   mine.points = brick.points;
-  BrickShading shading = shadeBrick(brick, voxel_size_m);
-  mine.shade = std::move(shading.shade);
-  mine.normal = shading.normal;
+  mine.normals = cellNormals(brick, voxel_size_m);
   for (const CloudBrick::Point& p : brick.points) bounds_.extend(Eigen::Vector3f(p.x, p.y, p.z));
   point_count_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(point_count_) + growth);
   dirty_ = true;
@@ -104,16 +101,19 @@ void CloudChunk::rebuild(const RegionOfLabel* region_of_label, float voxel_size_
   colors->SetNumberOfComponents(3);
   colors->Allocate(static_cast<vtkIdType>(3 * pointCount(wanted_level_)));
 
+  const float brick_m = 8 * voxel_size_m;
   for (const auto& [key, brick] : bricks_) {
-    for (std::size_t i = 0; i < brick.points.size(); ++i) {
-      const CloudBrick::Point& p = brick.points[i];
+    const CellLight light = lightOf(key);
+    const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
+    for (const CloudBrick::Point& p : brick.points) {
       if (!belongsTo(wanted_level_, p, 1 / voxel_size_m)) continue;
       positions->InsertNextTuple3(static_cast<double>(p.x), static_cast<double>(p.y),
                                   static_cast<double>(p.z));
       const bool known = region_of_label != nullptr && p.label < region_of_label->size();
       const Rgb rgb = regionColor(RegionId{known ? (*region_of_label)[p.label] : p.label});
-      const int shade = brick.shade[i];
-      colors->InsertNextTuple3(rgb[0] * shade / 255, rgb[1] * shade / 255, rgb[2] * shade / 255);
+      const float shade = lightAt(light, Eigen::Vector3f(p.x, p.y, p.z) / brick_m - corner);
+      colors->InsertNextTuple3(static_cast<double>(shade * rgb[0]), static_cast<double>(shade * rgb[1]),
+                               static_cast<double>(shade * rgb[2]));
     }
   }
 
@@ -140,18 +140,28 @@ void CloudChunk::rebuild(const RegionOfLabel* region_of_label, float voxel_size_
   dirty_ = false;
 }
 
+CellLight CloudChunk::lightOf(const BrickKey& key) const {
+  Neighbourhood around{};
+  for (int i = 0; i < 27; ++i) {
+    const auto found = bricks_.find({key.x + i % 3 - 1, key.y + i / 3 % 3 - 1, key.z + i / 9 - 1});
+    if (found != bricks_.end()) around[static_cast<std::size_t>(i)] = &found->second.normals;
+  }
+  return cellLight(around);
+}
+
 void CloudChunk::setPointScale(float pixels_at_1m) {
   // A level with every n-th point of a surface needs squares sqrt(n) times as wide to stay closed.
   const std::size_t level = shown() ? built_level_ : 0;
   const float widening = std::sqrt(static_cast<float>(kLevelStride[level]));
   vtkUniforms* uniforms = actor_->GetShaderProperty()->GetVertexCustomUniforms();
-  uniforms->SetUniformf("point_scale", 1.35F * pixels_at_1m * widening);
+  uniforms->SetUniformf("point_scale", 1.5F * pixels_at_1m * widening);
   uniforms->SetUniformf("point_minimum", level == 0 ? 1.6F : 2.0F);
 }
 
 void CloudChunk::collectNormals(std::vector<Eigen::Vector3f>& normals) const {
   for (const auto& [key, brick] : bricks_) {
-    if (brick.normal.squaredNorm() > 0) normals.push_back(brick.normal);
+    const Eigen::Vector3f normal = mainNormal(brick.normals);
+    if (normal.squaredNorm() > 0) normals.push_back(normal);
   }
 }
 

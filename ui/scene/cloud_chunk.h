@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/scene/brick_shading.h"
 
 class vtkRenderer;
 
@@ -69,13 +70,14 @@ class CloudChunk {
   struct Brick {
     std::uint64_t version = 0;
     std::vector<CloudBrick::Point> points;
-    std::vector<std::uint8_t> shade;  ///< one for each point, 255 = fully lit
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    CellNormals normals;
   };
   struct BrickKey {
     int x, y, z;
     auto operator<=>(const BrickKey&) const = default;
   };
+
+  [[nodiscard]] CellLight lightOf(const BrickKey& key) const;
 
   vtkRenderer* renderer_;
   vtkSmartPointer<vtkActor> actor_;

@@ -105,7 +105,7 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
 }
 
 bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
-                         std::size_t rebuild_budget) {
+                          std::size_t rebuild_budget) {
   chooseLevels(camera, width_px, height_px, point_budget);
   std::vector<CloudChunk*> dirty;
   for (auto& [key, chunk] : chunks_) {

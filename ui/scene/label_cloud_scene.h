@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "core/scan/scan_snapshot.h"
-#include "ui/scene/ground_grid.h"
 #include "ui/scene/cloud_chunks.h"
+#include "ui/scene/ground_grid.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/sensor_track.h"
 
