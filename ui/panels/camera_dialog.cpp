@@ -5,11 +5,21 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include "ui/theme/icon.h"
 
 namespace scantrove {
+namespace {
+
+/// Plain text as rich text, `words in back quotes` as code.
+QString withCode(const QString& text) {
+  static const QRegularExpression quoted(QStringLiteral("`([^`]+)`"));
+  return text.toHtmlEscaped().replace(quoted, QStringLiteral("<code>\\1</code>"));
+}
+
+}  // namespace
 
 CameraDialog::CameraDialog(Lister lister, QWidget* parent)
     : QDialog(parent),
@@ -67,13 +77,12 @@ void CameraDialog::refresh() {
   if (!cameras) {
     advice_->setText(QString::fromStdString(cameras.error().message()));
   } else if (cameras->empty()) {
-    advice_->setText(tr("<b>No depth camera was found.</b><br>%1")
-                         .arg(QString::fromStdString(cameraAdvice()).toHtmlEscaped()));
+    advice_->setText(
+        tr("<b>No depth camera was found.</b><br>%1").arg(withCode(QString::fromStdString(cameraAdvice()))));
   } else {
     advice_->setText(tr("Depth cameras on this computer:"));
   }
-  add(tr("Virtual test camera (a moving pattern, to check that cameras work at all)"),
-      QStringLiteral("Dummy"));
+  add(tr("Virtual test camera: a pattern, to try things out"), QStringLiteral("Dummy"));
   list_->setCurrentRow(0);
 }
 

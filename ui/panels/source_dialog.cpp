@@ -49,7 +49,7 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
   setWindowTitle(tr("Open with options"));
   setMinimumWidth(520);
   intrinsics_->setPlaceholderText(tr("as the recording says; or fx, fy, cx, cy in pixels"));
-  depth_scale_->setPlaceholderText(tr("as the recording says; or units per metre, for example 1000"));
+  depth_scale_->setPlaceholderText(tr("as the recording says; or units per metre"));
   poses_->addItems({tr("Track the camera"), tr("Use the recording's own poses")});
 
   auto* form = new QFormLayout;
@@ -59,11 +59,11 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
   connect(browse_button, &QPushButton::clicked, this, &SourceDialog::browse);
   row->addWidget(source_, 1);
   row->addWidget(browse_button);
-  form->addRow(tr("&Folder or recording"), row);
+  form->addRow(tr("Folder or recording"), row);
   form->addRow(tr("&Intrinsics"), intrinsics_);
   form->addRow(tr("&Depth scale"), depth_scale_);
   form->addRow(tr("Camera &poses"), poses_);
-  form->addRow(tr("Skip &first frames"), start_);
+  form->addRow(tr("&Skip first frames"), start_);
   form->addRow(tr("&Every n-th frame"), stride_);
   form->addRow(tr("At &most frames"), frames_);
   auto* layout = new QVBoxLayout(this);

@@ -110,6 +110,7 @@ QPushButton:focus { border-color: %5; }
 QPushButton:disabled { color: %6; }
 QPushButton[primary="true"] { background: %5; border-color: %5; color: palette(highlighted-text); font-weight: 600; }
 QPushButton[primary="true"]:disabled { background: %4; border-color: %4; color: %6; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { text-align: left; padding: 8px 10px 6px 10px; background: palette(window); }
 QStatusBar { background: palette(window); border-top: 1px solid %1; }
@@ -117,8 +118,8 @@ QStatusBar::item { border: none; }
 QProgressBar { border: none; border-radius: 4px; background: %4; max-height: 8px; min-height: 8px; }
 QProgressBar::chunk { border-radius: 4px; background: %5; }
 QListView { border: none; background: transparent; outline: none; }
-QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { border: 1px solid %1; border-radius: 6px; padding: 4px 8px; background: %2; min-height: 18px; }
-QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: %5; }
+QLineEdit { border: 1px solid %1; border-radius: 6px; padding: 4px 8px; background: %2; min-height: 18px; }
+QLineEdit:focus { border-color: %5; }
 QToolTip { border: 1px solid %1; padding: 5px; background: %2; color: palette(text); }
 QScrollArea { border: none; background: transparent; }
 QLabel[muted="true"] { color: %6; }

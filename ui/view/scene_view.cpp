@@ -15,12 +15,12 @@
 namespace scantrove {
 namespace {
 
-constexpr double kTimeShareWhileScanning = 0.25;
-constexpr int kShortestInterval_ms = 100;  ///< while scanning
+constexpr double kTimeShareWhileScanning = 0.15;
+constexpr int kShortestInterval_ms = 150;  ///< while scanning
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
 constexpr double kMovingTarget_ms = 45;
-constexpr double kScanningTarget_ms = 90;
+constexpr double kScanningTarget_ms = 60;
 constexpr double kStillTarget_ms = 900;
 constexpr std::size_t kRebuildWhileScanning_points = 150'000;
 constexpr float kTurnPerPixel_rad = 0.006F;

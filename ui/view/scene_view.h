@@ -28,7 +28,7 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] LabelCloudScene& scene() { return scene_; }
   void clearScene();
   void showSnapshot(const ScanSnapshot& snapshot);
-  /// While true, drawing takes at most about a third of this thread's time.
+  /// While true, drawing takes about a sixth of the time at most.
   void setScanning(bool scanning);
   void setColors(const LabelCloudScene::Colors& colors);
 
