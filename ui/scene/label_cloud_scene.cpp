@@ -63,8 +63,8 @@ void LabelCloudScene::update(const ScanSnapshot& snapshot) {
 
   const Eigen::Isometry3f T_world_camera = snapshot.pose.T_world_camera.cast<float>();
   if (!has_pose_) {
-    first_up_ = -T_world_camera.linear().col(1);
-    viewpoint_.setUp(first_up_);
+    R_world_camera_ = T_world_camera.linear();
+    viewpoint_.setUp(-R_world_camera_.col(1));
   }
   if (cloud_.pointCount() > std::max(kFirstLeveling_points, 2 * points_at_leveling_)) levelOut();
   if (following_ && snapshot.pose.usable()) {
@@ -80,7 +80,7 @@ void LabelCloudScene::update(const ScanSnapshot& snapshot) {
 
 void LabelCloudScene::levelOut() {
   points_at_leveling_ = cloud_.pointCount();
-  const Eigen::Vector3f up = findUp(cloud_.brickNormals(), first_up_);
+  const Eigen::Vector3f up = findUp(cloud_.brickNormals(), R_world_camera_);
   viewpoint_.setUp(up);
   const Eigen::AlignedBox3f& box = cloud_.bounds();
   const Eigen::Vector3f centre = box.center();

@@ -56,7 +56,7 @@ class LabelCloudScene {
   OrbitCamera viewpoint_;
   bool following_ = true;
   bool has_pose_ = false;
-  Eigen::Vector3f first_up_ = -Eigen::Vector3f::UnitY();
+  Eigen::Matrix3f R_world_camera_ = Eigen::Matrix3f::Identity();  ///< of the first frame
   std::size_t points_at_leveling_ = 0;
 };
 

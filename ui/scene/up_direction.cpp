@@ -8,9 +8,14 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kMinNormals = 60;
-constexpr float kSearchCone_deg = 50;
+// How a sensor is held. A wall ahead of one that looks down would need it to look up: so the two are told
+// apart.
+constexpr int kMostUpward_deg = -4;
+constexpr int kMostDownward_deg = 74;
+constexpr int kMostRoll_deg = 24;
+constexpr int kStep_deg = 6;
 
-float cosine(float degrees) { return std::cos(degrees * std::numbers::pi_v<float> / 180); }
+float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180; }
 
 struct Vote {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -18,7 +23,7 @@ struct Vote {
 };
 
 Vote votesNear(const std::vector<Eigen::Vector3f>& normals, const Eigen::Vector3f& axis, float degrees) {
-  const float limit = cosine(degrees);
+  const float limit = std::cos(radians(degrees));
   Vote vote;
   for (const Eigen::Vector3f& normal : normals) {
     const float along = normal.dot(axis);
@@ -29,34 +34,35 @@ Vote votesNear(const std::vector<Eigen::Vector3f>& normals, const Eigen::Vector3
   return vote;
 }
 
+/// Up as seen by a sensor that looks `pitch` below the horizon and is rolled by `roll`, in the camera's
+/// frame.
+Eigen::Vector3f upOf(float pitch, float roll) {
+  return {std::sin(roll), -std::cos(roll) * std::cos(pitch), -std::cos(roll) * std::sin(pitch)};
+}
+
 }  // namespace
 
-Eigen::Vector3f findUp(const std::vector<Eigen::Vector3f>& normals, const Eigen::Vector3f& first_guess) {
-  if (normals.size() < kMinNormals) return first_guess;
-  // A coarse look at directions around the guess, then mean shift with a narrowing cone.
-  const Eigen::Vector3f side = first_guess.unitOrthogonal();
-  const Eigen::Vector3f other = first_guess.cross(side);
-  Eigen::Vector3f best = first_guess;
-  float best_weight = votesNear(normals, first_guess, 12).weight;
-  for (int ring = 1; ring <= 5; ++ring) {
-    for (int step = 0; step < 16; ++step) {
-      const float tilt = static_cast<float>(ring) * 10 * std::numbers::pi_v<float> / 180;
-      const float turn = static_cast<float>(step) / 16 * 2 * std::numbers::pi_v<float>;
+Eigen::Vector3f findUp(const std::vector<Eigen::Vector3f>& normals, const Eigen::Matrix3f& R_world_camera) {
+  Eigen::Vector3f best = -R_world_camera.col(1);
+  if (normals.size() < kMinNormals) return best;
+  float best_weight = 0;
+  for (int pitch = kMostUpward_deg; pitch <= kMostDownward_deg; pitch += kStep_deg) {
+    for (int roll = -kMostRoll_deg; roll <= kMostRoll_deg; roll += kStep_deg) {
       const Eigen::Vector3f axis =
-          std::cos(tilt) * first_guess + std::sin(tilt) * (std::cos(turn) * side + std::sin(turn) * other);
-      const float weight = votesNear(normals, axis, 12).weight;
+          R_world_camera * upOf(radians(static_cast<float>(pitch)), radians(static_cast<float>(roll)));
+      const float weight = votesNear(normals, axis, 8).weight;
       if (weight > best_weight) {
         best_weight = weight;
         best = axis;
       }
     }
   }
-  for (const float cone : std::array<float, 3>{12, 8, 6}) {
+  for (const float cone : std::array<float, 3>{10, 8, 6}) {
     const Vote vote = votesNear(normals, best, cone);
     if (!(vote.weight > 0)) break;
     best = vote.sum.normalized();
   }
-  return best.dot(first_guess) >= cosine(kSearchCone_deg + 10) ? best : first_guess;
+  return best;
 }
 
 }  // namespace scantrove

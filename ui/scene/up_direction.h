@@ -5,10 +5,11 @@
 
 namespace scantrove {
 
-/// The direction away from the floor, from surface normals (any sign, any length = weight): the strongest
-/// direction within 50 degrees of `first_guess` (unit). Floors, tables and seats outvote the rest. Returns
-/// the guess when there are too few surfaces.
+/// The direction away from the floor, from surface normals (any sign, any length = weight) and the axes of
+/// the sensor that sees them (camera to world: x right, y down, z forward): the strongest direction among
+/// those in which a sensor is held, looking ahead or down and not rolled far. Floors, tables and seats
+/// outvote the rest. Returns the sensor's own "up" when there are too few surfaces.
 [[nodiscard]] Eigen::Vector3f findUp(const std::vector<Eigen::Vector3f>& normals,
-                                     const Eigen::Vector3f& first_guess);
+                                     const Eigen::Matrix3f& R_world_camera);
 
 }  // namespace scantrove
