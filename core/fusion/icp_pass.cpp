@@ -39,7 +39,7 @@ IcpSystem IcpPass::run(const DepthPyramid::Level& level, const SurfaceMaps& mode
   const Eigen::Vector3d centre = T_world_frame.translation();
   const Eigen::Vector3f c = centre.cast<float>();
   const cl_float8 gate{{gates.distance_m, gates.distance_per_z2, gates.normal_cosine, gates.huber_m,
-                        gates.noise_per_z2, 0, 0, 0}};
+                        gates.noise_per_z2, gates.fit_huber_m, gates.fit_noise_per_z2, 0}};
   const auto group = static_cast<std::size_t>(group_);
   kernel_.launch(
       cl::NDRange(groups * group), cl::NDRange(group), level.vertices_camera, level.normals_camera,

@@ -14,8 +14,13 @@ struct IcpGates {
   float distance_m = 0.05F;  ///< farther pairs are not associated; plus distance_per_z2 * z^2
   float distance_per_z2 = 0.01F;
   float normal_cosine = 0.86F;  ///< of the angle between normals, about 30 degrees
-  float huber_m = 0.005F;       ///< residuals beyond it count linearly; times 1 + noise_per_z2 * z^2
-  float noise_per_z2 = 0.5F;
+  // Weights: residuals beyond huber_m * n count linearly, and all by 1 / n^2, n = 1 + noise_per_z2 * z^2 (a
+  // Kinect's noise grows 3 times from 1 to 2 m, 6 to 7 times to 3 m).
+  float huber_m = 0.0025F;
+  float noise_per_z2 = 2.0F;
+  // The same for the residual that judges the fit; milder, so that far surfaces have their say.
+  float fit_huber_m = 0.005F;
+  float fit_noise_per_z2 = 0.5F;
 };
 
 /// Runs accumulate_icp: the sums of one frame level against the model at one pose. One thread, the context's;

@@ -35,7 +35,8 @@ IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d
   system.overlap = static_cast<int>(total[ICP_OVERLAP]);
   system.readings = static_cast<int>(total[ICP_READINGS]);
   system.squared_error = total[ICP_ERROR];
-  system.error = total[6 * 8 + 6];
+  if (total[ICP_FIT_WEIGHT] > 0)
+    system.fit_residual_m = std::sqrt(total[ICP_FIT_ERROR] / total[ICP_FIT_WEIGHT]);
   system.centre = kernel_centre;
   if (system.inliers == 0) return system;
 

@@ -15,9 +15,10 @@ struct IcpSystem {
   Matrix6 JtJ = Matrix6::Zero();
   Vector6 Jtr = Vector6::Zero();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< world; the mean of the associated points
-  double radius_m = 0;       ///< root mean square distance of the associated points from `centre`
-  double weight = 0;         ///< trace of the translational part of JtJ = sum of the weights
-  double error = 0;          ///< sum w r^2, m^2 in units of the weights
+  double radius_m = 0;  ///< root mean square distance of the associated points from `centre`
+  double weight = 0;    ///< trace of the translational part of JtJ = sum of the weights
+  double fit_residual_m =
+      0;  ///< root mean square residual reduced to depth 0 by the depth's noise, outliers cut
   double squared_error = 0;  ///< sum r^2, m^2
   int inliers = 0;           ///< pixels associated
   int overlap = 0;           ///< pixels with depth that meet a surface of the model

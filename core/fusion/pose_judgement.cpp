@@ -22,7 +22,7 @@ constexpr double kReach_m = 0.3;
 /// and 0.75 inliers at most.
 struct Evidence {
   double inlier_fraction;
-  double residual_m;  ///< root mean square over the inliers, in units of the noise (1 + noise_per_z2 z^2)
+  double residual_m;  ///< IcpSystem::fit_residual_m
 };
 constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual_m = 0.0115};
 constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual_m = 0.0090};
@@ -54,7 +54,7 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motio
   const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
   const bool within_reach = angle_rad < kReach_rad && distance_m < kReach_m;
   const bool trusted = pose.free_directions == 0 && at_rest && within_reach &&
-                       std::sqrt(system.error / system.weight) <= wanted.residual_m &&
+                       system.fit_residual_m <= wanted.residual_m &&
                        pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
                        overlap_of_readings >= kTrustedOverlapOfReadings;
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;

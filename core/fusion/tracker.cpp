@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "core/base/check.h"
 #include "core/fusion/icp_pass.h"
@@ -23,6 +25,8 @@ constexpr double kSmallestEigenvalue = 0.004;
 // Predictions closer to each other than this lead to the same pose.
 constexpr double kSameGuess_rad = 0.005;
 constexpr double kSameGuess_m = 0.005;
+// An uncertain pose with so many inliers is worth a start for the next frame.
+constexpr double kWorthFollowing = 0.4;
 // The search after a failure turns the camera this far about each axis.
 constexpr double kSearch_rad = 0.10;
 
@@ -63,6 +67,10 @@ class Tracker::Machinery {
       const PoseEstimate found = finish(frame, model, search(frame, model, coarsest), coarsest, true);
       if (found.state == TrackingState::tracking) pose = found;
     }
+    last_uncertain_.reset();
+    if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing) {
+      last_uncertain_ = pose.T_world_camera;
+    }
     if (pose.state == TrackingState::lost) pose.T_world_camera = prediction;
     return pose;
   }
@@ -84,18 +92,27 @@ class Tracker::Machinery {
     return outcome;
   }
 
-  /// Aligns the coarsest level from the prediction and from the model's own pose (a camera that stopped); the
-  /// better of both.
+  /// Aligns the coarsest level from the prediction, from the model's own pose (a camera that stopped) and
+  /// from the last uncertain pose (a camera on its way back); the best of them.
   IcpOutcome descendFromBestGuess(const DepthPyramid& frame, const SurfaceMaps& model,
                                   const Eigen::Isometry3d& prediction, std::size_t coarsest) {
     const auto gate = static_cast<double>(kDistance_m[coarsest]);
-    const IcpOutcome moving = descend(frame, model, prediction, coarsest);
-    if (isSameGuess(prediction, model.T_world_camera)) return moving;
-    const IcpOutcome resting = descend(frame, model, model.T_world_camera, coarsest);
-    // Where the geometry is silent, both fit alike, and the prediction stands.
-    const bool rests =
-        moving.step.free_directions == 0 && costOf(resting.system, gate) < costOf(moving.system, gate);
-    return rests ? resting : moving;
+    IcpOutcome best = descend(frame, model, prediction, coarsest);
+    // Where the surface fits and yet is silent about the motion, all guesses fit alike, and the prediction
+    // stands.
+    if (best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap) return best;
+    std::vector<Eigen::Isometry3d> guesses{prediction};
+    const auto tryGuess = [&](const Eigen::Isometry3d& guess) {
+      if (std::any_of(guesses.begin(), guesses.end(),
+                      [&](const auto& tried) { return isSameGuess(tried, guess); }))
+        return;
+      guesses.push_back(guess);
+      IcpOutcome outcome = descend(frame, model, guess, coarsest);
+      if (costOf(outcome.system, gate) < costOf(best.system, gate)) best = std::move(outcome);
+    };
+    tryGuess(model.T_world_camera);
+    if (last_uncertain_) tryGuess(*last_uncertain_);
+    return best;
   }
 
   /// The finer levels after the coarsest, and the verdict.
@@ -129,6 +146,8 @@ class Tracker::Machinery {
   }
 
   IcpPass pass_;
+  std::optional<Eigen::Isometry3d>
+      last_uncertain_;  ///< of the frame before, when it was not trusted but not lost
 };
 
 Result<std::unique_ptr<Tracker>> Tracker::create(ComputeContext& compute) {

@@ -18,7 +18,8 @@ class Tracker {
   [[nodiscard]] static Result<std::unique_ptr<Tracker>> create(ComputeContext& compute);
   ~Tracker();
 
-  /// Pose of `frame`, starting from `prediction`.
+  /// Pose of `frame`, starting from `prediction`. An uncertain pose is remembered as one more start for the
+  /// next call, so that a camera is followed in front of one model until it may be trusted again.
   [[nodiscard]] PoseEstimate track(const DepthPyramid& frame, const SurfaceMaps& model,
                                    const Eigen::Isometry3d& prediction);
 

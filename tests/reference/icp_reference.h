@@ -12,11 +12,11 @@ struct IcpSums {
   Eigen::Matrix<double, 6, 6> JtJ = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> Jtr = Eigen::Matrix<double, 6, 1>::Zero();
   int inliers = 0, overlap = 0, readings = 0;
-  double squared_error = 0;
+  double squared_error = 0, fit_weight = 0, fit_error = 0;
 };
 
 struct IcpSettings {
-  double distance_m, distance_per_z2, normal_cosine, huber_m, noise_per_z2;
+  double distance_m, distance_per_z2, normal_cosine, huber_m, noise_per_z2, fit_huber_m, fit_noise_per_z2;
 };
 
 /// Normal equations of point-to-plane ICP about `centre` by the definition, one pixel after the other, in
@@ -51,6 +51,10 @@ inline IcpSums accumulateIcp(const std::vector<Eigen::Vector4d>& vertices,
     J << (p - centre).cross(n), n;
     sums.JtJ += w * J * J.transpose();
     sums.Jtr += w * J * r;
+    const double fit_noise = 1 + settings.fit_noise_per_z2 * z2;
+    const double h = std::min(1.0, settings.fit_huber_m * fit_noise / std::abs(r)) / (fit_noise * fit_noise);
+    sums.fit_weight += h;
+    sums.fit_error += h * r * r;
     sums.squared_error += r * r;
     ++sums.inliers;
   }

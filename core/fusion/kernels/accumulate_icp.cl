@@ -3,6 +3,7 @@
 //   associated when |v - p| < gate.s0 + gate.s1 z^2 and (R n_f) . n > gate.s2;
 //   r = n . (v - p),  J = ((p - centre) x n, n),  Huber: w = s(z)^-2 min(1, delta / |r|), delta = gate.s3 s(z),
 //   s(z) = 1 + gate.s4 z^2 (depth noise grows with z^2), z the depth in the frame.
+// The same form with gate.s5 and gate.s6 instead of s3 and s4 gives h, the weight in the residual that judges the fit.
 // Sums of icp_layout.h; no NaN is converted: bounds are tested positively.
 // One work-item: `run` pixels, GROUP (build option) apart; the group's sums are added in a fixed order.
 // vertices, normals: pixel_count, camera frame; model_vertices, model_normals: model_width * model_height,
@@ -19,6 +20,7 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
   const int begin = (int)get_group_id(0) * GROUP * run + (int)get_local_id(0);
   float8 row0 = 0.0f, row1 = 0.0f, row2 = 0.0f, row3 = 0.0f, row4 = 0.0f, row5 = 0.0f, row6 = 0.0f, counts = 0.0f;
 
+  float fit_weight = 0.0f, fit_error = 0.0f;
   for (int k = 0; k < run; ++k) {
     const int i = begin + k * GROUP;
     if (i >= pixel_count) break;
@@ -44,8 +46,12 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
 
     const float r = dot(n, difference);
     const float noise = 1.0f + gate.s4 * z2;
-    const float delta = gate.s3 * noise;
-    const float w = fmin(1.0f, delta / fmax(fabs(r), 1e-12f)) / (noise * noise);
+    const float size = fmax(fabs(r), 1e-12f);
+    const float w = fmin(1.0f, gate.s3 * noise / size) / (noise * noise);
+    const float fit_noise = 1.0f + gate.s6 * z2;
+    const float h = fmin(1.0f, gate.s5 * fit_noise / size) / (fit_noise * fit_noise);
+    fit_weight += h;
+    fit_error += h * r * r;
     const float3 arm = p - centre.xyz;
     const float3 moment = cross(arm, n);
     const float8 J = (float8)(moment, n, r, 0.0f);
@@ -66,6 +72,8 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
   local float shared_sums[GROUP * ICP_SUMS];
   local float* out = shared_sums + (int)get_local_id(0) * ICP_SUMS;
 #endif
+  row0.s7 = fit_weight;
+  row1.s7 = fit_error;
   vstore8(row0, 0, out);
   vstore8(row1, 1, out);
   vstore8(row2, 2, out);

@@ -1,9 +1,11 @@
 /* Sums of one ICP pass, shared by host (C++) and device (OpenCL C): ICP_SUMS floats, an 8 x 8 matrix row by row.
-   Rows 0..5: sum w J_i (J_0 .. J_5, r, 0); row 6: sum w r (J_0 .. J_5, r, 0); row 7: the counts below. */
+   Rows 0..5: sum w J_i (J_0 .. J_5, r); row 6: sum w r (J_0 .. J_5, r); the other places are named below. */
 #ifndef SCANTROVE_ICP_LAYOUT_H
 #define SCANTROVE_ICP_LAYOUT_H
 
 #define ICP_SUMS 64
+#define ICP_FIT_WEIGHT 7  /* sum h */
+#define ICP_FIT_ERROR 15  /* sum h r^2 */
 #define ICP_INLIERS 56    /* pixels associated */
 #define ICP_OVERLAP 57    /* pixels with depth that project onto a pixel of the model that has a surface */
 #define ICP_READINGS 58   /* pixels with depth */

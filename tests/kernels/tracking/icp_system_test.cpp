@@ -98,7 +98,7 @@ IcpOutcome goodOutcome() {
   outcome.system.overlap = 55000;
   outcome.system.inliers = 50000;
   outcome.system.weight = 10000;
-  outcome.system.error = 10000 * 0.004 * 0.004;
+  outcome.system.fit_residual_m = 0.004;
   outcome.system.squared_error = 50000 * 0.006 * 0.006;
   outcome.step.finite = true;
   return outcome;
@@ -122,7 +122,7 @@ TEST(PoseJudgement, TrustsWhatIsWellFoundedOnly) {
   expectState(uncertain, still, [](IcpOutcome& o) { o.step.free_directions = 1; });
   expectState(uncertain, still, [](IcpOutcome& o) { o.step.rotation_rad = 0.01; });
   expectState(uncertain, still, [](IcpOutcome& o) { o.system.inliers = 20000; });
-  expectState(uncertain, still, [](IcpOutcome& o) { o.system.error = 10000 * 0.02 * 0.02; });
+  expectState(uncertain, still, [](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
   expectState(tracking, still, [](IcpOutcome& o) { o.system.inliers = 34000; });
   expectState(uncertain, far, [](IcpOutcome& o) { o.system.inliers = 34000; });
   expectState(uncertain, still, [](IcpOutcome& o) { o.system.overlap = 4000, o.system.inliers = 3900; });

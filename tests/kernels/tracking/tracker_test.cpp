@@ -63,7 +63,8 @@ TEST(IcpPass, SumsMatchTheFormula) {
           widened(model.normals_world.read(compute.queue())), T_model, kWorking, system.centre,
           {static_cast<double>(gates.distance_m), static_cast<double>(gates.distance_per_z2),
            static_cast<double>(gates.normal_cosine), static_cast<double>(gates.huber_m),
-           static_cast<double>(gates.noise_per_z2)});
+           static_cast<double>(gates.noise_per_z2), static_cast<double>(gates.fit_huber_m),
+           static_cast<double>(gates.fit_noise_per_z2)});
       EXPECT_EQ(system.readings, expected.readings);
       // Pixels whose projection or gate lies on the border within float rounding may fall to either side.
       EXPECT_NEAR(system.overlap, expected.overlap, 1 + level.K.pixels() / 5000);
@@ -72,6 +73,7 @@ TEST(IcpPass, SumsMatchTheFormula) {
       // They, and sums of 600 floats of 24 bits, leave this much of the whole.
       EXPECT_LT((system.JtJ - expected.JtJ).norm() / expected.JtJ.norm(), 2e-3);
       EXPECT_LT((system.Jtr - expected.Jtr).norm() / expected.Jtr.norm(), 2e-2);
+      EXPECT_NEAR(system.fit_residual_m, std::sqrt(expected.fit_error / expected.fit_weight), 1e-5);
       EXPECT_NEAR(system.squared_error / expected.squared_error, 1, 1e-2);
     }
   });
