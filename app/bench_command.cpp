@@ -28,11 +28,10 @@ Result<void> bench(ScanRequest request, bool json) {
     if (is_new && snapshot.pose.usable()) samples.push_back(sampleOf(snapshot));
   });
   if (!report) return fail(report.error());
-  const auto quarters = quartersOf(samples);
   if (json) {
-    std::cout << benchJson(*report, quarters).dump(1) << '\n';
+    std::cout << benchJson(*report, samples).dump(1) << '\n';
   } else {
-    std::cout << benchTable(*report, quarters);
+    std::cout << benchTable(*report, samples);
   }
   return {};
 }

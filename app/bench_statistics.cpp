@@ -1,6 +1,7 @@
 #include "app/bench_statistics.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -52,7 +53,20 @@ std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples) {
   return quarters;
 }
 
-std::string benchTable(const ScanReport& report, const std::vector<BenchQuarter>& quarters) {
+std::optional<MapGrowth> mapGrowthOf(const std::vector<BenchSample>& samples) {
+  constexpr int early = MapGrowth::early_frame;
+  constexpr int half = MapGrowth::half_window;
+  if (samples.empty() || samples.back().frames_done - 2 * half <= early + half) return std::nullopt;
+  std::vector<double> early_ms, late_ms;
+  for (const BenchSample& sample : samples) {
+    if (std::abs(sample.frames_done - early) <= half) early_ms.push_back(sample.map_ms);
+    if (sample.frames_done >= samples.back().frames_done - 2 * half) late_ms.push_back(sample.map_ms);
+  }
+  if (early_ms.empty()) return std::nullopt;
+  return MapGrowth{summarise(early_ms).median_ms, summarise(late_ms).median_ms};
+}
+
+std::string benchTable(const ScanReport& report, const std::vector<BenchSample>& samples) {
   std::ostringstream text;
   const double sum = sumOfMedians(report);
   text << std::fixed << std::setprecision(1) << report.source << " on " << report.device << ": "
@@ -67,14 +81,19 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchQuarter>
   text << std::left << std::setw(14) << "frame" << std::right << std::setw(10) << report.frame_median_ms
        << std::setw(9) << report.frame_p95_ms
        << "\n\nto frame     bricks   frame ms   map ms (medians of the quarter)\n";
-  for (const BenchQuarter& quarter : quarters) {
+  for (const BenchQuarter& quarter : quartersOf(samples)) {
     text << std::setw(8) << quarter.last_frame << std::setw(11) << quarter.bricks << std::setw(11)
          << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
+  }
+  if (const auto growth = mapGrowthOf(samples)) {
+    text << "\nmap around frame " << MapGrowth::early_frame << ": " << growth->early_ms
+         << " ms, at the end: " << growth->late_ms << " ms, " << std::setprecision(2) << growth->ratio()
+         << " times\n";
   }
   return text.str();
 }
 
-nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<BenchQuarter>& quarters) {
+nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<BenchSample>& samples) {
   using Json = nlohmann::ordered_json;
   const double sum = sumOfMedians(report);
   Json stages = Json::object();
@@ -84,11 +103,15 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
                           {"share", sum > 0 ? stage.median_ms / sum : 0}};
   }
   Json list = Json::array();
-  for (const BenchQuarter& quarter : quarters) {
+  for (const BenchQuarter& quarter : quartersOf(samples)) {
     list.push_back({{"to_frame", quarter.last_frame},
                     {"bricks", quarter.bricks},
                     {"frame_median_ms", quarter.frame_median_ms},
                     {"map_median_ms", quarter.map_median_ms}});
+  }
+  Json growth;
+  if (const auto map = mapGrowthOf(samples)) {
+    growth = {{"around_frame_50_ms", map->early_ms}, {"at_end_ms", map->late_ms}, {"ratio", map->ratio()}};
   }
   return {{"source", report.source},
           {"device", report.device},
@@ -98,7 +121,8 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
           {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
           {"peak_memory_mb", report.peak_memory_mb},
           {"stages", stages},
-          {"quarters", list}};
+          {"quarters", list},
+          {"map_growth", growth}};
 }
 
 }  // namespace scantrove

@@ -1,5 +1,6 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,26 @@ struct BenchQuarter {
   double map_median_ms = 0;
 };
 
+/// What the map costs a frame early in a run and at its end: medians of up to 41 frames each.
+struct MapGrowth {
+  static constexpr int early_frame = 50;
+  static constexpr int half_window = 20;
+  double early_ms = 0;  ///< around frame 50
+  double late_ms = 0;   ///< of the last frames
+
+  [[nodiscard]] double ratio() const { return early_ms > 0 ? late_ms / early_ms : 0; }
+};
+
 [[nodiscard]] BenchSample sampleOf(const ScanSnapshot& snapshot);
 
 /// Up to four quarters of equal numbers of frames; quarters without a sample are left out.
 [[nodiscard]] std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples);
 
-[[nodiscard]] std::string benchTable(const ScanReport& report, const std::vector<BenchQuarter>& quarters);
+/// Nothing for runs that end before the two windows are apart.
+[[nodiscard]] std::optional<MapGrowth> mapGrowthOf(const std::vector<BenchSample>& samples);
+
+[[nodiscard]] std::string benchTable(const ScanReport& report, const std::vector<BenchSample>& samples);
 [[nodiscard]] nlohmann::ordered_json benchJson(const ScanReport& report,
-                                               const std::vector<BenchQuarter>& quarters);
+                                               const std::vector<BenchSample>& samples);
 
 }  // namespace scantrove

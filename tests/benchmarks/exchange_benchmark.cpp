@@ -19,7 +19,7 @@ void BM_WriteCloud(benchmark::State& state,
   std::vector<LabeledPoint> points(static_cast<std::size_t>(state.range(0)));
   for (LabeledPoint& p : points) {
     p.x = static_cast<float>(random() % 3000) * 1e-3F;
-    p.label = random() % 200;
+    p.label = static_cast<std::uint32_t>(random() % 200);
   }
   const auto path = scratchFile("scantrove-benchmark-cloud");
   for (auto _ : state) SCANTROVE_CHECK(write(path, points));
