@@ -68,6 +68,7 @@ void addParamsCommand(CLI::App& app, CommandOutcome&) {
   sub->add_option("--set", command->settings, "show the values after this setting")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
       ->type_name("key=value");
   sub->add_flag("--json", command->json, "as JSON");
   sub->callback([command] {

@@ -27,6 +27,7 @@ void ScanOptions::addTo(CLI::App& command) {
   command.add_option("--set", settings, "one parameter; 'scantrove params' lists them")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)  // what follows it is the source
       ->type_name("key=value");
   command.add_option("--device", device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");

@@ -112,6 +112,18 @@ TEST(Scan, OfARecordingWithoutOneGoodFrameFails) {
   expectJobFailure(scan(folder / "recording", folder / "out"), {"frame-000000.depth.png", "truncated"});
 }
 
+// Options that may be given again take one value each time: what follows is the source.
+TEST(Scan, SettingsMayStandBeforeTheSource) {
+  const TemporaryFolder folder;
+  const Finished run =
+      scantrove({"scan", "--set", "segmentation.k=0.25", "--set", "segmentation.min_pixels=33", "demo",
+                 "--frames", "1", "--out", folder.path() / "out"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto params = reportIn(folder.path() / "out")["params"];
+  EXPECT_EQ(params["segmentation.k"], 0.25);
+  EXPECT_EQ(params["segmentation.min_pixels"], 33);
+}
+
 TEST(ScanFails, OnSourcesThatAreNone) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "empty");
