@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/capture/text_file.h"
+#include "core/base/text_file.h"
 
 namespace scantrove {
 

@@ -3,11 +3,11 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "core/base/pose_files.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_file.h"
 #include "core/capture/source_options.h"
-#include "core/capture/trajectory_file.h"
 
 namespace scantrove {
 

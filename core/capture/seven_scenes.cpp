@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/stamped_pose.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_sequence.h"
-#include "core/capture/trajectory_file.h"
 
 namespace scantrove {
 

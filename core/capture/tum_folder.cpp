@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/pose_files.h"
+#include "core/base/text_file.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_sequence.h"
-#include "core/capture/text_file.h"
-#include "core/capture/trajectory_file.h"
+#include "core/capture/recorded_poses.h"
 
 namespace scantrove {
 

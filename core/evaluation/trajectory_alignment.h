@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/exchange/stamped_pose.h"
+#include "core/base/stamped_pose.h"
 
 namespace scantrove {
 

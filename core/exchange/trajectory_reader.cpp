@@ -1,92 +1,30 @@
 #include "core/exchange/trajectory_reader.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/pose_files.h"
+#include "core/base/text_file.h"
 
 namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFramesPerSecond = 30.0;  // sources without times
-
-tl::unexpected<Error> notUnderstood(const fs::path& path, int line, const std::string& expected) {
-  return fail(path.string() + ", line " + std::to_string(line) + ": not understood.",
-              "Expected " + expected + ".");
-}
-
-/// Iostreams reject "nan"; recordings contain it, so numbers are read as words.
-std::optional<std::vector<double>> numbersOf(const std::string& line) {
-  std::vector<double> numbers;
-  std::istringstream words(line);
-  std::string word;
-  while (words >> word) {
-    double number = 0;
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (failure != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
-Result<Trajectory> readTum(std::istream& file, const fs::path& path) {
+Result<Trajectory> readLog(const fs::path& path) {
+  const Result<std::vector<NumberedPose>> numbered = readTrajectoryLog(path);
+  if (!numbered) return fail(numbered.error());
   Trajectory poses;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
-    const auto v = numbersOf(line);
-    if (!v || v->size() != 8) return notUnderstood(path, number, "'timestamp tx ty tz qx qy qz qw'");
-    StampedPose pose;
-    pose.timestamp_s = (*v)[0];
-    const Eigen::Quaterniond q((*v)[7], (*v)[4], (*v)[5], (*v)[6]);
-    pose.T_world_camera.translation() << (*v)[1], (*v)[2], (*v)[3];
-    if (q.norm() < 1e-6) return notUnderstood(path, number, "a quaternion that is not zero");
-    pose.T_world_camera.linear() = q.normalized().toRotationMatrix();
-    if (std::isfinite(pose.timestamp_s) && pose.T_world_camera.matrix().allFinite()) poses.push_back(pose);
-  }
-  return poses;
-}
-
-/// The next four lines as a 4x4; none at a line that is not four numbers.
-std::optional<Eigen::Isometry3d> readMatrix(std::istream& file) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  for (int row = 0; row < 4; ++row) {
-    std::string line;
-    if (!std::getline(file, line)) return std::nullopt;
-    const auto v = numbersOf(line);
-    if (!v || v->size() != 4) return std::nullopt;
-    for (int column = 0; column < 4; ++column)
-      T.matrix()(row, column) = (*v)[static_cast<std::size_t>(column)];
-  }
-  return T;
-}
-
-Result<Trajectory> readLog(std::istream& file, const fs::path& path) {
-  Trajectory poses;
-  std::string line;
-  for (int number = 1; std::getline(file, line); number += 5) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const auto header = numbersOf(line);
-    const auto T = readMatrix(file);
-    if (!header || header->empty() || !T)
-      return notUnderstood(path, number, "a line of frame numbers, then a 4x4 matrix");
-    if (T->matrix().allFinite()) poses.push_back({header->front() / kFramesPerSecond, *T});
-  }
+  for (const NumberedPose& pose : *numbered)
+    poses.push_back({pose.number / kFrameRateHz, pose.T_world_camera});
   return poses;
 }
 
 Result<Trajectory> readFile(const fs::path& path) {
-  std::ifstream file(path);
-  if (!file) return fail("Cannot read " + path.string() + ".", "Check the path.");
-  auto poses = path.extension() == ".log" ? readLog(file, path) : readTum(file, path);
+  Result<Trajectory> poses = path.extension() == ".log" ? readLog(path) : readTumTrajectory(path);
   if (poses && poses->empty()) return fail("There is no pose in " + path.string() + ".");
   return poses;
 }
@@ -96,21 +34,19 @@ std::optional<int> frameNumber(const std::string& name) {
   constexpr std::string_view kPrefix = "frame-";
   constexpr std::string_view kSuffix = ".pose.txt";
   if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return std::nullopt;
-  int number = 0;
-  const char* end = name.data() + name.size() - kSuffix.size();
-  const auto [stop, failure] = std::from_chars(name.data() + kPrefix.size(), end, number);
-  if (failure != std::errc{} || stop != end) return std::nullopt;
-  return number;
+  return parseFrameNumber(
+      std::string_view(name).substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size()));
 }
 
+/// Files without a pose (the tracker that wrote them was lost) are left out; files that are something else
+/// are an error.
 Result<Trajectory> readPoseFiles(const std::vector<fs::path>& files) {
   Trajectory poses;
   for (const fs::path& path : files) {
-    std::ifstream file(path);
-    const auto T = readMatrix(file);
-    if (!T) return notUnderstood(path, 1, "a 4x4 matrix");
-    if (T->matrix().allFinite())
-      poses.push_back({*frameNumber(path.filename().string()) / kFramesPerSecond, *T});
+    const Result<Eigen::Matrix4d> matrix = readMatrixFile(path);
+    if (!matrix) return fail(matrix.error());
+    if (const auto pose = rigidMotion(*matrix))
+      poses.push_back({*frameNumber(path.filename().string()) / kFrameRateHz, *pose});
   }
   return poses;
 }

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "core/exchange/stamped_pose.h"
+#include "core/base/stamped_pose.h"
 
 namespace scantrove {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/base/result.h"
-#include "core/exchange/stamped_pose.h"
+#include "core/base/stamped_pose.h"
 
 namespace scantrove {
 

@@ -1,19 +1,17 @@
-#include "core/capture/trajectory_file.h"
+#include "core/base/pose_files.h"
 
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "core/capture/text_file.h"
+#include "core/base/text_file.h"
 
 namespace scantrove {
 
 namespace {
 
 constexpr double kRotationTolerance = 0.02;  // 7-Scenes and Redwood matrices are rounded text
-constexpr double kLargestInterpolatedGap_s = 0.1;
-constexpr double kNearestPose_s = 0.02;
 
 Eigen::Matrix4d rowMajor4x4(std::span<const double> values) {
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());
@@ -53,8 +51,8 @@ Result<Trajectory> readTumTrajectory(const std::filesystem::path& file) {
   int line_number = 0;
   for (const std::string_view raw_line : splitLines(*text)) {
     ++line_number;
-    const std::string_view line = trimmed(raw_line);
-    if (line.empty() || line.front() == '#') {
+    const std::string_view line = trimmed(raw_line.substr(0, raw_line.find('#')));
+    if (line.empty()) {
       continue;
     }
     has_lines = true;
@@ -113,7 +111,7 @@ Result<std::vector<NumberedPose>> readTrajectoryLog(const std::filesystem::path&
   return poses;
 }
 
-Result<Eigen::Isometry3d> readPoseFile(const std::filesystem::path& file) {
+Result<Eigen::Matrix4d> readMatrixFile(const std::filesystem::path& file) {
   const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
@@ -122,61 +120,22 @@ Result<Eigen::Isometry3d> readPoseFile(const std::filesystem::path& file) {
   if (!values || values->size() != 16) {
     return fail(file.string() + " is not a 4x4 matrix.");
   }
-  if (!allFinite(*values)) {
+  return rowMajor4x4(*values);
+}
+
+Result<Eigen::Isometry3d> readPoseFile(const std::filesystem::path& file) {
+  const Result<Eigen::Matrix4d> matrix = readMatrixFile(file);
+  if (!matrix) {
+    return fail(matrix.error());
+  }
+  if (!matrix->allFinite()) {
     return fail(file.string() + " has values that are not finite (no pose was known for this frame).");
   }
-  const auto pose = rigidMotion(rowMajor4x4(*values));
+  const auto pose = rigidMotion(*matrix);
   if (!pose) {
     return fail(file.string() + " is not a rigid motion.");
   }
   return *pose;
-}
-
-std::optional<std::filesystem::path> findTrajectoryLog(const std::filesystem::path& folder) {
-  for (const std::filesystem::path& file :
-       {folder / "trajectory.log", folder / "test_scene" / "trajectory.log"}) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(file, error)) {
-      return file;
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<Eigen::Isometry3d> poseAt(const Trajectory& trajectory, double timestamp_s) {
-  const auto after =
-      std::lower_bound(trajectory.begin(), trajectory.end(), timestamp_s,
-                       [](const StampedPose& pose, double time) { return pose.timestamp_s < time; });
-  if (after != trajectory.end() && after != trajectory.begin()) {
-    const StampedPose& next = *after;
-    const StampedPose& previous = *(after - 1);
-    const double gap = next.timestamp_s - previous.timestamp_s;
-    if (gap > 0 && gap < kLargestInterpolatedGap_s) {
-      const double part = (timestamp_s - previous.timestamp_s) / gap;
-      const Eigen::Quaterniond from(previous.T_world_camera.linear());
-      const Eigen::Quaterniond to(next.T_world_camera.linear());
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() = from.slerp(part, to).normalized().toRotationMatrix();
-      pose.translation() =
-          (1 - part) * previous.T_world_camera.translation() + part * next.T_world_camera.translation();
-      return pose;
-    }
-  }
-  const StampedPose* nearest = nullptr;
-  double smallest = kNearestPose_s;
-  const auto consider = [&](const StampedPose& pose) {
-    if (const double distance = std::abs(pose.timestamp_s - timestamp_s); distance <= smallest) {
-      smallest = distance;
-      nearest = &pose;
-    }
-  };
-  if (after != trajectory.end()) {
-    consider(*after);
-  }
-  if (after != trajectory.begin()) {
-    consider(*(after - 1));
-  }
-  return nearest == nullptr ? std::nullopt : std::optional(nearest->T_world_camera);
 }
 
 }  // namespace scantrove

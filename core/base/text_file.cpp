@@ -1,4 +1,4 @@
-#include "core/capture/text_file.h"
+#include "core/base/text_file.h"
 
 #include <cerrno>
 #include <charconv>

@@ -1,0 +1,62 @@
+#include "core/capture/recorded_poses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scantrove {
+
+namespace {
+
+constexpr double kLargestInterpolatedGap_s = 0.1;
+constexpr double kNearestPose_s = 0.02;
+
+}  // namespace
+
+std::optional<std::filesystem::path> findTrajectoryLog(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& file :
+       {folder / "trajectory.log", folder / "test_scene" / "trajectory.log"}) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) {
+      return file;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::Isometry3d> poseAt(const Trajectory& trajectory, double timestamp_s) {
+  const auto after =
+      std::lower_bound(trajectory.begin(), trajectory.end(), timestamp_s,
+                       [](const StampedPose& pose, double time) { return pose.timestamp_s < time; });
+  if (after != trajectory.end() && after != trajectory.begin()) {
+    const StampedPose& next = *after;
+    const StampedPose& previous = *(after - 1);
+    const double gap = next.timestamp_s - previous.timestamp_s;
+    if (gap > 0 && gap < kLargestInterpolatedGap_s) {
+      const double part = (timestamp_s - previous.timestamp_s) / gap;
+      const Eigen::Quaterniond from(previous.T_world_camera.linear());
+      const Eigen::Quaterniond to(next.T_world_camera.linear());
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.linear() = from.slerp(part, to).normalized().toRotationMatrix();
+      pose.translation() =
+          (1 - part) * previous.T_world_camera.translation() + part * next.T_world_camera.translation();
+      return pose;
+    }
+  }
+  const StampedPose* nearest = nullptr;
+  double smallest = kNearestPose_s;
+  const auto consider = [&](const StampedPose& pose) {
+    if (const double distance = std::abs(pose.timestamp_s - timestamp_s); distance <= smallest) {
+      smallest = distance;
+      nearest = &pose;
+    }
+  };
+  if (after != trajectory.end()) {
+    consider(*after);
+  }
+  if (after != trajectory.begin()) {
+    consider(*(after - 1));
+  }
+  return nearest == nullptr ? std::nullopt : std::optional(nearest->T_world_camera);
+}
+
+}  // namespace scantrove
