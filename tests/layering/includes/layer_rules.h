@@ -4,7 +4,6 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,10 +14,23 @@ namespace scantrove::test {
 /// brackets off.
 using IncludeTree = std::map<std::string, std::vector<std::string>>;
 
+/// The header that a line includes, quotes or brackets off; empty if it includes none.
+inline std::optional<std::string> includedHeader(const std::string& line) {
+  const auto skipBlanks = [&](std::size_t from) { return line.find_first_not_of(" \t", from); };
+  std::size_t at = skipBlanks(0);
+  if (at == std::string::npos || line[at] != '#') return std::nullopt;
+  at = skipBlanks(at + 1);
+  if (at == std::string::npos || line.compare(at, 7, "include") != 0) return std::nullopt;
+  at = skipBlanks(at + 7);
+  if (at == std::string::npos || (line[at] != '"' && line[at] != '<')) return std::nullopt;
+  const std::size_t end = line.find_first_of("\">", at + 1);
+  if (end == std::string::npos) return std::nullopt;
+  return line.substr(at + 1, end - at - 1);
+}
+
 /// All C++ and OpenCL files below app, core and ui of `root`.
 inline IncludeTree readIncludes(const std::filesystem::path& root) {
   static const std::set<std::string> kExtensions{".h", ".cpp", ".cl", ".clh"};
-  static const std::regex kInclude(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
   IncludeTree tree;
   for (const char* top : {"app", "core", "ui"}) {
     if (!std::filesystem::exists(root / top)) continue;
@@ -27,9 +39,8 @@ inline IncludeTree readIncludes(const std::filesystem::path& root) {
       std::vector<std::string>& headers =
           tree[std::filesystem::relative(entry.path(), root).generic_string()];
       std::ifstream file(entry.path());
-      std::smatch match;
       for (std::string line; std::getline(file, line);) {
-        if (std::regex_search(line, match, kInclude)) headers.push_back(match[1]);
+        if (const std::optional<std::string> header = includedHeader(line)) headers.push_back(*header);
       }
     }
   }
