@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "core/capture/openni_library.h"
 
@@ -83,7 +85,10 @@ OpenNiStreams::~OpenNiStreams() {
     // Its driver's threads sleep for a frame's time and then use the stream, stopped or destroyed. So they
     // get the time to end, and the streams stay until the process does.
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    static_cast<void>(handles_.release());
+    static std::mutex mutex;
+    static auto* const kept = new std::vector<std::unique_ptr<Handles>>;  // never destroyed
+    const std::scoped_lock lock(mutex);
+    kept->push_back(std::move(handles_));
     return;
   }
   handles_->depth.destroy();

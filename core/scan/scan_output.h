@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/capture/rgbd_frame.h"
 #include "core/base/stamped_pose.h"
+#include "core/capture/rgbd_frame.h"
 #include "core/scan/region_numbers.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_report.h"

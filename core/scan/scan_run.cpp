@@ -84,7 +84,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   count(*result, frame.index);
   tell(*result);
   if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
-  snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result), progress(ScanState::scanning));
+  snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
   return {};
 }
 
@@ -119,6 +119,8 @@ ScanProgress ScanRun::progress(ScanState state) const {
           frames_.skipped,
           frames_.dropped};
 }
+
+void ScanRun::showWhenDue(ScanState state) { snapshots_.postWhenDue(*pipeline_, progress(state)); }
 
 void ScanRun::showNow(ScanState state) { snapshots_.flush(*pipeline_, progress(state)); }
 

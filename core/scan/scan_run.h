@@ -32,6 +32,9 @@ class ScanRun {
 
   [[nodiscard]] bool hasFrames() const { return frames_.read > 0; }
 
+  /// Posts a snapshot for the window if it is time for one.
+  void showWhenDue(ScanState state);
+
   /// Posts a snapshot at once, with all that changed.
   void showNow(ScanState state);
 

@@ -144,6 +144,8 @@ class ScanSession::Worker {
           wish([this] { ++wishes_.steps; });  // a step is one real frame
         run.stopClock();
         run.showNow(ScanState::paused);
+      } else if (*step == ScanRun::Step::frame) {
+        run.showWhenDue(ScanState::scanning);
       }
     }
   }
@@ -159,8 +161,8 @@ class ScanSession::Worker {
       lock.unlock();
       run.stopClock();
       if (state != ScanState::paused) {
-        enter(ScanState::paused);
         if (run.hasFrames()) run.showNow(ScanState::paused);
+        enter(ScanState::paused);
       }
       lock.lock();
       changed_.wait(lock, has_wish);

@@ -50,8 +50,7 @@ void SnapshotBuilder::measureRate() {
   if (span.count() > 0) fps_ = static_cast<double>(frame_times_.size() - 1) / span.count();
 }
 
-void SnapshotBuilder::addFrame(ScanPipeline& pipeline, RgbdFrame frame, FrameResult result,
-                               const ScanProgress& progress) {
+void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result) {
   measureRate();
   if (result.pose.usable()) trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
   is_waiting_.resize(static_cast<std::size_t>(pipeline.bricks().brickCount()), false);
@@ -62,6 +61,9 @@ void SnapshotBuilder::addFrame(ScanPipeline& pipeline, RgbdFrame frame, FrameRes
   }
   frame_ = std::move(frame);
   result_ = std::move(result);
+}
+
+void SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
   if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kLeastInterval) return;
   post(pipeline, progress, kMostBricks);
 }

@@ -28,8 +28,11 @@ class SnapshotBuilder {
  public:
   explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox) : mailbox_(mailbox) {}
 
-  /// Call for every frame: remembers trail and changed bricks, and posts a snapshot when one is due.
-  void addFrame(ScanPipeline& pipeline, RgbdFrame frame, FrameResult result, const ScanProgress& progress);
+  /// Call for every frame: remembers it, its place on the trail and the bricks it changed.
+  void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result);
+
+  /// Posts a snapshot if the last one was collected and is old enough.
+  void postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
 
   /// Posts what there is at once, with all bricks that still wait: at a pause, a step, the end.
   void flush(ScanPipeline& pipeline, const ScanProgress& progress);

@@ -1,3 +1,4 @@
+#include <QThread>
 #include <gmock/gmock.h>
 
 #include <set>
@@ -218,6 +219,7 @@ TEST_F(ObjectDatabaseTest, UnknownSessionsAndObjectsAreRefusedWhole) {
 
 TEST_F(ObjectDatabaseTest, SeveralConnectionsWriteAtOnce) {
   constexpr int kThreads = 3, kEach = 15;
+  ASSERT_NE(QThread::currentThread(), nullptr);  // the first thread that Qt meets is its main one
   std::vector<std::jthread> threads;
   for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([this, t] {

@@ -1,0 +1,40 @@
+// Linked into every executable of a build with a sanitizer, so that `ctest --preset asan` (or tsan) reports
+// this project's errors only. The sanitizer's runtime calls these functions by name; nothing else does.
+
+extern "C" {
+
+const char* __asan_default_options();
+const char* __lsan_default_suppressions();
+const char* __tsan_default_suppressions();
+int dlclose(void* library);
+
+// Without this the leak check of a process with many OpenCL threads fails on its own ("Tracer caught signal
+// 11").
+const char* __asan_default_options() { return "intercept_tls_get_addr=0"; }
+
+// Memory that libraries keep for the life of the process: OpenNI2 and its drivers, D-Bus below Qt, Mesa's
+// software OpenGL with the LLVM and X libraries that it brings.
+const char* __lsan_default_suppressions() {
+  return "leak:libOpenNI2\n"
+         "leak:OpenNI2/Drivers\n"
+         "leak:libdbus-1\n"
+         "leak:_dri.so\n"
+         "leak:libGLX_mesa\n"
+         "leak:libLLVM\n"
+         "leak:libxcb\n";
+}
+
+// Libraries built without the thread sanitizer, whose locks it does not see: OpenNI2 and its drivers, and
+// GDAL, which OpenCV loads and which orders its locks when it starts.
+const char* __tsan_default_suppressions() {
+  return "race:libOpenNI2\n"
+         "race:OpenNI2/Drivers\n"
+         "mutex:libOpenNI2\n"
+         "thread:OpenNI2/Drivers\n"
+         "deadlock:libgdal\n";
+}
+
+// Plug-ins stay loaded: the report could not name the library of a leak otherwise.
+int dlclose(void* /*library*/) { return 0; }
+
+}  // extern "C"
