@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scan/scan_session.h"
+#include "tests/support/qt_main_thread.h"
 
 namespace scantrove::test {
 
@@ -21,6 +22,7 @@ struct ScanEnding {
 /// Runs one scan to its end through the session that window and command line use.
 inline ScanEnding runScan(ScanRequest request) {
   ScanEnding ending;
+  const QtMainThread qt;
   ScanSession session([&](const ScanEvent& event) {  // read only after wait(): no lock needed
     if (const auto* finished = std::get_if<ScanFinished>(&event)) ending.report = finished->report;
     if (const auto* failed = std::get_if<ScanFailed>(&event)) ending.error = failed->error.message();

@@ -10,6 +10,7 @@
 #include <thread>
 #include <tuple>
 
+#include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove {
@@ -89,6 +90,7 @@ class ScanSessionTest : public testing::Test {
     return nullptr;
   }
 
+  test::QtMainThread qt_;
   test::TemporaryFolder folder_;
   EventLog log_;
   ScanSession session_{[this](const ScanEvent& event) { log_.add(event); }};

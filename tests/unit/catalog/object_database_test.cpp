@@ -1,10 +1,10 @@
-#include <QThread>
 #include <gmock/gmock.h>
 
 #include <set>
 #include <thread>
 
 #include "catalog_test_support.h"
+#include "tests/support/qt_main_thread.h"
 
 namespace scantrove {
 namespace {
@@ -219,7 +219,7 @@ TEST_F(ObjectDatabaseTest, UnknownSessionsAndObjectsAreRefusedWhole) {
 
 TEST_F(ObjectDatabaseTest, SeveralConnectionsWriteAtOnce) {
   constexpr int kThreads = 3, kEach = 15;
-  ASSERT_NE(QThread::currentThread(), nullptr);  // the first thread that Qt meets is its main one
+  const test::QtMainThread qt;
   std::vector<std::jthread> threads;
   for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([this, t] {
