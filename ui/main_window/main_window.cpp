@@ -15,6 +15,7 @@
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/panels/color_panel.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/object_panel.h"
@@ -95,6 +96,11 @@ void MainWindow::makeDocks(const ScanParams& params) {
   };
   objects_ = new ObjectPanel(editor_, model_);
   frames_ = new FramePanels;
+  frames_->colorPanel()->setNameOf([this](ObjectId object) {
+    const ObjectRecord* const record = model_.record(object);
+    return record != nullptr ? QString::fromStdString(record->name) : QString();
+  });
+  connect(&model_, &ObjectListModel::dataChanged, frames_->colorPanel(), qOverload<>(&QWidget::update));
   params_ = new ParamsPanel(params);
   objects_dock_ = add(tr("Objects"), "objectsDock", objects_, Qt::LeftDockWidgetArea);
   params_dock_ = add(tr("Settings"), "settingsDock", params_, Qt::LeftDockWidgetArea);

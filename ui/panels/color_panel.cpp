@@ -28,6 +28,12 @@ QRectF ColorPanel::objectRect(const SeenObject& object) const {
           static_cast<double>(box.width) * frame.width(), static_cast<double>(box.height) * frame.height()};
 }
 
+QString ColorPanel::nameOf(const SeenObject& object) const {
+  if (!object.object) return QStringLiteral("?");
+  const QString now = name_of_ ? name_of_(object.object) : QString();
+  return now.isEmpty() ? QString::fromStdString(object.name) : now;
+}
+
 void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   QFont font = painter.font();
   font.setPointSizeF(font.pointSizeF() * (rect.width() > 300 ? 0.92 : 0.78));
@@ -41,10 +47,9 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
     painter.drawRect(box);
     painter.setPen(QPen(kFound, 1.8));
     painter.drawRect(box);
-    const QString text = object.object ? QString::fromStdString(object.name) : QStringLiteral("?");
     const double top =
         box.top() - chip_height - 2 >= rect.top() ? box.top() - chip_height - 2 : box.top() + 2;
-    paintChip(painter, QPointF(box.left(), top), text, object.recognised ? kRecognised : kFound);
+    paintChip(painter, QPointF(box.left(), top), nameOf(object), object.recognised ? kRecognised : kFound);
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
@@ -8,13 +9,16 @@ namespace scantrove {
 
 /// The colour image with what was found in it (thesis, figures 5.1 and 5.6): a white rectangle around each
 /// discovered object; a cyan name at its top left when the object was recognised, a white one when it is new,
-/// and
-/// "?" while it is still being watched.
+/// and "?" while it is still being watched.
 class ColorPanel : public ImagePanel {
   Q_OBJECT
 
  public:
   explicit ColorPanel(QWidget* parent = nullptr);
+  /// The name an object has now, empty if unknown: names may change after the frame was taken.
+  using NameOf = std::function<QString(ObjectId)>;
+  void setNameOf(NameOf name_of) { name_of_ = std::move(name_of); }
+
   void setFrame(const QImage& picture, const std::vector<SeenObject>& objects);
 
   /// The rectangle of an object as drawn, in widget coordinates.
@@ -24,7 +28,10 @@ class ColorPanel : public ImagePanel {
   void paintOverlay(QPainter& painter, const QRectF& rect) override;
 
  private:
+  [[nodiscard]] QString nameOf(const SeenObject& object) const;
+
   std::vector<SeenObject> objects_;
+  NameOf name_of_;
 };
 
 }  // namespace scantrove

@@ -77,6 +77,16 @@ TEST_F(ColorPanelTest, NameStaysInsideThePictureAtItsTopEdge) {
   EXPECT_GT(countPixels(paint(object), QRect(120, 0, 90, 24), QColor(0, 255, 255)), 10);
 }
 
+TEST_F(ColorPanelTest, ShowsTheNameThatAnObjectHasNow) {
+  const QColor cyan(0, 255, 255);
+  SeenObject object = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
+  object.recognised = true;
+  const QRect beyond_the_old_name(170, 128, 100, 21);
+  EXPECT_EQ(countPixels(paint(object), beyond_the_old_name, cyan), 0);
+  panel_.setNameOf([](ObjectId) { return QStringLiteral("a name that is longer"); });
+  EXPECT_GT(countPixels(paint(object), beyond_the_old_name, cyan), 10);
+}
+
 TEST(FramePanels, AClickMakesAnotherPictureLarge) {
   FramePanels panels;
   panels.resize(420, 700);
