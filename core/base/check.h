@@ -5,6 +5,6 @@ namespace scantrove::detail {
 }
 
 /// Stops the program at a bug (a broken promise inside the code), with its location. Never for bad input.
-#define SCANTROVE_CHECK(condition)                                                     \
-  (static_cast<bool>(condition) ? static_cast<void>(0)                                 \
+#define SCANTROVE_CHECK(condition)                     \
+  (static_cast<bool>(condition) ? static_cast<void>(0) \
                                 : ::scantrove::detail::checkFailed(#condition, __FILE__, __LINE__))

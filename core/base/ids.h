@@ -21,5 +21,7 @@ using ObjectId = Id<struct ObjectTag>;    ///< a row of the catalogue's table `o
 
 template <class Tag>
 struct std::hash<scantrove::Id<Tag>> {
-  std::size_t operator()(scantrove::Id<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+  std::size_t operator()(scantrove::Id<Tag> id) const noexcept {
+    return std::hash<std::uint32_t>{}(id.value);
+  }
 };

@@ -31,9 +31,9 @@ using Result = tl::expected<T, Error>;
 }  // namespace scantrove
 
 /// Leaves the current function with the error of a `Result<void>`-like expression that failed.
-#define SCANTROVE_TRY(expression)                                                             \
-  do {                                                                                        \
-    if (auto scantrove_result = (expression); !scantrove_result) {                            \
-      return ::tl::unexpected<::scantrove::Error>(std::move(scantrove_result).error());       \
-    }                                                                                         \
+#define SCANTROVE_TRY(expression)                                                       \
+  do {                                                                                  \
+    if (auto scantrove_result = (expression); !scantrove_result) {                      \
+      return ::tl::unexpected<::scantrove::Error>(std::move(scantrove_result).error()); \
+    }                                                                                   \
   } while (false)

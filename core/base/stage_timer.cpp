@@ -16,7 +16,8 @@ DurationSummary summarise(std::vector<double> durations_ms) {
 }
 
 std::size_t StageTimer::indexOf(std::string_view name) {
-  const auto found = std::find_if(stages_.begin(), stages_.end(), [&](const Stage& s) { return s.name == name; });
+  const auto found =
+      std::find_if(stages_.begin(), stages_.end(), [&](const Stage& s) { return s.name == name; });
   if (found != stages_.end()) return static_cast<std::size_t>(found - stages_.begin());
   stages_.push_back({std::string(name), 0, {}});
   return stages_.size() - 1;
@@ -24,7 +25,8 @@ std::size_t StageTimer::indexOf(std::string_view name) {
 
 void StageTimer::add(std::string_view name, double duration_ms) {
   const std::size_t stage = indexOf(name);
-  const auto found = std::find_if(pending_.begin(), pending_.end(), [&](const Pending& p) { return p.stage == stage; });
+  const auto found =
+      std::find_if(pending_.begin(), pending_.end(), [&](const Pending& p) { return p.stage == stage; });
   if (found != pending_.end()) {
     found->duration_ms += duration_ms;
   } else {

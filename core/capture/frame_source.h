@@ -11,7 +11,8 @@ namespace scantrove {
 /// What is known of a source once it is open.
 struct SourceInfo {
   std::string name;  ///< for people: the folder's name, the camera's name
-  std::string kind;  ///< "7-Scenes", "TUM RGB-D", "numbered images", "OpenNI2 camera", "OpenNI2 recording", "synthetic"
+  std::string kind;  ///< "7-Scenes", "TUM RGB-D", "numbered images", "OpenNI2 camera", "OpenNI2 recording",
+                     ///< "synthetic"
   Intrinsics intrinsics;
   std::optional<int> frame_count;  ///< frames that next() will give in all; empty for a live camera
   bool is_live = false;
@@ -43,11 +44,12 @@ class FrameSource {
 
 /// What a person may say about a source when opening it.
 struct SourceOptions {
-  int start = 0;                         ///< skip this many frames of the recording
-  int stride = 1;                        ///< then take every stride-th
-  std::optional<int> frames;             ///< at most so many
-  std::optional<Intrinsics> intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
-  std::optional<double> depth_scale;     ///< units per metre; overrides the source's
+  int start = 0;              ///< skip this many frames of the recording
+  int stride = 1;             ///< then take every stride-th
+  std::optional<int> frames;  ///< at most so many
+  std::optional<Intrinsics>
+      intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
+  std::optional<double> depth_scale;  ///< units per metre; overrides the source's
 };
 
 }  // namespace scantrove

@@ -16,10 +16,11 @@ Result<std::unique_ptr<ComputeContext>> ComputeContext::create(const Options& op
   compute->profiling_ = options.profiling;
   try {
     compute->context_ = cl::Context(*device);
-    compute->queue_ = cl::CommandQueue(compute->context_, *device, options.profiling ? CL_QUEUE_PROFILING_ENABLE : 0);
+    compute->queue_ =
+        cl::CommandQueue(compute->context_, *device, options.profiling ? CL_QUEUE_PROFILING_ENABLE : 0);
   } catch (const cl::Error& error) {
-    return fail("The OpenCL device " + compute->device_name_ + " could not be opened (" + error.what() + ", code " +
-                    std::to_string(error.err()) + ").",
+    return fail("The OpenCL device " + compute->device_name_ + " could not be opened (" + error.what() +
+                    ", code " + std::to_string(error.err()) + ").",
                 "Choose another with --device; 'scantrove devices' lists them.");
   }
   return compute;
@@ -35,7 +36,8 @@ Result<Kernel> ComputeContext::kernel(const KernelSource& source, const std::str
     found = programs_.emplace(key, std::move(*program)).first;
   }
   try {
-    return Kernel(cl::Kernel(found->second, function.c_str()), queue_, function, profiling_ ? kernel_times_ : nullptr);
+    return Kernel(cl::Kernel(found->second, function.c_str()), queue_, function,
+                  profiling_ ? kernel_times_ : nullptr);
   } catch (const cl::Error&) {
     return fail("The kernel " + function + " is not in " + std::string(source.path) + ".");
   }

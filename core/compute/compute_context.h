@@ -53,7 +53,8 @@ class ComputeContext {
   bool is_cpu_ = false;
   bool profiling_ = false;
   std::map<std::string, cl::Program> programs_;
-  std::shared_ptr<std::map<std::string, double>> kernel_times_ = std::make_shared<std::map<std::string, double>>();
+  std::shared_ptr<std::map<std::string, double>> kernel_times_ =
+      std::make_shared<std::map<std::string, double>>();
 };
 
 }  // namespace scantrove

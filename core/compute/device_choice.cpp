@@ -25,7 +25,9 @@ std::vector<cl::Device> allDevices() {
     devices.insert(devices.end(), found.begin(), found.end());
   }
   std::stable_sort(devices.begin(), devices.end(), [](const cl::Device& a, const cl::Device& b) {
-    const auto is_gpu = [](const cl::Device& d) { return (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0; };
+    const auto is_gpu = [](const cl::Device& d) {
+      return (d.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0;
+    };
     return is_gpu(a) && !is_gpu(b);
   });
   return devices;
@@ -58,7 +60,8 @@ std::string lowered(std::string text) {
 
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> infos;
-  for (const cl::Device& device : allDevices()) infos.push_back(describe(device, static_cast<int>(infos.size())));
+  for (const cl::Device& device : allDevices())
+    infos.push_back(describe(device, static_cast<int>(infos.size())));
   return infos;
 }
 
@@ -74,7 +77,8 @@ Result<cl::Device> chooseDevice(const std::string& wanted_by_caller) {
   if (wanted.empty()) return devices.front();
   std::size_t index = 0;
   const char* end = wanted.data() + wanted.size();
-  if (const auto [stop, failure] = std::from_chars(wanted.data(), end, index); failure == std::errc{} && stop == end) {
+  if (const auto [stop, failure] = std::from_chars(wanted.data(), end, index);
+      failure == std::errc{} && stop == end) {
     if (index < devices.size()) return devices[index];
   } else {
     for (const cl::Device& device : devices) {

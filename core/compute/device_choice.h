@@ -22,8 +22,9 @@ struct DeviceInfo {
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
 /// The device that `wanted` names: empty = the first of the list (a GPU, else PoCL); a number = that index;
-/// else the first whose name contains it (case-insensitive). Also SCANTROVE_DEVICE is asked when `wanted` is empty.
-/// Error: no device at all (names the package to install) or none that matches (names those there are).
+/// else the first whose name contains it (case-insensitive). Also SCANTROVE_DEVICE is asked when `wanted` is
+/// empty. Error: no device at all (names the package to install) or none that matches (names those there
+/// are).
 [[nodiscard]] Result<cl::Device> chooseDevice(const std::string& wanted);
 
 }  // namespace scantrove

@@ -16,11 +16,14 @@ class Kernel {
 
   Kernel() = default;
   Kernel(cl::Kernel kernel, cl::CommandQueue queue, std::string name, std::shared_ptr<Times> times)
-      : kernel_(std::move(kernel)), queue_(std::move(queue)), name_(std::move(name)), times_(std::move(times)) {}
+      : kernel_(std::move(kernel)),
+        queue_(std::move(queue)),
+        name_(std::move(name)),
+        times_(std::move(times)) {}
 
   /// Enqueues the kernel over `global` work-items in groups of `local` (cl::NullRange: the driver's choice).
-  /// `global` is rounded up to a multiple of `local`: kernels check their bounds. Arguments: Buffer<T>, or plain
-  /// values of the type the kernel declares. Throws cl::Error on a device fault.
+  /// `global` is rounded up to a multiple of `local`: kernels check their bounds. Arguments: Buffer<T>, or
+  /// plain values of the type the kernel declares. Throws cl::Error on a device fault.
   template <class... Arguments>
   void launch(const cl::NDRange& global, const cl::NDRange& local, const Arguments&... arguments) {
     cl_uint index = 0;

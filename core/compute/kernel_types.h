@@ -9,7 +9,8 @@ namespace scantrove {
 [[nodiscard]] inline cl_float16 toKernel(const Eigen::Isometry3d& T) {
   cl_float16 result;
   for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) result.s[4 * row + column] = static_cast<float>(T.matrix()(row, column));
+    for (int column = 0; column < 4; ++column)
+      result.s[4 * row + column] = static_cast<float>(T.matrix()(row, column));
   }
   return result;
 }

@@ -2,8 +2,8 @@
 
 namespace scantrove {
 
-Result<cl::Program> buildProgram(const cl::Context& context, const cl::Device& device, const KernelSource& source,
-                                 const std::string& build_options) {
+Result<cl::Program> buildProgram(const cl::Context& context, const cl::Device& device,
+                                 const KernelSource& source, const std::string& build_options) {
   const std::string options = "-cl-std=CL1.2 " + build_options;
   cl::Program program(context, std::string(source.text));
   try {

@@ -55,7 +55,8 @@ Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const 
 }
 
 Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) return fail(path.string() + " does not exist.", "Check the path.");
+  if (!std::filesystem::is_regular_file(path))
+    return fail(path.string() + " does not exist.", "Check the path.");
   cv::Mat image;
   try {
     image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);

@@ -9,8 +9,9 @@ namespace scantrove {
 /// Red, green, blue, each 0..255.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// The colour of a region: the same in the 3D view, in the image panels, in files, and in every run. Neighbouring ids get far
-/// apart hues (golden-angle steps in OKLCH, so all are equally vivid). Region 0 ("unlabelled") is a neutral grey.
+/// The colour of a region: the same in the 3D view, in the image panels, in files, and in every run.
+/// Neighbouring ids get far apart hues (golden-angle steps in OKLCH, so all are equally vivid). Region 0
+/// ("unlabelled") is a neutral grey.
 [[nodiscard]] Rgb regionColor(RegionId region);
 
 /// The same table for segments of a single frame, whose ids mean nothing across frames.

@@ -8,10 +8,14 @@ enum class TrackingState { tracking, uncertain, lost, relocalised };
 
 [[nodiscard]] constexpr const char* toString(TrackingState state) {
   switch (state) {
-    case TrackingState::tracking: return "tracking";
-    case TrackingState::uncertain: return "uncertain";
-    case TrackingState::lost: return "lost";
-    case TrackingState::relocalised: return "relocalised";
+    case TrackingState::tracking:
+      return "tracking";
+    case TrackingState::uncertain:
+      return "uncertain";
+    case TrackingState::lost:
+      return "lost";
+    case TrackingState::relocalised:
+      return "relocalised";
   }
   return "";
 }
@@ -24,7 +28,9 @@ struct PoseEstimate {
   double rmse_m = 0;           ///< point-to-plane, over the inliers
   int free_directions = 0;     ///< directions of motion that the geometry does not determine (0 = well posed)
 
-  [[nodiscard]] bool usable() const { return state == TrackingState::tracking || state == TrackingState::relocalised; }
+  [[nodiscard]] bool usable() const {
+    return state == TrackingState::tracking || state == TrackingState::relocalised;
+  }
 };
 
 }  // namespace scantrove

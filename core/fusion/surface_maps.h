@@ -6,7 +6,8 @@
 
 namespace scantrove {
 
-/// V_t and N_t: the map's surface as seen from one pose, on the device, `K.width * K.height` elements row by row.
+/// V_t and N_t: the map's surface as seen from one pose, on the device, `K.width * K.height` elements row by
+/// row.
 struct SurfaceMaps {
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();

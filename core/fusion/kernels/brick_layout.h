@@ -1,10 +1,10 @@
 // Layout of the brick map, shared by host (C++) and device (OpenCL C).
 //
-// Space is cut into voxels of `voxel_size`; voxel (x, y, z) spans [x, x + 1) * voxel_size and its centre, where its value is
-// sampled, is (x + 0.5) * voxel_size. A brick holds 8^3 voxels; brick (bx, by, bz) starts at voxel 8 * (bx, by, bz).
-// The brick table is an open-addressing hash table with linear probing; its capacity is a power of two.
-// A brick's slot says where its voxels lie in every per-voxel pool: index = slot * BRICK_VOXELS + local, with
-// local = x + 8 * (y + 8 * z).
+// Space is cut into voxels of `voxel_size`; voxel (x, y, z) spans [x, x + 1) * voxel_size and its centre,
+// where its value is sampled, is (x + 0.5) * voxel_size. A brick holds 8^3 voxels; brick (bx, by, bz) starts
+// at voxel 8 * (bx, by, bz). The brick table is an open-addressing hash table with linear probing; its
+// capacity is a power of two. A brick's slot says where its voxels lie in every per-voxel pool: index = slot
+// * BRICK_VOXELS + local, with local = x + 8 * (y + 8 * z).
 #ifndef SCANTROVE_BRICK_LAYOUT_H
 #define SCANTROVE_BRICK_LAYOUT_H
 
@@ -18,7 +18,8 @@ typedef struct BrickEntry {
   int slot; /* BRICK_NONE = free entry */
 } BrickEntry;
 
-/* Signed distance and weight of one voxel. Distance is in units of truncation / 32767. Weight 0 = never seen. */
+/* Signed distance and weight of one voxel. Distance is in units of truncation / 32767. Weight 0 = never seen.
+ */
 typedef struct TsdfVoxel {
   short distance;
   unsigned short weight; /* in 1/256 observations */
