@@ -54,13 +54,13 @@ std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples) {
 }
 
 std::optional<MapGrowth> mapGrowthOf(const std::vector<BenchSample>& samples) {
-  constexpr int early = MapGrowth::early_frame;
-  constexpr int half = MapGrowth::half_window;
-  if (samples.empty() || samples.back().frames_done - 2 * half <= early + half) return std::nullopt;
+  constexpr int kEarly = MapGrowth::kEarlyFrame;
+  constexpr int kHalf = MapGrowth::kHalfWindow;
+  if (samples.empty() || samples.back().frames_done - 2 * kHalf <= kEarly + kHalf) return std::nullopt;
   std::vector<double> early_ms, late_ms;
   for (const BenchSample& sample : samples) {
-    if (std::abs(sample.frames_done - early) <= half) early_ms.push_back(sample.map_ms);
-    if (sample.frames_done >= samples.back().frames_done - 2 * half) late_ms.push_back(sample.map_ms);
+    if (std::abs(sample.frames_done - kEarly) <= kHalf) early_ms.push_back(sample.map_ms);
+    if (sample.frames_done >= samples.back().frames_done - 2 * kHalf) late_ms.push_back(sample.map_ms);
   }
   if (early_ms.empty()) return std::nullopt;
   return MapGrowth{summarise(early_ms).median_ms, summarise(late_ms).median_ms};
@@ -86,7 +86,7 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
          << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
   }
   if (const auto growth = mapGrowthOf(samples)) {
-    text << "\nmap around frame " << MapGrowth::early_frame << ": " << growth->early_ms
+    text << "\nmap around frame " << MapGrowth::kEarlyFrame << ": " << growth->early_ms
          << " ms, at the end: " << growth->late_ms << " ms, " << std::setprecision(2) << growth->ratio()
          << " times\n";
   }

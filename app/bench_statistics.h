@@ -27,8 +27,8 @@ struct BenchQuarter {
 
 /// What the map costs a frame early in a run and at its end: medians of up to 41 frames each.
 struct MapGrowth {
-  static constexpr int early_frame = 50;
-  static constexpr int half_window = 20;
+  static constexpr int kEarlyFrame = 50;
+  static constexpr int kHalfWindow = 20;
   double early_ms = 0;  ///< around frame 50
   double late_ms = 0;   ///< of the last frames
 

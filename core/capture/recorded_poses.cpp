@@ -7,8 +7,8 @@ namespace scantrove {
 
 namespace {
 
-constexpr double kLargestInterpolatedGap_s = 0.1;
-constexpr double kNearestPose_s = 0.02;
+constexpr double kLargestGapSeconds = 0.1;
+constexpr double kNearestPoseSeconds = 0.02;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::optional<Eigen::Isometry3d> poseAt(const Trajectory& trajectory, double tim
     const StampedPose& next = *after;
     const StampedPose& previous = *(after - 1);
     const double gap = next.timestamp_s - previous.timestamp_s;
-    if (gap > 0 && gap < kLargestInterpolatedGap_s) {
+    if (gap > 0 && gap < kLargestGapSeconds) {
       const double part = (timestamp_s - previous.timestamp_s) / gap;
       const Eigen::Quaterniond from(previous.T_world_camera.linear());
       const Eigen::Quaterniond to(next.T_world_camera.linear());
@@ -43,7 +43,7 @@ std::optional<Eigen::Isometry3d> poseAt(const Trajectory& trajectory, double tim
     }
   }
   const StampedPose* nearest = nullptr;
-  double smallest = kNearestPose_s;
+  double smallest = kNearestPoseSeconds;
   const auto consider = [&](const StampedPose& pose) {
     if (const double distance = std::abs(pose.timestamp_s - timestamp_s); distance <= smallest) {
       smallest = distance;
