@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -24,9 +25,10 @@ tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why) 
 /// only.
 fs::path nameBeside(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
-  const std::string unique = std::to_string(::getpid()) + "-" + std::to_string(counter++);
-  return path.parent_path() /
-         ("." + path.stem().string() + "." + unique + ".part" + path.extension().string());
+  std::ostringstream name;
+  name << '.' << path.stem().string() << '.' << ::getpid() << '-' << counter++ << ".part"
+       << path.extension().string();
+  return path.parent_path() / name.str();
 }
 
 class Descriptor {
