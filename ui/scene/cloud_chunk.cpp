@@ -14,23 +14,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <span>
 
 #include "core/exchange/region_palette.h"
 
 namespace scantrove {
 namespace {
 
-/// Whether a point is among those of the level: a lattice of every n-th voxel whose points lie nearly evenly
-/// on surfaces across any axis (a x + b y + c z divisible by n).
-bool belongsTo(std::size_t level, const CloudBrick::Point& p, float per_metre) {
-  if (level == 0) return true;
-  constexpr std::array<std::array<unsigned, 3>, 4> kLattice{{{0, 0, 0}, {1, 2, 3}, {1, 4, 7}, {1, 8, 27}}};
+/// The coarsest level that shows the point. The points of level n are a lattice of every kLevelStride[n]-th
+/// voxel, x + 7 y + 11 z divisible by it: each lies within the finer one, and all lie nearly evenly on
+/// surfaces across any axis.
+std::size_t coarsestLevel(const CloudBrick::Point& p, float per_metre) {
   // Right for points at voxel centres and at their corners.
   const auto voxel = [per_metre](float metres) {
-    return static_cast<unsigned>(std::lround(std::floor(metres * per_metre + 0.25F)));
+    return static_cast<unsigned>(static_cast<int>(std::floor(metres * per_metre + 0.25F)));
   };
-  const auto& [a, b, c] = kLattice[level];
-  return (a * voxel(p.x) + b * voxel(p.y) + c * voxel(p.z)) % kLevelStride[level] == 0;
+  const unsigned place = voxel(p.x) + 7 * voxel(p.y) + 11 * voxel(p.z);
+  std::size_t level = kLevelStride.size() - 1;
+  while (place % kLevelStride[level] != 0) --level;
+  return level;
+}
+
+/// The points, those of coarser levels first; `count` becomes how many each level shows.
+std::vector<CloudBrick::Point> inOrderOfLevels(const std::vector<CloudBrick::Point>& points, float per_metre,
+                                               LevelCounts& count) {
+  std::vector<std::size_t> levels;
+  levels.reserve(points.size());
+  count.fill(0);
+  for (const CloudBrick::Point& p : points) {
+    levels.push_back(coarsestLevel(p, per_metre));
+    for (std::size_t level = 0; level <= levels.back(); ++level) ++count[level];
+  }
+  std::vector<CloudBrick::Point> ordered(points.size());
+  LevelCounts next{};
+  for (std::size_t level = 0; level + 1 < next.size(); ++level) next[level] = count[level + 1];
+  for (std::size_t i = 0; i < points.size(); ++i) ordered[next[levels[i]]++] = points[i];
+  return ordered;
 }
 
 }  // namespace
@@ -66,10 +86,17 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
   const auto growth =
       static_cast<std::ptrdiff_t>(brick.points.size()) - static_cast<std::ptrdiff_t>(mine.points.size());
   mine.version = brick.version;
-  mine.points = brick.points;
-  mine.normals = cellNormals(brick, voxel_size_m);
+  for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= mine.count[level];
+  mine.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, mine.count);
+  for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] += mine.count[level];
+  // Normals are dear, and a surface that gains no points keeps its shape.
+  const auto shaped = static_cast<std::ptrdiff_t>(mine.points_when_shaped);
+  if (10 * std::abs(static_cast<std::ptrdiff_t>(brick.points.size()) - shaped) > shaped) {
+    mine.points_when_shaped = brick.points.size();
+    mine.normals = cellNormals(brick, voxel_size_m);
+    relightAround({brick.position.x(), brick.position.y(), brick.position.z()});
+  }
   for (const CloudBrick::Point& p : brick.points) bounds_.extend(Eigen::Vector3f(p.x, p.y, p.z));
-  point_count_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(point_count_) + growth);
   dirty_ = true;
   return growth;
 }
@@ -94,31 +121,33 @@ void CloudChunk::show(bool visible) {
 }
 
 void CloudChunk::rebuild(const RegionOfLabel* region_of_label, float voxel_size_m) {
+  const auto count = static_cast<vtkIdType>(pointCount(wanted_level_));
   const auto positions = vtkSmartPointer<vtkFloatArray>::New();
   positions->SetNumberOfComponents(3);
-  positions->Allocate(static_cast<vtkIdType>(3 * pointCount(wanted_level_)));
+  positions->SetNumberOfTuples(count);
   const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colors->SetNumberOfComponents(3);
-  colors->Allocate(static_cast<vtkIdType>(3 * pointCount(wanted_level_)));
+  colors->SetNumberOfTuples(count);
+  float* position = positions->GetPointer(0);
+  unsigned char* color = colors->GetPointer(0);
 
   const float brick_m = 8 * voxel_size_m;
-  for (const auto& [key, brick] : bricks_) {
-    const CellLight light = lightOf(key);
+  for (auto& [key, brick] : bricks_) {
+    if (brick.count[wanted_level_] == 0) continue;
+    if (!brick.light) brick.light = lightOf(key);
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
-    for (const CloudBrick::Point& p : brick.points) {
-      if (!belongsTo(wanted_level_, p, 1 / voxel_size_m)) continue;
-      positions->InsertNextTuple3(static_cast<double>(p.x), static_cast<double>(p.y),
-                                  static_cast<double>(p.z));
+    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[wanted_level_])) {
+      for (const float coordinate : {p.x, p.y, p.z}) *position++ = coordinate;
       const bool known = region_of_label != nullptr && p.label < region_of_label->size();
-      const Rgb rgb = regionColor(RegionId{known ? (*region_of_label)[p.label] : p.label});
-      const float shade = lightAt(light, Eigen::Vector3f(p.x, p.y, p.z) / brick_m - corner);
-      colors->InsertNextTuple3(static_cast<double>(shade * rgb[0]), static_cast<double>(shade * rgb[1]),
-                               static_cast<double>(shade * rgb[2]));
+      const RegionId region{known ? (*region_of_label)[p.label] : p.label};
+      const float shade = lightAt(*brick.light, Eigen::Vector3f(p.x, p.y, p.z) / brick_m - corner);
+      for (const std::uint8_t channel : regionColor(region)) {
+        *color++ = static_cast<unsigned char>(shade * static_cast<float>(channel));
+      }
     }
   }
 
   // One cell that lists all points.
-  const vtkIdType count = positions->GetNumberOfTuples();
   const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i) ids->SetValue(i, i);
@@ -140,6 +169,13 @@ void CloudChunk::rebuild(const RegionOfLabel* region_of_label, float voxel_size_
   dirty_ = false;
 }
 
+void CloudChunk::relightAround(const BrickKey& key) {
+  for (int i = 0; i < 27; ++i) {
+    const auto found = bricks_.find({key.x + i % 3 - 1, key.y + i / 3 % 3 - 1, key.z + i / 9 - 1});
+    if (found != bricks_.end()) found->second.light.reset();
+  }
+}
+
 CellLight CloudChunk::lightOf(const BrickKey& key) const {
   Neighbourhood around{};
   for (int i = 0; i < 27; ++i) {
@@ -152,9 +188,11 @@ CellLight CloudChunk::lightOf(const BrickKey& key) const {
 void CloudChunk::setPointScale(float pixels_at_1m) {
   // A level with every n-th point of a surface needs squares sqrt(n) times as wide to stay closed.
   const std::size_t level = shown() ? built_level_ : 0;
-  const float widening = std::sqrt(static_cast<float>(kLevelStride[level]));
+  // Where the surface steps from one layer of voxels to the next, the lattices of both do not quite meet.
+  const float overlap = level == 0 ? 1.5F : 1.9F;
+  const float widening = overlap * std::sqrt(static_cast<float>(kLevelStride[level]));
   vtkUniforms* uniforms = actor_->GetShaderProperty()->GetVertexCustomUniforms();
-  uniforms->SetUniformf("point_scale", 1.5F * pixels_at_1m * widening);
+  uniforms->SetUniformf("point_scale", pixels_at_1m * widening);
   uniforms->SetUniformf("point_minimum", level == 0 ? 1.6F : 2.0F);
 }
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
@@ -22,6 +23,8 @@ namespace scantrove {
 inline constexpr int kChunkBricks = 16;
 /// Level n draws about every kLevelStride[n]-th point, larger.
 inline constexpr std::array<std::size_t, 4> kLevelStride{1, 4, 16, 64};
+/// How many points each level draws.
+using LevelCounts = std::array<std::size_t, kLevelStride.size()>;
 
 /// A cube of bricks that is sent to the graphics card as one piece, at one of several levels of detail.
 class CloudChunk {
@@ -54,11 +57,9 @@ class CloudChunk {
   /// Sets the drawn size: `pixels_at_1m` is the edge of a voxel in pixels at one metre from the camera.
   void setPointScale(float pixels_at_1m);
 
-  [[nodiscard]] std::size_t pointCount() const { return point_count_; }
-  /// About how many points the level draws.
-  [[nodiscard]] std::size_t pointCount(std::size_t level) const {
-    return (point_count_ + kLevelStride[level] - 1) / kLevelStride[level];
-  }
+  [[nodiscard]] std::size_t pointCount() const { return count_[0]; }
+  /// How many points the level draws.
+  [[nodiscard]] std::size_t pointCount(std::size_t level) const { return count_[level]; }
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
   void collectNormals(std::vector<Eigen::Vector3f>& normals) const;
   /// Appends one height along `up` for each brick.
@@ -69,14 +70,18 @@ class CloudChunk {
  private:
   struct Brick {
     std::uint64_t version = 0;
-    std::vector<CloudBrick::Point> points;
+    std::vector<CloudBrick::Point> points;  ///< those of coarser levels first
+    LevelCounts count{};
     CellNormals normals;
+    std::size_t points_when_shaped = 0;  ///< how many points the normals were found from
+    std::optional<CellLight> light;      ///< none: to be found anew
   };
   struct BrickKey {
     int x, y, z;
     auto operator<=>(const BrickKey&) const = default;
   };
 
+  void relightAround(const BrickKey& key);
   [[nodiscard]] CellLight lightOf(const BrickKey& key) const;
 
   vtkRenderer* renderer_;
@@ -84,7 +89,7 @@ class CloudChunk {
   vtkSmartPointer<vtkOpenGLPolyDataMapper> mapper_;
   std::map<BrickKey, Brick> bricks_;
   Eigen::AlignedBox3f bounds_;
-  std::size_t point_count_ = 0;
+  LevelCounts count_{};
   std::size_t wanted_level_ = 0;
   std::size_t built_level_ = kLevelStride.size();  ///< none yet
   bool dirty_ = true;

@@ -19,9 +19,6 @@ constexpr double kTimeShareWhileScanning = 0.15;
 constexpr int kShortestInterval_ms = 150;  ///< while scanning
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
-constexpr double kMovingTarget_ms = 45;
-constexpr double kScanningTarget_ms = 60;
-constexpr double kStillTarget_ms = 900;
 constexpr std::size_t kRebuildWhileScanning_points = 150'000;
 constexpr float kTurnPerPixel_rad = 0.006F;
 
@@ -172,10 +169,9 @@ void SceneView::schedule() {
   draw_timer_.start(wait_ms);
 }
 
-std::size_t SceneView::pointBudget() const {
-  if (full_detail_) return 4'000'000;
-  const double target_ms = moving_ ? kMovingTarget_ms : (scanning_ ? kScanningTarget_ms : kStillTarget_ms);
-  return static_cast<std::size_t>(std::clamp(target_ms / ms_per_point_, 20'000.0, 4'000'000.0));
+PointBudget& SceneView::budget() {
+  if (moving_) return moving_budget_;
+  return scanning_ ? scanning_budget_ : still_budget_;
 }
 
 void SceneView::initializeGL() {
@@ -201,16 +197,16 @@ void SceneView::paintGL() {
   window.GetState()->Reset();
   window.GetState()->Push();
   const std::size_t rebuild_budget = scanning_ && !full_detail_ ? kRebuildWhileScanning_points : 10'000'000;
-  const bool complete = scene_.prepare(pixels.width(), pixels.height(), pointBudget(), rebuild_budget);
+  const std::size_t points = full_detail_ ? static_cast<std::size_t>(PointBudget::kMost) : budget().points();
+  const bool complete = scene_.prepare(pixels.width(), pixels.height(), points, rebuild_budget);
+  const double prepared_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   window.Render();
   window.GetState()->Pop();
   blitToWidget();
 
   const double took_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   draw_ms_ += 0.3 * (took_ms - draw_ms_);
-  const std::size_t points = scene_.cloud().drawnPointCount();
-  if (points > 20'000) ms_per_point_ += 0.2 * (took_ms / static_cast<double>(points) - ms_per_point_);
-  ms_per_point_ = std::clamp(ms_per_point_, 1e-6, 1e-2);
+  if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
   since_draw_.start();
   if (!complete) schedule();
 }

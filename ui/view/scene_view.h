@@ -6,6 +6,7 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/label_cloud_scene.h"
+#include "ui/view/point_budget.h"
 
 namespace scantrove {
 
@@ -64,7 +65,7 @@ class SceneView : public QOpenGLWidget {
   void schedule();
   void interacted();
   void blitToWidget();
-  [[nodiscard]] std::size_t pointBudget() const;
+  [[nodiscard]] PointBudget& budget();
 
   LabelCloudScene scene_;
   std::unique_ptr<RenderWindow> window_;
@@ -72,8 +73,10 @@ class SceneView : public QOpenGLWidget {
   QTimer settle_timer_;  ///< after the last movement: back to full detail
   QElapsedTimer since_draw_;
   QPointF last_mouse_;
-  double draw_ms_ = 30;         ///< smoothed time of drawing
-  double ms_per_point_ = 6e-4;  ///< smoothed; llvmpipe takes about 0.8 us a point
+  double draw_ms_ = 30;  ///< smoothed time of drawing
+  PointBudget moving_budget_{45, 6e4, 1e5};
+  PointBudget scanning_budget_{90, 1.5e5, 2e5};
+  PointBudget still_budget_{600, 5e5, 1e6};
   bool scanning_ = false;
   bool moving_ = false;
   bool full_detail_ = false;
