@@ -14,6 +14,7 @@ namespace {
 struct BenchCommand {
   ScanOptions options;
   bool json = false;
+  bool kernels = false;
 };
 
 Result<void> bench(ScanRequest request, bool json) {
@@ -45,10 +46,13 @@ void addBenchCommand(CLI::App& app, CommandOutcome& outcome) {
       app.add_subcommand("bench", "Time every stage of a scan, and the cost over the size of the map");
   sub->add_option("SOURCE", command->options.source, "as 'scan' takes it (default demo)");
   sub->add_flag("--json", command->json, "as JSON");
+  sub->add_flag("--kernels", command->kernels,
+                "time every OpenCL kernel too (one at a time, which slows the rest)");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {
-    if (const auto done = bench(command->options.toRequest(), command->json); !done)
-      outcome.failWith(done.error());
+    ScanRequest request = command->options.toRequest();
+    request.profile_kernels = command->kernels;
+    if (const auto done = bench(std::move(request), command->json); !done) outcome.failWith(done.error());
   });
 }
 

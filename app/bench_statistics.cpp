@@ -85,10 +85,15 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
     text << std::setw(8) << quarter.last_frame << std::setw(11) << quarter.bricks << std::setw(11)
          << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
   }
+  if (!report.kernels.empty()) text << "\nkernel                    mean ms a frame\n";
+  for (const ScanReport::Kernel& kernel : report.kernels) {
+    text << std::left << std::setw(30) << kernel.name << std::right << std::setw(11) << std::setprecision(2)
+         << kernel.mean_ms << '\n';
+  }
   if (const auto growth = mapGrowthOf(samples)) {
-    text << "\nmap around frame " << MapGrowth::kEarlyFrame << ": " << growth->early_ms
-         << " ms, at the end: " << growth->late_ms << " ms, " << std::setprecision(2) << growth->ratio()
-         << " times\n";
+    text << std::setprecision(1) << "\nmap around frame " << MapGrowth::kEarlyFrame << ": "
+         << growth->early_ms << " ms, at the end: " << growth->late_ms << " ms, " << std::setprecision(2)
+         << growth->ratio() << " times\n";
   }
   return text.str();
 }
@@ -102,6 +107,9 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
                           {"p95_ms", stage.p95_ms},
                           {"share", sum > 0 ? stage.median_ms / sum : 0}};
   }
+  Json kernels = Json::object();
+  for (const ScanReport::Kernel& kernel : report.kernels)
+    kernels[kernel.name] = {{"mean_ms", kernel.mean_ms}};
   Json list = Json::array();
   for (const BenchQuarter& quarter : quartersOf(samples)) {
     list.push_back({{"to_frame", quarter.last_frame},
@@ -121,6 +129,7 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
           {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
           {"peak_memory_mb", report.peak_memory_mb},
           {"stages", stages},
+          {"kernels", kernels},
           {"quarters", list},
           {"map_growth", growth}};
 }

@@ -30,6 +30,11 @@ struct ScanReport {
     double p95_ms = 0;
   };
   std::vector<Stage> stages;
+  struct Kernel {
+    std::string name;
+    double mean_ms = 0;  ///< a frame, on the device
+  };
+  std::vector<Kernel> kernels;  ///< the dearest first; empty unless profiled
   double peak_memory_mb = 0;
   int map_bricks = 0;
   double map_megabytes = 0;

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
@@ -37,7 +38,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
     return fail("The recording " + info.name + " (" + info.kind + ") has no poses.",
                 "Leave out --poses given.");
   }
-  SCANTROVE_TRY(take(run->compute_, ComputeContext::create({request.device, false})));
+  SCANTROVE_TRY(take(run->compute_, ComputeContext::create({request.device, request.profile_kernels})));
   if (request.output_folder) {
     SCANTROVE_TRY(take(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
@@ -163,6 +164,11 @@ ScanReport ScanRun::makeReport() {
     const DurationSummary time = summarise(stage.all_ms);
     report.stages.push_back({stage.name, time.median_ms, time.p95_ms});
   }
+  for (const auto& [name, total_ms] : compute_->kernelTimes()) {
+    report.kernels.push_back({name, total_ms / std::max(1, frames_.read)});
+  }
+  std::sort(report.kernels.begin(), report.kernels.end(),
+            [](const auto& a, const auto& b) { return a.mean_ms > b.mean_ms; });
   report.peak_memory_mb = peakMemoryMegabytes();
   report.map_bricks = pipeline_->bricks().brickCount();
   report.map_megabytes = static_cast<double>(pipeline_->deviceBytes()) / (1 << 20);

@@ -28,6 +28,7 @@ struct ScanRequest {
       output_folder;  ///< where results go; none: nothing but the catalogue is written
   bool label_maps = false;
   bool start_paused = false;
+  bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
 };
 
 /// Things that must not be lost, in order.
