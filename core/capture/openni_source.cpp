@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/capture/camera_intrinsics.h"
 #include "core/capture/cameras.h"
@@ -65,23 +66,29 @@ class OpenNiSource final : public FrameSource {
     const auto patience = info_.is_live ? kLiveTimeout : kRecordingTimeout;
     const Clock::time_point deadline = Clock::now() + patience;
     while (true) {
+      if (depth_ && hasColorFor(*depth_)) {
+        return makeFrame(*std::exchange(depth_, std::nullopt));
+      }
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
       auto arrival = streams_->wait(std::max(left, 1ms));
       if (!arrival) {
         return gone(arrival.error().what);
       }
-      if (!arrival->depth && !arrival->color && left <= 0ms) {
-        return nothingInTime();
-      }
+      const bool is_late = !arrival->depth && !arrival->color && left <= 0ms;
       if (arrival->color) {
         older_color_ = std::move(color_);
         color_ = std::move(arrival->color);
       }
+      // Two clocks may drift apart, or colour be late: depth that was followed by the next, or by nothing,
+      // takes the colour there is.
+      if (depth_ && color_ && (arrival->depth || is_late)) {
+        return makeFrame(*std::exchange(depth_, std::move(arrival->depth)));
+      }
+      if (is_late) {
+        return nothingInTime();
+      }
       if (arrival->depth) {
         depth_ = std::move(arrival->depth);
-      }
-      if (depth_ && hasColorFor(*depth_)) {
-        return makeFrame();
       }
     }
   }
@@ -91,15 +98,14 @@ class OpenNiSource final : public FrameSource {
     return !streams_->hasColor() || (color_ && color_->timestamp_s >= depth.timestamp_s - kPairTolerance_s);
   }
 
-  FrameRead makeFrame() {
+  FrameRead makeFrame(const OpenNiImage& depth) {
     FrameRead read;
     read.status = Status::frame;
     read.frame.index = next_index_++;
-    read.frame.timestamp_s = depth_->timestamp_s;
+    read.frame.timestamp_s = depth.timestamp_s;
     read.frame.metres_per_unit = static_cast<float>(metres_per_unit_);
-    read.frame.depth = depth_->image;
-    read.frame.color = colorFor(*depth_);
-    depth_.reset();
+    read.frame.depth = depth.image;
+    read.frame.color = colorFor(depth);
     if (!info_.is_live && read.frame.index == options_.start) {
       checkDepthScale(read.frame.depth, metres_per_unit_, info_.name);
     }

@@ -74,17 +74,21 @@ double seconds(const openni::VideoFrameRef& frame) {
 }  // namespace
 
 OpenNiStreams::~OpenNiStreams() {
-  const bool is_virtual =
-      handles_->device.isValid() && handles_->device.getDeviceInfo().getUri() == kVirtualCamera;
+  const bool is_open = handles_->device.isValid();
+  const bool is_virtual = is_open && handles_->device.getDeviceInfo().getUri() == kVirtualCamera;
   for (openni::VideoStream* const stream : {&handles_->depth, &handles_->color}) {
     if (stream->isValid()) {
       stream->stop();
     }
   }
-  if (is_virtual) {
-    // Its driver's threads sleep for a frame's time and then use the stream, stopped or destroyed. So they
-    // get the time to end, and the streams stay until the process does.
+  if (is_virtual || (is_open && isRecording())) {
+    // The virtual camera's threads sleep for a frame's time and then use the stream, stopped or destroyed.
+    // The thread of a recording walks the list of streams without a lock: without pause at the end of the
+    // file, now and then once they are stopped. So they get the time to come to rest.
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  if (is_virtual) {
+    // And even so its streams stay until the process ends.
     static std::mutex mutex;
     static auto* const kept = new std::vector<std::unique_ptr<Handles>>;  // never destroyed
     const std::scoped_lock lock(mutex);

@@ -22,6 +22,8 @@ struct BrickMap::Directory {
   BrickIndex index;
   BrickPages pages;
   std::vector<Eigen::Vector3i> positions;
+  std::vector<bool> dormant;  ///< by slot
+  int dormant_count = 0;
   DeviceMirror<BrickEntry> table;
   DeviceMirror<cl_int> page_slots;
   Buffer<TsdfVoxel> voxels;
@@ -78,23 +80,49 @@ int BrickMap::allocate(std::span<const Eigen::Vector3i> bricks) {
   std::vector<std::size_t> changed_entries;
   std::vector<std::size_t> changed_page_slots;
   std::vector<Eigen::Vector3i> fresh;
+  int woken = 0;
   for (const Eigen::Vector3i& brick : bricks) {
-    if (d.index.slotOf(brick) != BRICK_NONE) continue;
+    if (const int known = d.index.slotOf(brick); known != BRICK_NONE) {
+      if (known < old_count && d.dormant[static_cast<std::size_t>(known)]) {
+        d.dormant[static_cast<std::size_t>(known)] = false;
+        d.pages.insert(brick, known, changed_page_slots);
+        ++woken;
+      }
+      continue;
+    }
     const int slot = old_count + static_cast<int>(fresh.size());
     changed_entries.push_back(d.index.insert(brick, slot));
     d.pages.insert(brick, slot, changed_page_slots);
     fresh.push_back(brick);
   }
-  if (fresh.empty()) return 0;
+  d.dormant_count -= woken;
+  if (fresh.empty() && woken == 0) return 0;
   const int count = static_cast<int>(fresh.size());
   d.reserve(old_count + count);
   d.positions.insert(d.positions.end(), fresh.begin(), fresh.end());
-  d.voxels.fill(d.compute.queue(), TsdfVoxel{0, 0}, static_cast<std::size_t>(old_count) * kVoxels,
-                static_cast<std::size_t>(count) * kVoxels);
+  d.dormant.resize(d.positions.size(), false);
+  if (count > 0)
+    d.voxels.fill(d.compute.queue(), TsdfVoxel{0, 0}, static_cast<std::size_t>(old_count) * kVoxels,
+                  static_cast<std::size_t>(count) * kVoxels);
   d.table.update(d.compute, d.index.entries(), changed_entries);
   d.page_slots.update(d.compute, d.pages.pageSlots(), changed_page_slots);
-  return count;
+  return count + woken;
 }
+
+void BrickMap::makeDormant(std::span<const cl_int> slots) {
+  if (slots.empty()) return;
+  Directory& d = *directory_;
+  std::vector<std::size_t> changed;
+  for (const cl_int slot : slots) {
+    SCANTROVE_CHECK(slot >= 0 && slot < brickCount() && !d.dormant[static_cast<std::size_t>(slot)]);
+    d.dormant[static_cast<std::size_t>(slot)] = true;
+    d.pages.remove(positionOf(slot), slot, changed);
+  }
+  d.dormant_count += static_cast<int>(slots.size());
+  d.page_slots.update(d.compute, d.pages.pageSlots(), changed);
+}
+
+int BrickMap::dormantCount() const { return directory_->dormant_count; }
 
 std::vector<cl_int> BrickMap::slotsInView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
                                           float min_depth_m, float max_depth_m) const {

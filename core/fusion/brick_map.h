@@ -22,7 +22,7 @@ class BrickMap {
   ~BrickMap();
 
   [[nodiscard]] float voxelSize() const;
-  [[nodiscard]] int brickCount() const;    ///< allocated bricks = used slots
+  [[nodiscard]] int brickCount() const;    ///< allocated bricks = used slots, dormant ones too
   [[nodiscard]] int slotCapacity() const;  ///< slots that pools must have room for; grows by doubling
   [[nodiscard]] std::size_t deviceBytes() const;
 
@@ -32,11 +32,18 @@ class BrickMap {
   [[nodiscard]] const Eigen::Vector3i& positionOf(int slot) const;
 
   /// Allocates those of `bricks` that do not exist (duplicates welcome) with weight 0, on host and device;
-  /// slots follow the order of `bricks`. Returns how many are new.
+  /// slots follow the order of `bricks`. Wakes those that are dormant. Returns how many are new or awake
+  /// again.
   int allocate(std::span<const Eigen::Vector3i> bricks);
 
-  /// Slots of all bricks whose sphere meets the view frustum between the depths. Cost follows the view, not
-  /// the map.
+  /// Lays `slots` (awake ones) aside: views and rays pass them over as if there were no brick, and so cost
+  /// nothing. For bricks that noise or a thing now gone once called for, and that hold nothing but free
+  /// space. Slot, voxels and labels stay as they are.
+  void makeDormant(std::span<const cl_int> slots);
+  [[nodiscard]] int dormantCount() const;
+
+  /// Slots of all bricks (but dormant ones) whose sphere meets the view frustum between the depths. Cost
+  /// follows the view, not the map.
   [[nodiscard]] std::vector<cl_int> slotsInView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
                                                 float min_depth_m, float max_depth_m) const;
 

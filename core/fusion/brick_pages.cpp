@@ -1,6 +1,9 @@
 #include "core/fusion/brick_pages.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/base/check.h"
 
 namespace scantrove {
 namespace {
@@ -39,7 +42,20 @@ void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std:
   const std::size_t element = page_start + localIndex(local);
   page_slots_[element] = slot;
   changed.push_back(element);
-  pages_[static_cast<std::size_t>(index)].slots.push_back(slot);
+  std::vector<int>& slots = pages_[static_cast<std::size_t>(index)].slots;
+  slots.insert(std::upper_bound(slots.begin(), slots.end(), slot), slot);
+}
+
+void BrickPages::remove(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
+  const Eigen::Vector3i position = pageOf(brick);
+  const int index = index_.slotOf(position);
+  SCANTROVE_CHECK(index != BRICK_NONE);
+  std::erase(pages_[static_cast<std::size_t>(index)].slots, slot);
+  // The bricks around may know of a larger empty cube, but a smaller one is never wrong.
+  const std::size_t element =
+      static_cast<std::size_t>(index) * PAGE_BRICKS + localIndex(brick - PAGE_SIDE * position);
+  page_slots_[element] = PAGE_EMPTY_CUBE(0);
+  changed.push_back(element);
 }
 
 // The cube of (2^level)^3 bricks around `local` is no longer empty: its empty bricks may claim smaller cubes

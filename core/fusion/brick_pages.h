@@ -20,9 +20,12 @@ class BrickPages {
 
   BrickPages();
 
-  /// Adds a brick that is not yet there. Appends the indices of the elements of `pageSlots()` that were set
-  /// to `changed`.
+  /// Adds a brick that is not there. Appends the indices of the elements of `pageSlots()` that were set to
+  /// `changed`.
   void insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
+
+  /// Takes out a brick that is there. `changed` as with insert.
+  void remove(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
 
   /// Indices of the pages that the frustum meets, in a fixed order. `brick_size_m` is the side of a brick.
   [[nodiscard]] std::vector<int> pagesInView(const ViewFrustum& frustum, double brick_size_m) const;

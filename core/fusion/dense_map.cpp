@@ -22,6 +22,8 @@ class DenseMap::Machinery {
   void integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera) {
     const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
     const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
+    // What the last frame found empty: by now the device has long answered.
+    bricks_.makeDormant(integrator_.emptySlots());
     lookAt(frustum);
     if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum);
     integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);

@@ -9,8 +9,8 @@
 namespace scantrove {
 namespace {
 
-constexpr int kTile = 8;                          // pixels; the tiles of reduce_depth_tiles
-constexpr std::size_t kRows = BRICK_VOXELS / 16;  // work-items of integrate_bricks for one brick
+constexpr int kTile = 8;           // pixels; the tiles of reduce_depth_tiles
+constexpr std::size_t kGroup = 8;  // bricks that one work-group of integrate_bricks does
 
 constexpr std::size_t tiles(int pixels) { return static_cast<std::size_t>((pixels + kTile - 1) / kTile); }
 
@@ -20,19 +20,20 @@ Result<Integrator> Integrator::create(ComputeContext& compute, const FusionParam
   const std::string options = "-DTILE=" + std::to_string(kTile);
   Result<Kernel> reduce = compute.kernel(kernels::reduce_depth_tiles, "reduce_depth_tiles", options);
   if (!reduce) return fail(reduce.error());
-  Result<Kernel> select = compute.kernel(kernels::select_bricks, "select_bricks", options);
-  if (!select) return fail(select.error());
+  Result<Kernel> find = compute.kernel(kernels::find_brick_readings, "find_brick_readings", options);
+  if (!find) return fail(find.error());
   Result<Kernel> integrate = compute.kernel(kernels::integrate_bricks, "integrate_bricks");
   if (!integrate) return fail(integrate.error());
   Integrator result(compute, params);
   result.reduce_depth_tiles_ = *reduce;
-  result.select_bricks_ = *select;
+  result.find_brick_readings_ = *find;
   result.integrate_bricks_ = *integrate;
   return result;
 }
 
 void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
                            const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera) {
+  slots_.assign(slots.begin(), slots.end());
   if (slots.empty()) return;
   host_bricks_.clear();
   for (const cl_int slot : slots) {
@@ -41,7 +42,8 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   }
   if (bricks_.size() < slots.size()) {
     bricks_ = Buffer<cl_int4>(compute_->context(), 2 * slots.size());
-    selected_ = Buffer<cl_uchar>(compute_->context(), 2 * slots.size());
+    readings_ = Buffer<cl_float2>(compute_->context(), 2 * slots.size());
+    empty_ = Buffer<cl_uchar>(compute_->context(), 2 * slots.size());
   }
   bricks_.write(compute_->queue(), host_bricks_);
 
@@ -60,11 +62,21 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   if (extents_.size() < tile_count) extents_ = Buffer<cl_float2>(compute_->context(), tile_count);
   reduce_depth_tiles_.launch(tile_grid, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height,
                              params_.max_depth_m, extents_);
-  select_bricks_.launch(cl::NDRange(slots.size()), cl::NDRange(64), bricks_, count, T, K, frame.K.width,
-                        frame.K.height, extents_, truncation_m, selected_);
-  integrate_bricks_.launch(cl::NDRange(slots.size() * kRows), cl::NDRange(kRows), bricks_, count, selected_,
-                           T, K, frame.K.width, frame.K.height, frame.depth_m, params_.max_depth_m,
-                           truncation_m, max_weight, map.voxels());
+  find_brick_readings_.launch(cl::NDRange(slots.size()), cl::NDRange(64), bricks_, count, T, K, frame.K.width,
+                              frame.K.height, extents_, params_.max_depth_m, readings_);
+  integrate_bricks_.launch(cl::NDRange(slots.size()), cl::NDRange(kGroup), bricks_, count, readings_, T, K,
+                           frame.K.width, frame.K.height, frame.depth_m, params_.max_depth_m, truncation_m,
+                           max_weight, map.voxels(), empty_);
+}
+
+std::vector<cl_int> Integrator::emptySlots() {
+  std::vector<cl_uchar> empty(slots_.size());
+  empty_.read(compute_->queue(), std::span<cl_uchar>(empty));
+  std::vector<cl_int> result;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (empty[i] != 0) result.push_back(slots_[i]);
+  }
+  return result;
 }
 
 }  // namespace scantrove

@@ -21,16 +21,22 @@ class Integrator {
   void integrate(BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
                  const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
 
+  /// Those of the slots of the last call that hold nothing but free space, by what its frame showed and by
+  /// what was there before.
+  [[nodiscard]] std::vector<cl_int> emptySlots();
+
  private:
   Integrator(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
   ComputeContext* compute_;
   FusionParams params_;
   Kernel reduce_depth_tiles_;
-  Kernel select_bricks_;
+  Kernel find_brick_readings_;
   Kernel integrate_bricks_;
   Buffer<cl_float2> extents_;
   Buffer<cl_int4> bricks_;
-  Buffer<cl_uchar> selected_;
+  Buffer<cl_float2> readings_;
+  Buffer<cl_uchar> empty_;
+  std::vector<cl_int> slots_;
   std::vector<cl_int4> host_bricks_;
 };
 

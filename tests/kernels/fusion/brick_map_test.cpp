@@ -159,6 +159,39 @@ TEST(BrickMap, FindsEveryBrickInViewOnce) {
   });
 }
 
+TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
+  test::onEachDevice([](ComputeContext& compute) {
+    BrickMap map(compute, 0.01F);
+    const std::vector<Brick> bricks{{0, 0, 10}, {1, 0, 10}, {0, 1, 10}};
+    map.allocate(bricks);
+    const Intrinsics K{100, 100, 50, 50, 100, 100};
+    const auto inView = [&] { return map.slotsInView(Eigen::Isometry3d::Identity(), K, 0.1F, 2.0F); };
+    const auto slotOnDevice = [&](const Brick& brick) {
+      // Bricks with coordinates of 8 and more lie in the second page of z; page 1 is the only one here.
+      const std::size_t local =
+          static_cast<std::size_t>(brick.x() + PAGE_SIDE * (brick.y() + PAGE_SIDE * (brick.z() - PAGE_SIDE)));
+      return map.pageSlots().read(compute.queue())[PAGE_BRICKS + local];
+    };
+    ASSERT_THAT(inView(), testing::ElementsAre(0, 1, 2));
+    ASSERT_EQ(slotOnDevice({1, 0, 10}), 1);
+
+    map.makeDormant(std::vector<cl_int>{1});
+    EXPECT_EQ(map.dormantCount(), 1);
+    EXPECT_THAT(inView(), testing::ElementsAre(0, 2));
+    EXPECT_LT(slotOnDevice({1, 0, 10}), 0);
+    EXPECT_EQ(slotOnDevice({0, 1, 10}), 2);
+    EXPECT_EQ(map.slotOf({1, 0, 10}), 1);
+    EXPECT_EQ(map.brickCount(), 3);
+
+    // Awake again in its old slot, and named in the same place as before.
+    EXPECT_EQ(map.allocate(bricks), 1);
+    EXPECT_EQ(map.dormantCount(), 0);
+    EXPECT_THAT(inView(), testing::ElementsAre(0, 1, 2));
+    EXPECT_EQ(slotOnDevice({1, 0, 10}), 1);
+    EXPECT_EQ(map.allocate(bricks), 0);
+  });
+}
+
 TEST(BrickMap, SeesTheSameFarAwayAsAtHome) {
   test::onEachDevice([](ComputeContext& compute) {
     constexpr float kVoxel = 0.0078125F;  // a power of two: shifting by bricks is exact

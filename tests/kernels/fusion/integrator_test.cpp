@@ -192,6 +192,43 @@ TEST(Integrator, CarvesWhatIsGone) {
   });
 }
 
+// A wall that goes and comes back: its bricks cost nothing while it is away, and it is seen where it was.
+TEST(Integrator, LaysAsideWhatIsFreeSpaceAndTakesItUpAgain) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const Intrinsics K = test::oddCamera();
+    const FusionParams params = coarse();
+    auto map = test::makeMap(compute, params);
+    const BrickMap& bricks = map->bricks();
+    const auto see = [&](float wall_m, int times) {
+      const std::vector<float> depth(static_cast<std::size_t>(K.pixels()), wall_m);
+      for (int i = 0; i < times; ++i)
+        map->integrate(test::frameOf(compute, depth, K), Eigen::Isometry3d::Identity());
+    };
+    const auto depthInTheMiddle = [&] {
+      SurfaceMaps maps;
+      map->raycast(Eigen::Isometry3d::Identity(), K, maps);
+      return maps.vertices_world
+          .read(compute.queue())[static_cast<std::size_t>(K.height / 2 * K.width + K.width / 2)]
+          .s[2];
+    };
+    see(0.8F, 1);
+    const int bricks_of_near_wall = bricks.brickCount();
+    EXPECT_EQ(bricks.dormantCount(), 0);
+    EXPECT_NEAR(depthInTheMiddle(), 0.8, 0.001);
+
+    // One reading at -1 and n at +1 average to (n - 1) / (n + 1): half a truncation is passed with the third,
+    // and the bricks are laid aside with the frame after. Those that reach out of the image stay.
+    see(1.6F, 4);
+    EXPECT_GT(bricks.dormantCount(), bricks_of_near_wall / 2);
+    EXPECT_NEAR(depthInTheMiddle(), 1.6, 0.001);
+
+    see(0.8F, 1);
+    EXPECT_EQ(bricks.dormantCount(), 0);
+    see(0.8F, 20);
+    EXPECT_NEAR(depthInTheMiddle(), 0.8, 0.01);
+  });
+}
+
 TEST(Integrator, GivesTheSameBitsForTheSameInput) {
   test::onEachDevice([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();

@@ -1,10 +1,9 @@
-// selected(brick) = 0 if no depth reading can change its voxels: it is hidden wholly behind what the image shows, out of sight or
-// where there is no reading; 2 if every voxel certainly lies a truncation or more in front of a reading; else 1. Compares the
-// depths of the brick's corners with the readings of the tiles that their image spans.
+// readings(brick) = (smallest, largest) depth reading that its voxels may meet in the image, from the tiles that the image of
+// its corners spans: bounds, not exact. Smallest is 0 where some voxel may meet none, largest is 0 where all do.
 //
 // One work-item: one brick, its corners in a float8. bricks: brick_count of (x, y, z, slot), counted from the window's first
 // brick. T_camera_window: voxels from the window's first to camera metres. extents: see reduce_depth_tiles (TILE is a build
-// option of both). selected: brick_count.
+// option of both). readings: brick_count, metres.
 #define NEAR_M 0.01f
 
 inline float smallest(const float8 a) {
@@ -12,9 +11,9 @@ inline float smallest(const float8 a) {
   return fmin(fmin(b.x, b.y), fmin(b.z, b.w));
 }
 
-kernel void select_bricks(global const int4* bricks, const int brick_count, const float16 T_camera_window,
-                          const float4 K, const int width, const int height, global const float2* extents,
-                          const float truncation_m, global uchar* selected) {
+kernel void find_brick_readings(global const int4* bricks, const int brick_count, const float16 T_camera_window,
+                                const float4 K, const int width, const int height, global const float2* extents,
+                                const float max_depth_m, global float2* readings) {
   const int i = (int)get_global_id(0);
   if (i >= brick_count) return;
   const float16 T = T_camera_window;
@@ -26,7 +25,7 @@ kernel void select_bricks(global const int4* bricks, const int brick_count, cons
   const float8 camera_z = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
   const float nearest = smallest(camera_z);
   if (!(nearest > NEAR_M)) {
-    selected[i] = 1; /* around the camera: its image says nothing */
+    readings[i] = (float2)(0.0f, max_depth_m); /* around the camera: its image says nothing */
     return;
   }
   const float8 u = camera_x / camera_z * K.x + (K.z + 0.5f);
@@ -35,9 +34,7 @@ kernel void select_bricks(global const int4* bricks, const int brick_count, cons
   const float right = -smallest(-u);
   const float top = smallest(v);
   const float bottom = -smallest(-v);
-  const float farthest = -smallest(-camera_z);
-  int reached = 0;
-  int in_front = left >= 0.0f && right < (float)width && top >= 0.0f && bottom < (float)height;
+  float2 reading = (float2)(max_depth_m, 0.0f);
   if (right >= 0.0f && left < (float)width && bottom >= 0.0f && top < (float)height) {
     const int tiles_x = (width + TILE - 1) / TILE;
     const int first_x = (int)fmax(left, 0.0f) / TILE;
@@ -47,10 +44,11 @@ kernel void select_bricks(global const int4* bricks, const int brick_count, cons
     for (int ty = first_y; ty <= last_y; ++ty) {
       for (int tx = first_x; tx <= last_x; ++tx) {
         const float2 extent = extents[ty * tiles_x + tx];
-        reached |= extent.y > 0.0f && extent.y > nearest - truncation_m;
-        in_front &= extent.x > farthest + truncation_m;
+        reading.x = fmin(reading.x, extent.x);
+        reading.y = fmax(reading.y, extent.y);
       }
     }
   }
-  selected[i] = reached ? (in_front ? 2 : 1) : 0;
+  const int inside = left >= 0.0f && right < (float)width && top >= 0.0f && bottom < (float)height;
+  readings[i] = inside ? reading : (float2)(0.0f, reading.y);
 }
