@@ -63,9 +63,7 @@ int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const Dep
   for (const cl_int4& brick : found) {
     bricks.push_back(window.firstBrick() + Eigen::Vector3i(brick.s[0], brick.s[1], brick.s[2]));
   }
-  std::sort(bricks.begin(), bricks.end(), [](const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
+  sortBricks(bricks);
   return map.allocate(bricks);
 }
 

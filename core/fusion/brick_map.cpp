@@ -13,6 +13,12 @@ constexpr int kFirstSlots = 1 << 14;
 constexpr std::size_t kVoxels = BRICK_VOXELS;
 }  // namespace
 
+void sortBricks(std::vector<Eigen::Vector3i>& bricks) {
+  std::sort(bricks.begin(), bricks.end(), [](const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+}
+
 struct BrickMap::Directory {
   Directory(ComputeContext& context, float voxel_size) : compute(context), voxel_size_m(voxel_size) {}
 

@@ -13,6 +13,10 @@
 
 namespace scantrove {
 
+/// Sorts by x, y, z. Kernels list bricks in the order in which their threads happen to run; sorted, the same
+/// scan gets the same slots.
+void sortBricks(std::vector<Eigen::Vector3i>& bricks);
+
 /// Which 8^3 bricks exist and where their voxels lie. The directory lives on the host and is mirrored on the
 /// device as a hash table (brick_layout.h); voxels live on the device only. No limit on extent or position
 /// other than memory: table and pools grow. Slots are handed out 0, 1, 2, ... One thread, the context's.

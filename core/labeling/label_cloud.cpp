@@ -157,6 +157,7 @@ class LabelCloud::Machinery {
       missing_.read(compute_.queue(), std::span<cl_int4>(missing));
       std::vector<Eigen::Vector3i> wanted;
       for (const cl_int4& m : missing) wanted.emplace_back(m.s[0], m.s[1], m.s[2]);
+      sortBricks(wanted);
       bricks.allocate(wanted);
     }
   }

@@ -71,6 +71,21 @@ TEST(Scan, WritesEverythingThatIsPromised) {
   }
 }
 
+// However the device's threads happened to run.
+TEST(Scan, GivesTheSameResultsTwice) {
+  const TemporaryFolder folder;
+  for (const char* out : {"first", "second"}) {
+    const Finished run = scan("demo", folder / out, {"--frames", "10", "--label-maps"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  for (const char* name : {"trajectory.txt", "cloud.ply", "cloud.pcd", "labels.json", "segments/000009.png",
+                           "labels/000009.png", "labels-final/000009.png"}) {
+    const std::string first = readText(folder / "first" / name);
+    EXPECT_FALSE(first.empty()) << name;
+    EXPECT_TRUE(first == readText(folder / "second" / name)) << name;
+  }
+}
+
 TEST(Scan, WritesMapsOfFramesOnlyWhenAsked) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 2);
