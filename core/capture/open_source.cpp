@@ -101,8 +101,8 @@ Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const
                 "Give a recording's folder, an .oni file, `camera`, `camera:URI` or `demo`.");
   }
   SCANTROVE_TRY(checkSourceOptions(options));
-  return open(source, options).map([](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {
-    return std::make_unique<ReadAhead>(std::move(opened));
+  return open(source, options).map([&](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {
+    return std::make_unique<ReadAhead>(std::move(opened), ReadAhead::kCapacity, options.frames);
   });
 }
 

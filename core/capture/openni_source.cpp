@@ -55,7 +55,9 @@ class OpenNiSource final : public FrameSource {
   }
 
   [[nodiscard]] bool isOver() const {
-    return (options_.frames && given_ >= *options_.frames) || (available_ > 0 && next_index_ >= available_);
+    // Of a live camera, frames are dropped further on: those that are used are counted there.
+    const bool enough = !info_.is_live && options_.frames && given_ >= *options_.frames;
+    return enough || (available_ > 0 && next_index_ >= available_);
   }
 
   FrameRead readOne() {

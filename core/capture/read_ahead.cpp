@@ -28,8 +28,8 @@ FrameRead readSafely(FrameSource& source) {
 
 }  // namespace
 
-ReadAhead::ReadAhead(std::unique_ptr<FrameSource> source, std::size_t capacity)
-    : source_(std::move(source)), info_(source_->info()), capacity_(capacity) {
+ReadAhead::ReadAhead(std::unique_ptr<FrameSource> source, std::size_t capacity, std::optional<int> live_limit)
+    : source_(std::move(source)), info_(source_->info()), capacity_(capacity), live_limit_(live_limit) {
   SCANTROVE_CHECK(capacity_ > 0);
   thread_ = std::jthread([this](const std::stop_token& stop) { readAll(stop); });
 }
@@ -54,7 +54,10 @@ FrameRead ReadAhead::next() {
   }
   FrameRead read = std::move(queue_.front());
   queue_.pop_front();
-  is_over_ = isLast(read);
+  if (info_.is_live && read.status == Status::frame) {
+    ++taken_;
+  }
+  is_over_ = isLast(read) || (live_limit_ && taken_ >= *live_limit_);
   lock.unlock();
   changed_.notify_all();
   return read;

@@ -3,6 +3,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "core/capture/frame_source.h"
@@ -17,7 +18,9 @@ class ReadAhead final : public FrameSource {
  public:
   static constexpr std::size_t kCapacity = 4;
 
-  explicit ReadAhead(std::unique_ptr<FrameSource> source, std::size_t capacity = kCapacity);
+  /// `live_limit`: a live source ends after so many frames were taken by next(); those dropped do not count.
+  explicit ReadAhead(std::unique_ptr<FrameSource> source, std::size_t capacity = kCapacity,
+                     std::optional<int> live_limit = {});
   ~ReadAhead() override;
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
@@ -39,12 +42,14 @@ class ReadAhead final : public FrameSource {
   std::unique_ptr<FrameSource> source_;
   SourceInfo info_;
   std::size_t capacity_;
+  std::optional<int> live_limit_;
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable_any changed_;
   std::deque<FrameRead> queue_;
+  int taken_ = 0;  // frames of a live source
   bool is_cancelled_ = false;
-  bool is_over_ = false;  // next() has given end or failed
+  bool is_over_ = false;  // next() has given end or failed, or all that was asked for
 
   std::jthread thread_;  // last: stopped and joined before anything it uses goes
 };
