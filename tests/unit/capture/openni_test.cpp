@@ -55,7 +55,7 @@ TEST(VirtualCamera, EndsAfterTheFramesAskedForHoweverManyWereDropped) {
   std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the time of 15 frames
   const auto reads = readAll(**source);
   const auto is_frame = [](const FrameRead& read) { return read.status == Status::frame; };
-  EXPECT_EQ(std::count_if(reads.begin(), reads.end(), is_frame), 2);
+  EXPECT_EQ(std::count_if(reads.begin(), reads.end(), is_frame), 2) << reads.back().error.message();
   const auto first = std::find_if(reads.begin(), reads.end(), is_frame);
   ASSERT_NE(first, reads.end());
   EXPECT_GT(first->dropped, 0);
