@@ -28,6 +28,15 @@ using Result = tl::expected<T, Error>;
   return tl::unexpected<Error>(std::move(error));
 }
 
+/// Moves what `result` holds into `target`; a failure is handed on:
+/// `SCANTROVE_TRY(moveInto(member_, Thing::create()));`
+template <class Target, class Value>
+[[nodiscard]] Result<void> moveInto(Target& target, Result<Value> result) {
+  if (!result) return fail(std::move(result).error());
+  target = std::move(*result);
+  return {};
+}
+
 }  // namespace scantrove
 
 /// Leaves the current function with the error of a `Result<void>`-like expression that failed.

@@ -27,16 +27,11 @@ cl::NDRange range(int x, int y, int z) {
 
 Result<ThumbnailMatcher> ThumbnailMatcher::create(ComputeContext& compute) {
   ThumbnailMatcher matcher(compute);
-  const auto load = [&](Kernel& kernel, const KernelSource& source, const char* name) -> Result<void> {
-    Result<Kernel> built = compute.kernel(source, name);
-    if (!built) return fail(built.error());
-    kernel = std::move(*built);
-    return {};
-  };
-  SCANTROVE_TRY(load(matcher.warp_queries_, kernels::warp_queries, "warp_queries"));
-  SCANTROVE_TRY(load(matcher.shrink_queries_, kernels::warp_queries, "shrink_queries"));
-  SCANTROVE_TRY(load(matcher.score_warps_, kernels::match_thumbnails, "score_warps"));
-  SCANTROVE_TRY(load(matcher.refine_matches_, kernels::match_thumbnails, "refine_matches"));
+  SCANTROVE_TRY(moveInto(matcher.warp_queries_, compute.kernel(kernels::warp_queries, "warp_queries")));
+  SCANTROVE_TRY(moveInto(matcher.shrink_queries_, compute.kernel(kernels::warp_queries, "shrink_queries")));
+  SCANTROVE_TRY(moveInto(matcher.score_warps_, compute.kernel(kernels::match_thumbnails, "score_warps")));
+  SCANTROVE_TRY(
+      moveInto(matcher.refine_matches_, compute.kernel(kernels::match_thumbnails, "refine_matches")));
   return matcher;
 }
 

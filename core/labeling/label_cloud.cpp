@@ -16,16 +16,11 @@ struct LabelingKernels {
 
 Result<LabelingKernels> buildKernels(ComputeContext& compute) {
   LabelingKernels built;
-  const auto build = [&](const KernelSource& source, const char* function, Kernel& kernel) -> Result<void> {
-    Result<Kernel> result = compute.kernel(source, function);
-    if (!result) return fail(result.error());
-    kernel = *result;
-    return {};
-  };
-  SCANTROVE_TRY(build(kernels::project_labels, "project_labels", built.project));
-  SCANTROVE_TRY(build(kernels::list_uncovered_bricks, "list_uncovered_bricks", built.list_missing));
-  SCANTROVE_TRY(build(kernels::update_labels, "update_labels", built.update));
-  SCANTROVE_TRY(build(kernels::extract_points, "extract_points", built.extract));
+  SCANTROVE_TRY(moveInto(built.project, compute.kernel(kernels::project_labels, "project_labels")));
+  SCANTROVE_TRY(
+      moveInto(built.list_missing, compute.kernel(kernels::list_uncovered_bricks, "list_uncovered_bricks")));
+  SCANTROVE_TRY(moveInto(built.update, compute.kernel(kernels::update_labels, "update_labels")));
+  SCANTROVE_TRY(moveInto(built.extract, compute.kernel(kernels::extract_points, "extract_points")));
   return built;
 }
 }  // namespace

@@ -13,21 +13,17 @@ constexpr double kLeastDepthToBegin = 0.05;
 
 Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compute, const Setup& setup) {
   std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
-  const auto take = [](auto& member, auto result) -> Result<void> {
-    if (!result) return fail(result.error());
-    member = std::move(*result);
-    return {};
-  };
   SCANTROVE_TRY(
-      take(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
-  SCANTROVE_TRY(take(pipeline->tracker_, Tracker::create(compute)));
-  SCANTROVE_TRY(take(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
-  SCANTROVE_TRY(take(pipeline->segmenter_, GraphSegmenter::create(compute)));
-  SCANTROVE_TRY(take(pipeline->cloud_, LabelCloud::create(compute)));
+      moveInto(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
+  SCANTROVE_TRY(moveInto(pipeline->tracker_, Tracker::create(compute)));
+  SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
+  SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
+  SCANTROVE_TRY(moveInto(pipeline->cloud_, LabelCloud::create(compute)));
   pipeline->finder_ = makeRuleBasedFinder(setup.params.discovery);
   if (setup.database != nullptr) {
-    SCANTROVE_TRY(take(pipeline->collector_, ObjectCollector::create(compute, *setup.database, setup.session,
-                                                                     setup.params.detection)));
+    SCANTROVE_TRY(
+        moveInto(pipeline->collector_,
+                 ObjectCollector::create(compute, *setup.database, setup.session, setup.params.detection)));
   }
   return pipeline;
 }

@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/capture/open_source.h"
+#include "core/scan/open_source.h"
 
 namespace scantrove {
 namespace {
@@ -26,27 +26,22 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanSession::Listener listener,
                                                LatestValue<ScanSnapshot>& mailbox) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
-  const auto take = [](auto& member, auto result) -> Result<void> {
-    if (!result) return fail(result.error());
-    member = std::move(*result);
-    return {};
-  };
-  SCANTROVE_TRY(take(run->source_, openSource(request.source, request.source_options)));
+  SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
   const SourceInfo& info = run->source_->info();
   const bool poses_given = request.poses == ScanRequest::Poses::given;
   if (poses_given && !info.has_poses) {
     return fail("The recording " + info.name + " (" + info.kind + ") has no poses.",
                 "Leave out --poses given.");
   }
-  SCANTROVE_TRY(take(run->compute_, ComputeContext::create({request.device, request.profile_kernels})));
+  SCANTROVE_TRY(moveInto(run->compute_, ComputeContext::create({request.device, request.profile_kernels})));
   if (request.output_folder) {
-    SCANTROVE_TRY(take(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
+    SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
-  SCANTROVE_TRY(take(run->database_, ObjectDatabase::open(request.database)));
-  SCANTROVE_TRY(take(run->session_, run->database_->beginSession(info.name)));
-  SCANTROVE_TRY(
-      take(run->pipeline_, ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
-                                                                 run->database_.get(), run->session_})));
+  SCANTROVE_TRY(moveInto(run->database_, ObjectDatabase::open(request.database)));
+  SCANTROVE_TRY(moveInto(run->session_, run->database_->beginSession(info.name)));
+  SCANTROVE_TRY(moveInto(run->pipeline_,
+                         ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
+                                                               run->database_.get(), run->session_})));
   return run;
 }
 

@@ -7,9 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/capture/open_source.h"
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
+#include "core/scan/open_source.h"
+#include "tests/support/source_tree.h"
 
 namespace {
 
@@ -18,8 +19,7 @@ using namespace scantrove;
 std::string kitchen() {
   const char* const given = std::getenv("SCANTROVE_DATA");
   const std::filesystem::path folder =
-      given != nullptr ? std::filesystem::path(given)
-                       : std::filesystem::path(SCANTROVE_SOURCE_DIR) / ".." / "shared/data";
+      given != nullptr ? std::filesystem::path(given) : test::sourceTree() / ".." / "shared/data";
   return (folder / "kitchen").string();
 }
 

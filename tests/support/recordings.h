@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/source_tree.h"
+
 namespace scantrove::test {
 
 /// The folder of real recordings: SCANTROVE_DATA, else ../shared/data beside the source tree.
@@ -12,7 +14,7 @@ inline std::filesystem::path recordingsFolder() {
   if (const char* const given = std::getenv("SCANTROVE_DATA"); given != nullptr && *given != '\0') {
     return given;
   }
-  return std::filesystem::path(SCANTROVE_SOURCE_DIR) / ".." / "shared" / "data";
+  return sourceTree() / ".." / "shared" / "data";
 }
 
 }  // namespace scantrove::test

@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/capture/synthetic/synthetic_source.h"
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/evaluation/trajectory_metrics.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/synthetic/synthetic_source.h"
 
 namespace scantrove::test {
 

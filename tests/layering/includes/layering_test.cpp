@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/layering/includes/layer_rules.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
@@ -12,8 +13,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(Layering, TheHouseKeepsItsRules) {
-  const IncludeTree tree = readIncludes(SCANTROVE_SOURCE_DIR);
-  ASSERT_GT(tree.size(), 30U) << "the source tree was not found below " << SCANTROVE_SOURCE_DIR;
+  const IncludeTree tree = readIncludes(sourceTree());
+  ASSERT_GT(tree.size(), 30U) << "the source tree was not found below " << sourceTree();
   for (const std::string& finding : LayerRules::broken(tree)) ADD_FAILURE() << finding;
 }
 

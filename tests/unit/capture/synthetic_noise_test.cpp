@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "core/capture/synthetic/kinect_noise.h"
+#include "core/synthetic/kinect_noise.h"
 
 namespace scantrove::synthetic {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <random>
 
-#include "core/capture/synthetic/lathe.h"
-#include "core/capture/synthetic/rounded_shapes.h"
+#include "core/synthetic/lathe.h"
+#include "core/synthetic/rounded_shapes.h"
 
 namespace scantrove::synthetic {
 namespace {

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "core/capture/synthetic/synthetic_source.h"
+#include "core/synthetic/synthetic_source.h"
 
 namespace scantrove {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/capture/open_source.h"
+#include "core/scan/open_source.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {

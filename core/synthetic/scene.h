@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/capture/synthetic/material.h"
-#include "core/capture/synthetic/shape.h"
+#include "core/synthetic/material.h"
+#include "core/synthetic/shape.h"
 
 namespace scantrove {
 

@@ -1,12 +1,12 @@
-#include "core/capture/synthetic/lighting.h"
+#include "core/synthetic/lighting.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "core/capture/synthetic/hash_random.h"
-#include "core/capture/synthetic/view_caster.h"
+#include "core/synthetic/hash_random.h"
+#include "core/synthetic/view_caster.h"
 
 namespace scantrove::synthetic {
 namespace {

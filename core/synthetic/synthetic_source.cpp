@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/synthetic_source.h"
+#include "core/synthetic/synthetic_source.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/capture/synthetic/kinect_noise.h"
-#include "core/capture/synthetic/lighting.h"
-#include "core/capture/synthetic/objects.h"
-#include "core/capture/synthetic/renderer.h"
+#include "core/synthetic/kinect_noise.h"
+#include "core/synthetic/lighting.h"
+#include "core/synthetic/objects.h"
+#include "core/synthetic/renderer.h"
 
 namespace scantrove {
 namespace {

@@ -1,5 +1,5 @@
-#include "core/capture/synthetic/lathe.h"
-#include "core/capture/synthetic/objects.h"
+#include "core/synthetic/lathe.h"
+#include "core/synthetic/objects.h"
 
 namespace scantrove::synthetic {
 

@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/objects.h"
+#include "core/synthetic/objects.h"
 
 namespace scantrove::synthetic {
 

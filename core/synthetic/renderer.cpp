@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/renderer.h"
+#include "core/synthetic/renderer.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/capture/synthetic/view_caster.h"
+#include "core/synthetic/view_caster.h"
 
 namespace scantrove::synthetic {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/capture/synthetic/material.h"
+#include "core/synthetic/material.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/capture/synthetic/hash_random.h"
+#include "core/synthetic/hash_random.h"
 
 namespace scantrove::synthetic {
 namespace {

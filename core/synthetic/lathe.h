@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "core/capture/synthetic/shape.h"
+#include "core/synthetic/shape.h"
 
 namespace scantrove::synthetic {
 

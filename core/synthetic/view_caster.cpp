@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/view_caster.h"
+#include "core/synthetic/view_caster.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/lathe.h"
+#include "core/synthetic/lathe.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/capture/synthetic/scene.h"
+#include "core/synthetic/scene.h"
 
 namespace scantrove::synthetic {
 

@@ -1,11 +1,11 @@
-#include "core/capture/synthetic/trajectory.h"
+#include "core/synthetic/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
 
-#include "core/capture/synthetic/hash_random.h"
+#include "core/synthetic/hash_random.h"
 
 namespace scantrove::synthetic {
 namespace {

@@ -1,6 +1,6 @@
-#include "core/capture/synthetic/lathe.h"
-#include "core/capture/synthetic/objects.h"
-#include "core/capture/synthetic/rounded_shapes.h"
+#include "core/synthetic/lathe.h"
+#include "core/synthetic/objects.h"
+#include "core/synthetic/rounded_shapes.h"
 
 namespace scantrove::synthetic {
 namespace {

@@ -2,8 +2,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/capture/intrinsics.h"
-#include "core/capture/synthetic/lighting.h"
-#include "core/capture/synthetic/scene.h"
+#include "core/synthetic/lighting.h"
+#include "core/synthetic/scene.h"
 
 namespace scantrove::synthetic {
 

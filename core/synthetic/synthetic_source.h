@@ -6,8 +6,8 @@
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
-#include "core/capture/synthetic/scene.h"
-#include "core/capture/synthetic/trajectory.h"
+#include "core/synthetic/scene.h"
+#include "core/synthetic/trajectory.h"
 
 namespace scantrove {
 

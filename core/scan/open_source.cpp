@@ -1,4 +1,4 @@
-#include "core/capture/open_source.h"
+#include "core/scan/open_source.h"
 
 #include <filesystem>
 
@@ -8,8 +8,8 @@
 #include "core/capture/read_ahead.h"
 #include "core/capture/seven_scenes.h"
 #include "core/capture/source_options.h"
-#include "core/capture/synthetic/synthetic_source.h"
 #include "core/capture/tum_folder.h"
+#include "core/synthetic/synthetic_source.h"
 
 namespace scantrove {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "core/capture/synthetic/scene.h"
+#include "core/synthetic/scene.h"
 
 namespace scantrove::synthetic {
 

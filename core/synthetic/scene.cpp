@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/scene.h"
+#include "core/synthetic/scene.h"
 
 #include <utility>
 

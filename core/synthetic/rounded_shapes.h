@@ -1,5 +1,5 @@
 #pragma once
-#include "core/capture/synthetic/shape.h"
+#include "core/synthetic/shape.h"
 
 namespace scantrove::synthetic {
 

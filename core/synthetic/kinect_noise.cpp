@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/kinect_noise.h"
+#include "core/synthetic/kinect_noise.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/capture/synthetic/hash_random.h"
+#include "core/synthetic/hash_random.h"
 
 namespace scantrove::synthetic {
 namespace {

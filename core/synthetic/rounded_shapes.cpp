@@ -1,4 +1,4 @@
-#include "core/capture/synthetic/rounded_shapes.h"
+#include "core/synthetic/rounded_shapes.h"
 
 #include <algorithm>
 #include <cmath>
