@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <iomanip>
@@ -134,24 +135,26 @@ Result<void> rename(ObjectDatabase& database, const ObjectsCommand& command) {
 Result<void> confirm(ObjectDatabase& database, const ObjectsCommand& command) {
   const auto object = findObject(database, command.object);
   if (!object) return fail(object.error());
-  SCANTROVE_TRY(database.setConfirmed(object->id, !command.undo));
+  SCANTROVE_TRY(database.setConfirmed({&object->id, 1}, !command.undo));
   return report(database, object->id, command);
 }
 
 Result<void> merge(ObjectDatabase& database, const ObjectsCommand& command) {
-  const auto into = findObject(database, command.object);
-  if (!into) return fail(into.error());
-  const auto from = findObject(database, command.other);
-  if (!from) return fail(from.error());
-  if (into->id == from->id) return fail("An object cannot be merged with itself.");
-  SCANTROVE_TRY(database.merge(into->id, from->id));
-  return report(database, into->id, command);
+  const auto first = findObject(database, command.object);
+  if (!first) return fail(first.error());
+  const auto second = findObject(database, command.other);
+  if (!second) return fail(second.error());
+  const std::array objects{first->id, second->id};
+  const auto merged = database.merge(objects);
+  if (!merged) return fail(merged.error());
+  if (!command.json) std::cout << "kept " << (merged->into == first->id ? *first : *second).name << '\n';
+  return report(database, merged->into, command);
 }
 
 Result<void> remove(ObjectDatabase& database, const ObjectsCommand& command) {
   const auto object = findObject(database, command.object);
   if (!object) return fail(object.error());
-  SCANTROVE_TRY(database.remove(object->id));
+  SCANTROVE_TRY(database.remove({&object->id, 1}));
   if (command.json) {
     print({{"deleted", object->id.value}});
   } else {
@@ -196,8 +199,12 @@ void addObjectsCommand(CLI::App& app, CommandOutcome& outcome) {
       ->required();
   take_object(add("confirm", "Mark an object as right", confirm), "name or id")
       ->add_flag("--undo", command->undo, "take the mark back");
-  take_object(add("merge", "Make two objects one", merge), "name or id of the object that stays")
-      ->add_option("OTHER", command->other, "name or id of the object whose views it takes over")
+  take_object(add("merge",
+                  "Make two objects one: the one that a person named is kept, then the confirmed, then the "
+                  "one with more views",
+                  merge),
+              "name or id")
+      ->add_option("OTHER", command->other, "name or id of the other object")
       ->required();
   take_object(add("delete", "Hide an object everywhere", remove), "name or id");
 }

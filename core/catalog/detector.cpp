@@ -100,6 +100,10 @@ void Detector::add(ObjectId object, const cv::Mat& color, const cv::Mat& mask,
   }
 }
 
+void Detector::add(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
+  machinery_->add(object, thumbnail, size_m);
+}
+
 void Detector::remove(ObjectId object) { machinery_->remove(object); }
 void Detector::clear() { machinery_->clear(); }
 int Detector::viewCount() const { return machinery_->viewCount(); }

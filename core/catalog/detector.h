@@ -33,6 +33,7 @@ class Detector {
   void setParams(const DetectionParams& params);
   /// Adds a view; the next find searches it.
   void add(ObjectId object, const cv::Mat& color, const cv::Mat& mask, const Eigen::Vector3f& size_m);
+  void add(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
   /// Forgets all views of an object (it was deleted or merged).
   void remove(ObjectId object);
   void clear();

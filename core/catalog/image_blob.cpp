@@ -6,21 +6,46 @@
 #include "core/base/check.h"
 
 namespace scantrove {
+namespace {
 
-QByteArray toPng(const cv::Mat& image) {
-  // A PNG of size zero does not exist; an empty crop is stored as an empty (not null) blob.
+constexpr std::uint64_t kMostPixels = 1ULL << 26U;
+
+QByteArray encoded(const char* format, const cv::Mat& image, const std::vector<int>& options) {
+  // An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
   if (image.empty()) return QByteArray("");
-  SCANTROVE_CHECK(image.type() == CV_8UC3 || image.type() == CV_8UC1 || image.type() == CV_16UC1);
   std::vector<unsigned char> bytes;
-  // Level 1: crops are small and written while scanning.
-  SCANTROVE_CHECK(cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1}));
+  SCANTROVE_CHECK(cv::imencode(format, image, bytes, options));
   return {reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())};
 }
 
-cv::Mat fromPng(const QByteArray& bytes) {
-  if (bytes.isEmpty()) return {};
+/// A few bytes of a damaged PNG can claim any size, which would be allocated before the damage is noticed.
+bool claimsTooMuch(const QByteArray& bytes) {
+  if (!bytes.startsWith("\x89PNG") || bytes.size() < 24) return false;
+  const auto number = [&](qsizetype at) {
+    std::uint64_t value = 0;
+    for (qsizetype i = at; i < at + 4; ++i) value = 256 * value + static_cast<std::uint8_t>(bytes[i]);
+    return value;
+  };
+  return number(16) * number(20) > kMostPixels;
+}
+
+}  // namespace
+
+QByteArray toPng(const cv::Mat& image) {
+  // Level 1: crops are small and written while scanning.
+  return encoded(".png", image, {cv::IMWRITE_PNG_COMPRESSION, 1});
+}
+
+QByteArray toJpeg(const cv::Mat& bgr) { return encoded(".jpg", bgr, {cv::IMWRITE_JPEG_QUALITY, 90}); }
+
+cv::Mat decodedImage(const QByteArray& bytes) {
+  if (bytes.isEmpty() || claimsTooMuch(bytes)) return {};
   const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.constData()));
-  return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+  try {
+    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {  // sizes that the decoder itself refuses
+    return {};
+  }
 }
 
 }  // namespace scantrove

@@ -2,6 +2,7 @@
 
 #include "core/catalog/database_connection.h"
 #include "core/catalog/migrations.h"
+#include "core/catalog/object_name.h"
 #include "core/catalog/object_rows.h"
 #include "core/catalog/transaction.h"
 
@@ -10,7 +11,8 @@ namespace {
 
 constexpr const char* kSelectObjects =
     "SELECT o.id, o.name, o.confirmed, o.size_x_m, o.size_y_m, o.size_z_m,"
-    " (SELECT count(*) FROM views v WHERE v.object = o.id), o.first_session, s.source, o.created"
+    " (SELECT count(*) FROM views v WHERE v.object = o.id), o.first_session, s.source, o.created,"
+    " o.named_by_person"
     " FROM objects o LEFT JOIN sessions s ON s.id = o.first_session WHERE o.hidden = 0 ";
 
 ObjectRecord toRecord(const QSqlQuery& query) {
@@ -23,6 +25,7 @@ ObjectRecord toRecord(const QSqlQuery& query) {
   record.first_session = query.value(7).toLongLong();
   record.first_session_name = query.value(8).toString().toStdString();
   record.created = query.value(9).toString().toStdString();
+  record.named_by = query.value(10).toInt() != 0 ? NamedBy::person : NamedBy::program;
   return record;
 }
 
@@ -60,7 +63,7 @@ Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source) {
     const Result<std::int64_t> id = connection_->insert(
         "INSERT INTO sessions (source, started) VALUES (?, ?)", {name, DatabaseConnection::now()});
     if (!id) return id;
-    SCANTROVE_TRY(recordEvent(*connection_, "session-begin", {}, {}, {{"source", name}}, *id));
+    SCANTROVE_TRY(recordEvent(*connection_, event::kSessionBegin, {}, {}, {{"source", name}}, *id));
     return id;
   });
 }
@@ -75,7 +78,7 @@ Result<void> ObjectDatabase::endSession(std::int64_t session) {
       return fail("The database " + connection_->file() + " holds no session " + std::to_string(session) +
                   ".");
     }
-    return recordEvent(*connection_, "session-end", {}, {}, {}, session);
+    return recordEvent(*connection_, event::kSessionEnd, {}, {}, {}, session);
   });
 }
 
@@ -101,13 +104,7 @@ Result<ObjectId> ObjectDatabase::findByName(const std::string& name) {
   return visibleObjectNamed(*connection_, QString::fromStdString(name));
 }
 
-Result<ObjectId> ObjectDatabase::resolve(ObjectId id) {
-  const Result<ObjectRow> row = holderOf(*connection_, id);
-  if (!row) return fail(row.error());
-  return row->hidden ? ObjectId{} : row->id;
-}
-
-Result<ObjectRecord> ObjectDatabase::addObject(const Eigen::Vector3f& size_m, const ObjectView& first_view) {
+Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
   const Result<ObjectId> added = inTransaction(*connection_, [&]() -> Result<ObjectId> {
     const Result<int> number = nextNumber(*connection_);
     if (!number) return fail(number.error());
@@ -115,50 +112,48 @@ Result<ObjectRecord> ObjectDatabase::addObject(const Eigen::Vector3f& size_m, co
     const Result<std::int64_t> row = connection_->insert(
         "INSERT INTO objects (number, name, size_x_m, size_y_m, size_z_m, first_session, created)"
         " VALUES (?, ?, ?, ?, ?, ?, ?)",
-        {*number, name, size_m.x(), size_m.y(), size_m.z(), orNull(first_view.session),
-         DatabaseConnection::now()});
+        {*number, name, first_view.size_m.x(), first_view.size_m.y(), first_view.size_m.z(),
+         orNull(first_view.session), DatabaseConnection::now()});
     if (!row) return fail(row.error());
     const ObjectId id{static_cast<std::uint32_t>(*row)};
-    SCANTROVE_TRY(recordEvent(*connection_, "add", id, {}, {{"name", name}}, first_view.session));
+    SCANTROVE_TRY(recordEvent(*connection_, event::kAdd, id, {}, {{"name", name}}, first_view.session));
     ObjectView view = first_view;
     view.object = id;
-    const Result<std::int64_t> stored = insertView(view);
-    if (!stored) return fail(stored.error());
+    SCANTROVE_TRY(insertView(view));
     return id;
   });
   if (!added) return fail(added.error());
   return object(*added);
 }
 
-Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name) {
-  const QString wanted = QString::fromStdString(name).trimmed();
-  if (wanted.isEmpty()) return fail("An object needs a name.", "Type one.");
+Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name, NamedBy by) {
+  const Result<QString> wanted = checkedObjectName(name);
+  if (!wanted) return fail(wanted.error());
   return inTransaction(*connection_, [&]() -> Result<void> {
-    Result<ObjectRow> row = readVisibleRow(*connection_, id);
-    if (!row) return fail(row.error());
-    const Result<ObjectId> other = visibleObjectNamed(*connection_, wanted);
+    const Result<ObjectRow> before = readVisibleRow(*connection_, id);
+    if (!before) return fail(before.error());
+    const Result<ObjectId> other = visibleObjectNamed(*connection_, *wanted);
     if (!other) return fail(other.error());
-    if (*other == id) return {};
-    if (*other) {
-      return fail("Another object in " + connection_->file() + " is called " + wanted.toStdString() + ".",
+    if (*other && *other != id) {
+      return fail("Another object in " + connection_->file() + " is called " + wanted->toStdString() + ".",
                   "Choose another name, or merge the two if they are one.");
     }
-    const QJsonObject before = row->toJson();
-    row->name = wanted;
-    SCANTROVE_TRY(writeRow(*connection_, *row));
-    return recordEvent(*connection_, "rename", id, before, row->toJson());
+    ObjectRow row = *before;
+    row.name = *wanted;
+    row.named_by = by;
+    if (row.name == before->name && row.named_by == before->named_by) return {};
+    return changeRow(*connection_, event::kRename, *before, row);
   });
 }
 
-Result<void> ObjectDatabase::setConfirmed(ObjectId id, bool confirmed) {
+Result<void> ObjectDatabase::setConfirmed(std::span<const ObjectId> objects, bool confirmed) {
   return inTransaction(*connection_, [&]() -> Result<void> {
-    Result<ObjectRow> row = readVisibleRow(*connection_, id);
-    if (!row) return fail(row.error());
-    if (row->confirmed == confirmed) return {};
-    const QJsonObject before = row->toJson();
-    row->confirmed = confirmed;
-    SCANTROVE_TRY(writeRow(*connection_, *row));
-    return recordEvent(*connection_, confirmed ? "confirm" : "unconfirm", id, before, row->toJson());
+    for (const ObjectId id : objects) {
+      const Result<ObjectRow> before = readVisibleRow(*connection_, id);
+      if (!before) return fail(before.error());
+      SCANTROVE_TRY(markConfirmed(*connection_, *before, confirmed));
+    }
+    return {};
   });
 }
 

@@ -1,27 +1,32 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalog/catalogue_change.h"
 #include "core/catalog/object_record.h"
 
 namespace scantrove {
 
 class DatabaseConnection;
 
-/// The catalogue on disk: SQLite (WAL) through QtSql. Tables objects, views, sessions, events; schema
-/// versioned by numbered migrations. One instance belongs to one thread; several instances (window, worker,
-/// command line) may have one file open; a call waits at most 5 s for another's. Every call is one
-/// transaction: after kill -9 the file holds all that returned. Every change by a person or the scan is one
-/// row of `events`. Errors name the file. Nothing is ever deleted: removed and merged objects are hidden, and
-/// asking for one by id is an error that says so.
+/// The catalogue on disk: SQLite (WAL) through QtSql; schema versioned by numbered migrations (schema/*.sql
+/// describe the tables). One instance belongs to one thread; several instances (window, worker, command line)
+/// may have one file open; a call waits at most 5 s for another's. Every call that changes something is one
+/// transaction: after kill -9 the file holds all that returned. Every change is one row of `events`, which
+/// the others read (changesAfter). Errors name the file. Nothing is ever deleted: removed and merged objects
+/// are hidden, and asking for one by id is an error that says so.
+///
+/// Nothing but SQLite may open the file while it is in use: that another descriptor of the same process is
+/// closed drops SQLite's POSIX locks, and the next program that closes the catalogue deletes its journal.
 class ObjectDatabase {
  public:
-  /// Opens or creates the file (and applies missing migrations). `postgresql://...` is refused with a clear
-  /// message. Error: a folder, no such parent folder, not writable, not a database, another program's,
-  /// damaged, locked, newer.
+  /// Opens or creates the file (and applies missing migrations). Error: a folder, no such parent folder, not
+  /// writable, not a database, another program's, damaged, locked, newer.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> open(const std::string& database);
   ~ObjectDatabase();
   ObjectDatabase(const ObjectDatabase&) = delete;
@@ -36,32 +41,51 @@ class ObjectDatabase {
   [[nodiscard]] Result<ObjectId> findByName(const std::string& name);
   /// The object that holds what was `id`'s, after merges; none when it was deleted.
   [[nodiscard]] Result<ObjectId> resolve(ObjectId id);
-  [[nodiscard]] Result<std::vector<ObjectView>> views(ObjectId id);
-  /// The newest view's crop only, for lists. Empty image when there is none.
-  [[nodiscard]] Result<ObjectView> representativeView(ObjectId id);
-  /// All views with id > `after` of all visible objects, oldest first: how a detector catches up.
-  [[nodiscard]] Result<std::vector<ObjectView>> viewsAfter(std::int64_t after);
+  /// The same for all objects that ever were, by id.
+  [[nodiscard]] Result<std::vector<ObjectHolder>> holders();
 
-  /// Adds an object named by the next free Obj_N with its first view, in one transaction. A number is given
-  /// once, even when its object is renamed or hidden.
-  [[nodiscard]] Result<ObjectRecord> addObject(const Eigen::Vector3f& size_m, const ObjectView& first_view);
+  /// With their images, oldest first; a view whose images cannot be used is left out and named in the log.
+  [[nodiscard]] Result<std::vector<ObjectView>> views(ObjectId id);
+  /// A small picture of the object's best view, CV_8UC3 BGR, for lists (see listPicture). Empty when it has
+  /// no colour.
+  [[nodiscard]] Result<cv::Mat> picture(ObjectId id);
+  /// Visits the descriptors of all views with id > `after`, of hidden objects too, by ascending id, one at a
+  /// time; returns the last id. Views of an older version are described first, once (about 1 ms a view). A
+  /// damaged row is left out and named in the log.
+  [[nodiscard]] Result<std::int64_t> forEachDescriptor(
+      std::int64_t after, const std::function<void(const StoredDescriptor&)>& visit);
+
+  /// The newest row of `events`, 0 when there is none: where changesAfter goes on.
+  [[nodiscard]] Result<std::int64_t> lastEvent();
+  /// What happened after that event, by this or any other program. Cheap when that is little or nothing.
+  /// Sizes, best views and the name that a restored object comes back with are not in it: read the record.
+  [[nodiscard]] Result<CatalogueChanges> changesAfter(std::int64_t event);
+
+  /// Adds an object of the view's size, named by the next free Obj_N, with its first view. A number is given
+  /// once, even when its object is renamed or hidden. `first_view.object` is ignored.
+  [[nodiscard]] Result<ObjectRecord> addObject(const ObjectView& first_view);
   /// A view of an object that was merged goes to the one that holds it now, and comes back with unmerge.
+  /// Error: no such object; images that do not belong together.
   [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view);
 
-  /// Error when another visible object has that name, or the name is empty (blanks around it are dropped).
-  Result<void> rename(ObjectId id, const std::string& name);
-  Result<void> setConfirmed(ObjectId id, bool confirmed);
-  /// Moves the views of `from` to `into` and hides `from`. Undo with unmerge: `from` has its own views again,
-  /// and its name, or "name (2)" where the name was given away meanwhile; the same holds for restore.
-  Result<void> merge(ObjectId into, ObjectId from);
-  Result<void> unmerge(ObjectId into, ObjectId from);
-  /// Hides the object everywhere; restore brings it back.
-  Result<void> remove(ObjectId id);
-  Result<void> restore(ObjectId id);
+  /// Blanks around the name are dropped. Error: no name for an object (see checkedObjectName), or another
+  /// visible object has it. `by` is `program` only to take a person's name back.
+  Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::person);
+  Result<void> setConfirmed(std::span<const ObjectId> objects, bool confirmed);
+  /// Makes one object of two or more. The one that a person named holds the others' views; then the confirmed
+  /// one, the one with more views, the older one. It is confirmed when any of them was.
+  [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects);
+  /// Takes a merge back: each has its own views, size and mark again, and its name, or "name (2)" where the
+  /// name was given away meanwhile (the same holds for restore). Views that came after the merge go to whom
+  /// they were stored for.
+  Result<void> unmerge(const ObjectMerge& merge);
+  /// Hides objects everywhere; restore brings them back.
+  Result<void> remove(std::span<const ObjectId> objects);
+  Result<void> restore(std::span<const ObjectId> objects);
 
  private:
   ObjectDatabase();
-  [[nodiscard]] Result<std::int64_t> insertView(const ObjectView& view);  // inside the caller's transaction
+  [[nodiscard]] Result<std::int64_t> insertView(ObjectView view);  // inside the caller's transaction
   std::unique_ptr<DatabaseConnection> connection_;
 };
 

@@ -1,10 +1,15 @@
 // The operations of ObjectDatabase that hide objects and bring them back. Nothing is ever deleted.
 #include <QJsonArray>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include "core/catalog/database_connection.h"
 #include "core/catalog/object_database.h"
 #include "core/catalog/object_rows.h"
 #include "core/catalog/transaction.h"
+#include "core/catalog/view_rows.h"
 
 namespace scantrove {
 namespace {
@@ -15,96 +20,165 @@ constexpr const char* kOwnViews =
     " UNION SELECT o.id FROM objects o JOIN family f ON o.merged_into = f.id)"
     " SELECT v.id FROM views v JOIN family f ON v.first_object = f.id ORDER BY v.id";
 
-Result<QJsonArray> giveViews(DatabaseConnection& connection, ObjectId of, ObjectId to) {
-  Result<QSqlQuery> query = connection.execute(kOwnViews, {of.value});
+/// Changes who holds the views of `row`'s object and stores the row; both objects' sizes follow.
+Result<void> giveViews(DatabaseConnection& connection, const char* action, const ObjectRow& before,
+                       const ObjectRow& row, ObjectId to) {
+  Result<QSqlQuery> query = connection.execute(kOwnViews, {row.id.value});
   if (!query) return fail(query.error());
   QVariantList ids;
   while (query->next()) ids.push_back(query->value(0));
-  QJsonArray moved;
   for (const QVariant& id : ids) {
-    const Result<QSqlQuery> done =
-        connection.execute("UPDATE views SET object = ? WHERE id = ?", {to.value, id});
-    if (!done) return fail(done.error());
-    moved.push_back(id.toLongLong());
+    SCANTROVE_TRY(connection.execute("UPDATE views SET object = ? WHERE id = ?", {to.value, id}));
   }
-  return moved;
+  return changeRow(connection, action, before, row);
 }
 
-/// Makes a hidden row visible again; when its name was given away meanwhile it becomes "name (2)", "name
-/// (3)", ...
-Result<void> show(DatabaseConnection& connection, ObjectRow& row) {
-  const QString wanted = row.name;
+/// Gives a hidden row the state of a visible one; when its name was given away meanwhile it becomes
+/// "name (2)", "name (3)", ...
+Result<ObjectRow> shown(DatabaseConnection& connection, const ObjectRow& hidden) {
+  ObjectRow row = hidden;
   for (int copy = 2;; ++copy) {
     const Result<ObjectId> other = visibleObjectNamed(connection, row.name);
     if (!other) return fail(other.error());
     if (!*other) break;
-    row.name = QString("%1 (%2)").arg(wanted).arg(copy);
+    row.name = QString("%1 (%2)").arg(hidden.name).arg(copy);
   }
   row.hidden = false;
   row.merged_into = {};
-  return writeRow(connection, row);
+  return row;
+}
+
+struct Contender {
+  ObjectRow row;
+  qlonglong views = 0;
+
+  /// Who holds the views of both: what a person did counts first.
+  bool operator<(const Contender& other) const {
+    const auto rank = [](const Contender& c) {
+      return std::tuple(c.row.named_by == NamedBy::person, c.row.confirmed, c.views,
+                        -static_cast<qlonglong>(c.row.id.value));
+    };
+    return rank(*this) < rank(other);
+  }
+};
+
+/// The objects to merge, the one that shall hold the others' views first.
+Result<std::vector<Contender>> contenders(DatabaseConnection& connection, std::span<const ObjectId> objects) {
+  const std::set<ObjectId> distinct(objects.begin(), objects.end());
+  if (distinct.size() < 2) {
+    return fail("An object cannot be merged with itself.", "Choose two objects or more.");
+  }
+  std::vector<Contender> result;
+  for (const ObjectId id : distinct) {
+    const Result<ObjectRow> row = readVisibleRow(connection, id);
+    if (!row) return fail(row.error());
+    Result<QSqlQuery> views = connection.execute("SELECT count(*) FROM views WHERE object = ?", {id.value});
+    if (!views) return fail(views.error());
+    result.push_back({*row, views->next() ? views->value(0).toLongLong() : 0});
+  }
+  std::ranges::rotate(result, std::ranges::max_element(result, std::less<>()));
+  return result;
 }
 
 }  // namespace
 
-Result<void> ObjectDatabase::merge(ObjectId into, ObjectId from) {
-  if (into == from) return fail("An object cannot be merged into itself.", "Choose two objects.");
-  return inTransaction(*connection_, [&]() -> Result<void> {
-    const Result<ObjectRow> target = readVisibleRow(*connection_, into);
-    if (!target) return fail(target.error());
-    Result<ObjectRow> row = readVisibleRow(*connection_, from);
-    if (!row) return fail(row.error());
-    const QJsonObject before = row->toJson();
-    const Result<QJsonArray> moved = giveViews(*connection_, from, into);
-    if (!moved) return fail(moved.error());
-    row->hidden = true;
-    row->merged_into = into;
-    SCANTROVE_TRY(writeRow(*connection_, *row));
-    QJsonObject after = row->toJson();
-    after.insert("views", *moved);
-    return recordEvent(*connection_, "merge", from, before, after);
-  });
+Result<ObjectId> ObjectDatabase::resolve(ObjectId id) {
+  const Result<ObjectRow> row = holderOf(*connection_, id);
+  if (!row) return fail(row.error());
+  return row->hidden ? ObjectId{} : row->id;
 }
 
-Result<void> ObjectDatabase::unmerge(ObjectId into, ObjectId from) {
-  return inTransaction(*connection_, [&]() -> Result<void> {
-    Result<ObjectRow> row = readRow(*connection_, from);
-    if (!row) return fail(row.error());
-    if (!row->hidden || row->merged_into != into) {
-      return fail("The object " + std::to_string(from.value) + " (" + row->name.toStdString() + ") in " +
-                      connection_->file() + " is not merged into object " + std::to_string(into.value) + ".",
-                  "There is nothing to undo.");
+Result<std::vector<ObjectHolder>> ObjectDatabase::holders() {
+  Result<QSqlQuery> query = connection_->execute("SELECT id, hidden, merged_into FROM objects ORDER BY id");
+  if (!query) return fail(query.error());
+  std::map<ObjectId, ObjectId> next;  // itself for visible objects, none for deleted ones
+  while (query->next()) {
+    const ObjectId id{query->value(0).toUInt()};
+    next[id] = query->value(1).toInt() == 0 ? id : ObjectId{query->value(2).toUInt()};
+  }
+  std::vector<ObjectHolder> result;
+  for (const auto& [id, first] : next) {
+    ObjectId before = id, holder = first;
+    std::set<ObjectId> passed;
+    while (holder && holder != before && passed.insert(holder).second) {
+      const auto found = next.find(holder);
+      before = holder;
+      holder = found == next.end() ? ObjectId{} : found->second;
     }
-    const QJsonObject before = row->toJson();
-    const Result<QJsonArray> moved = giveViews(*connection_, from, from);
-    if (!moved) return fail(moved.error());
-    SCANTROVE_TRY(show(*connection_, *row));
-    QJsonObject after = row->toJson();
-    after.insert("views", *moved);
-    return recordEvent(*connection_, "unmerge", from, before, after);
+    result.push_back({id, holder == before ? holder : ObjectId{}});
+  }
+  return result;
+}
+
+Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects) {
+  return inTransaction(*connection_, [&]() -> Result<ObjectMerge> {
+    const Result<std::vector<Contender>> ranked = contenders(*connection_, objects);
+    if (!ranked) return fail(ranked.error());
+    const ObjectRow& holder = ranked->front().row;
+    ObjectMerge merge{holder.id, {}, false};
+    for (const Contender& other : std::span(*ranked).subspan(1)) {
+      ObjectRow row = other.row;
+      row.hidden = true;
+      row.merged_into = holder.id;
+      SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other.row, row, holder.id));
+      SCANTROVE_TRY(refreshObject(*connection_, row.id));
+      merge.from.push_back(row.id);
+      merge.has_confirmed = merge.has_confirmed || (row.confirmed && !holder.confirmed);
+    }
+    if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, holder, true));
+    SCANTROVE_TRY(refreshObject(*connection_, holder.id));
+    return merge;
   });
 }
 
-Result<void> ObjectDatabase::remove(ObjectId id) {
+Result<void> ObjectDatabase::unmerge(const ObjectMerge& merge) {
   return inTransaction(*connection_, [&]() -> Result<void> {
-    Result<ObjectRow> row = readVisibleRow(*connection_, id);
-    if (!row) return fail(row.error());
-    const QJsonObject before = row->toJson();
-    row->hidden = true;
-    SCANTROVE_TRY(writeRow(*connection_, *row));
-    return recordEvent(*connection_, "remove", id, before, row->toJson());
+    for (const ObjectId id : merge.from) {
+      const Result<ObjectRow> before = readRow(*connection_, id);
+      if (!before) return fail(before.error());
+      if (!before->hidden || before->merged_into != merge.into) {
+        return fail("The object " + std::to_string(id.value) + " (" + before->name.toStdString() + ") in " +
+                        connection_->file() + " is not merged into object " +
+                        std::to_string(merge.into.value) + ".",
+                    "There is nothing to undo.");
+      }
+      const Result<ObjectRow> row = shown(*connection_, *before);
+      if (!row) return fail(row.error());
+      SCANTROVE_TRY(giveViews(*connection_, event::kUnmerge, *before, *row, id));
+      SCANTROVE_TRY(refreshObject(*connection_, id));
+    }
+    const Result<ObjectRow> into = readRow(*connection_, merge.into);
+    if (!into) return fail(into.error());
+    if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, *into, false));
+    return refreshObject(*connection_, merge.into);
   });
 }
 
-Result<void> ObjectDatabase::restore(ObjectId id) {
+Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {
   return inTransaction(*connection_, [&]() -> Result<void> {
-    Result<ObjectRow> row = readRow(*connection_, id);
-    if (!row) return fail(row.error());
-    if (!row->hidden) return {};
-    if (row->merged_into) return fail(readVisibleRow(*connection_, id).error());
-    const QJsonObject before = row->toJson();
-    SCANTROVE_TRY(show(*connection_, *row));
-    return recordEvent(*connection_, "restore", id, before, row->toJson());
+    for (const ObjectId id : std::set<ObjectId>(objects.begin(), objects.end())) {
+      const Result<ObjectRow> before = readVisibleRow(*connection_, id);
+      if (!before) return fail(before.error());
+      ObjectRow row = *before;
+      row.hidden = true;
+      SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *before, row));
+    }
+    return {};
+  });
+}
+
+Result<void> ObjectDatabase::restore(std::span<const ObjectId> objects) {
+  return inTransaction(*connection_, [&]() -> Result<void> {
+    for (const ObjectId id : objects) {
+      const Result<ObjectRow> before = readRow(*connection_, id);
+      if (!before) return fail(before.error());
+      if (!before->hidden) continue;
+      if (before->merged_into) return fail(readVisibleRow(*connection_, id).error());
+      const Result<ObjectRow> row = shown(*connection_, *before);
+      if (!row) return fail(row.error());
+      SCANTROVE_TRY(changeRow(*connection_, event::kRestore, *before, *row));
+    }
+    return {};
   });
 }
 

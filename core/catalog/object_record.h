@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/ids.h"
+#include "core/catalog/thumbnail.h"
 
 namespace scantrove {
 
@@ -21,18 +24,47 @@ struct ObjectView {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   Eigen::Vector3f direction =
       Eigen::Vector3f::UnitZ();  ///< unit, from the object's centroid to the camera, world
+  Eigen::Vector3f size_m =
+      Eigen::Vector3f::Zero();  ///< sides of the oriented box in this look, longest first; zero: unknown
+  /// Of `color` and `mask`. Whoever has it already hands it over; it is computed for the database otherwise.
+  /// Views that are read come without it.
+  std::optional<Thumbnail> descriptor;
 };
+
+enum class NamedBy { program, person };
 
 /// One object of the catalogue.
 struct ObjectRecord {
   ObjectId id;
   std::string name;  ///< unique; Obj_N until a person renames
+  NamedBy named_by = NamedBy::program;
   bool confirmed = false;
-  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< sides of the oriented box, longest first
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< median of its views', longest first
   int views = 0;
   std::int64_t first_session = 0;
   std::string first_session_name;
   std::string created;  ///< ISO 8601, UTC
+};
+
+/// Who holds the views that were first seen as `object`.
+struct ObjectHolder {
+  ObjectId object;
+  ObjectId holder;  ///< itself, or what it was merged into; none: deleted
+};
+
+/// What a merge did, for taking it back.
+struct ObjectMerge {
+  ObjectId into;
+  std::vector<ObjectId> from;
+  bool has_confirmed = false;  ///< `into` was marked as confirmed because one of `from` was
+};
+
+/// What recognition needs of a stored view.
+struct StoredDescriptor {
+  std::int64_t view = 0;
+  ObjectId first_object;  ///< the object that the view was stored for; see ObjectHolder
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< as ObjectView::size_m
+  Thumbnail thumbnail;
 };
 
 }  // namespace scantrove

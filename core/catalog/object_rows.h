@@ -2,10 +2,9 @@
 #include <QJsonObject>
 #include <QString>
 #include <QVariant>
-#include <optional>
 
-#include "core/base/ids.h"
 #include "core/base/result.h"
+#include "core/catalog/object_record.h"
 
 namespace scantrove {
 
@@ -15,12 +14,28 @@ class DatabaseConnection;
 struct ObjectRow {
   ObjectId id;
   QString name;
+  NamedBy named_by = NamedBy::program;
   bool confirmed = false;
   bool hidden = false;
   ObjectId merged_into;  ///< none: not merged
 
   [[nodiscard]] QJsonObject toJson() const;  ///< for the table `events`
 };
+
+/// What happened, in the table `events`.
+namespace event {
+inline constexpr const char* kSessionBegin = "session-begin";
+inline constexpr const char* kSessionEnd = "session-end";
+inline constexpr const char* kAdd = "add";
+inline constexpr const char* kAddView = "add-view";
+inline constexpr const char* kRename = "rename";
+inline constexpr const char* kConfirm = "confirm";
+inline constexpr const char* kUnconfirm = "unconfirm";
+inline constexpr const char* kRemove = "remove";
+inline constexpr const char* kRestore = "restore";
+inline constexpr const char* kMerge = "merge";
+inline constexpr const char* kUnmerge = "unmerge";
+}  // namespace event
 
 /// For binding: null for 0.
 [[nodiscard]] QVariant orNull(std::int64_t id);
@@ -32,15 +47,21 @@ struct ObjectRow {
 /// The visible object of that name, or none.
 [[nodiscard]] Result<ObjectId> visibleObjectNamed(DatabaseConnection& connection, const QString& name);
 
-/// Stores name, confirmed, hidden and merged_into.
-[[nodiscard]] Result<void> writeRow(DatabaseConnection& connection, const ObjectRow& row);
+/// Stores `row` in place of `before` and notes the event.
+[[nodiscard]] Result<void> changeRow(DatabaseConnection& connection, const char* action,
+                                     const ObjectRow& before, const ObjectRow& row);
+
+/// Sets or takes the mark of an object; no event when it is so already.
+[[nodiscard]] Result<void> markConfirmed(DatabaseConnection& connection, const ObjectRow& before,
+                                         bool confirmed);
 
 /// One row of `events`; empty JSON objects are stored as null.
 [[nodiscard]] Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,
                                        const QJsonObject& before, const QJsonObject& after,
                                        std::int64_t session = 0);
 
-/// The object that holds what was once `id`'s: follows merges to their end. Hidden when that one was deleted.
+/// The object that holds what was once `id`'s: follows merges to the first visible object, or to their end.
+/// Hidden when that one was deleted, or (in a damaged file) when the merges go round in a circle or nowhere.
 [[nodiscard]] Result<ObjectRow> holderOf(DatabaseConnection& connection, ObjectId id);
 
 }  // namespace scantrove

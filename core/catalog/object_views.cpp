@@ -1,20 +1,16 @@
 // The views of ObjectDatabase: images and poses in and out of the table `views`.
-#include <QJsonArray>
 #include <QStringList>
+#include <optional>
 
-#include "core/base/check.h"
 #include "core/catalog/database_connection.h"
 #include "core/catalog/image_blob.h"
 #include "core/catalog/object_database.h"
 #include "core/catalog/object_rows.h"
 #include "core/catalog/transaction.h"
+#include "core/catalog/view_rows.h"
 
 namespace scantrove {
 namespace {
-
-constexpr const char* kSelectViews =
-    "SELECT v.id, v.object, v.session, v.frame_index, v.pose, v.direction_x, v.direction_y, v.direction_z,"
-    " v.color, v.mask, v.depth_mm FROM views v ";
 
 QString toText(const Eigen::Isometry3d& T) {
   QStringList numbers;
@@ -24,83 +20,88 @@ QString toText(const Eigen::Isometry3d& T) {
   return numbers.join(' ');
 }
 
-Eigen::Isometry3d toPose(const QString& text) {
+std::optional<Eigen::Isometry3d> toPose(const QString& text) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   const QStringList numbers = text.split(' ');
-  if (numbers.size() != 12) return T;
-  for (int i = 0; i < 12; ++i) T.matrix()(i / 4, i % 4) = numbers[i].toDouble();
-  return T;
+  if (numbers.size() != 12) return std::nullopt;
+  bool is_number = true;
+  for (int i = 0; i < 12 && is_number; ++i) T.matrix()(i / 4, i % 4) = numbers[i].toDouble(&is_number);
+  return is_number && T.matrix().allFinite() ? std::optional(T) : std::nullopt;
 }
 
-ObjectView toView(const QSqlQuery& query) {
-  ObjectView view;
+/// Fills an image from its column; returns what is wrong with it.
+std::string readImage(const QSqlQuery& query, int column, const char* what, cv::Mat& image) {
+  const QByteArray bytes = query.value(column).toByteArray();
+  image = decodedImage(bytes);
+  return image.empty() && !bytes.isEmpty() ? std::string("its ") + what + " is not an image" : std::string();
+}
+
+/// Fills a view from its row; returns what is wrong with it.
+std::string readView(const QSqlQuery& query, ObjectView& view) {
   view.id = query.value(0).toLongLong();
   view.object = ObjectId{query.value(1).toUInt()};
   view.session = query.value(2).toLongLong();
   view.frame_index = query.value(3).toInt();
-  view.T_world_camera = toPose(query.value(4).toString());
-  view.direction = {query.value(5).toFloat(), query.value(6).toFloat(), query.value(7).toFloat()};
-  view.color = fromPng(query.value(8).toByteArray());
-  view.mask = fromPng(query.value(9).toByteArray());
-  view.depth_mm = fromPng(query.value(10).toByteArray());
-  return view;
-}
-
-Result<std::vector<ObjectView>> toViews(Result<QSqlQuery> query) {
-  if (!query) return fail(query.error());
-  std::vector<ObjectView> views;
-  while (query->next()) views.push_back(toView(*query));
-  return views;
+  for (int i = 0; i < 3; ++i) {
+    view.direction[i] = query.value(5 + i).toFloat();
+    view.size_m[i] = query.value(8 + i).toFloat();
+  }
+  const std::optional<Eigen::Isometry3d> pose = toPose(query.value(4).toString());
+  if (!pose) return "its pose is not twelve numbers";
+  view.T_world_camera = *pose;
+  std::string flaw = readImage(query, 11, "colour", view.color);
+  if (flaw.empty()) flaw = readImage(query, 12, "mask", view.mask);
+  if (flaw.empty()) flaw = readImage(query, 13, "depth", view.depth_mm);
+  return flaw.empty() ? flawOf(view) : flaw;
 }
 
 }  // namespace
 
 Result<std::vector<ObjectView>> ObjectDatabase::views(ObjectId id) {
-  return toViews(
-      connection_->execute(QString(kSelectViews) + "WHERE v.object = ? ORDER BY v.id", {id.value}));
-}
-
-Result<std::vector<ObjectView>> ObjectDatabase::viewsAfter(std::int64_t after) {
-  return toViews(connection_->execute(
-      QString(kSelectViews) +
-          "JOIN objects o ON o.id = v.object WHERE v.id > ? AND o.hidden = 0 ORDER BY v.id",
-      {static_cast<qlonglong>(after)}));
-}
-
-Result<ObjectView> ObjectDatabase::representativeView(ObjectId id) {
   Result<QSqlQuery> query = connection_->execute(
-      "SELECT id, session, frame_index, color FROM views WHERE object = ? ORDER BY id DESC LIMIT 1",
+      "SELECT v.id, v.object, v.session, v.frame_index, v.pose, v.direction_x, v.direction_y, v.direction_z,"
+      " s.size_x_m, s.size_y_m, s.size_z_m, v.color, v.mask, v.depth_mm"
+      " FROM views v LEFT JOIN view_summaries s ON s.view = v.id WHERE v.object = ? ORDER BY v.id",
       {id.value});
   if (!query) return fail(query.error());
-  ObjectView view;
-  view.object = id;
-  if (!query->next()) return view;
-  view.id = query->value(0).toLongLong();
-  view.session = query->value(1).toLongLong();
-  view.frame_index = query->value(2).toInt();
-  view.color = fromPng(query->value(3).toByteArray());
-  return view;
+  std::vector<ObjectView> views;
+  while (query->next()) {
+    ObjectView view;
+    const std::string flaw = readView(*query, view);
+    if (flaw.empty()) {
+      views.push_back(std::move(view));
+    } else {
+      warnOfView(*connection_, view.id, view.object, flaw);
+    }
+  }
+  return views;
 }
 
 Result<std::int64_t> ObjectDatabase::addView(const ObjectView& view) {
   return inTransaction(*connection_, [&] { return insertView(view); });
 }
 
-Result<std::int64_t> ObjectDatabase::insertView(const ObjectView& view) {
-  SCANTROVE_CHECK(view.mask.empty() || view.color.empty() || view.mask.size() == view.color.size());
+Result<std::int64_t> ObjectDatabase::insertView(ObjectView view) {
+  if (const std::string flaw = flawOf(view); !flaw.empty()) {
+    return fail("The view of object " + std::to_string(view.object.value) + " in frame " +
+                std::to_string(view.frame_index) + " was not stored in " + connection_->file() + ": " + flaw +
+                ".");
+  }
   const Result<ObjectRow> holder = holderOf(*connection_, view.object);
   if (!holder) return fail(holder.error());
-  const Result<std::int64_t> id = connection_->insert(
-      "INSERT INTO views (object, first_object, session, frame_index, pose, direction_x, direction_y, "
-      "direction_z,"
-      " created, color, mask, depth_mm) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-      {holder->id.value, view.object.value, orNull(view.session), view.frame_index,
-       toText(view.T_world_camera), view.direction.x(), view.direction.y(), view.direction.z(),
-       DatabaseConnection::now(), toPng(view.color), toPng(view.mask), toPng(view.depth_mm)});
-  if (!id) return id;
-  SCANTROVE_TRY(recordEvent(*connection_, "add-view", holder->id, {}, {{"view", static_cast<qint64>(*id)}},
-                            view.session));
-  return id;
+  SCANTROVE_TRY(moveInto(
+      view.id,
+      connection_->insert(
+          "INSERT INTO views (object, first_object, session, frame_index, pose, direction_x, direction_y,"
+          " direction_z, created, color, mask, depth_mm) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+          {holder->id.value, view.object.value, orNull(view.session), view.frame_index,
+           toText(view.T_world_camera), view.direction.x(), view.direction.y(), view.direction.z(),
+           DatabaseConnection::now(), toPng(view.color), toPng(view.mask), toPng(view.depth_mm)})));
+  SCANTROVE_TRY(insertSummary(*connection_, view, summarise(view)));
+  SCANTROVE_TRY(refreshObject(*connection_, holder->id));
+  SCANTROVE_TRY(recordEvent(*connection_, event::kAddView, holder->id, {},
+                            {{"view", static_cast<qint64>(view.id)}}, view.session));
+  return view.id;
 }
 
 }  // namespace scantrove

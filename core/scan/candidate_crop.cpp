@@ -24,6 +24,7 @@ ObjectView cutView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_came
   ObjectView view;
   view.frame_index = frame.index;
   view.T_world_camera = T_world_camera;
+  view.size_m = candidate.size_m;
   const Eigen::Vector3f camera_centre = T_world_camera.translation().cast<float>();
   view.direction = (camera_centre - candidate.centroid_world).normalized();
 

@@ -32,18 +32,20 @@ void ObjectCollector::setParams(const DetectionParams& params) {
 Result<void> ObjectCollector::reload() {
   Result<std::vector<ObjectRecord>> objects = database_.objects();
   if (!objects) return fail(objects.error());
-  Result<std::vector<ObjectView>> stored = database_.viewsAfter(0);
-  if (!stored) return fail(stored.error());
+  const Result<std::vector<ObjectHolder>> holders = database_.holders();
+  if (!holders) return fail(holders.error());
   records_.clear();
   for (ObjectRecord& record : *objects) {
     if (!met_.contains(record.id)) views_.countStored(record.id, record.views);
     records_.emplace(record.id, std::move(record));
   }
   detector_->clear();
-  for (const ObjectView& view : *stored) {
-    const auto record = records_.find(view.object);
-    if (record != records_.end()) detector_->add(view.object, view.color, view.mask, record->second.size_m);
-  }
+  std::unordered_map<ObjectId, ObjectId> holder_of;
+  for (const ObjectHolder& entry : *holders) holder_of.emplace(entry.object, entry.holder);
+  SCANTROVE_TRY(database_.forEachDescriptor(0, [&](const StoredDescriptor& view) {
+    const ObjectId holder = holder_of[view.first_object];
+    if (records_.contains(holder)) detector_->add(holder, view.thumbnail, view.size_m);
+  }));
   std::erase_if(object_of_region_, [&](const auto& entry) { return !records_.contains(entry.second); });
   std::erase_if(met_, [&](const auto& entry) { return !records_.contains(entry.first); });
   return {};
@@ -114,7 +116,7 @@ Result<void> ObjectCollector::identify(const std::vector<Sighting*>& strangers, 
 
 Result<ObjectId> ObjectCollector::addToCatalogue(const Sighting& sighting, Happenings& happenings) {
   const Candidate& candidate = *sighting.candidate;
-  Result<ObjectRecord> added = database_.addObject(candidate.size_m, sighting.view);
+  Result<ObjectRecord> added = database_.addObject(sighting.view);
   if (!added) return fail(added.error());
   detector_->add(added->id, sighting.view.color, sighting.view.mask, candidate.size_m);
   views_.keep(added->id, sighting.view.direction);

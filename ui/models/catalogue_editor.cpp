@@ -65,8 +65,8 @@ std::vector<ObjectView> CatalogueEditor::views(ObjectId object) {
   return isOpen() ? valueOr(database_->views(object), {}) : std::vector<ObjectView>();
 }
 
-ObjectView CatalogueEditor::representativeView(ObjectId object) {
-  return isOpen() ? valueOr(database_->representativeView(object), {}) : ObjectView();
+cv::Mat CatalogueEditor::picture(ObjectId object) {
+  return isOpen() ? valueOr(database_->picture(object), {}) : cv::Mat();
 }
 
 bool CatalogueEditor::run(const Action& action) {
@@ -97,41 +97,37 @@ bool CatalogueEditor::rename(ObjectId object, const QString& name) {
   return perform(
       tr("Rename “%1” to “%2”").arg(QString::fromStdString(older), name.trimmed()),
       [object, newer](ObjectDatabase& database) { return database.rename(object, newer); },
-      [object, older](ObjectDatabase& database) { return database.rename(object, older); });
+      [object, older, by = before->named_by](ObjectDatabase& database) {
+        return database.rename(object, older, by);
+      });
 }
 
 bool CatalogueEditor::setConfirmed(ObjectId object, bool confirmed) {
   return perform(
       confirmed ? tr("Confirm object") : tr("Unconfirm object"),
-      [object, confirmed](ObjectDatabase& database) { return database.setConfirmed(object, confirmed); },
-      [object, confirmed](ObjectDatabase& database) { return database.setConfirmed(object, !confirmed); });
+      [object, confirmed](ObjectDatabase& database) {
+        return database.setConfirmed({&object, 1}, confirmed);
+      },
+      [object, confirmed](ObjectDatabase& database) {
+        return database.setConfirmed({&object, 1}, !confirmed);
+      });
 }
 
 bool CatalogueEditor::remove(const std::vector<ObjectId>& objects) {
   if (objects.empty()) return false;
-  const auto for_all = [objects](Result<void> (ObjectDatabase::*change)(ObjectId)) -> Action {
-    return [objects, change](ObjectDatabase& database) -> Result<void> {
-      for (const ObjectId object : objects) SCANTROVE_TRY((database.*change)(object));
-      return {};
-    };
-  };
-  return perform(objects.size() == 1 ? tr("Delete object") : tr("Delete %1 objects").arg(objects.size()),
-                 for_all(&ObjectDatabase::remove), for_all(&ObjectDatabase::restore));
+  return perform(
+      objects.size() == 1 ? tr("Delete object") : tr("Delete %1 objects").arg(objects.size()),
+      [objects](ObjectDatabase& database) { return database.remove(objects); },
+      [objects](ObjectDatabase& database) { return database.restore(objects); });
 }
 
 bool CatalogueEditor::merge(const std::vector<ObjectId>& objects) {
   if (objects.size() < 2) return false;
-  const auto into_first = [objects](Result<void> (ObjectDatabase::*change)(ObjectId, ObjectId),
-                                    bool backwards) {
-    return Action([objects, change, backwards](ObjectDatabase& database) -> Result<void> {
-      for (std::size_t i = 1; i < objects.size(); ++i) {
-        SCANTROVE_TRY((database.*change)(objects[0], objects[backwards ? objects.size() - i : i]));
-      }
-      return {};
-    });
-  };
-  return perform(tr("Merge %1 objects").arg(objects.size()), into_first(&ObjectDatabase::merge, false),
-                 into_first(&ObjectDatabase::unmerge, true));
+  const auto merge = std::make_shared<ObjectMerge>();
+  return perform(
+      tr("Merge %1 objects").arg(objects.size()),
+      [objects, merge](ObjectDatabase& database) { return moveInto(*merge, database.merge(objects)); },
+      [merge](ObjectDatabase& database) { return database.unmerge(*merge); });
 }
 
 QString defaultCatalogueFile() {

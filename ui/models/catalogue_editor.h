@@ -28,13 +28,12 @@ class CatalogueEditor : public QObject {
 
   [[nodiscard]] std::vector<ObjectRecord> objects();
   [[nodiscard]] std::vector<ObjectView> views(ObjectId object);
-  [[nodiscard]] ObjectView representativeView(ObjectId object);
+  [[nodiscard]] cv::Mat picture(ObjectId object);
 
   /// Each returns whether it was done; when not, failed() has said why.
   bool rename(ObjectId object, const QString& name);
   bool setConfirmed(ObjectId object, bool confirmed);
   bool remove(const std::vector<ObjectId>& objects);
-  /// All into the first.
   bool merge(const std::vector<ObjectId>& objects);
 
   [[nodiscard]] QUndoStack& undoStack() { return undo_; }

@@ -198,7 +198,9 @@ void ObjectListModel::emitAll(const QList<int>& roles) {
 }
 
 QImage ObjectListModel::makeThumbnail(ObjectId object) {
-  return viewPicture(editor_.representativeView(object));
+  ObjectView view;
+  view.color = editor_.picture(object);
+  return viewPicture(view);
 }
 
 }  // namespace scantrove

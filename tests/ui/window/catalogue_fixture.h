@@ -38,7 +38,8 @@ class CatalogueTest : public testing::Test {
     for (const cv::Scalar& color : {cv::Scalar(0, 0, 255), cv::Scalar(0, 255, 0), cv::Scalar(255, 0, 0)}) {
       ObjectView view = discView(color);
       view.session = *session;
-      const auto added = (*database)->addObject(Eigen::Vector3f(0.12F, 0.09F, 0.08F), view);
+      view.size_m = {0.12F, 0.09F, 0.08F};
+      const auto added = (*database)->addObject(view);
       ASSERT_TRUE(added) << added.error().message();
       objects_.push_back(added->id);
     }

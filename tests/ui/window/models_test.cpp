@@ -78,7 +78,7 @@ TEST_F(CatalogueEditorTest, ModelFollowsTheDatabaseRowByRow) {
   const QPersistentModelIndex first(model.indexOf(objects_[0]));
   auto other = ObjectDatabase::open(file_.toStdString());
   ASSERT_TRUE(other);
-  ASSERT_TRUE((*other)->addObject(Eigen::Vector3f(0.2F, 0.1F, 0.1F), test::discView({0, 255, 255})));
+  ASSERT_TRUE((*other)->addObject(test::discView({0, 255, 255})));
   model.markAdded(ObjectId{objects_[2].value + 1});
   EXPECT_EQ(model.rowCount(), 4);
   ASSERT_TRUE((*other)->remove(objects_[1]));

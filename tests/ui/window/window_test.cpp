@@ -223,7 +223,7 @@ TEST_F(WindowTest, AnObjectThatTheScanAddsAppears) {
   window_->open(QStringLiteral("demo"));
   auto database = ObjectDatabase::open(file_.toStdString());
   ASSERT_TRUE(database);
-  const auto added = (*database)->addObject(Eigen::Vector3f(0.2F, 0.2F, 0.1F), test::discView({0, 200, 255}));
+  const auto added = (*database)->addObject(test::discView({0, 200, 255}));
   ASSERT_TRUE(added);
   session_->post(ObjectAdded{added->id, added->name});
   ASSERT_TRUE(QTest::qWaitFor([&] { return rowOf(added->id).isValid(); }, 3000));

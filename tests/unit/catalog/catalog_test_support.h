@@ -57,6 +57,7 @@ inline ObjectView randomView(int seed, const cv::Size& size = {31, 17}) {
   random.fill(view.depth_mm, cv::RNG::UNIFORM, 0, 65536);
   view.T_world_camera = Eigen::Translation3d(0.1 * seed, 1.0 / 3, -2) *
                         Eigen::AngleAxisd(0.3 * seed + 0.1, Eigen::Vector3d(1, 2, 3).normalized());
+  view.size_m = {0.3F, 0.2F, 0.1F};
   view.direction = Eigen::Vector3f(1, 0.2F * static_cast<float>(seed), -1).normalized();
   return view;
 }

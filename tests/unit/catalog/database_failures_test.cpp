@@ -22,8 +22,6 @@ using test::randomView;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const Eigen::Vector3f kSize(0.3F, 0.2F, 0.1F);
-
 class DatabaseFailures : public CatalogTest {
  protected:
   static std::string messageOf(const std::string& database) {
@@ -50,7 +48,7 @@ TEST_F(DatabaseFailures, NotADatabase) {
 TEST_F(DatabaseFailures, AnEmptyFileBecomesACatalogue) {
   write("");
   EXPECT_EQ(messageOf(file()), "(opened)");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "1");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "2");
 }
 
 TEST_F(DatabaseFailures, AnotherProgramsDatabase) {
@@ -62,7 +60,7 @@ TEST_F(DatabaseFailures, AnotherProgramsDatabase) {
 TEST_F(DatabaseFailures, Truncated) {
   {
     const auto database = openOrFail(file());
-    for (int i = 0; i < 20; ++i) EXPECT_TRUE(database->addObject(kSize, randomView(i, {80, 60})));
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(database->addObject(randomView(i, {80, 60})));
   }
   const std::string whole = file("whole.sqlite");
   std::filesystem::copy_file(file(), whole);
@@ -106,11 +104,11 @@ TEST_F(DatabaseFailures, Locked) {
   const auto holder = DatabaseConnection::open(file());
   ASSERT_TRUE(holder);
   ASSERT_TRUE((*holder)->execute("BEGIN EXCLUSIVE"));
-  const Result<ObjectRecord> refused = database->addObject(kSize, randomView(0));
+  const Result<ObjectRecord> refused = database->addObject(randomView(0));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), AllOf(HasSubstr(file()), HasSubstr("locked")));
   ASSERT_TRUE((*holder)->execute("ROLLBACK"));
-  EXPECT_TRUE(database->addObject(kSize, randomView(0)));
+  EXPECT_TRUE(database->addObject(randomView(0)));
 }
 
 TEST_F(DatabaseFailures, ANewerSchema) {
@@ -161,7 +159,7 @@ TEST(DatabaseCrashWriter, WritesUntilItIsKilled) {
   const auto database = openOrFail(file);
   const int out = std::atoi(pipe);
   for (int i = 0;; ++i) {
-    const ObjectRecord added = *database->addObject(kSize, randomView(i, {300, 200}));
+    const ObjectRecord added = *database->addObject(randomView(i, {300, 200}));
     if (::write(out, &added.id.value, sizeof(added.id.value)) < 0) break;
   }
 }

@@ -1,0 +1,103 @@
+// What ObjectDatabase knows of views without their images: descriptors and pictures.
+#include <algorithm>
+#include <set>
+
+#include "core/catalog/database_connection.h"
+#include "core/catalog/image_blob.h"
+#include "core/catalog/object_database.h"
+#include "core/catalog/transaction.h"
+#include "core/catalog/view_rows.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kViewsOfATransaction = 100;  // others wait for the write lock meanwhile: well below a second
+
+Result<std::vector<std::int64_t>> viewsWithoutSummary(DatabaseConnection& connection) {
+  Result<QSqlQuery> query =
+      connection.execute("SELECT view FROM view_summaries WHERE object_pixels IS NULL ORDER BY view LIMIT ?",
+                         {kViewsOfATransaction});
+  if (!query) return fail(query.error());
+  std::vector<std::int64_t> views;
+  while (query->next()) views.push_back(query->value(0).toLongLong());
+  return views;
+}
+
+Result<void> summariseViews(DatabaseConnection& connection, const std::vector<std::int64_t>& views) {
+  return inTransaction(connection, [&]() -> Result<void> {
+    std::set<ObjectId> holders;
+    for (const std::int64_t view : views) {
+      const Result<ObjectId> holder = summariseStoredView(connection, view);
+      if (!holder) return fail(holder.error());
+      holders.insert(*holder);
+    }
+    for (const ObjectId holder : holders) SCANTROVE_TRY(refreshObject(connection, holder));
+    return {};
+  });
+}
+
+/// Views that an older version stored.
+Result<void> summariseOlderViews(DatabaseConnection& connection) {
+  for (;;) {
+    const Result<std::vector<std::int64_t>> views = viewsWithoutSummary(connection);
+    if (!views) return fail(views.error());
+    if (views->empty()) return {};
+    SCANTROVE_TRY(summariseViews(connection, *views));
+  }
+}
+
+/// False when the row cannot be used.
+bool readThumbnail(const QSqlQuery& query, int column, Thumbnail& thumbnail) {
+  for (int i = 0; i < 3; ++i) thumbnail.mean_lab[i] = query.value(column + i).toFloat();
+  const QByteArray fine = query.value(column + 3).toByteArray();
+  if (fine.size() != static_cast<qsizetype>(thumbnail.fine.size()) || !thumbnail.mean_lab.allFinite())
+    return false;
+  std::ranges::copy(fine, thumbnail.fine.begin());
+  fillCoarse(thumbnail);
+  return true;
+}
+
+}  // namespace
+
+Result<std::int64_t> ObjectDatabase::forEachDescriptor(
+    std::int64_t after, const std::function<void(const StoredDescriptor&)>& visit) {
+  SCANTROVE_TRY(summariseOlderViews(*connection_));
+  Result<QSqlQuery> query = connection_->execute(
+      "SELECT d.view, s.first_object, s.size_x_m, s.size_y_m, s.size_z_m, d.mean_l, d.mean_a, d.mean_b, "
+      "d.fine"
+      " FROM descriptors d JOIN view_summaries s ON s.view = d.view WHERE d.view > ? ORDER BY d.view",
+      {static_cast<qlonglong>(after)});
+  if (!query) return fail(query.error());
+  StoredDescriptor descriptor;
+  descriptor.view = after;
+  while (query->next()) {
+    descriptor.view = query->value(0).toLongLong();
+    descriptor.first_object = ObjectId{query->value(1).toUInt()};
+    for (int i = 0; i < 3; ++i) descriptor.size_m[i] = query->value(2 + i).toFloat();
+    if (readThumbnail(*query, 5, descriptor.thumbnail)) {
+      visit(descriptor);
+    } else {
+      warnOfView(*connection_, descriptor.view, descriptor.first_object, "its descriptor is damaged");
+    }
+  }
+  return descriptor.view;
+}
+
+Result<cv::Mat> ObjectDatabase::picture(ObjectId id) {
+  constexpr const char* kSelect =
+      "SELECT o.best_view, p.jpeg, s.object_pixels IS NULL FROM objects o"
+      " LEFT JOIN pictures p ON p.view = o.best_view LEFT JOIN view_summaries s ON s.view = o.best_view"
+      " WHERE o.id = ?";
+  Result<QSqlQuery> query = connection_->execute(kSelect, {id.value});
+  if (!query) return fail(query.error());
+  if (!query->next() || query->value(0).isNull()) return cv::Mat();
+  if (query->value(2).toBool()) {
+    SCANTROVE_TRY(summariseViews(*connection_, {query->value(0).toLongLong()}));
+    query = connection_->execute(kSelect, {id.value});
+    if (!query) return fail(query.error());
+    if (!query->next()) return cv::Mat();
+  }
+  return decodedImage(query->value(1).toByteArray());
+}
+
+}  // namespace scantrove

@@ -1,0 +1,199 @@
+#include <gmock/gmock.h>
+
+#include "catalog_test_support.h"
+
+namespace scantrove {
+namespace {
+
+using test::askSqlite;
+using test::openOrFail;
+using test::randomView;
+using test::sameImage;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using Ids = std::vector<ObjectId>;
+
+class ObjectMerging : public test::CatalogTest {
+ protected:
+  void SetUp() override {
+    database_ = openOrFail(file());
+    ASSERT_NE(database_, nullptr);
+  }
+
+  ObjectId add(int views = 1, const Eigen::Vector3f& size_m = {0.3F, 0.2F, 0.1F}) {
+    ObjectView view = randomView(next_seed_++);
+    view.size_m = size_m;
+    view.object = database_->addObject(view)->id;
+    for (int i = 1; i < views; ++i) EXPECT_TRUE(database_->addView(view));
+    return view.object;
+  }
+  [[nodiscard]] ObjectRecord record(ObjectId id) const { return *database_->object(id); }
+  /// All that a person sees, and the events, as one text each.
+  [[nodiscard]] std::string visibleState() const {
+    return askSqlite(
+        file(),
+        "SELECT group_concat(id || name || named_by_person || confirmed || size_x_m || size_y_m ||"
+        " size_z_m || best_view || (SELECT group_concat(v.id) FROM views v WHERE v.object = o.id))"
+        " FROM objects o WHERE hidden = 0");
+  }
+
+  std::unique_ptr<ObjectDatabase> database_;
+  int next_seed_ = 0;
+};
+
+TEST_F(ObjectMerging, RemoveAndRestore) {
+  const Ids ids{add(), add(), add()};
+  const Ids first_two{ids[0], ids[1]};
+  EXPECT_TRUE(database_->remove(first_two));
+  EXPECT_EQ(database_->objects()->size(), 1U);
+  EXPECT_FALSE(*database_->resolve(ids[0]));
+  const Result<ObjectRecord> removed = database_->object(ids[0]);
+  ASSERT_FALSE(removed);
+  EXPECT_THAT(removed.error().message(), HasSubstr("deleted"));
+  EXPECT_TRUE(database_->restore(first_two));
+  EXPECT_EQ(record(ids[0]).views, 1);
+  EXPECT_EQ(database_->objects()->size(), 3U);
+}
+
+TEST_F(ObjectMerging, SeveralObjectsChangeTogetherOrNotAtAll) {
+  const Ids ids{add(), add(), add()};
+  EXPECT_TRUE(database_->remove({&ids[1], 1}));
+  const std::string before = visibleState(), events = askSqlite(file(), "SELECT count(*) FROM events");
+  EXPECT_FALSE(database_->remove(ids));
+  EXPECT_FALSE(database_->setConfirmed(ids, true));
+  EXPECT_FALSE(database_->merge(ids));
+  const Ids unknown{ids[0], ObjectId{99}};
+  EXPECT_FALSE(database_->remove(unknown));
+  EXPECT_FALSE(database_->restore(unknown));
+  EXPECT_EQ(visibleState(), before);
+  EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM events"), events);
+
+  const Ids twice{ids[0], ids[0], ids[2]};
+  EXPECT_TRUE(database_->setConfirmed(twice, true));
+  EXPECT_TRUE(record(ids[2]).confirmed);
+  EXPECT_TRUE(database_->remove(twice));
+  EXPECT_TRUE(database_->objects()->empty());
+}
+
+TEST_F(ObjectMerging, TheNameOfAPersonIsKeptThenTheConfirmedThenTheOneWithMoreViews) {
+  const ObjectId oldest = add(), seen_more = add(3), confirmed = add(), named = add();
+  EXPECT_TRUE(database_->setConfirmed({&confirmed, 1}, true));
+  EXPECT_TRUE(database_->rename(named, "Obj_50"));  // typed on purpose
+
+  EXPECT_EQ(database_->merge(Ids{oldest, seen_more})->into, seen_more);
+  EXPECT_EQ(database_->merge(Ids{seen_more, confirmed})->into, confirmed);
+  const ObjectMerge last = *database_->merge(Ids{confirmed, named});
+  EXPECT_EQ(last.into, named);
+  EXPECT_THAT(last.from, ElementsAre(confirmed));
+  EXPECT_EQ(record(named).name, "Obj_50");
+  EXPECT_EQ(record(named).views, 6);
+  EXPECT_TRUE(record(named).confirmed) << "a person's mark is not lost";
+
+  const ObjectId young = add(), younger = add();
+  EXPECT_EQ(database_->merge(Ids{younger, young})->into, young) << "the older one when all is equal";
+}
+
+TEST_F(ObjectMerging, UnmergeIsTheExactInverse) {
+  const ObjectId a = add(2, {0.3F, 0.2F, 0.1F}), b = add(1, {0.5F, 0.3F, 0.2F}),
+                 c = add(4, {0.9F, 0.1F, 0.1F});
+  EXPECT_TRUE(database_->rename(b, "mug"));
+  EXPECT_TRUE(database_->setConfirmed({&a, 1}, true));
+  const std::string before = visibleState();
+  const Result<ObjectMerge> merge = database_->merge(Ids{a, b, c});
+  ASSERT_TRUE(merge);
+  EXPECT_EQ(merge->into, b);
+  EXPECT_EQ(record(b).views, 7);
+  EXPECT_TRUE(record(b).confirmed);
+  EXPECT_EQ(record(b).size_m, Eigen::Vector3f(0.9F, 0.1F, 0.1F));  // most of the views say so
+  EXPECT_NE(visibleState(), before);
+  EXPECT_TRUE(database_->unmerge(*merge));
+  EXPECT_EQ(visibleState(), before);
+  EXPECT_EQ(record(a).name, "Obj_1");
+  EXPECT_EQ(record(a).named_by, NamedBy::program);
+
+  const Result<void> again = database_->unmerge(*merge);
+  ASSERT_FALSE(again);
+  EXPECT_THAT(again.error().message(), HasSubstr("not merged"));
+  EXPECT_EQ(visibleState(), before);
+}
+
+TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
+  const ObjectId a = add(), b = add(2), c = add(4);
+  EXPECT_FALSE(database_->merge(Ids{a, a}));
+  EXPECT_FALSE(database_->merge(Ids{a}));
+  const ObjectMerge first = *database_->merge(Ids{a, b}), second = *database_->merge(Ids{b, c});
+  EXPECT_EQ(database_->objects()->size(), 1U);
+  EXPECT_EQ(record(c).views, 7);
+  EXPECT_EQ(*database_->resolve(a), c);
+  ObjectView late = randomView(4);  // a scan that still follows `a`
+  late.object = a;
+  EXPECT_TRUE(database_->addView(late));
+  EXPECT_EQ(record(c).views, 8);
+  EXPECT_FALSE(database_->merge(Ids{c, a}));
+  EXPECT_FALSE(database_->unmerge({c, {a}, false}));  // it was merged into b
+  EXPECT_FALSE(database_->restore({&a, 1}));
+
+  EXPECT_TRUE(database_->unmerge(second));  // b comes back with what it held of a
+  EXPECT_EQ(record(c).views, 4);
+  EXPECT_EQ(record(b).views, 4);
+  EXPECT_EQ(*database_->resolve(a), b);
+  EXPECT_TRUE(database_->unmerge(first));
+  EXPECT_EQ(record(a).views, 2);
+  EXPECT_EQ(record(b).views, 2);
+  EXPECT_TRUE(sameImage(database_->views(a)->front().color, randomView(0).color));
+}
+
+TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
+  const ObjectId id = add(1, {0.1F, 0.1F, 0.1F});
+  const auto addView = [&](const Eigen::Vector3f& size_m, int side_px) {
+    ObjectView view = randomView(next_seed_++, {side_px, side_px});
+    view.mask.setTo(255);
+    view.object = id;
+    view.size_m = size_m;
+    EXPECT_TRUE(database_->addView(view));
+  };
+  addView({0.3F, 0.2F, 0.1F}, 60);
+  EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.2F, 0.15F, 0.1F));
+  addView({9.0F, 8.0F, 7.0F}, 50);  // one look went wrong
+  EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
+  addView({0, 0, 0}, 10);  // says nothing
+  EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
+  EXPECT_EQ(database_->picture(id)->size(), cv::Size(60, 60)) << "the look that shows most of it";
+}
+
+TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {
+  const ObjectId a = add(), b = add(2), c = add(4), d = add();
+  ASSERT_TRUE(database_->merge(Ids{a, b}));
+  ASSERT_TRUE(database_->merge(Ids{b, c}));
+  ASSERT_TRUE(database_->remove({&d, 1}));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  const auto holders = database_->holders();
+  ASSERT_TRUE(holders);
+  for (const ObjectHolder& entry : *holders) found.emplace_back(entry.object.value, entry.holder.value);
+  EXPECT_THAT(found, ElementsAre(std::pair(1, 3), std::pair(2, 3), std::pair(3, 3), std::pair(4, 0)));
+}
+
+TEST_F(ObjectMerging, MergesInACircleOrIntoNothingEnd) {
+  const Ids ids{add(), add(), add(), add()};
+  askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 2 WHERE id = 1");
+  askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 1 WHERE id = 2");
+  askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 77 WHERE id = 3");
+  askSqlite(file(), "UPDATE objects SET merged_into = 4 WHERE id = 4");
+  EXPECT_FALSE(*database_->resolve(ids[0]));
+  EXPECT_FALSE(*database_->resolve(ids[2]));
+  EXPECT_EQ(*database_->resolve(ids[3]), ids[3]);
+  const auto holders = database_->holders();
+  ASSERT_TRUE(holders);
+  for (const ObjectHolder& entry : *holders) {
+    EXPECT_EQ(entry.holder, entry.object == ids[3] ? ids[3] : ObjectId{}) << entry.object.value;
+  }
+  ObjectView late = randomView(4);
+  late.object = ids[0];
+  EXPECT_TRUE(database_->addView(late));
+  EXPECT_TRUE(database_->unmerge({ids[1], {ids[0]}, false}));
+  EXPECT_EQ(*database_->resolve(ids[1]), ids[0]);
+}
+
+}  // namespace
+}  // namespace scantrove
