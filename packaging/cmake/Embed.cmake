@@ -1,0 +1,130 @@
+# Texts that become part of the program, byte for byte:
+#  * scantrove_embed_kernels(<module> <file.cl>...): OpenCL sources, see core/compute/kernel_source.h;
+#  * scantrove_embed_migrations(<target> <NNN_name.sql>...): the catalogue's schema, see core/catalog/migrations.h.
+# Run as a script (cmake -P) with KIND, ROOT, INPUTS and OUTPUT this file is also what writes the C++ source.
+if(CMAKE_SCRIPT_MODE_FILE)
+  # The bytes of a text as the elements of an array.
+  function(bytes_of text out)
+    file(WRITE "${OUTPUT}.text" "${text}")
+    file(READ "${OUTPUT}.text" bytes HEX)
+    file(REMOVE "${OUTPUT}.text")
+    string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+    set(${out} "${bytes}0x00" PARENT_SCOPE)
+  endfunction()
+
+  # The text of an OpenCL file in which lines of the form  #include "core/..."  are replaced by that file, with #line
+  # directives that keep the compiler's messages pointing into the real files.
+  function(expand_includes path out)
+    file(READ "${ROOT}/${path}" text)
+    set(result "#line 1 \"${path}\"\n")
+    set(line_number 1)
+    while(text MATCHES "#include \"(core/[^\"]*)\"[^\n]*\n")
+      set(whole "${CMAKE_MATCH_0}")
+      set(included "${CMAKE_MATCH_1}")
+      string(FIND "${text}" "${whole}" position)
+      string(SUBSTRING "${text}" 0 ${position} before)
+      string(LENGTH "${whole}" length)
+      math(EXPR rest "${position} + ${length}")
+      string(SUBSTRING "${text}" ${rest} -1 text)
+      string(REGEX REPLACE "[^\n]" "" newlines "${before}")
+      string(LENGTH "${newlines}" count)
+      math(EXPR line_number "${line_number} + ${count} + 1")
+      expand_includes("${included}" inner)
+      string(APPEND result "${before}${inner}\n#line ${line_number} \"${path}\"\n")
+    endwhile()
+    set(${out} "${result}${text}" PARENT_SCOPE)
+  endfunction()
+
+  if(KIND STREQUAL "kernel")
+    file(RELATIVE_PATH path "${ROOT}" "${INPUTS}")
+    get_filename_component(identifier "${INPUTS}" NAME_WE)
+    expand_includes("${path}" text)
+    bytes_of("${text}" bytes)
+    file(WRITE "${OUTPUT}" "// Made from ${path}; do not edit.
+#include \"core/compute/kernel_source.h\"
+namespace {
+const unsigned char kText[] = {${bytes}};
+}  // namespace
+namespace scantrove::kernels {
+extern const KernelSource ${identifier};
+const KernelSource ${identifier}{\"${path}\", {reinterpret_cast<const char*>(kText), sizeof(kText) - 1}};
+}  // namespace scantrove::kernels
+")
+    return()
+  endif()
+
+  set(texts "")
+  set(rows "")
+  foreach(input IN LISTS INPUTS)
+    get_filename_component(name "${input}" NAME)
+    string(REGEX MATCH "^([0-9][0-9][0-9])_" matched "${name}")
+    if(NOT matched)
+      message(FATAL_ERROR "${input}: a migration is called NNN_name.sql")
+    endif()
+    math(EXPR version "1${CMAKE_MATCH_1} - 1000")
+    file(READ "${input}" text)
+    bytes_of("${text}" bytes)
+    string(APPEND texts "const unsigned char kText${version}[] = {${bytes}};\n")
+    string(APPEND rows
+      "    {${version}, \"${name}\", {reinterpret_cast<const char*>(kText${version}), sizeof(kText${version}) - 1}},\n")
+  endforeach()
+  file(WRITE "${OUTPUT}" "// Made from core/catalog/schema; do not edit.
+#include \"core/catalog/migrations.h\"
+namespace scantrove::schema {
+namespace {
+${texts}const Migration kRows[] = {
+${rows}};
+}  // namespace
+std::span<const Migration> migrations() { return kRows; }
+}  // namespace scantrove::schema
+")
+  return()
+endif()
+
+set(SCANTROVE_EMBED_SCRIPT "${CMAKE_CURRENT_LIST_FILE}")
+
+# Adds to `target` the source `output`, made from `inputs`; made anew when these, or one of ARGN, change.
+function(scantrove_embed target kind output inputs)
+  # A list inside one argument: the semicolons are kept by VERBATIM.
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND ${CMAKE_COMMAND} "-DKIND=${kind}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DINPUTS=${inputs}"
+            "-DOUTPUT=${output}" -P "${SCANTROVE_EMBED_SCRIPT}"
+    DEPENDS ${inputs} ${ARGN} "${SCANTROVE_EMBED_SCRIPT}"
+    COMMENT "Embedding into ${target}" VERBATIM)
+  target_sources(${target} PRIVATE "${output}")
+endfunction()
+
+# Each kernel file verb_noun.cl is reachable as scantrove::kernels::verb_noun after
+# #include "embedded/<module>_kernels.h".
+function(scantrove_embed_kernels module)
+  # Headers that kernels may include: any change rebuilds every embedded kernel (they are few and small).
+  file(GLOB includable CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/core/*/kernels/*.clh"
+                                         "${PROJECT_SOURCE_DIR}/core/*/kernels/*.h")
+  set(generated "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded")
+  set(declarations "")
+  foreach(kernel IN LISTS ARGN)
+    get_filename_component(identifier "${kernel}" NAME_WE)
+    get_property(taken GLOBAL PROPERTY "scantrove_kernel_${identifier}")
+    if(taken)
+      message(FATAL_ERROR "Two kernel files are called ${identifier}.cl: in ${taken} and in ${module}. Rename one.")
+    endif()
+    set_property(GLOBAL PROPERTY "scantrove_kernel_${identifier}" ${module})
+    scantrove_embed(scantrove_${module} kernel "${generated}/${identifier}.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${kernel}"
+                    ${includable})
+    string(APPEND declarations "extern const KernelSource ${identifier};\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${generated}/${module}_kernels.h" CONTENT
+"#pragma once
+#include \"core/compute/kernel_source.h\"
+namespace scantrove::kernels {
+${declarations}}  // namespace scantrove::kernels
+" @ONLY)
+  target_include_directories(scantrove_${module} PUBLIC "${CMAKE_CURRENT_BINARY_DIR}/generated")
+endfunction()
+
+function(scantrove_embed_migrations target)
+  set(inputs ${ARGN})
+  list(SORT inputs)
+  scantrove_embed(${target} migrations "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded/migrations.cpp" "${inputs}")
+endfunction()
