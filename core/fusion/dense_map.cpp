@@ -1,62 +1,19 @@
 #include "core/fusion/dense_map.h"
 
-#include "core/fusion/brick_allocator.h"
-#include "core/fusion/brick_window.h"
-#include "core/fusion/integrator.h"
-#include "core/fusion/raycaster.h"
+#include <utility>
+
 #include "core/fusion/view_depths.h"
 
 namespace scantrove {
 
-class DenseMap::Machinery {
- public:
-  Machinery(ComputeContext& compute, const FusionParams& params, BrickAllocator allocator,
-            Integrator integrator, Raycaster raycaster)
-      : compute_(compute),
-        params_(params),
-        bricks_(compute, params.voxel_size_m),
-        allocator_(std::move(allocator)),
-        integrator_(std::move(integrator)),
-        raycaster_(std::move(raycaster)) {}
-
-  void integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera) {
-    const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
-    const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
-    // What the last frame found empty: by now the device has long answered.
-    bricks_.makeDormant(integrator_.emptySlots());
-    lookAt(frustum);
-    if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum);
-    integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
-  }
-
-  void raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface) {
-    const auto pixels = static_cast<std::size_t>(K.pixels());
-    if (surface.vertices_world.size() != pixels) surface.vertices_world = {compute_.context(), pixels};
-    if (surface.normals_world.size() != pixels) surface.normals_world = {compute_.context(), pixels};
-    surface.K = K;
-    surface.T_world_camera = T_world_camera;
-    const ViewFrustum frustum(T_world_camera, K, kNearestView_m, params_.max_depth_m);
-    lookAt(frustum);
-    raycaster_.cast(bricks_, window_, bricks_.slotsInPages(pages_, frustum), surface);
-  }
-
-  [[nodiscard]] BrickMap& bricks() { return bricks_; }
-
- private:
-  void lookAt(const ViewFrustum& frustum) {
-    pages_ = bricks_.pages().pagesInView(frustum, BRICK_SIDE * static_cast<double>(bricks_.voxelSize()));
-    window_.set(compute_, bricks_.pages(), pages_);
-  }
-
-  ComputeContext& compute_;
-  FusionParams params_;
-  BrickMap bricks_;
-  BrickAllocator allocator_;
-  Integrator integrator_;
-  Raycaster raycaster_;
-  std::vector<int> pages_;
-  BrickWindow window_;
-};
+DenseMap::DenseMap(ComputeContext& compute, const FusionParams& params, BrickAllocator allocator,
+                   Integrator integrator, Raycaster raycaster)
+    : compute_(compute),
+      params_(params),
+      bricks_(compute, params.voxel_size_m),
+      allocator_(std::move(allocator)),
+      integrator_(std::move(integrator)),
+      raycaster_(std::move(raycaster)) {}
 
 Result<std::unique_ptr<DenseMap>> DenseMap::create(ComputeContext& compute, const FusionParams& params) {
   Result<BrickAllocator> allocator = BrickAllocator::create(compute, params);
@@ -65,23 +22,34 @@ Result<std::unique_ptr<DenseMap>> DenseMap::create(ComputeContext& compute, cons
   if (!integrator) return fail(integrator.error());
   Result<Raycaster> raycaster = Raycaster::create(compute, params);
   if (!raycaster) return fail(raycaster.error());
-  std::unique_ptr<DenseMap> map(new DenseMap);
-  map->machinery_ = std::make_unique<Machinery>(compute, params, std::move(*allocator),
-                                                std::move(*integrator), std::move(*raycaster));
-  return map;
+  return std::unique_ptr<DenseMap>(
+      new DenseMap(compute, params, std::move(*allocator), std::move(*integrator), std::move(*raycaster)));
 }
 
-DenseMap::~DenseMap() = default;
-
 void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera) {
-  machinery_->integrate(frame, T_world_camera);
+  const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
+  const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
+  // What the last frame found empty: by now the device has long answered.
+  bricks_.makeDormant(integrator_.emptySlots());
+  lookAt(frustum);
+  if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum);
+  integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
 }
 
 void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface) {
-  machinery_->raycast(T_world_camera, K, surface);
+  const auto pixels = static_cast<std::size_t>(K.pixels());
+  if (surface.vertices_world.size() != pixels) surface.vertices_world = {compute_.context(), pixels};
+  if (surface.normals_world.size() != pixels) surface.normals_world = {compute_.context(), pixels};
+  surface.K = K;
+  surface.T_world_camera = T_world_camera;
+  const ViewFrustum frustum(T_world_camera, K, kNearestView_m, params_.max_depth_m);
+  lookAt(frustum);
+  raycaster_.cast(bricks_, window_, bricks_.slotsInPages(pages_, frustum), surface);
 }
 
-BrickMap& DenseMap::bricks() { return machinery_->bricks(); }
-const BrickMap& DenseMap::bricks() const { return machinery_->bricks(); }
+void DenseMap::lookAt(const ViewFrustum& frustum) {
+  pages_ = bricks_.pages().pagesInView(frustum, BRICK_SIDE * static_cast<double>(bricks_.voxelSize()));
+  window_.set(compute_, bricks_.pages(), pages_);
+}
 
 }  // namespace scantrove

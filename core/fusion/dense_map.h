@@ -1,12 +1,18 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/brick_allocator.h"
 #include "core/fusion/brick_map.h"
+#include "core/fusion/brick_window.h"
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/fusion_params.h"
+#include "core/fusion/integrator.h"
+#include "core/fusion/raycaster.h"
 #include "core/fusion/surface_maps.h"
+#include "core/fusion/view_frustum.h"
 
 namespace scantrove {
 
@@ -16,7 +22,6 @@ class DenseMap {
  public:
   [[nodiscard]] static Result<std::unique_ptr<DenseMap>> create(ComputeContext& compute,
                                                                 const FusionParams& params);
-  ~DenseMap();
 
   /// Allocates bricks along the band around each depth reading, then averages the frame into the bricks in
   /// view.
@@ -25,13 +30,24 @@ class DenseMap {
   /// V_t and N_t from `T_world_camera` for camera `K`; buffers of `surface` are made or resized as needed.
   void raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface);
 
-  [[nodiscard]] BrickMap& bricks();
-  [[nodiscard]] const BrickMap& bricks() const;
+  [[nodiscard]] BrickMap& bricks() { return bricks_; }
+  [[nodiscard]] const BrickMap& bricks() const { return bricks_; }
 
  private:
-  DenseMap() = default;
-  class Machinery;
-  std::unique_ptr<Machinery> machinery_;
+  DenseMap(ComputeContext& compute, const FusionParams& params, BrickAllocator allocator,
+           Integrator integrator, Raycaster raycaster);
+
+  /// Makes `pages_` and `window_` those of a view.
+  void lookAt(const ViewFrustum& frustum);
+
+  ComputeContext& compute_;
+  FusionParams params_;
+  BrickMap bricks_;
+  BrickAllocator allocator_;
+  Integrator integrator_;
+  Raycaster raycaster_;
+  std::vector<int> pages_;
+  BrickWindow window_;
 };
 
 }  // namespace scantrove

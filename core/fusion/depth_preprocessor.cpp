@@ -6,7 +6,6 @@
 
 #include "core/base/check.h"
 #include "core/compute/kernel_types.h"
-#include "core/fusion/kernels/depth_plane.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
@@ -16,26 +15,6 @@ constexpr int kLevels = 3;
 constexpr int kSmallestLevel_px = 16;   ///< no level narrower or lower than this, besides the first
 constexpr float kRangeBase_m = 0.008F;  ///< reach of the filter over depth, at depth 0 ...
 constexpr float kRangePerZ2 = 0.008F;   ///< ... and its growth with z^2
-
-/// Metres in a frame of zeros on the device; see depth_plane.clh.
-struct DepthPlane {
-  int width = 0;
-  int height = 0;
-  int runs = 0;  ///< of PLANE_RUN pixels a row
-  int stride = 0;
-  Buffer<cl_float> metres;
-
-  DepthPlane() = default;
-  DepthPlane(ComputeContext& compute, int width_px, int height_px)
-      : width(width_px),
-        height(height_px),
-        runs((width_px + PLANE_RUN - 1) / PLANE_RUN),
-        stride(runs * PLANE_RUN + 2 * PLANE_PAD),
-        metres(compute.context(),
-               static_cast<std::size_t>(stride) * static_cast<std::size_t>(height + 2 * PLANE_PAD)) {
-    metres.fill(compute.queue(), 0.0F);
-  }
-};
 
 Intrinsics workingIntrinsics(const Intrinsics& K, int working_width) {
   if (K.width <= working_width) return K;
@@ -60,110 +39,6 @@ cl::NDRange imageRange(int width, int height) {
 
 }  // namespace
 
-class DepthPreprocessor::Machinery {
- public:
-  Machinery(ComputeContext& compute, const Intrinsics& K, const FusionParams& params)
-      : compute_(compute), params_(params) {
-    pyramid_.K = K;
-    const auto pixels = static_cast<std::size_t>(K.pixels());
-    units_ = Buffer<cl_ushort>(compute.context(), pixels);
-    pyramid_.depth_m = Buffer<cl_float>(compute.context(), pixels);
-
-    Intrinsics level_K = workingIntrinsics(K, params.working_width);
-    ratio_x_ = static_cast<float>(K.width) / static_cast<float>(level_K.width);
-    ratio_y_ = static_cast<float>(K.height) / static_cast<float>(level_K.height);
-    reduced_ = DepthPlane(compute, level_K.width, level_K.height);
-    for (int level = 0; level < kLevels; ++level) {
-      if (level > 0) level_K = halved(level_K);
-      if (level > 0 && std::min(level_K.width, level_K.height) < kSmallestLevel_px) break;
-      planes_.emplace_back(compute, level_K.width, level_K.height);
-      const auto level_pixels = static_cast<std::size_t>(level_K.pixels());
-      pyramid_.levels.push_back({level_K, Buffer<cl_float4>(compute.context(), level_pixels),
-                                 Buffer<cl_float4>(compute.context(), level_pixels)});
-    }
-  }
-
-  Result<void> buildKernels() {
-    const std::string block = std::to_string(std::max(blockOf(ratio_x_), blockOf(ratio_y_)));
-    SCANTROVE_TRY(build(convert_, kernels::convert_depth, "convert_depth"));
-    SCANTROVE_TRY(build(reduce_, kernels::reduce_depth, "reduce_depth", "-DBLOCK=" + block));
-    SCANTROVE_TRY(build(halve_, kernels::halve_depth, "halve_depth"));
-    SCANTROVE_TRY(build(filter_, kernels::filter_depth, "filter_depth"));
-    return build(build_surface_, kernels::build_surface, "build_surface");
-  }
-
-  const DepthPyramid& process(const RgbdFrame& frame) {
-    upload(frame);
-    reduceAndFilter();
-    for (std::size_t level = 0; level < planes_.size(); ++level) {
-      if (level > 0) halve(planes_[level - 1].metres, planes_[level - 1].stride, PLANE_PAD, planes_[level]);
-      buildSurface(planes_[level], pyramid_.levels[level]);
-    }
-    return pyramid_;
-  }
-
- private:
-  Result<void> build(Kernel& kernel, const KernelSource& source, const char* name,
-                     const std::string& options = {}) {
-    Result<Kernel> built = compute_.kernel(source, name, options);
-    if (!built) return fail(built.error());
-    kernel = std::move(*built);
-    return {};
-  }
-
-  void upload(const RgbdFrame& frame) {
-    const Intrinsics& K = pyramid_.K;
-    SCANTROVE_CHECK(frame.depth.type() == CV_16UC1 && frame.depth.cols == K.width &&
-                    frame.depth.rows == K.height);
-    const cv::Mat depth = frame.depth.isContinuous() ? frame.depth : frame.depth.clone();
-    units_.write(compute_.queue(), {depth.ptr<cl_ushort>(), units_.size()});
-    convert_.launch(cl::NDRange(units_.size()), cl::NullRange, units_, cl_int{K.pixels()},
-                    cl_float{frame.metres_per_unit}, cl_float{params_.min_depth_m},
-                    cl_float{params_.max_depth_m}, pyramid_.depth_m);
-  }
-
-  void reduceAndFilter() {
-    if (ratio_x_ == 2.0F && ratio_y_ == 2.0F) {
-      halve(pyramid_.depth_m, pyramid_.K.width, 0, reduced_);
-    } else {
-      reduce();
-    }
-    filter_.launch(imageRange(reduced_.runs, reduced_.height), cl::NullRange, reduced_.metres,
-                   cl_int{reduced_.runs}, cl_int{reduced_.height}, cl_int{reduced_.stride},
-                   cl_float{kRangeBase_m}, cl_float{kRangePerZ2}, planes_.front().metres);
-  }
-
-  void reduce() {
-    const Intrinsics& K = pyramid_.K;
-    reduce_.launch(imageRange(reduced_.width, reduced_.height), cl::NullRange, pyramid_.depth_m,
-                   cl_int{K.width}, cl_int{K.height}, cl_float{ratio_x_}, cl_float{ratio_y_},
-                   cl_int{reduced_.width}, cl_int{reduced_.height}, cl_int{reduced_.stride}, reduced_.metres);
-  }
-
-  void halve(const Buffer<cl_float>& large, int large_stride, int large_pad, DepthPlane& small) {
-    halve_.launch(imageRange((small.width + 7) / 8, small.height), cl::NullRange, large, cl_int{large_stride},
-                  cl_int{large_pad}, cl_int{small.width}, cl_int{small.height}, cl_int{small.stride},
-                  small.metres);
-  }
-
-  void buildSurface(const DepthPlane& plane, DepthPyramid::Level& level) {
-    build_surface_.launch(imageRange(plane.width, plane.height), cl::NullRange, plane.metres,
-                          cl_int{plane.width}, cl_int{plane.height}, cl_int{plane.stride},
-                          toKernel(level.K.fx, level.K.fy, level.K.cx, level.K.cy), level.vertices_camera,
-                          level.normals_camera);
-  }
-
-  ComputeContext& compute_;
-  FusionParams params_;
-  float ratio_x_ = 1;
-  float ratio_y_ = 1;
-  Buffer<cl_ushort> units_;
-  DepthPlane reduced_;
-  std::vector<DepthPlane> planes_;  ///< filtered, one a level
-  DepthPyramid pyramid_;
-  Kernel convert_, reduce_, halve_, filter_, build_surface_;
-};
-
 Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeContext& compute,
                                                                      const Intrinsics& K,
                                                                      const FusionParams& params) {
@@ -174,9 +49,8 @@ Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeCont
                 "Give the size of the depth images and a working width of at least 1.");
   }
   try {
-    std::unique_ptr<DepthPreprocessor> preprocessor(new DepthPreprocessor);
-    preprocessor->machinery_ = std::make_unique<Machinery>(compute, K, params);
-    SCANTROVE_TRY(preprocessor->machinery_->buildKernels());
+    std::unique_ptr<DepthPreprocessor> preprocessor(new DepthPreprocessor(compute, K, params));
+    SCANTROVE_TRY(preprocessor->buildKernels());
     return preprocessor;
   } catch (const cl::Error& error) {
     return fail("The depth buffers do not fit on " + compute.deviceName() + " (" + error.what() + ", code " +
@@ -185,8 +59,88 @@ Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeCont
   }
 }
 
-DepthPreprocessor::~DepthPreprocessor() = default;
+DepthPreprocessor::DepthPreprocessor(ComputeContext& compute, const Intrinsics& K, const FusionParams& params)
+    : compute_(compute), params_(params) {
+  pyramid_.K = K;
+  const auto pixels = static_cast<std::size_t>(K.pixels());
+  units_ = Buffer<cl_ushort>(compute.context(), pixels);
+  pyramid_.depth_m = Buffer<cl_float>(compute.context(), pixels);
 
-const DepthPyramid& DepthPreprocessor::process(const RgbdFrame& frame) { return machinery_->process(frame); }
+  Intrinsics level_K = workingIntrinsics(K, params.working_width);
+  ratio_x_ = static_cast<float>(K.width) / static_cast<float>(level_K.width);
+  ratio_y_ = static_cast<float>(K.height) / static_cast<float>(level_K.height);
+  reduced_ = DepthPlane(compute, level_K.width, level_K.height);
+  for (int level = 0; level < kLevels; ++level) {
+    if (level > 0) level_K = halved(level_K);
+    if (level > 0 && std::min(level_K.width, level_K.height) < kSmallestLevel_px) break;
+    planes_.emplace_back(compute, level_K.width, level_K.height);
+    const auto level_pixels = static_cast<std::size_t>(level_K.pixels());
+    pyramid_.levels.push_back({level_K, Buffer<cl_float4>(compute.context(), level_pixels),
+                               Buffer<cl_float4>(compute.context(), level_pixels)});
+  }
+}
+
+Result<void> DepthPreprocessor::buildKernels() {
+  const std::string block = std::to_string(std::max(blockOf(ratio_x_), blockOf(ratio_y_)));
+  SCANTROVE_TRY(moveInto(convert_, compute_.kernel(kernels::convert_depth, "convert_depth")));
+  SCANTROVE_TRY(
+      moveInto(reduce_, compute_.kernel(kernels::reduce_depth, "reduce_depth", "-DBLOCK=" + block)));
+  SCANTROVE_TRY(moveInto(halve_, compute_.kernel(kernels::halve_depth, "halve_depth")));
+  SCANTROVE_TRY(moveInto(filter_, compute_.kernel(kernels::filter_depth, "filter_depth")));
+  return moveInto(build_surface_, compute_.kernel(kernels::build_surface, "build_surface"));
+}
+
+const DepthPyramid& DepthPreprocessor::process(const RgbdFrame& frame) {
+  upload(frame);
+  reduceAndFilter();
+  for (std::size_t level = 0; level < planes_.size(); ++level) {
+    if (level > 0) halve(planes_[level - 1].metres, planes_[level - 1].stride, PLANE_PAD, planes_[level]);
+    buildSurface(planes_[level], pyramid_.levels[level]);
+  }
+  return pyramid_;
+}
+
+void DepthPreprocessor::upload(const RgbdFrame& frame) {
+  const Intrinsics& K = pyramid_.K;
+  SCANTROVE_CHECK(frame.depth.type() == CV_16UC1 && frame.depth.cols == K.width &&
+                  frame.depth.rows == K.height);
+  const cv::Mat depth = frame.depth.isContinuous() ? frame.depth : frame.depth.clone();
+  units_.write(compute_.queue(), {depth.ptr<cl_ushort>(), units_.size()});
+  convert_.launch(cl::NDRange(units_.size()), cl::NullRange, units_, cl_int{K.pixels()},
+                  cl_float{frame.metres_per_unit}, cl_float{params_.min_depth_m},
+                  cl_float{params_.max_depth_m}, pyramid_.depth_m);
+}
+
+void DepthPreprocessor::reduceAndFilter() {
+  if (ratio_x_ == 2.0F && ratio_y_ == 2.0F) {
+    halve(pyramid_.depth_m, pyramid_.K.width, 0, reduced_);
+  } else {
+    reduce();
+  }
+  filter_.launch(imageRange(reduced_.runs, reduced_.height), cl::NullRange, reduced_.metres,
+                 cl_int{reduced_.runs}, cl_int{reduced_.height}, cl_int{reduced_.stride},
+                 cl_float{kRangeBase_m}, cl_float{kRangePerZ2}, planes_.front().metres);
+}
+
+void DepthPreprocessor::reduce() {
+  const Intrinsics& K = pyramid_.K;
+  reduce_.launch(imageRange(reduced_.width, reduced_.height), cl::NullRange, pyramid_.depth_m,
+                 cl_int{K.width}, cl_int{K.height}, cl_float{ratio_x_}, cl_float{ratio_y_},
+                 cl_int{reduced_.width}, cl_int{reduced_.height}, cl_int{reduced_.stride}, reduced_.metres);
+}
+
+void DepthPreprocessor::halve(const Buffer<cl_float>& large, int large_stride, int large_pad,
+                              DepthPlane& small) {
+  halve_.launch(imageRange((small.width + 7) / 8, small.height), cl::NullRange, large, cl_int{large_stride},
+                cl_int{large_pad}, cl_int{small.width}, cl_int{small.height}, cl_int{small.stride},
+                small.metres);
+}
+
+void DepthPreprocessor::buildSurface(const DepthPlane& plane, DepthPyramid::Level& level) {
+  build_surface_.launch(imageRange(plane.width, plane.height), cl::NullRange, plane.metres,
+                        cl_int{plane.width}, cl_int{plane.height}, cl_int{plane.stride},
+                        toKernel(level.K.fx, level.K.fy, level.K.cx, level.K.cy), level.vertices_camera,
+                        level.normals_camera);
+}
 
 }  // namespace scantrove

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/depth_plane.h"
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/fusion_params.h"
 
@@ -16,15 +18,29 @@ class DepthPreprocessor {
   [[nodiscard]] static Result<std::unique_ptr<DepthPreprocessor>> create(ComputeContext& compute,
                                                                          const Intrinsics& K,
                                                                          const FusionParams& params);
-  ~DepthPreprocessor();
 
   /// Depth of 0 or outside [min_depth, max_depth] becomes 0. The result stays valid until the next call.
   [[nodiscard]] const DepthPyramid& process(const RgbdFrame& frame);
 
  private:
-  DepthPreprocessor() = default;
-  class Machinery;
-  std::unique_ptr<Machinery> machinery_;
+  DepthPreprocessor(ComputeContext& compute, const Intrinsics& K, const FusionParams& params);
+  [[nodiscard]] Result<void> buildKernels();
+
+  void upload(const RgbdFrame& frame);
+  void reduceAndFilter();
+  void reduce();
+  void halve(const Buffer<cl_float>& large, int large_stride, int large_pad, DepthPlane& small);
+  void buildSurface(const DepthPlane& plane, DepthPyramid::Level& level);
+
+  ComputeContext& compute_;
+  FusionParams params_;
+  float ratio_x_ = 1;
+  float ratio_y_ = 1;
+  Buffer<cl_ushort> units_;
+  DepthPlane reduced_;
+  std::vector<DepthPlane> planes_;  ///< filtered, one a level
+  DepthPyramid pyramid_;
+  Kernel convert_, reduce_, halve_, filter_, build_surface_;
 };
 
 }  // namespace scantrove

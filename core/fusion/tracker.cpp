@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/fusion/icp_pass.h"
-#include "core/fusion/pose_judgement.h"
 
 namespace scantrove {
 namespace {
@@ -52,117 +49,92 @@ double costOf(const IcpSystem& system, double gate_m) {
 
 }  // namespace
 
-class Tracker::Machinery {
- public:
-  explicit Machinery(IcpPass pass) : pass_(std::move(pass)) {}
-
-  PoseEstimate track(const DepthPyramid& frame, const SurfaceMaps& model,
-                     const Eigen::Isometry3d& prediction) {
-    SCANTROVE_CHECK(!frame.levels.empty());
-    if (model.vertices_world.size() == 0) return {.T_world_camera = prediction};
-    const std::size_t coarsest = std::min(frame.levels.size(), kPasses.size()) - 1;
-    const IcpOutcome coarse = descendFromBestGuess(frame, model, prediction, coarsest);
-    PoseEstimate pose = finish(frame, model, coarse, coarsest, false);
-    if (pose.state != TrackingState::tracking && pose.free_directions == 0 && coarse.system.readings > 0) {
-      const PoseEstimate found = finish(frame, model, search(frame, model, coarsest), coarsest, true);
-      if (found.state == TrackingState::tracking) pose = found;
-    }
-    last_uncertain_.reset();
-    if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing) {
-      last_uncertain_ = pose.T_world_camera;
-    }
-    if (pose.state == TrackingState::lost) pose.T_world_camera = prediction;
-    return pose;
-  }
-
- private:
-  /// Passes at one level until the steps are small.
-  IcpOutcome descend(const DepthPyramid& frame, const SurfaceMaps& model, const Eigen::Isometry3d& guess,
-                     std::size_t level) {
-    IcpOutcome outcome{
-        .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
-    const IcpGates gates{.distance_m = kDistance_m[level]};
-    for (int i = 0; i < kPasses[level]; ++i) {
-      outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
-      outcome.step = solveIcp(outcome.system, kSmallestEigenvalue);
-      if (!outcome.step.finite) break;
-      outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
-      if (std::max(outcome.step.rotation_rad, outcome.step.translation_m) < kSmallStep[level]) break;
-    }
-    return outcome;
-  }
-
-  /// Aligns the coarsest level from the prediction, from the model's own pose (a camera that stopped) and
-  /// from the last uncertain pose (a camera on its way back); the best of them.
-  IcpOutcome descendFromBestGuess(const DepthPyramid& frame, const SurfaceMaps& model,
-                                  const Eigen::Isometry3d& prediction, std::size_t coarsest) {
-    const auto gate = static_cast<double>(kDistance_m[coarsest]);
-    IcpOutcome best = descend(frame, model, prediction, coarsest);
-    // Where the surface fits and yet is silent about the motion, all guesses fit alike, and the prediction
-    // stands.
-    if (best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap) return best;
-    std::vector<Eigen::Isometry3d> guesses{prediction};
-    const auto tryGuess = [&](const Eigen::Isometry3d& guess) {
-      if (std::any_of(guesses.begin(), guesses.end(),
-                      [&](const auto& tried) { return isSameGuess(tried, guess); }))
-        return;
-      guesses.push_back(guess);
-      IcpOutcome outcome = descend(frame, model, guess, coarsest);
-      if (costOf(outcome.system, gate) < costOf(best.system, gate)) best = std::move(outcome);
-    };
-    tryGuess(model.T_world_camera);
-    if (last_uncertain_) tryGuess(*last_uncertain_);
-    return best;
-  }
-
-  /// The finer levels after the coarsest, and the verdict.
-  PoseEstimate finish(const DepthPyramid& frame, const SurfaceMaps& model, const IcpOutcome& coarse,
-                      std::size_t coarsest, bool searched) {
-    IcpOutcome outcome = coarse;
-    for (std::size_t level = coarsest; level > 0; --level) {
-      outcome = descend(frame, model, outcome.T_world_camera, level - 1);
-    }
-    outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
-    return judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera, searched);
-  }
-
-  /// The best of several turns of the camera at the model's pose: a hand's jerk is mostly rotation, and a
-  /// camera that was lost often comes back.
-  IcpOutcome search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest) {
-    const auto gate = static_cast<double>(kDistance_m[coarsest]);
-    IcpOutcome best;
-    double best_cost = std::numeric_limits<double>::max();
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double angle_rad : {-kSearch_rad, kSearch_rad}) {
-        const Eigen::Isometry3d turn(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::Unit(axis)));
-        IcpOutcome outcome = descend(frame, model, model.T_world_camera * turn, coarsest);
-        const double cost = costOf(outcome.system, gate);
-        if (cost >= best_cost) continue;
-        best_cost = cost;
-        best = std::move(outcome);
-      }
-    }
-    return best;
-  }
-
-  IcpPass pass_;
-  std::optional<Eigen::Isometry3d>
-      last_uncertain_;  ///< of the frame before, when it was not trusted but not lost
-};
-
 Result<std::unique_ptr<Tracker>> Tracker::create(ComputeContext& compute) {
   Result<IcpPass> pass = IcpPass::create(compute);
   if (!pass) return fail(pass.error());
-  std::unique_ptr<Tracker> tracker(new Tracker);
-  tracker->machinery_ = std::make_unique<Machinery>(std::move(*pass));
-  return tracker;
+  return std::unique_ptr<Tracker>(new Tracker(std::move(*pass)));
 }
-
-Tracker::~Tracker() = default;
 
 PoseEstimate Tracker::track(const DepthPyramid& frame, const SurfaceMaps& model,
                             const Eigen::Isometry3d& prediction) {
-  return machinery_->track(frame, model, prediction);
+  SCANTROVE_CHECK(!frame.levels.empty());
+  if (model.vertices_world.size() == 0) return {.T_world_camera = prediction};
+  const std::size_t coarsest = std::min(frame.levels.size(), kPasses.size()) - 1;
+  const IcpOutcome coarse = descendFromBestGuess(frame, model, prediction, coarsest);
+  PoseEstimate pose = finish(frame, model, coarse, coarsest, false);
+  if (pose.state != TrackingState::tracking && pose.free_directions == 0 && coarse.system.readings > 0) {
+    const PoseEstimate found = finish(frame, model, search(frame, model, coarsest), coarsest, true);
+    if (found.state == TrackingState::tracking) pose = found;
+  }
+  last_uncertain_.reset();
+  if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing) {
+    last_uncertain_ = pose.T_world_camera;
+  }
+  if (pose.state == TrackingState::lost) pose.T_world_camera = prediction;
+  return pose;
+}
+
+IcpOutcome Tracker::descend(const DepthPyramid& frame, const SurfaceMaps& model,
+                            const Eigen::Isometry3d& guess, std::size_t level) {
+  IcpOutcome outcome{
+      .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
+  const IcpGates gates{.distance_m = kDistance_m[level]};
+  for (int i = 0; i < kPasses[level]; ++i) {
+    outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
+    outcome.step = solveIcp(outcome.system, kSmallestEigenvalue);
+    if (!outcome.step.finite) break;
+    outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
+    if (std::max(outcome.step.rotation_rad, outcome.step.translation_m) < kSmallStep[level]) break;
+  }
+  return outcome;
+}
+
+IcpOutcome Tracker::descendFromBestGuess(const DepthPyramid& frame, const SurfaceMaps& model,
+                                         const Eigen::Isometry3d& prediction, std::size_t coarsest) {
+  const auto gate = static_cast<double>(kDistance_m[coarsest]);
+  IcpOutcome best = descend(frame, model, prediction, coarsest);
+  // Where the surface fits and yet is silent about the motion, all guesses fit alike, and the prediction
+  // stands.
+  if (best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap) return best;
+  std::vector<Eigen::Isometry3d> guesses{prediction};
+  const auto tryGuess = [&](const Eigen::Isometry3d& guess) {
+    if (std::any_of(guesses.begin(), guesses.end(),
+                    [&](const auto& tried) { return isSameGuess(tried, guess); }))
+      return;
+    guesses.push_back(guess);
+    IcpOutcome outcome = descend(frame, model, guess, coarsest);
+    if (costOf(outcome.system, gate) < costOf(best.system, gate)) best = std::move(outcome);
+  };
+  tryGuess(model.T_world_camera);
+  if (last_uncertain_) tryGuess(*last_uncertain_);
+  return best;
+}
+
+PoseEstimate Tracker::finish(const DepthPyramid& frame, const SurfaceMaps& model, const IcpOutcome& coarse,
+                             std::size_t coarsest, bool searched) {
+  IcpOutcome outcome = coarse;
+  for (std::size_t level = coarsest; level > 0; --level) {
+    outcome = descend(frame, model, outcome.T_world_camera, level - 1);
+  }
+  outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
+  return judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera, searched);
+}
+
+IcpOutcome Tracker::search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest) {
+  const auto gate = static_cast<double>(kDistance_m[coarsest]);
+  IcpOutcome best;
+  double best_cost = std::numeric_limits<double>::max();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double angle_rad : {-kSearch_rad, kSearch_rad}) {
+      const Eigen::Isometry3d turn(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::Unit(axis)));
+      IcpOutcome outcome = descend(frame, model, model.T_world_camera * turn, coarsest);
+      const double cost = costOf(outcome.system, gate);
+      if (cost >= best_cost) continue;
+      best_cost = cost;
+      best = std::move(outcome);
+    }
+  }
+  return best;
 }
 
 }  // namespace scantrove

@@ -1,10 +1,14 @@
 #pragma once
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/depth_pyramid.h"
+#include "core/fusion/icp_pass.h"
 #include "core/fusion/pose_estimate.h"
+#include "core/fusion/pose_judgement.h"
 #include "core/fusion/surface_maps.h"
 
 namespace scantrove {
@@ -16,7 +20,6 @@ namespace scantrove {
 class Tracker {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Tracker>> create(ComputeContext& compute);
-  ~Tracker();
 
   /// Pose of `frame`, starting from `prediction`. An uncertain pose is remembered as one more start for the
   /// next call, so that a camera is followed in front of one model until it may be trusted again.
@@ -24,9 +27,25 @@ class Tracker {
                                    const Eigen::Isometry3d& prediction);
 
  private:
-  Tracker() = default;
-  class Machinery;
-  std::unique_ptr<Machinery> machinery_;
+  explicit Tracker(IcpPass pass) : pass_(std::move(pass)) {}
+
+  /// Passes at one level until the steps are small.
+  [[nodiscard]] IcpOutcome descend(const DepthPyramid& frame, const SurfaceMaps& model,
+                                   const Eigen::Isometry3d& guess, std::size_t level);
+  /// Aligns the coarsest level from the prediction, from the model's own pose (a camera that stopped) and
+  /// from the last uncertain pose (a camera on its way back); the best of them.
+  [[nodiscard]] IcpOutcome descendFromBestGuess(const DepthPyramid& frame, const SurfaceMaps& model,
+                                                const Eigen::Isometry3d& prediction, std::size_t coarsest);
+  /// The finer levels after the coarsest, and the verdict.
+  [[nodiscard]] PoseEstimate finish(const DepthPyramid& frame, const SurfaceMaps& model,
+                                    const IcpOutcome& coarse, std::size_t coarsest, bool searched);
+  /// The best of several turns of the camera at the model's pose: a hand's jerk is mostly rotation, and a
+  /// camera that was lost often comes back.
+  [[nodiscard]] IcpOutcome search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest);
+
+  IcpPass pass_;
+  std::optional<Eigen::Isometry3d>
+      last_uncertain_;  ///< of the frame before, when it was not trusted but not lost
 };
 
 }  // namespace scantrove

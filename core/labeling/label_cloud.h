@@ -20,7 +20,6 @@ namespace scantrove {
 class LabelCloud {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
-  ~LabelCloud();
 
   /// S_prj,t: the raw label at each vertex of `surface`, row by row, 0 = none.
   [[nodiscard]] std::vector<std::uint32_t> project(const SurfaceMaps& surface, const BrickMap& bricks);
@@ -38,13 +37,32 @@ class LabelCloud {
   [[nodiscard]] Extract extract(std::span<const cl_int> slots, const BrickMap& bricks, float truncation_vox);
 
   /// slotCapacity * 512 label voxels (label_voxel.h), for tests.
-  [[nodiscard]] const Buffer<cl_uint>& voxels() const;
-  [[nodiscard]] std::size_t deviceBytes() const;
+  [[nodiscard]] const Buffer<cl_uint>& voxels() const { return labels_; }
+  [[nodiscard]] std::size_t deviceBytes() const { return labels_.size() * sizeof(cl_uint); }
 
  private:
-  LabelCloud() = default;
-  class Machinery;
-  std::unique_ptr<Machinery> machinery_;
+  explicit LabelCloud(ComputeContext& compute);
+  [[nodiscard]] Result<void> buildKernels();
+
+  /// Gives every slot of `bricks` its labels (0 when new), stamp and position.
+  void fitPools(const BrickMap& bricks);
+  /// Allocates every brick that a voxel within `reach` of a vertex lies in.
+  void makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& bricks);
+  template <class T>
+  void fit(Buffer<T>& buffer, std::size_t size) {
+    if (buffer.size() < size) buffer = Buffer<T>(compute_.context(), size + size / 2);
+  }
+
+  ComputeContext& compute_;
+  Kernel project_labels_, list_uncovered_bricks_, update_labels_, extract_points_;
+  Buffer<cl_uint> labels_;
+  Buffer<cl_int> stamps_, touched_, count_, listed_, offsets_;
+  Buffer<cl_int4> positions_, missing_;
+  Buffer<cl_uint> projected_, new_labels_, region_of_label_;
+  Buffer<LabelPoint> points_;
+  std::vector<cl_int> touched_host_;
+  cl_int stamp_ = 0;
+  int positions_known_ = 0;
 };
 
 }  // namespace scantrove

@@ -1,100 +1,75 @@
 #include "core/segmentation/graph_segmenter.h"
 
 #include <array>
+#include <utility>
 
 #include "core/segmentation/edge_keys.h"
-#include "core/segmentation/edge_weigher.h"
-#include "core/segmentation/graph_partition.h"
-#include "core/segmentation/normal_refiner.h"
 
 namespace scantrove {
 
-class GraphSegmenter::Machinery {
- public:
-  Machinery(NormalRefiner refiner, EdgeWeigher weigher)
-      : refiner_(std::move(refiner)), weigher_(std::move(weigher)) {}
-
-  SegmentMap segment(const SurfaceMaps& surface, const SegmentationParams& params) {
-    const bool refine = params.refine_normals && surface.K.pixels() > 0;
-    weigher_.weigh(surface, refine ? refiner_.refine(surface, params) : surface.normals_world, params,
-                   edges_);
-    partition(params);
-    return number();
-  }
-
- private:
-  void partition(const SegmentationParams& params) {
-    const std::span<const std::uint16_t> keys(
-        edges_.keys.empty() ? nullptr : reinterpret_cast<const std::uint16_t*>(edges_.keys.data()),
-        edges_.keys.size() * EDGE_DIRECTIONS);
-    sortEdges(keys, counts_, order_);
-    components_.reset(edges_.keys.size(), params.k);
-
-    const auto width = static_cast<std::uint32_t>(edges_.width);
-    const std::array<std::uint32_t, EDGE_DIRECTIONS> offset = {1, width, width + 1, width - 1};
-    rejected_.clear();
-    for (const std::uint32_t edge : order_) {
-      const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
-      if (!components_.join(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]))) {
-        rejected_.push_back(edge);
-      }
-    }
-    const auto min_pixels = static_cast<std::uint32_t>(std::max(params.min_pixels, 0));
-    for (const std::uint32_t edge : rejected_) {
-      const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
-      components_.absorb(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]), min_pixels);
-    }
-  }
-
-  /// Numbers the components 1, 2, ... by their first pixel.
-  SegmentMap number() {
-    SegmentMap map;
-    map.width = edges_.width;
-    map.height = edges_.height;
-    map.ids.assign(edges_.depths_m.size(), 0);
-    map.areas.assign(1, 0);
-    map.depths_m = edges_.depths_m;
-    id_of_root_.assign(edges_.depths_m.size(), 0);
-    for (std::size_t pixel = 0; pixel < map.ids.size(); ++pixel) {
-      std::uint32_t id = 0;
-      if (edges_.depths_m[pixel] > 0) {
-        std::uint32_t& known = id_of_root_[components_.find(static_cast<std::uint32_t>(pixel))];
-        if (known == 0) {
-          known = static_cast<std::uint32_t>(map.areas.size());
-          map.areas.push_back(0);
-        }
-        id = known;
-      }
-      map.ids[pixel] = id;
-      ++map.areas[id];
-    }
-    return map;
-  }
-
-  NormalRefiner refiner_;
-  EdgeWeigher weigher_;
-  EdgeKeys edges_;
-  GraphPartition components_;
-  std::vector<std::uint32_t> counts_;
-  std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> rejected_;
-  std::vector<std::uint32_t> id_of_root_;
-};
+GraphSegmenter::GraphSegmenter(NormalRefiner refiner, EdgeWeigher weigher)
+    : refiner_(std::move(refiner)), weigher_(std::move(weigher)) {}
 
 Result<std::unique_ptr<GraphSegmenter>> GraphSegmenter::create(ComputeContext& compute) {
   Result<NormalRefiner> refiner = NormalRefiner::create(compute);
   if (!refiner) return fail(refiner.error());
   Result<EdgeWeigher> weigher = EdgeWeigher::create(compute);
   if (!weigher) return fail(weigher.error());
-  std::unique_ptr<GraphSegmenter> segmenter(new GraphSegmenter);
-  segmenter->machinery_ = std::make_unique<Machinery>(std::move(*refiner), std::move(*weigher));
-  return segmenter;
+  return std::unique_ptr<GraphSegmenter>(new GraphSegmenter(std::move(*refiner), std::move(*weigher)));
 }
 
-GraphSegmenter::~GraphSegmenter() = default;
-
 SegmentMap GraphSegmenter::segment(const SurfaceMaps& surface, const SegmentationParams& params) {
-  return machinery_->segment(surface, params);
+  const bool refine = params.refine_normals && surface.K.pixels() > 0;
+  weigher_.weigh(surface, refine ? refiner_.refine(surface, params) : surface.normals_world, params, edges_);
+  partition(params);
+  return number();
+}
+
+void GraphSegmenter::partition(const SegmentationParams& params) {
+  const std::span<const std::uint16_t> keys(
+      edges_.keys.empty() ? nullptr : reinterpret_cast<const std::uint16_t*>(edges_.keys.data()),
+      edges_.keys.size() * EDGE_DIRECTIONS);
+  sortEdges(keys, counts_, order_);
+  components_.reset(edges_.keys.size(), params.k);
+
+  const auto width = static_cast<std::uint32_t>(edges_.width);
+  const std::array<std::uint32_t, EDGE_DIRECTIONS> offset = {1, width, width + 1, width - 1};
+  rejected_.clear();
+  for (const std::uint32_t edge : order_) {
+    const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
+    if (!components_.join(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]))) {
+      rejected_.push_back(edge);
+    }
+  }
+  const auto min_pixels = static_cast<std::uint32_t>(std::max(params.min_pixels, 0));
+  for (const std::uint32_t edge : rejected_) {
+    const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
+    components_.absorb(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]), min_pixels);
+  }
+}
+
+SegmentMap GraphSegmenter::number() {
+  SegmentMap map;
+  map.width = edges_.width;
+  map.height = edges_.height;
+  map.ids.assign(edges_.depths_m.size(), 0);
+  map.areas.assign(1, 0);
+  map.depths_m = edges_.depths_m;
+  id_of_root_.assign(edges_.depths_m.size(), 0);
+  for (std::size_t pixel = 0; pixel < map.ids.size(); ++pixel) {
+    std::uint32_t id = 0;
+    if (edges_.depths_m[pixel] > 0) {
+      std::uint32_t& known = id_of_root_[components_.find(static_cast<std::uint32_t>(pixel))];
+      if (known == 0) {
+        known = static_cast<std::uint32_t>(map.areas.size());
+        map.areas.push_back(0);
+      }
+      id = known;
+    }
+    map.ids[pixel] = id;
+    ++map.areas[id];
+  }
+  return map;
 }
 
 }  // namespace scantrove

@@ -1,9 +1,14 @@
 #pragma once
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/surface_maps.h"
+#include "core/segmentation/edge_weigher.h"
+#include "core/segmentation/graph_partition.h"
+#include "core/segmentation/normal_refiner.h"
 #include "core/segmentation/segment_map.h"
 #include "core/segmentation/segmentation_params.h"
 
@@ -15,14 +20,25 @@ namespace scantrove {
 class GraphSegmenter {
  public:
   [[nodiscard]] static Result<std::unique_ptr<GraphSegmenter>> create(ComputeContext& compute);
-  ~GraphSegmenter();
 
   [[nodiscard]] SegmentMap segment(const SurfaceMaps& surface, const SegmentationParams& params);
 
  private:
-  GraphSegmenter() = default;
-  class Machinery;
-  std::unique_ptr<Machinery> machinery_;
+  GraphSegmenter(NormalRefiner refiner, EdgeWeigher weigher);
+
+  void partition(const SegmentationParams& params);
+  /// Numbers the components 1, 2, ... by their first pixel.
+  [[nodiscard]] SegmentMap number();
+
+  NormalRefiner refiner_;
+  EdgeWeigher weigher_;
+  EdgeKeys edges_;
+  GraphPartition components_;
+  // Working memory, kept between frames.
+  std::vector<std::uint32_t> counts_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> rejected_;
+  std::vector<std::uint32_t> id_of_root_;
 };
 
 }  // namespace scantrove
