@@ -70,10 +70,4 @@ std::uint16_t addShelf(SyntheticScene& scene, const std::string& name, const Pla
 std::uint16_t addBasket(SyntheticScene& scene, const std::string& name, const Place& place,
                         const Material& material);
 
-/// The scenes of synthetic_source.h.
-[[nodiscard]] SyntheticScene makeTabletopScene();
-[[nodiscard]] SyntheticScene makeRoomScene();
-[[nodiscard]] SyntheticScene makeLBlockScene();
-[[nodiscard]] SyntheticScene makeChairFloorScene();
-
 }  // namespace scantrove::synthetic

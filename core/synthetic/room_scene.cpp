@@ -1,8 +1,21 @@
+#include "core/synthetic/film_set.h"
 #include "core/synthetic/lathe.h"
 #include "core/synthetic/objects.h"
 
 namespace scantrove::synthetic {
 namespace {
+
+Gaze throughRoom(double t) {
+  static const Gaze kWay[] = {
+      {{0.62, -0.92, 1.18}, {0.50, 0.30, 0.55}},  {{0.40, -1.12, 1.30}, {0.42, 0.22, 0.46}},
+      {{0.02, -1.25, 1.40}, {0.30, 0.12, 0.36}},  {{-0.42, -1.05, 1.44}, {0.16, 0.22, 0.36}},
+      {{-0.80, -0.68, 1.44}, {0.02, 0.48, 0.48}}, {{-1.02, -0.22, 1.42}, {-0.16, 0.85, 0.66}},
+      {{-1.00, 0.22, 1.38}, {-0.32, 1.22, 0.78}}, {{-0.68, 0.40, 1.33}, {-0.32, 1.36, 0.80}},
+      {{-0.26, 0.44, 1.33}, {-0.22, 1.38, 0.80}}, {{0.16, 0.44, 1.36}, {-0.12, 1.38, 0.80}},
+      {{0.52, 0.50, 1.38}, {-0.06, 1.36, 0.80}},
+  };
+  return alongSpline(kWay, 1.33, t);
+}
 
 void addThingsOnTable(SyntheticScene& scene, double z) {
   addLamp(scene, "lamp", {-0.84, 1.60, z}, {Pattern::bands, rgb(0xf5dfa6), rgb(0xe9c46a), {}, 0.03F});
@@ -37,9 +50,7 @@ void addThingsOnTable(SyntheticScene& scene, double z) {
           {Pattern::stripes, rgb(0xd7263d), rgb(0xf5f1e8), {}, 0.0628F, 0.3F});
 }
 
-}  // namespace
-
-SyntheticScene makeRoomScene() {
+SyntheticScene makeScene() {
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
   addBox(scene, floor, {}, {4.8, 4.6, 0.1}, 0, {Pattern::planks, rgb(0xb68a5e), {}, {}, 0.13F}, {0, 0, -0.1});
@@ -71,6 +82,17 @@ SyntheticScene makeRoomScene() {
   addBall(scene, "globe", {1.62, 1.95, shelf_middle}, 0.11,
           {Pattern::speckle, rgb(0x3a7ca5), rgb(0x81b29a), {}, 0.06F, 0.3F});
   return scene;
+}
+
+}  // namespace
+
+FilmSet makeRoomSet() {
+  return {.name = "room",
+          .scene = makeScene(),
+          .path = throughRoom,
+          .frames = 400,
+          .lit_centre = {0, 0.8, 0.4},
+          .lit_radius_m = 2};
 }
 
 }  // namespace scantrove::synthetic

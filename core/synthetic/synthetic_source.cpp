@@ -3,12 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <utility>
 
-#include "core/base/check.h"
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
-#include "core/synthetic/objects.h"
 #include "core/synthetic/renderer.h"
 
 namespace scantrove {
@@ -17,35 +17,11 @@ namespace {
 constexpr double kFramesPerSecond = 30;
 constexpr double kColorNoise = 1.8;  // grey levels
 
-struct NamedScene {
+struct Demo {
   const char* name;
-  SceneKind kind;
+  synthetic::FilmSet (*set)();
 };
-constexpr NamedScene kScenes[] = {{"tabletop", SceneKind::tabletop},
-                                  {"room", SceneKind::room},
-                                  {"l_block", SceneKind::l_block},
-                                  {"chair_floor", SceneKind::chair_floor}};
-
-SyntheticScene makeScene(SceneKind kind) {
-  switch (kind) {
-    case SceneKind::room:
-      return synthetic::makeRoomScene();
-    case SceneKind::l_block:
-      return synthetic::makeLBlockScene();
-    case SceneKind::chair_floor:
-      return synthetic::makeChairFloorScene();
-    case SceneKind::tabletop:
-      break;
-  }
-  return synthetic::makeTabletopScene();
-}
-
-const char* nameOf(SceneKind kind) {
-  const auto* found = std::find_if(std::begin(kScenes), std::end(kScenes),
-                                   [kind](const NamedScene& s) { return s.kind == kind; });
-  SCANTROVE_CHECK(found != std::end(kScenes));
-  return found->name;
-}
+constexpr Demo kDemos[] = {{"tabletop", synthetic::makeTabletopSet}, {"room", synthetic::makeRoomSet}};
 
 /// Metres to 16-bit units; 0 where there is no reading or it does not fit.
 cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
@@ -63,11 +39,9 @@ cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
 
 class RenderedSource final : public SyntheticSource {
  public:
-  explicit RenderedSource(const SyntheticOptions& options)
-      : options_(options),
-        scene_(makeScene(options.scene)),
-        trajectory_(options.scene, options.tremor, options.seed) {
-    info_.name = nameOf(options.scene);
+  RenderedSource(const SyntheticOptions& options, synthetic::FilmSet set)
+      : options_(options), set_(std::move(set)), trajectory_(set_.path, options.tremor, options.seed) {
+    info_.name = set_.name;
     info_.kind = "synthetic";
     info_.intrinsics = options.K;
     info_.frame_count = (options.frames - options.start + options.stride - 1) / options.stride;
@@ -75,7 +49,7 @@ class RenderedSource final : public SyntheticSource {
   }
 
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
-  [[nodiscard]] const SyntheticScene& scene() const override { return scene_; }
+  [[nodiscard]] const SyntheticScene& scene() const override { return set_.scene; }
   [[nodiscard]] Eigen::Isometry3d pose(int index) const override {
     return trajectory_.pose(index / kFramesPerSecond);
   }
@@ -87,9 +61,7 @@ class RenderedSource final : public SyntheticSource {
     }
     const int index = options_.start + given_++ * options_.stride;
     if (options_.color && !lighting_) {
-      const bool wide = options_.scene == SceneKind::room || options_.scene == SceneKind::chair_floor;
-      lighting_ = std::make_unique<synthetic::Lighting>(scene_, Eigen::Vector3d(0, wide ? 0.8 : 0, 0.4),
-                                                        wide ? 2.0 : 1.5);
+      lighting_ = std::make_unique<synthetic::Lighting>(set_.scene, set_.lit_centre, set_.lit_radius_m);
     }
     RgbdFrame& frame = read.frame;
     frame.index = index;
@@ -97,7 +69,7 @@ class RenderedSource final : public SyntheticSource {
     frame.metres_per_unit = options_.metres_per_unit;
     frame.T_world_camera = pose(index);
     synthetic::RenderedFrame image =
-        synthetic::renderFrame(scene_, lighting_.get(), options_.K, *frame.T_world_camera);
+        synthetic::renderFrame(set_.scene, lighting_.get(), options_.K, *frame.T_world_camera);
     const auto number = static_cast<std::uint32_t>(index);
     if (options_.noise) {
       image.z_m = synthetic::measureDepth(image.z_m, image.incidence, options_.K, {}, options_.seed, number);
@@ -112,19 +84,29 @@ class RenderedSource final : public SyntheticSource {
 
  private:
   SyntheticOptions options_;
-  SyntheticScene scene_;
+  synthetic::FilmSet set_;
   synthetic::Trajectory trajectory_;
   std::unique_ptr<synthetic::Lighting> lighting_;  // baked when the first colour image is asked for
   SourceInfo info_;
   int given_ = 0;
 };
 
+/// "", "exact" or a seed. False: none of these.
+bool applyMode(SyntheticOptions& options, const std::string& mode) {
+  options.noise = mode != "exact";
+  if (mode.empty() || mode == "exact") return true;
+  const char* end = mode.data() + mode.size();
+  const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
+  return failure == std::errc{} && stop == end;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& given) {
   SyntheticOptions options = given;
+  synthetic::FilmSet set = options.set();
   if (options.frames <= 0) {
-    options.frames = synthetic::defaultFrameCount(options.scene);
+    options.frames = set.frames;
   }
   const Intrinsics& K = options.K;
   if (!(K.fx > 0 && K.fy > 0) || K.width <= 0 || K.height <= 0) {
@@ -134,14 +116,14 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOpti
   }
   if (options.start < 0 || options.stride < 1 || options.start >= options.frames) {
     return fail(fmt::format("The demo '{}' has {} frames; none is left from frame {} in steps of {}.",
-                            nameOf(options.scene), options.frames, options.start, options.stride),
+                            set.name, options.frames, options.start, options.stride),
                 "Start earlier, with a step of 1 or more.");
   }
   if (!(options.metres_per_unit > 0)) {
     return fail(fmt::format("A depth unit of {} m is none.", options.metres_per_unit),
                 "Give a positive depth scale.");
   }
-  return std::make_unique<RenderedSource>(options);
+  return std::make_unique<RenderedSource>(options, std::move(set));
 }
 
 Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scene,
@@ -150,15 +132,13 @@ Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scen
   const std::size_t colon = scene.find(':');
   const std::string name = colon == 0 || scene.empty() ? "tabletop" : scene.substr(0, colon);
   const std::string mode = colon == std::string::npos ? "" : scene.substr(colon + 1);
-  const auto* found = std::find_if(std::begin(kScenes), std::end(kScenes),
-                                   [&](const NamedScene& s) { return name == s.name; });
-  if (found == std::end(kScenes) || !(mode.empty() || mode == "exact")) {
-    return fail(
-        fmt::format("There is no demo scene '{}'.", scene),
-        "Choose tabletop or room (l_block and chair_floor for tests); add :exact for depth without noise.");
+  const auto* demo =
+      std::find_if(std::begin(kDemos), std::end(kDemos), [&](const Demo& d) { return name == d.name; });
+  if (demo == std::end(kDemos) || !applyMode(options, mode)) {
+    return fail(fmt::format("There is no demo scene '{}'.", scene),
+                "Choose tabletop or room; add :exact for depth without noise, or :7 for other noise.");
   }
-  options.scene = found->kind;
-  options.noise = mode != "exact";
+  options.set = demo->set;
   options.start = given.start;
   options.stride = given.stride;
   if (given.intrinsics) {
@@ -170,7 +150,7 @@ Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scen
   if (given.depth_scale) {
     options.metres_per_unit = static_cast<float>(1.0 / *given.depth_scale);
   }
-  const int length = synthetic::defaultFrameCount(options.scene);
+  const int length = options.set().frames;
   options.frames = length;
   if (given.frames && options.stride >= 1 && *given.frames < (length - options.start) / options.stride) {
     options.frames = options.start + std::max(*given.frames, 0) * options.stride;
@@ -181,7 +161,5 @@ Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scen
   }
   return std::move(*source);
 }
-
-std::vector<InstanceName> instanceNames(SceneKind scene) { return makeScene(scene).instances(); }
 
 }  // namespace scantrove

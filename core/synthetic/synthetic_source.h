@@ -2,20 +2,18 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
-#include "core/synthetic/scene.h"
-#include "core/synthetic/trajectory.h"
+#include "core/synthetic/film_set.h"
 
 namespace scantrove {
 
 /// How to film a synthetic scene. World frame: metres, z up, floor at z = 0.
 struct SyntheticOptions {
-  SceneKind scene = SceneKind::tabletop;
+  synthetic::FilmSet (*set)() = synthetic::makeTabletopSet;  ///< makes what is filmed
   Intrinsics K{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
-  int frames = 0;     ///< length of the recording; 0 = the scene's own; the camera goes on as long as asked
+  int frames = 0;     ///< length of the recording; 0 = the set's own; the camera goes on as long as asked
   int start = 0;      ///< first frame of the recording that is given ...
   int stride = 1;     ///< ... and then every stride-th
   bool noise = true;  ///< Kinect model on depth and sensor noise on colour; false: exact, rounded to the unit
@@ -37,13 +35,10 @@ class SyntheticSource : public FrameSource {
 /// Error: no frame is left, or the intrinsics are not those of a camera.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
-/// `scene`: "tabletop" (also ""), "room", "l_block" or "chair_floor"; with ":exact" appended, without noise.
+/// `scene`: "tabletop" (also "") or "room"; with ":exact" appended, without noise; with ":7", with that seed.
 /// Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays). Error: names the scene
 /// and those there are.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scene,
                                                                        const SourceOptions& options);
-
-/// Who is who in the instance masks of a scene.
-[[nodiscard]] std::vector<InstanceName> instanceNames(SceneKind scene);
 
 }  // namespace scantrove

@@ -1,9 +1,24 @@
+#include <cmath>
+#include <numbers>
+
+#include "core/synthetic/film_set.h"
 #include "core/synthetic/lathe.h"
 #include "core/synthetic/objects.h"
 
 namespace scantrove::synthetic {
+namespace {
 
-SyntheticScene makeTabletopScene() {
+constexpr double kDegree = std::numbers::pi / 180;
+
+Gaze aroundTable(double t) {
+  const double azimuth = (-100 + 15.5 * t) * kDegree;
+  const double radius = 0.87 + 0.05 * std::sin(0.9 * t);
+  const double height = 1.27 + 0.10 * std::sin(0.55 * t + 0.5);
+  return {{radius * std::cos(azimuth), radius * std::sin(azimuth), height},
+          {0.03 * std::sin(0.7 * t), 0.03 * std::cos(0.5 * t), 0.76}};
+}
+
+SyntheticScene makeScene() {
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
   addBox(scene, floor, {}, {5, 5, 0.1}, 0, {Pattern::planks, rgb(0xb08a63), {}, {}, 0.14F}, {0, 0, -0.1});
@@ -48,6 +63,17 @@ SyntheticScene makeTabletopScene() {
   addCarton(scene, "toy block, upper", {-0.028, -0.368, z + 0.06, 48}, {0.045, 0.045, 0.045},
             {Pattern::dots, rgb(0xe56b6f), rgb(0xfff3e2), {}, 0.0225F});
   return scene;
+}
+
+}  // namespace
+
+FilmSet makeTabletopSet() {
+  return {.name = "tabletop",
+          .scene = makeScene(),
+          .path = aroundTable,
+          .frames = 300,
+          .lit_centre = {0, 0, 0.4},
+          .lit_radius_m = 1.5};
 }
 
 }  // namespace scantrove::synthetic

@@ -1,44 +1,35 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
+#include <span>
 
-namespace scantrove {
+namespace scantrove::synthetic {
 
-/// The scenes that can be filmed, and how the hand that holds the camera moves.
-enum class SceneKind {
-  /// A table with 17 things, 0.8 - 1.1 m away; the camera walks around it (300 frames: nearly half the way).
-  tabletop,
-  /// A room with table, 17 things on it, chair, stool, basket, parcel, shelf; 400 frames. In the first views
-  /// the chair cuts the floor in separate pieces; the camera then steps back and around it, and goes on to
-  /// the table.
-  room,
-  /// An L-shaped block ("L block") in the middle of a table, with other things at a distance. In the first
-  /// frames it is seen straight from the front: a foot and an upright that only meet in a concave edge. Later
-  /// frames show the L-shaped side, which joins both over rounded convex edges. 150 frames.
-  l_block,
-  /// Floor, walls, a parcel, a basket, and a chair ("chair") that cuts the floor in the first frames; later
-  /// frames show the floor around it in one piece. 150 frames.
-  chair_floor,
+/// Where a camera is and what the middle of its image shows. World frame, metres.
+struct Gaze {
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();
 };
 
-namespace synthetic {
+/// A camera's way, for any time from 0 on.
+using CameraPath = std::function<Gaze(double time_s)>;
 
-/// A handheld camera's way through a scene, for any time: smooth, at most about 0.35 m/s and 25 degrees/s.
+/// Uniform cubic B-spline through the neighbourhood of the points, one a `period_s`, forth and back for ever.
+[[nodiscard]] Gaze alongSpline(std::span<const Gaze> points, double period_s, double time_s);
+
+/// A camera on its way in somebody's hand.
 class Trajectory {
  public:
   /// `seed` makes the tremor; without tremor the way is the same for every seed.
-  Trajectory(SceneKind scene, bool tremor, std::uint32_t seed);
+  Trajectory(CameraPath path, bool tremor, std::uint32_t seed);
   /// T_world_camera: x right, y down, z forward.
   [[nodiscard]] Eigen::Isometry3d pose(double time_s) const;
 
  private:
-  SceneKind scene_;
+  CameraPath path_;
   bool tremor_;
   std::uint32_t seed_;
 };
 
-/// Length of the recording where none is asked for.
-[[nodiscard]] int defaultFrameCount(SceneKind scene);
-
-}  // namespace synthetic
-}  // namespace scantrove
+}  // namespace scantrove::synthetic

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/support/film_sets.h"
 #include "tests/support/synthetic_scan.h"
 
 namespace scantrove {
@@ -7,9 +8,9 @@ namespace {
 
 using test::SyntheticScan;
 
-SyntheticOptions film(SceneKind scene, int frames) {
+SyntheticOptions film(synthetic::FilmSet (*set)(), int frames) {
   SyntheticOptions options;
-  options.scene = scene;
+  options.set = set;
   options.frames = frames;
   return options;
 }
@@ -17,7 +18,7 @@ SyntheticOptions film(SceneKind scene, int frames) {
 // The thesis' central claims on a scene with exact truth: poses are right, and merging over time brings the
 // boundaries nearer to the truth than the same frames alone (table 4.1).
 TEST(SyntheticTabletop, TracksWithinTenMillimetresAndMergingBeatsSingleFrames) {
-  SyntheticScan scan(film(SceneKind::tabletop, 100));
+  SyntheticScan scan(film(synthetic::makeTabletopSet, 100));
   scan.run();
   ASSERT_EQ(scan.frames.size(), 100U);
   for (const auto& frame : scan.frames) EXPECT_TRUE(frame.pose.usable());
@@ -44,7 +45,7 @@ TEST(SyntheticTabletop, TracksWithinTenMillimetresAndMergingBeatsSingleFrames) {
 
 // Thesis 4.3: segments of a non-convex object join once a convex connection was seen.
 TEST(SyntheticLBlock, TwoSegmentsInTheFirstFrameAreOneRegionAtTheEnd) {
-  SyntheticScan scan(film(SceneKind::l_block, 0));
+  SyntheticScan scan(film(test::makeLBlockSet, 0));
   scan.run();
   ASSERT_GE(scan.frames.size(), 100U);
   const int block = scan.source().scene().find("L block");
@@ -63,7 +64,7 @@ TEST(SyntheticLBlock, TwoSegmentsInTheFirstFrameAreOneRegionAtTheEnd) {
 
 // Thesis 4.5: the floor that a chair cuts in pieces becomes one region and stays one.
 TEST(SyntheticChairFloor, TheFloorCutByTheChairIsOneRegionAtTheEnd) {
-  SyntheticScan scan(film(SceneKind::chair_floor, 0));
+  SyntheticScan scan(film(test::makeChairFloorSet, 0));
   scan.run();
   const int floor = 1;
   const auto& first = scan.frames.front();

@@ -72,7 +72,7 @@ class ScanSessionTest : public testing::Test {
  protected:
   [[nodiscard]] ScanRequest request(int frames) const {
     ScanRequest request;
-    request.source = "demo:l_block";
+    request.source = "demo";
     request.source_options.frames = frames;
     request.database = (folder_ / "catalogue.sqlite").string();
     request.params.fusion.working_width = 160;  // quick; nothing here depends on it

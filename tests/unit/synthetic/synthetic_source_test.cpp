@@ -6,15 +6,17 @@
 #include <set>
 
 #include "core/synthetic/synthetic_source.h"
+#include "tests/support/film_sets.h"
 
 namespace scantrove {
 namespace {
 
+using MakeSet = synthetic::FilmSet (*)();
 constexpr double kDegree = 3.14159265358979 / 180;
 
-SyntheticOptions exactOptions(SceneKind scene) {
+SyntheticOptions exactOptions(MakeSet set) {
   SyntheticOptions options;
-  options.scene = scene;
+  options.set = set;
   options.K = options.K.resizedTo(160, 120);
   options.noise = false;
   options.color = false;
@@ -34,10 +36,10 @@ RgbdFrame frameAt(SyntheticOptions options, int index) {
   return read.frame;
 }
 
-class EveryScene : public testing::TestWithParam<SceneKind> {};
+class EveryScene : public testing::TestWithParam<MakeSet> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Values(SceneKind::tabletop, SceneKind::room, SceneKind::l_block,
-                                         SceneKind::chair_floor));
+                         testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet,
+                                         &test::makeLBlockSet, &test::makeChairFloorSet));
 
 TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
   SyntheticOptions options = exactOptions(GetParam());
@@ -119,7 +121,8 @@ TEST_P(EveryScene, CameraMovesLikeAHand) {
 }
 
 TEST_P(EveryScene, NamesAreThoseOfTheMasks) {
-  const std::vector<InstanceName> names = instanceNames(GetParam());
+  const synthetic::FilmSet set = GetParam()();
+  const std::vector<InstanceName>& names = set.scene.instances();
   ASSERT_FALSE(names.empty());
   EXPECT_EQ(names.front().name, "floor");
   std::set<std::string> different;
@@ -130,8 +133,9 @@ TEST_P(EveryScene, NamesAreThoseOfTheMasks) {
   EXPECT_EQ(different.size(), names.size());
 }
 
-class DemoScene : public testing::TestWithParam<SceneKind> {};
-INSTANTIATE_TEST_SUITE_P(Demos, DemoScene, testing::Values(SceneKind::tabletop, SceneKind::room));
+class DemoScene : public testing::TestWithParam<MakeSet> {};
+INSTANTIATE_TEST_SUITE_P(Demos, DemoScene,
+                         testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet));
 
 TEST_P(DemoScene, ShowsAtLeastTwelveObjectsAndSeveralNonConvex) {
   SyntheticOptions options = exactOptions(GetParam());
@@ -175,8 +179,9 @@ std::vector<double> piecesOf(const RgbdFrame& frame, std::uint16_t instance) {
   return areas;
 }
 
-class ChairOnFloor : public testing::TestWithParam<SceneKind> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloor, testing::Values(SceneKind::room, SceneKind::chair_floor));
+class ChairOnFloor : public testing::TestWithParam<MakeSet> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, ChairOnFloor,
+                         testing::Values(&synthetic::makeRoomSet, &test::makeChairFloorSet));
 
 TEST_P(ChairOnFloor, CutsTheFloorAtFirstAndNotLater) {
   SyntheticOptions options = exactOptions(GetParam());
@@ -193,7 +198,7 @@ TEST_P(ChairOnFloor, CutsTheFloorAtFirstAndNotLater) {
 }
 
 TEST(LBlock, SideThatJoinsItsPartsAppearsOnlyLater) {
-  SyntheticOptions options = exactOptions(SceneKind::l_block);
+  SyntheticOptions options = exactOptions(&test::makeLBlockSet);
   options.stride = 1;
   const auto source = open(options);
   const std::uint16_t block = source->scene().find("L block");
@@ -221,7 +226,7 @@ TEST(LBlock, SideThatJoinsItsPartsAppearsOnlyLater) {
 }
 
 TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
-  SyntheticOptions options = exactOptions(SceneKind::tabletop);
+  SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.noise = true;
   options.color = true;
   const RgbdFrame a = frameAt(options, 7);
@@ -235,8 +240,16 @@ TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
   EXPECT_FALSE(a.T_world_camera->matrix() == c.T_world_camera->matrix());
 }
 
+TEST(SyntheticSource, ANumberAfterTheNameIsTheSeed) {
+  SyntheticOptions options;
+  options.seed = 7;
+  const auto by_name = makeSyntheticSource("tabletop:7", {});
+  ASSERT_TRUE(by_name) << by_name.error().message();
+  EXPECT_EQ(cv::countNonZero((*by_name)->next().frame.depth != frameAt(options, 0).depth), 0);
+}
+
 TEST(SyntheticSource, NoiseKeepsMostReadingsAndStaysNearTheTruth) {
-  SyntheticOptions options = exactOptions(SceneKind::tabletop);
+  SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.K = options.K.resizedTo(640, 480);
   const RgbdFrame exact = frameAt(options, 20);
   options.noise = true;
@@ -292,15 +305,17 @@ TEST(SyntheticSource, LengthsAreThoseOfTheScenes) {
   options.stride = 7;
   EXPECT_EQ((*makeSyntheticSource("room:exact", options))->info().frame_count, 58);
   options.frames = 1000;
-  EXPECT_EQ((*makeSyntheticSource("room", options))->info().frame_count, 58);
+  EXPECT_EQ((*makeSyntheticSource("room:3", options))->info().frame_count, 58);
 }
 
 TEST(SyntheticSource, RefusesWhatItCannotFilm) {
   using testing::HasSubstr;
-  const auto unknown = makeSyntheticSource("kitchen", {});
-  ASSERT_FALSE(unknown);
-  EXPECT_THAT(unknown.error().message(), HasSubstr("'kitchen'"));
-  EXPECT_THAT(unknown.error().message(), HasSubstr("tabletop or room"));
+  for (const std::string scene : {"kitchen", "l_block", "room:sharp", "room:3x"}) {
+    const auto unknown = makeSyntheticSource(scene, {});
+    ASSERT_FALSE(unknown) << scene;
+    EXPECT_THAT(unknown.error().message(), HasSubstr("'" + scene + "'"));
+    EXPECT_THAT(unknown.error().message(), HasSubstr("tabletop or room"));
+  }
   SourceOptions late;
   late.start = 300;
   const auto nothing = makeSyntheticSource("tabletop", late);

@@ -1,8 +1,19 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
 
-namespace scantrove::synthetic {
+namespace scantrove::test {
 
-SyntheticScene makeLBlockScene() {
+/// An L-shaped block ("L block") in the middle of a table, with other things at a distance. In the first
+/// frames it is seen straight from the front: a foot and an upright that only meet in a concave edge. Later
+/// frames show the L-shaped side, which joins both over rounded convex edges.
+inline synthetic::FilmSet makeLBlockSet() {
+  using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
   addBox(scene, floor, {}, {5, 5, 0.1}, 0, {Pattern::tiles, rgb(0xcfc8bb), rgb(0x8f887c), {}, 0.3F},
@@ -21,10 +32,24 @@ SyntheticScene makeLBlockScene() {
           {Pattern::bands, rgb(0xd97b4a), rgb(0xf0d9b8), {}, 0.022F, 0.35F});
   addBall(scene, "ball", {-0.14, 0.44, 0.70}, 0.06,
           {Pattern::stripes, rgb(0xd7263d), rgb(0xf5f1e8), {}, 0.0628F, 0.3F});
-  return scene;
+  const auto path = [](double t) -> Gaze {
+    // Straight from the front for half a second, then round to the side, then back again.
+    const double turned = 42 * (1 - std::cos(std::clamp(t - 0.5, 0.0, 1e9) * 2 * std::numbers::pi / 15));
+    const double azimuth = turned * (std::numbers::pi / 180);
+    return {{0.64 * std::cos(azimuth), 0.64 * std::sin(azimuth), 1.14}, {0, 0, 0.78}};
+  };
+  return {.name = "l_block",
+          .scene = std::move(scene),
+          .path = path,
+          .frames = 150,
+          .lit_centre = {0, 0, 0.4},
+          .lit_radius_m = 1.5};
 }
 
-SyntheticScene makeChairFloorScene() {
+/// Floor, walls, a parcel, a basket, and a chair ("chair") that cuts the floor in the first frames; later
+/// frames show the floor around it in one piece.
+inline synthetic::FilmSet makeChairFloorSet() {
+  using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
   addBox(scene, floor, {}, {4.8, 4.6, 0.1}, 0, {Pattern::planks, rgb(0xb68a5e), {}, {}, 0.13F}, {0, 0, -0.1});
@@ -36,7 +61,20 @@ SyntheticScene makeChairFloorScene() {
             {Pattern::boxLabel, rgb(0xc69c6d), rgb(0xa57c52), rgb(0xf3ead8), 0.03F, 0, true, 21});
   addBasket(scene, "basket", {-0.80, 1.15, 0, 0},
             {Pattern::checker, rgb(0xc9a36b), rgb(0xa67c45), {}, 0.03F});
-  return scene;
+  const auto path = [](double t) -> Gaze {
+    static const Gaze kWay[] = {
+        {{0.10, -1.00, 1.18}, {0.02, 0.25, 0.55}}, {{-0.10, -1.20, 1.30}, {0.0, 0.2, 0.44}},
+        {{-0.45, -1.30, 1.40}, {0.0, 0.1, 0.34}},  {{-0.85, -1.10, 1.46}, {0.0, 0.0, 0.28}},
+        {{-1.15, -0.75, 1.46}, {0.0, 0.0, 0.28}},
+    };
+    return alongSpline(kWay, 1.25, t);
+  };
+  return {.name = "chair_floor",
+          .scene = std::move(scene),
+          .path = path,
+          .frames = 150,
+          .lit_centre = {0, 0.8, 0.4},
+          .lit_radius_m = 2};
 }
 
-}  // namespace scantrove::synthetic
+}  // namespace scantrove::test

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+
+#include "core/synthetic/scene.h"
+#include "core/synthetic/trajectory.h"
+
+namespace scantrove::synthetic {
+
+/// A scene and how it is filmed.
+struct FilmSet {
+  std::string name;
+  SyntheticScene scene;
+  CameraPath path;                                       ///< smooth, at most about 0.35 m/s and 25 degrees/s
+  int frames = 0;                                        ///< length of the recording where none is asked for
+  Eigen::Vector3d lit_centre = Eigen::Vector3d::Zero();  ///< shadows reach `lit_radius_m` around it
+  double lit_radius_m = 1.5;
+};
+
+/// A table with 17 things, 0.8 - 1.1 m away; the camera walks around it (300 frames: nearly half the way).
+[[nodiscard]] FilmSet makeTabletopSet();
+
+/// A room with table, 17 things on it, chair, stool, basket, parcel, shelf; 400 frames. In the first views
+/// the chair cuts the floor in separate pieces; the camera then steps back and around it, and goes on to the
+/// table.
+[[nodiscard]] FilmSet makeRoomSet();
+
+}  // namespace scantrove::synthetic
