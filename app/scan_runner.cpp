@@ -50,6 +50,8 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
     if (const auto event = events.pop(kPoll)) {
       if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
       if (const auto* finished = std::get_if<ScanFinished>(&*event)) return finished->report;
+      if (std::holds_alternative<PreparingDevice>(*event))
+        progress.say("Preparing the processor (first time only).");
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
     }
     if (const auto snapshot = session.snapshots().collect()) {

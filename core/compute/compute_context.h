@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -19,6 +20,9 @@ class ComputeContext {
   struct Options {
     std::string device;      ///< see chooseDevice
     bool profiling = false;  ///< measure every kernel; see kernelTimes
+    /// Called once, at the first kernel that the driver had to compile instead of taking it from its cache:
+    /// the rest will take long too.
+    std::function<void()> on_compiling = {};
   };
 
   [[nodiscard]] static Result<std::unique_ptr<ComputeContext>> create(const Options& options);
@@ -45,6 +49,7 @@ class ComputeContext {
 
  private:
   ComputeContext() = default;
+  [[nodiscard]] Result<cl::Program> build(const KernelSource& source, const std::string& build_options);
 
   cl::Device device_;
   cl::Context context_;
@@ -52,6 +57,7 @@ class ComputeContext {
   std::string device_name_;
   bool is_cpu_ = false;
   bool profiling_ = false;
+  std::function<void()> on_compiling_;
   std::map<std::string, cl::Program> programs_;
   std::shared_ptr<std::map<std::string, double>> kernel_times_ =
       std::make_shared<std::map<std::string, double>>();

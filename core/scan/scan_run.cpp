@@ -33,7 +33,11 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
     return fail("The recording " + info.name + " (" + info.kind + ") has no poses.",
                 "Leave out --poses given.");
   }
-  SCANTROVE_TRY(moveInto(run->compute_, ComputeContext::create({request.device, request.profile_kernels})));
+  SCANTROVE_TRY(moveInto(run->compute_, ComputeContext::create({.device = request.device,
+                                                                .profiling = request.profile_kernels,
+                                                                .on_compiling = [run = run.get()] {
+                                                                  run->listener_(PreparingDevice{});
+                                                                }})));
   if (request.output_folder) {
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }

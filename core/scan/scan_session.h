@@ -35,6 +35,7 @@ struct ScanRequest {
 struct StateChanged {
   ScanState state;
 };
+struct PreparingDevice {};  ///< kernels are compiled, which takes long and happens once on a device
 struct ObjectAdded {
   ObjectId object;
   std::string name;
@@ -56,8 +57,8 @@ struct ScanFailed {
 struct ScanFinished {
   ScanReport report;
 };
-using ScanEvent = std::variant<StateChanged, ObjectAdded, ObjectRecognised, ViewAdded, FrameSkipped,
-                               ScanFailed, ScanFinished>;
+using ScanEvent = std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
+                               FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device, pipeline and its database connection.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.

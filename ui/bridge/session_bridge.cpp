@@ -63,6 +63,7 @@ void SessionBridge::announce(const ScanEvent& event) {
                    state_ = e.state;
                    emit stateChanged(e.state);
                  },
+                 [this](const PreparingDevice&) { emit preparingDevice(); },
                  [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
                  [this](const ObjectRecognised& e) {
                    emit objectRecognised(e.object, QString::fromStdString(e.name));

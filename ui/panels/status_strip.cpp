@@ -99,6 +99,8 @@ void StatusStrip::showState(ScanState state) {
   paintState();
 }
 
+void StatusStrip::showPreparing() { stages_->setText(tr("Preparing the processor (first time only)")); }
+
 void StatusStrip::clear() {
   has_pose_ = false;
   for (QLabel* label : {speed_, stages_, map_, losses_}) label->clear();

@@ -16,6 +16,7 @@ class StatusStrip : public QWidget {
   explicit StatusStrip(QWidget* parent = nullptr);
 
   void showState(ScanState state);
+  void showPreparing();  ///< until the next snapshot
   void showSnapshot(const ScanSnapshot& snapshot);
   void clear();
   [[nodiscard]] QString stateText() const;

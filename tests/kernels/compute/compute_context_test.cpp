@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <numeric>
 
 #include "core/compute/kernel_types.h"
@@ -125,6 +126,37 @@ TEST(ComputeContext, ABuildThatFailsShowsTheRealFileAndLine) {
     EXPECT_THAT(message, HasSubstr("-DSOME_OPTION=1"));
     EXPECT_THAT(message, HasSubstr(compute.deviceName()));
   });
+}
+
+/// A build option that no build had before, so that no cache of a driver knows the kernel.
+std::string neverBuilt() {
+  return "-DNEVER_BUILT=" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
+}
+
+TEST(ComputeContext, ABuildThatSucceedsIsSilent) {
+  onEachDevice([](ComputeContext& compute) {
+    testing::internal::CaptureStderr();
+    const auto kernel = compute.kernel(kernels::remarked_kernel, "count_up", neverBuilt());
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    ASSERT_TRUE(kernel) << kernel.error().message();
+  });
+}
+
+TEST(ComputeContext, SaysOnceThatItCompilesAndNotWhenItNeedNot) {
+  const std::string options = neverBuilt();
+  int calls = 0;
+  const auto build = [&](const std::vector<std::string>& all_options) {
+    auto compute = ComputeContext::create({.device = "", .on_compiling = [&] { ++calls; }});
+    ASSERT_TRUE(compute) << compute.error().message();
+    for (const std::string& each : all_options) {
+      const auto kernel = (*compute)->kernel(kernels::remarked_kernel, "count_up", each);
+      ASSERT_TRUE(kernel) << kernel.error().message();
+    }
+  };
+  build({options, options + "0"});
+  EXPECT_EQ(calls, 1);
+  build({options, options + "0"});
+  EXPECT_EQ(calls, 1) << "the driver has both in its cache";
 }
 
 TEST(ComputeContext, AKernelThatIsNotInTheFileIsNamed) {

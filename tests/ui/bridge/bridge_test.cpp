@@ -39,6 +39,7 @@ struct Station {
     QObject::connect(&bridge, &SessionBridge::stateChanged, [this](ScanState state) {
       news.push_back("state " + std::to_string(static_cast<int>(state)));
     });
+    QObject::connect(&bridge, &SessionBridge::preparingDevice, [this] { news.push_back("preparing"); });
     QObject::connect(&bridge, &SessionBridge::objectAdded, [this](ObjectId, const QString& name) {
       news.push_back("added " + name.toStdString());
     });
@@ -67,10 +68,11 @@ TEST(SessionBridge, DeliversTheNewestSnapshotOnly) {
 
 TEST(SessionBridge, LosesNoEventAndKeepsTheirOrder) {
   Station station;
+  station.session->post(PreparingDevice{});
   for (int i = 1; i <= 5; ++i) station.session->post(ObjectAdded{ObjectId{1}, "Obj_" + std::to_string(i)});
   station.session->post(ScanFailed{Error{"The disk is full.", "Make room."}});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return station.news.size() >= 6; }, 2000));
-  EXPECT_THAT(station.news, ElementsAre("added Obj_1", "added Obj_2", "added Obj_3", "added Obj_4",
+  ASSERT_TRUE(QTest::qWaitFor([&] { return station.news.size() >= 7; }, 2000));
+  EXPECT_THAT(station.news, ElementsAre("preparing", "added Obj_1", "added Obj_2", "added Obj_3", "added Obj_4",
                                         "added Obj_5", "failed The disk is full. Make room."));
 }
 

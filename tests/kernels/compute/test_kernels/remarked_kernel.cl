@@ -1,0 +1,6 @@
+// A file to which the compiler has something to say.
+#warning "a remark"
+
+kernel void count_up(global int* value) {
+  value[get_global_id(0)] += 1;
+}
