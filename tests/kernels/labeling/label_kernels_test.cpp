@@ -1,0 +1,255 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "core/labeling/label_cloud.h"
+#include "embedded/labeling_kernels.h"
+#include "tests/reference/label_reference.h"
+#include "tests/support/each_device.h"
+
+namespace scantrove {
+namespace {
+
+using reference::Voxel;
+using test::onEachDevice;
+
+Eigen::Vector3i voxelIn(const Eigen::Vector3i& brick, int index) {
+  return 8 * brick + Eigen::Vector3i(index % 8, index / 8 % 8, index / 64);
+}
+
+/// All bricks around the origin, on both sides of each axis.
+std::vector<Eigen::Vector3i> bricksAroundOrigin(int reach) {
+  std::vector<Eigen::Vector3i> bricks;
+  for (int z = -reach; z < reach; ++z) {
+    for (int y = -reach; y < reach; ++y) {
+      for (int x = -reach; x < reach; ++x) bricks.emplace_back(x, y, z);
+    }
+  }
+  return bricks;
+}
+
+/// A map with a label of its own in every voxel.
+struct LabelledMap {
+  LabelledMap(ComputeContext& compute, float voxel_size_m) : bricks(compute, voxel_size_m) {
+    bricks.allocate(bricksAroundOrigin(2));
+    std::vector<cl_uint> values(static_cast<std::size_t>(bricks.slotCapacity()) * BRICK_VOXELS, 0);
+    for (int slot = 0; slot < bricks.brickCount(); ++slot) {
+      for (int i = 0; i < BRICK_VOXELS; ++i) {
+        const auto at = static_cast<std::size_t>(slot) * BRICK_VOXELS + static_cast<std::size_t>(i);
+        const auto label = static_cast<std::uint32_t>(at + 1);
+        const Eigen::Vector3i voxel = voxelIn(bricks.positionOf(slot), i);
+        labels[{voxel.x(), voxel.y(), voxel.z()}] = label;
+        values[at] = LABEL_VOXEL(label, 3U);
+      }
+    }
+    voxels = Buffer<cl_uint>(compute.context(), values.size());
+    voxels.write(compute.queue(), values);
+  }
+
+  BrickMap bricks;
+  std::map<Voxel, std::uint32_t> labels;
+  Buffer<cl_uint> voxels;
+};
+
+std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& map,
+                                   const std::vector<Eigen::Vector4f>& vertices) {
+  auto kernel = compute.kernel(kernels::project_labels, "project_labels");
+  EXPECT_TRUE(kernel) << kernel.error().message();
+  std::vector<cl_float4> values;
+  for (const Eigen::Vector4f& v : vertices) values.push_back({{v.x(), v.y(), v.z(), v.w()}});
+  Buffer<cl_float4> input(compute.context(), values.size());
+  input.write(compute.queue(), values);
+  Buffer<cl_uint> projected(compute.context(), values.size());
+  projected.fill(compute.queue(), 12345);
+  kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), input, static_cast<cl_int>(values.size()),
+                 map.bricks.table(), map.bricks.tableMask(), map.voxels, 1.0F / map.bricks.voxelSize(),
+                 projected);
+  return projected.read(compute.queue());
+}
+
+// A power of two: multiples of it, and so the borders between voxels, are exact in float.
+constexpr float kExactVoxel_m = 1.0F / 128;
+
+TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
+  onEachDevice([](ComputeContext& compute) {
+    const LabelledMap map(compute, kExactVoxel_m);
+    std::vector<Eigen::Vector4f> vertices;
+    std::vector<std::uint32_t> expected;
+    // Along each axis in steps of a quarter of a voxel, from beyond the first brick to beyond the last.
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int quarter = -68; quarter <= 68; ++quarter) {
+        Eigen::Vector3f in_voxels(0.25F, -0.25F, 0.5F);
+        in_voxels[axis] = 0.25F * static_cast<float>(quarter);
+        const Eigen::Vector3f p = in_voxels * kExactVoxel_m;
+        vertices.emplace_back(p.x(), p.y(), p.z(), 1.0F);
+        expected.push_back(reference::projectedLabel(vertices.back(), kExactVoxel_m, map.labels));
+      }
+    }
+    EXPECT_EQ(project(compute, map, vertices), expected);
+    // What the reference says, said once by hand: floor, neither rounding nor cutting off.
+    const auto labelAt = [&](float x) {
+      return project(compute, map, {Eigen::Vector4f(x * kExactVoxel_m, 0, 0, 1)})[0];
+    };
+    EXPECT_EQ(labelAt(0.75F), map.labels.at({0, 0, 0}));
+    EXPECT_EQ(labelAt(1.0F), map.labels.at({1, 0, 0}));
+    EXPECT_EQ(labelAt(-0.25F), map.labels.at({-1, 0, 0}));
+    EXPECT_EQ(labelAt(-1.0F), map.labels.at({-1, 0, 0}));
+    EXPECT_EQ(labelAt(-1.25F), map.labels.at({-2, 0, 0}));
+  });
+}
+
+TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
+  onEachDevice([](ComputeContext& compute) {
+    constexpr float kVoxel_m = 0.006F;
+    const LabelledMap map(compute, kVoxel_m);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> coordinate(-18 * kVoxel_m,
+                                                     18 * kVoxel_m);  // bricks end at 16 voxels
+    std::vector<Eigen::Vector4f> vertices;
+    while (vertices.size() < 5003) {
+      const Eigen::Vector3f p(coordinate(random), coordinate(random), coordinate(random));
+      const Eigen::Vector3f in_voxels = p / kVoxel_m;
+      // Next to a border the rounding of the quotient decides.
+      if (((in_voxels.array() - in_voxels.array().round()).abs() < 1e-4F).any()) continue;
+      vertices.emplace_back(p.x(), p.y(), p.z(), vertices.size() % 11 == 0 ? 0.0F : 1.0F);
+    }
+    std::vector<std::uint32_t> expected;
+    for (const auto& vertex : vertices) {
+      expected.push_back(reference::projectedLabel(vertex, kVoxel_m, map.labels));
+    }
+    const auto labelled = vertices.size() - static_cast<std::size_t>(std::ranges::count(expected, 0U));
+    EXPECT_GT(labelled, vertices.size() / 2);
+    EXPECT_LT(labelled, vertices.size() * 9 / 10) << "some lie beyond the bricks";
+    EXPECT_EQ(project(compute, map, vertices), expected);
+  });
+}
+
+TEST(ProjectLabels, GivesNothingWhereThereIsNoVertex) {
+  onEachDevice([](ComputeContext& compute) {
+    const LabelledMap map(compute, kExactVoxel_m);
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THAT(project(compute, map,
+                        {{0, 0, 0, 0}, {0, 0, 0, kNan}, {0.001F, 0.001F, 0.001F, -1}, {0, 0, 65.535F, 1}}),
+                testing::Each(0U));
+  });
+}
+
+/// Vertices whose boxes meet many bricks, some of them without surface.
+std::vector<Eigen::Vector4f> scatteredVertices(std::size_t count) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> coordinate(-0.3F, 0.3F);
+  std::vector<Eigen::Vector4f> vertices;
+  for (std::size_t i = 0; i < count; ++i) {
+    vertices.emplace_back(coordinate(random), coordinate(random), coordinate(random),
+                          i % 7 == 0 ? 0.0F : 1.0F);
+  }
+  return vertices;
+}
+
+TEST(ListUncoveredBricks, AreThoseWithinReachThatDoNotExist) {
+  onEachDevice([](ComputeContext& compute) {
+    constexpr float kVoxel_m = 0.006F;
+    BrickMap bricks(compute, kVoxel_m);
+    const std::vector<Eigen::Vector3i> existing = bricksAroundOrigin(2);
+    bricks.allocate(existing);
+    const float reach_m = 1.3F * kVoxel_m;
+    const float brick_m = 8 * kVoxel_m;
+    std::set<Voxel> expected;
+    std::vector<cl_float4> values;
+    for (const Eigen::Vector4f& vertex : scatteredVertices(401)) {
+      const auto around = reference::bricksAround(vertex, reach_m, brick_m);
+      if (!around) continue;
+      expected.insert(around->begin(), around->end());
+      values.push_back({{vertex.x(), vertex.y(), vertex.z(), vertex.w()}});
+    }
+    for (const Eigen::Vector3i& b : existing) expected.erase({b.x(), b.y(), b.z()});
+    ASSERT_GT(expected.size(), 300U);
+
+    auto kernel = compute.kernel(kernels::list_uncovered_bricks, "list_uncovered_bricks");
+    ASSERT_TRUE(kernel) << kernel.error().message();
+    Buffer<cl_float4> vertices(compute.context(), values.size());
+    vertices.write(compute.queue(), values);
+    Buffer<cl_int> count(compute.context(), 1);
+    const auto list = [&](std::size_t capacity, std::vector<cl_int4>& missing) {
+      Buffer<cl_int4> buffer(compute.context(), capacity + 1);
+      buffer.fill(compute.queue(), cl_int4{{77, 77, 77, 77}});
+      count.fill(compute.queue(), 0);
+      kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), vertices,
+                     static_cast<cl_int>(values.size()), bricks.table(), bricks.tableMask(), reach_m,
+                     1.0F / brick_m, count, buffer, static_cast<cl_int>(capacity));
+      missing = buffer.read(compute.queue());
+      return static_cast<std::size_t>(count.read(compute.queue())[0]);
+    };
+    std::vector<cl_int4> missing;
+    const std::size_t found = list(20000, missing);
+    ASSERT_LE(found, 20000U);
+    std::set<Voxel> listed;
+    for (std::size_t i = 0; i < found; ++i)
+      listed.insert({missing[i].s[0], missing[i].s[1], missing[i].s[2]});
+    EXPECT_EQ(listed, expected);
+    EXPECT_EQ(list(5, missing), found) << "those that do not fit are counted";
+    EXPECT_EQ(missing[5].s[0], 77) << "and not written";
+  });
+}
+
+TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
+  onEachDevice([](ComputeContext& compute) {
+    constexpr float kVoxel_m = 0.006F;
+    BrickMap bricks(compute, kVoxel_m);
+    bricks.allocate(bricksAroundOrigin(1));
+    auto cloud = LabelCloud::create(compute);
+    ASSERT_TRUE(cloud) << cloud.error().message();
+    (void)(*cloud)->extract({}, bricks, 4);  // makes the cloud's voxels
+    // Distances on both sides of the limit, to the last digit, for a truncation of 4 voxels.
+    const std::vector<int> distances{0, 1, -1, 8191, -8191, 8192, -8192, 16000, 32767, -32767};
+    std::mt19937 random(2);
+    std::vector<TsdfVoxel> voxels(bricks.voxels().size(), TsdfVoxel{0, 0});
+    std::vector<cl_uint> labels((*cloud)->voxels().size(), 0);
+    const auto used = static_cast<std::size_t>(bricks.brickCount()) * BRICK_VOXELS;
+    for (std::size_t i = 0; i < used; ++i) {
+      const int weight = random() % 5 == 0 ? 0 : 256;
+      voxels[i] = {static_cast<cl_short>(distances[random() % distances.size()]),
+                   static_cast<cl_ushort>(weight)};
+      const cl_uint label = random() % 3 == 0 ? 0 : static_cast<cl_uint>(random() % LABEL_MAX);
+      labels[i] = label == 0 ? 0 : LABEL_VOXEL(label, 1U);
+    }
+    // One brick holds no label at all.
+    std::fill_n(labels.begin() + 3 * BRICK_VOXELS, BRICK_VOXELS, 0U);
+    bricks.voxels().write(compute.queue(), voxels);
+    Buffer<cl_uint> label_voxels = (*cloud)->voxels();
+    label_voxels.write(compute.queue(), labels);
+
+    const std::vector<cl_int> slots{6, 3, 0, 7, 1};
+    for (const float truncation_vox : {4.0F, 3.3F}) {
+      const LabelCloud::Extract extract = (*cloud)->extract(slots, bricks, truncation_vox);
+      ASSERT_EQ(extract.first.size(), slots.size() + 1);
+      for (std::size_t b = 0; b < slots.size(); ++b) {
+        const auto start = static_cast<std::size_t>(slots[b]) * BRICK_VOXELS;
+        const std::vector<reference::SurfacePoint> expected = reference::pointsOfBrick(
+            bricks.positionOf(slots[b]), double{kVoxel_m}, double{truncation_vox},
+            [&](const Eigen::Vector3i& local) {
+              const std::size_t i =
+                  start + static_cast<std::size_t>(local.x() + 8 * local.y() + 64 * local.z());
+              return reference::FusedVoxel{voxels[i].distance / 32767.0, voxels[i].weight > 0,
+                                           LABEL_OF(labels[i])};
+            });
+        ASSERT_EQ(extract.first[b + 1] - extract.first[b], expected.size()) << "slot " << slots[b];
+        EXPECT_EQ(expected.empty(), slots[b] == 3);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+          const LabelPoint& point = extract.points[extract.first[b] + i];
+          EXPECT_EQ(point.label, expected[i].label);
+          EXPECT_FLOAT_EQ(point.x, static_cast<float>(expected[i].centre_m.x()));
+          EXPECT_FLOAT_EQ(point.y, static_cast<float>(expected[i].centre_m.y()));
+          EXPECT_FLOAT_EQ(point.z, static_cast<float>(expected[i].centre_m.z()));
+        }
+      }
+    }
+    EXPECT_TRUE((*cloud)->extract({}, bricks, 4).points.empty());
+    EXPECT_EQ((*cloud)->extract({}, bricks, 4).first, std::vector<std::uint32_t>{0});
+  });
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,87 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace scantrove::reference {
+
+using Voxel = std::array<int, 3>;
+
+/// floor(p / side) of a coordinate in metres: the voxel or brick that holds it. Floor, not rounding and not
+/// truncation: voxel 0 spans [0, side), voxel -1 spans [-side, 0).
+[[nodiscard]] inline int cellOf(double p_m, double side_m) {
+  return static_cast<int>(std::floor(p_m / side_m));
+}
+
+/// S_prj,t of one vertex (world, metres, w = 0: no surface): the label of the voxel that holds it, 0 = none.
+[[nodiscard]] inline std::uint32_t projectedLabel(const Eigen::Vector4f& vertex, double voxel_size_m,
+                                                  const std::map<Voxel, std::uint32_t>& labels) {
+  if (!(vertex.w() > 0)) return 0;
+  const auto found = labels.find({cellOf(static_cast<double>(vertex.x()), voxel_size_m),
+                                  cellOf(static_cast<double>(vertex.y()), voxel_size_m),
+                                  cellOf(static_cast<double>(vertex.z()), voxel_size_m)});
+  return found == labels.end() ? 0 : found->second;
+}
+
+/// One labelled voxel near the surface.
+struct SurfacePoint {
+  Eigen::Vector3d centre_m;  ///< world
+  std::uint32_t label = 0;
+};
+
+/// What is known of a voxel.
+struct FusedVoxel {
+  double distance = 0;  ///< signed, in truncations
+  bool seen = false;
+  std::uint32_t label = 0;
+};
+
+/// The points of one brick of 8^3 voxels, x fastest: its voxels that were seen, carry a label, and lie within
+/// one voxel of the surface.
+[[nodiscard]] inline std::vector<SurfacePoint> pointsOfBrick(
+    const Eigen::Vector3i& brick, double voxel_size_m, double truncation_vox,
+    const std::function<FusedVoxel(const Eigen::Vector3i& local)>& voxel_at) {
+  std::vector<SurfacePoint> points;
+  for (int z = 0; z < 8; ++z) {
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 8; ++x) {
+        const FusedVoxel voxel = voxel_at({x, y, z});
+        if (!voxel.seen || voxel.label == 0 || std::abs(voxel.distance) * truncation_vox > 1) continue;
+        const Eigen::Vector3i position = 8 * brick + Eigen::Vector3i(x, y, z);
+        points.push_back({(position.cast<double>().array() + 0.5) * voxel_size_m, voxel.label});
+      }
+    }
+  }
+  return points;
+}
+
+/// Adds the bricks that meet the box `vertex` +- reach; nothing where a face of the box lies so near a
+/// brick's face that rounding decides.
+inline std::optional<std::set<Voxel>> bricksAround(const Eigen::Vector4f& vertex, double reach_m,
+                                                   double brick_m) {
+  std::set<Voxel> bricks;
+  if (!(vertex.w() > 0)) return bricks;
+  Eigen::Vector3i low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double p = static_cast<double>(vertex[axis]);
+    low[axis] = cellOf(p - reach_m, brick_m);
+    high[axis] = cellOf(p + reach_m, brick_m);
+    for (const double face : {(p - reach_m) / brick_m, (p + reach_m) / brick_m}) {
+      if (std::abs(face - std::round(face)) < 1e-5) return std::nullopt;
+    }
+  }
+  for (int z = low.z(); z <= high.z(); ++z) {
+    for (int y = low.y(); y <= high.y(); ++y) {
+      for (int x = low.x(); x <= high.x(); ++x) bricks.insert({x, y, z});
+    }
+  }
+  return bricks;
+}
+
+}  // namespace scantrove::reference
