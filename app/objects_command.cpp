@@ -24,23 +24,26 @@ struct ObjectsCommand {
 };
 
 Result<std::unique_ptr<ObjectDatabase>> openExisting(const std::string& database) {
-  const bool is_file = database.find("://") == std::string::npos;
-  if (is_file && !std::filesystem::exists(database)) {
+  std::error_code failure;
+  if (database.find("://") == std::string::npos && !std::filesystem::exists(database, failure)) {
+    if (failure) {
+      return fail("Cannot read " + database + " (" + failure.message() + ").", "Check the name.");
+    }
     return fail("There is no database " + database + ".",
                 "A scan makes one: scantrove scan SOURCE --out DIR.");
   }
   return ObjectDatabase::open(database);
 }
 
-/// The object called `text`, or else the one with that id.
+/// The object with the id `text`, or else the one of that name: no name is a number alone.
 Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& text) {
-  const auto by_name = database.findByName(text);
-  if (!by_name) return fail(by_name.error());
-  if (*by_name) return database.object(*by_name);
   std::uint32_t id = 0;
   const char* end = text.data() + text.size();
   const auto [stop, failure] = std::from_chars(text.data(), end, id);
   if (failure == std::errc{} && stop == end && id != 0) return database.object(ObjectId{id});
+  const auto by_name = database.findByName(text);
+  if (!by_name) return fail(by_name.error());
+  if (*by_name) return database.object(*by_name);
   return fail("There is no object '" + text + "'.", "'scantrove objects list' shows names and ids.");
 }
 

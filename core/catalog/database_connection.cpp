@@ -8,7 +8,6 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/check.h"
 
@@ -17,10 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kSqliteHeader{"SQLite format 3\0", 16};
-
 // SQLite's primary result codes (sqlite.org/rescode.html); QtSql hands on the extended ones.
 enum SqliteCode {
+  kError = 1,
   kBusy = 5,
   kLocked = 6,
   kReadOnly = 8,
@@ -30,6 +28,8 @@ enum SqliteCode {
   kCannotOpen = 14,
   kNotADb = 26
 };
+
+constexpr std::uintmax_t kSmallestDatabase = 512;  // bytes: one page
 
 Error notADatabase(const std::string& file) {
   return {"The file " + file + " is not a database.",
@@ -50,8 +50,7 @@ Error describe(const std::string& file, const QSqlError& error) {
       return {"Reading or writing the database " + file + " failed (" + detail + ").",
               "Check the disk and its free space."};
     case kCorrupt:
-      return {"The database " + file + " is damaged (" + detail + ").",
-              "Restore it from a backup, or try to rescue it with: sqlite3 FILE .recover"};
+      return damagedDatabase(file, detail);
     case kFull:
       return {"The disk is full: the database " + file + " could not be written.",
               "Free some space and try again."};
@@ -60,26 +59,34 @@ Error describe(const std::string& file, const QSqlError& error) {
               "Check that its folder exists and that you may write there."};
     case kNotADb:
       return notADatabase(file);
+    case kError:
+      if (detail.starts_with("no such table") || detail.find("no such column") != std::string::npos ||
+          detail.find("has no column") != std::string::npos) {
+        return damagedDatabase(file, detail);
+      }
+      [[fallthrough]];
     default:
-      return {"The database " + file + " refused an operation (" + error.text().toStdString() + ").", ""};
+      return {"The database " + file + " refused an operation (" + detail + ").",
+              "Check the file with: sqlite3 FILE 'PRAGMA integrity_check'"};
   }
 }
 
 Result<void> checkExisting(const std::string& file) {
-  if (!fs::is_regular_file(file))
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored))
     return fail(file + " is not a regular file.", "Give the name of a database file.");
   if (::access(file.c_str(), R_OK | W_OK) != 0) {
     return fail("You may not read and write the database " + file + ".",
                 "Change its permissions, or use a copy.");
   }
-  std::ifstream stream(file, std::ios::binary);
-  std::string header(kSqliteHeader.size(), '\0');
-  stream.read(header.data(), static_cast<std::streamsize>(header.size()));
-  const bool is_empty = stream.gcount() == 0;
-  if (!is_empty && header != kSqliteHeader) return fail(notADatabase(file));
+  // SQLite takes a file of one byte for an empty one, and would write over it.
+  const std::uintmax_t size = fs::file_size(file, ignored);
+  if (size > 0 && size < kSmallestDatabase) return fail(notADatabase(file));
   return {};
 }
 
+/// Looks at the path alone: to open the file, and be it to read its header, is SQLite's business (the class
+/// comment of ObjectDatabase says why).
 Result<void> checkPath(const std::string& file) {
   if (file.empty()) return fail("No database was named.", "Give the name of a file.");
   if (file.starts_with("postgresql://") || file.starts_with("postgres://")) {
@@ -105,6 +112,11 @@ Result<void> checkPath(const std::string& file) {
 
 }  // namespace
 
+Error damagedDatabase(const std::string& file, const std::string& detail) {
+  return {"The database " + file + " is damaged (" + detail + ").",
+          "Restore it from a backup, or try to rescue it with: sqlite3 FILE .recover"};
+}
+
 Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::string& file) {
   SCANTROVE_TRY(checkPath(file));
   static std::atomic<unsigned> serial = 0;
@@ -119,28 +131,25 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::
   database.setDatabaseName(QString::fromStdString(file));
   database.setConnectOptions(QString("QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms));
   if (!database.open()) return fail(describe(file, database.lastError()));
-  SCANTROVE_TRY(connection->configure());
+  for (const char* pragma : {"PRAGMA synchronous = NORMAL", "PRAGMA foreign_keys = ON"}) {
+    SCANTROVE_TRY(connection->execute(pragma));
+  }
   return connection;
 }
 
 DatabaseConnection::~DatabaseConnection() { QSqlDatabase::removeDatabase(name_); }
 
-Result<void> DatabaseConnection::configure() {
+Result<void> DatabaseConnection::useWriteAheadLog() {
   // SQLite does not wait its busy timeout for the change to WAL, so wait here.
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusyTimeout_ms);
   for (;;) {
     const Result<QSqlQuery> wal = execute("PRAGMA journal_mode = WAL");
-    if (wal) break;
+    if (wal) return {};
     if (wal.error().what.find("locked") == std::string::npos || std::chrono::steady_clock::now() > deadline) {
       return fail(wal.error());
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  for (const char* pragma : {"PRAGMA synchronous = NORMAL", "PRAGMA foreign_keys = ON"}) {
-    const Result<QSqlQuery> done = execute(pragma);
-    if (!done) return fail(done.error());
-  }
-  return {};
 }
 
 Result<QSqlQuery> DatabaseConnection::execute(const QString& sql, const QVariantList& values) {

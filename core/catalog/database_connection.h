@@ -11,20 +11,26 @@
 
 namespace scantrove {
 
-/// One connection to one SQLite file through QtSql: WAL, foreign keys, 5 s busy timeout, synchronous NORMAL
-/// (what was committed survives a killed process; a power cut may lose the last commits but never damages the
-/// file). For the thread that opened it only (checked). Needs no QCoreApplication. All failures name the
-/// file.
+/// For a file whose pages or tables are not what they should be; `detail` says what.
+[[nodiscard]] Error damagedDatabase(const std::string& file, const std::string& detail);
+
+/// One connection to one SQLite file through QtSql: foreign keys, 5 s busy timeout, synchronous NORMAL (with
+/// the write-ahead log, what was committed survives a killed process; a power cut may lose the last commits
+/// but never damages the file). For the thread that opened it only (checked). Needs no QCoreApplication. All
+/// failures name the file.
 class DatabaseConnection {
  public:
   static constexpr int kBusyTimeout_ms = 5000;
 
-  /// Opens or creates `file`; no schema is applied. Error: a folder, no such parent folder, not writable, not
-  /// SQLite, damaged, locked, or `postgresql://...` (not in this build).
+  /// Opens or creates `file` and changes nothing in it: what it is shows with the first statement. Error: a
+  /// folder, no such parent folder, not writable, or `postgresql://...`.
   [[nodiscard]] static Result<std::unique_ptr<DatabaseConnection>> open(const std::string& file);
   ~DatabaseConnection();
   DatabaseConnection(const DatabaseConnection&) = delete;
   DatabaseConnection& operator=(const DatabaseConnection&) = delete;
+
+  /// Brings the file into SQLite's WAL mode, in which readers and a writer do not wait for each other.
+  [[nodiscard]] Result<void> useWriteAheadLog();
 
   /// Runs one statement with its `?` filled in order. An active query blocks no other.
   [[nodiscard]] Result<QSqlQuery> execute(const QString& sql, const QVariantList& values = {});
@@ -38,7 +44,6 @@ class DatabaseConnection {
 
  private:
   DatabaseConnection() = default;
-  Result<void> configure();
 
   std::string file_;
   QString name_;

@@ -13,12 +13,6 @@ namespace {
 
 constexpr int kApplicationId = 1399025268;  // "Scnt", as in 001_initial.sql
 
-Result<int> readNumber(DatabaseConnection& connection, const char* sql) {
-  Result<QSqlQuery> query = connection.execute(sql);
-  if (!query) return fail(query.error());
-  return query->next() ? query->value(0).toInt() : 0;
-}
-
 std::vector<QString> statementsOf(std::string_view sql) {
   std::vector<QString> statements;
   std::string current;
@@ -35,35 +29,38 @@ std::vector<QString> statementsOf(std::string_view sql) {
   return statements;
 }
 
+/// The schema's version, 0 for an empty file; changes nothing. One statement, so that all numbers are of one
+/// moment while another process creates the catalogue.
 Result<int> ownVersion(DatabaseConnection& connection) {
-  const Result<int> version = readNumber(connection, "PRAGMA user_version");
-  if (!version) return version;
-  const Result<int> application = readNumber(connection, "PRAGMA application_id");
-  if (!application) return application;
-  const Result<int> tables = readNumber(connection, "SELECT count(*) FROM sqlite_master");
-  if (!tables) return tables;
-  const bool is_empty = *version == 0 && *application == 0 && *tables == 0;
-  if (!is_empty && *application != kApplicationId) {
+  Result<QSqlQuery> query = connection.execute(
+      "SELECT (SELECT user_version FROM pragma_user_version),"
+      " (SELECT application_id FROM pragma_application_id), (SELECT count(*) FROM sqlite_master)");
+  if (!query) return fail(query.error());
+  if (!query->next()) return 0;
+  const int version = query->value(0).toInt(), application = query->value(1).toInt();
+  const bool has_tables = query->value(2).toInt() > 0;
+  if (version == 0 && application == 0 && !has_tables) return 0;
+  if (application != kApplicationId) {
     return fail(
         "The file " + connection.file() + " is a database of another program, not a Scantrove catalogue.",
         "Give another file name; a new catalogue is created where there is no file.");
+  }
+  if (version < 1 || !has_tables) {
+    return fail(damagedDatabase(connection.file(), "its schema is version " + std::to_string(version) +
+                                                       (has_tables ? "" : " without tables")));
   }
   return version;
 }
 
 Result<void> apply(DatabaseConnection& connection, const Migration& step) {
   for (const QString& statement : statementsOf(step.sql)) {
-    const Result<QSqlQuery> done = connection.execute(statement);
-    if (!done) return fail(done.error());
+    SCANTROVE_TRY(connection.execute(statement));
   }
-  const Result<QSqlQuery> noted = connection.execute(
+  SCANTROVE_TRY(connection.execute(
       "INSERT INTO schema_migrations (version, name, applied) VALUES (?, ?, ?)",
       {step.version, QString::fromUtf8(step.name.data(), static_cast<qsizetype>(step.name.size())),
-       DatabaseConnection::now()});
-  if (!noted) return fail(noted.error());
-  const Result<QSqlQuery> versioned =
-      connection.execute(QString("PRAGMA user_version = %1").arg(step.version));
-  if (!versioned) return fail(versioned.error());
+       DatabaseConnection::now()}));
+  SCANTROVE_TRY(connection.execute(QString("PRAGMA user_version = %1").arg(step.version)));
   return {};
 }
 
@@ -79,6 +76,7 @@ Result<void> migrate(DatabaseConnection& connection, std::span<const Migration> 
                     ", this program knows " + std::to_string(newest) + ").",
                 "Update Scantrove, or give another file name.");
   }
+  SCANTROVE_TRY(connection.useWriteAheadLog());
   if (*version == newest) return {};
   return inTransaction(connection, [&]() -> Result<void> {
     const Result<int> current = ownVersion(connection);  // another process may have been faster

@@ -21,9 +21,9 @@ struct Migration {
 /// All steps, ascending, versions 1, 2, ...
 [[nodiscard]] std::span<const Migration> migrations();
 
-/// Brings the file to the newest of `steps`, all missing ones in one transaction; the version is PRAGMA
-/// user_version (and, with dates, the table schema_migrations). Error: the file is newer than this program,
-/// belongs to another program, is damaged, or cannot be written; then nothing was changed.
+/// Brings the file to the newest of `steps`, all missing ones in one transaction, and to WAL mode; the
+/// version is PRAGMA user_version (and, with dates, the table schema_migrations). Error: the file is newer
+/// than this program, belongs to another program, is damaged, or cannot be written; then nothing was changed.
 Result<void> migrate(DatabaseConnection& connection, std::span<const Migration> steps = migrations());
 
 }  // namespace schema

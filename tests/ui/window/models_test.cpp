@@ -81,7 +81,7 @@ TEST_F(CatalogueEditorTest, ModelFollowsTheDatabaseRowByRow) {
   ASSERT_TRUE((*other)->addObject(test::discView({0, 255, 255})));
   model.markAdded(ObjectId{objects_[2].value + 1});
   EXPECT_EQ(model.rowCount(), 4);
-  ASSERT_TRUE((*other)->remove(objects_[1]));
+  ASSERT_TRUE((*other)->remove({&objects_[1], 1}));
   model.reload();
   EXPECT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.objectAt(first), objects_[0]);

@@ -1,16 +1,16 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <signal.h>
-#include <sys/wait.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <fstream>
-#include <set>
+#include <sstream>
 
 #include "catalog_test_support.h"
 #include "core/catalog/database_connection.h"
 #include "core/catalog/migrations.h"
+#include "core/catalog/transaction.h"
 
 namespace scantrove {
 namespace {
@@ -55,6 +55,79 @@ TEST_F(DatabaseFailures, AnotherProgramsDatabase) {
   askSqlite(file(), "CREATE TABLE bookmarks (url TEXT)");
   EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(file()), HasSubstr("another program")));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM sqlite_master"), "1");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "delete") << "not a bit of it may change";
+}
+
+TEST_F(DatabaseFailures, FilesOfAFewBytesAreNoDatabases) {
+  for (const char* text : {"x", "SQLite format 3", "SQLite format 3\n and more"}) {
+    write(text);
+    EXPECT_THAT(messageOf(file()), HasSubstr("is not a database")) << text;
+    EXPECT_EQ(std::filesystem::file_size(file()), std::string(text).size());
+  }
+}
+
+TEST_F(DatabaseFailures, PathsThatLeadNowhere) {
+  std::filesystem::create_symlink(file("b"), file("a"));
+  std::filesystem::create_symlink(file("a"), file("b"));
+  EXPECT_THAT(messageOf(file("a")), HasSubstr(file("a")));
+  EXPECT_THAT(messageOf(file(std::string(300, 'x'))), HasSubstr("xxx"));
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(messageOf(file("pipe")), HasSubstr("not a regular file"));
+}
+
+TEST_F(DatabaseFailures, MissingTables) {
+  for (const char* table : {"views", "events", "descriptors", "objects"}) {
+    std::filesystem::remove(file());
+    {
+      const auto database = openOrFail(file());
+      ASSERT_TRUE(database->addObject(randomView(0)));
+    }
+    askSqlite(file(), QString("DROP TABLE %1").arg(table));
+    const auto database = openOrFail(file());
+    ASSERT_NE(database, nullptr);
+    const Result<ObjectRecord> added = database->addObject(randomView(1));
+    ASSERT_FALSE(added);
+    EXPECT_THAT(added.error().message(),
+                AllOf(HasSubstr(file()), HasSubstr("is damaged"), HasSubstr(table), HasSubstr("backup")));
+  }
+}
+
+TEST_F(DatabaseFailures, VersionsThatCannotBe) {
+  openOrFail(file());
+  for (const char* version : {"-1", "0"}) {
+    askSqlite(file(), QString("PRAGMA user_version = %1").arg(version));
+    EXPECT_THAT(messageOf(file()),
+                AllOf(HasSubstr(file()), HasSubstr("damaged"), HasSubstr(std::string("version ") + version)));
+  }
+  std::filesystem::remove(file());
+  askSqlite(file(), "PRAGMA application_id = 1399025268");
+  EXPECT_THAT(messageOf(file()), AllOf(HasSubstr("damaged"), HasSubstr("without tables")));
+}
+
+TEST_F(DatabaseFailures, AFullDisk) {
+  openOrFail(file());
+  const auto connection = DatabaseConnection::open(file());
+  ASSERT_TRUE(connection);
+  ASSERT_TRUE((*connection)->execute("PRAGMA max_page_count = 40"));
+  std::ostringstream log;
+  const auto previous = spdlog::default_logger();
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("captured", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
+  const auto store = [&](int kilobytes) {
+    return inTransaction(**connection, [&]() -> Result<void> {
+      SCANTROVE_TRY((*connection)->execute("CREATE TABLE IF NOT EXISTS filler (bytes BLOB)"));
+      SCANTROVE_TRY(
+          (*connection)->execute("INSERT INTO filler VALUES (?)", {QByteArray(1024 * kilobytes, 'x')}));
+      return {};
+    });
+  };
+  const Result<void> refused = store(400);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(),
+              AllOf(HasSubstr(file()), HasSubstr("disk is full"), HasSubstr("Free some space")));
+  EXPECT_TRUE(store(1)) << "the connection is usable again";
+  spdlog::set_default_logger(previous);
+  EXPECT_EQ(log.str(), "") << "a failure is told once";
 }
 
 TEST_F(DatabaseFailures, Truncated) {
@@ -145,71 +218,6 @@ TEST_F(DatabaseFailures, AFailedMigrationChangesNothing) {
   EXPECT_THAT(done.error().message(), HasSubstr(file()));
   EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), std::to_string(first));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM sqlite_master WHERE name IN ('extra', 'more')"), "0");
-}
-
-// --- kill -9: the writer is this test program, started again for one test.
-
-constexpr const char* kWriterFile = "SCANTROVE_TEST_WRITER_FILE";
-constexpr const char* kWriterPipe = "SCANTROVE_TEST_WRITER_PIPE";
-
-TEST(DatabaseCrashWriter, WritesUntilItIsKilled) {
-  const char* file = std::getenv(kWriterFile);
-  const char* pipe = std::getenv(kWriterPipe);
-  if (file == nullptr || pipe == nullptr) GTEST_SKIP() << "runs only as the child of DatabaseCrash";
-  const auto database = openOrFail(file);
-  const int out = std::atoi(pipe);
-  for (int i = 0;; ++i) {
-    const ObjectRecord added = *database->addObject(randomView(i, {300, 200}));
-    if (::write(out, &added.id.value, sizeof(added.id.value)) < 0) break;
-  }
-}
-
-class DatabaseCrash : public CatalogTest {
- protected:
-  /// Starts a writer, kills it after `objects` were reported as stored; returns the ids reported.
-  std::vector<std::uint32_t> writeAndKill(std::size_t objects) const {
-    int ends[2];
-    EXPECT_EQ(::pipe(ends), 0);
-    ::setenv(kWriterFile, file().c_str(), 1);
-    ::setenv(kWriterPipe, std::to_string(ends[1]).c_str(), 1);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::execl("/proc/self/exe", "writer", "--gtest_filter=DatabaseCrashWriter.*", "--gtest_brief=1", nullptr);
-      ::_exit(127);
-    }
-    ::unsetenv(kWriterFile);
-    ::unsetenv(kWriterPipe);
-    ::close(ends[1]);
-    std::vector<std::uint32_t> ids;
-    std::uint32_t id = 0;
-    while (::read(ends[0], &id, sizeof(id)) == sizeof(id)) {
-      ids.push_back(id);
-      if (ids.size() == objects) ::kill(child, SIGKILL);
-    }
-    ::close(ends[0]);
-    ::waitpid(child, nullptr, 0);
-    return ids;
-  }
-};
-
-TEST_F(DatabaseCrash, KillNineLosesNothingThatWasStored) {
-  std::set<std::uint32_t> stored;
-  for (const std::size_t objects : {1U, 7U, 23U, 40U}) {
-    const std::vector<std::uint32_t> ids = writeAndKill(objects);
-    ASSERT_GE(ids.size(), objects);
-    stored.insert(ids.begin(), ids.end());
-    const auto database = openOrFail(file());
-    ASSERT_NE(database, nullptr);
-    EXPECT_EQ(askSqlite(file(), "PRAGMA integrity_check"), "ok");
-    std::set<std::uint32_t> found;
-    const std::vector<ObjectRecord> objects_now = *database->objects();
-    for (const ObjectRecord& object : objects_now) {
-      found.insert(object.id.value);
-      EXPECT_EQ(object.views, 1);
-    }
-    EXPECT_TRUE(std::ranges::includes(found, stored));
-    EXPECT_LE(found.size(), stored.size() + 4);  // at most the one that was not yet reported, per kill
-  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ using test::CatalogTest;
 using test::openOrFail;
 using test::randomView;
 using test::sameImage;
+using testing::AllOf;
 using testing::HasSubstr;
 
 using ObjectDatabaseTest = CatalogTest;
@@ -117,6 +118,42 @@ TEST_F(ObjectDatabaseTest, NamesAreUniqueAndNotEmpty) {
   EXPECT_TRUE(database->rename(two.id, "Obj_1"));  // the name of a hidden object is free
   EXPECT_TRUE(database->restore({&one.id, 1}));
   EXPECT_EQ(database->object(one.id)->name, "Obj_1 (2)");
+}
+
+TEST_F(ObjectDatabaseTest, WhoGaveTheNameIsKept) {
+  const auto database = openOrFail(file());
+  const ObjectId id = database->addObject(randomView(0))->id;
+  EXPECT_EQ(database->object(id)->named_by, NamedBy::program);
+  EXPECT_TRUE(database->rename(id, "Obj_7"));
+  EXPECT_EQ(database->object(id)->named_by, NamedBy::person);
+  EXPECT_TRUE(database->rename(id, "Obj_1", NamedBy::program));
+  EXPECT_EQ(database->object(id)->named_by, NamedBy::program);
+  EXPECT_TRUE(database->rename(id, "Obj_1"));  // that it is called so is meant now
+  EXPECT_EQ(openOrFail(file())->object(id)->named_by, NamedBy::person);
+}
+
+TEST_F(ObjectDatabaseTest, WordsThatCannotBeNames) {
+  const auto database = openOrFail(file());
+  const ObjectId id = database->addObject(randomView(0))->id;
+  const auto messageOf = [&](const std::string& name) {
+    const Result<void> renamed = database->rename(id, name);
+    return renamed ? "(renamed)" : renamed.error().message();
+  };
+  EXPECT_THAT(messageOf("two\nlines"), HasSubstr("control characters"));
+  EXPECT_THAT(messageOf("a\x1b[31mred"), HasSubstr("control characters"));
+  EXPECT_THAT(messageOf("a\xE2\x80\xA8z"), HasSubstr("control characters"));  // a line separator
+  EXPECT_THAT(messageOf("\xff\xfe"), HasSubstr("UTF-8"));
+  EXPECT_THAT(messageOf(std::string(201, 'x')), AllOf(HasSubstr("201"), HasSubstr("200")));
+  EXPECT_THAT(messageOf("1"), HasSubstr("an object's id"));
+  EXPECT_THAT(messageOf(" 42 "), HasSubstr("'42'"));
+  EXPECT_EQ(database->object(id)->name, "Obj_1");
+  std::string long_name;
+  for (int i = 0; i < 200; ++i) long_name += "\xF0\x9F\x8D\xB5";  // a cup, two UTF-16 units
+  for (const std::string& name :
+       {long_name, std::string("4 mugs"), std::string("-1"), std::string("mug's; --")}) {
+    EXPECT_EQ(messageOf(name), "(renamed)") << name;
+    EXPECT_EQ(database->object(id)->name, name);
+  }
 }
 
 TEST_F(ObjectDatabaseTest, UnknownSessionsAndObjectsAreRefusedWhole) {
