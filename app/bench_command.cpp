@@ -5,6 +5,7 @@
 #include "app/bench_statistics.h"
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/frame_use.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
 
@@ -24,11 +25,12 @@ Result<void> bench(ScanRequest request, bool json) {
     return fail("Cannot make a temporary folder: " + folder.errorString().toStdString() + ".");
   request.database = folder.filePath("catalogue.sqlite").toStdString();
   std::vector<BenchSample> samples;
-  const auto report = runToEnd(std::move(request), [&](const ScanSnapshot& snapshot) {
+  const auto report = runToEnd(request, [&](const ScanSnapshot& snapshot) {
     const bool is_new = samples.empty() || snapshot.frames_done > samples.back().frames_done;
     if (is_new && snapshot.pose.usable()) samples.push_back(sampleOf(snapshot));
   });
   if (!report) return fail(report.error());
+  SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options));
   if (json) {
     std::cout << benchJson(*report, samples).dump(1) << '\n';
   } else {

@@ -1,3 +1,7 @@
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
 #include "app/command.h"
 #include "app/window_command.h"
 #include "app/window_main.h"
@@ -12,6 +16,16 @@ void refuseStrayOptions(const CLI::App& app) {
     if (option->count() > 0)
       throw CLI::ExtrasError(app.get_name(), {option->get_name() + " must follow the command"});
   }
+}
+
+/// What a command printed must have arrived: a full disk is a failure of the job.
+int afterPrinting(int exit_code) {
+  errno = 0;
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return exit_code;
+  const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  std::cerr << "scantrove: Cannot write to the standard output" << reason << ".\n";
+  return exit_code == kDone ? kJobFailed : exit_code;
 }
 
 int run(int argc, char** argv) {
@@ -54,7 +68,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return scantrove::run(argc, argv);
+    return scantrove::afterPrinting(scantrove::run(argc, argv));
   } catch (const std::exception& error) {
     std::cerr << "scantrove: " << error.what() << '\n';
     return scantrove::kJobFailed;

@@ -1,11 +1,31 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace scantrove {
 
-/// Accepts numbers from `least` on; with `without_least`, only greater ones. Says so in words when refused.
+/// Accepts decimal whole numbers from `least` on that fit into an int. Says so in words when refused. Leading
+/// zeros go ("000500", as in a frame's name): to CLI11 they would mean octal.
+inline CLI::Validator wholeNumber(int least) {
+  return {[least](std::string& text) -> std::string {
+            int value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error != std::errc() || stop != end || value < least) {
+              return "'" + text + "' is not a whole number from " + std::to_string(least) + " to " +
+                     std::to_string(std::numeric_limits<int>::max());
+            }
+            text = std::to_string(value);
+            return {};
+          },
+          ""};
+}
+
+/// Accepts finite numbers from `least` on; with `without_least`, only greater ones. Says so in words when
+/// refused.
 inline CLI::Validator atLeast(double least, bool without_least = false) {
   return {[=](const std::string& text) -> std::string {
             double value = 0;

@@ -62,9 +62,7 @@ void printJson(const ScanParams& params) {
 void addParamsCommand(CLI::App& app, CommandOutcome&) {
   auto command = std::make_shared<ParamsCommand>();
   CLI::App* sub = app.add_subcommand("params", "List the parameters: value, unit, range, meaning");
-  sub->add_option("--config", command->config, "show the values after this TOML file")
-      ->check(CLI::ExistingFile)
-      ->type_name("FILE");
+  sub->add_option("--config", command->config, "show the values after this TOML file")->type_name("FILE");
   sub->add_option("--set", command->settings, "show the values after this setting")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -4,9 +4,9 @@
 
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/frame_use.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
-#include "app/stop_signal.h"
 #include "core/exchange/atomic_file.h"
 
 namespace scantrove {
@@ -49,13 +49,9 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
       command.database.empty() ? (*request.output_folder / "catalogue.sqlite").string() : command.database;
   request.label_maps = command.label_maps;
   const CoreApplication qt;
-  const auto report = runToEnd(std::move(request));
+  const auto report = runToEnd(request);
   if (!report) return fail(report.error());
-  if (report->frames.read == 0 && !stopRequested()) {
-    return fail("No frame of " + report->source + " could be used (" +
-                    std::to_string(report->frames.skipped) + " unreadable).",
-                "Check the recording, --start and --stride.");
-  }
+  SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options));
   printSummary(*report, command.out);
   return {};
 }
@@ -73,7 +69,7 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
       ->type_name("DIR");
   sub->add_option("--database", command->database,
                   "catalogue to search and add to (default DIR/catalogue.sqlite)")
-      ->type_name("FILE|postgresql://...");
+      ->type_name("FILE");
   sub->add_flag("--label-maps", command->label_maps, "also write the segmentation of every frame as PNGs");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {

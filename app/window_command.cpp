@@ -11,7 +11,8 @@ std::string checkSource(const std::string& source) {
   const auto names = [&](const std::string& kind) {
     return source == kind || source.starts_with(kind + ":");
   };
-  if (names("demo") || names("camera") || std::filesystem::exists(source)) return {};
+  std::error_code error;  // of a link that leads nowhere: opening it says so
+  if (names("demo") || names("camera") || std::filesystem::exists(source, error) || error) return {};
   return "'" + source + "' is neither a command nor something to open (a folder, an .oni file, demo, camera)";
 }
 

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
-#include "core/base/text_file.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
 
 namespace scantrove {
 
@@ -13,26 +15,49 @@ bool isCentreNear(float centre, int size) {
   return centre >= -0.5F * static_cast<float>(size) && centre <= 1.5F * static_cast<float>(size);
 }
 
+constexpr double kNarrowestView_deg = 2;
+constexpr double kWidestView_deg = 160;
+constexpr const char* kAdvice = "Give fx,fy,cx,cy in pixels, e.g. --intrinsics 525,525,319.5,239.5.";
+
+double fieldOfView(int pixels, float focal_length) {
+  return 2 * std::atan(0.5 * pixels / focal_length) * 180 / std::numbers::pi;
+}
+
+std::string text(float value) { return nlohmann::json(value).dump(); }
+
+std::string sizeText(const Intrinsics& K) { return std::to_string(K.width) + "x" + std::to_string(K.height); }
+
 std::string describe(const Intrinsics& K) {
-  const auto text = [](float value) { return nlohmann::json(value).dump(); };
   return text(K.fx) + "," + text(K.fy) + "," + text(K.cx) + "," + text(K.cy);
 }
 
 }  // namespace
 
-Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin) {
-  const std::string advice = "Give fx,fy,cx,cy in pixels, e.g. --intrinsics 525,525,319.5,239.5.";
+Result<void> checkFocalLengths(const Intrinsics& K, const std::string& origin) {
   if (!std::isfinite(K.fx) || !std::isfinite(K.fy) || !std::isfinite(K.cx) || !std::isfinite(K.cy)) {
-    return fail("Intrinsics " + describe(K) + " (" + origin + ") have values that are not finite.", advice);
+    return fail("Intrinsics " + describe(K) + " (" + origin + ") have values that are not finite.", kAdvice);
   }
   if (!(K.fx > 0 && K.fy > 0)) {
     return fail("Intrinsics " + describe(K) + " (" + origin + "): the focal lengths must be positive.",
-                advice);
+                kAdvice);
+  }
+  return {};
+}
+
+Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin) {
+  SCANTROVE_TRY(checkFocalLengths(K, origin));
+  for (const double angle : {fieldOfView(K.width, K.fx), fieldOfView(K.height, K.fy)}) {
+    if (!(angle >= kNarrowestView_deg && angle <= kWidestView_deg)) {
+      return fail("Intrinsics " + describe(K) + " (" + origin +
+                      ") are those of a camera that sees an angle of " + text(static_cast<float>(angle)) +
+                      " degrees in " + sizeText(K) + " images; depth cameras see 2 to 160.",
+                  kAdvice);
+    }
   }
   if (!isCentreNear(K.cx, K.width) || !isCentreNear(K.cy, K.height)) {
     return fail("Intrinsics " + describe(K) + " (" + origin + "): the centre lies far outside the " +
-                    std::to_string(K.width) + "x" + std::to_string(K.height) + " images.",
-                advice);
+                    sizeText(K) + " images.",
+                kAdvice);
   }
   return {};
 }
@@ -48,7 +73,7 @@ Intrinsics fitToImages(const CameraModel& model, int width, int height) {
 }
 
 Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
+  const Result<std::string> text = readFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -62,7 +87,7 @@ Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file) {
 }
 
 Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
+  const Result<std::string> text = readFile(file);
   if (!text) {
     return fail(text.error());
   }

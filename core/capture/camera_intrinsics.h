@@ -16,9 +16,11 @@ struct CameraModel {
 /// 525 525 319.5 239.5 at 640x480: the usual guess for a PrimeSense camera (Kinect, Xtion).
 inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
 
-/// Empty if fx, fy > 0, all finite, and the centre at most half an image outside. Error: names the value and
-/// `origin`
-/// ("--intrinsics", a file).
+/// Nothing if all are finite and fx, fy > 0. Error: names the value and `origin` ("--intrinsics", a file).
+[[nodiscard]] Result<void> checkFocalLengths(const Intrinsics& K, const std::string& origin);
+
+/// The same, and for the images of K: the camera sees 2 to 160 degrees in both directions and its centre lies
+/// at most half an image outside.
 [[nodiscard]] Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin);
 
 /// The model for images of `width` x `height`: resized if it was for another size.

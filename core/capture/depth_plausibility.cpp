@@ -23,19 +23,18 @@ std::optional<double> medianDepth(const cv::Mat& depth, double metres_per_unit) 
   return *middle * metres_per_unit;
 }
 
-bool checkDepthScale(const cv::Mat& depth, double metres_per_unit, const std::string& source_name) {
+void warnOfImplausibleDepth(const cv::Mat& depth, double metres_per_unit, const std::string& source_name) {
   constexpr double kNearest_m = 0.2;
   constexpr double kFarthest_m = 8.0;
   const auto median = medianDepth(depth, metres_per_unit);
   if (!median || (*median >= kNearest_m && *median <= kFarthest_m)) {
-    return true;
+    return;
   }
   spdlog::warn(
       "{}: the median depth of the first frame is {:.3g} m with {:g} units per metre, which is not plausible "
       "for a room. "
       "Set the right scale with --depth-scale (units per metre: 1000 for millimetres, 5000 for TUM).",
       source_name, *median, 1.0 / metres_per_unit);
-  return false;
 }
 
 }  // namespace scantrove

@@ -8,7 +8,7 @@ namespace scantrove {
 [[nodiscard]] std::optional<double> medianDepth(const cv::Mat& depth, double metres_per_unit);
 
 /// Logs a warning that names --depth-scale if the median depth lies outside 0.2 - 8 m, the commonest mistake
-/// with recordings. Returns whether the depth is plausible (or there is none to judge).
-bool checkDepthScale(const cv::Mat& depth, double metres_per_unit, const std::string& source_name);
+/// with recordings.
+void warnOfImplausibleDepth(const cv::Mat& depth, double metres_per_unit, const std::string& source_name);
 
 }  // namespace scantrove

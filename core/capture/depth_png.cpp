@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/capture/image_header.h"
 #include "core/capture/png_filters.h"
 
 namespace scantrove {
@@ -20,7 +21,6 @@ constexpr std::size_t kChunkFrame = 12;  // length, type, checksum
 constexpr std::size_t kHeaderEnd = kSignatureSize + kChunkFrame + 13;
 constexpr std::size_t kWidthAt = 16;
 constexpr std::size_t kHeightAt = 20;
-constexpr std::uint32_t kLargestSide_px = 8192;
 
 std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
   return std::uint32_t{bytes[at]} << 24 | std::uint32_t{bytes[at + 1]} << 16 |
@@ -67,8 +67,8 @@ bool isDepthPng(Bytes bytes) {
   const std::uint32_t height = bigEndian(bytes, kHeightAt);
   const bool is_grey_16 = bytes[kBits] == 16 && bytes[kBits + 1] == 0;
   const bool is_plain = bytes[kBits + 2] == 0 && bytes[kBits + 3] == 0 && bytes[kBits + 4] == 0;
-  return is_grey_16 && is_plain && width > 0 && height > 0 && width <= kLargestSide_px &&
-         height <= kLargestSide_px;
+  return is_grey_16 && is_plain && width > 0 && height > 0 && width <= kLongestImageSide_px &&
+         height <= kLongestImageSide_px;
 }
 
 Result<cv::Mat> decodeDepthPng(Bytes bytes, const std::string& name) {

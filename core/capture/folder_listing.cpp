@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "core/base/text_file.h"
+#include "core/base/text.h"
 
 namespace scantrove {
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/capture/color_camera.h"
 #include "core/capture/intrinsics.h"
 #include "core/capture/rgbd_frame.h"
 
@@ -49,7 +50,9 @@ struct SourceOptions {
   std::optional<int> frames;  ///< at most so many
   std::optional<Intrinsics>
       intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
-  std::optional<double> depth_scale;  ///< units per metre; overrides the source's
+  std::optional<double> depth_scale;        ///< units per metre; overrides the source's
+  std::optional<ColorCamera> color_camera;  ///< of folders whose colour was not registered to depth;
+                                            ///< overrides what the layout implies
 };
 
 }  // namespace scantrove

@@ -1,69 +1,68 @@
 #include "core/capture/image_file.h"
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <mutex>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <vector>
+#include <span>
 
+#include "core/base/regular_file.h"
 #include "core/capture/depth_png.h"
+#include "core/capture/image_header.h"
 #include "core/capture/image_integrity.h"
+#include "core/capture/jpeg_decoder.h"
+#include "core/capture/png_decoder.h"
 
 namespace scantrove {
 
 namespace {
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+using Bytes = std::span<const std::uint8_t>;
 
-Result<std::vector<std::uint8_t>> readBytes(const std::filesystem::path& path) {
-  errno = 0;
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-  std::vector<std::uint8_t> bytes;
-  if (file && std::fseek(file.get(), 0, SEEK_END) == 0) {
-    const long size = std::ftell(file.get());
-    std::rewind(file.get());
-    // A folder opens too; its size is nonsense and reading it fails.
-    if (size >= 0 && !std::filesystem::is_directory(path)) {
-      bytes.resize(static_cast<std::size_t>(size));
-      if (std::fread(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) {
-        return bytes;
-      }
-    }
+Bytes bytesOf(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// Refuses what is too large before it is read whole.
+Result<std::string> readImageBytes(const std::filesystem::path& file) {
+  const auto start = readFile(file, kImageHeaderBytes);
+  if (!start) {
+    return start;
   }
-  return fail(
-      "Cannot read " + path.string() + ": " + (errno != 0 ? std::strerror(errno) : "not a file") + ".",
-      "Check that it is there and its permissions.");
+  if (const auto size = imageSize(bytesOf(*start))) {
+    SCANTROVE_TRY(checkImageSize(*size, file.string()));
+  }
+  return start->size() < kImageHeaderBytes ? start : readFile(file);
 }
 
 /// The edge where OpenCV's exceptions end.
-Result<cv::Mat> decode(const std::filesystem::path& file, int flags) {
+Result<cv::Mat> decodeByOpenCv(Bytes bytes, int flags, const std::string& name) {
   static std::once_flag silenced;  // what OpenCV would print we say better ourselves
   std::call_once(silenced, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
-
-  auto bytes = readBytes(file);
-  if (!bytes) {
-    return fail(bytes.error());
-  }
-  if (const std::string damage = findImageDamage(*bytes); !damage.empty()) {
-    return fail(file.string() + " " + damage + ".");
-  }
-  if (flags == cv::IMREAD_UNCHANGED && isDepthPng(*bytes)) {
-    return decodeDepthPng(*bytes, file.string());
-  }
   try {
-    if (cv::Mat image = cv::imdecode(*bytes, flags); !image.empty()) {
+    const cv::Mat input(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<std::uint8_t*>(bytes.data()));
+    if (cv::Mat image = cv::imdecode(input, flags); !image.empty()) {
       return image;
     }
   } catch (const cv::Exception& exception) {
-    return fail(file.string() + " cannot be decoded: " + exception.err + ".");
+    return fail(name + " cannot be decoded: " + exception.err + ".");
   }
-  return fail(file.string() + " cannot be decoded: it is damaged or no image.");
+  return fail(name + " cannot be decoded: it is damaged.");
+}
+
+/// The format, once it is sure that decoding is worth trying.
+Result<ImageFormat> checkImage(Bytes bytes, const std::string& name) {
+  if (const std::string damage = findImageDamage(bytes); !damage.empty()) {
+    return fail(name + " " + damage + ".");
+  }
+  const auto format = imageFormat(bytes);
+  const auto size = imageSize(bytes);
+  if (!format || !size) {
+    return fail(name + " cannot be decoded: it is damaged or no image.",
+                "Images are PNG, JPEG, PPM, PGM, BMP or TIFF files.");
+  }
+  SCANTROVE_TRY(checkImageSize(*size, name));
+  return *format;
 }
 
 std::string describe(const cv::Mat& image) {
@@ -74,19 +73,42 @@ std::string describe(const cv::Mat& image) {
          (image.channels() == 1 ? " channel" : " channels");
 }
 
-}  // namespace
-
-Result<cv::Mat> readColorImage(const std::filesystem::path& file) {
-  return decode(file, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+Result<cv::Mat> decodeUnchanged(Bytes bytes, const std::string& name) {
+  const auto format = checkImage(bytes, name);
+  if (!format) {
+    return fail(format.error());
+  }
+  if (isDepthPng(bytes)) {
+    return decodeDepthPng(bytes, name);
+  }
+  return *format == ImageFormat::png ? decodeGreyPng(bytes, name)
+                                     : decodeByOpenCv(bytes, cv::IMREAD_UNCHANGED, name);
 }
 
-Result<cv::Mat> readDepthImage(const std::filesystem::path& file) {
-  auto image = decode(file, cv::IMREAD_UNCHANGED);
+}  // namespace
+
+Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
+  const auto format = checkImage(bytes, name);
+  if (!format) {
+    return fail(format.error());
+  }
+  switch (*format) {
+    case ImageFormat::png:
+      return decodeColorPng(bytes, name);
+    case ImageFormat::jpeg:
+      return decodeJpeg(bytes, name);
+    default:
+      return decodeByOpenCv(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION, name);
+  }
+}
+
+Result<cv::Mat> decodeDepthImage(Bytes bytes, const std::string& name) {
+  auto image = decodeUnchanged(bytes, name);
   if (!image) {
     return image;
   }
   if (image->type() != CV_16UC1) {
-    return fail(file.string() + " is " + describe(*image) + "; depth images are 16-bit with 1 channel.",
+    return fail(name + " is " + describe(*image) + "; depth images are 16-bit with 1 channel.",
                 "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
   }
   for (int y = 0; y < image->rows; ++y) {
@@ -96,6 +118,16 @@ Result<cv::Mat> readDepthImage(const std::filesystem::path& file) {
     }
   }
   return image;
+}
+
+Result<cv::Mat> readColorImage(const std::filesystem::path& file) {
+  const auto bytes = readImageBytes(file);
+  return bytes ? decodeColorImage(bytesOf(*bytes), file.string()) : fail(bytes.error());
+}
+
+Result<cv::Mat> readDepthImage(const std::filesystem::path& file) {
+  const auto bytes = readImageBytes(file);
+  return bytes ? decodeDepthImage(bytesOf(*bytes), file.string()) : fail(bytes.error());
 }
 
 }  // namespace scantrove

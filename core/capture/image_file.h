@@ -1,18 +1,26 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <span>
+#include <string>
 
 #include "core/base/result.h"
 
 namespace scantrove {
 
-/// Reads a colour image as CV_8UC3, BGR (grey ones are spread over three channels; rotation tags are
-/// ignored). Error: names the file; unreadable, truncated, damaged.
-[[nodiscard]] Result<cv::Mat> readColorImage(const std::filesystem::path& file);
+/// Decodes a colour image (PNG, JPEG, PNM, BMP, TIFF) to CV_8UC3, BGR (grey ones are spread over three
+/// channels; rotation tags are ignored). Error: names `name`; truncated, damaged, too large (see
+/// image_header.h).
+[[nodiscard]] Result<cv::Mat> decodeColorImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Reads a depth image as CV_16UC1 in the file's units, with 65535 (7-Scenes' "invalid", a saturated value
-/// elsewhere) replaced by 0. Error: names the file; unreadable, truncated, damaged, or not one channel of 16
-/// bits.
+/// Decodes a depth image to CV_16UC1 in the file's units, with 65535 (7-Scenes' "invalid", a saturated value
+/// elsewhere) replaced by 0. Error: as above, or not one channel of 16 bits.
+[[nodiscard]] Result<cv::Mat> decodeDepthImage(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// The same of a file. Error: also what keeps it from being read; images that are too large are refused by
+/// their header, before the rest is read.
+[[nodiscard]] Result<cv::Mat> readColorImage(const std::filesystem::path& file);
 [[nodiscard]] Result<cv::Mat> readDepthImage(const std::filesystem::path& file);
 
 }  // namespace scantrove

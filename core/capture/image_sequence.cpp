@@ -3,10 +3,10 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "core/base/pose_files.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_file.h"
+#include "core/capture/pose_files.h"
 #include "core/capture/source_options.h"
 
 namespace scantrove {
@@ -157,11 +157,15 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   }
   const cv::Size size = first->depth.size();
   const cv::Size color_size = sequence.has_color ? first->color.size() : size;
+  if (options.color_camera) {
+    const bool is_registered = *options.color_camera == ColorCamera{};
+    sequence.color_camera = is_registered ? std::nullopt : options.color_camera;
+  }
   // Registered images of one camera have one shape; a smaller colour or depth image is the same view resized.
-  if (color_size.width * size.height != color_size.height * size.width) {
+  if (!sequence.color_camera && color_size.width * size.height != color_size.height * size.width) {
     return fail(sequence.folder.string() + ": the colour images are " + sizeText(color_size) +
                     ", the depth images " + sizeText(size) + ".",
-                "They must show the same view: register and crop them to one shape.");
+                "They must show the same view: register and crop them to one shape, or give --color-camera.");
   }
   if (options.intrinsics) {
     sequence.camera.K = *options.intrinsics;
@@ -178,11 +182,9 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
 
   const double units_per_metre =
       options.depth_scale.value_or(sequence.camera.units_per_metre.value_or(sequence.units_per_metre));
-  if (!(units_per_metre > 0)) {
-    return fail(sequence.camera_origin + ": the depth scale is " + std::to_string(units_per_metre) + ".",
-                "It must be positive; or give --depth-scale.");
-  }
-  checkDepthScale(first->depth, 1.0 / units_per_metre, info.name);
+  SCANTROVE_TRY(
+      checkDepthScale(units_per_metre, options.depth_scale ? "--depth-scale" : sequence.camera_origin));
+  warnOfImplausibleDepth(first->depth, 1.0 / units_per_metre, info.name);
   return std::make_unique<ImageSequenceSource>(std::move(sequence), std::move(*selected), std::move(info),
                                                color_size, 1.0 / units_per_metre);
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/pose_files.h"
-#include "core/base/text_file.h"
+#include "core/base/text.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_sequence.h"
+#include "core/capture/pose_files.h"
 #include "core/capture/recorded_poses.h"
 
 namespace scantrove {

@@ -9,6 +9,7 @@
 #include "core/capture/camera_intrinsics.h"
 #include "core/capture/cameras.h"
 #include "core/capture/depth_plausibility.h"
+#include "core/capture/oni_file.h"
 #include "core/capture/openni_streams.h"
 #include "core/capture/source_options.h"
 
@@ -55,7 +56,7 @@ class OpenNiSource final : public FrameSource {
   }
 
   [[nodiscard]] bool isOver() const {
-    // Of a live camera, frames are dropped further on: those that are used are counted there.
+    // ReadAhead ends a live camera, by the frames that were taken from it.
     const bool enough = !info_.is_live && options_.frames && given_ >= *options_.frames;
     return enough || (available_ > 0 && next_index_ >= available_);
   }
@@ -65,8 +66,7 @@ class OpenNiSource final : public FrameSource {
     if (isOver()) {
       return read;
     }
-    const auto patience = info_.is_live ? kLiveTimeout : kRecordingTimeout;
-    const Clock::time_point deadline = Clock::now() + patience;
+    const Clock::time_point deadline = Clock::now() + (info_.is_live ? kLiveTimeout : kRecordingTimeout);
     while (true) {
       if (depth_ && hasColorFor(*depth_)) {
         return makeFrame(*std::exchange(depth_, std::nullopt));
@@ -102,14 +102,19 @@ class OpenNiSource final : public FrameSource {
 
   FrameRead makeFrame(const OpenNiImage& depth) {
     FrameRead read;
-    read.status = Status::frame;
     read.frame.index = next_index_++;
+    if (depth.image.size() != cv::Size(info_.intrinsics.width, info_.intrinsics.height)) {
+      read.status = Status::skipped;
+      read.error = {"Frame " + std::to_string(read.frame.index) + " of " + info_.name + " is damaged.", ""};
+      return read;
+    }
+    read.status = Status::frame;
     read.frame.timestamp_s = depth.timestamp_s;
     read.frame.metres_per_unit = static_cast<float>(metres_per_unit_);
     read.frame.depth = depth.image;
     read.frame.color = colorFor(depth);
     if (!info_.is_live && read.frame.index == options_.start) {
-      checkDepthScale(read.frame.depth, metres_per_unit_, info_.name);
+      warnOfImplausibleDepth(read.frame.depth, metres_per_unit_, info_.name);
     }
     return read;
   }
@@ -212,6 +217,10 @@ Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri, const So
     }
     chosen = cameras->front().uri;
   }
+  if (std::error_code error;
+      std::filesystem::exists(chosen, error)) {  // OpenNI2 takes a file's path for a URI
+    SCANTROVE_TRY(checkOniFile(chosen));
+  }
   auto streams = std::make_unique<OpenNiStreams>();
   if (const auto opened = streams->open(chosen); !opened) {
     return fail(opened.error().what, opened.error().advice.empty() ? cameraAdvice() : opened.error().advice);
@@ -222,6 +231,7 @@ Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri, const So
 
 Result<std::unique_ptr<FrameSource>> openOniRecording(const std::filesystem::path& file,
                                                       const SourceOptions& options) {
+  SCANTROVE_TRY(checkOniFile(file));
   auto streams = std::make_unique<OpenNiStreams>();
   if (const auto opened = streams->open(file.string()); !opened) {
     return fail(opened.error().what, opened.error().advice.empty()

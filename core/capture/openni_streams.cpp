@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <opencv2/imgproc.hpp>
 #include <string_view>
@@ -34,31 +35,42 @@ void chooseMode(openni::VideoStream& stream, openni::PixelFormat format) {
   }
 }
 
+/// Empty if the frame has not the bytes that its size needs (a damaged recording).
 cv::Mat viewOf(const openni::VideoFrameRef& frame, int type) {
+  const std::int64_t stride = frame.getStrideInBytes();
+  const bool is_whole = frame.getWidth() > 0 && frame.getHeight() > 0 &&
+                        stride >= std::int64_t{CV_ELEM_SIZE(type)} * frame.getWidth() &&
+                        stride * frame.getHeight() <= frame.getDataSize();
+  if (!is_whole) {
+    return {};
+  }
   return {frame.getHeight(), frame.getWidth(), type, const_cast<void*>(frame.getData()),
           static_cast<std::size_t>(frame.getStrideInBytes())};
 }
 
-/// Empty if the format is none that we know.
-cv::Mat copyColor(const openni::VideoFrameRef& frame) {
+/// As BGR; empty if the image is.
+cv::Mat toBgr(const cv::Mat& image, int conversion) {
   cv::Mat bgr;
-  switch (frame.getVideoMode().getPixelFormat()) {
-    case openni::PIXEL_FORMAT_RGB888:
-      cv::cvtColor(viewOf(frame, CV_8UC3), bgr, cv::COLOR_RGB2BGR);
-      break;
-    case openni::PIXEL_FORMAT_YUV422:
-      cv::cvtColor(viewOf(frame, CV_8UC2), bgr, cv::COLOR_YUV2BGR_UYVY);
-      break;
-    case openni::PIXEL_FORMAT_YUYV:
-      cv::cvtColor(viewOf(frame, CV_8UC2), bgr, cv::COLOR_YUV2BGR_YUYV);
-      break;
-    case openni::PIXEL_FORMAT_GRAY8:
-      cv::cvtColor(viewOf(frame, CV_8UC1), bgr, cv::COLOR_GRAY2BGR);
-      break;
-    default:
-      break;
+  if (!image.empty()) {
+    cv::cvtColor(image, bgr, conversion);
   }
   return bgr;
+}
+
+/// Empty if the format is none that we know.
+cv::Mat copyColor(const openni::VideoFrameRef& frame) {
+  switch (frame.getVideoMode().getPixelFormat()) {
+    case openni::PIXEL_FORMAT_RGB888:
+      return toBgr(viewOf(frame, CV_8UC3), cv::COLOR_RGB2BGR);
+    case openni::PIXEL_FORMAT_YUV422:
+      return toBgr(viewOf(frame, CV_8UC2), cv::COLOR_YUV2BGR_UYVY);
+    case openni::PIXEL_FORMAT_YUYV:
+      return toBgr(viewOf(frame, CV_8UC2), cv::COLOR_YUV2BGR_YUYV);
+    case openni::PIXEL_FORMAT_GRAY8:
+      return toBgr(viewOf(frame, CV_8UC1), cv::COLOR_GRAY2BGR);
+    default:
+      return {};
+  }
 }
 
 void unmirror(cv::Mat& image, bool is_mirrored) {

@@ -57,7 +57,7 @@ class PaethRows {
   template <bool kInside>
   void step(std::size_t at) {
     const auto isInside = [&](std::size_t row) { return kInside || (at >= row && at - row < width_); };
-    Lanes up = __builtin_shuffle(left_, Lanes{0, 0, 0, 1, 2, 3, 4, 5});
+    Lanes up = __builtin_shufflevector(left_, left_, 0, 0, 0, 1, 2, 3, 4, 5);
     if (isInside(0)) {
       up[0] = above_[kPngPixelSize * at];
       up[1] = above_[kPngPixelSize * at + 1];

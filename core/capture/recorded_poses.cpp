@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/capture/folder_listing.h"
+
 namespace scantrove {
 
 namespace {
@@ -13,11 +15,15 @@ constexpr double kNearestPoseSeconds = 0.02;
 }  // namespace
 
 std::optional<std::filesystem::path> findTrajectoryLog(const std::filesystem::path& folder) {
-  for (const std::filesystem::path& file :
-       {folder / "trajectory.log", folder / "test_scene" / "trajectory.log"}) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(file, error)) {
-      return file;
+  constexpr const char* kName = "trajectory.log";
+  std::error_code error;
+  if (std::filesystem::is_regular_file(folder / kName, error)) {
+    return folder / kName;
+  }
+  const auto names = listFolder(folder);
+  for (const std::string& name : names.value_or(std::vector<std::string>())) {
+    if (std::filesystem::is_regular_file(folder / name / kName, error)) {
+      return folder / name / kName;
     }
   }
   return std::nullopt;

@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// The trajectory log of a numbered folder (`trajectory.log`, also under `test_scene/`); empty if there is
-/// none.
+/// The `trajectory.log` of a recording: in its folder, else in the first folder in it (by name) that has one;
+/// empty if there is none.
 [[nodiscard]] std::optional<std::filesystem::path> findTrajectoryLog(const std::filesystem::path& folder);
 
 /// The pose at `timestamp_s` in a trajectory sorted by time: between two poses less than 0.1 s apart

@@ -1,6 +1,8 @@
 #include "core/capture/source_options.h"
 
-#include <cmath>
+#include <sstream>
+
+#include "core/capture/camera_intrinsics.h"
 
 namespace scantrove {
 
@@ -16,19 +18,25 @@ Result<void> checkSourceOptions(const SourceOptions& options) {
     return fail("The number of frames (--frames) is " + std::to_string(*options.frames) + ".",
                 "It must be 1 or more.");
   }
-  if (options.depth_scale && !(std::isfinite(*options.depth_scale) && *options.depth_scale > 0)) {
-    return fail("The depth scale (--depth-scale) is " + std::to_string(*options.depth_scale) + ".",
-                "It must be positive: depth units per metre, e.g. 1000 for millimetres, 5000 for TUM.");
+  if (options.depth_scale) {
+    SCANTROVE_TRY(checkDepthScale(*options.depth_scale, "--depth-scale"));
   }
   if (options.intrinsics) {
-    const Intrinsics& K = *options.intrinsics;
-    if (!(std::isfinite(K.fx) && std::isfinite(K.fy) && K.fx > 0 && K.fy > 0)) {
-      return fail(
-          "The focal lengths (--intrinsics) are " + std::to_string(K.fx) + "," + std::to_string(K.fy) + ".",
-          "They must be positive: --intrinsics fx,fy,cx,cy in pixels.");
-    }
+    SCANTROVE_TRY(checkFocalLengths(*options.intrinsics, "--intrinsics"));
   }
   return {};
+}
+
+Result<void> checkDepthScale(double units_per_metre, const std::string& origin) {
+  constexpr double kLeast = 1e-6;
+  constexpr double kMost = 1e12;
+  if (units_per_metre >= kLeast && units_per_metre <= kMost) {
+    return {};
+  }
+  std::ostringstream value;
+  value << units_per_metre;
+  return fail("The depth scale " + value.str() + " (" + origin + ") is none that depth images can have.",
+              "It is depth units per metre, e.g. --depth-scale 1000 for millimetres, 5000 for TUM.");
 }
 
 Result<std::vector<std::size_t>> selectFrames(std::size_t available, const SourceOptions& options,

@@ -7,9 +7,13 @@
 
 namespace scantrove {
 
-/// Refuses stride < 1, start < 0, frames < 1, depth_scale not positive and finite, focal lengths not
-/// positive. Error: names the value.
+/// Refuses stride < 1, start < 0, frames < 1, a depth scale or intrinsics that none can be. Error: names the
+/// value.
 [[nodiscard]] Result<void> checkSourceOptions(const SourceOptions& options);
+
+/// Refuses a depth scale (units per metre) that is not positive, or beyond what a float holds well. Error:
+/// names the value and `origin` ("--depth-scale", a file).
+[[nodiscard]] Result<void> checkDepthScale(double units_per_metre, const std::string& origin);
 
 /// The positions start, start + stride, ... below `available`, at most `frames` of them.
 /// Error: start is at or beyond the end; names the number of frames there are.

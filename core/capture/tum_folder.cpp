@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/pose_files.h"
-#include "core/base/text_file.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_sequence.h"
+#include "core/capture/pose_files.h"
 #include "core/capture/recorded_poses.h"
 
 namespace scantrove {
@@ -30,7 +31,7 @@ struct ImageList {
 };
 
 Result<ImageList> readImageList(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
+  const Result<std::string> text = readFile(file);
   if (!text) {
     return fail(text.error());
   }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/capture/camera_intrinsics.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/numbered_folder.h"
 #include "core/capture/openni_source.h"
@@ -23,7 +24,11 @@ constexpr const char* kKnownSources =
 
 OpenedSource openDemo(const std::string& source, const SourceOptions& options) {
   const std::string scene = source == "demo" ? "tabletop" : source.substr(source.find(':') + 1);
-  return makeSyntheticSource(scene, options);
+  auto demo = makeSyntheticSource(scene, options);
+  if (demo) {
+    SCANTROVE_TRY(checkIntrinsics((*demo)->info().intrinsics, "--intrinsics"));
+  }
+  return demo;
 }
 
 /// A 7-Scenes download holds its recordings in seq-01, seq-02, ...: say so instead of only "nothing found".

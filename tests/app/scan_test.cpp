@@ -2,8 +2,8 @@
 
 #include <fstream>
 
+#include "core/capture/trajectory_reader.h"
 #include "core/exchange/label_image_writer.h"
-#include "core/exchange/trajectory_reader.h"
 #include "tests/app/recording.h"
 #include "tests/app/scantrove_program.h"
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/capture/trajectory_reader.h"
 #include "core/catalog/object_database.h"
 #include "core/evaluation/trajectory_metrics.h"
-#include "core/exchange/trajectory_reader.h"
 #include "tests/support/recordings.h"
 #include "tests/support/scan_session_runner.h"
 #include "tests/support/temporary_folder.h"

@@ -7,6 +7,8 @@
 namespace scantrove {
 namespace {
 
+constexpr ColorCamera kKinectColorCamera{525.0F, 525.0F, 320.0F, 240.0F, -0.025F};
+
 // A point at the median depth lands where the depth camera sees it.
 TEST(ColorRegistration, BringsThePlaneAtTheMedianDepthToTheDepthCamera) {
   const Intrinsics K{585, 585, 320, 240, 640, 480};

@@ -1,10 +1,6 @@
-#include "core/base/text_file.h"
+#include "core/base/text.h"
 
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace scantrove {
@@ -13,20 +9,6 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 constexpr std::string_view kSeparators = " \t\r\n\v\f,;";
 }  // namespace
-
-Result<std::string> readTextFile(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    return fail(file.string() + " is a folder, not a file.");
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    return fail("Cannot read " + file.string() + ": " + std::strerror(errno) + ".",
-                "Check the path and its permissions.");
-  }
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
 
 std::optional<std::vector<double>> parseNumbers(std::string_view text) {
   std::vector<double> numbers;

@@ -1,4 +1,4 @@
-#include "core/base/pose_files.h"
+#include "core/capture/pose_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

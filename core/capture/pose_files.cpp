@@ -1,11 +1,12 @@
-#include "core/base/pose_files.h"
+#include "core/capture/pose_files.h"
 
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "core/base/text_file.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
 
 namespace scantrove {
 
@@ -42,7 +43,7 @@ std::optional<Eigen::Isometry3d> rigidMotion(const Eigen::Matrix4d& matrix) {
 }
 
 Result<Trajectory> readTumTrajectory(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
+  const Result<std::string> text = readFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -80,7 +81,7 @@ Result<Trajectory> readTumTrajectory(const std::filesystem::path& file) {
 }
 
 Result<std::vector<NumberedPose>> readTrajectoryLog(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
+  const Result<std::string> text = readFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -112,7 +113,7 @@ Result<std::vector<NumberedPose>> readTrajectoryLog(const std::filesystem::path&
 }
 
 Result<Eigen::Matrix4d> readMatrixFile(const std::filesystem::path& file) {
-  const Result<std::string> text = readTextFile(file);
+  const Result<std::string> text = readFile(file);
   if (!text) {
     return fail(text.error());
   }

@@ -1,16 +1,9 @@
 #pragma once
-#include <filesystem>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
-
 namespace scantrove {
-
-/// All of a text file. Error: names the file and the system's reason.
-[[nodiscard]] Result<std::string> readTextFile(const std::filesystem::path& file);
 
 /// The numbers of a text separated by blanks or commas ("nan" and "inf" included), in any locale; empty if
 /// something is no number.

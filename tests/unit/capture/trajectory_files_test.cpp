@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/exchange/trajectory_reader.h"
+#include "core/capture/trajectory_reader.h"
 #include "core/exchange/trajectory_writer.h"
 #include "tests/support/temporary_folder.h"
 

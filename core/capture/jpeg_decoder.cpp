@@ -1,0 +1,100 @@
+#include "core/capture/jpeg_decoder.h"
+
+// libjpeg's headers need these before them.
+#include <cstddef>
+#include <cstdio>
+
+#include <csetjmp>
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+namespace scantrove {
+
+namespace {
+
+/// libjpeg leaves a function that fails by longjmp, so whatever calls it between setjmp and its return has no
+/// object with a destructor.
+struct ErrorHandler {
+  jpeg_error_mgr base;
+  std::jmp_buf on_error;
+  char reason[JMSG_LENGTH_MAX];
+};
+
+[[noreturn]] void onError(j_common_ptr jpeg) {
+  auto* const handler = reinterpret_cast<ErrorHandler*>(jpeg->err);
+  jpeg->err->format_message(jpeg, handler->reason);
+  std::longjmp(handler->on_error, 1);
+}
+
+/// Messages of level -1 are warnings: the picture is not what was recorded, but for a few that tell nothing.
+void onMessage(j_common_ptr jpeg, int level) {
+  const int code = jpeg->err->msg_code;
+  const bool is_harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_TOO_MUCH_DATA ||
+                           code == JWRN_ADOBE_XFORM || code == JWRN_BOGUS_PROGRESSION;
+  if (level < 0 && !is_harmless) {
+    onError(jpeg);
+  }
+}
+
+class Decoder {
+ public:
+  explicit Decoder(std::span<const std::uint8_t> bytes) {
+    jpeg_.err = jpeg_std_error(&handler_.base);
+    handler_.base.error_exit = onError;
+    handler_.base.emit_message = onMessage;
+    jpeg_create_decompress(&jpeg_);
+    jpeg_mem_src(&jpeg_, bytes.data(), static_cast<unsigned long>(bytes.size()));
+  }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+  ~Decoder() { jpeg_destroy_decompress(&jpeg_); }
+
+  bool start() {
+    if (setjmp(handler_.on_error) != 0) {
+      return false;
+    }
+    jpeg_read_header(&jpeg_, TRUE);
+    jpeg_.out_color_space = JCS_EXT_BGR;
+    jpeg_start_decompress(&jpeg_);
+    return true;
+  }
+
+  [[nodiscard]] cv::Size size() const {
+    return {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height)};
+  }
+
+  bool readRows(cv::Mat& image) {
+    if (setjmp(handler_.on_error) != 0) {
+      return false;
+    }
+    while (jpeg_.output_scanline < jpeg_.output_height) {
+      JSAMPROW row = image.ptr(static_cast<int>(jpeg_.output_scanline));
+      jpeg_read_scanlines(&jpeg_, &row, 1);
+    }
+    jpeg_finish_decompress(&jpeg_);
+    return true;
+  }
+
+  [[nodiscard]] const char* reason() const { return handler_.reason; }
+
+ private:
+  ErrorHandler handler_{};
+  jpeg_decompress_struct jpeg_{};
+};
+
+}  // namespace
+
+Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
+  Decoder decoder(bytes);
+  cv::Mat image;
+  if (decoder.start()) {
+    image.create(decoder.size(), CV_8UC3);
+    if (decoder.readRows(image)) {
+      return image;
+    }
+  }
+  return fail(name + " cannot be decoded: it is damaged (" + decoder.reason() + ").");
+}
+
+}  // namespace scantrove

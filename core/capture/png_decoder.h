@@ -1,0 +1,19 @@
+#pragma once
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace scantrove {
+
+/// Decodes any PNG to CV_8UC3, BGR: 16 bits are cut to 8, grey spread, palettes looked up, transparency left
+/// out. libpng's warnings are not printed. Error: `name` and libpng's reason.
+[[nodiscard]] Result<cv::Mat> decodeColorPng(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Decodes a PNG of one channel to CV_8UC1 or CV_16UC1, interlaced or not. Error: `name` and libpng's reason;
+/// a PNG of other channels, with how many it has.
+[[nodiscard]] Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::string& name);
+
+}  // namespace scantrove
