@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
@@ -23,7 +24,11 @@ double fieldOfView(int pixels, float focal_length) {
   return 2 * std::atan(0.5 * pixels / focal_length) * 180 / std::numbers::pi;
 }
 
-std::string text(float value) { return nlohmann::json(value).dump(); }
+std::string text(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
 
 std::string sizeText(const Intrinsics& K) { return std::to_string(K.width) + "x" + std::to_string(K.height); }
 
@@ -48,9 +53,9 @@ Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin) {
   SCANTROVE_TRY(checkFocalLengths(K, origin));
   for (const double angle : {fieldOfView(K.width, K.fx), fieldOfView(K.height, K.fy)}) {
     if (!(angle >= kNarrowestView_deg && angle <= kWidestView_deg)) {
-      return fail("Intrinsics " + describe(K) + " (" + origin +
-                      ") are those of a camera that sees an angle of " + text(static_cast<float>(angle)) +
-                      " degrees in " + sizeText(K) + " images; depth cameras see 2 to 160.",
+      return fail("Intrinsics " + describe(K) + " (" + origin + "): a camera with " + sizeText(K) +
+                      " images would see an angle of " + text(angle) +
+                      " degrees; depth cameras see 2 to 160.",
                   kAdvice);
     }
   }

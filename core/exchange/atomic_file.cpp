@@ -1,10 +1,12 @@
 #include "core/exchange/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -21,14 +23,18 @@ tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why) 
               "Check that the folder can be written to and that the disk is not full.");
 }
 
-/// Hidden, in the same folder (a rename must not cross file systems), of the same extension, of this process
-/// only.
-fs::path nameBeside(const fs::path& path) {
+/// Hidden, in the same folder (a rename must not cross file systems), of this process only:
+/// `.report.json.1234-0.part`.
+fs::path partName(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   std::ostringstream name;
-  name << '.' << path.stem().string() << '.' << ::getpid() << '-' << counter++ << ".part"
-       << path.extension().string();
+  name << '.' << path.filename().string() << '.' << ::getpid() << '-' << counter++ << ".part";
   return path.parent_path() / name.str();
+}
+
+bool isPartName(const std::string& name) {
+  static const std::regex form(R"(\..+\.[0-9]+-[0-9]+\.part)");
+  return std::regex_match(name, form);
 }
 
 class Descriptor {
@@ -36,7 +42,9 @@ class Descriptor {
   Descriptor(const fs::path& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
 
   [[nodiscard]] bool isOpen() const { return fd_ >= 0; }
   [[nodiscard]] bool writeAll(std::string_view bytes) const {
@@ -49,31 +57,55 @@ class Descriptor {
     return true;
   }
   [[nodiscard]] bool flush() const { return ::fsync(fd_) == 0; }
-  bool close() {
-    const bool closed = fd_ < 0 || ::close(fd_) == 0;
-    fd_ = -1;
-    return closed;
+  /// Whether nobody else has it locked; it stays locked until it is closed, by a killed program too.
+  [[nodiscard]] bool lock() const { return ::flock(fd_, LOCK_EX | LOCK_NB) == 0; }
+  /// Tells what closing tells (a network's disk reports a failed write then), and leaves it open and locked.
+  [[nodiscard]] bool settle() const {
+    const int copy = ::dup(fd_);
+    return copy >= 0 && ::close(copy) == 0;
   }
 
  private:
   int fd_;
 };
 
-/// Removes the file beside unless it was renamed.
-class FileBeside {
+/// A file that is being written: locked, and removed unless it was renamed.
+class PartFile {
  public:
-  explicit FileBeside(const fs::path& path) : path_(nameBeside(path)) {}
-  FileBeside(const FileBeside&) = delete;
-  FileBeside& operator=(const FileBeside&) = delete;
-  ~FileBeside() {
+  explicit PartFile(const fs::path& path)
+      : path_(partName(path)), file_(path_, O_WRONLY | O_CREAT | O_TRUNC) {
+    // Where a file system has no locks, an unlocked part file is as good.
+    if (file_.isOpen()) (void)file_.lock();
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile() {
     std::error_code ignored;
     fs::remove(path_, ignored);
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
+  /// Every byte reached the file, and the disk if asked for.
+  [[nodiscard]] bool fill(std::string_view bytes, Durability durability) const {
+    return file_.isOpen() && file_.writeAll(bytes) && (durability != Durability::power || file_.flush()) &&
+           file_.settle();
+  }
 
  private:
   fs::path path_;
+  Descriptor file_;
 };
+
+/// What killed runs left: part files that nobody has locked.
+void removeAbandonedParts(const fs::path& folder) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (!isPartName(entry->path().filename().string()) || !fs::is_regular_file(entry->symlink_status()))
+      continue;
+    const Descriptor part(entry->path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+    if (part.isOpen() && part.lock()) fs::remove(entry->path(), ignored);
+  }
+}
 
 /// A renamed file survives a power cut only once its folder is on the disk as well.
 void flushFolder(const fs::path& path) {
@@ -82,40 +114,16 @@ void flushFolder(const fs::path& path) {
   if (descriptor.isOpen()) (void)descriptor.flush();
 }
 
-Result<void> renameTo(const fs::path& path, const FileBeside& beside, Durability durability) {
-  std::error_code failure;
-  fs::rename(beside.path(), path, failure);
-  if (failure) return cannotWrite(path, failure.message());
-  if (durability == Durability::power) flushFolder(path);
-  return {};
-}
-
 }  // namespace
 
 Result<void> writeFileAtomically(const fs::path& path, std::string_view bytes, Durability durability) {
-  const FileBeside beside(path);
-  Descriptor file(beside.path(), O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.isOpen() || !file.writeAll(bytes) || (durability == Durability::power && !file.flush()) ||
-      !file.close()) {
-    return cannotWrite(path, reason(errno));
-  }
-  return renameTo(path, beside, durability);
-}
-
-Result<void> writeFileAtomically(const fs::path& path,
-                                 const std::function<Result<void>(const fs::path&)>& write,
-                                 Durability durability) {
-  const FileBeside beside(path);
-  // Opening it first gives the system's own reason where the library that writes would only say "failed".
-  if (const Descriptor probe(beside.path(), O_WRONLY | O_CREAT | O_TRUNC); !probe.isOpen()) {
-    return cannotWrite(path, reason(errno));
-  }
-  if (auto written = write(beside.path()); !written) return cannotWrite(path, written.error().what);
-  if (durability == Durability::power) {
-    const Descriptor file(beside.path(), O_RDONLY);
-    if (!file.isOpen() || !file.flush()) return cannotWrite(path, reason(errno));
-  }
-  return renameTo(path, beside, durability);
+  const PartFile part(path);
+  if (!part.fill(bytes, durability)) return cannotWrite(path, reason(errno));
+  std::error_code failure;
+  fs::rename(part.path(), path, failure);
+  if (failure) return cannotWrite(path, failure.message());
+  if (durability == Durability::power) flushFolder(path);
+  return {};
 }
 
 Result<void> prepareOutputFolder(const fs::path& folder) {
@@ -125,11 +133,24 @@ Result<void> prepareOutputFolder(const fs::path& folder) {
     return fail("Cannot create the folder " + folder.string() + ": " + failure.message() + ".",
                 "Choose another output folder.");
   }
-  const FileBeside probe(folder / "probe");
-  const Descriptor file(probe.path(), O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.isOpen() || !file.writeAll("x")) {
+  const PartFile probe(folder / "probe");
+  if (!probe.fill("x", Durability::process)) {
     return fail("Cannot write to the folder " + folder.string() + ": " + reason(errno) + ".",
                 "Choose another output folder.");
+  }
+  removeAbandonedParts(folder);
+  return {};
+}
+
+Result<void> checkReplaceable(const fs::path& folder, std::span<const char* const> names) {
+  for (const fs::path name : names) {
+    std::error_code ignored;
+    const fs::file_type type = fs::status(folder / name, ignored).type();
+    if (type == fs::file_type::not_found || type == fs::file_type::regular) continue;
+    return fail((folder / name).string() +
+                    " is in the way: a result of that name will be written, and it is " +
+                    (type == fs::file_type::directory ? "a folder." : "no file."),
+                "Move it away, or choose another output folder.");
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include <filesystem>
-#include <functional>
+#include <span>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -19,15 +19,12 @@ enum class Durability {
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes,
                                  Durability durability = Durability::power);
 
-/// The same for libraries that want a file name: `write` is given the name of the file beside (same
-/// extension) to fill. When it fails, that file is removed and `path` stays as it was.
-Result<void> writeFileAtomically(
-    const std::filesystem::path& path,
-    const std::function<Result<void>(const std::filesystem::path& beside)>& write,
-    Durability durability = Durability::power);
-
-/// Creates `folder` with its parents and proves by a small file that it can be written to.
+/// Creates `folder` with its parents and proves by a small file that it can be written to. Removes the
+/// unfinished files that killed runs left in it (`.NAME.PID-N.part`; those of running programs are locked).
 /// Error: names `folder` and the system's reason.
 Result<void> prepareOutputFolder(const std::filesystem::path& folder);
+
+/// Error: one of `names` in `folder` is there and is no file, so that no result can take its place.
+Result<void> checkReplaceable(const std::filesystem::path& folder, std::span<const char* const> names);
 
 }  // namespace scantrove

@@ -1,8 +1,7 @@
 #include "core/exchange/cloud_writer.h"
 
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/io/pcd_io.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 
 #include <bit>
 #include <cstring>
@@ -13,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the PLY is written as it lies in memory");
+static_assert(std::endian::native == std::endian::little, "points are written as they lie in memory");
 
 template <class T>
 char* put(char* out, const T& value) {
@@ -21,34 +20,41 @@ char* put(char* out, const T& value) {
   return out + sizeof value;
 }
 
-pcl::PointCloud<pcl::PointXYZRGBL> toPcl(std::span<const LabeledPoint> points) {
-  pcl::PointCloud<pcl::PointXYZRGBL> cloud;
-  cloud.reserve(points.size());
-  for (const LabeledPoint& p : points)
-    cloud.push_back(pcl::PointXYZRGBL(p.x, p.y, p.z, p.r, p.g, p.b, p.label));
-  return cloud;
-}
-
-/// PCL refuses clouds without points.
-std::string emptyPcd() {
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgba label\nSIZE 4 4 4 4 4\n"
-         "TYPE F F F U U\nCOUNT 1 1 1 1 1\nWIDTH 0\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 0\nDATA "
-         "binary\n";
+/// As PCL writes it, for points of `x y z rgba label` without gaps.
+std::string pcdHeader(std::size_t points) {
+  pcl::PCLPointCloud2 cloud;
+  for (const auto& [name, type] : {std::pair{"x", pcl::PCLPointField::FLOAT32},
+                                   {"y", pcl::PCLPointField::FLOAT32},
+                                   {"z", pcl::PCLPointField::FLOAT32},
+                                   {"rgba", pcl::PCLPointField::UINT32},
+                                   {"label", pcl::PCLPointField::UINT32}}) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.datatype = static_cast<std::uint8_t>(type);
+    field.count = 1;
+    field.offset = static_cast<std::uint32_t>(cloud.fields.size() * sizeof(float));
+    cloud.fields.push_back(field);
+  }
+  cloud.width = static_cast<std::uint32_t>(points);
+  cloud.height = 1;
+  cloud.point_step = static_cast<std::uint32_t>(cloud.fields.size() * sizeof(float));
+  return pcl::PCDWriter().generateHeaderBinary(cloud, Eigen::Vector4f::Zero(),
+                                               Eigen::Quaternionf::Identity()) +
+         "DATA binary\n";
 }
 
 }  // namespace
 
 Result<void> writePcd(const std::filesystem::path& path, std::span<const LabeledPoint> points) {
-  if (points.empty()) return writeFileAtomically(path, emptyPcd());
-  return writeFileAtomically(path, [&](const std::filesystem::path& beside) -> Result<void> {
-    try {
-      if (pcl::PCDWriter().writeBinary(beside.string(), toPcl(points)) != 0)
-        return fail("the point cloud was not saved");
-    } catch (const pcl::PCLException& error) {
-      return fail(error.what());
-    }
-    return {};
-  });
+  const std::string header = pcdHeader(points.size());
+  constexpr std::size_t kPointBytes = 3 * sizeof(float) + 2 * sizeof(std::uint32_t);
+  std::string bytes(header.size() + points.size() * kPointBytes, '\0');
+  char* out = std::copy(header.begin(), header.end(), bytes.data());
+  for (const LabeledPoint& p : points) {
+    const std::uint32_t rgba = 0xFF000000U | std::uint32_t{p.r} << 16 | std::uint32_t{p.g} << 8 | p.b;
+    out = put(put(put(put(put(out, p.x), p.y), p.z), rgba), p.label);
+  }
+  return writeFileAtomically(path, bytes);
 }
 
 Result<void> writePly(const std::filesystem::path& path, std::span<const LabeledPoint> points) {

@@ -15,8 +15,6 @@ void append(std::string& text, double value, std::chars_format format, int digit
   text.append(number, end);
 }
 
-void appendGeneral(std::string& text, double value) { append(text, value, std::chars_format::general, 9); }
-
 }  // namespace
 
 Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses) {
@@ -28,21 +26,7 @@ Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<con
     append(text, pose.timestamp_s, std::chars_format::fixed, 6);
     for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
       text += ' ';
-      appendGeneral(text, value);
-    }
-    text += '\n';
-  }
-  return writeFileAtomically(path, text);
-}
-
-Result<void> writeKittiTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses) {
-  std::string text;
-  for (const StampedPose& pose : poses) {
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 4; ++column) {
-        if (row + column > 0) text += ' ';
-        appendGeneral(text, pose.T_world_camera.matrix()(row, column));
-      }
+      append(text, value, std::chars_format::general, 9);
     }
     text += '\n';
   }

@@ -11,8 +11,4 @@ namespace scantrove {
 /// Written beside and renamed. Error: names `path`.
 Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses);
 
-/// One line of the twelve numbers of the upper 3x4 of T_world_camera a pose, row by row (KITTI odometry); no
-/// times.
-Result<void> writeKittiTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses);
-
 }  // namespace scantrove

@@ -8,13 +8,23 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/base/regular_file.h"
+
 namespace scantrove {
 namespace {
 
 template <class Group, class Value>
 ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member, std::string unit,
                  double minimum, double maximum, std::string help) {
-  ParamInfo info{std::move(key), std::move(unit), minimum, maximum, std::move(help), {}, {}, {}};
+  ParamInfo info{std::move(key),
+                 std::move(unit),
+                 minimum,
+                 maximum,
+                 std::is_integral_v<Value>,
+                 std::move(help),
+                 {},
+                 {},
+                 {}};
   info.get = [=](const ScanParams& params) { return static_cast<double>(params.*group.*member); };
   info.set = [=](ScanParams& params, double value) { params.*group.*member = static_cast<Value>(value); };
   if constexpr (std::is_same_v<Value, bool>) info.choices = {"false", "true"};
@@ -24,8 +34,8 @@ ParamInfo number(std::string key, Group ScanParams::*group, Value Group::*member
 template <class Group, class Value>
 ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member,
                  std::vector<std::string> choices, std::string help) {
-  ParamInfo info{std::move(key),     "", 0, static_cast<double>(choices.size() - 1), std::move(help),
-                 std::move(choices), {}, {}};
+  const auto last = static_cast<double>(choices.size() - 1);
+  ParamInfo info{std::move(key), "", 0, last, true, std::move(help), std::move(choices), {}, {}};
   info.get = [=](const ScanParams& params) { return static_cast<double>(params.*group.*member); };
   info.set = [=](ScanParams& params, double value) {
     params.*group.*member = static_cast<Value>(static_cast<int>(value));
@@ -39,6 +49,7 @@ ParamInfo neighbours() {
                  "",
                  0,
                  1,
+                 true,
                  "how many neighbours of a pixel it shares an edge with",
                  {"4", "8"},
                  {},
@@ -140,17 +151,28 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
+/// Up to three keys like `key`: those that hold it (somebody left out the group), then by edit distance.
+std::string similarKeys(const std::string& key) {
+  std::vector<std::pair<std::size_t, std::string>> near;
+  for (const ParamInfo& info : paramRegistry()) {
+    const std::size_t distance = info.key.find(key) != std::string::npos ? 0 : editDistance(info.key, key);
+    if (distance <= info.key.size() / 4) near.emplace_back(distance, info.key);
+  }
+  std::ranges::stable_sort(near, {}, &std::pair<std::size_t, std::string>::first);
+  near.resize(std::min<std::size_t>(near.size(), 3));
+  std::string list;
+  for (const auto& [distance, name] : near) list += (list.empty() ? "'" : " or '") + name + "'";
+  return list;
+}
+
 Result<const ParamInfo*> findParam(const std::string& key) {
   const auto& registry = paramRegistry();
-  const auto found =
-      std::find_if(registry.begin(), registry.end(), [&](const ParamInfo& p) { return p.key == key; });
+  const auto found = std::ranges::find(registry, key, &ParamInfo::key);
   if (found != registry.end()) return &*found;
-  const auto nearest =
-      std::min_element(registry.begin(), registry.end(), [&](const ParamInfo& a, const ParamInfo& b) {
-        return editDistance(a.key, key) < editDistance(b.key, key);
-      });
-  return fail("There is no parameter '" + key + "'.",
-              "Did you mean '" + nearest->key + "'? 'scantrove params' lists them all.");
+  const std::string similar = similarKeys(key);
+  return fail(
+      "There is no parameter '" + key + "'.",
+      (similar.empty() ? "" : "Did you mean " + similar + "? ") + "'scantrove params' lists them all.");
 }
 
 std::string plain(double value) {
@@ -164,6 +186,10 @@ Result<void> setNumber(ScanParams& params, const ParamInfo& info, double value) 
   if (!(value >= info.minimum && value <= info.maximum)) {
     return fail("The value " + plain(value) + " of '" + info.key + "' is out of range.",
                 "It must lie between " + plain(info.minimum) + " and " + plain(info.maximum) + ".");
+  }
+  if (info.is_whole && value != std::floor(value)) {
+    return fail("The value " + plain(value) + " of '" + info.key + "' is not a whole number.",
+                "Give one from " + plain(info.minimum) + " to " + plain(info.maximum) + ".");
   }
   info.set(params, value);
   return {};
@@ -193,7 +219,9 @@ Result<void> setText(ScanParams& params, const ParamInfo& info, const std::strin
 Result<void> setFromToml(ScanParams& params, const ParamInfo& info, const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return setText(params, info, *text);
   if (const auto flag = node.value_exact<bool>()) return setText(params, info, *flag ? "true" : "false");
-  if (const auto value = node.value<double>()) return setText(params, info, plain(*value));
+  if (const auto value = node.value<double>()) {
+    return info.choices.empty() ? setNumber(params, info, *value) : setText(params, info, plain(*value));
+  }
   return fail("The parameter '" + info.key + "' is neither a number nor a word.");
 }
 
@@ -211,7 +239,7 @@ const std::vector<ParamInfo>& paramRegistry() {
 
 Result<void> applySetting(ScanParams& params, const std::string& setting) {
   const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos) {
+  if (equals == std::string::npos || equals == 0) {
     return fail("'" + setting + "' is no setting.", "Write key=value, for example segmentation.k=0.02.");
   }
   const Result<const ParamInfo*> info = findParam(setting.substr(0, equals));
@@ -220,9 +248,11 @@ Result<void> applySetting(ScanParams& params, const std::string& setting) {
 }
 
 Result<void> loadConfig(ScanParams& params, const std::filesystem::path& file) {
+  const Result<std::string> text = readFile(file);
+  if (!text) return fail(text.error());
   toml::table table;
   try {
-    table = toml::parse_file(file.string());
+    table = toml::parse(*text, file.string());
   } catch (const toml::parse_error& error) {
     return fail("The configuration " + file.string() +
                     " cannot be read: " + std::string(error.description()) + " (line " +

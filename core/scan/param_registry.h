@@ -15,6 +15,7 @@ struct ParamInfo {
   std::string unit;  ///< "m", "px", ...; empty = a pure number
   double minimum = 0;
   double maximum = 0;
+  bool is_whole = false;                         ///< only whole numbers
   std::string help;                              ///< one line
   std::vector<std::string> choices;              ///< non-empty: the value is one of these words
   std::function<double(const ScanParams&)> get;  ///< choices: the index of the word
@@ -27,7 +28,8 @@ struct ParamInfo {
 /// All parameters, grouped by stage in pipeline order.
 [[nodiscard]] const std::vector<ParamInfo>& paramRegistry();
 
-/// Applies "key=value". Error: unknown key (names the nearest), not a number, outside its range.
+/// Applies "key=value". Error: unknown key (names those that are near), not a number (a whole one where it
+/// must be), outside its range.
 [[nodiscard]] Result<void> applySetting(ScanParams& params, const std::string& setting);
 
 /// Applies a TOML file of tables [fusion], [segmentation], ... Error names file, line and key.

@@ -1,6 +1,7 @@
 #include "core/scan/scan_output.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <numeric>
@@ -28,6 +29,8 @@ std::string labelFileName(int frame_index) {
 
 Result<std::unique_ptr<ScanOutput>> ScanOutput::create(const std::filesystem::path& folder, bool label_maps) {
   SCANTROVE_TRY(prepareOutputFolder(folder));
+  SCANTROVE_TRY(checkReplaceable(
+      folder, std::array{"trajectory.txt", "cloud.ply", "cloud.pcd", "labels.json", "report.json"}));
   if (label_maps) {
     for (const char* part : {"segments", "labels", "labels-final"}) {
       SCANTROVE_TRY(prepareOutputFolder(folder / part));

@@ -45,14 +45,6 @@ TEST(Trajectory, TumLineOfAKnownPose) {
             "# timestamp tx ty tz qx qy qz qw\n0.500000 1 2 3 0 0 0.707106781 0.707106781\n");
 }
 
-TEST(Trajectory, KittiLineHoldsTheUpperRows) {
-  const TemporaryFolder folder;
-  StampedPose pose;
-  pose.T_world_camera = Eigen::Translation3d(4, 5, 6) * Eigen::Quaterniond::Identity();
-  ASSERT_TRUE(writeKittiTrajectory(folder / "k.txt", std::vector{pose, pose}));
-  EXPECT_EQ(test::readText(folder / "k.txt"), "1 0 0 4 0 1 0 5 0 0 1 6\n1 0 0 4 0 1 0 5 0 0 1 6\n");
-}
-
 TEST(Trajectory, SortsByTimeAndLeavesOutPosesThatAreNotFinite) {
   const TemporaryFolder folder;
   const auto path = folder.write("t.txt",

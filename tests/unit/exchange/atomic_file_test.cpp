@@ -1,8 +1,13 @@
 #include "core/exchange/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <fstream>
 
@@ -26,22 +31,6 @@ TEST(AtomicFile, WritesAndReplacesWholeFiles) {
   EXPECT_EQ(readText(path), "first");
   ASSERT_TRUE(writeFileAtomically(path, std::string_view("second\0byte", 11), Durability::process));
   EXPECT_EQ(readText(path), std::string("second\0byte", 11));
-  EXPECT_EQ(filesIn(folder.path()), 1);
-}
-
-TEST(AtomicFile, AFailedWriterLeavesTheOldFileAndNothingBesideIt) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "cloud.pcd";
-  ASSERT_TRUE(writeFileAtomically(path, "old"));
-  const auto result = writeFileAtomically(path, [](const fs::path& beside) -> Result<void> {
-    std::ofstream(beside) << "half a clo";
-    EXPECT_EQ(beside.extension(), ".pcd");
-    return fail("the writer broke down");
-  });
-  ASSERT_FALSE(result);
-  EXPECT_NE(result.error().what.find(path.string()), std::string::npos);
-  EXPECT_NE(result.error().what.find("the writer broke down"), std::string::npos);
-  EXPECT_EQ(readText(path), "old");
   EXPECT_EQ(filesIn(folder.path()), 1);
 }
 
@@ -95,6 +84,55 @@ TEST(OutputFolder, ThatCannotBeWrittenToIsRefused) {
   const auto result = prepareOutputFolder("/proc");
   ASSERT_FALSE(result);
   EXPECT_NE(result.error().what.find("/proc"), std::string::npos);
+}
+
+TEST(OutputFolder, LosesWhatAKilledRunLeft) {
+  const TemporaryFolder folder;
+  folder.write(".report.json.4711-3.part", "half a rep");
+  const fs::path held = folder.write(".cloud.ply.4712-0.part", "half a clo");
+  const fs::path others = folder.write(".notes.part", "somebody else's");
+  fs::create_directory(folder / ".folder.1-1.part");
+  fs::create_symlink("report.json", folder / ".link.1-2.part");
+  const int lock = ::open(held.c_str(), O_RDONLY);  // as a running program does
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  ASSERT_TRUE(prepareOutputFolder(folder.path()));
+  EXPECT_FALSE(fs::exists(folder / ".report.json.4711-3.part"));
+  EXPECT_TRUE(fs::exists(held));
+  EXPECT_TRUE(fs::exists(others));
+  EXPECT_TRUE(fs::exists(folder / ".folder.1-1.part"));
+  EXPECT_TRUE(fs::is_symlink(folder / ".link.1-2.part"));
+  ::close(lock);  // it was killed too
+  ASSERT_TRUE(prepareOutputFolder(folder.path()));
+  EXPECT_FALSE(fs::exists(held));
+}
+
+// The names of part files and of what is looked for must stay the same.
+TEST(OutputFolder, LosesTheFileThatAKilledWriterLeft) {
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit small{1000, 1000};  // the signal of this limit kills in the middle of writing
+    setrlimit(RLIMIT_FSIZE, &small);
+    (void)writeFileAtomically(folder / "big.bin", std::string(5000, 'x'));
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_EQ(filesIn(folder.path()), 1);
+  ASSERT_TRUE(prepareOutputFolder(folder.path()));
+  EXPECT_EQ(filesIn(folder.path()), 0);
+}
+
+TEST(OutputFolder, WithAFolderInAResultsPlaceIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("report.json", "old");
+  fs::create_directory(folder / "cloud.ply");
+  const std::array names{"report.json", "trajectory.txt", "cloud.ply"};
+  EXPECT_TRUE(checkReplaceable(folder.path(), std::span(names).first(2)));
+  const auto result = checkReplaceable(folder.path(), names);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().what.find((folder / "cloud.ply").string()), std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <set>
 
@@ -51,6 +52,38 @@ TEST(ParamRegistry, RefusalsNameWhatIsWrong) {
   EXPECT_THAT(refusal("segmentation.k"), HasSubstr("key=value"));
   EXPECT_THAT(refusal("labeling.rule=best"), HasSubstr("thesis, evidence"));
   EXPECT_THAT(refusal("segmentation.neighbours=6"), HasSubstr("4, 8"));
+  EXPECT_THAT(refusal("="), HasSubstr("key=value"));
+  EXPECT_THAT(refusal("=3"), HasSubstr("key=value"));
+  EXPECT_THAT(refusal("segmentation.k="), HasSubstr("'' is no number"));
+}
+
+TEST(ParamRegistry, WholeNumbersStayWhole) {
+  EXPECT_THAT(refusal("detection.max_views=1.5"), HasSubstr("not a whole number"));
+  EXPECT_EQ(refusal("detection.max_views=2"), "");
+  EXPECT_EQ(refusal("detection.max_distance=0.25"), "");
+  const test::TemporaryFolder folder;
+  ScanParams params;
+  const Result<void> done = loadConfig(params, folder.write("c.toml", "[detection]\nmax_views = 1.5\n"));
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message(), HasSubstr("line 2"));
+}
+
+TEST(ParamRegistry, UnknownKeysNameThoseThatAreNear) {
+  EXPECT_THAT(refusal("voxel_size_m=1"), HasSubstr("Did you mean 'fusion.voxel_size_m'?"));
+  EXPECT_THAT(refusal("fusion.depth_m=1"), testing::AllOf(HasSubstr("'fusion.min_depth_m'"), HasSubstr("'fusion.max_depth_m'")));
+  EXPECT_THAT(refusal("laundry=1"), testing::Not(HasSubstr("Did you mean")));
+}
+
+TEST(ParamRegistry, ConfigurationsThatAreNoFilesAreNamed) {
+  const test::TemporaryFolder folder;
+  ScanParams params;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop", folder / "loop");
+  for (const char* name : {"pipe", "loop", "none", ""}) {
+    const Result<void> done = loadConfig(params, folder / name);
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message(), HasSubstr((folder / name).string()));
+  }
 }
 
 TEST(ParamRegistry, ConfigurationFilesAreAppliedWholeOrNotAtAll) {
