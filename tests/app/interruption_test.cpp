@@ -29,7 +29,7 @@ std::size_t objectsIn(const fs::path& database) {
 }
 
 TEST(Interruption, CtrlCWritesWhatThereIs) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
     ChildProcess child(command({"scan", "demo", "--out", folder / "out"}));
     // The first line of progress says that frames are being processed.
@@ -44,6 +44,19 @@ TEST(Interruption, CtrlCWritesWhatThereIs) {
     EXPECT_TRUE(fs::exists(folder / "out/cloud.ply"));
     EXPECT_NE(child.out().find("results"), std::string::npos);
   }
+}
+
+// A closed terminal takes the readers of both outputs with it.
+TEST(Interruption, AScanThatNobodyListensToWritesItsResults) {
+  const TemporaryFolder folder;
+  const Finished run =
+      runProgram({"sh", "-c",
+                  "(" SCANTROVE_BINARY " scan demo --frames 3 --out " + (folder / "out").string() +
+                      "; echo $? > " + (folder / "code").string() + ") 2>&1 | true"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(readText(folder / "code"), "1\n");  // the summary could not be printed
+  EXPECT_TRUE(fs::exists(folder / "out/report.json"));
+  EXPECT_TRUE(fs::exists(folder / "out/trajectory.txt"));
 }
 
 TEST(Interruption, AKilledScanKeepsTheObjectsThatWereCommitted) {

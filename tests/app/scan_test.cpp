@@ -172,6 +172,62 @@ TEST(ScanFails, OnIntrinsicsThatCannotBeOfTheseImages) {
                    {"--intrinsics"});
 }
 
+/// A recording of the corner whose depth images hold `value` everywhere.
+void writeFlatRecording(const fs::path& folder, int value) {
+  writeRecording(folder, 3);
+  for (const char* name : {"frame-000000.depth.png", "frame-000001.depth.png", "frame-000002.depth.png"}) {
+    cv::imwrite((folder / name).string(), cv::Mat(240, 320, CV_16UC1, cv::Scalar(value)));
+  }
+}
+
+TEST(ScanFails, WhenNoFrameCouldBeUsed) {
+  const TemporaryFolder folder;
+  writeFlatRecording(folder / "dark", 0);
+  writeRecording(folder / "recording", 3);
+  for (const char* poses : {"tracked", "given"}) {
+    expectJobFailure(scan(folder / "dark", folder / "out", {"--poses", poses}),
+                     {"No frame could be used", "no readings"});
+    expectJobFailure(scan(folder / "recording", folder / "out", {"--poses", poses, "--depth-scale", "1"}),
+                     {"No frame could be used", "--depth-scale"});
+  }
+  expectJobFailure(scan(folder / "recording", folder / "out", {"--depth-scale", "1e9"}),
+                   {"No frame could be used", "--depth-scale"});
+  expectJobFailure(scan(folder / "recording", folder / "out", {"--set", "fusion.max_depth_m=0.4"}),
+                   {"No frame could be used", "0.3 m to 0.4 m"});
+  expectJobFailure(scantrove({"bench", folder / "dark"}), {"No frame could be used"});
+}
+
+TEST(ScanFails, BeforeItStartsWhenAResultsPlaceIsTaken) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 2);
+  fs::create_directories(folder / "out/cloud.ply");
+  expectJobFailure(scan(folder / "recording", folder / "out"),
+                   {(folder / "out/cloud.ply").string(), "folder"});
+  EXPECT_FALSE(fs::exists(folder / "out/trajectory.txt"));
+  EXPECT_FALSE(fs::exists(folder / "out/catalogue.sqlite"));
+}
+
+TEST(Scan, PrintsOneMessageForADamagedImage) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 3);
+  const fs::path image = folder / "recording/frame-000001.color.png";
+  std::string bytes = readText(image);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x55);
+  std::ofstream(image, std::ios::binary) << bytes;
+  const Finished run = scan(folder / "recording", folder / "out");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.err, HasSubstr("frame-000001.color.png cannot be decoded"));
+  EXPECT_THAT(run.err, testing::Not(HasSubstr("libpng")));
+}
+
+TEST(Scan, FrameNumbersMayHaveLeadingZeros) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 12);
+  const Finished run = scan(folder / "recording", folder / "out", {"--start", "000010"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(reportIn(folder / "out")["frames"]["read"], 2);
+}
+
 TEST(ScanFails, BeforeItStartsWhenTheOutputCannotBeWritten) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("file", "x");

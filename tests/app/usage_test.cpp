@@ -50,19 +50,50 @@ TEST(Usage, ValuesAreChecked) {
     return scantrove(arguments);
   };
   expectWrongUsage(scan({"--frames", "0"}), {"--frames"});
-  expectWrongUsage(scan({"--frames", "many"}), {"--frames"});
+  expectWrongUsage(scan({"--frames", "many"}), {"--frames", "whole number from 1"});
+  expectWrongUsage(scan({"--frames", "1.5"}),
+                   {"--frames", "'1.5' is not a whole number from 1 to 2147483647"});
+  expectWrongUsage(scan({"--start", "99999999999"}), {"--start", "whole number"});
   expectWrongUsage(scan({"--start", "-1"}), {"--start"});
   expectWrongUsage(scan({"--stride", "0"}), {"--stride"});
   expectWrongUsage(scan({"--poses", "guessed"}), {"--poses"});
   expectWrongUsage(scan({"--depth-scale", "0"}), {"--depth-scale"});
-  expectWrongUsage(scan({"--intrinsics", "525,525"}), {"--intrinsics"});
-  expectWrongUsage(scan({"--intrinsics", "0,525,319.5,239.5"}), {"--intrinsics", "fx,fy,cx,cy"});
+  expectWrongUsage(scan({"--intrinsics", "525,525"}), {"--intrinsics", "4 numbers"});
+  expectWrongUsage(scan({"--intrinsics", "a,b,c,d"}), {"--intrinsics", "fx,fy,cx,cy"});
+  expectWrongUsage(scan({"--color-camera", "nearby"}), {"--color-camera", "registered"});
+  expectWrongUsage(scan({"--color-camera", "525,0,320,240,0.025"}), {"--color-camera"});
+  expectWrongUsage(scan({"--intrinsics", "0,525,319.5,239.5"}), {"--intrinsics", "positive"});
   expectWrongUsage(scan({"--intrinsics", "525,nan,319.5,239.5"}), {"--intrinsics"});
   expectWrongUsage(scan({"--config", "missing.toml"}), {"missing.toml"});
   expectWrongUsage(scan({"--set", "segmentation.kk=1"}), {"segmentation.kk", "segmentation.k"});
   expectWrongUsage(scan({"--set", "segmentation.k=1000"}), {"segmentation.k"});
   expectWrongUsage(scan({"--set", "segmentation.k=soft"}), {"segmentation.k"});
+  expectWrongUsage(scan({"--set", "="}), {"key=value"});
+  expectWrongUsage(scan({"--set", "segmentation.k"}), {"key=value"});
+  expectWrongUsage(scan({"--set", "detection.max_views=1.5"}), {"detection.max_views", "whole number"});
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+/// A link that leads to itself.
+TEST(Usage, LinksThatGoInCirclesAreNamedWhereverAPathIsGiven) {
+  const TemporaryFolder folder;
+  const std::string loop = folder / "loop";
+  std::filesystem::create_symlink("loop", loop);
+  const std::vector<std::string> words{loop, "symbolic links"};
+  expectJobFailure(scantrove({"scan", loop, "--out", folder / "out"}), words);
+  expectJobFailure(scantrove({"scan", "demo", "--out", loop}), words);
+  expectJobFailure(scantrove({"evaluate", "trajectory", "--estimate", loop, "--truth", loop}), words);
+  expectJobFailure(scantrove({"evaluate", "segmentation", "--estimate", loop, "--truth", loop}), words);
+  expectWrongUsage(scantrove({"params", "--config", loop}), words);
+}
+
+TEST(Usage, OutputThatCannotBeWrittenIsAFailure) {
+  for (const std::string arguments :
+       {"params", "params --json", "devices", "--help", "scan --help", "--version"}) {
+    const Finished run = runProgram({"sh", "-c", "exec " SCANTROVE_BINARY " " + arguments + " > /dev/full"});
+    EXPECT_EQ(run.exit_code, 1) << arguments;
+    EXPECT_THAT(run.err, testing::StartsWith("scantrove: Cannot write to the standard output")) << arguments;
+  }
 }
 
 TEST(Params, AreListedWithDefaultUnitAndRange) {

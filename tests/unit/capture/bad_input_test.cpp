@@ -9,11 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <opencv2/imgproc.hpp>
 
-#include "core/capture/image_file.h"
-#include "core/capture/image_header.h"
-#include "core/capture/image_integrity.h"
 #include "tests/unit/capture/tiny_recordings.h"
 
 namespace scantrove {
@@ -127,9 +123,8 @@ TEST(BadInput, PipesSocketsDevicesAndFoldersAreNotOpenedAsImages) {
   const auto makePipe = [](const auto& file) { ASSERT_EQ(mkfifo(file.c_str(), 0600), 0); };
   expectSkippedAs("depth", "is a pipe", makePipe);
   expectSkippedAs("color", "is a pipe", makePipe);
-  expectSkippedAs("depth", "is a device", [](const auto& file) {
-    std::filesystem::create_symlink("/dev/zero", file);
-  });
+  expectSkippedAs("depth", "is a device",
+                  [](const auto& file) { std::filesystem::create_symlink("/dev/zero", file); });
   expectSkippedAs("depth", "is a folder", [](const auto& file) { std::filesystem::create_directory(file); });
   expectSkippedAs("depth", "is a socket", [](const auto& file) {
     sockaddr_un address{};
@@ -140,9 +135,8 @@ TEST(BadInput, PipesSocketsDevicesAndFoldersAreNotOpenedAsImages) {
     ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
     ::close(listener);
   });
-  expectSkippedAs("depth", "symbolic links", [](const auto& file) {
-    std::filesystem::create_symlink(file.filename(), file);
-  });
+  expectSkippedAs("depth", "symbolic links",
+                  [](const auto& file) { std::filesystem::create_symlink(file.filename(), file); });
 }
 
 TEST(BadInput, SourcesAndListsThatArePipesAreNamed) {
@@ -159,76 +153,6 @@ TEST(BadInput, SourcesAndListsThatArePipesAreNamed) {
   EXPECT_THAT(openError(list.parent_path()), AllOf(HasSubstr("depth.txt"), HasSubstr("is a pipe")));
   std::filesystem::create_symlink("loop", folder / "loop");
   EXPECT_THAT(openError(folder / "loop"), AllOf(HasSubstr("loop"), HasSubstr("symbolic links")));
-}
-
-/// A PNG that says it has so many pixels; nothing may be decoded to find out.
-std::string pngHeader(std::uint32_t width, std::uint32_t height) {
-  std::string png = "\x89PNG\r\n\x1A\n" + std::string("\0\0\0\rIHDR", 8);
-  for (const std::uint32_t number : {width, height}) {
-    for (const int shift : {24, 16, 8, 0}) png += static_cast<char>(number >> shift);
-  }
-  return png + std::string("\x10\0\0\0\0", 5) + "sum." + std::string("\0\0\0\0IEND", 8) + "sum.";
-}
-
-TEST(BadInput, ImagesThatAreTooLargeAreRefusedByTheirHeader) {
-  const TemporaryFolder folder;
-  for (const auto& [width, height] : {std::pair{8000U, 8000U}, {4097U, 4096U}, {1U, 16'777'217U}, {0x7FFFFFFFU, 9U}}) {
-    folder.write("depth/000000.png", pngHeader(width, height));
-    EXPECT_THAT(openError(folder.path()),
-                AllOf(HasSubstr("000000.png has " + std::to_string(width) + "x" + std::to_string(height)),
-                      HasSubstr("up to 4096x4096")));
-  }
-  folder.write("depth/000000.png", pngHeader(4096, 4096));
-  EXPECT_THAT(openError(folder.path()), HasSubstr("damaged"));  // large enough, but there are no pixels
-}
-
-TEST(ImageHeader, TellsTheSizeOfEveryFormat) {
-  for (const char* extension : {".png", ".jpg", ".bmp", ".ppm", ".pgm", ".tif"}) {
-    std::vector<uchar> bytes;
-    const cv::Mat image(24, 37, std::string(extension) == ".pgm" ? CV_8UC1 : CV_8UC3, cv::Scalar::all(90));
-    ASSERT_TRUE(cv::imencode(extension, image, bytes)) << extension;
-    const auto size = imageSize(bytes);
-    ASSERT_TRUE(size) << extension;
-    EXPECT_EQ(*size, (ImageSize{37, 24})) << extension;
-    EXPECT_FALSE(imageSize({bytes.data(), 2})) << extension;
-  }
-  const std::string commented = "P5 # made\n# by hand\n 640 # wide\n480\n255\n";
-  EXPECT_EQ(imageSize({reinterpret_cast<const uchar*>(commented.data()), commented.size()}), (ImageSize{640, 480}));
-}
-
-/// What our decoders give is what OpenCV gives.
-TEST(ImageDecoders, GiveWhatOpenCvGives) {
-  cv::Mat color(45, 61, CV_8UC3), alpha(45, 61, CV_8UC4), deep(45, 61, CV_16UC3), grey(45, 61, CV_8UC1),
-      depth(45, 61, CV_16UC1);
-  for (cv::Mat* image : {&color, &alpha, &deep, &grey, &depth}) cv::randu(*image, 0, image->depth() == CV_8U ? 255 : 65000);
-  cv::GaussianBlur(color, color, {9, 9}, 3);
-  for (const char* extension : {".png", ".jpg"}) {
-    for (const cv::Mat& image : {color, alpha, deep, grey, depth}) {
-      if (std::string(extension) == ".jpg" && (image.depth() != CV_8U || image.channels() == 4)) continue;
-      std::vector<uchar> bytes;
-      ASSERT_TRUE(cv::imencode(extension, image, bytes));
-      const auto ours = decodeColorImage(bytes, "x");
-      ASSERT_TRUE(ours) << ours.error().message();
-      EXPECT_EQ(cv::norm(*ours, cv::imdecode(bytes, cv::IMREAD_COLOR), cv::NORM_INF), 0) << extension << image.type();
-    }
-  }
-}
-
-TEST(ImageDecoders, SayWhatIsDamagedAndPrintNothing) {
-  cv::Mat noise(48, 64, CV_8UC3);
-  cv::randu(noise, 0, 255);
-  std::vector<uchar> png, jpeg;
-  cv::imencode(".png", noise, png);
-  cv::imencode(".jpg", noise, jpeg);
-  png[png.size() / 2] ^= 0x55;
-  for (std::size_t i = jpeg.size() / 2; i < jpeg.size() / 2 + 40; ++i) jpeg[i] ^= 0x55;
-  testing::internal::CaptureStderr();
-  for (const std::vector<uchar>& bytes : {png, jpeg}) {
-    const auto image = decodeColorImage(bytes, "picture");
-    ASSERT_FALSE(image);
-    EXPECT_THAT(image.error().what, testing::StartsWith("picture cannot be decoded: it is damaged ("));
-  }
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), IsEmpty());
 }
 
 TEST(BadInput, ImageOfAnotherSizeIsSkippedWithBothSizes) {
@@ -345,7 +269,8 @@ TEST(BadInput, WrongDepthScaleIsNoticed) {
 TEST(BadInput, BrokenOniIsRefusedBeforeOpenNiSeesIt) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& bytes) { return openError(folder.write("broken.oni", bytes)); };
-  EXPECT_THAT(error("this is no recording"), AllOf(HasSubstr("broken.oni"), HasSubstr("no OpenNI2 recording")));
+  EXPECT_THAT(error("this is no recording"),
+              AllOf(HasSubstr("broken.oni"), HasSubstr("no OpenNI2 recording")));
   EXPECT_THAT(error("NI10"), HasSubstr("truncated"));
   EXPECT_THAT(error("NI10" + std::string(200, 'x')), HasSubstr("damaged at byte 24"));
 }
@@ -361,40 +286,6 @@ TEST(BadInput, ALayoutsColourCameraCanBeGiven) {
   const FrameRead read = (*source)->next();
   ASSERT_EQ(read.status, Status::frame);
   EXPECT_EQ(read.frame.color.size(), read.frame.depth.size());
-}
-
-TEST(ImageDamage, IsFoundAtEveryLength) {
-  std::vector<uchar> png, jpeg;
-  cv::Mat noise(24, 32, CV_8UC3);
-  cv::randu(noise, 0, 255);
-  cv::imencode(".png", noise, png);
-  cv::imencode(".jpg", noise, jpeg);
-  for (const std::vector<uchar>& image : {png, jpeg}) {
-    EXPECT_THAT(findImageDamage(image), IsEmpty());
-    for (std::size_t length = 0; length < image.size(); ++length) {
-      EXPECT_FALSE(findImageDamage({image.data(), length}).empty()) << length << " of " << image.size();
-    }
-  }
-}
-
-TEST(ImageDamage, TrailingBytesAreNoDamage) {
-  std::vector<uchar> jpeg;
-  cv::imencode(".jpg", tinyColor(3), jpeg);
-  jpeg.insert(jpeg.end(), 100, 0);
-  EXPECT_THAT(findImageDamage(jpeg), IsEmpty());
-}
-
-TEST(ImageDamage, FlippedBitsAreAnErrorNotAPicture) {
-  const TemporaryFolder folder;
-  std::vector<uchar> png;
-  cv::Mat noise(kTinyHeight, kTinyWidth, CV_16UC1);
-  cv::randu(noise, 0, 60000);
-  cv::imencode(".png", noise, png);
-  png[png.size() / 2] ^= 0x40;
-  const auto file = folder.write("depth.png", std::string(png.begin(), png.end()));
-  const auto image = readDepthImage(file);
-  ASSERT_FALSE(image);
-  EXPECT_THAT(image.error().what, HasSubstr("depth.png"));
 }
 
 }  // namespace

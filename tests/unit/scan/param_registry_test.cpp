@@ -70,7 +70,8 @@ TEST(ParamRegistry, WholeNumbersStayWhole) {
 
 TEST(ParamRegistry, UnknownKeysNameThoseThatAreNear) {
   EXPECT_THAT(refusal("voxel_size_m=1"), HasSubstr("Did you mean 'fusion.voxel_size_m'?"));
-  EXPECT_THAT(refusal("fusion.depth_m=1"), testing::AllOf(HasSubstr("'fusion.min_depth_m'"), HasSubstr("'fusion.max_depth_m'")));
+  EXPECT_THAT(refusal("fusion.depth_m=1"),
+              testing::AllOf(HasSubstr("'fusion.min_depth_m'"), HasSubstr("'fusion.max_depth_m'")));
   EXPECT_THAT(refusal("laundry=1"), testing::Not(HasSubstr("Did you mean")));
 }
 
