@@ -1,7 +1,5 @@
 #include "core/labeling/label_table.h"
 
-#include <numeric>
-
 #include "core/base/check.h"
 
 namespace scantrove {
@@ -27,38 +25,13 @@ std::uint32_t LabelTable::find(std::uint32_t label) const {
 
 RegionId LabelTable::regionOf(std::uint32_t label) const { return RegionId{find(label)}; }
 
-bool LabelTable::join(RegionId into, RegionId from, Cause cause, int frame) {
+bool LabelTable::join(RegionId into, RegionId from) {
   const std::uint32_t into_root = find(into.value);
   const std::uint32_t from_root = find(from.value);
   if (into_root == from_root || into_root == 0 || from_root == 0) return false;
   parents_[from_root] = into_root;
-  log_.resize(done_);
-  log_.push_back({RegionId{into_root}, RegionId{from_root}, cause, frame});
-  ++done_;
-  ++version_;
   flat_is_current_ = false;
   return true;
-}
-
-bool LabelTable::undo() {
-  if (done_ == 0) return false;
-  --done_;
-  replay();
-  return true;
-}
-
-bool LabelTable::redo() {
-  if (done_ == log_.size()) return false;
-  ++done_;
-  replay();
-  return true;
-}
-
-void LabelTable::replay() {
-  std::iota(parents_.begin(), parents_.end(), 0U);
-  for (const Join& entry : log()) parents_[find(entry.from.value)] = find(entry.into.value);
-  ++version_;
-  flat_is_current_ = false;
 }
 
 const std::vector<std::uint32_t>& LabelTable::regionOfLabel() const {

@@ -48,16 +48,16 @@ EdgesOfSegment edgesBySegment(const OverlapGraph& graph, Criterion holds, float 
   return edges;
 }
 
-void joinRegions(RegionId a, RegionId b, LabelTable& table, int frame, RegionMerger::Outcome& outcome) {
+void joinRegions(RegionId a, RegionId b, LabelTable& table, RegionMerger::Outcome& outcome) {
   const RegionId into = table.regionOf(a.value);
   const RegionId from = table.regionOf(b.value);
-  if (table.join(into, from, LabelTable::Cause::algorithm, frame)) outcome.joined.emplace_back(into, from);
+  if (table.join(into, from)) outcome.joined.emplace_back(into, from);
 }
 
 }  // namespace
 
 void RegionMerger::joinComponents(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table,
-                                  int frame, Outcome& outcome) const {
+                                  Outcome& outcome) const {
   const std::size_t region_count = graph.region_ids.size();
   std::vector<std::vector<std::uint32_t>> segments_of(region_count);
   std::vector<std::vector<std::uint32_t>> regions_of(graph.segment_areas_px.size());
@@ -88,15 +88,13 @@ void RegionMerger::joinComponents(const OverlapGraph& graph, const LabelingParam
     });
     for (const std::uint32_t region : component) {
       if (region == largest) continue;
-      joinRegions(RegionId{graph.region_ids[largest]}, RegionId{graph.region_ids[region]}, table, frame,
-                  outcome);
+      joinRegions(RegionId{graph.region_ids[largest]}, RegionId{graph.region_ids[region]}, table, outcome);
     }
   }
 }
 
 void RegionMerger::joinByEvidence(const OverlapGraph& graph, const std::vector<RegionPair>& touching,
-                                  const LabelingParams& params, LabelTable& table, int frame,
-                                  Outcome& outcome) {
+                                  const LabelingParams& params, LabelTable& table, Outcome& outcome) {
   std::set<RegionPair> bridged;
   for (const auto& edges : edgesBySegment(graph, &OverlapGraph::covers, params.overlap_threshold)) {
     for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -117,7 +115,7 @@ void RegionMerger::joinByEvidence(const OverlapGraph& graph, const std::vector<R
     if (++evidence_[pair] < params.evidence_frames) continue;
     const bool first_is_larger = area_in_view[pair.first] >= area_in_view[pair.second];
     joinRegions(RegionId{first_is_larger ? pair.first : pair.second},
-                RegionId{first_is_larger ? pair.second : pair.first}, table, frame, outcome);
+                RegionId{first_is_larger ? pair.second : pair.first}, table, outcome);
   }
   if (!outcome.joined.empty()) renameJoined(table);
 }
@@ -136,7 +134,7 @@ void RegionMerger::renameJoined(const LabelTable& table) {
 
 RegionMerger::Outcome RegionMerger::merge(const SegmentMap& segments,
                                           std::span<const std::uint32_t> projected, LabelTable& table,
-                                          const LabelingParams& params, int frame) {
+                                          const LabelingParams& params) {
   Outcome outcome;
   std::vector<std::uint32_t> projected_regions(projected.size());
   const auto& region_of_label = table.regionOfLabel();
@@ -146,9 +144,9 @@ RegionMerger::Outcome RegionMerger::merge(const SegmentMap& segments,
 
   const bool by_evidence = params.rule == LabelingParams::Rule::evidence;
   if (by_evidence) {
-    joinByEvidence(graph, touchingRegions(projected_regions, segments.width), params, table, frame, outcome);
+    joinByEvidence(graph, touchingRegions(projected_regions, segments.width), params, table, outcome);
   } else {
-    joinComponents(graph, params, table, frame, outcome);
+    joinComponents(graph, params, table, outcome);
   }
 
   // The label of each segment, and the regions whose pixels it leaves alone.

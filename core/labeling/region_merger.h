@@ -36,15 +36,15 @@ class RegionMerger {
   /// `projected`: raw labels, pixel by pixel like `segments.ids`. Pixels without segment keep their projected
   /// label.
   [[nodiscard]] Outcome merge(const SegmentMap& segments, std::span<const std::uint32_t> projected,
-                              LabelTable& table, const LabelingParams& params, int frame);
+                              LabelTable& table, const LabelingParams& params);
 
  private:
   using RegionPair = std::pair<std::uint32_t, std::uint32_t>;  // smaller id first
 
-  void joinComponents(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table, int frame,
+  void joinComponents(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table,
                       Outcome& outcome) const;
   void joinByEvidence(const OverlapGraph& graph, const std::vector<RegionPair>& touching,
-                      const LabelingParams& params, LabelTable& table, int frame, Outcome& outcome);
+                      const LabelingParams& params, LabelTable& table, Outcome& outcome);
 
   /// What was known of a region that was joined is now known of the region that it became part of.
   void renameJoined(const LabelTable& table);

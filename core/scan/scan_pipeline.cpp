@@ -15,7 +15,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
   SCANTROVE_TRY(
       moveInto(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
-  SCANTROVE_TRY(moveInto(pipeline->tracker_, Tracker::create(compute)));
+  SCANTROVE_TRY(moveInto(pipeline->tracker_, Tracker::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
   SCANTROVE_TRY(moveInto(pipeline->cloud_, LabelCloud::create(compute)));
@@ -63,7 +63,6 @@ Result<FrameResult> ScanPipeline::runStages(const RgbdFrame& frame) {
 
   result.pose = stage("track", [&] { return estimatePose(frame, *depth); });
   touched_ = {};
-  ++frame_;
   if (!result.pose.usable()) return result;
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
 
@@ -73,8 +72,8 @@ Result<FrameResult> ScanPipeline::runStages(const RgbdFrame& frame) {
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
   const std::vector<std::uint32_t> projected =
       stage("project", [&] { return cloud_->project(surface_, map_->bricks()); });
-  RegionMerger::Outcome merged = stage(
-      "merge", [&] { return merger_.merge(result.segments, projected, table_, params_.labeling, frame_); });
+  RegionMerger::Outcome merged =
+      stage("merge", [&] { return merger_.merge(result.segments, projected, table_, params_.labeling); });
   result.regions = std::move(merged.map);
   touched_ = stage("update", [&] {
     return cloud_->update(surface_, result.regions, table_, params_.labeling, map_->bricks());

@@ -103,7 +103,6 @@ class ScanPipeline {
   std::optional<Eigen::Isometry3d> last_pose_;         // of the last usable frame
   std::optional<Eigen::Isometry3d> before_last_pose_;  // of the frame before it, if that was usable too
   std::span<const cl_int> touched_;
-  int frame_ = 0;
 };
 
 }  // namespace scantrove

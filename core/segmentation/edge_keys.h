@@ -9,13 +9,6 @@ namespace scantrove {
 inline constexpr std::uint16_t kEdgeNever = EDGE_NEVER;
 inline constexpr std::uint32_t kEdgeKeys = EDGE_KEYS;  ///< keys of weights are 0 .. kEdgeKeys - 1
 
-/// The key of a weight in [0, 4]; monotone (edge_layout.h).
-[[nodiscard]] inline std::uint16_t edgeKey(float weight) {
-  const float floored = weight > EDGE_WEIGHT_FLOOR ? weight : EDGE_WEIGHT_FLOOR;
-  return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(floored) - EDGE_WEIGHT_FLOOR_BITS) >>
-                                    EDGE_KEY_SHIFT);
-}
-
 /// The weight that a key stands for: the smallest with that key, within 1/2048 of the original; 0 for the
 /// lowest.
 [[nodiscard]] inline float edgeWeight(std::uint16_t key) {

@@ -45,8 +45,6 @@ class GraphPartition {
     return node;
   }
 
-  [[nodiscard]] std::uint32_t sizeOf(std::uint32_t root) const { return nodes_[root].size; }
-
  private:
   struct Node {
     std::uint32_t parent;

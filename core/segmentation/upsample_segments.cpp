@@ -25,35 +25,6 @@ constexpr float kDepthPerPixel_m =
 
 }  // namespace
 
-SegmentMap upsample(const SegmentMap& segments, int width, int height) {
-  SCANTROVE_CHECK(width >= 0 && height >= 0);
-  SegmentMap result;
-  result.width = width;
-  result.height = height;
-  result.ids.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  result.areas.assign(segments.areas.empty() ? 1 : segments.areas.size(), 0);
-  if (segments.ids.empty()) {
-    result.areas[0] = width * height;
-    return result;
-  }
-  if (!segments.depths_m.empty()) result.depths_m.assign(result.ids.size(), 0.0F);
-  const std::vector<std::size_t> source_x = nearest(segments.width, width);
-  const std::vector<std::size_t> source_y = nearest(segments.height, height);
-  std::size_t target = 0;
-  for (const std::size_t y : source_y) {
-    const std::uint32_t* row = segments.ids.data() + y * static_cast<std::size_t>(segments.width);
-    for (const std::size_t x : source_x) {
-      result.ids[target] = row[x];
-      if (!segments.depths_m.empty()) {
-        result.depths_m[target] = segments.depths_m[y * static_cast<std::size_t>(segments.width) + x];
-      }
-      ++target;
-      ++result.areas[row[x]];
-    }
-  }
-  return result;
-}
-
 std::vector<std::uint32_t> upsampleByDepth(std::span<const std::uint32_t> ids,
                                            std::span<const float> depths_m, int width, int height,
                                            const DepthGuide& guide) {

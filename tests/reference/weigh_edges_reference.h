@@ -1,8 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+
+#include "core/segmentation/kernels/edge_layout.h"
 
 namespace scantrove::reference {
 
@@ -14,6 +18,13 @@ inline std::optional<double> edgeWeight(const Eigen::Vector3d& v_i, const Eigen:
   if ((v_i - v_j).norm() >= d_max) return std::nullopt;
   const double concave = 1 - n_i.dot(n_j);
   return (v_j - v_i).dot(n_j) > 0 ? concave * concave : concave;
+}
+
+/// The key of a weight in [0, 4]; monotone (edge_layout.h).
+[[nodiscard]] inline std::uint16_t edgeKey(float weight) {
+  const float floored = weight > EDGE_WEIGHT_FLOOR ? weight : EDGE_WEIGHT_FLOOR;
+  return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(floored) - EDGE_WEIGHT_FLOOR_BITS) >>
+                                    EDGE_KEY_SHIFT);
 }
 
 }  // namespace scantrove::reference

@@ -214,7 +214,7 @@ TEST_P(LabelCloudTest, ConfidenceKeepsALabelAgainstFewerDisagreements) {
   write(second, 1);
   EXPECT_EQ(held(), std::set<std::uint32_t>{second.value});
   // Labels of one region agree whatever their numbers: the voxel keeps its own.
-  table.join(first, second, LabelTable::Cause::algorithm, 0);
+  table.join(first, second);
   write(first, 4);
   EXPECT_EQ(held(), std::set<std::uint32_t>{second.value});
 }

@@ -74,7 +74,7 @@ TEST(RegionMerger, ASegmentOnUnlabelledGroundGetsANewLabel) {
   LabelTable table;
   RegionMerger merger;
   const auto outcome =
-      merger.merge(segmentsOf({1, 1, 2, 0}), std::vector<std::uint32_t>(4, 0), table, thesisRule(), 0);
+      merger.merge(segmentsOf({1, 1, 2, 0}), std::vector<std::uint32_t>(4, 0), table, thesisRule());
   EXPECT_EQ(outcome.map.labels, (std::vector<std::uint32_t>{1, 1, 2, 0}));
   EXPECT_EQ(outcome.map.regions, outcome.map.labels);
   EXPECT_TRUE(outcome.joined.empty());
@@ -84,7 +84,7 @@ TEST(RegionMerger, TwoSegmentsOnOneRegionAreThatRegion) {
   LabelTable table = tableWith(5);
   RegionMerger merger;
   const auto outcome =
-      merger.merge(segmentsOf({1, 1, 1, 2, 2, 2}), std::vector<std::uint32_t>(6, 5), table, thesisRule(), 0);
+      merger.merge(segmentsOf({1, 1, 1, 2, 2, 2}), std::vector<std::uint32_t>(6, 5), table, thesisRule());
   EXPECT_EQ(outcome.map.regions, std::vector<std::uint32_t>(6, 5));
 }
 
@@ -92,7 +92,7 @@ TEST(RegionMerger, ThesisRuleJoinsWhatOneSegmentCoversIntoTheLargest) {
   LabelTable table = tableWith(4);
   RegionMerger merger;
   const auto outcome = merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 4, 4, 4},
-                                    table, thesisRule(), 0);
+                                    table, thesisRule());
   EXPECT_EQ(outcome.map.regions, std::vector<std::uint32_t>(5, 4));
   EXPECT_EQ(table.regionOf(2), RegionId{4});
   EXPECT_EQ(outcome.joined, (std::vector<std::pair<RegionId, RegionId>>{{RegionId{4}, RegionId{2}}}));
@@ -103,7 +103,7 @@ TEST(RegionMerger, ThesisRuleFollowsChains) {
   LabelTable table = tableWith(3);
   RegionMerger merger;
   (void)merger.merge(segmentsOf({1, 1, 1, 2, 2, 2}), std::vector<std::uint32_t>{1, 1, 2, 2, 3, 3}, table,
-                     thesisRule(), 0);
+                     thesisRule());
   EXPECT_EQ(table.regionOf(1), table.regionOf(3));
 }
 
@@ -111,7 +111,7 @@ TEST(RegionMerger, PixelsWithoutSegmentKeepTheirRegion) {
   LabelTable table = tableWith(2);
   RegionMerger merger;
   const auto outcome =
-      merger.merge(segmentsOf({1, 1, 0}), std::vector<std::uint32_t>{1, 1, 2}, table, thesisRule(), 0);
+      merger.merge(segmentsOf({1, 1, 0}), std::vector<std::uint32_t>{1, 1, 2}, table, thesisRule());
   EXPECT_EQ(outcome.map.regions, (std::vector<std::uint32_t>{1, 1, 2}));
 }
 
@@ -121,12 +121,13 @@ TEST(RegionMerger, EvidenceRuleWaitsAndMeanwhileOverwritesNeitherRegion) {
   const SegmentMap bridge = segmentsOf({1, 1, 1, 1, 1, 1});
   const std::vector<std::uint32_t> projected{1, 1, 1, 2, 2, 0};
   for (int frame = 0; frame < 2; ++frame) {
-    const auto outcome = merger.merge(bridge, projected, table, evidenceRule(3), frame);
+    const auto outcome = merger.merge(bridge, projected, table, evidenceRule(3));
     EXPECT_EQ(outcome.map.regions, (std::vector<std::uint32_t>{1, 1, 1, 2, 2, 1})) << "frame " << frame;
+    EXPECT_TRUE(outcome.joined.empty());
   }
-  const auto outcome = merger.merge(bridge, projected, table, evidenceRule(3), 2);
+  const auto outcome = merger.merge(bridge, projected, table, evidenceRule(3));
   EXPECT_EQ(outcome.map.regions, std::vector<std::uint32_t>(6, 1));
-  EXPECT_EQ(table.log()[0].frame, 2);
+  EXPECT_EQ(outcome.joined, (std::vector<std::pair<RegionId, RegionId>>{{RegionId{1}, RegionId{2}}}));
 }
 
 /// Two regions side by side, `height` rows high (they touch along that many pixels), and segments over them.
@@ -153,8 +154,8 @@ TEST(RegionMerger, SeenApartCountsAgainst) {
   RegionMerger merger;
   const Neighbours scene;
   for (int round = 0; round < 10; ++round) {
-    (void)merger.merge(scene.apart, scene.projected, table, evidenceRule(2), round);
-    (void)merger.merge(scene.bridge, scene.projected, table, evidenceRule(2), round);
+    (void)merger.merge(scene.apart, scene.projected, table, evidenceRule(2));
+    (void)merger.merge(scene.bridge, scene.projected, table, evidenceRule(2));
   }
   EXPECT_NE(table.regionOf(1), table.regionOf(2));
 }
@@ -164,13 +165,11 @@ TEST(RegionMerger, ALongTimeApartOutweighsAShortLeakButNotForEver) {
   RegionMerger merger;
   const Neighbours scene;
   const LabelingParams params = evidenceRule(3);
-  for (int frame = 0; frame < 100; ++frame)
-    (void)merger.merge(scene.apart, scene.projected, table, params, frame);
+  for (int frame = 0; frame < 100; ++frame) (void)merger.merge(scene.apart, scene.projected, table, params);
   // 6 votes against at the most (twice 3), and a lead of 3 for: the ninth frame joins.
-  for (int frame = 0; frame < 8; ++frame)
-    (void)merger.merge(scene.bridge, scene.projected, table, params, frame);
+  for (int frame = 0; frame < 8; ++frame) (void)merger.merge(scene.bridge, scene.projected, table, params);
   EXPECT_NE(table.regionOf(1), table.regionOf(2));
-  (void)merger.merge(scene.bridge, scene.projected, table, params, 8);
+  (void)merger.merge(scene.bridge, scene.projected, table, params);
   EXPECT_EQ(table.regionOf(1), table.regionOf(2));
 }
 
@@ -179,14 +178,12 @@ TEST(RegionMerger, EvidenceFollowsARegionThatWasJoined) {
   RegionMerger merger;
   const LabelingParams params = evidenceRule(2);
   // Once for the pair 2 - 3, then 1 takes 2 in; once more for (1, was 2) - 3 completes it.
-  (void)merger.merge(segmentsOf({1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 3, 3}, table, params, 0);
-  (void)merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{1, 1, 1, 2, 2}, table, params,
-                     1);
-  (void)merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{1, 1, 1, 2, 2}, table, params,
-                     2);
+  (void)merger.merge(segmentsOf({1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 3, 3}, table, params);
+  (void)merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{1, 1, 1, 2, 2}, table, params);
+  (void)merger.merge(segmentsOf({1, 1, 1, 1, 1}), std::vector<std::uint32_t>{1, 1, 1, 2, 2}, table, params);
   ASSERT_EQ(table.regionOf(2), RegionId{1});
   ASSERT_NE(table.regionOf(3), RegionId{1});
-  (void)merger.merge(segmentsOf({1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 3, 3}, table, params, 3);
+  (void)merger.merge(segmentsOf({1, 1, 1, 1}), std::vector<std::uint32_t>{2, 2, 3, 3}, table, params);
   EXPECT_EQ(table.regionOf(3), table.regionOf(1));
 }
 

@@ -8,9 +8,12 @@
 
 #include "core/segmentation/edge_keys.h"
 #include "tests/reference/graph_partition_reference.h"
+#include "tests/reference/weigh_edges_reference.h"
 
 namespace scantrove {
 namespace {
+
+using reference::edgeKey;
 
 struct RandomGraph {
   std::size_t nodes;

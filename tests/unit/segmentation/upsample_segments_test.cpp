@@ -10,38 +10,21 @@
 namespace scantrove {
 namespace {
 
-TEST(Upsample, TakesThePixelThatHoldsTheCentre) {
-  const SegmentMap map{3, 2, {1, 2, 0, 3, 3, 2}, {1, 1, 2, 2}, {}};
-  const SegmentMap larger = upsample(map, 6, 4);
-  EXPECT_EQ(larger.ids, (std::vector<std::uint32_t>{1, 1, 2, 2, 0, 0, 1, 1, 2, 2, 0, 0,  //
-                                                    3, 3, 3, 3, 2, 2, 3, 3, 3, 3, 2, 2}));
-  EXPECT_EQ(larger.areas, (std::vector<int>{4, 4, 8, 8}));
-}
-
-TEST(Upsample, AgreesWithTheIntrinsicsAtOddSizes) {
-  SegmentMap map{7, 5, {}, {0}, {}};
-  for (std::uint32_t i = 1; i <= 35; ++i) {
-    map.ids.push_back(i);
-    map.areas.push_back(1);
-  }
-  const SegmentMap larger = upsample(map, 16, 9);
+TEST(UpsampleByDepth, WithoutReadingsTakesThePixelThatTheSmallCameraSees) {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t i = 1; i <= 35; ++i) ids.push_back(i);
+  const std::vector<std::uint16_t> no_depth(16 * 9, 0);
+  const std::vector<std::uint32_t> larger =
+      upsampleByDepth(ids, std::vector<float>(35, 1.0F), 7, 5, {16, 9, no_depth, 0.001F});
   const Intrinsics K{1, 1, 0, 0, 16, 9};
   const Intrinsics small = K.resizedTo(7, 5);
   for (int v = 0; v < 9; ++v) {
     for (int u = 0; u < 16; ++u) {
-      // The pixel in which the small camera sees what the large one sees at (u, v).
       const int x = static_cast<int>(std::floor(static_cast<float>(u) * small.fx + small.cx + 0.5F));
       const int y = static_cast<int>(std::floor(static_cast<float>(v) * small.fy + small.cy + 0.5F));
-      EXPECT_EQ(larger.ids[static_cast<std::size_t>(v * 16 + u)],
-                map.ids[static_cast<std::size_t>(y * 7 + x)]);
+      EXPECT_EQ(larger[static_cast<std::size_t>(v * 16 + u)], ids[static_cast<std::size_t>(y * 7 + x)]);
     }
   }
-}
-
-TEST(Upsample, EmptyMapsGiveUnlabelledPixels) {
-  const SegmentMap result = upsample(SegmentMap{}, 4, 3);
-  EXPECT_EQ(result.ids, std::vector<std::uint32_t>(12, 0));
-  EXPECT_EQ(result.areas, std::vector<int>{12});
 }
 
 TEST(UpsampleByDepth, OutlinesFollowTheDepthImage) {
