@@ -55,7 +55,8 @@ float visibleArea(const RegionExtent& extent, const DiscoveryInput& input) {
   return static_cast<float>(sum / (static_cast<double>(input.K.fx) * static_cast<double>(input.K.fy)));
 }
 
-float hiddenFraction(const RegionExtent& extent, const DiscoveryInput& input) {
+float hiddenFraction(const RegionExtent& extent, const DiscoveryInput& input, const DiscoveryParams& params) {
+  constexpr float kGrowsFrom_m = 1.5F;
   constexpr int kStep = 2;  // pixels at an edge may lie between the two surfaces: look beyond the first
   const int width = input.regions.width, height = input.regions.height;
   const auto pixelAt = [&](int u, int v) {
@@ -73,7 +74,8 @@ float hiddenFraction(const RegionExtent& extent, const DiscoveryInput& input) {
         continue;
       const float z = depth(vertex);
       ++steps;
-      if (depth(input.vertices_world[beyond]) < z - std::max(0.03F, 0.02F * z)) ++hidden;
+      if (depth(input.vertices_world[beyond]) < z - params.hiding_step_m * std::max(1.0F, z / kGrowsFrom_m))
+        ++hidden;
     }
   });
   return steps == 0 ? 0 : static_cast<float>(hidden) / static_cast<float>(steps);

@@ -5,8 +5,11 @@
 
 namespace scantrove {
 
-cv::Rect visibleFrame(const RegionCensus& census, int width, int height) {
-  const int strip_u = width / 25, strip_v = height / 25;
+cv::Rect visibleFrame(const RegionCensus& census, int width, int height, const DiscoveryParams& params) {
+  const auto stripOf = [&](int size) {
+    return static_cast<int>(params.max_strip_fraction * static_cast<float>(size));
+  };
+  const int strip_u = stripOf(width), strip_v = stripOf(height);
   const cv::Rect& seen = census.labelled_px;
   // A gap wider than a strip is no strip: the image's own edge holds there.
   const auto inset = [](int gap, int strip) { return gap <= strip ? gap : 0; };
@@ -47,24 +50,6 @@ bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params) {
 
 bool isNotBackground(float hidden_fraction, const DiscoveryParams& params) {
   return hidden_fraction <= params.max_hidden_fraction;
-}
-
-std::vector<DiscoveryRule> brokenRules(const RegionExtent& extent, const RegionShape& shape,
-                                       const cv::Rect& visible_px, const Intrinsics& K,
-                                       const DiscoveryParams& params) {
-  std::vector<DiscoveryRule> broken;
-  const auto ask = [&](DiscoveryRule rule, bool holds) {
-    if (!holds) broken.push_back(rule);
-  };
-  ask(DiscoveryRule::off_border, isOffBorder(extent, visible_px, params));
-  ask(DiscoveryRule::enough_points, hasEnoughPoints(extent, K, params));
-  ask(DiscoveryRule::central, isCentral(extent, K, params));
-  ask(DiscoveryRule::not_eccentric, isNotEccentric(extent, params));
-  ask(DiscoveryRule::persistent, shape.is_persistent);
-  ask(DiscoveryRule::size_in_range, isSizeInRange(shape.box, params));
-  ask(DiscoveryRule::not_flat, isNotFlat(shape.box, params));
-  ask(DiscoveryRule::not_background, isNotBackground(shape.hidden_fraction, params));
-  return broken;
 }
 
 }  // namespace scantrove

@@ -54,7 +54,7 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!history_.isPersistent(extent.region, params_.persistent_frames, params_.size_tolerance)) continue;
       const OrientedBox box = fitOrientedBox(pointsOf(extent, input));
       if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
-      if (!isNotBackground(hiddenFraction(extent, input), params_)) continue;
+      if (!isNotBackground(hiddenFraction(extent, input, params_), params_)) continue;
       candidates.push_back(toCandidate(extent, box, input));
     }
     return candidates;
@@ -64,7 +64,7 @@ class RuleBasedFinder final : public CandidateFinder {
   /// Regions that are seen entirely and are not too small: only their size means anything.
   [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census,
                                                        const DiscoveryInput& input) const {
-    const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height);
+    const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height, params_);
     std::vector<RegionExtent> whole;
     for (const RegionExtent& extent : census.extents) {
       if (isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.K, params_))

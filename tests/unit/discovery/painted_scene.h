@@ -10,13 +10,13 @@ namespace scantrove::test {
 
 /// A camera of 160 x 120 at the origin of a world turned and moved by `T_world_camera`, looking at regions
 /// that are painted as image rectangles with a depth for each pixel.
-struct AnalyticScene {
+struct PaintedScene {
   Intrinsics K{150, 150, 79.5F, 59.5F, 160, 120};
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   RegionMap map;
   std::vector<Eigen::Vector4f> vertices;
 
-  AnalyticScene() {
+  PaintedScene() {
     map.width = K.width;
     map.height = K.height;
     map.regions.assign(static_cast<std::size_t>(K.pixels()), 0);
