@@ -24,15 +24,12 @@ std::string bandOptions(const FusionParams& params) {
 }  // namespace
 
 Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const FusionParams& params) {
-  Result<Kernel> find =
-      compute.kernel(kernels::find_missing_bricks, "find_missing_bricks", bandOptions(params));
-  if (!find) return fail(find.error());
-  Result<Kernel> list =
-      compute.kernel(kernels::list_missing_bricks, "list_missing_bricks", bandOptions(params));
-  if (!list) return fail(list.error());
   BrickAllocator result(compute, params);
-  result.find_missing_bricks_ = *find;
-  result.list_missing_bricks_ = *list;
+  const std::string options = bandOptions(params);
+  SCANTROVE_TRY(moveInto(result.find_missing_bricks_,
+                         compute.kernel(kernels::find_missing_bricks, "find_missing_bricks", options)));
+  SCANTROVE_TRY(moveInto(result.list_missing_bricks_,
+                         compute.kernel(kernels::list_missing_bricks, "list_missing_bricks", options)));
   result.seen_ = Buffer<cl_uint>(compute.context(), kSeenSize);
   result.list_ = Buffer<cl_int4>(compute.context(), kFirstListSize);
   result.count_ = Buffer<cl_int>(compute.context(), 1);

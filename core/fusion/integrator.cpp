@@ -18,16 +18,13 @@ constexpr std::size_t tiles(int pixels) { return static_cast<std::size_t>((pixel
 
 Result<Integrator> Integrator::create(ComputeContext& compute, const FusionParams& params) {
   const std::string options = "-DTILE=" + std::to_string(kTile);
-  Result<Kernel> reduce = compute.kernel(kernels::reduce_depth_tiles, "reduce_depth_tiles", options);
-  if (!reduce) return fail(reduce.error());
-  Result<Kernel> find = compute.kernel(kernels::find_brick_readings, "find_brick_readings", options);
-  if (!find) return fail(find.error());
-  Result<Kernel> integrate = compute.kernel(kernels::integrate_bricks, "integrate_bricks");
-  if (!integrate) return fail(integrate.error());
   Integrator result(compute, params);
-  result.reduce_depth_tiles_ = *reduce;
-  result.find_brick_readings_ = *find;
-  result.integrate_bricks_ = *integrate;
+  SCANTROVE_TRY(moveInto(result.reduce_depth_tiles_,
+                         compute.kernel(kernels::reduce_depth_tiles, "reduce_depth_tiles", options)));
+  SCANTROVE_TRY(moveInto(result.find_brick_readings_,
+                         compute.kernel(kernels::find_brick_readings, "find_brick_readings", options)));
+  SCANTROVE_TRY(
+      moveInto(result.integrate_bricks_, compute.kernel(kernels::integrate_bricks, "integrate_bricks")));
   return result;
 }
 

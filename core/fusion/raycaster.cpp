@@ -22,16 +22,13 @@ constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams& params) {
   const std::string options = "-DPAD=" + std::to_string(kPad);
-  Result<Kernel> cast = compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=3");
-  if (!cast) return fail(cast.error());
-  Result<Kernel> fit = compute.kernel(kernels::fit_planes, "fit_planes", options + kPlaneOptions);
-  if (!fit) return fail(fit.error());
-  Result<Kernel> orient = compute.kernel(kernels::orient_surface, "orient_surface", options + kPlaneOptions);
-  if (!orient) return fail(orient.error());
   Raycaster result(compute, params);
-  result.cast_rays_ = *cast;
-  result.fit_planes_ = *fit;
-  result.orient_surface_ = *orient;
+  SCANTROVE_TRY(moveInto(result.cast_rays_,
+                         compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=3")));
+  SCANTROVE_TRY(moveInto(result.fit_planes_,
+                         compute.kernel(kernels::fit_planes, "fit_planes", options + kPlaneOptions)));
+  SCANTROVE_TRY(moveInto(result.orient_surface_,
+                         compute.kernel(kernels::orient_surface, "orient_surface", options + kPlaneOptions)));
   return result;
 }
 
