@@ -14,7 +14,8 @@ namespace {
 constexpr int kLevels = 3;
 constexpr int kSmallestLevel_px = 16;   ///< no level narrower or lower than this, besides the first
 constexpr float kRangeBase_m = 0.008F;  ///< reach of the filter over depth, at depth 0 ...
-constexpr float kRangePerZ2 = 0.008F;   ///< ... and its growth with z^2
+constexpr float kRangeInNoise =
+    16.0F / 3;  ///< ... and its growth with z^2, in standard deviations of the depth
 
 Intrinsics workingIntrinsics(const Intrinsics& K, int working_width) {
   if (K.width <= working_width) return K;
@@ -119,7 +120,8 @@ void DepthPreprocessor::reduceAndFilter() {
   }
   filter_.launch(imageRange(reduced_.runs, reduced_.height), cl::NullRange, reduced_.metres,
                  cl_int{reduced_.runs}, cl_int{reduced_.height}, cl_int{reduced_.stride},
-                 cl_float{kRangeBase_m}, cl_float{kRangePerZ2}, planes_.front().metres);
+                 cl_float{kRangeBase_m}, cl_float{kRangeInNoise * params_.depth_noise_m},
+                 planes_.front().metres);
 }
 
 void DepthPreprocessor::reduce() {

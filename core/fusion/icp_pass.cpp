@@ -15,16 +15,31 @@ constexpr int kCpuRun_px = 600;
 constexpr int kGpuGroup = 32;
 constexpr int kGpuRun_px = 8;
 
+// What is left of a camera's noise next to it: the steps of its depth.
+constexpr float kDepthStep_m = 0.00075F;
+// Gates in standard deviations: pairs farther apart are of two surfaces; residuals from there on are
+// outliers.
+constexpr float kOtherSurface = 20.0F / 3.0F;
+constexpr float kOutlier = 10.0F / 3.0F;
+constexpr float kOutlierOfFit = 5.0F / 3.0F;
+
 }  // namespace
+
+IcpGates IcpGates::of(float distance_m, float depth_noise_m) {
+  return {.distance_m = distance_m,
+          .distance_per_z2 = kOtherSurface * depth_noise_m,
+          .huber_m = kOutlier * kDepthStep_m,
+          .noise_per_z2 = depth_noise_m / kDepthStep_m,
+          .fit_huber_m = kOutlierOfFit * kModelError_m,
+          .fit_noise_per_z2 = depth_noise_m / kModelError_m};
+}
 
 Result<IcpPass> IcpPass::create(ComputeContext& compute) {
   IcpPass pass(compute);
   pass.group_ = compute.isCpu() ? 1 : kGpuGroup;
   pass.run_ = compute.isCpu() ? kCpuRun_px : kGpuRun_px;
-  Result<Kernel> kernel =
-      compute.kernel(kernels::accumulate_icp, "accumulate_icp", "-DGROUP=" + std::to_string(pass.group_));
-  if (!kernel) return fail(kernel.error());
-  pass.kernel_ = std::move(*kernel);
+  SCANTROVE_TRY(moveInto(pass.kernel_, compute.kernel(kernels::accumulate_icp, "accumulate_icp",
+                                                      "-DGROUP=" + std::to_string(pass.group_))));
   return pass;
 }
 

@@ -11,16 +11,18 @@ namespace scantrove {
 
 /// Which pixels are associated in a pass, and how they weigh. Depth noise of structured light grows with z^2.
 struct IcpGates {
-  float distance_m = 0.05F;  ///< farther pairs are not associated; plus distance_per_z2 * z^2
-  float distance_per_z2 = 0.01F;
+  float distance_m = 0;  ///< farther pairs are not associated; plus distance_per_z2 * z^2
+  float distance_per_z2 = 0;
   float normal_cosine = 0.86F;  ///< of the angle between normals, about 30 degrees
-  // Weights: residuals beyond huber_m * n count linearly, and all by 1 / n^2, n = 1 + noise_per_z2 * z^2 (a
-  // Kinect's noise grows 3 times from 1 to 2 m, 6 to 7 times to 3 m).
-  float huber_m = 0.0025F;
-  float noise_per_z2 = 2.0F;
+  // Weights: residuals beyond huber_m * n count linearly, and all by 1 / n^2, n = 1 + noise_per_z2 * z^2.
+  float huber_m = 0;
+  float noise_per_z2 = 0;
   // The same for the residual that judges the fit; milder, so that far surfaces have their say.
-  float fit_huber_m = 0.005F;
-  float fit_noise_per_z2 = 0.5F;
+  float fit_huber_m = 0;
+  float fit_noise_per_z2 = 0;
+
+  /// Those for a camera of so much noise at 1 m (FusionParams::depth_noise_m).
+  [[nodiscard]] static IcpGates of(float distance_m, float depth_noise_m);
 };
 
 /// Runs accumulate_icp: the sums of one frame level against the model at one pose. One thread, the context's;

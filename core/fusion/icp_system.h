@@ -5,6 +5,10 @@
 
 namespace scantrove {
 
+/// Standard deviation of a right model's surface from the true one: half a voxel, and what is left in the
+/// camera's calibration.
+inline constexpr float kModelError_m = 0.003F;
+
 /// The normal equations of one pass of point-to-plane ICP, J x = r, for the twist x = (rotation, translation)
 /// about `centre`: a world point p moves to centre + exp(rotation) (p - centre) + translation. Host side; any
 /// thread.

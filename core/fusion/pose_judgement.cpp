@@ -17,16 +17,18 @@ constexpr double kRest_m = 0.002;
 constexpr double kReach_rad = 0.5;
 constexpr double kReach_m = 0.3;
 
-/// What a pose must show. On recordings of structured-light cameras, right poses had residuals of 0.003 to
-/// 0.008 m (reduced to depth 0) and 0.7 to 0.95 inliers, even over far motions; wrong ones 0.006 to 0.02 m
-/// and 0.75 inliers at most.
+/// What a pose must show. Residuals are in standard deviations of camera and model, whatever the camera
+/// (IcpGates::fit_noise_per_z2). Right poses left 1 to 2.7 of them on recordings of structured-light cameras,
+/// with 0.7 to 0.95 inliers even over far motions; wrong ones 2 to 6.7 with 0.75 inliers at most. After a
+/// small motion a wrong pose is unlikely and half-seen surfaces are common; the more room there was for a
+/// false minimum, the more must be shown.
 struct Evidence {
   double inlier_fraction;
-  double residual_m;  ///< IcpSystem::fit_residual_m
+  double residual;  ///< IcpSystem::fit_residual_m / kModelError_m
 };
-constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual_m = 0.0115};
-constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual_m = 0.0090};
-constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual_m = 0.0070};
+constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 3.8};
+constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 3.0};
+constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 2.3};
 constexpr double kFar_rad = 0.07;
 constexpr double kFar_m = 0.08;
 
@@ -54,7 +56,7 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motio
   const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
   const bool within_reach = angle_rad < kReach_rad && distance_m < kReach_m;
   const bool trusted = pose.free_directions == 0 && at_rest && within_reach &&
-                       system.fit_residual_m <= wanted.residual_m &&
+                       system.fit_residual_m <= wanted.residual * double{kModelError_m} &&
                        pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
                        overlap_of_readings >= kTrustedOverlapOfReadings;
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;

@@ -49,10 +49,10 @@ double costOf(const IcpSystem& system, double gate_m) {
 
 }  // namespace
 
-Result<std::unique_ptr<Tracker>> Tracker::create(ComputeContext& compute) {
+Result<std::unique_ptr<Tracker>> Tracker::create(ComputeContext& compute, const FusionParams& params) {
   Result<IcpPass> pass = IcpPass::create(compute);
   if (!pass) return fail(pass.error());
-  return std::unique_ptr<Tracker>(new Tracker(std::move(*pass)));
+  return std::unique_ptr<Tracker>(new Tracker(std::move(*pass), params.depth_noise_m));
 }
 
 PoseEstimate Tracker::track(const DepthPyramid& frame, const SurfaceMaps& model,
@@ -78,7 +78,7 @@ IcpOutcome Tracker::descend(const DepthPyramid& frame, const SurfaceMaps& model,
                             const Eigen::Isometry3d& guess, std::size_t level) {
   IcpOutcome outcome{
       .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
-  const IcpGates gates{.distance_m = kDistance_m[level]};
+  const IcpGates gates = IcpGates::of(kDistance_m[level], depth_noise_m_);
   for (int i = 0; i < kPasses[level]; ++i) {
     outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
     outcome.step = solveIcp(outcome.system, kSmallestEigenvalue);

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/depth_pyramid.h"
+#include "core/fusion/fusion_params.h"
 #include "core/fusion/icp_pass.h"
 #include "core/fusion/pose_estimate.h"
 #include "core/fusion/pose_judgement.h"
@@ -19,7 +20,8 @@ namespace scantrove {
 /// context's.
 class Tracker {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<Tracker>> create(ComputeContext& compute);
+  [[nodiscard]] static Result<std::unique_ptr<Tracker>> create(ComputeContext& compute,
+                                                               const FusionParams& params);
 
   /// Pose of `frame`, starting from `prediction`. An uncertain pose is remembered as one more start for the
   /// next call, so that a camera is followed in front of one model until it may be trusted again.
@@ -27,7 +29,7 @@ class Tracker {
                                    const Eigen::Isometry3d& prediction);
 
  private:
-  explicit Tracker(IcpPass pass) : pass_(std::move(pass)) {}
+  Tracker(IcpPass pass, float depth_noise_m) : pass_(std::move(pass)), depth_noise_m_(depth_noise_m) {}
 
   /// Passes at one level until the steps are small.
   [[nodiscard]] IcpOutcome descend(const DepthPyramid& frame, const SurfaceMaps& model,
@@ -44,6 +46,7 @@ class Tracker {
   [[nodiscard]] IcpOutcome search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest);
 
   IcpPass pass_;
+  float depth_noise_m_;
   std::optional<Eigen::Isometry3d>
       last_uncertain_;  ///< of the frame before, when it was not trusted but not lost
 };

@@ -11,8 +11,8 @@
 
 namespace scantrove::test {
 
-/// A scene of planes, spheres and boxes whose depth images and normals are known exactly. World frame,
-/// metres.
+/// A scene of planes, spheres, cylinders and boxes whose depth images and normals are known exactly. World
+/// frame, metres.
 class AnalyticScene {
  public:
   /// Where a ray first meets a surface: `t` along the ray's direction, unit normal towards the ray's origin.
@@ -26,24 +26,19 @@ class AnalyticScene {
     const Eigen::Vector3d n = normal.normalized();
     surfaces_.push_back([=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) -> std::optional<Hit> {
       const double t = (point - o).dot(n) / d.dot(n);
-      if (!(t > 0)) return std::nullopt;
+      if (!(t > 0) || !std::isfinite(t)) return std::nullopt;
       return Hit{t, d.dot(n) > 0 ? Eigen::Vector3d(-n) : n};
     });
     return *this;
   }
 
   AnalyticScene& sphere(const Eigen::Vector3d& centre, double radius) {
-    surfaces_.push_back([=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) -> std::optional<Hit> {
-      const Eigen::Vector3d m = o - centre;
-      const double a = d.squaredNorm();
-      const double b = m.dot(d);
-      const double discriminant = b * b - a * (m.squaredNorm() - radius * radius);
-      if (discriminant < 0) return std::nullopt;
-      const double t = (-b - std::sqrt(discriminant)) / a;
-      if (!(t > 0)) return std::nullopt;
-      return Hit{t, (m + t * d) / radius};
-    });
-    return *this;
+    return quadric(Eigen::Matrix3d::Identity(), centre, radius);
+  }
+
+  AnalyticScene& cylinder(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius) {
+    const Eigen::Vector3d a = axis.normalized();
+    return quadric(Eigen::Matrix3d::Identity() - a * a.transpose(), point, radius);
   }
 
   /// An axis-aligned box.
@@ -99,6 +94,23 @@ class AnalyticScene {
   }
 
  private:
+  /// |A (x - centre)| = radius for a projection A; seen from both sides.
+  AnalyticScene& quadric(const Eigen::Matrix3d& A, const Eigen::Vector3d& centre, double radius) {
+    surfaces_.push_back([=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) -> std::optional<Hit> {
+      const Eigen::Vector3d p = A * (o - centre), q = A * d;
+      const double a = q.squaredNorm(), b = p.dot(q), c = p.squaredNorm() - radius * radius;
+      const double root = b * b - a * c;
+      if (!(root >= 0) || !(a > 0)) return std::nullopt;
+      for (const double t : {(-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a}) {
+        if (!(t > 0)) continue;
+        const Eigen::Vector3d n = (p + t * q) / radius;
+        return Hit{t, n.dot(d) < 0 ? n : Eigen::Vector3d(-n)};
+      }
+      return std::nullopt;
+    });
+    return *this;
+  }
+
   using Surface = std::function<std::optional<Hit>(const Eigen::Vector3d&, const Eigen::Vector3d&)>;
   std::vector<Surface> surfaces_;
 };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kernels/tracking/analytic_scene.h"
+#include "tests/kernels/tracking/tracking_test_support.h"
 #include "tests/support/each_device.h"
 
 namespace scantrove::test {
@@ -60,7 +60,8 @@ TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
     AnalyticScene scene;
     scene.plane(point, normal);
     const auto preprocessor = make(compute, kKinect);
-    const DepthPyramid& pyramid = preprocessor->process(scene.frame(kKinect, Eigen::Isometry3d::Identity()));
+    const DepthPyramid& pyramid =
+        preprocessor->process(frameOf(scene, kKinect, Eigen::Isometry3d::Identity()));
     for (const DepthPyramid::Level& level : pyramid.levels) {
       const auto vertices = level.vertices_camera.read(compute.queue());
       const auto normals = level.normals_camera.read(compute.queue());
@@ -84,7 +85,8 @@ TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
     AnalyticScene scene;
     scene.sphere(centre, 0.3).plane({0, 0, 2.5}, {0, 0, -1});
     const auto preprocessor = make(compute, kKinect);
-    const DepthPyramid& pyramid = preprocessor->process(scene.frame(kKinect, Eigen::Isometry3d::Identity()));
+    const DepthPyramid& pyramid =
+        preprocessor->process(frameOf(scene, kKinect, Eigen::Isometry3d::Identity()));
     const DepthPyramid::Level& level = pyramid.levels.front();
     const auto vertices = level.vertices_camera.read(compute.queue());
     const auto normals = level.normals_camera.read(compute.queue());

@@ -7,7 +7,7 @@
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/icp_pass.h"
 #include "core/fusion/motion_prediction.h"
-#include "tests/kernels/tracking/analytic_scene.h"
+#include "tests/kernels/tracking/tracking_test_support.h"
 #include "tests/reference/icp_reference.h"
 #include "tests/support/each_device.h"
 
@@ -22,9 +22,9 @@ struct Rig {
   std::unique_ptr<DepthPreprocessor> preprocessor;
   std::unique_ptr<Tracker> tracker;
 
-  explicit Rig(ComputeContext& compute)
-      : preprocessor(std::move(*DepthPreprocessor::create(compute, kKinect, {}))),
-        tracker(std::move(*Tracker::create(compute))) {}
+  explicit Rig(ComputeContext& compute, const FusionParams& params = {})
+      : preprocessor(std::move(*DepthPreprocessor::create(compute, kKinect, params))),
+        tracker(std::move(*Tracker::create(compute, params))) {}
 };
 
 double translationBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
@@ -49,11 +49,11 @@ TEST(IcpPass, SumsMatchTheFormula) {
     Rig rig(compute);
     const Eigen::Isometry3d T_model = pose(2, -3, 1, 0.05, -0.02, 0.1);
     const Eigen::Isometry3d T_frame = T_model * pose(0.5, 0.7, -0.4, 0.01, 0.005, -0.01);
-    const SurfaceMaps model = scene.maps(compute, kWorking, T_model);
-    const DepthPyramid& frame = rig.preprocessor->process(scene.frame(kKinect, T_model));
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, T_model);
+    const DepthPyramid& frame = rig.preprocessor->process(frameOf(scene, kKinect, T_model));
     auto pass = IcpPass::create(compute);
     ASSERT_TRUE(pass) << pass.error().message();
-    const IcpGates gates;
+    const IcpGates gates = IcpGates::of(0.05F, FusionParams{}.depth_noise_m);
     for (const DepthPyramid::Level& level : frame.levels) {
       const IcpSystem system = pass->run(level, model, T_frame, gates);
       const reference::IcpSums expected = reference::accumulateIcp(
@@ -84,13 +84,13 @@ TEST(Tracker, RecoversKnownMotions) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
     const Eigen::Isometry3d T_model = pose(3, 2, -1, 0.1, 0.0, -0.1);
-    const SurfaceMaps model = scene.maps(compute, kWorking, T_model);
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, T_model);
     for (const Eigen::Isometry3d& motion :
          {pose(0, 0, 0, 0, 0, 0), pose(1, 0, 0, 0, 0, 0), pose(0, 2, 0, 0, 0, 0), pose(0, 0, 2, 0, 0, 0),
           pose(0, 0, 0, 0.02, 0, 0), pose(0, 0, 0, 0, 0.03, 0), pose(0, 0, 0, 0, 0, -0.04),
           pose(-1.5, 1, 2, 0.02, -0.01, 0.02)}) {
       const Eigen::Isometry3d truth = T_model * motion;
-      const DepthPyramid& frame = rig.preprocessor->process(scene.frame(kKinect, truth));
+      const DepthPyramid& frame = rig.preprocessor->process(frameOf(scene, kKinect, truth));
       const PoseEstimate found = rig.tracker->track(frame, model, T_model);
       EXPECT_EQ(found.state, TrackingState::tracking) << found.inlier_fraction << ' ' << found.rmse_m;
       EXPECT_EQ(found.free_directions, 0);
@@ -105,8 +105,8 @@ TEST(Tracker, SameInputSamePose) {
   onEachDevice([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
-    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
-    const DepthPyramid& frame = rig.preprocessor->process(scene.frame(kKinect, pose(1, 1, 0, 0.01, 0, 0)));
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
+    const DepthPyramid& frame = rig.preprocessor->process(frameOf(scene, kKinect, pose(1, 1, 0, 0.01, 0, 0)));
     const PoseEstimate first = rig.tracker->track(frame, model, Eigen::Isometry3d::Identity());
     for (int i = 0; i < 5; ++i) {
       const PoseEstimate again = rig.tracker->track(frame, model, Eigen::Isometry3d::Identity());
@@ -121,11 +121,11 @@ TEST(Tracker, PoseDoesNotSlideInAPlane) {
     const Eigen::Vector3d normal = Eigen::Vector3d(0.3, 0.2, -1).normalized();
     scene.plane({0, 0, 1.5}, normal);
     Rig rig(compute);
-    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
     const Eigen::Isometry3d truth = pose(0.5, -0.5, 0, 0.01, 0.01, 0.02);
     const Eigen::Isometry3d prediction = truth * pose(0, 0, 0, 0.003, 0.002, 0.01);
     const PoseEstimate found =
-        rig.tracker->track(rig.preprocessor->process(scene.frame(kKinect, truth)), model, prediction);
+        rig.tracker->track(rig.preprocessor->process(frameOf(scene, kKinect, truth)), model, prediction);
     EXPECT_EQ(found.free_directions, 3);
     EXPECT_EQ(found.state, TrackingState::uncertain);
     const Eigen::Vector3d moved = found.T_world_camera.translation() - prediction.translation();
@@ -140,7 +140,7 @@ TEST(Tracker, NoiseOnAPlaneDeterminesNothing) {
     AnalyticScene scene;
     scene.plane({0, 0, 1.5}, {0.1, 0.5, -1});
     Rig rig(compute);
-    SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
     std::mt19937 random(1);
     std::normal_distribution<float> lean(0.0F, 0.035F);  // 2 degrees
     std::vector<cl_float4> normals = model.normals_world.read(compute.queue());
@@ -150,7 +150,7 @@ TEST(Tracker, NoiseOnAPlaneDeterminesNothing) {
       n = {{leaning.x(), leaning.y(), leaning.z(), 1}};
     }
     model.normals_world.write(compute.queue(), normals);
-    RgbdFrame frame = scene.frame(kKinect, Eigen::Isometry3d::Identity());
+    RgbdFrame frame = frameOf(scene, kKinect, Eigen::Isometry3d::Identity());
     std::uniform_int_distribution<int> noise(-15, 15);  // of 0.2 mm
     for (int i = 0; i < 640 * 480; ++i) {
       auto& units = frame.depth.at<std::uint16_t>(i / 640, i % 640);
@@ -170,11 +170,41 @@ TEST(Tracker, CylinderLeavesTwoDirectionsFree) {
     scene.cylinder({0, 0, 1.2}, {0, 1, 0}, 1.0);
     Rig rig(compute);
     const Eigen::Isometry3d T = pose(0, 0, 0, 0, 0, 0.9);
-    const SurfaceMaps model = scene.maps(compute, kWorking, T);
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, T);
     const PoseEstimate found = rig.tracker->track(
-        rig.preprocessor->process(scene.frame(kKinect, T * pose(0, 0, 0, 0.01, 0, 0))), model, T);
+        rig.preprocessor->process(frameOf(scene, kKinect, T * pose(0, 0, 0, 0.01, 0, 0))), model, T);
     EXPECT_EQ(found.free_directions, 2);
     EXPECT_EQ(found.state, TrackingState::uncertain);
+  });
+}
+
+// A noisier camera leaves larger residuals: they are no reason to distrust it when its noise is known.
+TEST(Tracker, ResidualsAreJudgedByTheNoiseOfTheCamera) {
+  onEachDevice([](ComputeContext& compute) {
+    const AnalyticScene scene = roomCorner();
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
+    const Eigen::Isometry3d truth = pose(0.5, -0.5, 0.3, 0.01, 0, 0.01);
+    RgbdFrame frame = frameOf(scene, kKinect, truth);
+    std::mt19937 random(2);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    // In patches: noise of single pixels is filtered away.
+    constexpr double kNoise_m = 0.012;
+    for (int v = 0; v < 480; v += 8) {
+      for (int u = 0; u < 640; u += 8) {
+        const double patch = noise(random);
+        for (auto& units : cv::Mat_<std::uint16_t>(frame.depth(cv::Rect(u, v, 8, 8)))) {
+          const double z = units / 5000.0;
+          if (units > 0) units = static_cast<std::uint16_t>(units + 5000 * kNoise_m * z * z * patch);
+        }
+      }
+    }
+    for (const float depth_noise_m : {0.0015F, static_cast<float>(kNoise_m)}) {
+      const bool is_known = depth_noise_m > 0.01F;
+      Rig rig(compute, {.depth_noise_m = depth_noise_m});
+      const PoseEstimate found =
+          rig.tracker->track(rig.preprocessor->process(frame), model, Eigen::Isometry3d::Identity());
+      EXPECT_EQ(found.usable(), is_known) << found.inlier_fraction << ' ' << found.rmse_m;
+    }
   });
 }
 
@@ -185,14 +215,14 @@ TEST(Tracker, NothingToTrackIsLost) {
     const Eigen::Isometry3d prediction = pose(1, 2, 3, 0.1, 0.2, 0.3);
     RgbdFrame dark;
     dark.depth = cv::Mat::zeros(480, 640, CV_16UC1);
-    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
     const PoseEstimate no_frame = rig.tracker->track(rig.preprocessor->process(dark), model, prediction);
     EXPECT_EQ(no_frame.state, TrackingState::lost);
     EXPECT_TRUE(no_frame.T_world_camera.isApprox(prediction));
 
     const DepthPyramid& frame =
-        rig.preprocessor->process(scene.frame(kKinect, Eigen::Isometry3d::Identity()));
-    const SurfaceMaps void_space = AnalyticScene().maps(compute, kWorking, Eigen::Isometry3d::Identity());
+        rig.preprocessor->process(frameOf(scene, kKinect, Eigen::Isometry3d::Identity()));
+    const SurfaceMaps void_space = mapsOf(compute, AnalyticScene(), kWorking, Eigen::Isometry3d::Identity());
     EXPECT_EQ(rig.tracker->track(frame, void_space, prediction).state, TrackingState::lost);
     EXPECT_EQ(rig.tracker->track(frame, SurfaceMaps{}, prediction).state, TrackingState::lost);
   });
@@ -206,10 +236,10 @@ TEST(Tracker, AnotherSceneIsNeverTracked) {
         .cylinder({-0.6, 0, 1.4}, {1, 2, 0.3}, 0.3);
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
-    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
     for (const double turn_deg : {-10.0, 0.0, 15.0, 40.0}) {
       const DepthPyramid& frame =
-          rig.preprocessor->process(other.frame(kKinect, pose(0, turn_deg, 0, 0, 0, 0)));
+          rig.preprocessor->process(frameOf(other, kKinect, pose(0, turn_deg, 0, 0, 0, 0)));
       const PoseEstimate found = rig.tracker->track(frame, model, Eigen::Isometry3d::Identity());
       EXPECT_FALSE(found.usable()) << turn_deg << ": inliers " << found.inlier_fraction << " rmse "
                                    << found.rmse_m;
@@ -221,10 +251,10 @@ TEST(Tracker, MotionOutOfReachIsNeverWronglyTracked) {
   onEachDevice([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
-    const SurfaceMaps model = scene.maps(compute, kWorking, Eigen::Isometry3d::Identity());
+    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
     for (const double turn_deg : {4.0, 6.0, 8.0, 12.0, 20.0, 30.0, 50.0}) {
       const Eigen::Isometry3d truth = pose(turn_deg / 3, turn_deg, -turn_deg / 2, 0.002 * turn_deg, 0, 0);
-      const PoseEstimate found = rig.tracker->track(rig.preprocessor->process(scene.frame(kKinect, truth)),
+      const PoseEstimate found = rig.tracker->track(rig.preprocessor->process(frameOf(scene, kKinect, truth)),
                                                     model, Eigen::Isometry3d::Identity());
       if (!found.usable()) continue;
       EXPECT_LT(translationBetween(found.T_world_camera, truth), 0.005) << turn_deg;
