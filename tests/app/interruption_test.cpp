@@ -105,7 +105,10 @@ TEST(Bench, PrintsStagesAndTheCostOverMapSize) {
   for (const auto& stage : json["stages"]) share += stage["share"].get<double>();
   EXPECT_NEAR(share, 1, 1e-6);
   ASSERT_FALSE(json["quarters"].empty());
-  EXPECT_GT(json["quarters"].back()["bricks"], 0);
+  // Eight frames of the demo: two a quarter, and the map grows with the view.
+  EXPECT_EQ(json["quarters"].size(), 4U);
+  EXPECT_EQ(json["quarters"].back()["to_frame"], 8);
+  EXPECT_GE(json["quarters"].back()["bricks"], json["quarters"].front()["bricks"]);
 }
 
 }  // namespace

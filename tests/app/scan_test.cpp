@@ -1,6 +1,8 @@
 #include <opencv2/core.hpp>
 
+#include <algorithm>
 #include <fstream>
+#include <map>
 
 #include "core/capture/trajectory_reader.h"
 #include "core/exchange/label_image_writer.h"
@@ -22,6 +24,17 @@ Finished scan(const std::string& source, const fs::path& out, const std::vector<
 
 nlohmann::json reportIn(const fs::path& out) {
   return nlohmann::json::parse(readText(out / "report.json"), nullptr, false);
+}
+
+/// Labels that hold at least a fiftieth of the image.
+int largeLabelsOf(const cv::Mat& labels) {
+  std::map<int, int> pixels;
+  for (int i = 0; i < static_cast<int>(labels.total()); ++i) {
+    const int label = labels.at<std::uint16_t>(i / labels.cols, i % labels.cols);
+    if (label != 0) ++pixels[label];
+  }
+  return static_cast<int>(std::ranges::count_if(
+      pixels, [&](const auto& entry) { return entry.second > static_cast<int>(labels.total()) / 50; }));
 }
 
 TEST(Scan, WritesEverythingThatIsPromised) {
@@ -62,8 +75,12 @@ TEST(Scan, WritesEverythingThatIsPromised) {
   EXPECT_EQ(report["frames"]["tracked"], 3);
   EXPECT_EQ(report["frames"]["lost"], 0);
   EXPECT_GT(report["fps"], 0);
-  EXPECT_GT(report["map"]["bricks"], 0);
-  EXPECT_GT(report["regions"], 0);
+  EXPECT_GT(report["map"]["bricks"], 1000);  // 3 m^2 of surface, 2.2 x 10^-3 m^2 a brick
+  // Two walls, the floor and the ball.
+  const auto final_labels = readLabelImage(out / "labels-final" / "000005.png");
+  ASSERT_TRUE(final_labels) << final_labels.error().message();
+  EXPECT_EQ(largeLabelsOf(*final_labels), 4);
+  EXPECT_GE(report["regions"], 4);
   EXPECT_TRUE(report["params"].contains("segmentation.k"));
   EXPECT_FALSE(report["stages"].empty());
   for (const auto& entry : fs::recursive_directory_iterator(out)) {

@@ -55,7 +55,9 @@ TEST_F(DeviceChoice, TakesAnIndexOrPartOfAName) {
 
 TEST_F(DeviceChoice, AsksTheEnvironmentWhenNotTold) {
   setenv("SCANTROVE_DEVICE", "no such device", 1);
-  EXPECT_FALSE(chooseDevice(""));
+  const auto chosen = chooseDevice("");
+  ASSERT_FALSE(chosen);
+  EXPECT_THAT(chosen.error().message(), HasSubstr("'no such device'"));
   EXPECT_TRUE(chooseDevice("0"));
 }
 

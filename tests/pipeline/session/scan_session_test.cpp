@@ -177,7 +177,7 @@ TEST_F(ScanSessionTest, GivenPosesAreRefusedWhereThereAreNone) {
   session_.start(std::move(given));
   session_.wait();
   EXPECT_EQ(session_.state(), ScanState::failed);
-  EXPECT_FALSE(log_.failure().empty());
+  EXPECT_THAT(log_.failure(), HasSubstr("has no poses"));
 }
 
 // The window may be slow: what a skipped snapshot held comes with the next.

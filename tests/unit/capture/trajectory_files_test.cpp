@@ -90,7 +90,9 @@ TEST(Trajectory, SaysWhichLineIsNotUnderstood) {
   const auto empty = readTrajectory(folder.write("e.txt", "# nothing\n"));
   ASSERT_FALSE(empty);
   EXPECT_NE(empty.error().what.find("e.txt"), std::string::npos);
-  EXPECT_FALSE(readTrajectory(folder / "missing.txt"));
+  const auto missing = readTrajectory(folder / "missing.txt");
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().what.find("missing.txt"), std::string::npos);
   const TemporaryFolder without_poses;
   EXPECT_NE(readTrajectory(without_poses.path()).error().advice.find("groundtruth.txt"), std::string::npos);
 }

@@ -54,9 +54,13 @@ TEST(LabelImage, RefusesAnIdThatDoesNotFit) {
 TEST(LabelImage, ReadingSaysWhatIsWrong) {
   const TemporaryFolder folder;
   EXPECT_NE(readLabelImage(folder / "none.png").error().what.find("none.png"), std::string::npos);
-  EXPECT_FALSE(readLabelImage(folder.write("text.png", "not an image")));
+  const auto text = readLabelImage(folder.write("text.png", "not an image"));
+  ASSERT_FALSE(text);
+  EXPECT_NE(text.error().what.find("text.png"), std::string::npos);
   cv::imwrite((folder / "color.png").string(), cv::Mat(2, 2, CV_8UC3, cv::Scalar(1, 2, 3)));
-  EXPECT_FALSE(readLabelImage(folder / "color.png"));
+  const auto color = readLabelImage(folder / "color.png");
+  ASSERT_FALSE(color);
+  EXPECT_NE(color.error().what.find("color.png"), std::string::npos);
 }
 
 TEST(LabelMap, MapsRegionsToColourObjectAndName) {

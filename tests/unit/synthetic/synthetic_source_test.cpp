@@ -323,7 +323,9 @@ TEST(SyntheticSource, RefusesWhatItCannotFilm) {
   EXPECT_THAT(nothing.error().message(), HasSubstr("300 frames"));
   SourceOptions blind;
   blind.intrinsics = Intrinsics{0, 525, 320, 240, 640, 480};
-  EXPECT_FALSE(makeSyntheticSource("tabletop", blind));
+  const auto unseen = makeSyntheticSource("tabletop", blind);
+  ASSERT_FALSE(unseen);
+  EXPECT_THAT(unseen.error().message(), HasSubstr("fx 0"));
 }
 
 }  // namespace
