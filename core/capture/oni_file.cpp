@@ -1,11 +1,13 @@
 #include "core/capture/oni_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <string>
 
 #include "core/base/regular_file.h"
 
@@ -32,6 +34,12 @@ constexpr std::uint32_t kHeaderBytes =
 constexpr std::uint32_t kEndRecord = 0x0B;
 constexpr std::uint32_t kLargestRecord = 20U << 20;  // what OpenNI2's own reader has room for
 
+/// Types whose fields begin with a name, its length in front. Those of properties go on with the length of a
+/// value.
+constexpr std::uint32_t kFirstProperty = 0x03;
+constexpr std::uint32_t kLastProperty = 0x06;
+constexpr std::array<std::uint32_t, 3> kNodeAdded = {0x02, 0x0C, 0x0D};
+
 template <class Value>
 std::optional<Value> readAt(std::ifstream& stream, std::uint64_t position) {
   Value value;
@@ -40,6 +48,43 @@ std::optional<Value> readAt(std::ifstream& stream, std::uint64_t position) {
     return std::nullopt;
   }
   return value;
+}
+
+std::optional<std::string> readText(std::ifstream& stream, std::uint64_t position, std::uint32_t size) {
+  std::string text(size, '\0');
+  stream.seekg(static_cast<std::streamoff>(position));
+  if (!stream.read(text.data(), size)) {
+    return std::nullopt;
+  }
+  return text;
+}
+
+bool isName(const std::string& text) {
+  return text.size() > 1 && text.back() == '\0' &&
+         std::all_of(text.begin(), text.end() - 1, [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+/// Whether what the fields say of their own lengths is true, and a name is one: OpenNI2 looks names up in a
+/// table by their letters, and reads before it where one is no ASCII.
+bool areFieldsSound(std::ifstream& stream, std::uint64_t at, const RecordHeader& record) {
+  const bool is_property = record.type >= kFirstProperty && record.type <= kLastProperty;
+  const bool is_node = std::ranges::count(kNodeAdded, record.type) > 0;
+  if (!is_property && !is_node) {
+    return true;
+  }
+  const std::uint32_t fields = record.fields_bytes - kHeaderBytes;
+  constexpr std::uint32_t kLength = sizeof(std::uint32_t);
+  const auto name_bytes = readAt<std::uint32_t>(stream, at + kHeaderBytes);
+  if (fields < kLength || !name_bytes || *name_bytes > fields - kLength) {
+    return false;
+  }
+  const auto name = readText(stream, at + kHeaderBytes + kLength, *name_bytes);
+  if (!name || !isName(*name)) {
+    return false;
+  }
+  const std::uint32_t rest = fields - kLength - *name_bytes;
+  const auto value_bytes = readAt<std::uint32_t>(stream, at + kHeaderBytes + kLength + *name_bytes);
+  return !is_property || (rest >= kLength && value_bytes && *value_bytes <= rest - kLength);
 }
 
 }  // namespace
@@ -56,7 +101,8 @@ Result<void> checkOniFile(const std::filesystem::path& file) {
   for (std::uint64_t at = kFileHeaderBytes; size >= at + kHeaderBytes;) {
     const auto record = readAt<RecordHeader>(stream, at);
     if (!record || record->magic != kRecordMagic || record->fields_bytes < kHeaderBytes ||
-        record->fields_bytes > kLargestRecord || record->payload_bytes > kLargestRecord) {
+        record->fields_bytes > kLargestRecord || record->payload_bytes > kLargestRecord ||
+        !areFieldsSound(stream, at, *record)) {
       return fail(file.string() + " is damaged at byte " + std::to_string(at) + ".",
                   "It cannot be played; record it again.");
     }

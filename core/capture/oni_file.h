@@ -5,8 +5,9 @@
 
 namespace scantrove {
 
-/// Walks the records of an .oni file (magic, type, sizes) to its end record, without reading what they hold:
-/// OpenNI2 trusts every size in them. Error: names the file; not regular, no recording, damaged, truncated.
+/// Walks the records of an .oni file to its end record and checks their sizes and names: OpenNI2 trusts every
+/// one of them. Values and images are not read. Error: names the file; not regular, no recording, damaged,
+/// truncated.
 [[nodiscard]] Result<void> checkOniFile(const std::filesystem::path& file);
 
 }  // namespace scantrove

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <functional>
 
+#include "core/capture/oni_file.h"
+#include "tests/support/oni_bytes.h"
 #include "tests/unit/capture/tiny_recordings.h"
 
 namespace scantrove {
@@ -273,6 +275,28 @@ TEST(BadInput, BrokenOniIsRefusedBeforeOpenNiSeesIt) {
               AllOf(HasSubstr("broken.oni"), HasSubstr("no OpenNI2 recording")));
   EXPECT_THAT(error("NI10"), HasSubstr("truncated"));
   EXPECT_THAT(error("NI10" + std::string(200, 'x')), HasSubstr("damaged at byte 24"));
+}
+
+// OpenNI2's player looks a property's name up by its letters as signed numbers, and trusts every length.
+TEST(OniFile, NamesAndLengthsThatCrashOpenNiAreRefused) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& bytes) {
+    const auto checked = checkOniFile(folder.write("input.oni", bytes));
+    return checked ? "" : checked.error().message();
+  };
+  const std::string sound = oniBytes();
+  EXPECT_EQ(error(sound), "");
+  EXPECT_THAT(error(oniBytes("Mirr\xEFr")), HasSubstr("damaged at byte"));
+  EXPECT_THAT(error(oniBytes("")), HasSubstr("damaged at byte"));
+  const std::size_t name = sound.find("Mirror");
+  for (const std::size_t length_at : {name - 4, name + 7}) {
+    std::string changed = sound;
+    changed.replace(length_at, 4, "\xFF\xFF\xFF\x7F");
+    EXPECT_THAT(error(changed), HasSubstr("damaged at byte")) << length_at;
+  }
+  for (std::size_t size = 0; size < sound.size(); ++size) {
+    EXPECT_NE(error(sound.substr(0, size)), "") << size;
+  }
 }
 
 TEST(BadInput, ALayoutsColourCameraCanBeGiven) {

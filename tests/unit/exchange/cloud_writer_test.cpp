@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <random>
 
 #include "tests/support/temporary_folder.h"
@@ -80,6 +82,25 @@ TEST(CloudWriter, FailsWithThePathAndLeavesNothing) {
     EXPECT_NE(result.error().what.find((file / "cloud.").string()), std::string::npos);
   }
   EXPECT_EQ(test::readText(file), "x");
+}
+
+TEST(CloudWriter, AFullDiskIsToldInTheSystemsWords) {
+  const TemporaryFolder folder;
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, before.rlim_max};  // stands in for the full disk
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto pcd = writePcd(folder / "cloud.pcd", somePoints());
+  const auto ply = writePly(folder / "cloud.ply", somePoints());
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_DFL);
+  for (const auto& result : {pcd, ply}) {
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().what.find((folder / "cloud.p").string()), std::string::npos);
+    EXPECT_NE(result.error().what.find("File too large"), std::string::npos);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+// A file given as a catalogue: opened, read whole, edited.
+#include <QCoreApplication>
+
+#include "core/catalog/object_database.h"
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+ObjectView someView(int seed) {
+  ObjectView view;
+  const cv::Size size(12, 9);
+  view.color = cv::Mat(size, CV_8UC3, cv::Scalar(10 * seed, 90, 120));
+  view.mask = cv::Mat(size, CV_8UC1, cv::Scalar(255));
+  view.depth_mm = cv::Mat(size, CV_16UC1, cv::Scalar(900));
+  view.direction = Eigen::Vector3f(1, 0.2F * static_cast<float>(seed), -1).normalized();
+  view.size_m = {0.3F, 0.2F, 0.1F};
+  return view;
+}
+
+void readWhole(ObjectDatabase& database) {
+  (void)database.holders();
+  (void)database.changesAfter(0);
+  (void)database.forEachDescriptor(0, [](const StoredDescriptor&) {});
+  const auto objects = database.objects();
+  for (const ObjectRecord& object : objects.value_or(std::vector<ObjectRecord>())) {
+    (void)database.resolve(object.id);
+    (void)database.picture(object.id);
+    const auto views = database.views(object.id);
+    for (const ObjectView& view : views.value_or(std::vector<ObjectView>())) {
+      require(view.color.size() == view.mask.size(), "images of a view belong together");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> seeds() {
+  static int argc = 1;
+  static char name[] = "fuzz";
+  static char* argv[] = {name, nullptr};
+  static const QCoreApplication qt(argc, argv);
+  const TemporaryFolder folder;
+  {
+    const auto database = ObjectDatabase::open(folder / "seed.sqlite");
+    require(database.has_value(), "a catalogue can be made");
+    for (int i = 0; i < 2; ++i)
+      require((*database)->addObject(someView(i)).has_value(), "an object can be added");
+  }
+  return {readText(folder / "seed.sqlite"), ""};
+}
+
+}  // namespace scantrove::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace scantrove;
+  static const test::TemporaryFolder folder;
+  for (const char* name : {"input.sqlite", "input.sqlite-wal", "input.sqlite-shm", "input.sqlite-journal"}) {
+    std::filesystem::remove(folder / name);
+  }
+  const auto file = folder.write("input.sqlite", {reinterpret_cast<const char*>(data), size});
+  const auto database = ObjectDatabase::open(file);
+  test::require(database || !database.error().what.empty(), "an error has words");
+  if (!database) return 0;
+  test::readWhole(**database);
+  const auto session = (*database)->beginSession("input");
+  const auto added = (*database)->addObject(test::someView(7));
+  if (added) (void)(*database)->rename(added->id, "mug");
+  if (session) (void)(*database)->endSession(*session);
+  return 0;
+}

@@ -1,0 +1,21 @@
+// The structure of an .oni file, which is checked before OpenNI2 is given the file. What OpenNI2 makes of the
+// records within is its own: see the test of damaged recordings in tests/unit/capture.
+#include "core/capture/oni_file.h"
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/support/oni_bytes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+
+std::vector<std::string> seeds() { return {oniBytes(), oniBytes("ExtendedSerialization")}; }
+
+}  // namespace scantrove::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace scantrove;
+  static const test::TemporaryFolder folder;
+  const auto file = folder.write("input.oni", {reinterpret_cast<const char*>(data), size});
+  const auto checked = checkOniFile(file);
+  test::require(checked || checked.error().what.starts_with(file.string()), "an error names the file");
+  return 0;
+}

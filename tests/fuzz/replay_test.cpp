@@ -1,0 +1,46 @@
+// The fuzz target that this is linked with, without a fuzzer: its seeds, then 2,000 mutations of them, the
+// same every time. What it finds ends the program, and the input stays in the file that is named.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/fuzz/mutation.h"
+
+namespace scantrove::test {
+namespace {
+
+constexpr int kMutations = 2000;
+
+class InputFile {
+ public:
+  InputFile()
+      : path_(std::filesystem::temp_directory_path() / ("scantrove-fuzz-" SCANTROVE_FUZZ_TARGET "-input")) {
+    std::printf("The input of a crash is left in %s\n", path_.c_str());
+    std::fflush(stdout);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+  ~InputFile() { std::filesystem::remove(path_); }
+
+  void run(const std::string& input) const {
+    std::ofstream(path_, std::ios::binary) << input;
+    ASSERT_EQ(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size()), 0);
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(Fuzz, SeedsAndMutationsAreReadOrRefused) {
+  const InputFile file;
+  const std::vector<std::string> corpus = seeds();
+  ASSERT_FALSE(corpus.empty());
+  for (const std::string& seed : corpus) file.run(seed);
+  Mutator mutator(corpus, 20240229);
+  for (int i = 0; i < kMutations; ++i) file.run(mutator.next());
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,40 @@
+// Configuration files, and the same text as a setting of the command line.
+#include "core/scan/param_registry.h"
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+void checkRanges(const ScanParams& params) {
+  for (const ParamInfo& info : paramRegistry()) {
+    const double value = info.get(params);
+    require(value >= info.minimum - 1e-6 && value <= info.maximum * (1 + 1e-6),
+            "parameters stay in their range");
+    require(!info.text(params).empty(), "parameters can be written");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> seeds() {
+  return {"[segmentation]\nk = 0.5\nneighbours = 4\nrefine_normals = false\n[labeling]\nrule = \"thesis\"\n",
+          "# all kinds\n[fusion]\nvoxel_size_m = 4e-3\nworking_width = 0x140\n[detection]\nmax_views = 12\n",
+          "fusion.max_depth_m = 4.0\n", "segmentation.k=0.25", "labeling.rule=evidence"};
+}
+
+}  // namespace scantrove::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace scantrove;
+  static const test::TemporaryFolder folder;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  ScanParams params;
+  const auto loaded = loadConfig(params, folder.write("config.toml", text));
+  test::require(loaded || !loaded.error().what.empty(), "an error has words");
+  test::checkRanges(params);
+  const auto applied = applySetting(params, text);
+  test::require(applied || !applied.error().what.empty(), "an error has words");
+  test::checkRanges(params);
+  return 0;
+}
