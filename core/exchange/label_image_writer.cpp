@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
 
 namespace scantrove {
@@ -55,8 +56,7 @@ Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const 
 }
 
 Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path))
-    return fail(path.string() + " does not exist.", "Check the path.");
+  SCANTROVE_TRY(checkRegularFile(path));
   cv::Mat image;
   try {
     image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);

@@ -85,6 +85,11 @@ TEST(Usage, LinksThatGoInCirclesAreNamedWhereverAPathIsGiven) {
   expectJobFailure(scantrove({"evaluate", "trajectory", "--estimate", loop, "--truth", loop}), words);
   expectJobFailure(scantrove({"evaluate", "segmentation", "--estimate", loop, "--truth", loop}), words);
   expectWrongUsage(scantrove({"params", "--config", loop}), words);
+  std::filesystem::create_directory(folder / "labels");
+  std::filesystem::create_symlink("1.png", folder / "labels/1.png");
+  const std::string labels = folder / "labels";
+  expectJobFailure(scantrove({"evaluate", "segmentation", "--estimate", labels, "--truth", labels}),
+                   {labels + "/1.png", "symbolic links"});
 }
 
 TEST(Usage, OutputThatCannotBeWrittenIsAFailure) {
