@@ -48,11 +48,14 @@ Result<ObjectRecord> findObject(ObjectDatabase& database, const std::string& tex
 }
 
 Json toJson(const ObjectRecord& object) {
-  return {
-      {"id", object.id.value},         {"name", object.name},
-      {"confirmed", object.confirmed}, {"size_m", {object.size_m.x(), object.size_m.y(), object.size_m.z()}},
-      {"views", object.views},         {"first_session", object.first_session_name},
-      {"created", object.created}};
+  return {{"id", object.id.value},
+          {"name", object.name},
+          {"named_by_person", object.named_by == NamedBy::person},
+          {"confirmed", object.confirmed},
+          {"size_m", {object.size_m.x(), object.size_m.y(), object.size_m.z()}},
+          {"views", object.views},
+          {"first_session", object.first_session_name},
+          {"created", object.created}};
 }
 
 Json toJson(const ObjectView& view) {
@@ -150,7 +153,11 @@ Result<void> merge(ObjectDatabase& database, const ObjectsCommand& command) {
   const std::array objects{first->id, second->id};
   const auto merged = database.merge(objects);
   if (!merged) return fail(merged.error());
-  if (!command.json) std::cout << "kept " << (merged->into == first->id ? *first : *second).name << '\n';
+  const bool keeps_first = merged->into == first->id;
+  if (!command.json) {
+    std::cout << "kept " << (keeps_first ? *first : *second).name << " with the views of "
+              << (keeps_first ? *second : *first).name << '\n';
+  }
   return report(database, merged->into, command);
 }
 

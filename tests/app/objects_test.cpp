@@ -66,11 +66,37 @@ TEST_F(Objects, AreRenamedAndConfirmedByNameOrId) {
 }
 
 TEST_F(Objects, AreMerged) {
+  expectJobFailure(run({"merge", first_, first_}), {"itself"});
   const auto merged = jsonOf(run({"merge", first_, second_}));
   EXPECT_EQ(merged["views"], first_views_ + second_views_);
+  EXPECT_EQ(merged["name"], first_views_ >= second_views_ ? first_ : second_);
   EXPECT_EQ(jsonOf(run({"list"})).size(), count_ - 1);
-  expectJobFailure(run({"show", second_}), {second_});
-  expectJobFailure(run({"merge", first_, first_}), {"itself"});
+  const std::string gone = merged["name"] == first_ ? second_ : first_;
+  expectJobFailure(run({"show", gone}), {gone});
+}
+
+TEST_F(Objects, KeepTheNameOfAPersonWhenTheyAreMerged) {
+  EXPECT_EQ(jsonOf(run({"rename", second_, "mug"}))["named_by_person"], true);
+  EXPECT_EQ(jsonOf(run({"confirm", first_}))["named_by_person"], false);
+  const Finished merged = scantrove({"objects", "merge", first_, "mug", "--database", copy_});
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_THAT(merged.out, testing::HasSubstr("kept mug with the views of " + first_));
+  EXPECT_EQ(jsonOf(run({"show", "mug"}))["confirmed"], true);
+}
+
+TEST_F(Objects, RefuseNamesThatAreIdsOrNoWords) {
+  expectJobFailure(run({"rename", first_, "2"}), {"'2'", "id"});
+  expectJobFailure(run({"rename", first_, "two\nlines"}), {"control characters"});
+  expectJobFailure(run({"rename", first_, std::string(100'000, 'x')}), {"100000 characters", "200"});
+  EXPECT_EQ(jsonOf(run({"show", first_}))["name"], first_);
+}
+
+TEST_F(Objects, SayWhatIsWrongWithTheCatalogue) {
+  const std::string loop = copies_ / "loop.sqlite";
+  std::filesystem::create_symlink(loop, loop);
+  expectJobFailure(scantrove({"objects", "list", "--database", loop}), {loop, "symbolic links"});
+  const std::string folder = copies_ / "";
+  expectJobFailure(scantrove({"objects", "list", "--database", folder}), {"is a folder"});
 }
 
 TEST_F(Objects, AreDeleted) {

@@ -134,7 +134,7 @@ void BM_ListPicture(benchmark::State& state) {
 
 void BM_Rename(benchmark::State& state) {
   const auto database = ObjectDatabase::open(catalogue(static_cast<int>(state.range(0)))).value();
-  int i = 0;
+  static int i = 0;  // the function runs several times, and a name that stays is no change
   for (auto _ : state) SCANTROVE_CHECK(database->rename(ObjectId{3}, "mug " + std::to_string(++i)));
 }
 
@@ -164,7 +164,7 @@ void BM_ChangeOfAnother(benchmark::State& state) {
   const std::string& file = catalogue(static_cast<int>(state.range(0)));
   const auto database = ObjectDatabase::open(file).value(), other = ObjectDatabase::open(file).value();
   std::int64_t last = database->lastEvent().value();
-  int i = 0;
+  static int i = 0;
   for (auto _ : state) {
     state.PauseTiming();
     SCANTROVE_CHECK(other->rename(ObjectId{7}, "cup " + std::to_string(++i)));

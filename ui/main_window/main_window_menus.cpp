@@ -1,7 +1,6 @@
 // The menus, the tool bar, and the dialogs that they open.
 #include <QApplication>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QListView>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -14,6 +13,7 @@
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/camera_dialog.h"
+#include "ui/panels/file_dialogs.h"
 #include "ui/panels/help_dialog.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/object_panel.h"
@@ -148,13 +148,12 @@ void MainWindow::fillRecentMenu() {
 }
 
 void MainWindow::openFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of a recording"));
+  const QString folder = chooseFolder(this, tr("Folder of a recording"));
   if (!folder.isEmpty()) open(folder);
 }
 
 void MainWindow::openRecording() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Recording"), {}, tr("OpenNI recordings (*.oni)"));
+  const QString file = chooseFile(this, tr("Recording"), tr("OpenNI recordings (*.oni)"));
   if (!file.isEmpty()) open(file);
 }
 
@@ -172,8 +171,7 @@ void MainWindow::openCamera() {
 
 void MainWindow::chooseCatalogue() {
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Catalogue to open or create"), editor_.file(),
-                                   tr("Catalogues (*.sqlite)"), nullptr, QFileDialog::DontConfirmOverwrite);
+      chooseFileToSave(this, tr("Catalogue to open or create"), editor_.file(), tr("Catalogues (*.sqlite)"));
   if (!file.isEmpty()) openCatalogue(file);
 }
 

@@ -2,13 +2,14 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+
+#include "ui/panels/file_dialogs.h"
 
 namespace scantrove {
 namespace {
@@ -98,7 +99,7 @@ ScanRequest::Poses SourceDialog::poses() const {
 }
 
 void SourceDialog::browse() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the recording"), source());
+  const QString folder = chooseFolder(this, tr("Folder of the recording"), source());
   if (!folder.isEmpty()) source_->setText(folder);
 }
 

@@ -1,0 +1,64 @@
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include <QFileDialog>
+#include <QFileSystemModel>
+#include <QTest>
+#include <QTreeView>
+#include <array>
+#include <cstring>
+
+#include "tests/ui/window/catalogue_fixture.h"
+#include "ui/panels/file_dialogs.h"
+
+namespace scantrove {
+namespace {
+
+using FileDialogs = test::CatalogueTest;
+
+/// Files of a folder that anyone opened, by name.
+class OpenedFiles {
+ public:
+  explicit OpenedFiles(const QString& folder) : watch_(::inotify_init1(IN_NONBLOCK)) {
+    EXPECT_GE(::inotify_add_watch(watch_, folder.toLocal8Bit().constData(), IN_OPEN), 0);
+  }
+  OpenedFiles(const OpenedFiles&) = delete;
+  OpenedFiles& operator=(const OpenedFiles&) = delete;
+  ~OpenedFiles() { ::close(watch_); }
+
+  std::vector<std::string> names() {
+    std::vector<std::string> names;
+    std::array<char, 4096> buffer{};
+    for (ssize_t size = 0; (size = ::read(watch_, buffer.data(), buffer.size())) > 0;) {
+      for (ssize_t at = 0; at < size;) {
+        inotify_event event{};
+        std::memcpy(&event, buffer.data() + at, sizeof(event));
+        if (event.len > 0) names.emplace_back(buffer.data() + at + sizeof(event));
+        at += static_cast<ssize_t>(sizeof(event) + event.len);
+      }
+    }
+    return names;
+  }
+
+ private:
+  int watch_;
+};
+
+TEST_F(FileDialogs, OpenNoFileOfTheFolderTheyShow) {
+  const auto in_use = ObjectDatabase::open(file_.toStdString());
+  ASSERT_TRUE(in_use);
+  OpenedFiles opened(folder_.path());
+  const auto dialog = makeFileDialog(nullptr, QStringLiteral("Catalogue"), file_);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->show();
+  const auto* model = dialog->findChild<QFileSystemModel*>();
+  ASSERT_NE(model, nullptr);
+  const auto typeOf = [&] { return model->type(model->index(file_)); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return typeOf() == QStringLiteral("sqlite file"); }, 20000))
+      << typeOf().toStdString();
+  EXPECT_EQ(dialog->selectedFiles(), QStringList{file_});
+  EXPECT_EQ(opened.names(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace scantrove
