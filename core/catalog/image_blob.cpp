@@ -18,9 +18,11 @@ QByteArray encoded(const char* format, const cv::Mat& image, const std::vector<i
   return {reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())};
 }
 
+bool isPng(const QByteArray& bytes) { return bytes.startsWith("\x89PNG\r\n\x1a\n") && bytes.size() > 24; }
+bool isJpeg(const QByteArray& bytes) { return bytes.startsWith("\xff\xd8\xff"); }
+
 /// A few bytes of a damaged PNG can claim any size, which would be allocated before the damage is noticed.
 bool claimsTooMuch(const QByteArray& bytes) {
-  if (!bytes.startsWith("\x89PNG") || bytes.size() < 24) return false;
   const auto number = [&](qsizetype at) {
     std::uint64_t value = 0;
     for (qsizetype i = at; i < at + 4; ++i) value = 256 * value + static_cast<std::uint8_t>(bytes[i]);
@@ -39,7 +41,7 @@ QByteArray toPng(const cv::Mat& image) {
 QByteArray toJpeg(const cv::Mat& bgr) { return encoded(".jpg", bgr, {cv::IMWRITE_JPEG_QUALITY, 90}); }
 
 cv::Mat decodedImage(const QByteArray& bytes) {
-  if (bytes.isEmpty() || claimsTooMuch(bytes)) return {};
+  if (!isJpeg(bytes) && (!isPng(bytes) || claimsTooMuch(bytes))) return {};
   const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.constData()));
   try {
     return cv::imdecode(raw, cv::IMREAD_UNCHANGED);

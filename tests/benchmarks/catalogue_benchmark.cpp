@@ -122,6 +122,19 @@ void BM_OpenAndReadDescriptors(benchmark::State& state) {
   state.counters["memory_mb"] = growth_mb;
 }
 
+/// Views that an older version stored are described when they are first read.
+void BM_DescribeOlderViews(benchmark::State& state) {
+  const std::string& file = catalogue(static_cast<int>(state.range(0)));
+  const auto database = ObjectDatabase::open(file).value();
+  const auto connection = DatabaseConnection::open(file).value();
+  for (auto _ : state) {
+    state.PauseTiming();
+    SCANTROVE_CHECK(connection->execute("UPDATE view_summaries SET object_pixels = NULL"));
+    state.ResumeTiming();
+    SCANTROVE_CHECK(database->forEachDescriptor(0, [](const StoredDescriptor&) {}));
+  }
+}
+
 void BM_ListObjects(benchmark::State& state) {
   const auto database = ObjectDatabase::open(catalogue(static_cast<int>(state.range(0)))).value();
   for (auto _ : state) benchmark::DoNotOptimize(database->objects());
@@ -187,6 +200,7 @@ void BM_AddView(benchmark::State& state) {
 
 #define CATALOGUE_BENCHMARK(name) BENCHMARK(name)->Arg(2000)->Arg(50000)->Unit(benchmark::kMillisecond)
 CATALOGUE_BENCHMARK(BM_OpenAndReadDescriptors)->Iterations(3);
+BENCHMARK(BM_DescribeOlderViews)->Arg(2000)->Iterations(1)->Unit(benchmark::kMillisecond);
 CATALOGUE_BENCHMARK(BM_ListObjects);
 CATALOGUE_BENCHMARK(BM_ListPicture);
 CATALOGUE_BENCHMARK(BM_Rename);
