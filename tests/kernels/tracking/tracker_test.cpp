@@ -79,6 +79,36 @@ TEST(IcpPass, SumsMatchTheFormula) {
   });
 }
 
+// A noisier camera leaves larger residuals: they are no reason to distrust it when its noise is known.
+TEST(IcpPass, ResidualsAreCountedInTheNoiseOfTheCamera) {
+  onEachDevice([](ComputeContext& compute) {
+    const SurfaceMaps model = mapsOf(compute, roomCorner(), kWorking, Eigen::Isometry3d::Identity());
+    auto pass = IcpPass::create(compute);
+    ASSERT_TRUE(pass) << pass.error().message();
+    /// The residual of readings with so much noise, in standard deviations of what is expected.
+    const auto residual = [&](float noise_m, float expected_noise_m) {
+      std::mt19937 random(2);
+      std::normal_distribution<float> noise(0.0F, noise_m);
+      std::vector<cl_float4> vertices = model.vertices_world.read(compute.queue());
+      for (cl_float4& v : vertices) {
+        const float stretch = 1 + noise(random) * v.s[2];  // dz = noise z^2
+        for (int axis = 0; axis < 3; ++axis) v.s[axis] *= stretch;
+      }
+      const DepthPyramid::Level level{kWorking, Buffer<cl_float4>(compute.context(), vertices.size()),
+                                      model.normals_world};
+      Buffer<cl_float4> readings = level.vertices_camera;
+      readings.write(compute.queue(), vertices);
+      const IcpSystem system =
+          pass->run(level, model, Eigen::Isometry3d::Identity(), IcpGates::of(0.10F, expected_noise_m));
+      EXPECT_GT(system.inliers, 0.95 * system.overlap);
+      return system.fit_residual_m / double{kModelError_m};
+    };
+    EXPECT_LT(residual(0.0015F, 0.0015F), 1.1);
+    EXPECT_LT(residual(0.008F, 0.008F), 1.1);
+    EXPECT_GT(residual(0.008F, 0.0015F), 1.8);
+  });
+}
+
 TEST(Tracker, RecoversKnownMotions) {
   onEachDevice([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
@@ -175,36 +205,6 @@ TEST(Tracker, CylinderLeavesTwoDirectionsFree) {
         rig.preprocessor->process(frameOf(scene, kKinect, T * pose(0, 0, 0, 0.01, 0, 0))), model, T);
     EXPECT_EQ(found.free_directions, 2);
     EXPECT_EQ(found.state, TrackingState::uncertain);
-  });
-}
-
-// A noisier camera leaves larger residuals: they are no reason to distrust it when its noise is known.
-TEST(Tracker, ResidualsAreJudgedByTheNoiseOfTheCamera) {
-  onEachDevice([](ComputeContext& compute) {
-    const AnalyticScene scene = roomCorner();
-    const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());
-    const Eigen::Isometry3d truth = pose(0.5, -0.5, 0.3, 0.01, 0, 0.01);
-    RgbdFrame frame = frameOf(scene, kKinect, truth);
-    std::mt19937 random(2);
-    std::normal_distribution<double> noise(0.0, 1.0);
-    // In patches: noise of single pixels is filtered away.
-    constexpr double kNoise_m = 0.012;
-    for (int v = 0; v < 480; v += 8) {
-      for (int u = 0; u < 640; u += 8) {
-        const double patch = noise(random);
-        for (auto& units : cv::Mat_<std::uint16_t>(frame.depth(cv::Rect(u, v, 8, 8)))) {
-          const double z = units / 5000.0;
-          if (units > 0) units = static_cast<std::uint16_t>(units + 5000 * kNoise_m * z * z * patch);
-        }
-      }
-    }
-    for (const float depth_noise_m : {0.0015F, static_cast<float>(kNoise_m)}) {
-      const bool is_known = depth_noise_m > 0.01F;
-      Rig rig(compute, {.depth_noise_m = depth_noise_m});
-      const PoseEstimate found =
-          rig.tracker->track(rig.preprocessor->process(frame), model, Eigen::Isometry3d::Identity());
-      EXPECT_EQ(found.usable(), is_known) << found.inlier_fraction << ' ' << found.rmse_m;
-    }
   });
 }
 
