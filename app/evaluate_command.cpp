@@ -97,7 +97,7 @@ void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
                 "ATE and RPE of a trajectory: a TUM file, a .log, or a recording's folder", command, outcome,
                 evaluateTrajectory)
       ->add_option("--delta", command->delta_frames, "frames between the poses of the relative error")
-      ->check(wholeNumber(1))
+      ->transform(wholeNumber(1))
       ->type_name("N");
   CLI::App* segmentation = addEvaluation(
       *evaluate, "segmentation", "Boundary error (eq. 4.1), boundary F, coverage of folders of label PNGs",
@@ -108,7 +108,7 @@ void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
       ->type_name("PX");
   segmentation
       ->add_option("--min-instance", command->metrics.min_instance_px, "leave out smaller true instances")
-      ->check(wholeNumber(1))
+      ->transform(wholeNumber(1))
       ->type_name("PX");
 }
 

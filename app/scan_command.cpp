@@ -70,7 +70,8 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_option("--database", command->database,
                   "catalogue to search and add to (default DIR/catalogue.sqlite)")
       ->type_name("FILE");
-  sub->add_flag("--label-maps", command->label_maps, "also write the segments and regions of every frame as PNGs");
+  sub->add_flag("--label-maps", command->label_maps,
+                "also write the segments and regions of every frame as PNGs");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {
     if (const auto done = scan(*command, command->options.toRequest()); !done) outcome.failWith(done.error());

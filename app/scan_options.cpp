@@ -45,9 +45,11 @@ ColorCamera colorCameraFrom(const std::string& text) {
 }  // namespace
 
 void ScanOptions::addTo(CLI::App& command) {
-  command.add_option("--frames", frames, "at most so many frames")->check(wholeNumber(1))->type_name("N");
-  command.add_option("--start", start, "skip so many frames first")->check(wholeNumber(0))->type_name("N");
-  command.add_option("--stride", stride, "then take every N-th")->check(wholeNumber(1))->type_name("N");
+  command.add_option("--frames", frames, "at most so many frames")->transform(wholeNumber(1))->type_name("N");
+  command.add_option("--start", start, "skip so many frames first")
+      ->transform(wholeNumber(0))
+      ->type_name("N");
+  command.add_option("--stride", stride, "then take every N-th")->transform(wholeNumber(1))->type_name("N");
   command.add_option("--poses", poses, "'tracked' by the camera tracker, or 'given' by the recording")
       ->check(CLI::IsMember({"tracked", "given"}))
       ->type_name("tracked|given");
