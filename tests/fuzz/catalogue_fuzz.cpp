@@ -3,7 +3,6 @@
 
 #include "core/catalog/object_database.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 namespace {
@@ -59,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* name : {"input.sqlite", "input.sqlite-wal", "input.sqlite-shm", "input.sqlite-journal"}) {
     std::filesystem::remove(folder / name);
   }
-  const auto file = folder.write("input.sqlite", {reinterpret_cast<const char*>(data), size});
+  const auto file = test::rewrite(folder, "input.sqlite", {reinterpret_cast<const char*>(data), size});
   const auto database = ObjectDatabase::open(file);
   test::require(database || !database.error().what.empty(), "an error has words");
   if (!database) return 0;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 // One reader of what comes from outside, in the form that libFuzzer drives; each *_fuzz.cpp defines both
 // functions. The preset `fuzz` links them with libFuzzer; replay_test.cpp runs the seeds and seeded mutations
 // of them anywhere.
@@ -27,6 +29,13 @@ inline void require(bool condition, const char* promise) {
 
 inline std::span<const std::uint8_t> bytesOf(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// Writes a file anew. To write over it would have some file systems flush it to the disk every time.
+inline std::filesystem::path rewrite(const TemporaryFolder& folder, const std::string& name,
+                                     const std::string& text) {
+  std::filesystem::remove(folder / name);
+  return folder.write(name, text);
 }
 
 /// The parts of an input that stands for several files, separated by a byte that no text holds; missing parts

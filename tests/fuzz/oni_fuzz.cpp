@@ -3,7 +3,6 @@
 #include "core/capture/oni_file.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/oni_bytes.h"
-#include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 
@@ -14,7 +13,7 @@ std::vector<std::string> seeds() { return {oniBytes(), oniBytes("ExtendedSeriali
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace scantrove;
   static const test::TemporaryFolder folder;
-  const auto file = folder.write("input.oni", {reinterpret_cast<const char*>(data), size});
+  const auto file = test::rewrite(folder, "input.oni", {reinterpret_cast<const char*>(data), size});
   const auto checked = checkOniFile(file);
   test::require(checked || checked.error().what.starts_with(file.string()), "an error names the file");
   return 0;

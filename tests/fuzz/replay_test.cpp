@@ -25,6 +25,7 @@ class InputFile {
   ~InputFile() { std::filesystem::remove(path_); }
 
   void run(const std::string& input) const {
+    std::filesystem::remove(path_);  // to write over it would have some file systems flush it every time
     std::ofstream(path_, std::ios::binary) << input;
     ASSERT_EQ(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size()), 0);
   }

@@ -5,7 +5,6 @@
 #include "core/capture/numbered_folder.h"
 #include "core/capture/pose_files.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 
@@ -25,17 +24,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace scantrove;
   static const test::TemporaryFolder folder;
   const auto parts = test::partsOf({reinterpret_cast<const char*>(data), size}, 5);
-  const auto pose = readPoseFile(folder.write("pose.txt", parts[0]));
+  const auto pose = readPoseFile(test::rewrite(folder, "pose.txt", parts[0]));
   test::require(!pose || (std::abs(pose->linear().determinant() - 1) < 1e-6 && pose->matrix().allFinite()),
                 "a pose is a rigid motion");
-  for (const auto& model : {readIntrinsicsMatrix(folder.write("camera-intrinsics.txt", parts[1])),
-                            readIntrinsicsJson(folder.write("intrinsic.json", parts[2]))}) {
+  for (const auto& model : {readIntrinsicsMatrix(test::rewrite(folder, "camera-intrinsics.txt", parts[1])),
+                            readIntrinsicsJson(test::rewrite(folder, "intrinsic.json", parts[2]))}) {
     if (!model) continue;
     const Intrinsics K = fitToImages(*model, 640, 480);
     test::require(!checkIntrinsics(K, "input") || (K.fx > 0 && K.fy > 0 && K.width == 640),
                   "a camera that is accepted can be used");
   }
-  const auto poses = readTrajectoryLog(folder.write("trajectory.log", parts[3]));
+  const auto poses = readTrajectoryLog(test::rewrite(folder, "trajectory.log", parts[3]));
   for (const NumberedPose& numbered : poses.value_or(std::vector<NumberedPose>())) {
     test::require(numbered.T_world_camera.matrix().allFinite(), "poses of a log are finite");
   }

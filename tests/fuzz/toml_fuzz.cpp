@@ -1,7 +1,6 @@
 // Configuration files, and the same text as a setting of the command line.
 #include "core/scan/param_registry.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 namespace {
@@ -30,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const test::TemporaryFolder folder;
   const std::string text(reinterpret_cast<const char*>(data), size);
   ScanParams params;
-  const auto loaded = loadConfig(params, folder.write("config.toml", text));
+  const auto loaded = loadConfig(params, test::rewrite(folder, "config.toml", text));
   test::require(loaded || !loaded.error().what.empty(), "an error has words");
   test::checkRanges(params);
   const auto applied = applySetting(params, text);
