@@ -165,11 +165,40 @@ TEST_F(DatabaseFailures, AFolderThatCannotBeWritten) {
   EXPECT_THAT(messageOf("/proc/catalogue.sqlite"), HasSubstr("/proc/catalogue.sqlite"));
 }
 
-TEST_F(DatabaseFailures, ReadOnlyFile) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+/// Nobody special while it lives: permissions hold for root as well then.
+class AsNobody {
+ public:
+  AsNobody() : user_(::geteuid()) {
+    if (user_ == 0) EXPECT_EQ(::setresuid(kNobody, kNobody, 0), 0);
+  }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+  ~AsNobody() {
+    if (user_ == 0) EXPECT_EQ(::setresuid(0, 0, 0), 0);
+  }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  uid_t user_;
+};
+
+TEST_F(DatabaseFailures, WhatMayNotBeWritten) {
+  using std::filesystem::perms;
   openOrFail(file());
-  std::filesystem::permissions(file(), std::filesystem::perms::owner_read);
-  EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(file()), HasSubstr("may not")));
+  std::filesystem::permissions(folder_, perms::all);
+  std::filesystem::permissions(file(), perms::owner_read | perms::group_read | perms::others_read);
+  {
+    const AsNobody nobody;
+    EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(file()), HasSubstr("may not read and write")));
+  }
+  std::filesystem::permissions(file(), perms::all);
+  std::filesystem::permissions(folder_,
+                               perms::all & ~(perms::owner_write | perms::group_write | perms::others_write));
+  {
+    const AsNobody nobody;
+    EXPECT_THAT(messageOf(file()), AllOf(HasSubstr(folder_.string()), HasSubstr("may not write")));
+  }
+  std::filesystem::permissions(folder_, perms::owner_all);
 }
 
 TEST_F(DatabaseFailures, Locked) {
