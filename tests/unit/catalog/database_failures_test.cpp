@@ -168,18 +168,14 @@ TEST_F(DatabaseFailures, AFolderThatCannotBeWritten) {
 /// Nobody special while it lives: permissions hold for root as well then.
 class AsNobody {
  public:
-  AsNobody() : user_(::geteuid()) {
-    if (user_ == 0) EXPECT_EQ(::setresuid(kNobody, kNobody, 0), 0);
-  }
+  AsNobody() { EXPECT_TRUE(user_ != 0 || ::setresuid(kNobody, kNobody, 0) == 0); }
   AsNobody(const AsNobody&) = delete;
   AsNobody& operator=(const AsNobody&) = delete;
-  ~AsNobody() {
-    if (user_ == 0) EXPECT_EQ(::setresuid(0, 0, 0), 0);
-  }
+  ~AsNobody() { EXPECT_TRUE(user_ != 0 || ::setresuid(0, 0, 0) == 0); }
 
  private:
   static constexpr uid_t kNobody = 65534;
-  uid_t user_;
+  uid_t user_ = ::geteuid();
 };
 
 TEST_F(DatabaseFailures, WhatMayNotBeWritten) {
