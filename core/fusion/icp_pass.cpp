@@ -15,6 +15,9 @@ constexpr int kCpuRun_px = 600;
 constexpr int kGpuGroup = 32;
 constexpr int kGpuRun_px = 8;
 
+// Standard deviation of a right model's surface from the true one: half a voxel, and what is left in the
+// camera's calibration.
+constexpr float kModelError_m = 0.003F;
 // What is left of a camera's noise next to it: the steps of its depth.
 constexpr float kDepthStep_m = 0.00075F;
 // Gates in standard deviations: pairs farther apart are of two surfaces; residuals from there on are

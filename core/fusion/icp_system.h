@@ -5,10 +5,6 @@
 
 namespace scantrove {
 
-/// Standard deviation of a right model's surface from the true one: half a voxel, and what is left in the
-/// camera's calibration.
-inline constexpr float kModelError_m = 0.003F;
-
 /// The normal equations of one pass of point-to-plane ICP, J x = r, for the twist x = (rotation, translation)
 /// about `centre`: a world point p moves to centre + exp(rotation) (p - centre) + translation. Host side; any
 /// thread.
@@ -22,7 +18,7 @@ struct IcpSystem {
   double radius_m = 0;  ///< root mean square distance of the associated points from `centre`
   double weight = 0;    ///< trace of the translational part of JtJ = sum of the weights
   double fit_residual_m =
-      0;  ///< root mean square residual reduced to depth 0 by the depth's noise, outliers cut
+      0;  ///< root mean square residual, outliers cut, far readings weighed down by their noise
   double squared_error = 0;  ///< sum r^2, m^2
   int inliers = 0;           ///< pixels associated
   int overlap = 0;           ///< pixels with depth that meet a surface of the model

@@ -17,24 +17,24 @@ constexpr double kRest_m = 0.002;
 constexpr double kReach_rad = 0.5;
 constexpr double kReach_m = 0.3;
 
-/// What a pose must show. Residuals are in standard deviations of camera and model, whatever the camera
-/// (IcpGates::fit_noise_per_z2). Right poses left 1 to 2.7 of them on recordings of structured-light cameras,
-/// with 0.7 to 0.95 inliers even over far motions; wrong ones 2 to 6.7 with 0.75 inliers at most. After a
-/// small motion a wrong pose is unlikely and half-seen surfaces are common; the more room there was for a
-/// false minimum, the more must be shown.
+/// What a pose must show. Residuals grow with the noise of the camera and are counted in it. On recordings of
+/// structured-light cameras right poses left 2 to 5.3, with 0.7 to 0.95 inliers even over far motions; wrong
+/// ones 4 to 13 with 0.75 inliers at most. After a small motion a wrong pose is unlikely and half-seen
+/// surfaces are common; the more room there was for a false minimum, the more must be shown.
 struct Evidence {
   double inlier_fraction;
-  double residual;  ///< IcpSystem::fit_residual_m / kModelError_m
+  double residual;  ///< IcpSystem::fit_residual_m / FusionParams::depth_noise_m
 };
-constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 3.8};
-constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 3.0};
-constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 2.3};
+constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 7.6};
+constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
+constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
 constexpr double kFar_rad = 0.07;
 constexpr double kFar_m = 0.08;
 
 }  // namespace
 
-PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion, bool searched) {
+PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion, bool searched,
+                       double depth_noise_m) {
   const IcpSystem& system = outcome.system;
   PoseEstimate pose;
   pose.T_world_camera = outcome.T_world_camera;
@@ -56,7 +56,7 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motio
   const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
   const bool within_reach = angle_rad < kReach_rad && distance_m < kReach_m;
   const bool trusted = pose.free_directions == 0 && at_rest && within_reach &&
-                       system.fit_residual_m <= wanted.residual * double{kModelError_m} &&
+                       system.fit_residual_m <= wanted.residual * depth_noise_m &&
                        pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
                        overlap_of_readings >= kTrustedOverlapOfReadings;
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;

@@ -13,9 +13,10 @@ struct IcpOutcome {
 };
 
 /// Whether the pose may be trusted, with its figures. `motion`: from the pose of the model, in the camera's
-/// frame. `searched`: the pose was found by trying many guesses. A far motion and a search leave more room
-/// for a false minimum and so need more evidence: no pose is called `tracking` that might corrupt the map.
+/// frame. `searched`: the pose was found by trying many guesses. `depth_noise_m`: FusionParams. A far motion
+/// and a search leave more room for a false minimum and so need more evidence: no pose is called `tracking`
+/// that might corrupt the map.
 [[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion,
-                                     bool searched);
+                                     bool searched, double depth_noise_m);
 
 }  // namespace scantrove

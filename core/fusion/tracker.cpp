@@ -117,7 +117,8 @@ PoseEstimate Tracker::finish(const DepthPyramid& frame, const SurfaceMaps& model
     outcome = descend(frame, model, outcome.T_world_camera, level - 1);
   }
   outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
-  return judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera, searched);
+  return judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera, searched,
+                   double{depth_noise_m_});
 }
 
 IcpOutcome Tracker::search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest) {

@@ -104,21 +104,27 @@ IcpOutcome goodOutcome() {
   return outcome;
 }
 
+constexpr double kDepthNoise_m = 0.0015;
+
 TEST(PoseJudgement, TrustsWhatIsWellFoundedOnly) {
   const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d far = still;
   far.translation().x() = 0.1;
-  EXPECT_EQ(judgePose(goodOutcome(), still, false).state, TrackingState::tracking);
-  EXPECT_NEAR(judgePose(goodOutcome(), still, false).inlier_fraction, 50.0 / 55.0, 1e-12);
-  EXPECT_NEAR(judgePose(goodOutcome(), still, false).rmse_m, 0.006, 1e-12);
-  EXPECT_EQ(judgePose(goodOutcome(), far, true).state, TrackingState::tracking);
+  EXPECT_EQ(judgePose(goodOutcome(), still, false, kDepthNoise_m).state, TrackingState::tracking);
+  EXPECT_NEAR(judgePose(goodOutcome(), still, false, kDepthNoise_m).inlier_fraction, 50.0 / 55.0, 1e-12);
+  EXPECT_NEAR(judgePose(goodOutcome(), still, false, kDepthNoise_m).rmse_m, 0.006, 1e-12);
+  EXPECT_EQ(judgePose(goodOutcome(), far, true, kDepthNoise_m).state, TrackingState::tracking);
 
   const auto expectState = [](TrackingState state, const Eigen::Isometry3d& motion, auto&& change) {
     IcpOutcome outcome = goodOutcome();
     change(outcome);
-    EXPECT_EQ(judgePose(outcome, motion, false).state, state);
+    EXPECT_EQ(judgePose(outcome, motion, false, kDepthNoise_m).state, state);
   };
   using enum TrackingState;
+  IcpOutcome noisy = goodOutcome();
+  noisy.system.fit_residual_m = 0.02;
+  EXPECT_EQ(judgePose(noisy, still, false, kDepthNoise_m).state, uncertain);
+  EXPECT_EQ(judgePose(noisy, still, false, 3 * kDepthNoise_m).state, tracking) << "so noisy a camera";
   expectState(uncertain, still, [](IcpOutcome& o) { o.step.free_directions = 1; });
   expectState(uncertain, still, [](IcpOutcome& o) { o.step.rotation_rad = 0.01; });
   expectState(uncertain, still, [](IcpOutcome& o) { o.system.inliers = 20000; });
