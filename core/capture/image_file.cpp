@@ -81,8 +81,11 @@ Result<cv::Mat> decodeUnchanged(Bytes bytes, const std::string& name) {
   if (isDepthPng(bytes)) {
     return decodeDepthPng(bytes, name);
   }
-  return *format == ImageFormat::png ? decodeGreyPng(bytes, name)
-                                     : decodeByOpenCv(bytes, cv::IMREAD_UNCHANGED, name);
+  if (*format == ImageFormat::png) {
+    return decodeGreyPng(bytes, name);
+  }
+  return *format == ImageFormat::jpeg ? decodeJpeg(bytes, name)
+                                      : decodeByOpenCv(bytes, cv::IMREAD_UNCHANGED, name);
 }
 
 }  // namespace

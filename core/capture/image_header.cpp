@@ -61,10 +61,16 @@ ImageSize jpegSize(Bytes bytes) {
   return {};
 }
 
-/// "P5", width, height, separated by blanks and lines of comment.
-ImageSize pnmSize(Bytes bytes) {
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  text.remove_prefix(2);
+struct PnmHeader {
+  ImageSize size;
+  std::uint32_t largest_value = 1;  ///< P1 and P4 (bits) have none
+  std::size_t bytes = 0;            ///< of the header; the pixels follow
+};
+
+/// "P5", width, height, largest value, separated by blanks and lines of comment; one blank before the pixels.
+PnmHeader readPnmHeader(Bytes bytes) {
+  const std::string_view whole(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::string_view text = whole.substr(2);
   const auto next = [&] {
     std::uint32_t value = 0;
     std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -76,8 +82,31 @@ ImageSize pnmSize(Bytes bytes) {
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return error == std::errc() ? value : 0;
   };
-  const std::uint32_t width = next();
-  return {width, next()};
+  PnmHeader header;
+  header.size.width = next();
+  header.size.height = next();
+  if (whole[1] != '1' && whole[1] != '4') {
+    header.largest_value = next();
+  }
+  header.bytes = whole.size() - text.size() + 1;
+  return header;
+}
+
+/// Of a binary PNM: its header and pixels.
+std::uint64_t pnmBytes(Bytes bytes) {
+  const PnmHeader header = readPnmHeader(bytes);
+  const std::uint64_t width = header.size.width;
+  const std::uint64_t bytes_of_value = header.largest_value > 255 ? 2 : 1;
+  switch (bytes[1]) {
+    case '4':
+      return header.bytes + (width + 7) / 8 * header.size.height;
+    case '5':
+      return header.bytes + width * header.size.height * bytes_of_value;
+    case '6':
+      return header.bytes + width * header.size.height * bytes_of_value * 3;
+    default:
+      return header.bytes;
+  }
 }
 
 /// The height is negative where rows run from the top.
@@ -132,7 +161,7 @@ std::optional<ImageSize> imageSize(Bytes bytes) {
       size = jpegSize(bytes);
       break;
     case ImageFormat::pnm:
-      size = pnmSize(bytes);
+      size = readPnmHeader(bytes).size;
       break;
     case ImageFormat::bmp:
       size = bmpSize(bytes);
@@ -142,6 +171,12 @@ std::optional<ImageSize> imageSize(Bytes bytes) {
       break;
   }
   return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
+}
+
+std::uint64_t leastImageBytes(Bytes bytes) {
+  const auto format = imageFormat(bytes);
+  if (format == ImageFormat::pnm) return pnmBytes(bytes);
+  return format == ImageFormat::bmp ? Numbers(bytes, false).at(2, 4) : 0;
 }
 
 Result<void> checkImageSize(const ImageSize& size, const std::string& name) {

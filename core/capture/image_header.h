@@ -31,6 +31,9 @@ struct ImageSize {
 /// makes no sense.
 [[nodiscard]] std::optional<ImageSize> imageSize(std::span<const std::uint8_t> bytes);
 
+/// The bytes that a file has at least by its header; 0 where the format does not tell (PNG, JPEG, TIFF).
+[[nodiscard]] std::uint64_t leastImageBytes(std::span<const std::uint8_t> bytes);
+
 /// Error: the image `name` is empty or larger than what is read; says what fits.
 [[nodiscard]] Result<void> checkImageSize(const ImageSize& size, const std::string& name);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/capture/image_header.h"
+
 namespace scantrove {
 
 namespace {
@@ -71,7 +73,7 @@ std::string findImageDamage(Bytes bytes) {
   if (bytes[0] == kMarker && (bytes.size() == 1 || bytes[1] == kStartOfImage)) {
     return reachesJpegEnd(bytes) ? "" : truncated(bytes);
   }
-  return {};
+  return leastImageBytes(bytes) <= bytes.size() ? "" : truncated(bytes);
 }
 
 }  // namespace scantrove

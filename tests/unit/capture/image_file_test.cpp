@@ -107,6 +107,19 @@ TEST(ImageDamage, IsFoundAtEveryLength) {
   }
 }
 
+TEST(ImageDamage, OfPixelsThatAreMissingIsFound) {
+  cv::Mat noise(24, 32, CV_16UC1);
+  cv::randu(noise, 0, 60000);
+  for (const char* extension : {".pgm", ".bmp"}) {
+    std::vector<uchar> image;
+    cv::imencode(extension, std::string(extension) == ".pgm" ? noise : cv::Mat(24, 32, CV_8UC3), image);
+    EXPECT_THAT(findImageDamage(image), IsEmpty()) << extension;
+    for (std::size_t length = 6; length < image.size(); ++length) {
+      EXPECT_FALSE(findImageDamage({image.data(), length}).empty()) << extension << length;
+    }
+  }
+}
+
 TEST(ImageDamage, TrailingBytesAreNoDamage) {
   std::vector<uchar> jpeg;
   cv::imencode(".jpg", tinyColor(3), jpeg);
