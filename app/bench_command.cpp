@@ -26,7 +26,7 @@ Result<void> bench(ScanRequest request, bool json) {
   request.database = folder.filePath("catalogue.sqlite").toStdString();
   std::vector<BenchSample> samples;
   const auto report = runToEnd(request, [&](const ScanSnapshot& snapshot) {
-    const bool is_new = samples.empty() || snapshot.frames_done > samples.back().frames_done;
+    const bool is_new = samples.empty() || snapshot.frames.done() > samples.back().frames_done;
     if (is_new && snapshot.pose.usable()) samples.push_back(sampleOf(snapshot));
   });
   if (!report) return fail(report.error());

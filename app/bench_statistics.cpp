@@ -21,7 +21,7 @@ double sumOfMedians(const ScanReport& report) {
 
 BenchSample sampleOf(const ScanSnapshot& snapshot) {
   BenchSample sample;
-  sample.frames_done = snapshot.frames_done;
+  sample.frames_done = snapshot.frames.done();
   sample.bricks = snapshot.map_bricks;
   for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) {
     sample.frame_ms += stage.ms;

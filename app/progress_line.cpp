@@ -38,18 +38,18 @@ void ProgressLine::clearLine() {
 
 std::string describeProgress(const ScanSnapshot& snapshot) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << snapshot.frames_done;
+  text << std::fixed << std::setprecision(1) << snapshot.frames.done();
   if (snapshot.frames_total > 0) {
     text << '/' << snapshot.frames_total << " frames ("
-         << 100LL * snapshot.frames_done / snapshot.frames_total << " %)";
+         << 100LL * snapshot.frames.done() / snapshot.frames_total << " %)";
   } else {
     text << " frames";
   }
   text << ", " << snapshot.fps << " fps, " << toString(snapshot.pose.state) << ", " << snapshot.region_count
        << " regions";
-  if (snapshot.frames_lost > 0) text << ", " << snapshot.frames_lost << " lost";
-  if (snapshot.frames_skipped > 0) text << ", " << snapshot.frames_skipped << " unreadable";
-  if (snapshot.frames_dropped > 0) text << ", " << snapshot.frames_dropped << " dropped";
+  if (snapshot.frames.lost > 0) text << ", " << snapshot.frames.lost << " lost";
+  if (snapshot.frames.skipped > 0) text << ", " << snapshot.frames.skipped << " unreadable";
+  if (snapshot.frames.dropped > 0) text << ", " << snapshot.frames.dropped << " dropped";
   return text.str();
 }
 

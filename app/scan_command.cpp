@@ -20,7 +20,7 @@ struct ScanCommand {
 };
 
 void printSummary(const ScanReport& report, const std::string& out) {
-  const ScanReport::Frames& frames = report.frames;
+  const FrameCounts& frames = report.frames;
   std::size_t known = 0;
   for (const ScanReport::Object& object : report.objects) known += object.recognised_from.empty() ? 0U : 1U;
   std::cout << std::fixed << std::setprecision(1);

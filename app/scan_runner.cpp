@@ -53,6 +53,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
       if (std::holds_alternative<PreparingDevice>(*event))
         progress.say("Preparing the processor (first time only).");
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
+      if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
     }
     if (const auto snapshot = session.snapshots().collect()) {
       if (watch) watch(*snapshot);

@@ -1,11 +1,12 @@
 #pragma once
 #include <Eigen/Core>
-#include <memory>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/catalog/detection_params.h"
 #include "core/catalog/object_record.h"
+#include "core/catalog/thumbnail_matcher.h"
+#include "core/catalog/view_index.h"
 #include "core/compute/compute_context.h"
 
 namespace scantrove {
@@ -24,28 +25,35 @@ struct DetectionMatch {
 
 /// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x 32
 /// Lab thumbnails normalised per channel, 19 principal components to prune, SSD with warping and local shifts
-/// on the device. One thread, the compute context's.
+/// on the device. A view keeps the object that it was stored for; a table says who holds that object's views
+/// now, so that merging and deleting move no view. One thread, the compute context's; all but create may
+/// throw cl::Error.
 class Detector {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<Detector>> create(ComputeContext& compute);
-  ~Detector();
+  [[nodiscard]] static Result<Detector> create(ComputeContext& compute);
 
-  void setParams(const DetectionParams& params);
-  /// Adds a view; the next find searches it.
-  void add(ObjectId object, const cv::Mat& color, const cv::Mat& mask, const Eigen::Vector3f& size_m);
-  void add(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
-  /// Forgets all views of an object (it was deleted or merged).
-  void remove(ObjectId object);
-  void clear();
-  [[nodiscard]] int viewCount() const;
+  void setParams(const DetectionParams& params) { params_ = params; }
 
-  /// All candidates of a frame in one batch; one match for each query, in order.
+  /// Makes room for so many views in all: growing view by view would copy them.
+  void reserve(int views) { matcher_.reserve(views); }
+  /// The next find searches it. About 4 KB a view, nearly all of it on the device.
+  void add(const StoredDescriptor& view);
+  [[nodiscard]] int viewCount() const { return index_.size(); }
+
+  /// Views of an object without a holder match nothing.
+  void setHolder(const ObjectHolder& entry) { index_.setHolder(entry); }
+  [[nodiscard]] ObjectId holderOf(ObjectId object) const { return index_.holderOf(object); }
+
+  /// All candidates of a frame in one batch; one match for each query, in order: who holds the best view.
   [[nodiscard]] std::vector<DetectionMatch> find(const std::vector<DetectionQuery>& queries);
 
  private:
-  Detector();
-  class Machinery;
-  std::unique_ptr<Machinery> machinery_;
+  explicit Detector(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {}
+  void warmUp();
+
+  DetectionParams params_;
+  ThumbnailMatcher matcher_;
+  ViewIndex index_;
 };
 
 }  // namespace scantrove

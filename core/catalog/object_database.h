@@ -55,6 +55,9 @@ class ObjectDatabase {
   [[nodiscard]] Result<std::int64_t> forEachDescriptor(
       std::int64_t after, const std::function<void(const StoredDescriptor&)>& visit);
 
+  /// How many views there are, of hidden objects too.
+  [[nodiscard]] Result<int> viewCount();
+
   /// The newest row of `events`, 0 when there is none: where changesAfter goes on.
   [[nodiscard]] Result<std::int64_t> lastEvent();
   /// What happened after that event, by this or any other program. Cheap when that is little or nothing.

@@ -11,6 +11,8 @@ namespace {
 
 static_assert(sizeof(Thumbnail::fine) == FINE_VIEW_BYTES && sizeof(Thumbnail::coarse) == COARSE_VIEW_BYTES);
 
+constexpr int kViewsOfABatch = 256;
+
 std::size_t count(int items, int bytes) {
   return static_cast<std::size_t>(items) * static_cast<std::size_t>(bytes);
 }
@@ -37,34 +39,40 @@ Result<ThumbnailMatcher> ThumbnailMatcher::create(ComputeContext& compute) {
 
 void ThumbnailMatcher::reserve(int views) {
   if (views <= capacity_) return;
-  const int capacity = std::max({views, 2 * capacity_, 64});
+  writeAppended();
   const auto grow = [&](Buffer<cl_char>& buffer, int bytes) {
-    Buffer<cl_char> larger(compute_->context(), count(capacity, bytes));
-    if (size_ > 0) compute_->queue().enqueueCopyBuffer(buffer.cl(), larger.cl(), 0, 0, count(size_, bytes));
+    Buffer<cl_char> larger(compute_->context(), count(views, bytes));
+    if (size_ > 0) {
+      compute_->queue().enqueueCopyBuffer(buffer.cl(), larger.cl(), 0, 0, count(size_, bytes));
+      compute_->finish();
+    }
     buffer = std::move(larger);
   };
   grow(fine_views_, FINE_VIEW_BYTES);
   grow(coarse_views_, COARSE_VIEW_BYTES);
-  capacity_ = capacity;
+  capacity_ = views;
 }
 
 void ThumbnailMatcher::append(const Thumbnail& thumbnail) {
-  reserve(size_ + 1);
-  fine_views_.write(compute_->queue(), thumbnail.fine, count(size_, FINE_VIEW_BYTES));
-  coarse_views_.write(compute_->queue(), thumbnail.coarse, count(size_, COARSE_VIEW_BYTES));
+  if (size_ == capacity_) reserve(std::max(64, capacity_ + capacity_ / 2));
+  appended_fine_.insert(appended_fine_.end(), thumbnail.fine.begin(), thumbnail.fine.end());
+  appended_coarse_.insert(appended_coarse_.end(), thumbnail.coarse.begin(), thumbnail.coarse.end());
   ++size_;
+  if (appended_fine_.size() >= count(kViewsOfABatch, FINE_VIEW_BYTES)) writeAppended();
 }
 
-void ThumbnailMatcher::removeByLast(int place) {
-  SCANTROVE_CHECK(place >= 0 && place < size_);
-  --size_;
-  if (place == size_) return;
-  const auto move = [&](Buffer<cl_char>& buffer, int bytes) {
-    compute_->queue().enqueueCopyBuffer(buffer.cl(), buffer.cl(), count(size_, bytes), count(place, bytes),
-                                        count(1, bytes));
-  };
-  move(fine_views_, FINE_VIEW_BYTES);
-  move(coarse_views_, COARSE_VIEW_BYTES);
+void ThumbnailMatcher::writeAppended() {
+  const int on_device = size_ - static_cast<int>(appended_fine_.size() / FINE_VIEW_BYTES);
+  fine_views_.write(compute_->queue(), appended_fine_, count(on_device, FINE_VIEW_BYTES));
+  coarse_views_.write(compute_->queue(), appended_coarse_, count(on_device, COARSE_VIEW_BYTES));
+  appended_fine_.clear();
+  appended_coarse_.clear();
+}
+
+void ThumbnailMatcher::clear() {
+  size_ = 0;
+  appended_fine_.clear();
+  appended_coarse_.clear();
 }
 
 void ThumbnailMatcher::prepareQueries(const std::vector<Thumbnail>& queries) {
@@ -92,6 +100,7 @@ void ThumbnailMatcher::prepareQueries(const std::vector<Thumbnail>& queries) {
 std::vector<float> ThumbnailMatcher::distances(const std::vector<Thumbnail>& queries,
                                                const std::vector<Pair>& pairs) {
   if (pairs.empty()) return {};
+  writeAppended();
   prepareQueries(queries);
   std::vector<cl_int2> places;
   places.reserve(pairs.size());

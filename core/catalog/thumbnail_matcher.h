@@ -21,11 +21,12 @@ class ThumbnailMatcher {
   [[nodiscard]] static Result<ThumbnailMatcher> create(ComputeContext& compute);
 
   [[nodiscard]] int size() const { return size_; }
-  /// The new view's place is the old size().
+  /// Makes room for so many views, once and for all; with more the buffers are copied into larger ones.
+  void reserve(int views);
+  /// The new view's place is the old size(). Views go to the device in batches, at the latest when they are
+  /// compared.
   void append(const Thumbnail& thumbnail);
-  /// The last view takes this place; the others keep theirs.
-  void removeByLast(int place);
-  void clear() { size_ = 0; }
+  void clear();
 
   /// Warped distance of each pair, in order; 0 = the same, 2 = unrelated. One batch.
   [[nodiscard]] std::vector<float> distances(const std::vector<Thumbnail>& queries,
@@ -33,12 +34,13 @@ class ThumbnailMatcher {
 
  private:
   explicit ThumbnailMatcher(ComputeContext& compute) : compute_(&compute) {}
-  void reserve(int views);
+  void writeAppended();
   void prepareQueries(const std::vector<Thumbnail>& queries);
 
   ComputeContext* compute_;
   Kernel warp_queries_, shrink_queries_, score_warps_, refine_matches_;
   int size_ = 0, capacity_ = 0;
+  std::vector<cl_char> appended_fine_, appended_coarse_;  // the last views, not on the device yet
   Buffer<cl_char> fine_views_, coarse_views_;
   int query_capacity_ = 0;
   Buffer<cl_char> queries_, fine_queries_, coarse_queries_;

@@ -83,6 +83,12 @@ Result<std::int64_t> ObjectDatabase::forEachDescriptor(
   return descriptor.view;
 }
 
+Result<int> ObjectDatabase::viewCount() {
+  Result<QSqlQuery> query = connection_->execute("SELECT count(*) FROM view_summaries");
+  if (!query) return fail(query.error());
+  return query->next() ? query->value(0).toInt() : 0;
+}
+
 Result<cv::Mat> ObjectDatabase::picture(ObjectId id) {
   constexpr const char* kSelect =
       "SELECT o.best_view, p.jpeg, s.object_pixels IS NULL FROM objects o"

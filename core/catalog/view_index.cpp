@@ -9,8 +9,9 @@ namespace {
 
 constexpr int kMostSamples = 256;  // views that the components are fitted to
 constexpr float kGrowthToRefit = 1.5F;
-constexpr int kEnoughViews = 2000;  // the components of so many are those of more: fitted no more
-constexpr float kColorUnit = 40;    // CIE units of mean colour that count as 1 of distance
+constexpr int kEnoughViews = 2000;           // the components of so many are those of more: fitted no more
+constexpr std::size_t kViewsOfABatch = 256;  // whose pixels wait for their coordinates
+constexpr float kColorUnit = 40;             // CIE units of mean colour that count as 1 of distance
 
 using Coarse = decltype(Thumbnail::coarse);
 
@@ -40,54 +41,52 @@ bool sizesAgree(float a, float b, float tolerance) {
 
 }  // namespace
 
-std::optional<int> ViewIndex::find(ObjectId object) const {
-  for (int place = size() - 1; place >= 0; --place) {
-    if (objectAt(place) == object) return place;
-  }
-  return std::nullopt;
+std::uint32_t ViewIndex::ownerOf(ObjectId first_object) {
+  const auto [entry, is_new] = owners_.try_emplace(first_object, static_cast<std::uint32_t>(holders_.size()));
+  if (is_new) holders_.emplace_back();
+  return entry->second;
 }
 
-void ViewIndex::append(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
-  View view{object, thumbnail.mean_lab, size_m.norm(), PrincipalComponents::Coordinates::Zero()};
-  if (!components_.isEmpty()) view.coordinates = components_.project(toVector(thumbnail.coarse));
-  views_.push_back(view);
+void ViewIndex::setHolder(const ObjectHolder& entry) { holders_[ownerOf(entry.object)] = entry.holder; }
+
+ObjectId ViewIndex::holderOf(ObjectId object) const {
+  const auto found = owners_.find(object);
+  return found == owners_.end() ? ObjectId{} : holders_[found->second];
+}
+
+void ViewIndex::append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
+  views_.push_back(
+      {ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), PrincipalComponents::Coordinates::Zero()});
   coarse_.push_back(thumbnail.coarse);
+  if (size() >= kEnoughViews && coarse_.size() >= kViewsOfABatch) updateComponents();
+}
+
+void ViewIndex::updateComponents() {
+  if (size() < kFewViews) return;
   const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
-  if (size() >= kFewViews && grown && views_at_fit_ < kEnoughViews) fitComponents();
-}
-
-void ViewIndex::removeByLast(int place) {
-  views_[static_cast<std::size_t>(place)] = views_.back();
-  views_.pop_back();
-  coarse_[static_cast<std::size_t>(place)] = coarse_.back();
-  coarse_.pop_back();
-}
-
-void ViewIndex::clear() {
-  views_.clear();
-  coarse_.clear();
-  components_ = {};
-  views_at_fit_ = 0;
-}
-
-void ViewIndex::fitComponents() {
-  const int samples = std::min(size(), kMostSamples);
-  Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
-  for (int i = 0; i < samples; ++i) {
-    const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
-    rows.row(i) = toVector(coarse_[place]).transpose();
+  if (views_at_fit_ < kEnoughViews && grown) {
+    const int samples = std::min(size(), kMostSamples);
+    Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
+    for (int i = 0; i < samples; ++i) {
+      const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
+      rows.row(i) = toVector(coarse_[place]).transpose();
+    }
+    components_ = PrincipalComponents::fit(rows);
+    views_at_fit_ = size();
+    projected_ = 0;
   }
-  components_ = PrincipalComponents::fit(rows);
-  views_at_fit_ = size();
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    views_[i].coordinates = components_.project(toVector(coarse_[i]));
+  const std::size_t first_coarse = views_.size() - coarse_.size();
+  for (; projected_ < views_.size(); ++projected_) {
+    views_[projected_].coordinates = components_.project(toVector(coarse_[projected_ - first_coarse]));
   }
+  if (views_at_fit_ >= kEnoughViews) coarse_ = {};
 }
 
-std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) const {
+std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) {
+  updateComponents();
   const float diagonal_m = query.size_m.norm();
   PrincipalComponents::Coordinates straight = PrincipalComponents::Coordinates::Zero(), flipped = straight;
-  const bool prune = size() >= kFewViews && !components_.isEmpty();
+  const bool prune = !components_.isEmpty();
   if (prune) {
     straight = components_.project(toVector(query.thumbnail.coarse));
     flipped = components_.project(toVector(mirrored(query.thumbnail.coarse)));
@@ -103,7 +102,8 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
     const float color = colorDistance(query.thumbnail.mean_lab, view.mean_lab);
-    if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance))
+    if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
+        !holders_[view.owner])
       continue;
     const float distance = prune ? std::min((straight - view.coordinates).squaredNorm(),
                                             (flipped - view.coordinates).squaredNorm())

@@ -1,10 +1,11 @@
 #pragma once
 #include <Eigen/Core>
-#include <optional>
-#include <span>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/catalog/object_record.h"
 #include "core/catalog/principal_components.h"
 #include "core/catalog/thumbnail.h"
 
@@ -28,34 +29,43 @@ class ViewIndex {
   static constexpr int kFewViews = 64;
 
   [[nodiscard]] int size() const { return static_cast<int>(views_.size()); }
-  [[nodiscard]] ObjectId objectAt(int place) const { return views_[static_cast<std::size_t>(place)].object; }
-  /// The place of any view of the object; the last one.
-  [[nodiscard]] std::optional<int> find(ObjectId object) const;
+  /// `first_object`: the object that the view was stored for.
+  void append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
 
-  void append(ObjectId object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
-  void removeByLast(int place);
-  void clear();
+  /// Views of an object that nobody holds are never worth a comparison.
+  void setHolder(const ObjectHolder& entry);
+  /// None for an object that was deleted or never heard of.
+  [[nodiscard]] ObjectId holderOf(ObjectId object) const;
+  [[nodiscard]] ObjectId holderAt(int place) const {
+    return holders_[views_[static_cast<std::size_t>(place)].owner];
+  }
 
   /// Places worth a comparison, nearest first; at most `shortlist` once there are kFewViews views.
-  [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits) const;
+  [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits);
 
   /// What the difference of mean colours adds to the warped distance of a pair.
   [[nodiscard]] float colorTerm(const Thumbnail& query, int place) const;
 
  private:
   using Coarse = decltype(Thumbnail::coarse);
-  struct View {  // what every query reads: small
-    ObjectId object;
+  struct View {           // what every query reads: small
+    std::uint32_t owner;  // of holders_
     Eigen::Vector3f mean_lab;
     float diagonal_m;
     PrincipalComponents::Coordinates coordinates;
   };
-  void fitComponents();
+  [[nodiscard]] std::uint32_t ownerOf(ObjectId first_object);
+  void updateComponents();
 
   std::vector<View> views_;
-  std::vector<Coarse> coarse_;  // to fit the components to
+  std::unordered_map<ObjectId, std::uint32_t> owners_;  // by first object
+  std::vector<ObjectId> holders_;                       // by owner
+  // 16 x 16 pixels of the last views: all, as long as components may be fitted to them anew; later those
+  // whose coordinates are still to be computed.
+  std::vector<Coarse> coarse_;
   PrincipalComponents components_;
   int views_at_fit_ = 0;
+  std::size_t projected_ = 0;  // views with coordinates
 };
 
 }  // namespace scantrove

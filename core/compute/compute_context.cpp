@@ -28,6 +28,8 @@ Result<std::unique_ptr<ComputeContext>> ComputeContext::create(const Options& op
   compute->device_ = *device;
   compute->device_name_ = device->getInfo<CL_DEVICE_NAME>();
   compute->device_name_.resize(std::char_traits<char>::length(compute->device_name_.c_str()));
+  compute->memory_ = {device->getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>(),
+                      device->getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()};
   compute->is_cpu_ = (device->getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
   compute->profiling_ = options.profiling;
   compute->on_compiling_ = options.on_compiling;

@@ -12,9 +12,15 @@
 
 namespace scantrove {
 
+/// What a device has for all buffers together, and for the largest of them.
+struct DeviceMemory {
+  std::size_t total_bytes = 0;
+  std::size_t largest_buffer_bytes = 0;
+};
+
 /// One OpenCL device with its in-order queue and its built programs. Everything on it runs on one thread
 /// (the scan worker's); only construction may fail softly. After that a device fault in the frame path throws
-/// `cl::Error`, which ScanPipeline::processFrame catches as the one edge.
+/// `cl::Error`, which ends at the edges of the scan (core/scan/guarded.h).
 class ComputeContext {
  public:
   struct Options {
@@ -38,6 +44,7 @@ class ComputeContext {
   [[nodiscard]] const cl::Context& context() const { return context_; }
   [[nodiscard]] cl::CommandQueue& queue() { return queue_; }
   [[nodiscard]] const std::string& deviceName() const { return device_name_; }
+  [[nodiscard]] const DeviceMemory& memory() const { return memory_; }
 
   /// True where device memory is the host's: mapping a buffer costs no copy.
   [[nodiscard]] bool isCpu() const { return is_cpu_; }
@@ -55,6 +62,7 @@ class ComputeContext {
   cl::Context context_;
   cl::CommandQueue queue_;
   std::string device_name_;
+  DeviceMemory memory_;
   bool is_cpu_ = false;
   bool profiling_ = false;
   std::function<void()> on_compiling_;

@@ -1,6 +1,7 @@
 #include "core/labeling/label_cloud.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/compute/kernel_types.h"
@@ -69,28 +70,36 @@ std::span<const cl_int> LabelCloud::update(const SurfaceMaps& surface, const Reg
 
 LabelCloud::Extract LabelCloud::extract(std::span<const cl_int> slots, const BrickMap& bricks,
                                         float truncation_vox) {
-  fitPools(bricks);
+  // Bricks that no update has reached have no labels; that may be so for good when memory ran out.
+  std::vector<cl_int> labelled;
+  std::ranges::copy_if(slots, std::back_inserter(labelled),
+                       [this](cl_int slot) { return slot < positions_known_; });
   Extract result;
-  result.first.push_back(0);
-  if (slots.empty()) return result;
-  fit(listed_, slots.size());
-  fit(offsets_, slots.size());
+  if (labelled.empty()) {
+    result.first.assign(slots.size() + 1, 0);
+    return result;
+  }
+  fit(listed_, labelled.size());
+  fit(offsets_, labelled.size());
   fit(points_, 1);
-  listed_.write(compute_.queue(), slots);
+  listed_.write(compute_.queue(), labelled);
   const auto run = [&](int write) {
     const auto band = static_cast<cl_int>(32767.0F / truncation_vox);
-    extract_points_.launch(cl::NDRange(slots.size()), cl::NDRange(8), listed_,
-                           static_cast<cl_int>(slots.size()), positions_, bricks.voxels(), labels_,
+    extract_points_.launch(cl::NDRange(labelled.size()), cl::NDRange(8), listed_,
+                           static_cast<cl_int>(labelled.size()), positions_, bricks.voxels(), labels_,
                            bricks.voxelSize(), band, cl_int{write}, offsets_, points_);
   };
   run(0);
-  std::vector<cl_int> offsets(slots.size());
+  std::vector<cl_int> offsets(labelled.size());
   offsets_.read(compute_.queue(), std::span<cl_int>(offsets));
   cl_int total = 0;
-  for (cl_int& entry : offsets) {
-    total += std::exchange(entry, total);
-    result.first.push_back(static_cast<std::uint32_t>(total));
+  for (cl_int& entry : offsets) total += std::exchange(entry, total);
+  auto next = offsets.begin();
+  for (const cl_int slot : slots) {
+    result.first.push_back(static_cast<std::uint32_t>(next == offsets.end() ? total : *next));
+    if (slot < positions_known_) ++next;
   }
+  result.first.push_back(static_cast<std::uint32_t>(total));
   result.points.resize(static_cast<std::size_t>(total));
   if (total == 0) return result;
   fit(points_, result.points.size());

@@ -1,67 +1,61 @@
 #include "core/scan/object_collector.h"
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <limits>
 
+#include "core/base/log.h"
 #include "core/scan/candidate_crop.h"
 
 namespace scantrove {
 namespace {
+
 /// Two sightings of one scan are of one object when their centroids lie within this fraction of its diagonal.
 constexpr float kSamePlaceFraction = 0.25F;
+
+cv::Rect2f inFractions(const cv::Rect& box, const Intrinsics& K) {
+  const auto width = static_cast<float>(K.width);
+  const auto height = static_cast<float>(K.height);
+  return {static_cast<float>(box.x) / width, static_cast<float>(box.y) / height,
+          static_cast<float>(box.width) / width, static_cast<float>(box.height) / height};
+}
+
+/// A person said what this object is.
+bool isSettled(const ObjectRecord& record) { return record.confirmed || record.named_by == NamedBy::person; }
+
 }  // namespace
+
+ObjectCollector::ObjectCollector(ObjectDatabase& database, std::int64_t session, Detector detector,
+                                 const DetectionParams& params)
+    : database_(database), session_(session), catalogue_(database, std::move(detector)) {
+  setParams(params);
+}
 
 Result<std::unique_ptr<ObjectCollector>> ObjectCollector::create(ComputeContext& compute,
                                                                  ObjectDatabase& database,
                                                                  std::int64_t session,
                                                                  const DetectionParams& params) {
-  std::unique_ptr<ObjectCollector> collector(new ObjectCollector(database, session, params));
-  Result<std::unique_ptr<Detector>> detector = Detector::create(compute);
+  Result<Detector> detector = Detector::create(compute);
   if (!detector) return fail(detector.error());
-  collector->detector_ = std::move(*detector);
-  collector->detector_->setParams(params);
-  SCANTROVE_TRY(collector->reload());
+  std::unique_ptr<ObjectCollector> collector(
+      new ObjectCollector(database, session, std::move(*detector), params));
+  SCANTROVE_TRY(collector->catalogue_.load());
   return collector;
 }
 
 void ObjectCollector::setParams(const DetectionParams& params) {
-  detector_->setParams(params);
-  views_.setParams(params);
+  params_ = params;
+  catalogue_.detector().setParams(params);
 }
 
-Result<void> ObjectCollector::reload() {
-  Result<std::vector<ObjectRecord>> objects = database_.objects();
-  if (!objects) return fail(objects.error());
-  const Result<std::vector<ObjectHolder>> holders = database_.holders();
-  if (!holders) return fail(holders.error());
-  records_.clear();
-  for (ObjectRecord& record : *objects) {
-    if (!met_.contains(record.id)) views_.countStored(record.id, record.views);
-    records_.emplace(record.id, std::move(record));
+FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
+                                      const Intrinsics& working_K, const std::vector<Candidate>& candidates) {
+  FrameObjects objects;
+  if (frames_until_retry_ > 0) --frames_until_retry_;
+  if (mayUseCatalogue()) {
+    if (const Result<void> followed = followCatalogue(); !followed) noteFailure(followed.error(), objects);
   }
-  detector_->clear();
-  std::unordered_map<ObjectId, ObjectId> holder_of;
-  for (const ObjectHolder& entry : *holders) holder_of.emplace(entry.object, entry.holder);
-  SCANTROVE_TRY(database_.forEachDescriptor(0, [&](const StoredDescriptor& view) {
-    const ObjectId holder = holder_of[view.first_object];
-    if (records_.contains(holder)) detector_->add(holder, view.thumbnail, view.size_m);
-  }));
-  std::erase_if(object_of_region_, [&](const auto& entry) { return !records_.contains(entry.second); });
-  std::erase_if(met_, [&](const auto& entry) { return !records_.contains(entry.first); });
-  return {};
-}
-
-void ObjectCollector::regionsMerged(RegionId into, RegionId from) {
-  const auto found = object_of_region_.find(from);
-  if (found == object_of_region_.end()) return;
-  object_of_region_.try_emplace(into, found->second);
-  object_of_region_.erase(from);
-}
-
-Result<ObjectCollector::Happenings> ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
-                                                             const Intrinsics& working_K,
-                                                             const std::vector<Candidate>& candidates) {
-  Happenings happenings;
+  mergeJoined(objects);
   std::vector<Sighting> sightings;
   if (!frame.color.empty()) {
     for (const Candidate& candidate : candidates) {
@@ -69,25 +63,41 @@ Result<ObjectCollector::Happenings> ObjectCollector::collect(const RgbdFrame& fr
       sightings.back().view.session = session_;
     }
   }
-  std::vector<Sighting*> strangers;
+  std::vector<Sighting*> unidentified;
   for (Sighting& sighting : sightings) {
-    if (!object_of_region_.contains(sighting.candidate->region)) strangers.push_back(&sighting);
+    if (!object_of_region_.contains(sighting.candidate->region)) unidentified.push_back(&sighting);
   }
-  SCANTROVE_TRY(identify(strangers, happenings));
+  identify(unidentified, objects);
   for (Sighting& sighting : sightings) {
-    const ObjectId object = object_of_region_.at(sighting.candidate->region);
-    met_[object].centroid_world = sighting.candidate->centroid_world;
-    met_[object].size_m = sighting.candidate->size_m;
-    SCANTROVE_TRY(keepNewDirection(object, sighting, happenings));
+    const auto found = object_of_region_.find(sighting.candidate->region);
+    if (found == object_of_region_.end()) continue;
+    meet(found->second, *sighting.candidate);
+    keepNewDirection(found->second, sighting, objects);
   }
-  for (const Candidate& candidate : candidates) happenings.seen.push_back(describe(candidate, working_K));
-  return happenings;
+  for (const Candidate& candidate : candidates) {
+    SeenObject seen;
+    seen.region = candidate.region;
+    seen.box = inFractions(candidate.box_px, working_K);
+    describeObject(seen);
+    objects.seen.push_back(std::move(seen));
+  }
+  return objects;
 }
 
-Result<void> ObjectCollector::identify(const std::vector<Sighting*>& strangers, Happenings& happenings) {
+void ObjectCollector::noteFailure(const Error& error, FrameObjects& objects) {
+  frames_until_retry_ = kFramesUntilRetry;
+  if (is_failure_said_) {
+    spdlog::warn("{}", error.message());
+  } else {
+    objects.catalogue_failure = error;
+    is_failure_said_ = true;
+  }
+}
+
+void ObjectCollector::identify(const std::vector<Sighting*>& unidentified, FrameObjects& objects) {
   std::vector<Sighting*> to_look_up;
   std::vector<DetectionQuery> queries;
-  for (Sighting* sighting : strangers) {
+  for (Sighting* sighting : unidentified) {
     // The same thing under a new region: no need to look at it.
     if (const ObjectId object = metNearby(*sighting->candidate)) {
       object_of_region_[sighting->candidate->region] = object;
@@ -96,103 +106,142 @@ Result<void> ObjectCollector::identify(const std::vector<Sighting*>& strangers, 
     to_look_up.push_back(sighting);
     queries.push_back({sighting->view.color, sighting->view.mask, sighting->candidate->size_m});
   }
-  if (queries.empty()) return {};
-  const std::vector<DetectionMatch> matches = detector_->find(queries);
+  if (queries.empty()) return;
+  const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const Sighting& sighting = *to_look_up[i];
     ObjectId object = matches[i].object;
-    if (object) {
-      if (!met_.contains(object)) happenings.recognised.push_back(records_.at(object));
-      meet(object, *sighting.candidate, false);
+    if (const ObjectRecord* known = record(object)) {
+      if (!isMet(object)) objects.recognised.push_back(*known);
     } else {
-      Result<ObjectId> added = addToCatalogue(sighting, happenings);
-      if (!added) return fail(added.error());
-      object = *added;
+      object = addToCatalogue(*to_look_up[i], objects);
+      if (!object) continue;
     }
-    object_of_region_[sighting.candidate->region] = object;
+    object_of_region_[to_look_up[i]->candidate->region] = object;
+    meet(object, *to_look_up[i]->candidate);
   }
-  return {};
 }
 
-Result<ObjectId> ObjectCollector::addToCatalogue(const Sighting& sighting, Happenings& happenings) {
-  const Candidate& candidate = *sighting.candidate;
-  Result<ObjectRecord> added = database_.addObject(sighting.view);
-  if (!added) return fail(added.error());
-  detector_->add(added->id, sighting.view.color, sighting.view.mask, candidate.size_m);
-  views_.keep(added->id, sighting.view.direction);
-  meet(added->id, candidate, true);
-  happenings.added.push_back(*added);
-  records_[added->id] = *added;
+ObjectId ObjectCollector::addToCatalogue(Sighting& sighting, FrameObjects& objects) {
+  if (!mayUseCatalogue()) return {};
+  const Result<ObjectRecord> added = database_.addObject(sighting.view);
+  if (!added) {
+    noteFailure(added.error(), objects);
+    return {};
+  }
+  is_failure_said_ = false;
+  objects.added.push_back(*added);
+  catalogue_.noteAdded(*added);
+  met_[added->id].views.keep(sighting.view.direction);
   return added->id;
 }
 
-void ObjectCollector::meet(ObjectId object, const Candidate& candidate, bool is_new) {
-  const auto [entry, first_time] = met_.try_emplace(object);
-  if (first_time) entry->second.is_new = is_new;
-  entry->second.centroid_world = candidate.centroid_world;
-  entry->second.size_m = candidate.size_m;
+void ObjectCollector::keepNewDirection(ObjectId object, Sighting& sighting, FrameObjects& objects) {
+  const ObjectRecord* holder = record(catalogue_.holderOf(object));
+  if (holder == nullptr || holder->views >= params_.max_views || !mayUseCatalogue()) return;
+  ObjectView& view = sighting.view;
+  const bool is_new = std::ranges::all_of(met_, [&](const auto& met) {
+    return catalogue_.holderOf(met.first) != holder->id ||
+           met.second.views.isNew(view.direction, params_.new_view_angle_deg);
+  });
+  if (!is_new) return;
+  view.object = object;
+  if (const Result<std::int64_t> stored = database_.addView(view); !stored) {
+    noteFailure(stored.error(), objects);
+    return;
+  }
+  is_failure_said_ = false;
+  met_.at(object).views.keep(view.direction);
+  catalogue_.noteView(holder->id);
+  objects.new_views.push_back(holder->id);
+}
+
+void ObjectCollector::regionsMerged(RegionId into, RegionId from) {
+  const auto found = object_of_region_.find(from);
+  if (found == object_of_region_.end()) return;
+  const ObjectId object = found->second;
+  object_of_region_.erase(found);
+  const auto [entry, is_first] = object_of_region_.try_emplace(into, object);
+  if (is_first) return;
+  if (!catalogue_.holderOf(entry->second)) {
+    entry->second = object;  // a deleted one gives way
+  } else {
+    joined_.emplace_back(entry->second, object);
+  }
+}
+
+bool ObjectCollector::shouldMerge(ObjectId a, ObjectId b) const {
+  const ObjectRecord* first = record(a);
+  const ObjectRecord* second = record(b);
+  if (first == nullptr || second == nullptr || a == b || catalogue_.areKeptApart(a, b)) return false;
+  return !(isSettled(*first) && isSettled(*second));
+}
+
+void ObjectCollector::mergeJoined(FrameObjects& objects) {
+  if (!mayUseCatalogue()) return;
+  while (!joined_.empty()) {
+    const std::array<ObjectId, 2> pair{catalogue_.holderOf(joined_.back().first),
+                                       catalogue_.holderOf(joined_.back().second)};
+    if (shouldMerge(pair[0], pair[1])) {
+      Result<ObjectMerge> merge = database_.merge(pair);
+      if (merge) {
+        is_failure_said_ = false;
+        objects.merged.push_back(std::move(*merge));
+      }
+      const Result<void> followed = merge ? followCatalogue() : fail(merge.error());
+      if (!followed) return noteFailure(followed.error(), objects);
+    }
+    joined_.pop_back();
+  }
+}
+
+void ObjectCollector::meet(ObjectId object, const Candidate& candidate) {
+  MetObject& met = met_[object];
+  met.centroid_world = candidate.centroid_world;
+  met.size_m = candidate.size_m;
+}
+
+bool ObjectCollector::isMet(ObjectId holder) const {
+  return std::ranges::any_of(met_, [&](const auto& met) { return catalogue_.holderOf(met.first) == holder; });
 }
 
 ObjectId ObjectCollector::metNearby(const Candidate& candidate) const {
+  ObjectId nearest;
+  float least_distance_m = std::numeric_limits<float>::max();
   for (const auto& [object, met] : met_) {
     const float diagonal = std::max(met.size_m.norm(), candidate.size_m.norm());
     const bool alike = std::min(met.size_m.norm(), candidate.size_m.norm()) > 0.5F * diagonal;
-    if (alike && (met.centroid_world - candidate.centroid_world).norm() < kSamePlaceFraction * diagonal)
-      return object;
+    const float distance_m = (met.centroid_world - candidate.centroid_world).norm();
+    if (!alike || distance_m >= std::min(kSamePlaceFraction * diagonal, least_distance_m)) continue;
+    nearest = object;
+    least_distance_m = distance_m;
   }
-  return {};
+  return nearest;
 }
 
-Result<void> ObjectCollector::keepNewDirection(ObjectId object, Sighting& sighting, Happenings& happenings) {
-  ObjectView& view = sighting.view;
-  if (!views_.isNew(object, view.direction)) return {};
-  view.object = object;
-  Result<std::int64_t> stored = database_.addView(view);
-  if (!stored) return fail(stored.error());
-  views_.keep(object, view.direction);
-  ObjectRecord& record = records_.at(object);
-  ++record.views;
-  detector_->add(object, view.color, view.mask, record.size_m);
-  happenings.new_views.push_back(object);
-  return {};
-}
-
-SeenObject ObjectCollector::describe(const Candidate& candidate, const Intrinsics& working_K) const {
-  SeenObject seen;
-  seen.region = candidate.region;
-  const auto width = static_cast<float>(working_K.width);
-  const auto height = static_cast<float>(working_K.height);
-  seen.box = {static_cast<float>(candidate.box_px.x) / width, static_cast<float>(candidate.box_px.y) / height,
-              static_cast<float>(candidate.box_px.width) / width,
-              static_cast<float>(candidate.box_px.height) / height};
-  seen.object = objectOf(candidate.region);
-  if (const ObjectRecord* known = record(seen.object)) {
-    seen.name = known->name;
-    seen.confirmed = known->confirmed;
-    seen.recognised = !met_.at(known->id).is_new;
-  }
-  return seen;
+void ObjectCollector::describeObject(SeenObject& seen) const {
+  seen.object = objectOf(seen.region);
+  const ObjectRecord* known = record(seen.object);
+  seen.name = known != nullptr ? known->name : std::string();
+  seen.confirmed = known != nullptr && known->confirmed;
+  seen.recognised = known != nullptr && known->first_session != session_;
 }
 
 ObjectId ObjectCollector::objectOf(RegionId region) const {
   const auto found = object_of_region_.find(region);
-  return found == object_of_region_.end() ? ObjectId{} : found->second;
-}
-
-const ObjectRecord* ObjectCollector::record(ObjectId object) const {
-  const auto found = records_.find(object);
-  return found == records_.end() ? nullptr : &found->second;
+  return found == object_of_region_.end() ? ObjectId{} : catalogue_.holderOf(found->second);
 }
 
 std::vector<ScanReport::Object> ObjectCollector::metObjects() const {
-  std::vector<ScanReport::Object> objects;
-  for (const auto& [id, met] : met_) {
-    const ObjectRecord& known = records_.at(id);
-    objects.push_back({id, known.name, known.confirmed, known.views,
-                       met.is_new ? std::string() : known.first_session_name});
+  std::map<ObjectId, ScanReport::Object> objects;
+  for (const auto& [object, met] : met_) {
+    const ObjectRecord* known = record(catalogue_.holderOf(object));
+    if (known == nullptr) continue;
+    objects[known->id] = {known->id, known->name, known->confirmed, known->views,
+                          known->first_session == session_ ? std::string() : known->first_session_name};
   }
-  std::sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  return objects;
+  std::vector<ScanReport::Object> list;
+  for (auto& [id, object] : objects) list.push_back(std::move(object));
+  return list;
 }
 
 }  // namespace scantrove

@@ -42,7 +42,7 @@ Json objectsToJson(const std::vector<ScanReport::Object>& objects) {
 }  // namespace
 
 Json reportToJson(const ScanReport& report) {
-  const ScanReport::Frames& frames = report.frames;
+  const FrameCounts& frames = report.frames;
   return {{"source", report.source},
           {"device", report.device},
           {"params", paramsToJson(report.params)},

@@ -1,18 +1,18 @@
 #pragma once
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/stamped_pose.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/scan/frame_label_writer.h"
 #include "core/scan/region_numbers.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_report.h"
 
 namespace scantrove {
 
-/// Writes the result folder of a scan (the contract of `scantrove scan`): label maps while it runs,
+/// Writes the result folder of a scan (the contract of `scantrove scan`): label images while it runs,
 /// trajectory, labelled cloud, label map and report at its end. Every file is written beside and renamed. One
 /// thread, the worker's.
 class ScanOutput {
@@ -21,22 +21,22 @@ class ScanOutput {
   [[nodiscard]] static Result<std::unique_ptr<ScanOutput>> create(const std::filesystem::path& folder,
                                                                   bool label_maps);
 
+  /// Error: label images of this or an earlier frame could not be written.
   [[nodiscard]] Result<void> addFrame(const RgbdFrame& frame, const FrameResult& result);
 
+  /// Writes what there is; a file that cannot be written keeps no other from being written. Error: the first
+  /// that failed (the others are in the log).
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const ScanReport& report);
 
  private:
-  ScanOutput(std::filesystem::path folder, bool label_maps)
-      : folder_(std::move(folder)), label_maps_(label_maps) {}
+  explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   [[nodiscard]] Result<void> writeCloud(ScanPipeline& pipeline);
-  [[nodiscard]] Result<void> writeFinalLabels(const LabelTable& table);
 
   std::filesystem::path folder_;
-  bool label_maps_ = false;
   Trajectory trajectory_;
   RegionNumbers numbers_;
-  std::vector<std::filesystem::path> label_files_;  // names within labels/
+  std::unique_ptr<FrameLabelWriter> label_images_;  // null: they are not wanted
 };
 
 }  // namespace scantrove

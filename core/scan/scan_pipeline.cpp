@@ -1,17 +1,24 @@
 #include "core/scan/scan_pipeline.h"
 
+#include <algorithm>
 #include <numeric>
+#include <sstream>
 #include <unordered_set>
 
 #include "core/fusion/motion_prediction.h"
+#include "core/scan/guarded.h"
+#include "core/scan/map_memory.h"
 
 namespace scantrove {
 namespace {
 /// A map is begun with a frame that has depth in at least this part of its pixels.
 constexpr double kLeastDepthToBegin = 0.05;
+/// Bricks that are read out at a time: bounds what the whole cloud takes on the device.
+constexpr int kBricksAtATime = 1024;
 }  // namespace
 
 Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compute, const Setup& setup) {
+  SCANTROVE_TRY(checkMapFits(setup.params.fusion, setup.K, compute.memory()));
   std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
   SCANTROVE_TRY(
       moveInto(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
@@ -43,19 +50,33 @@ auto ScanPipeline::stage(std::string_view name, Work&& work) {
 }
 
 Result<FrameResult> ScanPipeline::processFrame(const RgbdFrame& frame) {
-  try {
-    Result<FrameResult> result = runStages(frame);
-    timer_.endFrame();
-    return result;
-  } catch (const cl::Error& error) {
-    return fail(
-        "The OpenCL device " + compute_.deviceName() + " failed in frame " + std::to_string(frame.index) +
-            ": " + error.what() + " (code " + std::to_string(error.err()) + ").",
-        "If memory ran out, scan less at once or use larger voxels (--set fusion.voxel_size_m=0.01).");
-  }
+  ++frames_;
+  return guarded("in frame " + std::to_string(frame.index), [&]() -> Result<FrameResult> {
+    try {
+      FrameResult result = runStages(frame);
+      timer_.endFrame();
+      return result;
+    } catch (const cl::Error& error) {
+      if (!isOutOfMemory(error)) throw;
+      return fail(outOfMemory(frame.index));
+    }
+  });
 }
 
-Result<FrameResult> ScanPipeline::runStages(const RgbdFrame& frame) {
+Error ScanPipeline::outOfMemory(int frame_index) const {
+  // What a recording still has to show is taken to be like what it has shown.
+  const double times = frame_count_ ? std::max(1.0, static_cast<double>(*frame_count_) / frames_) : 2.0;
+  std::ostringstream voxels;
+  voxels << voxelSizeFor(times, params_.fusion.voxel_size_m);
+  return {"The OpenCL device " + compute_.deviceName() + " ran out of memory in frame " +
+              std::to_string(frame_index) + ", with " + std::to_string(bricks().brickCount()) +
+              " bricks of map.",
+          "What was scanned until then is kept. Scan " +
+              std::string(frame_count_ ? "the whole recording" : "twice as much") +
+              " with larger voxels: --set fusion.voxel_size_m=" + voxels.str() + "."};
+}
+
+FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   FrameResult result;
   const DepthPyramid* depth = nullptr;
   stage("filter", [&] { depth = &preprocessor_->process(frame); });
@@ -91,12 +112,10 @@ Result<FrameResult> ScanPipeline::runStages(const RgbdFrame& frame) {
         {reinterpret_cast<cl_float4*>(result.vertices_world.data()), result.vertices_world.size()});
     return finder_->find({result.regions, result.vertices_world, working_K_, T_world_camera});
   });
-  if (!collector_) return result;
-
-  Result<ObjectCollector::Happenings> objects =
-      stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
-  if (!objects) return fail(objects.error());
-  result.objects = std::move(*objects);
+  if (collector_) {
+    result.objects =
+        stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
+  }
   return result;
 }
 
@@ -142,21 +161,31 @@ void ScanPipeline::setParams(const ScanParams& params) {
   if (collector_) collector_->setParams(params_.detection);
 }
 
-Result<void> ScanPipeline::reloadCatalogue() { return collector_ ? collector_->reload() : Result<void>{}; }
-
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes() + cloud_->deviceBytes(); }
 
-int ScanPipeline::regionCount() {
-  std::vector<cl_int> slots(static_cast<std::size_t>(bricks().brickCount()));
-  std::iota(slots.begin(), slots.end(), 0);
+Result<int> ScanPipeline::regionCount() {
   std::unordered_set<std::uint32_t> regions;
-  for (const LabelPoint& point : extractCloud(slots).points)
-    regions.insert(table_.regionOf(point.label).value);
+  SCANTROVE_TRY(forEachCloudPoint(
+      [&](const LabelPoint& point) { regions.insert(table_.regionOf(point.label).value); }));
   return static_cast<int>(regions.size());
 }
 
-LabelCloud::Extract ScanPipeline::extractCloud(std::span<const cl_int> slots) {
-  return cloud_->extract(slots, map_->bricks(), params_.fusion.truncation_vox);
+Result<LabelCloud::Extract> ScanPipeline::extractCloud(std::span<const cl_int> slots) {
+  return guarded("reading out the label cloud", [&]() -> Result<LabelCloud::Extract> {
+    return cloud_->extract(slots, map_->bricks(), params_.fusion.truncation_vox);
+  });
+}
+
+Result<void> ScanPipeline::forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit) {
+  const int count = bricks().brickCount();
+  for (int first = 0; first < count; first += kBricksAtATime) {
+    std::vector<cl_int> slots(static_cast<std::size_t>(std::min(kBricksAtATime, count - first)));
+    std::iota(slots.begin(), slots.end(), first);
+    const Result<LabelCloud::Extract> extract = extractCloud(slots);
+    if (!extract) return fail(extract.error());
+    for (const LabelPoint& point : extract->points) visit(point);
+  }
+  return {};
 }
 
 }  // namespace scantrove

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "core/labeling/label_table.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
+#include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
 #include "core/scan/scan_params.h"
 #include "core/segmentation/graph_segmenter.h"
@@ -29,7 +31,7 @@ struct FrameResult {
   SegmentMap segments;                          ///< S_t
   RegionMap regions;                            ///< S_cloud,t
   std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
-  ObjectCollector::Happenings objects;
+  FrameObjects objects;
 };
 
 /// One frame through every stage of the thesis. Owns map, label cloud and label table; cost per frame does
@@ -42,19 +44,25 @@ class ScanPipeline {
     bool poses_given = false;            ///< take RgbdFrame::T_world_camera instead of tracking
     ObjectDatabase* database = nullptr;  ///< null: discover, but neither recognise nor collect
     std::int64_t session = 0;
+    std::optional<int> frame_count = {};  ///< of the recording; empty for a live camera
   };
 
   /// `compute` and the database outlive the pipeline.
   [[nodiscard]] static Result<std::unique_ptr<ScanPipeline>> create(ComputeContext& compute,
                                                                     const Setup& setup);
 
-  /// Error: the device or the database failed; the scan cannot go on. A lost frame is a value, not an error.
+  /// Error: the device failed or has no memory left; the scan cannot go on, but what there is can be read
+  /// out. A lost frame is a value, not an error, and so is a catalogue that cannot be reached.
   [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame);
 
   /// Replaces all parameters but those of fusion, which are fixed for the life of the map.
   void setParams(const ScanParams& params);
+  [[nodiscard]] const ScanParams& params() const { return params_; }
 
-  [[nodiscard]] Result<void> reloadCatalogue();
+  /// Learns what became of the catalogue; processFrame does so by itself. Error: it cannot be read for now.
+  [[nodiscard]] Result<void> followCatalogue() {
+    return collector_ ? collector_->followCatalogue() : Result<void>{};
+  }
 
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
@@ -63,21 +71,26 @@ class ScanPipeline {
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
   /// Regions that still have a voxel near the surface, over the whole map.
-  [[nodiscard]] int regionCount();
+  [[nodiscard]] Result<int> regionCount();
 
   /// Bricks whose labels the last frame may have changed.
   [[nodiscard]] std::span<const cl_int> touchedSlots() const { return touched_; }
-  /// Labelled voxels near the surface in some bricks.
-  [[nodiscard]] LabelCloud::Extract extractCloud(std::span<const cl_int> slots);
+  /// Labelled voxels near the surface in some bricks. Error: the device failed.
+  [[nodiscard]] Result<LabelCloud::Extract> extractCloud(std::span<const cl_int> slots);
+  /// The same of the whole map, point by point, in the order of the bricks.
+  [[nodiscard]] Result<void> forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit);
 
  private:
   ScanPipeline(ComputeContext& compute, const Setup& setup)
-      : compute_(compute), params_(setup.params), poses_given_(setup.poses_given) {}
+      : compute_(compute),
+        params_(setup.params),
+        poses_given_(setup.poses_given),
+        frame_count_(setup.frame_count) {}
 
-  [[nodiscard]] Result<FrameResult> runStages(const RgbdFrame& frame);
+  [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
   [[nodiscard]] PoseEstimate estimatePose(const RgbdFrame& frame, const DepthPyramid& depth);
   [[nodiscard]] PoseEstimate firstPose(const DepthPyramid& depth);
-  [[nodiscard]] std::vector<Candidate> discover(const FrameResult& result);
+  [[nodiscard]] Error outOfMemory(int frame_index) const;
 
   /// Times `work` as a stage, waiting for the device so that each stage pays for itself.
   template <class Work>
@@ -86,6 +99,7 @@ class ScanPipeline {
   ComputeContext& compute_;
   ScanParams params_;
   bool poses_given_ = false;
+  std::optional<int> frame_count_;
   Intrinsics working_K_;
   StageTimer timer_;
 
@@ -103,6 +117,7 @@ class ScanPipeline {
   std::optional<Eigen::Isometry3d> last_pose_;         // of the last usable frame
   std::optional<Eigen::Isometry3d> before_last_pose_;  // of the frame before it, if that was usable too
   std::span<const cl_int> touched_;
+  int frames_ = 0;  // given to processFrame
 };
 
 }  // namespace scantrove

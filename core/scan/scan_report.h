@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/scan/frame_counts.h"
 #include "core/scan/scan_params.h"
 
 namespace scantrove {
@@ -12,14 +13,7 @@ struct ScanReport {
   std::string source;
   std::string device;
   ScanParams params;
-  struct Frames {
-    int read = 0;  ///< frames that reached the pipeline
-    int tracked = 0;
-    int lost = 0;
-    int relocalised = 0;
-    int dropped = 0;  ///< live camera only
-    int skipped = 0;  ///< unreadable frames of the recording
-  } frames;
+  FrameCounts frames;
   std::vector<int> lost_frames;  ///< indices of the source
   double fps = 0;                ///< frames processed / wall time of processing, decoding included
   double frame_median_ms = 0;

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 #include "core/scan/open_source.h"
@@ -43,9 +42,10 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   }
   SCANTROVE_TRY(moveInto(run->database_, ObjectDatabase::open(request.database)));
   SCANTROVE_TRY(moveInto(run->session_, run->database_->beginSession(info.name)));
-  SCANTROVE_TRY(moveInto(run->pipeline_,
-                         ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
-                                                               run->database_.get(), run->session_})));
+  SCANTROVE_TRY(moveInto(
+      run->pipeline_,
+      ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
+                                            run->database_.get(), run->session_, info.frame_count})));
   return run;
 }
 
@@ -82,7 +82,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   if (!result) return fail(result.error());
   frame_ms_.push_back(millisecondsSince(start));
   count(*result, frame.index);
-  tell(*result);
+  announce(result->objects);
   if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
   snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
   return {};
@@ -104,32 +104,29 @@ void ScanRun::count(const FrameResult& result, int frame_index) {
   if (result.pose.state == TrackingState::relocalised) ++frames_.relocalised;
 }
 
-void ScanRun::tell(const FrameResult& result) {
-  for (const ObjectRecord& added : result.objects.added) listener_(ObjectAdded{added.id, added.name});
-  for (const ObjectRecord& known : result.objects.recognised)
-    listener_(ObjectRecognised{known.id, known.name});
-  for (const ObjectId object : result.objects.new_views) listener_(ViewAdded{object});
+void ScanRun::announce(const FrameObjects& objects) {
+  for (const ObjectRecord& added : objects.added) listener_(ObjectAdded{added.id, added.name});
+  for (const ObjectRecord& known : objects.recognised) listener_(ObjectRecognised{known.id, known.name});
+  for (const ObjectId object : objects.new_views) listener_(ViewAdded{object});
+  for (const ObjectMerge& merge : objects.merged) listener_(ObjectsMerged{merge.into, merge.from});
+  if (objects.catalogue_failure) listener_(CatalogueFailed{*objects.catalogue_failure});
+}
+
+void ScanRun::followCatalogue() {
+  if (const Result<void> followed = pipeline_->followCatalogue(); !followed) {
+    listener_(CatalogueFailed{followed.error()});
+  }
 }
 
 ScanProgress ScanRun::progress(ScanState state) const {
-  return {state,
-          frames_.read + frames_.skipped,
-          source_->info().frame_count.value_or(0),
-          frames_.lost,
-          frames_.skipped,
-          frames_.dropped};
+  return {state, frames_, source_->info().frame_count.value_or(0)};
 }
 
-void ScanRun::showWhenDue(ScanState state) { snapshots_.postWhenDue(*pipeline_, progress(state)); }
-
-void ScanRun::showNow(ScanState state) { snapshots_.flush(*pipeline_, progress(state)); }
-
-void ScanRun::setParams(const ScanParams& params) {
-  const FusionParams fusion = request_.params.fusion;
-  request_.params = params;
-  request_.params.fusion = fusion;
-  pipeline_->setParams(request_.params);
+Result<void> ScanRun::showWhenDue(ScanState state) {
+  return snapshots_.postWhenDue(*pipeline_, progress(state));
 }
+
+Result<void> ScanRun::showNow(ScanState state) { return snapshots_.flush(*pipeline_, progress(state)); }
 
 void ScanRun::startClock() {
   if (!clock_start_) clock_start_ = std::chrono::steady_clock::now();
@@ -142,17 +139,19 @@ void ScanRun::stopClock() {
 
 Result<ScanReport> ScanRun::finish() {
   stopClock();
-  const ScanReport report = makeReport();
-  if (output_) SCANTROVE_TRY(output_->finish(*pipeline_, report));
-  SCANTROVE_TRY(database_->endSession(session_));
+  FirstError outcome;
+  ScanReport report = makeReport(outcome);
+  if (output_) outcome.note(output_->finish(*pipeline_, report));
+  outcome.note(database_->endSession(session_));
+  SCANTROVE_TRY(outcome.result());
   return report;
 }
 
-ScanReport ScanRun::makeReport() {
+ScanReport ScanRun::makeReport(FirstError& outcome) {
   ScanReport report;
   report.source = request_.source;
   report.device = compute_->deviceName();
-  report.params = request_.params;
+  report.params = pipeline_->params();
   report.frames = frames_;
   report.lost_frames = lost_frames_;
   report.fps = elapsed_s_ > 0 ? frames_.read / elapsed_s_ : 0;
@@ -171,7 +170,12 @@ ScanReport ScanRun::makeReport() {
   report.peak_memory_mb = peakMemoryMegabytes();
   report.map_bricks = pipeline_->bricks().brickCount();
   report.map_megabytes = static_cast<double>(pipeline_->deviceBytes()) / (1 << 20);
-  report.regions = pipeline_->regionCount();
+  const Result<int> regions = pipeline_->regionCount();
+  if (regions) {
+    report.regions = *regions;
+  } else {
+    outcome.note(fail(regions.error()));
+  }
   report.objects = pipeline_->collector()->metObjects();
   return report;
 }

@@ -9,6 +9,7 @@
 #include "core/capture/frame_source.h"
 #include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
+#include "core/scan/first_error.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_session.h"
@@ -20,7 +21,8 @@ namespace scantrove {
 /// worker's.
 class ScanRun {
  public:
-  /// Opens everything that `request` names. Nothing is written when it fails.
+  /// Opens everything that `request` names. Error: what cannot be opened, or would not fit the device. The
+  /// result folder and the catalogue may have been made by then.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
                                                              ScanSession::Listener listener,
                                                              LatestValue<ScanSnapshot>& mailbox);
@@ -32,20 +34,22 @@ class ScanRun {
 
   [[nodiscard]] bool hasFrames() const { return frames_.read > 0; }
 
-  /// Posts a snapshot for the window if it is time for one.
-  void showWhenDue(ScanState state);
+  /// Posts a snapshot for the window if it is time for one. Error: the device failed.
+  [[nodiscard]] Result<void> showWhenDue(ScanState state);
 
-  /// Posts a snapshot at once, with all that changed.
-  void showNow(ScanState state);
+  /// Posts a snapshot at once, with all that changed. Error: the device failed.
+  [[nodiscard]] Result<void> showNow(ScanState state);
 
-  [[nodiscard]] Result<void> reloadCatalogue() { return pipeline_->reloadCatalogue(); }
-  void setParams(const ScanParams& params);
+  /// Learns what became of the catalogue meanwhile; frames do so by themselves.
+  void followCatalogue();
+  void setParams(const ScanParams& params) { pipeline_->setParams(params); }
 
   /// Wall time that must not count, because a person paused.
   void startClock();
   void stopClock();
 
-  /// Writes the results and closes the catalogue's session.
+  /// Writes the results and closes the catalogue's session; for every end of a scan, good or bad. What fails
+  /// keeps nothing else from being written. Error: the first failure (the others are in the log).
   [[nodiscard]] Result<ScanReport> finish();
 
  private:
@@ -55,9 +59,9 @@ class ScanRun {
   [[nodiscard]] Result<void> process(RgbdFrame frame);
   void skip(const FrameRead& read);
   void count(const FrameResult& result, int frame_index);
-  void tell(const FrameResult& result);
+  void announce(const FrameObjects& objects);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
-  [[nodiscard]] ScanReport makeReport();
+  [[nodiscard]] ScanReport makeReport(FirstError& outcome);
 
   ScanRequest request_;
   ScanSession::Listener listener_;
@@ -69,7 +73,7 @@ class ScanRun {
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
 
-  ScanReport::Frames frames_;
+  FrameCounts frames_;
   std::vector<int> lost_frames_;
   std::vector<double> frame_ms_;
   double elapsed_s_ = 0;

@@ -5,75 +5,76 @@
 #include <mutex>
 #include <thread>
 
+#include "core/scan/first_error.h"
+#include "core/scan/guarded.h"
 #include "core/scan/scan_run.h"
 
 namespace scantrove {
 
-/// The thread and what the window tells it. Everything under `mutex_` but the state is a wish that the thread
-/// reads between frames.
+/// The thread and the commands that it has been given; it takes them between frames.
 class ScanSession::Worker {
  public:
   explicit Worker(Listener listener)
       : listener_(std::move(listener)), thread_([this](const std::stop_token& token) { loop(token); }) {}
 
   ~Worker() {
-    wish([this] {
-      wishes_.stop = true;
-      wishes_.request.reset();
+    command([this] {
+      commands_.stop = true;
+      commands_.request.reset();
     });
     thread_.request_stop();
     changed_.notify_all();
   }
 
   void start(ScanRequest request) {
-    wish([&] {
-      wishes_ = Wishes{};
-      wishes_.stop = true;  // ends the scan that runs, if one does
-      wishes_.request = std::move(request);
+    command([&] {
+      commands_ = Commands{};
+      commands_.stop = true;  // ends the scan that runs, if one does
+      commands_.request = std::move(request);
     });
   }
   void pause() {
-    wish([this] { wishes_.paused = true; });
+    command([this] { commands_.paused = true; });
   }
   void resume() {
-    wish([this] { wishes_.paused = false; });
+    command([this] { commands_.paused = false; });
   }
   void step() {
-    wish([this] { ++wishes_.steps; });
+    command([this] { ++commands_.steps; });
   }
   void stop() {
-    wish([this] {
-      wishes_.stop = true;
-      wishes_.request.reset();
+    command([this] {
+      commands_.stop = true;
+      commands_.request.reset();
     });
   }
   void catalogueChanged() {
-    wish([this] { wishes_.reload_catalogue = true; });
+    command([this] { commands_.follow_catalogue = true; });
   }
   void setParams(const ScanParams& params) {
-    wish([&] { wishes_.params = params; });
+    command([&] { commands_.params = params; });
   }
 
   void wait() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !wishes_.request && !is_running_; });
+    changed_.wait(lock, [this] { return !commands_.request && !is_running_; });
   }
 
   std::atomic<ScanState> state{ScanState::idle};
   LatestValue<ScanSnapshot> mailbox;
 
  private:
-  struct Wishes {
+  struct Commands {
     std::optional<ScanRequest> request;
     bool stop = false;
     bool paused = false;
     int steps = 0;
-    bool reload_catalogue = false;
+    bool follow_catalogue = false;
     std::optional<ScanParams> params;
   };
 
   template <class Change>
-  void wish(Change&& change) {
+  void command(Change&& change) {
     {
       const std::scoped_lock lock(mutex_);
       change();
@@ -86,15 +87,15 @@ class ScanSession::Worker {
       std::optional<ScanRequest> request;
       {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return token.stop_requested() || wishes_.request; });
+        changed_.wait(lock, [&] { return token.stop_requested() || commands_.request; });
         if (token.stop_requested()) return;
-        request = std::exchange(wishes_.request, std::nullopt);
-        wishes_.stop = false;
-        wishes_.paused = request->start_paused;
+        request = std::exchange(commands_.request, std::nullopt);
+        commands_.stop = false;
+        commands_.paused = request->start_paused;
         is_running_ = true;
       }
       runScan(*request);
-      wish([this] { is_running_ = false; });
+      command([this] { is_running_ = false; });
     }
   }
 
@@ -108,78 +109,82 @@ class ScanSession::Worker {
   }
 
   void runScan(const ScanRequest& request) {
-    try {
-      enter(ScanState::starting);
-      Result<std::unique_ptr<ScanRun>> run = ScanRun::open(request, listener_, mailbox);
-      if (!run) return failWith(run.error());
-      const Result<void> scanned = scanFrames(**run);
-      enter(ScanState::stopping);
-      (*run)->showNow(scanned ? ScanState::finished : ScanState::failed);
-      // Even when the scan broke off, what was scanned is kept.
-      Result<ScanReport> report = (*run)->finish();
-      if (!scanned) return failWith(scanned.error());
-      if (!report) return failWith(report.error());
-      listener_(ScanFinished{std::move(*report)});
-      enter(ScanState::finished);
-    } catch (const std::exception& error) {
-      failWith(
-          {std::string("The scan stopped: ") + error.what() + ".", "What was written until then is kept."});
-    }
+    enter(ScanState::starting);
+    Result<std::unique_ptr<ScanRun>> run =
+        guarded("preparing the scan", [&] { return ScanRun::open(request, listener_, mailbox); });
+    if (!run) return failWith(run.error());
+    FirstError outcome;
+    outcome.note(guarded("during the scan", [&] { return scanFrames(**run); }));
+    enter(ScanState::stopping);
+    const ScanState end = outcome.result() ? ScanState::finished : ScanState::failed;
+    outcome.note(guarded("showing the end of the scan", [&] { return (*run)->showNow(end); }));
+    // Even when the scan broke off, what was scanned is kept.
+    Result<ScanReport> report = guarded("ending the scan", [&] { return (*run)->finish(); });
+    if (!report) outcome.note(fail(report.error()));
+    if (!outcome.result()) return failWith(outcome.result().error());
+    listener_(ScanFinished{std::move(*report)});
+    enter(ScanState::finished);
   }
 
   Result<void> scanFrames(ScanRun& run) {
     for (;;) {
-      Wishes wishes;
-      if (!awaitTurn(run, wishes)) return {};
-      if (wishes.params) run.setParams(*wishes.params);
-      if (wishes.reload_catalogue) SCANTROVE_TRY(run.reloadCatalogue());
-      if (wishes.paused && wishes.steps == 0) continue;
-      enter(wishes.paused ? ScanState::paused : ScanState::scanning);
+      Commands commands;
+      SCANTROVE_TRY(awaitTurn(run, commands));
+      if (commands.stop) return {};
+      if (commands.params) run.setParams(*commands.params);
+      if (commands.paused && commands.steps == 0) {
+        if (commands.follow_catalogue && run.hasFrames()) {
+          run.followCatalogue();
+          SCANTROVE_TRY(run.showNow(ScanState::paused));
+        }
+        continue;
+      }
+      enter(commands.paused ? ScanState::paused : ScanState::scanning);
       run.startClock();
       Result<ScanRun::Step> step = run.step();
       if (!step) return fail(step.error());
       if (*step == ScanRun::Step::end) return {};
-      if (wishes.paused) {
+      if (commands.paused) {
         if (*step == ScanRun::Step::nothing_yet)
-          wish([this] { ++wishes_.steps; });  // a step is one real frame
+          command([this] { ++commands_.steps; });  // a step is one real frame
         run.stopClock();
-        run.showNow(ScanState::paused);
+        SCANTROVE_TRY(run.showNow(ScanState::paused));
       } else if (*step == ScanRun::Step::frame) {
-        run.showWhenDue(ScanState::scanning);
+        SCANTROVE_TRY(run.showWhenDue(ScanState::scanning));
       }
     }
   }
 
-  /// Waits while paused without a wish. Takes the wishes of the moment; false = stop.
-  bool awaitTurn(ScanRun& run, Wishes& taken) {
+  /// Waits while paused without a command, then takes the commands of the moment.
+  Result<void> awaitTurn(ScanRun& run, Commands& taken) {
     std::unique_lock lock(mutex_);
-    const auto has_wish = [this] {
-      return !wishes_.paused || wishes_.stop || wishes_.steps > 0 || wishes_.reload_catalogue ||
-             wishes_.params;
+    const auto has_command = [this] {
+      return !commands_.paused || commands_.stop || commands_.steps > 0 || commands_.follow_catalogue ||
+             commands_.params;
     };
-    if (!has_wish()) {
+    if (!has_command()) {
       lock.unlock();
       run.stopClock();
       if (state != ScanState::paused) {
-        if (run.hasFrames()) run.showNow(ScanState::paused);
+        if (run.hasFrames()) SCANTROVE_TRY(run.showNow(ScanState::paused));
         enter(ScanState::paused);
       }
       lock.lock();
-      changed_.wait(lock, has_wish);
+      changed_.wait(lock, has_command);
     }
-    if (wishes_.stop) return false;
-    taken.paused = wishes_.paused;
-    taken.steps = wishes_.steps;
-    if (wishes_.steps > 0) --wishes_.steps;
-    taken.reload_catalogue = std::exchange(wishes_.reload_catalogue, false);
-    taken.params = std::exchange(wishes_.params, std::nullopt);
-    return true;
+    taken.stop = commands_.stop;
+    taken.paused = commands_.paused;
+    taken.steps = commands_.steps;
+    if (commands_.steps > 0) --commands_.steps;
+    taken.follow_catalogue = std::exchange(commands_.follow_catalogue, false);
+    taken.params = std::exchange(commands_.params, std::nullopt);
+    return {};
   }
 
   Listener listener_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  Wishes wishes_;
+  Commands commands_;  // guarded by mutex_
   bool is_running_ = false;
   std::jthread thread_;  // last: it uses all of the above
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
@@ -47,6 +48,13 @@ struct ObjectRecognised {
 struct ViewAdded {
   ObjectId object;
 };  ///< another view of an object was kept
+struct ObjectsMerged {
+  ObjectId into;
+  std::vector<ObjectId> from;
+};  ///< the regions of these objects turned out to be one
+struct CatalogueFailed {
+  Error error;
+};  ///< the catalogue cannot be read or written for now; the scan goes on
 struct FrameSkipped {
   int frame_index;
   Error error;
@@ -58,7 +66,7 @@ struct ScanFinished {
   ScanReport report;
 };
 using ScanEvent = std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
-                               FrameSkipped, ScanFailed, ScanFinished>;
+                               ObjectsMerged, CatalogueFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device, pipeline and its database connection.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
@@ -80,7 +88,7 @@ class ScanSession {
   void stop();  ///< ends the scan cleanly: results are written, ScanFinished follows
   void wait();  ///< until the scan that runs has ended
 
-  /// Names or confirmations were edited in the database: the worker reads them again before its next frame.
+  /// The catalogue was edited. Frames see that by themselves; this is for a scan that is paused.
   void catalogueChanged();
 
   /// Replaces the parameters before the next frame (those of fusion need a new scan).

@@ -10,6 +10,7 @@
 #include "core/base/ids.h"
 #include "core/capture/intrinsics.h"
 #include "core/fusion/pose_estimate.h"
+#include "core/scan/frame_counts.h"
 
 namespace scantrove {
 
@@ -42,11 +43,8 @@ struct CloudBrick {
 struct ScanSnapshot {
   ScanState state = ScanState::idle;
   int frame_index = -1;  ///< of the source
-  int frames_done = 0;
-  int frames_total = 0;  ///< 0 = unknown (live)
-  int frames_lost = 0;
-  int frames_skipped = 0;  ///< unreadable frames of the recording
-  int frames_dropped = 0;  ///< live camera only
+  FrameCounts frames;
+  int frames_total = 0;  ///< of the recording; 0 = unknown (live)
   PoseEstimate pose;
   Intrinsics K;                                               ///< of the working resolution; for the frustum
   std::shared_ptr<const std::vector<Eigen::Vector3f>> trail;  ///< camera centres so far, world

@@ -8,8 +8,6 @@
 namespace scantrove {
 namespace {
 constexpr auto kLeastInterval = std::chrono::milliseconds(80);
-constexpr std::size_t kMostBricks =
-    1500;  // of one snapshot while scanning: bounds what it takes from a frame
 
 /// Ids as a CV_32SC1 image.
 cv::Mat idImage(const std::vector<std::uint32_t>& ids, int width, int height) {
@@ -63,25 +61,23 @@ void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, Fr
   result_ = std::move(result);
 }
 
-void SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
-  if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kLeastInterval) return;
-  post(pipeline, progress, kMostBricks);
+Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
+  if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kLeastInterval) return {};
+  return post(pipeline, progress, kMostBricks);
 }
 
-void SnapshotBuilder::flush(ScanPipeline& pipeline, const ScanProgress& progress) {
-  post(pipeline, progress, std::numeric_limits<std::size_t>::max());
+Result<void> SnapshotBuilder::flush(ScanPipeline& pipeline, const ScanProgress& progress) {
+  return post(pipeline, progress, std::numeric_limits<std::size_t>::max());
 }
 
-void SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress, std::size_t most_bricks) {
+Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress,
+                                   std::size_t most_bricks) {
   const Intrinsics& K = pipeline.workingIntrinsics();
   auto snapshot = std::make_shared<ScanSnapshot>();
   snapshot->state = progress.state;
   snapshot->frame_index = frame_.index;
-  snapshot->frames_done = progress.frames_done;
+  snapshot->frames = progress.frames;
   snapshot->frames_total = progress.frames_total;
-  snapshot->frames_lost = progress.frames_lost;
-  snapshot->frames_skipped = progress.frames_skipped;
-  snapshot->frames_dropped = progress.frames_dropped;
   snapshot->pose = result_.pose;
   snapshot->K = K;
   snapshot->trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
@@ -91,7 +87,10 @@ void SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress,
   snapshot->segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
   snapshot->regions = idImage(result_.regions.regions, result_.regions.width, result_.regions.height);
   snapshot->objects = result_.objects.seen;
-  addChangedBricks(pipeline, most_bricks, *snapshot);
+  if (const ObjectCollector* collector = pipeline.collector()) {
+    for (SeenObject& seen : snapshot->objects) collector->describeObject(seen);
+  }
+  SCANTROVE_TRY(addChangedBricks(pipeline, most_bricks, *snapshot));
   for (const StageTimer::Stage& stage : pipeline.timer().stages()) {
     snapshot->stage_times.push_back({stage.name, stage.last_ms});
   }
@@ -103,25 +102,26 @@ void SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress,
   snapshot->region_count = static_cast<int>(in_view.size()) - (in_view.contains(0) ? 1 : 0);
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));
+  return {};
 }
 
-void SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
-                                       ScanSnapshot& snapshot) {
+Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
+                                               ScanSnapshot& snapshot) {
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most_bricks, waiting_slots_.size()));
+  const std::vector<cl_int> slots(waiting_slots_.begin(), waiting_slots_.begin() + count);
+  const Result<LabelCloud::Extract> extract = pipeline.extractCloud(slots);
+  if (!extract) return fail(extract.error());
+  waiting_slots_.erase(waiting_slots_.begin(), waiting_slots_.begin() + count);
   // Bricks of a snapshot that was never collected go with this one.
   if (const auto uncollected = mailbox_.collect()) snapshot.changed_bricks = uncollected->changed_bricks;
-  const auto count = std::min(most_bricks, waiting_slots_.size());
-  const std::vector<cl_int> slots(waiting_slots_.begin(),
-                                  waiting_slots_.begin() + static_cast<std::ptrdiff_t>(count));
-  waiting_slots_.erase(waiting_slots_.begin(), waiting_slots_.begin() + static_cast<std::ptrdiff_t>(count));
-  const LabelCloud::Extract extract = pipeline.extractCloud(slots);
   ++version_;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     is_waiting_[static_cast<std::size_t>(slots[i])] = false;
     CloudBrick brick;
     brick.position = pipeline.bricks().positionOf(slots[i]);
     brick.version = version_;
-    for (std::uint32_t p = extract.first[i]; p < extract.first[i + 1]; ++p) {
-      const LabelPoint& point = extract.points[p];
+    for (std::uint32_t p = extract->first[i]; p < extract->first[i + 1]; ++p) {
+      const LabelPoint& point = extract->points[p];
       brick.points.push_back({point.x, point.y, point.z, point.label});
     }
     snapshot.changed_bricks.push_back(std::move(brick));
@@ -129,6 +129,7 @@ void SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_
   // The table changes with almost every frame while the scene is new; a copy is a few kilobytes.
   snapshot.region_of_label =
       std::make_shared<const std::vector<std::uint32_t>>(pipeline.labelTable().regionOfLabel());
+  return {};
 }
 
 }  // namespace scantrove

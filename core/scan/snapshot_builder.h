@@ -14,11 +14,8 @@ namespace scantrove {
 /// How far a scan has come.
 struct ScanProgress {
   ScanState state = ScanState::idle;
-  int frames_done = 0;
-  int frames_total = 0;
-  int frames_lost = 0;
-  int frames_skipped = 0;
-  int frames_dropped = 0;
+  FrameCounts frames;
+  int frames_total = 0;  ///< 0 = unknown (live)
 };
 
 /// Makes the snapshots of one scan. Works only when the window has collected the last one and enough time has
@@ -26,20 +23,26 @@ struct ScanProgress {
 /// thread, the worker's.
 class SnapshotBuilder {
  public:
+  /// In one snapshot while scanning: bounds what it takes from a frame.
+  static constexpr std::size_t kMostBricks = 1500;
+
   explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox) : mailbox_(mailbox) {}
 
   /// Call for every frame: remembers it, its place on the trail and the bricks it changed.
   void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result);
 
-  /// Posts a snapshot if the last one was collected and is old enough.
-  void postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
+  /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
+  [[nodiscard]] Result<void> postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
 
   /// Posts what there is at once, with all bricks that still wait: at a pause, a step, the end.
-  void flush(ScanPipeline& pipeline, const ScanProgress& progress);
+  /// Error: the device failed.
+  [[nodiscard]] Result<void> flush(ScanPipeline& pipeline, const ScanProgress& progress);
 
  private:
-  void post(ScanPipeline& pipeline, const ScanProgress& progress, std::size_t most_bricks);
-  void addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks, ScanSnapshot& snapshot);
+  [[nodiscard]] Result<void> post(ScanPipeline& pipeline, const ScanProgress& progress,
+                                  std::size_t most_bricks);
+  [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
+                                              ScanSnapshot& snapshot);
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;

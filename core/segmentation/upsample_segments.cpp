@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/check.h"
 
@@ -10,10 +11,10 @@ namespace {
 
 /// For each of `size` target pixels the source pixel whose cell holds its centre: floor((t + 0.5) * source /
 /// size).
-std::vector<std::size_t> nearest(int source, int size) {
-  std::vector<std::size_t> result(static_cast<std::size_t>(size));
-  for (std::size_t t = 0; t < result.size(); ++t) {
-    result[t] = (2 * t + 1) * static_cast<std::size_t>(source) / (2 * static_cast<std::size_t>(size));
+std::vector<int> nearest(int source, int size) {
+  std::vector<int> result(static_cast<std::size_t>(size));
+  for (int t = 0; t < size; ++t) {
+    result[static_cast<std::size_t>(t)] = static_cast<int>((2LL * t + 1) * source / (2LL * size));
   }
   return result;
 }
@@ -21,55 +22,94 @@ std::vector<std::size_t> nearest(int source, int size) {
 constexpr int kSearch_px = 3;  // the band that a raycast misses along depth edges is up to 3 pixels wide
 constexpr float kSameDepth_m = 0.02F;  // beyond it (times z^2 from 1 m on) a surface is another one
 constexpr float kDepthPerPixel_m =
-    0.004F;  // so much difference in depth weighs as much as one pixel of distance
+    0.004F;                           // so much difference in depth weighs as much as one pixel of distance
+constexpr float kRounding = 1.0001F;  // so much more than a bound is certainly beyond it
 
 }  // namespace
 
-std::vector<std::uint32_t> upsampleByDepth(std::span<const std::uint32_t> ids,
-                                           std::span<const float> depths_m, int width, int height,
-                                           const DepthGuide& guide) {
-  SCANTROVE_CHECK(width >= 0 && height >= 0 && guide.width >= 0 && guide.height >= 0);
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  SCANTROVE_CHECK(ids.size() == pixels && depths_m.size() == pixels);
-  std::vector<std::uint32_t> result(
-      static_cast<std::size_t>(guide.width) * static_cast<std::size_t>(guide.height), 0);
-  SCANTROVE_CHECK(guide.depth.size() == result.size());
-  if (pixels == 0) return result;
+std::vector<DepthUpsampler::Offset> DepthUpsampler::searchOrder() {
+  std::vector<Offset> order;
+  for (int y = -kSearch_px; y <= kSearch_px; ++y) {
+    for (int x = -kSearch_px; x <= kSearch_px; ++x) {
+      order.push_back({x, y, std::hypot(static_cast<float>(x), static_cast<float>(y)) - 0.7072F});
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [](const Offset& a, const Offset& b) {
+    return a.least_distance_px < b.least_distance_px;
+  });
+  return order;
+}
 
-  const std::vector<std::size_t> source_x = nearest(width, guide.width);
-  const std::vector<std::size_t> source_y = nearest(height, guide.height);
-  const float per_x = static_cast<float>(width) / static_cast<float>(guide.width);
-  const float per_y = static_cast<float>(height) / static_cast<float>(guide.height);
+DepthUpsampler::DepthUpsampler(std::span<const float> depths_m, int width, int height,
+                               const DepthGuide& guide)
+    : depths_m_(depths_m), width_(width), height_(height), guide_(guide), order_(searchOrder()) {
+  SCANTROVE_CHECK(width >= 0 && height >= 0 && guide.width >= 0 && guide.height >= 0);
+  SCANTROVE_CHECK(depths_m.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  SCANTROVE_CHECK(guide.depth.size() ==
+                  static_cast<std::size_t>(guide.width) * static_cast<std::size_t>(guide.height));
+  nearest_x_ = nearest(width, guide.width);
+  nearest_y_ = nearest(height, guide.height);
+  closest_.assign(guide.depth.size(), kNone);
+  if (depths_m.empty()) return;
   std::size_t target = 0;
   for (int v = 0; v < guide.height; ++v) {
-    const int y0 = static_cast<int>(source_y[static_cast<std::size_t>(v)]);
-    const float y_exact = (static_cast<float>(v) + 0.5F) * per_y - 0.5F;
     for (int u = 0; u < guide.width; ++u, ++target) {
-      const int x0 = static_cast<int>(source_x[static_cast<std::size_t>(u)]);
-      const float z = static_cast<float>(guide.depth[target]) * guide.metres_per_unit;
-      if (!(z > 0)) {
-        result[target] = ids[static_cast<std::size_t>(y0) * static_cast<std::size_t>(width) +
-                             static_cast<std::size_t>(x0)];
-        continue;
-      }
-      const float x_exact = (static_cast<float>(u) + 0.5F) * per_x - 0.5F;
-      const float grow = std::max(1.0F, z * z);
-      float best = kSearch_px + kSameDepth_m / kDepthPerPixel_m + 2;
-      for (int y = std::max(y0 - kSearch_px, 0); y <= std::min(y0 + kSearch_px, height - 1); ++y) {
-        for (int x = std::max(x0 - kSearch_px, 0); x <= std::min(x0 + kSearch_px, width - 1); ++x) {
-          const std::size_t source =
-              static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-          const float step_m = std::abs(depths_m[source] - z) / grow;
-          if (ids[source] == 0 || !(step_m < kSameDepth_m)) continue;
-          const float cost = std::hypot(static_cast<float>(x) - x_exact, static_cast<float>(y) - y_exact) +
-                             step_m / kDepthPerPixel_m;
-          if (cost < best) {
-            best = cost;
-            result[target] = ids[source];
-          }
-        }
-      }
+      closest_[target] = guide.depth[target] == 0 ? nearest_y_[static_cast<std::size_t>(v)] * width +
+                                                        nearest_x_[static_cast<std::size_t>(u)]
+                                                  : closest(u, v, [](std::size_t) { return true; });
     }
+  }
+}
+
+template <class Usable>
+std::int32_t DepthUpsampler::closest(int u, int v, const Usable& is_usable) const {
+  const int x0 = nearest_x_[static_cast<std::size_t>(u)], y0 = nearest_y_[static_cast<std::size_t>(v)];
+  const float per_x = static_cast<float>(width_) / static_cast<float>(guide_.width);
+  const float per_y = static_cast<float>(height_) / static_cast<float>(guide_.height);
+  const float x_exact = (static_cast<float>(u) + 0.5F) * per_x - 0.5F;
+  const float y_exact = (static_cast<float>(v) + 0.5F) * per_y - 0.5F;
+  const float z = static_cast<float>(guide_.depth[static_cast<std::size_t>(v * guide_.width + u)]) *
+                  guide_.metres_per_unit;
+  const float grow = std::max(1.0F, z * z);
+  const bool is_inside =
+      x0 >= kSearch_px && y0 >= kSearch_px && x0 < width_ - kSearch_px && y0 < height_ - kSearch_px;
+  float best = std::numeric_limits<float>::max();
+  std::int32_t best_source = kNone;
+  for (const Offset& offset : order_) {
+    if (offset.least_distance_px > best) break;
+    const int x = x0 + offset.x, y = y0 + offset.y;
+    if (!is_inside && (x < 0 || y < 0 || x >= width_ || y >= height_)) continue;
+    const int source = y * width_ + x;
+    const float step_m = std::abs(depths_m_[static_cast<std::size_t>(source)] - z);
+    // What cannot win need not be weighed exactly.
+    const float most_m = std::min(kSameDepth_m, (best - offset.least_distance_px) * kDepthPerPixel_m);
+    if (step_m > kRounding * most_m * grow) continue;
+    if (!(step_m / grow < kSameDepth_m) || !is_usable(static_cast<std::size_t>(source))) continue;
+    const float cost = std::hypot(static_cast<float>(x) - x_exact, static_cast<float>(y) - y_exact) +
+                       step_m / grow / kDepthPerPixel_m;
+    // Of equals the first one, row by row.
+    if (cost < best || (cost == best && source < best_source)) {
+      best = cost;
+      best_source = source;
+    }
+  }
+  return best_source;
+}
+
+std::vector<std::uint32_t> DepthUpsampler::apply(std::span<const std::uint32_t> ids) const {
+  SCANTROVE_CHECK(ids.size() == depths_m_.size());
+  std::vector<std::uint32_t> result(closest_.size(), 0);
+  for (std::size_t target = 0; target < result.size(); ++target) {
+    std::int32_t source = closest_[target];
+    if (source == kNone) continue;
+    if (ids[static_cast<std::size_t>(source)] == 0 && guide_.depth[target] != 0) {
+      // A surface without id: the closest of those that have one.
+      const auto u = static_cast<int>(target % static_cast<std::size_t>(guide_.width));
+      const auto v = static_cast<int>(target / static_cast<std::size_t>(guide_.width));
+      source = closest(u, v, [&](std::size_t pixel) { return ids[pixel] != 0; });
+      if (source == kNone) continue;
+    }
+    result[target] = ids[static_cast<std::size_t>(source)];
   }
   return result;
 }

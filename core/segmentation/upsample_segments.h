@@ -13,13 +13,36 @@ struct DepthGuide {
   float metres_per_unit = 0.001F;
 };
 
-/// `ids` (of width x height pixels at `depths_m`, 0 = no surface: segments, or regions of the same frame) at
-/// the guide's resolution. A pixel with a reading takes the id of that pixel with a surface, at most 3 around
-/// its nearest, which is closest in image and depth together: outlines follow the depth image, and the
-/// surface that the map misses along depth edges is given back. Pixels without reading take the nearest.
-/// Result: guide.width * guide.height.
-[[nodiscard]] std::vector<std::uint32_t> upsampleByDepth(std::span<const std::uint32_t> ids,
-                                                         std::span<const float> depths_m, int width,
-                                                         int height, const DepthGuide& guide);
+/// Brings images of ids (segments, or regions of the same frame) to the resolution of a depth image. A pixel
+/// with a reading takes the id of that pixel with a surface, at most 3 around its nearest, which is closest
+/// in image and depth together: outlines follow the depth image, and the surface that the map misses along
+/// depth edges is given back. Pixels without reading take the nearest.
+class DepthUpsampler {
+ public:
+  /// `depths_m`: width * height, row by row, 0 = no surface. It and the guide's image outlive the upsampler.
+  DepthUpsampler(std::span<const float> depths_m, int width, int height, const DepthGuide& guide);
+
+  /// `ids`: width * height, 0 = none. Result: guide.width * guide.height.
+  [[nodiscard]] std::vector<std::uint32_t> apply(std::span<const std::uint32_t> ids) const;
+
+ private:
+  static constexpr std::int32_t kNone = -1;
+  /// A pixel around the nearest one. The exact place lies up to half a pixel off the nearest in x and y.
+  struct Offset {
+    int x, y;
+    float least_distance_px;  // from the exact place
+  };
+  [[nodiscard]] static std::vector<Offset> searchOrder();
+  /// The closest of the pixels that `is_usable(pixel)` for pixel (u, v) of the guide, or kNone.
+  template <class Usable>
+  [[nodiscard]] std::int32_t closest(int u, int v, const Usable& is_usable) const;
+
+  std::span<const float> depths_m_;
+  int width_, height_;
+  DepthGuide guide_;
+  std::vector<Offset> order_;               // from the inside out
+  std::vector<int> nearest_x_, nearest_y_;  // for each column and row of the guide
+  std::vector<std::int32_t> closest_;       // for each pixel of the guide, whatever its id
+};
 
 }  // namespace scantrove

@@ -30,11 +30,11 @@ BENCHMARK_CAPTURE(BM_WriteCloud, pcd, writePcd)->Arg(500000)->Unit(benchmark::kM
 BENCHMARK_CAPTURE(BM_WriteCloud, ply, writePly)->Arg(500000)->Unit(benchmark::kMillisecond);
 
 void BM_WriteLabelImage(benchmark::State& state) {
-  std::vector<std::uint32_t> labels(320 * 240);
+  std::vector<std::uint32_t> labels(640 * 480);
   for (std::size_t i = 0; i < labels.size(); ++i)
-    labels[i] = static_cast<std::uint32_t>(i % 320 / 40 + i / 320 / 40 * 8);
+    labels[i] = static_cast<std::uint32_t>(i % 640 / 80 + i / 640 / 80 * 8);
   const auto path = scratchFile("scantrove-benchmark-labels.png");
-  for (auto _ : state) SCANTROVE_CHECK(writeLabelImage(path, labels, 320, 240, {640, 480}));
+  for (auto _ : state) SCANTROVE_CHECK(writeLabelImage(path, labels, {640, 480}));
   std::filesystem::remove(path);
 }
 BENCHMARK(BM_WriteLabelImage)->Unit(benchmark::kMillisecond);

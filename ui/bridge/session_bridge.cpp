@@ -69,6 +69,10 @@ void SessionBridge::announce(const ScanEvent& event) {
                    emit objectRecognised(e.object, QString::fromStdString(e.name));
                  },
                  [this](const ViewAdded& e) { emit viewAdded(e.object); },
+                 [this](const ObjectsMerged& e) { emit objectsMerged(e.into); },
+                 [this](const CatalogueFailed& e) {
+                   emit catalogueFailed(QString::fromStdString(e.error.message()));
+                 },
                  [this](const FrameSkipped& e) {
                    emit frameSkipped(e.frame_index, QString::fromStdString(e.error.message()));
                  },

@@ -41,6 +41,9 @@ class SessionBridge : public QObject {
   void objectAdded(scantrove::ObjectId object, const QString& name);
   void objectRecognised(scantrove::ObjectId object, const QString& name);
   void viewAdded(scantrove::ObjectId object);
+  void objectsMerged(scantrove::ObjectId into);
+  /// The catalogue cannot be read or written for now; the scan goes on.
+  void catalogueFailed(const QString& message);
   void frameSkipped(int frame_index, const QString& message);
   void scanFailed(const QString& message);
   void scanFinished(const scantrove::ScanReport& report);

@@ -163,6 +163,9 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::frameSkipped, this, [this](int /*frame_index*/, const QString& message) {
     messages_->show(MessageBar::Kind::warning, message);
   });
+  connect(&bridge, &SessionBridge::catalogueFailed, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
+  connect(&bridge, &SessionBridge::objectsMerged, &model_, &ObjectListModel::reload);
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
   connect(&bridge, &SessionBridge::objectRecognised, this,
           [this](ObjectId object) { model_.markRecognised(object); });

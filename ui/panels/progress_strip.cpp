@@ -44,9 +44,9 @@ QString ProgressStrip::text() const { return count_->text(); }
 void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
   if (snapshot.frames_total > 0) {
     bar_->setRange(0, snapshot.frames_total);
-    bar_->setValue(snapshot.frames_done);
+    bar_->setValue(snapshot.frames.done());
     bar_->show();
-    count_->setText(tr("%1 of %2 frames").arg(snapshot.frames_done).arg(snapshot.frames_total));
+    count_->setText(tr("%1 of %2 frames").arg(snapshot.frames.done()).arg(snapshot.frames_total));
     return;
   }
   bar_->hide();
@@ -54,7 +54,7 @@ void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
   count_->setText(tr("%1:%2   %3 frames")
                       .arg(seconds / 60)
                       .arg(seconds % 60, 2, 10, QLatin1Char('0'))
-                      .arg(snapshot.frames_done));
+                      .arg(snapshot.frames.done()));
 }
 
 }  // namespace scantrove

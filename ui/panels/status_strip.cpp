@@ -153,9 +153,9 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
                     .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),
                          locale.toString(snapshot.map_megabytes, 'f', 0)));
   QStringList losses;
-  if (snapshot.frames_lost > 0) losses << tr("%1 lost").arg(snapshot.frames_lost);
-  if (snapshot.frames_skipped > 0) losses << tr("%1 unreadable").arg(snapshot.frames_skipped);
-  if (snapshot.frames_dropped > 0) losses << tr("%1 dropped").arg(snapshot.frames_dropped);
+  if (snapshot.frames.lost > 0) losses << tr("%1 lost").arg(snapshot.frames.lost);
+  if (snapshot.frames.skipped > 0) losses << tr("%1 unreadable").arg(snapshot.frames.skipped);
+  if (snapshot.frames.dropped > 0) losses << tr("%1 dropped").arg(snapshot.frames.dropped);
   losses_->setText(losses.isEmpty() ? tr("no frame lost") : losses.join(QStringLiteral(" · ")));
 }
 

@@ -129,26 +129,28 @@ TEST_P(ThumbnailMatcherTest, NothingIsUnrelated) {
   EXPECT_TRUE(matcher_->distances({blobs(1)}, {}).empty());
 }
 
-TEST_P(ThumbnailMatcherTest, KeepsPlacesWhenItGrowsAndWhenViewsGo) {
+TEST_P(ThumbnailMatcherTest, KeepsPlacesWhenItGrowsAndWhereverABatchEnds) {
+  constexpr unsigned kViews = 600;
   std::vector<Thumbnail> views;
-  for (unsigned i = 0; i < 200; ++i) {
-    views.push_back(blobs(i));
-    matcher_->append(views.back());
-  }
+  for (unsigned i = 0; i < kViews; ++i) views.push_back(blobs(i));
   const auto expectAt = [&](int place, unsigned seed) {
     EXPECT_EQ(matcher_->distances({views[seed]}, {{0, place}}), std::vector<float>{0.0F}) << place;
   };
-  for (const unsigned i : {0U, 63U, 64U, 127U, 128U, 199U}) expectAt(static_cast<int>(i), i);
-  matcher_->removeByLast(10);
-  EXPECT_EQ(matcher_->size(), 199);
-  expectAt(10, 199);
-  expectAt(198, 198);
-  matcher_->removeByLast(198);
-  EXPECT_EQ(matcher_->size(), 198);
-  expectAt(197, 197);
+  for (unsigned i = 0; i < kViews; ++i) {
+    matcher_->append(views[i]);
+    if (i == 10 || i == 300) expectAt(static_cast<int>(i), i);  // in the middle of a batch
+  }
+  EXPECT_EQ(matcher_->size(), static_cast<int>(kViews));
+  for (const unsigned i : {0U, 11U, 63U, 64U, 255U, 256U, 301U, 511U, 512U, kViews - 1}) {
+    expectAt(static_cast<int>(i), i);
+  }
   matcher_->clear();
   matcher_->append(views[7]);
   expectAt(0, 7);
+  matcher_->reserve(5000);
+  matcher_->append(views[8]);
+  expectAt(0, 7);
+  expectAt(1, 8);
 }
 
 std::vector<int> allDevices() {

@@ -32,8 +32,9 @@ std::vector<std::uint32_t> segmentsOf(ComputeContext& compute, const cv::Mat& de
   (*map)->raycast(Eigen::Isometry3d::Identity(), pyramid.levels[0].K, surface);
   const SegmentMap segments = (*segmenter)->segment(surface, {});
   const std::span<const std::uint16_t> readings(depth.ptr<std::uint16_t>(), depth.total());
-  return upsampleByDepth(segments.ids, segments.depths_m, segments.width, segments.height,
-                         {depth.cols, depth.rows, readings, frame.metres_per_unit});
+  return DepthUpsampler(segments.depths_m, segments.width, segments.height,
+                        {depth.cols, depth.rows, readings, frame.metres_per_unit})
+      .apply(segments.ids);
 }
 
 /// For each object of the ground truth (label / 10 from 2 on) the best intersection over union of any

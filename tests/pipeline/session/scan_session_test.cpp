@@ -4,14 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <condition_variable>
-#include <mutex>
 #include <set>
-#include <thread>
 #include <tuple>
 
-#include "tests/support/qt_main_thread.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
 
 namespace scantrove {
 namespace {
@@ -19,82 +15,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Collects a session's events on the worker thread and lets a test wait for them.
-class EventLog {
- public:
-  void add(const ScanEvent& event) {
-    const std::scoped_lock lock(mutex_);
-    events_.push_back(event);
-    arrived_.notify_all();
-  }
-
-  /// Waits until the session entered `state` for the `times`-th time.
-  void awaitState(ScanState state, int times = 1) {
-    std::unique_lock lock(mutex_);
-    const bool in_time =
-        arrived_.wait_for(lock, std::chrono::seconds(120), [&] { return countOf(state) >= times; });
-    ASSERT_TRUE(in_time) << "state " << static_cast<int>(state) << " never came";
-  }
-
-  [[nodiscard]] std::vector<ScanState> states() {
-    const std::scoped_lock lock(mutex_);
-    std::vector<ScanState> states;
-    for (const ScanEvent& event : events_) {
-      if (const auto* changed = std::get_if<StateChanged>(&event)) states.push_back(changed->state);
-    }
-    return states;
-  }
-
-  [[nodiscard]] std::string failure() {
-    const std::scoped_lock lock(mutex_);
-    for (const ScanEvent& event : events_) {
-      if (const auto* failed = std::get_if<ScanFailed>(&event)) return failed->error.message();
-    }
-    return {};
-  }
-
- private:
-  [[nodiscard]] int countOf(ScanState state) const {
-    int count = 0;
-    for (const ScanEvent& event : events_) {
-      const auto* changed = std::get_if<StateChanged>(&event);
-      count += changed != nullptr && changed->state == state ? 1 : 0;
-    }
-    return count;
-  }
-
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  std::vector<ScanEvent> events_;
-};
-
-class ScanSessionTest : public testing::Test {
- protected:
-  [[nodiscard]] ScanRequest request(int frames) const {
-    ScanRequest request;
-    request.source = "demo";
-    request.source_options.frames = frames;
-    request.database = (folder_ / "catalogue.sqlite").string();
-    request.params.fusion.working_width = 160;  // quick; nothing here depends on it
-    return request;
-  }
-
-  /// The next snapshot that says `frames_done` frames; steps post one each.
-  std::shared_ptr<const ScanSnapshot> awaitSnapshot(int frames_done) {
-    for (int i = 0; i < 12000; ++i) {
-      if (auto snapshot = session_.snapshots().collect(); snapshot && snapshot->frames_done >= frames_done) {
-        return snapshot;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return nullptr;
-  }
-
-  test::QtMainThread qt_;
-  test::TemporaryFolder folder_;
-  EventLog log_;
-  ScanSession session_{[this](const ScanEvent& event) { log_.add(event); }};
-};
+using test::ScanSessionTest;
 
 TEST_F(ScanSessionTest, RunsARecordingToItsEnd) {
   session_.start(request(4));
@@ -113,7 +34,7 @@ TEST_F(ScanSessionTest, StepsAreOneFrameEach) {
     session_.step();
     const auto snapshot = awaitSnapshot(step);
     ASSERT_TRUE(snapshot);
-    EXPECT_EQ(snapshot->frames_done, step);
+    EXPECT_EQ(snapshot->frames.done(), step);
     EXPECT_EQ(snapshot->state, ScanState::paused);
     EXPECT_EQ(snapshot->frames_total, 10);
   }
@@ -187,7 +108,7 @@ TEST_F(ScanSessionTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
   const auto last = session_.snapshots().collect();
   ASSERT_TRUE(last);
   EXPECT_EQ(last->state, ScanState::finished);
-  EXPECT_EQ(last->frames_done, 6);
+  EXPECT_EQ(last->frames.done(), 6);
   ASSERT_TRUE(last->region_of_label);
   std::set<std::tuple<int, int, int>> bricks;
   std::size_t points = 0;

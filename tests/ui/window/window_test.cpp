@@ -86,7 +86,7 @@ class WindowTest : public test::CatalogueTest {
     ScanSnapshot snapshot;
     snapshot.state = ScanState::scanning;
     snapshot.frame_index = frame;
-    snapshot.frames_done = frame + 1;
+    snapshot.frames.read = frame + 1;
     snapshot.frames_total = 100;
     snapshot.pose.state = TrackingState::tracking;
     snapshot.K = {290, 290, 160, 120, 320, 240};

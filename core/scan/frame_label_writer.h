@@ -1,0 +1,65 @@
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <opencv2/core/mat.hpp>
+#include <thread>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/labeling/label_table.h"
+#include "core/scan/region_numbers.h"
+#include "core/segmentation/segment_map.h"
+
+namespace scantrove {
+
+/// Writes the label images of a scan (segments/, labels/, labels-final/) beside it, on a thread of its own:
+/// brings each frame's labels to the input's resolution, gives the regions their numbers in the order of the
+/// frames, encodes and writes. At most kMostWaiting frames wait (about 1.5 MB each); with more, add() waits.
+/// Every frame that add() took is written, or finish() says why not. All functions for one thread.
+class FrameLabelWriter {
+ public:
+  static constexpr std::size_t kMostWaiting = 8;
+
+  struct Frame {
+    int index = 0;
+    cv::Mat depth;  ///< of the input: its resolution is the images'
+    float metres_per_unit = 0.001F;
+    SegmentMap segments;
+    std::vector<std::uint32_t> regions;  ///< as RegionMap::regions, of the segments' size
+  };
+
+  /// The three folders exist in `folder`; `numbers` are this writer's alone until finish() has returned.
+  FrameLabelWriter(std::filesystem::path folder, RegionNumbers& numbers);
+  ~FrameLabelWriter();  ///< waits for the frames that were taken
+  FrameLabelWriter(const FrameLabelWriter&) = delete;
+  FrameLabelWriter& operator=(const FrameLabelWriter&) = delete;
+
+  /// Error: an earlier frame could not be written; no more are.
+  [[nodiscard]] Result<void> add(Frame frame);
+
+  /// Waits for all frames, then writes each again with the regions as `table` has them now. No add()
+  /// afterwards. Error: the first file that could not be written.
+  [[nodiscard]] Result<void> finish(const LabelTable& table);
+
+ private:
+  void run();
+  [[nodiscard]] Result<void> write(const Frame& frame);
+  [[nodiscard]] Result<void> writeFinal(const std::string& name,
+                                        const std::vector<std::uint32_t>& final_numbers) const;
+  void close();
+
+  std::filesystem::path folder_;
+  RegionNumbers& numbers_;            // the thread's until it has ended, like written_
+  std::vector<std::string> written_;  // file names, in order
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Frame> waiting_;  // guarded by mutex_, like the two below
+  bool is_closed_ = false;
+  Result<void> outcome_;
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace scantrove

@@ -1,0 +1,137 @@
+#include "core/scan/frame_label_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <opencv2/core.hpp>
+#include <thread>
+
+#include "core/exchange/label_image_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+constexpr int kWidth = 8, kHeight = 6;
+
+/// Left half: segment 1 and `left`; right half: segment 2 and `right`.
+FrameLabelWriter::Frame frameOf(int index, std::uint32_t left, std::uint32_t right) {
+  FrameLabelWriter::Frame frame;
+  frame.index = index;
+  frame.depth = cv::Mat(2 * kHeight, 2 * kWidth, CV_16UC1, cv::Scalar(1000));
+  frame.segments.width = kWidth;
+  frame.segments.height = kHeight;
+  for (int i = 0; i < kWidth * kHeight; ++i) {
+    const bool is_left = i % kWidth < kWidth / 2;
+    frame.segments.ids.push_back(is_left ? 1 : 2);
+    frame.segments.depths_m.push_back(1);
+    frame.regions.push_back(is_left ? left : right);
+  }
+  return frame;
+}
+
+void makeFolders(const TemporaryFolder& folder) {
+  for (const char* part : {"segments", "labels", "labels-final"}) {
+    std::filesystem::create_directories(folder / part);
+  }
+}
+
+std::string nameOf(int index) {
+  return std::string("0000") + (index < 10 ? "0" : "") + std::to_string(index) + ".png";
+}
+
+/// The values of the left and the right half of a file, which must be even.
+std::pair<int, int> halves(const std::filesystem::path& file) {
+  const Result<cv::Mat> image = readLabelImage(file);
+  if (!image || image->size() != cv::Size(2 * kWidth, 2 * kHeight)) return {-1, -1};
+  const auto valueOf = [&](int x) {
+    const cv::Mat half = (*image)(cv::Rect(x, 0, kWidth, 2 * kHeight));
+    const auto value = half.at<std::uint16_t>(0, 0);
+    return cv::countNonZero(half != value) == 0 ? static_cast<int>(value) : -1;
+  };
+  return {valueOf(0), valueOf(kWidth)};
+}
+
+// More frames than may wait; regions get their numbers in the order of the frames.
+TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
+  const TemporaryFolder folder;
+  makeFolders(folder);
+  constexpr int kFrames = 5 * static_cast<int>(FrameLabelWriter::kMostWaiting);
+  LabelTable table;
+  for (int label = 0; label < 100; ++label) static_cast<void>(table.newLabel());
+  RegionNumbers numbers;
+  FrameLabelWriter writer(folder.path(), numbers);
+  for (int i = 0; i < kFrames; ++i) {
+    ASSERT_TRUE(writer.add(frameOf(i, 90, i < 20 ? 30U + static_cast<std::uint32_t>(i) : 29U)));
+  }
+  ASSERT_TRUE(table.join(RegionId{90}, RegionId{31}));
+  ASSERT_TRUE(writer.finish(table));
+  for (int i = 0; i < kFrames; ++i) {
+    EXPECT_EQ(halves(folder / "segments" / nameOf(i)), std::pair(1, 2)) << i;
+    const int number = i < 20 ? 2 + i : 22;
+    EXPECT_EQ(halves(folder / "labels" / nameOf(i)), std::pair(1, number)) << i;
+    EXPECT_EQ(halves(folder / "labels-final" / nameOf(i)), std::pair(1, i == 1 ? 1 : number)) << i;
+  }
+  EXPECT_EQ(numbers.count(), 23U);
+}
+
+TEST(FrameLabelWriter, TheSameFramesGiveTheSameFiles) {
+  std::vector<std::string> files[2];
+  for (auto& contents : files) {
+    const TemporaryFolder folder;
+    makeFolders(folder);
+    RegionNumbers numbers;
+    LabelTable table;
+    for (int label = 0; label < 100; ++label) static_cast<void>(table.newLabel());
+    FrameLabelWriter writer(folder.path(), numbers);
+    for (int i = 0; i < 20; ++i) ASSERT_TRUE(writer.add(frameOf(i, 90U - static_cast<std::uint32_t>(i), 7)));
+    ASSERT_TRUE(writer.finish(table));
+    for (const char* part : {"segments", "labels", "labels-final"}) {
+      for (int i = 0; i < 20; ++i) contents.push_back(test::readText(folder / part / nameOf(i)));
+    }
+  }
+  EXPECT_EQ(files[0], files[1]);
+  EXPECT_GT(files[0][0].size(), 50U);
+}
+
+TEST(FrameLabelWriter, AFileThatCannotBeWrittenIsAnErrorThatNamesItAndTheOthersAreKept) {
+  const TemporaryFolder folder;
+  makeFolders(folder);
+  std::filesystem::create_directories(folder / "labels" / "000003.png" / "in the way");
+  RegionNumbers numbers;
+  LabelTable table;
+  for (int label = 0; label < 100; ++label) static_cast<void>(table.newLabel());
+  FrameLabelWriter writer(folder.path(), numbers);
+  Result<void> added;
+  for (int i = 0; i < 100 && added; ++i) added = writer.add(frameOf(i, 5, 6));
+  ASSERT_FALSE(added) << "a hundred frames went by without a word";
+  EXPECT_THAT(added.error().what, HasSubstr("labels/000003.png"));
+  const Result<void> finished = writer.finish(table);
+  ASSERT_FALSE(finished);
+  EXPECT_EQ(finished.error().what, added.error().what);
+  EXPECT_EQ(halves(folder / "labels-final" / "000002.png"), std::pair(1, 2));
+}
+
+TEST(FrameLabelWriter, ALabelImageThatSomebodyReplacedIsAnError) {
+  const TemporaryFolder folder;
+  makeFolders(folder);
+  RegionNumbers numbers;
+  LabelTable table;
+  for (int label = 0; label < 10; ++label) static_cast<void>(table.newLabel());
+  FrameLabelWriter writer(folder.path(), numbers);
+  ASSERT_TRUE(writer.add(frameOf(0, 5, 6)));
+  const std::filesystem::path file = folder / "labels" / "000000.png";
+  for (int i = 0; i < 1000 && !std::filesystem::exists(file); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(writeLabelImage(file, std::vector<std::uint32_t>(4, 60000), {2, 2}));
+  const Result<void> finished = writer.finish(table);
+  ASSERT_FALSE(finished);
+  EXPECT_THAT(finished.error().what, HasSubstr("labels/000000.png"));
+}
+
+}  // namespace
+}  // namespace scantrove
