@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/catalog/object_database.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+
+namespace scantrove {
+namespace {
+
+/// A person at the catalogue while frames run.
+class EditsDuringAScan : public test::ScanSessionTest {
+ protected:
+  static constexpr int kFrames = 120;
+
+  [[nodiscard]] ScanRequest table(const std::string& database) const {
+    ScanRequest wanted = request(kFrames);
+    wanted.database = (folder_ / database).string();
+    return wanted;
+  }
+
+  /// Waits until the scan has added so many objects; their ids.
+  std::vector<ObjectId> awaitObjects(std::size_t count) {
+    for (int i = 0; i < 12000; ++i) {
+      const std::vector<ObjectAdded> added = log_.all<ObjectAdded>();
+      if (added.size() >= count) {
+        std::vector<ObjectId> objects;
+        for (const ObjectAdded& event : added) objects.push_back(event.object);
+        return objects;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return {};
+  }
+
+  /// Lets the scan process more frames.
+  void letFramesPass(int frames) {
+    const auto now = awaitSnapshot(0);
+    ASSERT_TRUE(now);
+    ASSERT_TRUE(awaitSnapshot(now->frames.done() + frames));
+  }
+
+  static std::unique_ptr<ObjectDatabase> open(const ScanRequest& request) {
+    auto database = ObjectDatabase::open(request.database);
+    EXPECT_TRUE(database) << database.error().message();
+    return std::move(*database);
+  }
+};
+
+TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
+  // What the scan finds when nobody interferes.
+  const ScanRequest quiet = table("quiet.sqlite");
+  session_.start(quiet);
+  session_.wait();
+  ASSERT_EQ(session_.state(), ScanState::finished);
+  const std::size_t found = open(quiet)->objects()->size();
+  ASSERT_GE(found, 5U) << "too few for the edits below";
+  const std::size_t added_quietly = log_.all<ObjectAdded>().size();
+
+  static_cast<void>(session_.snapshots().collect());
+  const ScanRequest busy = table("busy.sqlite");
+  session_.start(busy);
+  const std::vector<ObjectId> all = awaitObjects(added_quietly + 4);
+  ASSERT_GE(all.size(), added_quietly + 4);
+  const std::vector<ObjectId> objects(all.begin() + static_cast<std::ptrdiff_t>(added_quietly), all.end());
+  const std::unique_ptr<ObjectDatabase> person = open(busy);
+  ASSERT_TRUE(person->rename(objects[0], "my mug"));
+  ASSERT_TRUE(person->setConfirmed(std::array{objects[1]}, true));
+  ASSERT_TRUE(person->remove(std::array{objects[2], objects[3]}));
+  session_.catalogueChanged();
+  letFramesPass(20);
+  ASSERT_TRUE(person->restore(std::array{objects[3]}));
+  const Result<ObjectMerge> merge = person->merge(std::array{objects[0], objects[1]});
+  ASSERT_TRUE(merge);
+  session_.catalogueChanged();
+  letFramesPass(5);
+  ASSERT_EQ(session_.state(), ScanState::scanning) << "the edits came too late to be during the scan";
+  session_.wait();
+  ASSERT_EQ(session_.state(), ScanState::finished);
+  EXPECT_TRUE(log_.all<CatalogueFailed>().empty());
+
+  const std::vector<ObjectRecord> left = *person->objects();
+  EXPECT_EQ(left.size(), found - 2) << "one is deleted, two are one, and nothing has come twice";
+  const auto record = [&](ObjectId object) {
+    const auto at = std::ranges::find(left, object, &ObjectRecord::id);
+    return at == left.end() ? ObjectRecord{} : *at;
+  };
+  EXPECT_EQ(merge->into, objects[0]);
+  EXPECT_EQ(record(objects[0]).name, "my mug");
+  EXPECT_TRUE(record(objects[0]).confirmed) << "one of the two was";
+  EXPECT_FALSE(record(objects[1]).id);
+  EXPECT_FALSE(record(objects[2]).id);
+  EXPECT_EQ(record(objects[3]).id, objects[3]);
+  EXPECT_EQ(*person->resolve(objects[1]), objects[0]);
+}
+
+TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
+  ScanRequest wanted = table("paused.sqlite");
+  session_.start(wanted);
+  const std::vector<ObjectId> objects = awaitObjects(1);
+  ASSERT_FALSE(objects.empty());
+  session_.pause();
+  log_.awaitState(ScanState::paused);
+  ASSERT_TRUE(open(wanted)->rename(objects[0], "called while paused"));
+  static_cast<void>(session_.snapshots().collect());
+  session_.catalogueChanged();
+  const auto snapshot = awaitSnapshot(1);
+  ASSERT_TRUE(snapshot);
+  EXPECT_EQ(snapshot->state, ScanState::paused);
+  EXPECT_TRUE(std::ranges::any_of(snapshot->objects, [&](const SeenObject& seen) {
+    return seen.object == objects[0] && seen.name == "called while paused";
+  }));
+  session_.stop();
+  session_.wait();
+}
+
+}  // namespace
+}  // namespace scantrove
