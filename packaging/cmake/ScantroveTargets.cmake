@@ -3,7 +3,8 @@ include(Embed)
 
 add_library(scantrove_settings INTERFACE)
 target_include_directories(scantrove_settings INTERFACE "${PROJECT_SOURCE_DIR}")
-target_compile_options(scantrove_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
+# -fpch-preprocess: for ccache.
+target_compile_options(scantrove_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> -Wall -Wextra -Wconversion -Wshadow)
 if(SCANTROVE_WARNINGS_AS_ERRORS)
   target_compile_options(scantrove_settings INTERFACE -Werror)
 endif()
@@ -12,12 +13,16 @@ if(SCANTROVE_SANITIZE)
   target_link_options(scantrove_settings INTERFACE -fsanitize=${SCANTROVE_SANITIZE})
 endif()
 
-# scantrove_module(<name> SOURCES ... [KERNELS ...] [LINK ...])
-# Declares the static library scantrove_<name>; kernels are embedded (Embed.cmake).
+# scantrove_module(<name> SOURCES ... [KERNELS ...] [LINK ...] [PRECOMPILED core|device|window])
+# Declares the static library scantrove_<name>; kernels are embedded (Embed.cmake), heavy foreign headers precompiled
+# (ScantrovePrecompiled.cmake).
 function(scantrove_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;KERNELS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;KERNELS;LINK" ${ARGN})
   add_library(scantrove_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(scantrove_${name} PUBLIC scantrove_settings ${ARG_LINK})
+  if(ARG_PRECOMPILED)
+    scantrove_precompile(scantrove_${name} ${ARG_PRECOMPILED})
+  endif()
   if(ARG_KERNELS)
     scantrove_embed_kernels(${name} ${ARG_KERNELS})
   endif()

@@ -1,0 +1,46 @@
+# The heavy foreign headers, compiled once for many files. A file still includes all that it uses: the sanitizer presets
+# build without this, so an include that is missing shows there.
+#   core    the standard library, Eigen, OpenCV's matrices, spdlog, tl::expected
+#   device  core and the OpenCL bindings
+#   window  core and Qt's widgets
+#   tests   core and GoogleTest
+option(SCANTROVE_PRECOMPILE "Precompile heavy foreign headers" ON)
+
+set(scantrove_core_headers
+  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <mutex> <optional> <span>
+  <string> <string_view> <thread> <unordered_map> <utility> <variant> <vector>
+  <Eigen/Geometry> <opencv2/core.hpp> <spdlog/spdlog.h> <tl/expected.hpp>)
+set(scantrove_window_headers
+  ${scantrove_core_headers}
+  <QAction> <QBoxLayout> <QComboBox> <QDialog> <QFileDialog> <QFormLayout> <QImage> <QLabel> <QListView> <QMainWindow>
+  <QObject> <QPainter> <QPainterPath> <QPushButton> <QSettings> <QString> <QTimer> <QToolButton> <QUndoStack> <QWidget>)
+
+function(scantrove_declare_precompiled kind)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LINK" ${ARGN})
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp" CONTENT "// Holds the precompiled headers.\n")
+  add_library(scantrove_precompiled_${kind} STATIC "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp")
+  set_target_properties(scantrove_precompiled_${kind} PROPERTIES AUTOMOC OFF AUTORCC OFF)
+  target_link_libraries(scantrove_precompiled_${kind} PRIVATE scantrove_settings spdlog::spdlog Threads::Threads
+    Eigen3::Eigen opencv_core ${ARG_LINK})
+  target_include_directories(scantrove_precompiled_${kind} SYSTEM PRIVATE ${EXPECTED_INCLUDE_DIR})
+  target_precompile_headers(scantrove_precompiled_${kind} PRIVATE ${ARG_HEADERS})
+endfunction()
+
+if(SCANTROVE_PRECOMPILE)
+  scantrove_declare_precompiled(core HEADERS ${scantrove_core_headers})
+  scantrove_declare_precompiled(device LINK scantrove_opencl
+    HEADERS ${scantrove_core_headers} "${PROJECT_SOURCE_DIR}/core/compute/opencl.h")
+  if(SCANTROVE_BUILD_TESTS)
+    find_package(GTest REQUIRED)
+    scantrove_declare_precompiled(tests LINK GTest::gtest GTest::gmock
+      HEADERS ${scantrove_core_headers} <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
+  scantrove_declare_precompiled(window LINK Qt6::Core Qt6::Gui Qt6::Widgets HEADERS ${scantrove_window_headers})
+endif()
+
+# scantrove_precompile(<target> core|device|window|tests)
+function(scantrove_precompile target kind)
+  if(SCANTROVE_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM scantrove_precompiled_${kind})
+  endif()
+endfunction()
