@@ -25,7 +25,7 @@ Lanes paeth(Lanes left, Lanes up, Lanes up_left) {
   const Lanes from_up = absolute(to_up);
   const Lanes from_up_left = absolute(to_left + to_up);
   const Lanes other = from_up <= from_up_left ? up : up_left;
-  return (from_left <= from_up) & (from_left <= from_up_left) ? left : other;
+  return ((from_left <= from_up) & (from_left <= from_up_left)) ? left : other;
 }
 
 /// Undoes Paeth's filter in four rows below each other in place. A pixel needs its left neighbour, which
