@@ -91,7 +91,9 @@ TEST_F(ViewIndexTest, OfManyViewsTheNearestAreKept) {
   for (unsigned seed = 0; seed < kViews; ++seed) pictures.push_back(picture(seed));
   for (unsigned seed = 0; seed < kViews; ++seed) {
     append(seed);
-    if (seed == 70 || seed == 500) EXPECT_EQ(shortlist(seed).front(), static_cast<int>(seed));
+    if (seed == 70 || seed == 500) {
+      EXPECT_EQ(shortlist(seed).front(), static_cast<int>(seed));
+    }
   }
   int found = 0, asked = 0;
   for (unsigned view = 0; view < kViews; view += 65) {
