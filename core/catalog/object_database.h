@@ -49,6 +49,8 @@ class ObjectDatabase {
   /// A small picture of the object's best view, CV_8UC3 BGR, for lists (see listPicture). Empty when it has
   /// no colour.
   [[nodiscard]] Result<cv::Mat> picture(ObjectId id);
+  /// Such pictures of all its views, newest first.
+  [[nodiscard]] Result<std::vector<cv::Mat>> pictures(ObjectId id);
   /// Visits the descriptors of all views with id > `after`, of hidden objects too, by ascending id, one at a
   /// time; returns the last id. Views of an older version are described first, once (about 1 ms a view). A
   /// damaged row is left out and named in the log.

@@ -106,4 +106,26 @@ Result<cv::Mat> ObjectDatabase::picture(ObjectId id) {
   return decodedImage(query->value(1).toByteArray());
 }
 
+Result<std::vector<cv::Mat>> ObjectDatabase::pictures(ObjectId id) {
+  Result<QSqlQuery> query = connection_->execute(
+      "SELECT v.id FROM views v JOIN view_summaries s ON s.view = v.id"
+      " WHERE v.object = ? AND s.object_pixels IS NULL",
+      {id.value});
+  if (!query) return fail(query.error());
+  std::vector<std::int64_t> older;
+  while (query->next()) older.push_back(query->value(0).toLongLong());
+  if (!older.empty()) SCANTROVE_TRY(summariseViews(*connection_, older));
+
+  query = connection_->execute(
+      "SELECT p.jpeg FROM views v JOIN pictures p ON p.view = v.id WHERE v.object = ? ORDER BY v.id DESC",
+      {id.value});
+  if (!query) return fail(query.error());
+  std::vector<cv::Mat> pictures;
+  while (query->next()) {
+    cv::Mat picture = decodedImage(query->value(0).toByteArray());
+    if (!picture.empty()) pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
 }  // namespace scantrove

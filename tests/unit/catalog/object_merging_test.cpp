@@ -160,6 +160,11 @@ TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
   addView({0, 0, 0}, 10);  // says nothing
   EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
   EXPECT_EQ(database_->picture(id)->size(), cv::Size(60, 60)) << "the look that shows most of it";
+  const auto pictures = database_->pictures(id);
+  ASSERT_TRUE(pictures);
+  ASSERT_EQ(pictures->size(), 4U);
+  EXPECT_EQ((*pictures)[0].size(), cv::Size(10, 10)) << "the newest first";
+  EXPECT_EQ((*pictures)[2].size(), cv::Size(60, 60));
 }
 
 TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {
