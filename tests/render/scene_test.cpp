@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/exchange/region_palette.h"
@@ -161,6 +162,27 @@ TEST_F(SceneTest, ViewpointCirclesItsTargetAndStaysUpright) {
   camera.orbit(0, 10);  // over the top is stopped short of it
   EXPECT_GT((camera.eye() - camera.target()).normalized().dot(camera.up()), 0.98F);
   EXPECT_LT((camera.eye() - camera.target()).normalized().dot(camera.up()), 0.9999F);
+}
+
+TEST_F(SceneTest, WhatArrivesDoesNotTurnAViewThatAPersonTook) {
+  // A floor seen by a camera that looks 40 degrees down on it: upright is -z and not what the camera holds
+  // up.
+  ScanSnapshot snapshot;
+  snapshot.frame_index = 0;
+  snapshot.pose.state = TrackingState::tracking;
+  snapshot.pose.T_world_camera.linear() =
+      Eigen::AngleAxisd(50 * std::numbers::pi / 180, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  snapshot.region_of_label =
+      std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1});
+  scene_.update(snapshot);
+  const Eigen::Vector3f eye = scene_.viewpoint().eye();
+  const Eigen::Vector3f up = scene_.viewpoint().up();
+  snapshot.changed_bricks = wall(384, 1, 1);
+  scene_.update(snapshot);
+  EXPECT_EQ(scene_.viewpoint().eye(), eye);
+  EXPECT_EQ(scene_.viewpoint().up(), up);
+  scene_.setFollowing(true);
+  EXPECT_GT(scene_.viewpoint().up().dot(-Eigen::Vector3f::UnitZ()), 0.99F);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ void LabelCloudScene::clear() {
   following_ = true;
   has_pose_ = false;
   points_at_leveling_ = 0;
+  up_ = -Eigen::Vector3f::UnitY();
 }
 
 void LabelCloudScene::update(const ScanSnapshot& snapshot) {
@@ -64,7 +65,8 @@ void LabelCloudScene::update(const ScanSnapshot& snapshot) {
   const Eigen::Isometry3f T_world_camera = snapshot.pose.T_world_camera.cast<float>();
   if (!has_pose_) {
     R_world_camera_ = T_world_camera.linear();
-    viewpoint_.setUp(-R_world_camera_.col(1));
+    up_ = -R_world_camera_.col(1);
+    viewpoint_.setUp(up_);
   }
   if (cloud_.pointCount() > std::max(kFirstLeveling_points, 2 * points_at_leveling_)) levelOut();
   if (following_ && snapshot.pose.usable()) {
@@ -80,15 +82,21 @@ void LabelCloudScene::update(const ScanSnapshot& snapshot) {
 
 void LabelCloudScene::levelOut() {
   points_at_leveling_ = cloud_.pointCount();
-  const Eigen::Vector3f up = findUp(cloud_.brickNormals(), R_world_camera_);
-  viewpoint_.setUp(up);
+  up_ = findUp(cloud_.brickNormals(), R_world_camera_);
+  if (following_) viewpoint_.setUp(up_);
   const Eigen::AlignedBox3f& box = cloud_.bounds();
   const Eigen::Vector3f centre = box.center();
-  grid_.place(centre + (cloud_.floorHeight(up) - centre.dot(up)) * up, up, 0.6F * box.diagonal().norm());
+  grid_.place(centre + (cloud_.floorHeight(up_) - centre.dot(up_)) * up_, up_, 0.6F * box.diagonal().norm());
+}
+
+void LabelCloudScene::setFollowing(bool following) {
+  following_ = following;
+  if (following) viewpoint_.setUp(up_);
 }
 
 void LabelCloudScene::fitAll(float aspect) {
   following_ = false;
+  viewpoint_.setUp(up_);
   viewpoint_.fit(cloud_.bounds(), aspect);
 }
 

@@ -36,7 +36,7 @@ class LabelCloudScene {
 
   /// The viewpoint trails the sensor and looks where it looks; any call of viewpoint() by the person's hand
   /// should end it.
-  void setFollowing(bool following) { following_ = following; }
+  void setFollowing(bool following);
   [[nodiscard]] bool following() const { return following_; }
   [[nodiscard]] OrbitCamera& viewpoint() { return viewpoint_; }
   void fitAll(float aspect);
@@ -57,6 +57,7 @@ class LabelCloudScene {
   bool following_ = true;
   bool has_pose_ = false;
   Eigen::Matrix3f R_world_camera_ = Eigen::Matrix3f::Identity();  ///< of the first frame
+  Eigen::Vector3f up_ = -Eigen::Vector3f::UnitY();  ///< of the scene; the viewpoint's only when it may turn
   std::size_t points_at_leveling_ = 0;
 };
 

@@ -81,6 +81,9 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
+  setToolTip(
+      tr("Drag: turn. Shift + drag: move. Wheel: zoom. Double click: show all.<br>"
+         "Regions cannot be picked here yet: select objects in the list."));
   draw_timer_.setSingleShot(true);
   connect(&draw_timer_, &QTimer::timeout, this, QOverload<>::of(&QWidget::update));
   settle_timer_.setSingleShot(true);
@@ -184,8 +187,6 @@ void SceneView::initializeGL() {
   });
 }
 
-void SceneView::resizeGL(int /*width*/, int /*height*/) {}
-
 void SceneView::paintGL() {
   QElapsedTimer timer;
   timer.start();
@@ -241,13 +242,14 @@ void SceneView::interacted() {
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-  last_mouse_ = event->position();
+  last_mouse_ = event->globalPosition();
   setFocus(Qt::MouseFocusReason);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF step = event->position() - last_mouse_;
-  last_mouse_ = event->position();
+  // On the screen: a message that appears above the view moves the view under the mouse.
+  const QPointF step = event->globalPosition() - last_mouse_;
+  last_mouse_ = event->globalPosition();
   const auto dx = static_cast<float>(step.x());
   const auto dy = static_cast<float>(step.y());
   const auto tall = static_cast<float>(std::max(1, height()));
@@ -263,8 +265,6 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   }
   interacted();
 }
-
-void SceneView::mouseReleaseEvent(QMouseEvent* /*event*/) {}
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) fitAll();
