@@ -10,6 +10,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/window_picture.h"
+#include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
@@ -47,7 +48,7 @@ void applyTheme(const std::string& wanted) {
 /// When the scan has ended, shows the newest object's views, lets all be drawn, saves the picture and quits.
 void takePictureAtEnd(MainWindow& window, const QString& file) {
   const auto save = [&window, file](int exit_code) {
-    window.objectPanel()->selectFirst();
+    window.objectPanel()->list()->selectNewest();
     QTimer::singleShot(kSettle_ms, &window, [&window, file, exit_code] {
       const Result<void> saved = saveWindowPicture(window, file);
       if (!saved) std::cerr << "scantrove: " << saved.error().message() << '\n';
@@ -93,12 +94,6 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
   }
   if (options.screenshot) takePictureAtEnd(window, QString::fromStdString(options.screenshot->string()));
   return QApplication::exec();
-}
-
-int runWindow(int& argc, char** argv, const std::string& source) {
-  WindowOptions options;
-  options.source = source;
-  return runWindow(argc, argv, options);
 }
 
 }  // namespace scantrove

@@ -1,6 +1,4 @@
 #pragma once
-#include <string>
-
 #include "ui/main_window/window_options.h"
 
 namespace scantrove {
@@ -8,8 +6,5 @@ namespace scantrove {
 /// Shows the window and returns when it is closed: the process' exit code. 1 when there is no display, or
 /// when the scan that a screenshot was asked of failed.
 int runWindow(int& argc, char** argv, const WindowOptions& options);
-
-/// The window with `source` in it, or with its start page when that is empty.
-int runWindow(int& argc, char** argv, const std::string& source);
 
 }  // namespace scantrove

@@ -3,7 +3,6 @@
 #include <QTimer>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "ui/bridge/session_port.h"

@@ -46,7 +46,7 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   reset_layout = make("", tr("&Usual arrangement"), {}, tr("Put all panels back in their places"));
   help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("What the keys and the mouse do"));
   help_keys->setShortcuts({QKeySequence(tr("?")), QKeySequence(Qt::Key_F1)});
-  about = make("info", tr("&About Scantrove"), {}, tr("Version and licence"));
+  about = make("info", tr("&About Scantrove"), {}, tr("Which version this is"));
   enableFor(ScanState::idle, false);
 }
 

@@ -4,7 +4,6 @@
 #include "core/scan/scan_snapshot.h"
 
 class QAction;
-class QMenu;
 class QUndoStack;
 
 namespace scantrove {

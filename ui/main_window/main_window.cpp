@@ -1,16 +1,15 @@
 #include "ui/main_window/main_window.h"
 
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QListView>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/scan_controller.h"
@@ -18,6 +17,7 @@
 #include "ui/panels/color_panel.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
 #include "ui/panels/params_panel.h"
 #include "ui/panels/progress_strip.h"
@@ -27,9 +27,11 @@
 
 namespace scantrove {
 namespace {
-constexpr int kLayoutVersion = 1;
 const QString kGeometryKey = QStringLiteral("window/geometry");
-const QString kDocksKey = QStringLiteral("window/docks");
+constexpr int kObjectsWidth = 290;
+constexpr int kFramesWidth = 480;
+constexpr int kOtherPrograms_ms = 1000;  ///< what they write is seen after that
+constexpr int kHeldList_ms = 50;
 }  // namespace
 
 MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& options)
@@ -39,7 +41,6 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   setWindowTitle(QStringLiteral("Scantrove"));
   setWindowIcon(icon(QStringLiteral("scantrove")));
   setAcceptDrops(true);
-  setDockNestingEnabled(true);
   makeCentre();
   makeDocks(options.params);
   makeMenus();
@@ -57,9 +58,9 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   } else {
     restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
   }
-  usualArrangement();
-  restoreState(QSettings().value(kDocksKey).toByteArray(), kLayoutVersion);
+  docks_->restore();
   showStartPage();
+  connectCatalogue();
   openCatalogue(options.database.empty() ? defaultCatalogueFile() : QString::fromStdString(options.database));
 }
 
@@ -85,57 +86,35 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::makeDocks(const ScanParams& params) {
-  const auto add = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(QString::fromLatin1(name));
-    // Hidden and shown in the View menu.
-    dock->setFeatures(QDockWidget::DockWidgetMovable);
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    return dock;
-  };
+  docks_ = new DockArrangement(*this);
   objects_ = new ObjectPanel(editor_, model_);
   frames_ = new FramePanels;
   frames_->colorPanel()->setNameOf([this](ObjectId object) {
     const ObjectRecord* const record = model_.record(object);
     return record != nullptr ? QString::fromStdString(record->name) : QString();
   });
-  connect(&model_, &ObjectListModel::dataChanged, frames_->colorPanel(), qOverload<>(&QWidget::update));
   params_ = new ParamsPanel(params);
-  objects_dock_ = add(tr("Objects"), "objectsDock", objects_, Qt::LeftDockWidgetArea);
-  params_dock_ = add(tr("Settings"), "settingsDock", params_, Qt::LeftDockWidgetArea);
-  frames_dock_ = add(tr("Current frame"), "framesDock", frames_, Qt::RightDockWidgetArea);
-}
-
-void MainWindow::usualArrangement() {
-  for (QDockWidget* dock : {objects_dock_, params_dock_, frames_dock_}) {
-    dock->setFloating(false);
-    dock->show();
-  }
-  addDockWidget(Qt::LeftDockWidgetArea, objects_dock_);
-  addDockWidget(Qt::LeftDockWidgetArea, params_dock_);
-  splitDockWidget(objects_dock_, params_dock_, Qt::Vertical);
-  addDockWidget(Qt::RightDockWidgetArea, frames_dock_);
-  resizeDocks({objects_dock_, frames_dock_}, {width() < 1400 ? 250 : 290, width() < 1400 ? 370 : 480},
-              Qt::Horizontal);
-  resizeDocks({objects_dock_, params_dock_}, {1000, 130}, Qt::Vertical);
+  docks_->add({tr("Objects"), "objectsDock", tr("Ctrl+1"), Qt::LeftDockWidgetArea, kObjectsWidth, false},
+              objects_);
+  docks_->add({tr("Settings"), "settingsDock", tr("Ctrl+3"), Qt::LeftDockWidgetArea, kObjectsWidth, true},
+              params_);
+  docks_->add({tr("Current frame"), "framesDock", tr("Ctrl+2"), Qt::RightDockWidgetArea, kFramesWidth, true},
+              frames_);
 }
 
 bool MainWindow::onStartPage() const { return centre_->currentWidget() == start_; }
 
 void MainWindow::showStartPage() {
-  if (!onStartPage() || docks_layout_.isEmpty()) docks_layout_ = saveState(kLayoutVersion);
   start_->setRecent(recentSources());
   centre_->setCurrentWidget(start_);
-  frames_dock_->hide();
-  params_dock_->hide();
+  docks_->setScanShown(false);
   progress_->clear();
 }
 
 void MainWindow::showScene() {
   if (!onStartPage()) return;
   centre_->setCurrentWidget(scene_);
-  restoreState(docks_layout_, kLayoutVersion);
+  docks_->setScanShown(true);
 }
 
 void MainWindow::open(const QString& source) {
@@ -144,12 +123,13 @@ void MainWindow::open(const QString& source) {
 }
 
 void MainWindow::openCatalogue(const QString& file) {
+  if (!objects_->list()->finishEditing()) return;
   if (const Result<void> done = editor_.open(file); !done) {
     messages_->show(MessageBar::Kind::error, QString::fromStdString(done.error().message()));
     return;
   }
   controller_->setDatabase(editor_.file());
-  objects_dock_->setToolTip(tr("Catalogue: %1").arg(editor_.file()));
+  objects_->setToolTip(tr("Catalogue: %1").arg(editor_.file()));
 }
 
 void MainWindow::connectSession() {
@@ -165,17 +145,38 @@ void MainWindow::connectSession() {
   });
   connect(&bridge, &SessionBridge::catalogueFailed, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
-  connect(&bridge, &SessionBridge::objectsMerged, &model_, &ObjectListModel::reload);
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
   connect(&bridge, &SessionBridge::objectRecognised, this,
           [this](ObjectId object) { model_.markRecognised(object); });
-  connect(&bridge, &SessionBridge::viewAdded, this, [this](ObjectId object) { model_.refresh(object); });
-  connect(&editor_, &CatalogueEditor::changed, &bridge, &SessionBridge::catalogueChanged);
+}
+
+void MainWindow::connectCatalogue() {
+  SessionBridge& bridge = controller_->bridge();
+  catalogue_timer_.setSingleShot(true);
+  connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::followCatalogue);
+  const auto soon = [this] { catalogue_timer_.start(0); };
+  connect(&bridge, &SessionBridge::objectAdded, this, soon);
+  connect(&bridge, &SessionBridge::viewAdded, this, soon);
+  connect(&bridge, &SessionBridge::objectsMerged, this, soon);
+  connect(&bridge, &SessionBridge::stateChanged, this, soon);
+  connect(&editor_, &CatalogueEditor::edited, &bridge, &SessionBridge::catalogueChanged);
   connect(&editor_, &CatalogueEditor::failed, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); });
+  connect(&model_, &ObjectListModel::dataChanged, frames_->colorPanel(), qOverload<>(&QWidget::update));
+  connect(objects_, &ObjectPanel::selectionChanged, this, [this](const std::vector<ObjectId>& objects) {
+    frames_->setSelected({objects.begin(), objects.end()});
+  });
+  catalogue_timer_.start(kOtherPrograms_ms);
+}
+
+void MainWindow::followCatalogue() {
+  const bool wait = objects_->list()->isHeld();
+  if (!wait) editor_.poll();
+  catalogue_timer_.start(wait ? kHeldList_ms : kOtherPrograms_ms);
 }
 
 void MainWindow::beginScan(const QString& source) {
+  params_->finishTyping();
   setWindowTitle(tr("%1 — Scantrove").arg(sourceTitle(source)));
   progress_->begin(sourceTitle(source));
   scene_->view()->clearScene();
@@ -190,7 +191,6 @@ void MainWindow::showSnapshot(const ScanSnapshot& snapshot) {
   if (!has_snapshot_) {
     has_snapshot_ = true;
     rememberSource(controller_->source());
-    fillRecentMenu();
   }
   scene_->view()->showSnapshot(snapshot);
   frames_->showSnapshot(snapshot);
@@ -221,9 +221,12 @@ void MainWindow::chooseTheme(ThemeChoice choice) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  QSettings settings;
-  settings.setValue(kGeometryKey, saveGeometry());
-  settings.setValue(kDocksKey, onStartPage() ? docks_layout_ : saveState(kLayoutVersion));
+  if (!objects_->list()->finishEditing()) {
+    event->ignore();
+    return;
+  }
+  QSettings().setValue(kGeometryKey, saveGeometry());
+  docks_->save();
   controller_->stop();
   event->accept();
 }

@@ -1,6 +1,8 @@
 #pragma once
 #include <QMainWindow>
+#include <QTimer>
 #include <memory>
+#include <vector>
 
 #include "ui/bridge/session_port.h"
 #include "ui/main_window/window_options.h"
@@ -12,6 +14,7 @@ class QStackedWidget;
 
 namespace scantrove {
 
+class DockArrangement;
 class FramePanels;
 class HelpDialog;
 class MainActions;
@@ -33,6 +36,7 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void open(const QString& source);
+  /// Not while a name is being typed that cannot be stored.
   void openCatalogue(const QString& file);
 
   [[nodiscard]] ScanController& controller() { return *controller_; }
@@ -41,9 +45,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] FramePanels* framePanels() const { return frames_; }
   [[nodiscard]] ScenePane* scenePane() const { return scene_; }
   [[nodiscard]] MessageBar* messageBar() const { return messages_; }
-  [[nodiscard]] StatusStrip* statusStrip() const { return status_; }
   [[nodiscard]] ProgressStrip* progressStrip() const { return progress_; }
   [[nodiscard]] MainActions& actions() const { return *actions_; }
+  [[nodiscard]] DockArrangement& docks() { return *docks_; }
   [[nodiscard]] bool onStartPage() const;
 
  protected:
@@ -58,6 +62,7 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void connectActions();
   void connectSession();
+  void connectCatalogue();
   void fillRecentMenu();
 
   void openFolder();
@@ -74,7 +79,7 @@ class MainWindow : public QMainWindow {
   void scanFailed(const QString& message);
   void showStartPage();
   void showScene();
-  void usualArrangement();
+  void followCatalogue();
   void chooseTheme(ThemeChoice choice);
 
   CatalogueEditor editor_;
@@ -92,10 +97,8 @@ class MainWindow : public QMainWindow {
   StatusStrip* status_ = nullptr;
   HelpDialog* help_ = nullptr;
   QMenu* recent_ = nullptr;
-  QDockWidget* objects_dock_ = nullptr;
-  QDockWidget* frames_dock_ = nullptr;
-  QDockWidget* params_dock_ = nullptr;
-  QByteArray docks_layout_;    ///< of the scan's page, while the start page is shown
+  DockArrangement* docks_ = nullptr;
+  QTimer catalogue_timer_;
   bool has_snapshot_ = false;  ///< of the present scan
 };
 

@@ -1,12 +1,12 @@
 // The menus, the tool bar, and the dialogs that they open.
 #include <QApplication>
 #include <QDockWidget>
-#include <QListView>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
 
+#include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/recent_sources.h"
@@ -16,6 +16,7 @@
 #include "ui/panels/file_dialogs.h"
 #include "ui/panels/help_dialog.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
 #include "ui/panels/params_panel.h"
 #include "ui/panels/progress_strip.h"
@@ -32,7 +33,9 @@ void MainWindow::makeMenus() {
   QMenu* demo = file->addMenu(icon(QStringLiteral("cube")), tr("&Demo"));
   demo->addActions({actions_->open_tabletop, actions_->open_room});
   recent_ = file->addMenu(icon(QStringLiteral("clock")), tr("R&ecent"));
-  fillRecentMenu();
+  recent_->setObjectName(QStringLiteral("recentMenu"));
+  // Filled as it opens: while it is open nothing moves under the mouse.
+  connect(file, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
   file->addSeparator();
   file->addAction(actions_->open_catalogue);
   file->addSeparator();
@@ -45,6 +48,7 @@ void MainWindow::makeMenus() {
   const ObjectPanel::Actions& objects = objects_->actions();
   QMenu* edit = menuBar()->addMenu(tr("&Objects"));
   edit->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
+  connect(edit, &QMenu::aboutToHide, objects_, &ObjectPanel::updateActions, Qt::QueuedConnection);
   edit->addSeparator();
   edit->addActions({actions_->undo, actions_->redo});
   edit->addSeparator();
@@ -53,8 +57,7 @@ void MainWindow::makeMenus() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction()});
   view->addSeparator();
-  for (QDockWidget* dock : {objects_dock_, frames_dock_, params_dock_})
-    view->addAction(dock->toggleViewAction());
+  for (const QDockWidget* dock : docks_->docks()) view->addAction(dock->toggleViewAction());
   view->addAction(actions_->reset_layout);
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Colours"));
@@ -107,14 +110,14 @@ void MainWindow::connectActions() {
   on(actions_->step, [this] { controller_->step(); });
   on(actions_->stop, [this] { controller_->stop(); });
   on(actions_->focus_objects, [this] {
-    objects_dock_->show();
+    docks_->docks().first()->show();
     objects_->list()->setFocus(Qt::ShortcutFocusReason);
-    if (!objects_->list()->currentIndex().isValid()) objects_->list()->setCurrentIndex(model_.index(0));
+    if (!objects_->list()->currentIndex().isValid()) objects_->list()->selectNewest();
   });
   on(actions_->theme_system, [this] { chooseTheme(ThemeChoice::system); });
   on(actions_->theme_light, [this] { chooseTheme(ThemeChoice::light); });
   on(actions_->theme_dark, [this] { chooseTheme(ThemeChoice::dark); });
-  on(actions_->reset_layout, [this] { usualArrangement(); });
+  on(actions_->reset_layout, [this] { docks_->arrangeAsUsual(); });
   on(actions_->help_keys, [this] { showHelp(); });
   on(actions_->about, [this] { showAbout(); });
   const ThemeChoice theme = Theme::instance().choice();
@@ -142,7 +145,6 @@ void MainWindow::fillRecentMenu() {
   recent_->addSeparator();
   recent_->addAction(tr("Forget these"), this, [this] {
     forgetRecentSources();
-    fillRecentMenu();
     start_->setRecent({});
   });
 }

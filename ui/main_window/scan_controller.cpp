@@ -14,30 +14,39 @@ void ScanController::open(const QString& source, const SourceOptions& options, S
   request_.source = source.toStdString();
   request_.source_options = options;
   request_.poses = poses;
+  paused_ = request_.start_paused;
   emit opening(source_);
   bridge_.start(request_);
 }
 
 void ScanController::start() {
   if (bridge_.state() == ScanState::paused) {
-    bridge_.resume();
+    setPaused(false);
   } else if (hasSource()) {
+    paused_ = request_.start_paused;
     emit opening(source_);
     bridge_.start(request_);
   }
 }
 
+bool ScanController::isUnderWay() const {
+  return bridge_.state() == ScanState::scanning || bridge_.state() == ScanState::paused;
+}
+
+void ScanController::setPaused(bool paused) {
+  if (paused == paused_) return;
+  paused_ = paused;
+  paused ? bridge_.pause() : bridge_.resume();
+}
+
 void ScanController::togglePause() {
-  if (bridge_.state() == ScanState::paused) {
-    bridge_.resume();
-  } else if (bridge_.state() == ScanState::scanning) {
-    bridge_.pause();
-  }
+  if (isUnderWay()) setPaused(!paused_);
 }
 
 void ScanController::step() {
-  if (bridge_.state() == ScanState::scanning) bridge_.pause();
-  if (bridge_.state() == ScanState::paused) bridge_.step();
+  if (!isUnderWay()) return;
+  setPaused(true);
+  bridge_.step();
 }
 
 void ScanController::stop() {

@@ -25,7 +25,7 @@ class ScanController : public QObject {
   /// The present source again from its beginning, or on when paused.
   void start();
   void togglePause();
-  void step();
+  void step();  ///< one frame, and pause
   void stop();
   void setParams(const ScanParams& params);
   void setDatabase(const QString& file) { request_.database = file.toStdString(); }
@@ -34,8 +34,13 @@ class ScanController : public QObject {
   void opening(const QString& source);
 
  private:
+  [[nodiscard]] bool isUnderWay() const;
+  void setPaused(bool paused);
+
   ScanRequest request_;
   QString source_;
+  /// What was asked for last; the session may not have come to it yet, and a second press is not to be lost.
+  bool paused_ = false;
   SessionBridge bridge_;
 };
 

@@ -4,8 +4,19 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QUndoCommand>
+#include <opencv2/core.hpp>
 
 namespace scantrove {
+namespace {
+
+/// Of a CV_8UC3 BGR picture; a copy.
+QImage toImage(const cv::Mat& bgr) {
+  if (bgr.empty() || bgr.type() != CV_8UC3) return {};
+  return QImage(bgr.data, bgr.cols, bgr.rows, static_cast<qsizetype>(bgr.step[0]), QImage::Format_BGR888)
+      .copy();
+}
+
+}  // namespace
 
 /// A change that was already made when it is put on the stack.
 class CatalogueEditor::Command final : public QUndoCommand {
@@ -42,18 +53,21 @@ Result<void> CatalogueEditor::open(const QString& file) {
   }
   Result<std::unique_ptr<ObjectDatabase>> opened_database = ObjectDatabase::open(file.toStdString());
   if (!opened_database) return fail(opened_database.error());
+  // Asked before the objects are read: what comes between is announced again, which does no harm.
+  const Result<std::int64_t> last_event = (*opened_database)->lastEvent();
+  if (!last_event) return fail(last_event.error());
   undo_.clear();
   database_ = std::move(*opened_database);
   file_ = file;
+  last_event_ = *last_event;
   emit opened();
-  emit changed();
   return {};
 }
 
 template <class T>
 T CatalogueEditor::valueOr(Result<T> result, T fallback) {
   if (result) return std::move(*result);
-  emit failed(QString::fromStdString(result.error().message()));
+  announce(result.error());
   return fallback;
 }
 
@@ -61,21 +75,53 @@ std::vector<ObjectRecord> CatalogueEditor::objects() {
   return isOpen() ? valueOr(database_->objects(), {}) : std::vector<ObjectRecord>();
 }
 
-std::vector<ObjectView> CatalogueEditor::views(ObjectId object) {
-  return isOpen() ? valueOr(database_->views(object), {}) : std::vector<ObjectView>();
+Result<std::optional<ObjectRecord>> CatalogueEditor::holderOf(ObjectId object) {
+  std::optional<ObjectRecord> record;
+  if (!isOpen()) return record;
+  const Result<ObjectId> holder = database_->resolve(object);
+  if (!holder) return fail(holder.error());
+  if (*holder) SCANTROVE_TRY(moveInto(record, database_->object(*holder)));
+  return record;
 }
 
-cv::Mat CatalogueEditor::picture(ObjectId object) {
-  return isOpen() ? valueOr(database_->picture(object), {}) : cv::Mat();
+Result<std::optional<ObjectRecord>> CatalogueEditor::object(ObjectId object) {
+  Result<std::optional<ObjectRecord>> record = holderOf(object);
+  if (record && *record && (*record)->id != object) record->reset();
+  return record;
+}
+
+QImage CatalogueEditor::picture(ObjectId object) {
+  return isOpen() ? toImage(valueOr(database_->picture(object), {})) : QImage();
+}
+
+std::vector<QImage> CatalogueEditor::pictures(ObjectId object) {
+  std::vector<QImage> images;
+  if (!isOpen()) return images;
+  for (const cv::Mat& picture : valueOr(database_->pictures(object), {})) images.push_back(toImage(picture));
+  return images;
+}
+
+void CatalogueEditor::poll() {
+  if (!isOpen()) return;
+  const Result<CatalogueChanges> changes = database_->changesAfter(last_event_);
+  if (!changes) {
+    announce(changes.error());
+    return;
+  }
+  last_event_ = changes->last_event;
+  if (!changes->changes.empty()) emit changed(*changes);
 }
 
 bool CatalogueEditor::run(const Action& action) {
   if (!isOpen()) return false;
   const Result<void> result = action(*database_);
-  // Also after a failure: of several objects some may have changed.
-  emit changed();
-  if (!result) emit failed(QString::fromStdString(result.error().message()));
-  return result.has_value();
+  if (!result) {
+    announce(result.error());
+    return false;
+  }
+  poll();
+  emit edited();
+  return true;
 }
 
 bool CatalogueEditor::perform(const QString& text, const Action& action, const Action& inverse) {
@@ -85,32 +131,48 @@ bool CatalogueEditor::perform(const QString& text, const Action& action, const A
 }
 
 bool CatalogueEditor::rename(ObjectId object, const QString& name) {
-  if (!isOpen()) return false;
-  const Result<ObjectRecord> before = database_->object(object);
+  const Result<std::optional<ObjectRecord>> before = holderOf(object);
   if (!before) {
-    emit failed(QString::fromStdString(before.error().message()));
+    announce(before.error());
+    return false;
+  }
+  if (!*before) {
+    emit failed(
+        tr("The object was deleted meanwhile, so it cannot be named “%1”. Undo the deletion and press "
+           "Return again, or give the name up with Escape.")
+            .arg(name));
     return false;
   }
   const std::string newer = name.trimmed().toStdString();
-  const std::string older = before->name;
+  const std::string older = (*before)->name;
+  const ObjectId holder = (*before)->id;
   if (newer == older) return true;
   return perform(
       tr("Rename “%1” to “%2”").arg(QString::fromStdString(older), name.trimmed()),
-      [object, newer](ObjectDatabase& database) { return database.rename(object, newer); },
-      [object, older, by = before->named_by](ObjectDatabase& database) {
-        return database.rename(object, older, by);
+      [holder, newer](ObjectDatabase& database) { return database.rename(holder, newer); },
+      [holder, older, by = (*before)->named_by](ObjectDatabase& database) {
+        return database.rename(holder, older, by);
       });
 }
 
-bool CatalogueEditor::setConfirmed(ObjectId object, bool confirmed) {
+bool CatalogueEditor::setConfirmed(const std::vector<ObjectId>& objects, bool confirmed) {
+  // Undo gives back what each was.
+  std::vector<ObjectId> others;
+  for (const ObjectId id : objects) {
+    const Result<std::optional<ObjectRecord>> record = object(id);
+    if (!record) {
+      announce(record.error());
+      return false;
+    }
+    if (*record && (*record)->confirmed != confirmed) others.push_back(id);
+  }
+  if (others.empty()) return false;
   return perform(
-      confirmed ? tr("Confirm object") : tr("Unconfirm object"),
-      [object, confirmed](ObjectDatabase& database) {
-        return database.setConfirmed({&object, 1}, confirmed);
-      },
-      [object, confirmed](ObjectDatabase& database) {
-        return database.setConfirmed({&object, 1}, !confirmed);
-      });
+      others.size() > 1
+          ? (confirmed ? tr("Confirm %1 objects") : tr("Unconfirm %1 objects")).arg(others.size())
+          : (confirmed ? tr("Confirm object") : tr("Unconfirm object")),
+      [others, confirmed](ObjectDatabase& database) { return database.setConfirmed(others, confirmed); },
+      [others, confirmed](ObjectDatabase& database) { return database.setConfirmed(others, !confirmed); });
 }
 
 bool CatalogueEditor::remove(const std::vector<ObjectId>& objects) {
@@ -123,11 +185,11 @@ bool CatalogueEditor::remove(const std::vector<ObjectId>& objects) {
 
 bool CatalogueEditor::merge(const std::vector<ObjectId>& objects) {
   if (objects.size() < 2) return false;
-  const auto merge = std::make_shared<ObjectMerge>();
+  const auto merged = std::make_shared<ObjectMerge>();
   return perform(
       tr("Merge %1 objects").arg(objects.size()),
-      [objects, merge](ObjectDatabase& database) { return moveInto(*merge, database.merge(objects)); },
-      [merge](ObjectDatabase& database) { return database.unmerge(*merge); });
+      [objects, merged](ObjectDatabase& database) { return moveInto(*merged, database.merge(objects)); },
+      [merged](ObjectDatabase& database) { return database.unmerge(*merged); });
 }
 
 QString defaultCatalogueFile() {

@@ -1,18 +1,20 @@
 #pragma once
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/catalog/object_database.h"
 
 namespace scantrove {
 
-/// The person's hand on the catalogue: every change is written to the database at once and can be undone.
-/// Owns the window's own database connection. A change that the database refuses is announced and not put on
-/// the undo stack.
+/// The person's hand on the catalogue: every change is written to the database at once, as one step that can
+/// be undone. Owns the window's own database connection, and follows what others (the scan, other programs)
+/// write. A change that the database refuses is announced and not put on the undo stack.
 class CatalogueEditor : public QObject {
   Q_OBJECT
 
@@ -27,20 +29,31 @@ class CatalogueEditor : public QObject {
   [[nodiscard]] const QString& file() const { return file_; }
 
   [[nodiscard]] std::vector<ObjectRecord> objects();
-  [[nodiscard]] std::vector<ObjectView> views(ObjectId object);
-  [[nodiscard]] cv::Mat picture(ObjectId object);
+  /// None when it was deleted or merged into another.
+  [[nodiscard]] Result<std::optional<ObjectRecord>> object(ObjectId object);
+  /// Small, the object's surroundings dimmed; null when there is none.
+  [[nodiscard]] QImage picture(ObjectId object);
+  /// Of all the object's views, newest first.
+  [[nodiscard]] std::vector<QImage> pictures(ObjectId object);
 
   /// Each returns whether it was done; when not, failed() has said why.
+  /// An object that was merged meanwhile is renamed in the one that holds it now.
   bool rename(ObjectId object, const QString& name);
-  bool setConfirmed(ObjectId object, bool confirmed);
+  bool setConfirmed(const std::vector<ObjectId>& objects, bool confirmed);
   bool remove(const std::vector<ObjectId>& objects);
+  /// The database chooses which one holds the others' views from then on.
   bool merge(const std::vector<ObjectId>& objects);
+
+  /// Announces what was written since the last time, by whomever.
+  void poll();
+  void announce(const Error& error) { emit failed(QString::fromStdString(error.message())); }
 
   [[nodiscard]] QUndoStack& undoStack() { return undo_; }
 
  signals:
   void opened();
-  void changed();  ///< the database differs from before; also after undo and redo
+  void changed(const scantrove::CatalogueChanges& changes);
+  void edited();  ///< by the person, undo and redo included; after changed()
   void failed(const QString& message);
 
  private:
@@ -52,11 +65,13 @@ class CatalogueEditor : public QObject {
   bool perform(const QString& text, const Action& action, const Action& inverse);
   /// False when it failed, which was announced.
   bool run(const Action& action);
+  [[nodiscard]] Result<std::optional<ObjectRecord>> holderOf(ObjectId object);
   template <class T>
   T valueOr(Result<T> result, T fallback);
 
   std::unique_ptr<ObjectDatabase> database_;
   QString file_;
+  std::int64_t last_event_ = 0;
   QUndoStack undo_;
 };
 

@@ -2,38 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <utility>
+#include <variant>
 
 namespace scantrove {
+namespace {
+
+constexpr int kPictureCache_bytes = 32 << 20;
+
+/// The objects that a change is about.
+std::vector<ObjectId> objectsOf(const CatalogueChange& change) {
+  return std::visit(
+      [](const auto& what) -> std::vector<ObjectId> {
+        if constexpr (requires { what.into; }) {
+          return {what.into, what.from};
+        } else {
+          return {what.object};
+        }
+      },
+      change);
+}
+
+QString sizeText(const ObjectRecord& record) {
+  const auto cm = [](float metres) { return QString::number(std::lround(100 * metres)); };
+  return ObjectListModel::tr("%1×%2×%3 cm")
+      .arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
+}
+
+}  // namespace
 
 QString viewsInWords(int views) {
   return views == 1 ? ObjectListModel::tr("1 view") : ObjectListModel::tr("%1 views").arg(views);
 }
 
-QImage viewPicture(const ObjectView& view) {
-  const cv::Mat& color = view.color;
-  if (color.empty() || color.type() != CV_8UC3) return {};
-  const bool masked = view.mask.size() == color.size() && view.mask.type() == CV_8UC1;
-  QImage picture(color.cols, color.rows, QImage::Format_RGB888);
-  for (int y = 0; y < color.rows; ++y) {
-    const auto* in = color.ptr<cv::Vec3b>(y);
-    const std::uint8_t* mask = masked ? view.mask.ptr<std::uint8_t>(y) : nullptr;
-    uchar* out = picture.scanLine(y);
-    for (int x = 0; x < color.cols; ++x) {
-      const bool object = mask == nullptr || mask[x] != 0;
-      for (int c = 0; c < 3; ++c) {
-        const int value = in[x][2 - c];
-        out[3 * x + c] = static_cast<uchar>(object ? value : value * 2 / 5);
-      }
-    }
-  }
-  return picture;
-}
-
 ObjectListModel::ObjectListModel(CatalogueEditor& editor, QObject* parent)
-    : QAbstractListModel(parent), editor_(editor) {
-  connect(&editor_, &CatalogueEditor::changed, this, &ObjectListModel::reload);
-  reload();
+    : QAbstractListModel(parent), editor_(editor), pictures_(kPictureCache_bytes) {
+  connect(&editor_, &CatalogueEditor::opened, this, &ObjectListModel::readAll);
+  connect(&editor_, &CatalogueEditor::changed, this, &ObjectListModel::follow);
+  readAll();
 }
 
 int ObjectListModel::rowCount(const QModelIndex& parent) const {
@@ -42,27 +49,18 @@ int ObjectListModel::rowCount(const QModelIndex& parent) const {
 
 QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Row& row = rows_[static_cast<std::size_t>(index.row())];
-  const ObjectRecord& record = row.record;
-  const auto size_text = [&record] {
-    const auto cm = [](float metres) { return QString::number(std::lround(100 * metres)); };
-    return tr("%1×%2×%3 cm").arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
-  };
+  const ObjectRecord& record = rows_[static_cast<std::size_t>(index.row())];
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::EditRole:
       return QString::fromStdString(record.name);
     case Qt::DecorationRole:
-      return row.thumbnail;
+      return picture(record.id);
     case Qt::AccessibleTextRole:
       return tr("%1, %2, %3")
           .arg(QString::fromStdString(record.name), record.confirmed ? tr("confirmed") : tr("not confirmed"),
                viewsInWords(record.views));
     case Qt::ToolTipRole:
-      return tr("<b>%1</b><br>%2, %3<br>First seen in: %4<br>%5")
-          .arg(QString::fromStdString(record.name).toHtmlEscaped(), size_text(), viewsInWords(record.views),
-               QString::fromStdString(record.first_session_name).toHtmlEscaped(),
-               record.confirmed ? tr("Confirmed") : tr("Not yet confirmed: F2 names it, Return confirms it"));
+      return toolTip(record);
     case ObjectIdRole:
       return record.id.value;
     case ConfirmedRole:
@@ -70,7 +68,7 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     case ViewCountRole:
       return record.views;
     case SizeTextRole:
-      return size_text();
+      return sizeText(record);
     case InViewRole:
       return in_view_.contains(record.id);
     case RecognisedRole:
@@ -82,83 +80,100 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-bool ObjectListModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  const ObjectId object = objectAt(index);
-  if (!object) return false;
-  if (role == Qt::EditRole) return editor_.rename(object, value.toString());
-  if (role == ConfirmedRole) return editor_.setConfirmed(object, value.toBool());
-  return false;
+QString ObjectListModel::toolTip(const ObjectRecord& record) const {
+  return tr("<b>%1</b><br>%2, %3<br>First seen in: %4<br>%5")
+      .arg(QString::fromStdString(record.name).toHtmlEscaped(), sizeText(record), viewsInWords(record.views),
+           QString::fromStdString(record.first_session_name).toHtmlEscaped(),
+           record.confirmed ? tr("Confirmed") : tr("Not yet confirmed: F2 names it, Return confirms it"));
 }
 
-Qt::ItemFlags ObjectListModel::flags(const QModelIndex& index) const {
-  const Qt::ItemFlags common = QAbstractListModel::flags(index);
-  return index.isValid() ? common | Qt::ItemIsEditable : common;
+QImage ObjectListModel::picture(ObjectId object) const {
+  if (const QImage* known = pictures_.object(object.value)) return *known;
+  QImage read = editor_.picture(object);
+  pictures_.insert(object.value, new QImage(read), std::max<qsizetype>(1, read.sizeInBytes()));
+  return read;
 }
 
-void ObjectListModel::reload() {
-  std::vector<ObjectRecord> records = editor_.objects();
-  std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.id > b.id; });
-  const auto same_id = [](const Row& row, const ObjectRecord& record) { return row.record.id == record.id; };
-  if (std::equal(rows_.begin(), rows_.end(), records.begin(), records.end(), same_id)) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (rows_[i].record.views != records[i].views) rows_[i].thumbnail = makeThumbnail(records[i].id);
-      rows_[i].record = std::move(records[i]);
+void ObjectListModel::readAll() {
+  beginResetModel();
+  rows_ = editor_.objects();
+  std::sort(rows_.begin(), rows_.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  confirmed_count_ = static_cast<int>(
+      std::count_if(rows_.begin(), rows_.end(), [](const ObjectRecord& row) { return row.confirmed; }));
+  pictures_.clear();
+  endResetModel();
+}
+
+void ObjectListModel::follow(const CatalogueChanges& changes) {
+  std::set<ObjectId> touched;
+  for (const CatalogueChange& change : changes.changes) {
+    for (const ObjectId object : objectsOf(change)) touched.insert(object);
+  }
+  emit aboutToFollow();
+  std::vector<ObjectId> gone;
+  for (const ObjectId object : touched) {
+    pictures_.remove(object.value);
+    Result<std::optional<ObjectRecord>> record = editor_.object(object);
+    if (!record) {
+      editor_.announce(record.error());  // the row stays as it is
+    } else if (*record) {
+      put(std::move(**record));
+    } else {
+      gone.push_back(object);
     }
-    emitAll({});
+  }
+  for (const CatalogueChange& change : changes.changes) {
+    const auto* both = std::get_if<change::Merged>(&change);
+    if (both != nullptr && std::binary_search(gone.begin(), gone.end(), both->from))
+      emit merged(both->into, both->from);
+  }
+  for (const ObjectId object : gone) take(object);
+  emit followed();
+}
+
+void ObjectListModel::put(ObjectRecord record) {
+  const auto place = placeOf(record.id);
+  const auto row = place - rows_.cbegin();
+  confirmed_count_ += record.confirmed ? 1 : 0;
+  if (place != rows_.cend() && place->id == record.id) {
+    confirmed_count_ -= place->confirmed ? 1 : 0;
+    const ObjectId object = record.id;
+    rows_[static_cast<std::size_t>(row)] = std::move(record);
+    emitRow(object, {});
     return;
   }
-  // Rows go and come one by one, so that views keep selection and scroll position.
-  std::map<ObjectId, std::size_t> wanted;
-  for (std::size_t i = 0; i < records.size(); ++i) wanted[records[i].id] = i;
-  for (int i = rowCount() - 1; i >= 0; --i) {
-    if (wanted.contains(rows_[static_cast<std::size_t>(i)].record.id)) continue;
-    beginRemoveRows({}, i, i);
-    rows_.erase(rows_.begin() + i);
-    endRemoveRows();
-  }
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (i < rows_.size() && rows_[i].record.id == records[i].id) {
-      if (rows_[i].record.views != records[i].views) rows_[i].thumbnail = makeThumbnail(records[i].id);
-      rows_[i].record = records[i];
-      continue;
-    }
-    const int at = static_cast<int>(i);
-    beginInsertRows({}, at, at);
-    rows_.insert(rows_.begin() + at, Row{records[i], makeThumbnail(records[i].id)});
-    endInsertRows();
-  }
-  emitAll({});
+  beginInsertRows({}, static_cast<int>(row), static_cast<int>(row));
+  rows_.insert(place, std::move(record));
+  endInsertRows();
 }
 
-void ObjectListModel::refresh(ObjectId object) {
-  if (!indexOf(object).isValid()) {
-    reload();
-    return;
-  }
-  for (const ObjectRecord& record : editor_.objects()) {
-    if (record.id != object) continue;
-    const QModelIndex index = indexOf(object);
-    Row& row = rows_[static_cast<std::size_t>(index.row())];
-    row = Row{record, makeThumbnail(object)};
-    emit dataChanged(index, index);
-  }
+void ObjectListModel::take(ObjectId object) {
+  const QModelIndex index = indexOf(object);
+  if (!index.isValid()) return;
+  const auto place = placeOf(object);
+  confirmed_count_ -= place->confirmed ? 1 : 0;
+  beginRemoveRows({}, index.row(), index.row());
+  rows_.erase(place);
+  endRemoveRows();
 }
 
 void ObjectListModel::beginScan() {
   added_.clear();
   recognised_.clear();
   in_view_.clear();
-  reload();
+  if (!rows_.empty()) {
+    emit dataChanged(index(0), index(rowCount() - 1), {InViewRole, RecognisedRole, AddedNowRole});
+  }
 }
 
 void ObjectListModel::markAdded(ObjectId object) {
   added_.insert(object);
-  reload();
+  emitRow(object, {AddedNowRole});
 }
 
 void ObjectListModel::markRecognised(ObjectId object) {
   recognised_.insert(object);
-  emitAll({RecognisedRole});
+  emitRow(object, {RecognisedRole});
 }
 
 void ObjectListModel::setInView(const std::vector<SeenObject>& seen) {
@@ -166,41 +181,37 @@ void ObjectListModel::setInView(const std::vector<SeenObject>& seen) {
   for (const SeenObject& object : seen) {
     if (object.object) now.insert(object.object);
   }
-  if (now == in_view_) return;
+  std::vector<ObjectId> different;
+  std::set_symmetric_difference(now.begin(), now.end(), in_view_.begin(), in_view_.end(),
+                                std::back_inserter(different));
   in_view_ = std::move(now);
-  emitAll({InViewRole});
+  for (const ObjectId object : different) emitRow(object, {InViewRole});
 }
 
 ObjectId ObjectListModel::objectAt(const QModelIndex& index) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  return rows_[static_cast<std::size_t>(index.row())].record.id;
+  return rows_[static_cast<std::size_t>(index.row())].id;
+}
+
+ObjectListModel::Rows::const_iterator ObjectListModel::placeOf(ObjectId object) const {
+  return std::lower_bound(rows_.begin(), rows_.end(), object,
+                          [](const ObjectRecord& row, ObjectId wanted) { return row.id < wanted; });
 }
 
 QModelIndex ObjectListModel::indexOf(ObjectId object) const {
-  for (int i = 0; i < rowCount(); ++i) {
-    if (rows_[static_cast<std::size_t>(i)].record.id == object) return index(i);
-  }
-  return {};
+  const auto place = placeOf(object);
+  if (place == rows_.end() || place->id != object) return {};
+  return index(static_cast<int>(place - rows_.begin()));
 }
 
 const ObjectRecord* ObjectListModel::record(ObjectId object) const {
   const QModelIndex index = indexOf(object);
-  return index.isValid() ? &rows_[static_cast<std::size_t>(index.row())].record : nullptr;
+  return index.isValid() ? &rows_[static_cast<std::size_t>(index.row())] : nullptr;
 }
 
-int ObjectListModel::confirmedCount() const {
-  return static_cast<int>(
-      std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.record.confirmed; }));
-}
-
-void ObjectListModel::emitAll(const QList<int>& roles) {
-  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1), roles);
-}
-
-QImage ObjectListModel::makeThumbnail(ObjectId object) {
-  ObjectView view;
-  view.color = editor_.picture(object);
-  return viewPicture(view);
+void ObjectListModel::emitRow(ObjectId object, const QList<int>& roles) {
+  const QModelIndex row = indexOf(object);
+  if (row.isValid()) emit dataChanged(row, row, roles);
 }
 
 }  // namespace scantrove

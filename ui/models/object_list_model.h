@@ -1,5 +1,6 @@
 #pragma once
 #include <QAbstractListModel>
+#include <QCache>
 #include <QImage>
 #include <set>
 #include <vector>
@@ -9,7 +10,9 @@
 
 namespace scantrove {
 
-/// The catalogue's objects, newest first, as the object list shows them.
+/// The catalogue's objects as the object list shows them, the newest last: what a scan adds moves no row that
+/// a person may be about to click. Follows the catalogue row by row: reads an object again when something
+/// happened to it, and its picture when that is to be painted.
 class ObjectListModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -28,13 +31,6 @@ class ObjectListModel : public QAbstractListModel {
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-
-  /// Reads the database again; rows that stay keep their selection.
-  void reload();
-  /// The object has a new view: its picture and count.
-  void refresh(ObjectId object);
 
   void beginScan();
   void markAdded(ObjectId object);
@@ -44,18 +40,30 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
-  [[nodiscard]] int confirmedCount() const;
+  [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
+
+ signals:
+  void aboutToFollow();  ///< rows are about to come, go or change
+  void followed();       ///< they have
+  /// Between the two: both rows are there, that of `from` is about to go.
+  void merged(scantrove::ObjectId into, scantrove::ObjectId from);
 
  private:
-  struct Row {
-    ObjectRecord record;
-    QImage thumbnail;
-  };
-  void emitAll(const QList<int>& roles);
-  QImage makeThumbnail(ObjectId object);
+  using Rows = std::vector<ObjectRecord>;  ///< by rising id
+
+  void readAll();
+  void follow(const CatalogueChanges& changes);
+  void put(ObjectRecord record);
+  void take(ObjectId object);
+  [[nodiscard]] Rows::const_iterator placeOf(ObjectId object) const;
+  void emitRow(ObjectId object, const QList<int>& roles);
+  [[nodiscard]] QImage picture(ObjectId object) const;
+  [[nodiscard]] QString toolTip(const ObjectRecord& record) const;
 
   CatalogueEditor& editor_;
-  std::vector<Row> rows_;
+  Rows rows_;
+  int confirmed_count_ = 0;
+  mutable QCache<std::uint32_t, QImage> pictures_;  ///< cost in bytes
   std::set<ObjectId> in_view_;
   std::set<ObjectId> added_;
   std::set<ObjectId> recognised_;
@@ -63,8 +71,5 @@ class ObjectListModel : public QAbstractListModel {
 
 /// "1 view", "7 views".
 [[nodiscard]] QString viewsInWords(int views);
-
-/// The view's crop with what is not the object dimmed; for lists.
-[[nodiscard]] QImage viewPicture(const ObjectView& view);
 
 }  // namespace scantrove

@@ -1,23 +1,58 @@
 #include "ui/panels/color_panel.h"
 
 #include <QPainter>
+#include <algorithm>
+#include <tuple>
+
+#include "ui/panels/label_placement.h"
 
 namespace scantrove {
 namespace {
+
 const QColor kFound(255, 255, 255);
 const QColor kRecognised(0, 255, 255);
+const QColor kSelected(255, 208, 0);
+
+void paintBox(QPainter& painter, const QRectF& box, bool selected) {
+  QColor glow = kSelected;
+  glow.setAlpha(46);
+  painter.setBrush(selected ? QBrush(glow) : QBrush(Qt::NoBrush));
+  painter.setPen(QPen(QColor(0, 0, 0, 110), selected ? 5.0 : 3.6));
+  painter.drawRect(box);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(selected ? kSelected : kFound, selected ? 3.0 : 1.8));
+  painter.drawRect(box);
+}
+
 }  // namespace
 
 ColorPanel::ColorPanel(QWidget* parent)
     : ImagePanel(
           tr("Colour and objects"),
           tr("The camera's picture. White rectangles: objects found. Cyan names: objects known from the "
-             "catalogue. White names: objects new in this scan; “?”: still being watched."),
+             "catalogue. White names: objects new in this scan; “?”: still being watched. Yellow: selected "
+             "in the list of objects. The rectangles themselves cannot be clicked yet: select in the list."),
           parent) {}
 
 void ColorPanel::setFrame(const QImage& picture, const std::vector<SeenObject>& objects) {
   objects_ = objects;
+  sortObjects();
   setPicture(picture);
+}
+
+void ColorPanel::setSelected(const std::set<ObjectId>& selected) {
+  selected_ = selected;
+  sortObjects();
+  update();
+}
+
+void ColorPanel::sortObjects() {
+  // Labels choose their places in this order: the same in every frame, so that they do not jump about.
+  const auto rank = [this](const SeenObject& object) {
+    return std::tuple(!isSelected(object), !object.object, object.object, object.region);
+  };
+  std::stable_sort(objects_.begin(), objects_.end(),
+                   [&rank](const SeenObject& a, const SeenObject& b) { return rank(a) < rank(b); });
 }
 
 QRectF ColorPanel::objectRect(const SeenObject& object) const {
@@ -34,22 +69,30 @@ QString ColorPanel::nameOf(const SeenObject& object) const {
   return now.isEmpty() ? QString::fromStdString(object.name) : now;
 }
 
+bool ColorPanel::isSelected(const SeenObject& object) const { return selected_.contains(object.object); }
+
 void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   QFont font = painter.font();
   font.setPointSizeF(font.pointSizeF() * (rect.width() > 300 ? 0.92 : 0.78));
   font.setBold(true);
   painter.setFont(font);
-  const double chip_height = QFontMetricsF(font).height() + 3;
+  std::vector<QString> names;
+  std::vector<LabelRequest> requests;
   for (const SeenObject& object : objects_) {
-    const QRectF box = objectRect(object);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 110), 3.6));
-    painter.drawRect(box);
-    painter.setPen(QPen(kFound, 1.8));
-    painter.drawRect(box);
-    const double top =
-        box.top() - chip_height - 2 >= rect.top() ? box.top() - chip_height - 2 : box.top() + 2;
-    paintChip(painter, QPointF(box.left(), top), nameOf(object), object.recognised ? kRecognised : kFound);
+    names.push_back(QFontMetricsF(font).elidedText(nameOf(object), Qt::ElideRight, rect.width() / 2));
+    requests.push_back({objectRect(object), chipSize(painter, names.back())});
+  }
+  // Backwards, so that the selected ones lie on top.
+  for (auto object = objects_.rbegin(); object != objects_.rend(); ++object) {
+    paintBox(painter, objectRect(*object), isSelected(*object));
+  }
+  // The bottom line is the title's.
+  const std::vector<QRectF> places =
+      placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const SeenObject& object = objects_[i];
+    const QColor color = isSelected(object) ? kSelected : (object.recognised ? kRecognised : kFound);
+    paintChip(painter, places[i].topLeft(), names[i], color);
   }
 }
 

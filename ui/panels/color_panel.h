@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
@@ -9,7 +10,7 @@ namespace scantrove {
 
 /// The colour image with what was found in it (thesis, figures 5.1 and 5.6): a white rectangle around each
 /// discovered object; a cyan name at its top left when the object was recognised, a white one when it is new,
-/// and "?" while it is still being watched.
+/// and "?" while it is still being watched. What is selected in the object list is lit up in yellow.
 class ColorPanel : public ImagePanel {
   Q_OBJECT
 
@@ -20,6 +21,7 @@ class ColorPanel : public ImagePanel {
   void setNameOf(NameOf name_of) { name_of_ = std::move(name_of); }
 
   void setFrame(const QImage& picture, const std::vector<SeenObject>& objects);
+  void setSelected(const std::set<ObjectId>& selected);
 
   /// The rectangle of an object as drawn, in widget coordinates.
   [[nodiscard]] QRectF objectRect(const SeenObject& object) const;
@@ -29,8 +31,11 @@ class ColorPanel : public ImagePanel {
 
  private:
   [[nodiscard]] QString nameOf(const SeenObject& object) const;
+  [[nodiscard]] bool isSelected(const SeenObject& object) const;
+  void sortObjects();
 
-  std::vector<SeenObject> objects_;
+  std::vector<SeenObject> objects_;  ///< the selected ones first
+  std::set<ObjectId> selected_;
   NameOf name_of_;
 };
 

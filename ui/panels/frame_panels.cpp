@@ -31,7 +31,7 @@ FramePanels::FramePanels(QWidget* parent)
       regions_(new ImagePanel(
           tr("Regions, merged"),
           tr("Segments merged over all frames. The same colour is the same region, here and in "
-             "the 3D view."),
+             "the 3D view. While a selected object is in view, the other regions are dark."),
           this)),
       panels_{color_, depth_raw_, depth_fused_, segments_, regions_} {
   for (ImagePanel* panel : panels_) {
@@ -49,10 +49,29 @@ void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   depth_raw_->setDepth(snapshot.depth_raw_m, range_);
   depth_fused_->setDepth(snapshot.depth_fused_m, range_);
   segments_->setPicture(segmentPicture(snapshot.segments));
-  regions_->setPicture(regionPicture(snapshot.regions));
+  region_ids_ = snapshot.regions;
+  objects_ = snapshot.objects;
+  showRegions();
+}
+
+void FramePanels::setSelected(const std::set<ObjectId>& selected) {
+  if (selected == selected_) return;
+  selected_ = selected;
+  color_->setSelected(selected);
+  showRegions();
+}
+
+void FramePanels::showRegions() {
+  std::set<RegionId> lit;
+  for (const SeenObject& object : objects_) {
+    if (selected_.contains(object.object)) lit.insert(object.region);
+  }
+  regions_->setPicture(regionPicture(region_ids_, lit));
 }
 
 void FramePanels::clear() {
+  region_ids_.release();
+  objects_.clear();
   for (ImagePanel* panel : panels_) panel->setPicture({});
   color_->setFrame({}, {});
   has_range_ = false;
@@ -79,9 +98,11 @@ void FramePanels::arrange() {
   const int small_height = small_width * 3 / 4;
   const int large_height = w * 3 / 4;
   panels_[featured_]->setGeometry(left, kMargin, w, large_height);
+  panels_[featured_]->setClickMeaning(featured_ == 0 ? QString() : tr("Click: the colour image large again"));
   int cell = 0;
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     if (i == featured_) continue;
+    panels_[i]->setClickMeaning(tr("Click: show it large"));
     const int x = left + (cell % 2) * (w - small_width);
     const int y = kMargin + large_height + kGap + (cell / 2) * (small_height + kGap);
     panels_[i]->setGeometry(x, y, small_width, small_height);

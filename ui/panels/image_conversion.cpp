@@ -108,8 +108,15 @@ QImage depthLegend(int width) {
   return legend;
 }
 
-QImage regionPicture(const cv::Mat& region_ids) {
-  return labelPicture(region_ids, [](std::uint32_t id) { return regionColor(RegionId{id}); });
+QImage regionPicture(const cv::Mat& region_ids, const std::set<RegionId>& lit) {
+  const auto darkened = [](const Rgb& c) {
+    return Rgb{static_cast<std::uint8_t>(c[0] / 4), static_cast<std::uint8_t>(c[1] / 4),
+               static_cast<std::uint8_t>(c[2] / 4)};
+  };
+  return labelPicture(region_ids, [&](std::uint32_t id) {
+    const Rgb color = regionColor(RegionId{id});
+    return lit.empty() || lit.contains(RegionId{id}) ? color : darkened(color);
+  });
 }
 
 QImage segmentPicture(const cv::Mat& segment_ids) {

@@ -1,6 +1,9 @@
 #pragma once
 #include <QImage>
 #include <opencv2/core/mat.hpp>
+#include <set>
+
+#include "core/base/ids.h"
 
 namespace scantrove {
 
@@ -24,7 +27,8 @@ struct DepthRange {
 [[nodiscard]] QImage depthLegend(int width);
 
 /// CV_32SC1 ids in the colours of the 3D view, with thin dark lines between ids; 0 becomes nearly black.
-[[nodiscard]] QImage regionPicture(const cv::Mat& region_ids);
+/// When any are `lit`, the others are dark.
+[[nodiscard]] QImage regionPicture(const cv::Mat& region_ids, const std::set<RegionId>& lit = {});
 [[nodiscard]] QImage segmentPicture(const cv::Mat& segment_ids);
 
 }  // namespace scantrove

@@ -12,25 +12,33 @@ namespace {
 constexpr double kRadius = 7;
 }
 
-QRectF paintChip(QPainter& painter, const QPointF& top_left, const QString& text, const QColor& text_color) {
+QSizeF chipSize(const QPainter& painter, const QString& text) {
   const QFontMetricsF metrics(painter.font());
-  const QRectF chip(top_left, QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 3));
+  return {metrics.horizontalAdvance(text) + 10, metrics.height() + 3};
+}
+
+void paintChip(QPainter& painter, const QPointF& top_left, const QString& text, const QColor& text_color) {
+  const QRectF chip(top_left, chipSize(painter, text));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(12, 14, 18, 175));
   painter.drawRoundedRect(chip, 4, 4);
   painter.setPen(text_color);
   painter.drawText(chip, Qt::AlignCenter, text);
-  return chip;
 }
 
 ImagePanel::ImagePanel(const QString& title, const QString& explanation, QWidget* parent)
     : QWidget(parent), title_(title) {
   setMinimumSize(96, 72);
   setFocusPolicy(Qt::TabFocus);
-  setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(title, explanation));
   setAccessibleName(title);
   setAccessibleDescription(explanation);
-  setCursor(Qt::PointingHandCursor);
+  setClickMeaning({});
+}
+
+void ImagePanel::setClickMeaning(const QString& meaning) {
+  setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(title_, accessibleDescription()) +
+             (meaning.isEmpty() ? QString() : QStringLiteral("<br><i>%1</i>").arg(meaning)));
+  setCursor(meaning.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
 }
 
 void ImagePanel::setPicture(const QImage& picture) {
@@ -78,7 +86,8 @@ void ImagePanel::paintTitle(QPainter& painter, const QRectF& card) {
     return;
   }
   const double height = QFontMetricsF(small).height() + 3;
-  paintChip(painter, card.bottomLeft() + QPointF(6, -6 - height), title_, QColor(0xf1, 0xf3, 0xf6));
+  const QString title = QFontMetricsF(small).elidedText(title_, Qt::ElideRight, card.width() - 22);
+  paintChip(painter, card.bottomLeft() + QPointF(6, -6 - height), title, QColor(0xf1, 0xf3, 0xf6));
 }
 
 void ImagePanel::paintOverlay(QPainter& /*painter*/, const QRectF& /*rect*/) {}

@@ -13,6 +13,8 @@ class ImagePanel : public QWidget {
   ImagePanel(const QString& title, const QString& explanation, QWidget* parent = nullptr);
 
   void setPicture(const QImage& picture);
+  /// What a click does, for the tooltip and the cursor; empty: nothing.
+  void setClickMeaning(const QString& meaning);
   [[nodiscard]] const QImage& picture() const { return picture_; }
   [[nodiscard]] const QString& title() const { return title_; }
   /// Where the picture is drawn, in widget coordinates; empty when there is none.
@@ -36,7 +38,10 @@ class ImagePanel : public QWidget {
   QImage picture_;
 };
 
-/// Text on a dark translucent chip, readable on any picture. Returns the chip.
-QRectF paintChip(QPainter& painter, const QPointF& top_left, const QString& text, const QColor& text_color);
+/// Text on a dark translucent chip, readable on any picture.
+void paintChip(QPainter& painter, const QPointF& top_left, const QString& text, const QColor& text_color);
+
+/// Of the chip with that text in the painter's font.
+[[nodiscard]] QSizeF chipSize(const QPainter& painter, const QString& text);
 
 }  // namespace scantrove

@@ -19,7 +19,6 @@ class MessageBar : public QFrame {
   void show(Kind kind, const QString& text);
   void dismiss();
   [[nodiscard]] QString text() const { return text_; }
-  [[nodiscard]] Kind kind() const { return kind_; }
 
  private:
   void paintKind();

@@ -1,8 +1,8 @@
 #include "ui/panels/object_delegate.h"
 
-#include <QLineEdit>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "ui/models/object_list_model.h"
 #include "ui/theme/icon.h"
@@ -12,14 +12,19 @@ namespace scantrove {
 namespace {
 
 constexpr int kRowHeight = 70;
+constexpr int kLeastWidth = 120;
 constexpr int kPicture = 54;
 constexpr int kPadding = 8;
+constexpr int kConfirmedWidth = 26;  ///< of the tick beside the name
+constexpr int kLineGap = 2;
 
 QRect pictureRect(const QRect& row) {
   return {row.left() + kPadding + 4, row.top() + (row.height() - kPicture) / 2, kPicture, kPicture};
 }
 
-QRect textRect(const QRect& row) { return row.adjusted(kPicture + 3 * kPadding + 4, 0, -kPadding - 26, 0); }
+QRect textRect(const QRect& row) {
+  return row.adjusted(kPicture + 3 * kPadding + 4, 0, -kPadding - kConfirmedWidth, 0);
+}
 
 void paintPicture(QPainter* painter, const QRect& rect, const QImage& picture, const ThemeColors& colors) {
   QPainterPath shape;
@@ -35,27 +40,64 @@ void paintPicture(QPainter* painter, const QRect& rect, const QImage& picture, c
   painter->restore();
 }
 
-void paintTag(QPainter* painter, const QPoint& left_centre, const QString& text, const QColor& color) {
-  QFont font = painter->font();
-  font.setPointSizeF(font.pointSizeF() * 0.82);
-  font.setWeight(QFont::DemiBold);
-  painter->setFont(font);
+QRect paintLine(QPainter* painter, const QRect& room, const QFont& font, const QString& text) {
   const QFontMetrics metrics(font);
-  const QRect chip(left_centre.x(), left_centre.y() - metrics.height() / 2 - 1,
-                   metrics.horizontalAdvance(text) + 12, metrics.height() + 2);
+  const QRect line(room.left(), room.top(), room.width(), metrics.height());
+  painter->setFont(font);
+  painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                    metrics.elidedText(text, Qt::ElideRight, line.width()));
+  return line;
+}
+
+void paintTag(QPainter* painter, const QPoint& top_left, const QFont& font, const QString& text,
+              const QColor& color) {
+  const QFontMetrics metrics(font);
+  const QRect chip(top_left, QSize(metrics.horizontalAdvance(text) + 12, metrics.height() + 2));
   QColor fill = color;
   fill.setAlpha(38);
   painter->setPen(Qt::NoPen);
   painter->setBrush(fill);
   painter->drawRoundedRect(chip, chip.height() / 2.0, chip.height() / 2.0);
+  painter->setFont(font);
   painter->setPen(color);
   painter->drawText(chip, Qt::AlignCenter, text);
+}
+
+/// Name, views and size, and in a line of its own whether the object is new or known; centred in `room`.
+void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem& option,
+                const QModelIndex& index) {
+  const ThemeColors& colors = Theme::instance().colors();
+  QFont bold = option.font;
+  bold.setWeight(QFont::DemiBold);
+  QFont small = option.font;
+  small.setPointSizeF(option.font.pointSizeF() * 0.88);
+  QFont tag_font = option.font;
+  tag_font.setPointSizeF(option.font.pointSizeF() * 0.78);
+  tag_font.setWeight(QFont::DemiBold);
+  const bool recognised = index.data(ObjectListModel::RecognisedRole).toBool();
+  const bool tagged = recognised || index.data(ObjectListModel::AddedNowRole).toBool();
+  const int tag_height = tagged ? QFontMetrics(tag_font).height() + 4 : 0;
+  const int all = QFontMetrics(bold).height() + kLineGap + QFontMetrics(small).height() + tag_height;
+
+  painter->setPen(option.palette.color(QPalette::Text));
+  QRect rest = room.adjusted(0, std::max(0, (room.height() - all) / 2), 0, 0);
+  rest.setTop(paintLine(painter, rest, bold, index.data(Qt::DisplayRole).toString()).bottom() + kLineGap + 1);
+  painter->setPen(colors.muted_text);
+  const QString details =
+      QStringLiteral("%1 · %2").arg(viewsInWords(index.data(ObjectListModel::ViewCountRole).toInt()),
+                                    index.data(ObjectListModel::SizeTextRole).toString());
+  rest.setTop(paintLine(painter, rest.adjusted(0, 0, kConfirmedWidth, 0), small, details).bottom() + 3);
+  if (tagged) {
+    paintTag(painter, rest.topLeft(), tag_font,
+             recognised ? ObjectDelegate::tr("known") : ObjectDelegate::tr("new"),
+             recognised ? colors.info : colors.warning);
+  }
 }
 
 }  // namespace
 
 QSize ObjectDelegate::sizeHint(const QStyleOptionViewItem& /*option*/, const QModelIndex& /*index*/) const {
-  return {220, kRowHeight};
+  return {kLeastWidth, kRowHeight};
 }
 
 void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -80,34 +122,7 @@ void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   }
   paintPicture(painter, pictureRect(card), index.data(Qt::DecorationRole).value<QImage>(), colors);
 
-  const QRect text = textRect(card);
-  QFont bold = option.font;
-  bold.setWeight(QFont::DemiBold);
-  painter->setFont(bold);
-  painter->setPen(option.palette.color(QPalette::Text));
-  const bool recognised = index.data(ObjectListModel::RecognisedRole).toBool();
-  const bool tagged = recognised || index.data(ObjectListModel::AddedNowRole).toBool();
-  const QFontMetrics metrics(bold);
-  const QString name = metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight,
-                                          text.width() - (tagged ? 52 : 0));
-  painter->drawText(text.adjusted(0, 12, 0, 0), Qt::AlignLeft | Qt::AlignTop, name);
-  if (tagged) {
-    const QPoint left(text.left() + metrics.horizontalAdvance(name) + 8,
-                      text.top() + 13 + metrics.height() / 2);
-    paintTag(painter, left, recognised ? tr("known") : tr("new"), recognised ? colors.info : colors.warning);
-  }
-
-  QFont small = option.font;
-  small.setPointSizeF(option.font.pointSizeF() * 0.88);
-  painter->setFont(small);
-  painter->setPen(colors.muted_text);
-  const QString details =
-      QStringLiteral("%1 · %2").arg(viewsInWords(index.data(ObjectListModel::ViewCountRole).toInt()),
-                                    index.data(ObjectListModel::SizeTextRole).toString());
-  const QRect line(text.left(), card.bottom() - 32, card.right() - kPadding - text.left(), 22);
-  painter->drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
-                    QFontMetrics(small).elidedText(details, Qt::ElideRight, line.width()));
-
+  paintTexts(painter, textRect(card), option, index);
   if (index.data(ObjectListModel::ConfirmedRole).toBool()) {
     icon(QStringLiteral("confirm"), colors.good)
         .paint(painter, QRect(card.right() - kPadding - 18, card.top() + 11, 18, 18));
@@ -115,19 +130,9 @@ void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   painter->restore();
 }
 
-QWidget* ObjectDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
-                                      const QModelIndex& /*index*/) const {
-  auto* editor = new QLineEdit(parent);
-  editor->setObjectName(QStringLiteral("objectNameEditor"));
-  editor->setAccessibleName(tr("Name of the object"));
-  editor->setMaxLength(120);
-  return editor;
-}
-
-void ObjectDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
-                                          const QModelIndex& /*index*/) const {
-  const QRect text = textRect(option.rect.adjusted(4, 2, -4, -2));
-  editor->setGeometry(text.left() - 8, text.top() + 5, text.width() + 30, 30);
+QRect ObjectDelegate::nameRect(const QRect& row) {
+  const QRect text = textRect(row.adjusted(4, 2, -4, -2));
+  return {text.left() - 8, text.top() + 5, text.width() + 30, 38};
 }
 
 }  // namespace scantrove

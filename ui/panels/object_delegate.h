@@ -3,7 +3,8 @@
 
 namespace scantrove {
 
-/// One row of the object list: picture, name, size and number of views, and what is known of the object.
+/// Paints one row of the object list: picture, name, size and number of views, and what is known of the
+/// object.
 class ObjectDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -11,10 +12,9 @@ class ObjectDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
-                        const QModelIndex& index) const override;
-  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
-                            const QModelIndex& index) const override;
+
+  /// Where the name can be edited in a row that is drawn there.
+  [[nodiscard]] static QRect nameRect(const QRect& row);
 };
 
 }  // namespace scantrove

@@ -1,18 +1,20 @@
 #include "ui/panels/object_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
-#include <QListView>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/models/object_list_model.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/empty_note.h"
-#include "ui/panels/object_delegate.h"
+#include "ui/panels/object_list_view.h"
 #include "ui/panels/views_strip.h"
 #include "ui/theme/icon.h"
 
@@ -23,19 +25,14 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
       editor_(editor),
       model_(model),
       pages_(new QStackedWidget),
-      list_(new QListView),
-      count_(new QLabel) {
-  list_->setModel(&model_);
-  list_->setItemDelegate(new ObjectDelegate(list_));
-  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  list_->setEditTriggers(QAbstractItemView::DoubleClicked);
-  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  list_->setUniformItemSizes(true);
-  list_->setMouseTracking(true);
-  list_->setAccessibleName(tr("Objects"));
-  list_->setObjectName(QStringLiteral("objectList"));
-  list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+      list_(new ObjectListView(editor, model)),
+      menu_(new QMenu(this)) {
   makeActions();
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
+  menu_->addActions({actions_.rename, actions_.confirm, actions_.merge, actions_.remove});
+  connect(list_, &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& place) { menu_->popup(list_->viewport()->mapToGlobal(place)); });
+  connect(menu_, &QMenu::aboutToHide, this, &ObjectPanel::updateActions, Qt::QueuedConnection);
 
   pages_->addWidget(list_);
   pages_->addWidget(
@@ -45,22 +42,43 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 0, 4, 6);
   layout->setSpacing(4);
-  count_->setContentsMargins(8, 0, 0, 2);
-  count_->setProperty("muted", true);
-  layout->addWidget(count_);
+  layout->addWidget(makeHead());
   layout->addWidget(pages_, 1);
   layout->addWidget(makeDetails());
 
-  connect(&model_, &QAbstractItemModel::rowsInserted, this, &ObjectPanel::updateCounts);
-  connect(&model_, &QAbstractItemModel::rowsRemoved, this, &ObjectPanel::updateCounts);
-  connect(&model_, &QAbstractItemModel::dataChanged, this, [this] {
+  const auto update = [this] {
     updateCounts();
     updateSelection();
-  });
+  };
+  connect(&model_, &ObjectListModel::followed, this, update);
+  connect(&model_, &QAbstractItemModel::modelReset, this, update);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ObjectPanel::updateSelection);
-  updateCounts();
-  updateSelection();
+  update();
+}
+
+QWidget* ObjectPanel::makeHead() {
+  auto* head = new QWidget;
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(8, 0, 4, 2);
+  count_ = new ElidedLabel;
+  count_->setProperty("muted", true);
+  row->addWidget(count_, 1);
+  to_newest_ = new QToolButton;
+  QSizePolicy policy = to_newest_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);  // the list below keeps its place
+  to_newest_->setSizePolicy(policy);
+  to_newest_->setToolTip(tr("Objects of this scan that are further down: go there"));
+  row->addWidget(to_newest_);
+  connect(to_newest_, &QToolButton::clicked, list_, &QAbstractItemView::scrollToBottom);
+  const auto update = [this] {
+    const int below = list_->newBelow();
+    to_newest_->setText(tr("↓ %1 new").arg(below));
+    to_newest_->setVisible(below > 0);
+  };
+  connect(list_, &ObjectListView::newBelowChanged, this, update);
+  update();
+  return head;
 }
 
 void ObjectPanel::makeActions() {
@@ -70,21 +88,25 @@ void ObjectPanel::makeActions() {
     action->setToolTip(QStringLiteral("%1 (%2)").arg(help, keys.first().toString(QKeySequence::NativeText)));
     action->setStatusTip(help);
     action->setShortcuts(keys);
+    action->setAutoRepeat(false);
     // Only with the focus in the list: Return must end the editing of a name, Del delete a letter.
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, slot);
     list_->addAction(action);
     return action;
   };
-  actions_.rename = make("rename", tr("&Rename"), tr("Give the object a name"), {QKeySequence(Qt::Key_F2)},
-                         [this] { editName(); });
+  actions_.rename =
+      make("rename", tr("&Rename"), tr("Give the object a name"), {QKeySequence(Qt::Key_F2)}, [this] {
+        if (selected_.size() == 1) list_->editName(selected_.front());
+      });
   actions_.confirm =
       make("confirm", tr("&Confirm"), tr("Say that this is an object, and that its name is right"),
-           {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)}, [this] { toggleConfirmed(); });
+           {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
+           [this] { editor_.setConfirmed(selected_, confirms_); });
   actions_.merge = make("merge", tr("&Merge"), tr("The selected objects are one and the same"),
-                        {QKeySequence(Qt::Key_M)}, [this] { editor_.merge(selection()); });
+                        {QKeySequence(Qt::Key_M)}, [this] { editor_.merge(selected_); });
   actions_.remove = make("delete", tr("&Delete"), tr("Remove the object from the catalogue (can be undone)"),
-                         {QKeySequence(Qt::Key_Delete)}, [this] { editor_.remove(selection()); });
+                         {QKeySequence(Qt::Key_Delete)}, [this] { editor_.remove(selected_); });
 }
 
 QWidget* ObjectPanel::makeDetails() {
@@ -94,7 +116,7 @@ QWidget* ObjectPanel::makeDetails() {
   layout->setSpacing(4);
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
-  selected_name_ = new QLabel;
+  selected_name_ = new ElidedLabel;
   QFont bold = selected_name_->font();
   bold.setWeight(QFont::DemiBold);
   selected_name_->setFont(bold);
@@ -112,62 +134,49 @@ QWidget* ObjectPanel::makeDetails() {
   return details_;
 }
 
-std::vector<ObjectId> ObjectPanel::selection() const {
-  QModelIndexList rows = list_->selectionModel()->selectedIndexes();
-  // Oldest last in the list = lowest id first here: the older object is the one that others are merged into.
-  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.row() > b.row(); });
-  std::vector<ObjectId> objects;
-  for (const QModelIndex& row : rows) objects.push_back(model_.objectAt(row));
-  return objects;
-}
-
-void ObjectPanel::selectFirst() { list_->setCurrentIndex(model_.index(0)); }
-
-void ObjectPanel::editName() {
-  const QModelIndex index = list_->currentIndex();
-  if (index.isValid()) list_->edit(index);
-}
-
-void ObjectPanel::toggleConfirmed() {
-  for (const ObjectId object : selection()) {
-    const ObjectRecord* record = model_.record(object);
-    if (record != nullptr) editor_.setConfirmed(object, !record->confirmed);
-  }
-}
-
 void ObjectPanel::updateCounts() {
   const int all = model_.rowCount();
   pages_->setCurrentIndex(all == 0 ? 1 : 0);
-  count_->setText(all == 0 ? QString()
-                           : tr("%1 in the catalogue, %2 confirmed").arg(all).arg(model_.confirmedCount()));
-  count_->setVisible(all > 0);
+  count_->setFullText(all == 0 ? QString()
+                               : tr("%1 objects, %2 confirmed").arg(all).arg(model_.confirmedCount()));
+  details_->setVisible(all > 0);
+}
+
+void ObjectPanel::updateActions() {
+  if (QApplication::activePopupWidget() != nullptr) return;
+  confirms_ = std::any_of(selected_.begin(), selected_.end(), [this](ObjectId object) {
+    const ObjectRecord* record = model_.record(object);
+    return record != nullptr && !record->confirmed;
+  });
+  const bool any = !selected_.empty();
+  actions_.rename->setEnabled(selected_.size() == 1);
+  actions_.confirm->setEnabled(any);
+  actions_.confirm->setText(confirms_ || !any ? tr("&Confirm") : tr("Take back &confirmation"));
+  actions_.remove->setEnabled(any);
+  actions_.merge->setEnabled(selected_.size() > 1);
 }
 
 void ObjectPanel::updateSelection() {
-  const std::vector<ObjectId> chosen = selection();
-  const bool any = !chosen.empty();
-  const ObjectRecord* record = chosen.size() == 1 ? model_.record(chosen[0]) : nullptr;
-  actions_.rename->setEnabled(record != nullptr);
-  actions_.confirm->setEnabled(any);
-  actions_.remove->setEnabled(any);
-  actions_.merge->setEnabled(chosen.size() > 1);
-  actions_.confirm->setText(record != nullptr && record->confirmed ? tr("Take back &confirmation")
-                                                                   : tr("&Confirm"));
-  details_->setVisible(any);
-  strip_->setVisible(record != nullptr);
-  selected_name_->setText(record != nullptr ? QString::fromStdString(record->name)
-                                            : tr("%1 objects selected").arg(chosen.size()));
-  const ObjectId object = record != nullptr ? record->id : ObjectId{};
-  const int views = record != nullptr ? record->views : -1;
-  if (object == shown_ && views == shown_views_) return;
-  shown_ = object;
-  shown_views_ = views;
-  std::vector<QImage> pictures;
-  if (object) {
-    for (const ObjectView& view : editor_.views(object)) pictures.push_back(viewPicture(view));
-    std::reverse(pictures.begin(), pictures.end());
+  std::vector<ObjectId> now = list_->selection();
+  const bool is_new = now != selected_;
+  selected_ = std::move(now);
+  updateActions();
+  const ObjectRecord* record = selected_.size() == 1 ? model_.record(selected_.front()) : nullptr;
+  selected_name_->setFullText(
+      record != nullptr ? QString::fromStdString(record->name)
+                        : (selected_.empty() ? QString() : tr("%1 selected").arg(selected_.size())));
+  if (record == nullptr) {
+    shown_ = {};
+    strip_->setViews({}, selected_.empty() ? tr("Select an object to see its views.")
+                                           : tr("Select one object to see its views."));
+  } else if (record->id != shown_) {
+    shown_ = record->id;
+    strip_->setViews(editor_.pictures(record->id), tr("This object has no views."));
+  } else if (record->views != shown_views_) {
+    strip_->updateViews(editor_.pictures(record->id));
   }
-  strip_->setViews(std::move(pictures));
+  shown_views_ = record != nullptr ? record->views : 0;
+  if (is_new) emit selectionChanged(selected_);
 }
 
 }  // namespace scantrove

@@ -5,14 +5,16 @@
 #include "core/base/ids.h"
 
 class QAction;
-class QLabel;
-class QListView;
+class QMenu;
 class QStackedWidget;
+class QToolButton;
 
 namespace scantrove {
 
 class CatalogueEditor;
+class ElidedLabel;
 class ObjectListModel;
+class ObjectListView;
 class ViewsStrip;
 
 /// The catalogue: the list of objects, and below it the views of the selected one.
@@ -30,30 +32,38 @@ class ObjectPanel : public QWidget {
     QAction* remove;
   };
   [[nodiscard]] const Actions& actions() const { return actions_; }
-  [[nodiscard]] QListView* list() const { return list_; }
+  [[nodiscard]] ObjectListView* list() const { return list_; }
   [[nodiscard]] ViewsStrip* viewsStrip() const { return strip_; }
-  [[nodiscard]] std::vector<ObjectId> selection() const;
-  void selectFirst();
 
   [[nodiscard]] QSize sizeHint() const override { return {290, 640}; }
 
+ public slots:
+  /// Enables and words the actions for what is selected now. While a menu is open they stay as it shows them.
+  void updateActions();
+
+ signals:
+  void selectionChanged(const std::vector<scantrove::ObjectId>& objects);
+
  private:
+  QWidget* makeHead();
   void makeActions();
   QWidget* makeDetails();
-  void editName();
-  void toggleConfirmed();
   void updateCounts();
   void updateSelection();
 
   CatalogueEditor& editor_;
   ObjectListModel& model_;
   Actions actions_{};
+  bool confirms_ = true;  ///< what the action of that name would do; else it takes back
   QStackedWidget* pages_;
-  QListView* list_;
-  QLabel* count_;
+  ObjectListView* list_;
+  QMenu* menu_;
+  ElidedLabel* count_ = nullptr;
+  QToolButton* to_newest_ = nullptr;
   QWidget* details_ = nullptr;
-  QLabel* selected_name_ = nullptr;
+  ElidedLabel* selected_name_ = nullptr;
   ViewsStrip* strip_ = nullptr;
+  std::vector<ObjectId> selected_;
   ObjectId shown_;
   int shown_views_ = -1;
 };

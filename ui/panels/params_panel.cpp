@@ -1,6 +1,5 @@
 #include "ui/panels/params_panel.h"
 
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -43,12 +42,15 @@ QString helpOf(const ParamInfo& info) {
 }  // namespace
 
 ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(parent), params_(params) {
+  // All height beyond that is for the list of objects.
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 4, 12, 10);
   layout->setSpacing(8);
   layout->addWidget(makeDetailSlider());
 
   auto* more = new QToolButton;
+  more->setObjectName(QStringLiteral("moreSettings"));
   more->setText(tr("More settings"));
   more->setCheckable(true);
   more->setArrowType(Qt::RightArrow);
@@ -134,6 +136,7 @@ void ParamsPanel::showK() {
 void ParamsPanel::addField(QFormLayout* form, const std::string& key, const QString& label) {
   const ParamInfo& info = infoOf(key);
   QWidget* field = makeField(info);
+  field->setObjectName(QString::fromStdString(key));
   field->setToolTip(helpOf(info));
   field->setAccessibleName(label);
   form->addRow(label, field);
@@ -141,18 +144,6 @@ void ParamsPanel::addField(QFormLayout* form, const std::string& key, const QStr
 }
 
 QWidget* ParamsPanel::makeField(const ParamInfo& info) {
-  if (!info.choices.empty()) {
-    auto* choice = new QComboBox;
-    for (const std::string& word : info.choices) choice->addItem(QString::fromStdString(word));
-    connect(choice, &QComboBox::activated, this, [this, &info](int index) {
-      info.set(params_, index);
-      emit changed(params_);
-    });
-    refreshers_.emplace_back(
-        [this, &info, choice] { choice->setCurrentIndex(static_cast<int>(info.get(params_))); });
-    refreshers_.back()();
-    return choice;
-  }
   auto* number = new QDoubleSpinBox;
   const double value = info.get(params_);
   const bool whole = info.unit == "frames" || info.unit == "px" || info.unit == "views";
@@ -172,6 +163,10 @@ QWidget* ParamsPanel::makeField(const ParamInfo& info) {
   });
   refreshers_.back()();
   return number;
+}
+
+void ParamsPanel::finishTyping() {
+  for (QDoubleSpinBox* number : findChildren<QDoubleSpinBox*>()) number->interpretText();
 }
 
 void ParamsPanel::setDefaults() {

@@ -23,6 +23,9 @@ class ParamsPanel : public QWidget {
   explicit ParamsPanel(const ScanParams& params, QWidget* parent = nullptr);
   [[nodiscard]] const ScanParams& params() const { return params_; }
 
+  /// Takes over a number that is still being typed.
+  void finishTyping();
+
  signals:
   void changed(const scantrove::ScanParams& params);
 

@@ -3,11 +3,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <algorithm>
+
+#include "ui/panels/elided_label.h"
 
 namespace scantrove {
 
 ProgressStrip::ProgressStrip(QWidget* parent)
-    : QWidget(parent), title_(new QLabel), bar_(new QProgressBar), count_(new QLabel) {
+    : QWidget(parent), title_(new ElidedLabel), bar_(new QProgressBar), count_(new QLabel) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 0, 10, 0);
@@ -26,16 +29,17 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 }
 
 void ProgressStrip::begin(const QString& title) {
-  title_->setText(title);
-  count_->clear();
+  title_->setFullText(title);
+  count_->setMinimumWidth(0);
+  setCount({});
   bar_->setRange(0, 0);
   bar_->show();
   since_start_.start();
 }
 
 void ProgressStrip::clear() {
-  title_->clear();
-  count_->clear();
+  title_->setFullText({});
+  setCount({});
   bar_->hide();
 }
 
@@ -46,15 +50,21 @@ void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
     bar_->setRange(0, snapshot.frames_total);
     bar_->setValue(snapshot.frames.done());
     bar_->show();
-    count_->setText(tr("%1 of %2 frames").arg(snapshot.frames.done()).arg(snapshot.frames_total));
+    setCount(tr("%1 of %2 frames").arg(snapshot.frames.done()).arg(snapshot.frames_total));
     return;
   }
   bar_->hide();
   const qint64 seconds = since_start_.isValid() ? since_start_.elapsed() / 1000 : 0;
-  count_->setText(tr("%1:%2   %3 frames")
-                      .arg(seconds / 60)
-                      .arg(seconds % 60, 2, 10, QLatin1Char('0'))
-                      .arg(snapshot.frames.done()));
+  setCount(tr("%1:%2   %3 frames")
+               .arg(seconds / 60)
+               .arg(seconds % 60, 2, 10, QLatin1Char('0'))
+               .arg(snapshot.frames.done()));
+}
+
+void ProgressStrip::setCount(const QString& text) {
+  count_->setText(text);
+  // It only grows: nothing beside it moves with every frame.
+  count_->setMinimumWidth(std::max(count_->minimumWidth(), count_->sizeHint().width()));
 }
 
 }  // namespace scantrove

@@ -10,6 +10,8 @@ class QProgressBar;
 
 namespace scantrove {
 
+class ElidedLabel;
+
 /// What is being scanned and how far it is: frames of a recording, elapsed time of a camera.
 class ProgressStrip : public QWidget {
   Q_OBJECT
@@ -22,7 +24,9 @@ class ProgressStrip : public QWidget {
   [[nodiscard]] QString text() const;
 
  private:
-  QLabel* title_;
+  void setCount(const QString& text);
+
+  ElidedLabel* title_;
   QProgressBar* bar_;
   QLabel* count_;
   QElapsedTimer since_start_;

@@ -141,11 +141,19 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   layout->addWidget(hint);
   layout->addStretch(3);
 
-  auto* outer = new QHBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addStretch(1);
-  outer->addWidget(column, 100);
-  outer->addStretch(1);
+  auto* page = new QWidget;
+  auto* centred = new QHBoxLayout(page);
+  centred->setContentsMargins(0, 0, 0, 0);
+  centred->addStretch(1);
+  centred->addWidget(column, 100);
+  centred->addStretch(1);
+  auto* scroll = new QScrollArea;  // a small window stays small
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(page);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
   setRecent({});
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/common/tracking_color.h"
+#include "ui/panels/elided_label.h"
 #include "ui/theme/theme.h"
 
 namespace scantrove {
@@ -21,7 +22,7 @@ QString trackingInWords(TrackingState state) {
     case TrackingState::uncertain:
       return StatusStrip::tr("Uncertain");
     case TrackingState::lost:
-      return StatusStrip::tr("Lost: go back to a place already seen");
+      return StatusStrip::tr("Lost: turn back to where it was just before");
     case TrackingState::relocalised:
       return StatusStrip::tr("Found again");
   }
@@ -66,7 +67,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     : QWidget(parent),
       state_label_(new QLabel),
       speed_(new QLabel),
-      stages_(new QLabel),
+      stages_(new ElidedLabel),
       map_(new QLabel),
       losses_(new QLabel) {
   auto* layout = new QHBoxLayout(this);
@@ -88,7 +89,8 @@ StatusStrip::StatusStrip(QWidget* parent)
   // The stages give way first when the window is narrow.
   stages_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->setStretchFactor(stages_, 10);
-  for (QLabel* label : {speed_, stages_, map_, losses_}) label->setProperty("muted", true);
+  for (QLabel* label : {speed_, static_cast<QLabel*>(stages_), map_, losses_})
+    label->setProperty("muted", true);
   connect(&Theme::instance(), &Theme::changed, this, &StatusStrip::paintState);
   paintState();
 }
@@ -99,15 +101,21 @@ void StatusStrip::showState(ScanState state) {
   paintState();
 }
 
-void StatusStrip::showPreparing() { stages_->setText(tr("Preparing the processor (first time only)")); }
+void StatusStrip::showPreparing() {
+  is_preparing_ = true;
+  paintState();
+}
 
 void StatusStrip::clear() {
   has_pose_ = false;
-  for (QLabel* label : {speed_, stages_, map_, losses_}) label->clear();
-  stages_->setToolTip({});
+  is_preparing_ = false;
+  for (QLabel* label : {speed_, map_, losses_}) label->clear();
+  stages_->setFullText({});
 }
 
 QString StatusStrip::stateText() const {
+  const bool under_way = state_ == ScanState::starting || state_ == ScanState::scanning;
+  if (under_way && is_preparing_) return tr("Preparing the processor (first time only)");
   if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
   return stateInWords(state_);
 }
@@ -133,6 +141,7 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
   const QLocale locale;
   tracking_ = snapshot.pose.state;
   has_pose_ = snapshot.frame_index >= 0;
+  is_preparing_ = false;
   paintState();
   speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
 
@@ -146,8 +155,9 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
     parts << QStringLiteral("%1 %2").arg(QString::fromStdString(stage.name),
                                          QString::number(stage.ms, 'f', 0));
   }
-  stages_->setText(tr("%1 ms a frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))));
-  stages_->setToolTip(stageTable(snapshot, total_ms));
+  stages_->setFullText(
+      tr("%1 ms a frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))),
+      stageTable(snapshot, total_ms));
 
   map_->setText(tr("%1 regions   %2 bricks   %3 MB")
                     .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),

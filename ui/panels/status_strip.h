@@ -7,6 +7,8 @@ class QLabel;
 
 namespace scantrove {
 
+class ElidedLabel;
+
 /// One line about the running scan: is the camera tracked, how fast, how large the map, what was lost. The
 /// stage times in full are in its tooltip.
 class StatusStrip : public QWidget {
@@ -16,20 +18,21 @@ class StatusStrip : public QWidget {
   explicit StatusStrip(QWidget* parent = nullptr);
 
   void showState(ScanState state);
-  void showPreparing();  ///< until the next snapshot
+  void showPreparing();  ///< until the first snapshot
   void showSnapshot(const ScanSnapshot& snapshot);
-  void clear();
   [[nodiscard]] QString stateText() const;
 
  private:
+  void clear();
   void paintState();
 
   ScanState state_ = ScanState::idle;
   TrackingState tracking_ = TrackingState::lost;
   bool has_pose_ = false;
+  bool is_preparing_ = false;
   QLabel* state_label_;
   QLabel* speed_;
-  QLabel* stages_;
+  ElidedLabel* stages_;
   QLabel* map_;
   QLabel* losses_;
 };

@@ -12,6 +12,7 @@ namespace scantrove {
 namespace {
 constexpr int kGap = 6;
 constexpr int kHeight = 84;
+constexpr int kKeyStep = 90;
 
 int widthOf(const QImage& picture) {
   return std::clamp(picture.width() * kHeight / std::max(1, picture.height()), 40, 160);
@@ -25,10 +26,17 @@ ViewsStrip::ViewsStrip(QWidget* parent) : QWidget(parent) {
   setToolTip(tr("Views of the selected object, newest first. Scroll with the wheel or the arrow keys."));
 }
 
-void ViewsStrip::setViews(std::vector<QImage> pictures) {
+void ViewsStrip::setViews(std::vector<QImage> pictures, const QString& note) {
   pictures_ = std::move(pictures);
-  offset_ = 0;
-  update();
+  note_ = note;
+  scrollTo(0);
+}
+
+void ViewsStrip::updateViews(std::vector<QImage> pictures) {
+  const int width_before = contentWidth();
+  pictures_ = std::move(pictures);
+  // New views come in at the left.
+  scrollTo(offset_ > 0 ? offset_ + contentWidth() - width_before : 0);
 }
 
 int ViewsStrip::contentWidth() const {
@@ -44,7 +52,7 @@ void ViewsStrip::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   if (pictures_.empty()) {
     painter.setPen(colors.muted_text);
-    painter.drawText(rect(), Qt::AlignCenter, tr("No views yet"));
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, note_);
     return;
   }
   int x = -offset_;
@@ -67,20 +75,20 @@ void ViewsStrip::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-void ViewsStrip::scrollBy(int pixels) {
-  offset_ = std::clamp(offset_ + pixels, 0, std::max(0, contentWidth() - width()));
+void ViewsStrip::scrollTo(int offset) {
+  offset_ = std::clamp(offset, 0, std::max(0, contentWidth() - width()));
   update();
 }
 
 void ViewsStrip::wheelEvent(QWheelEvent* event) {
   const QPoint turn = event->angleDelta();
-  scrollBy(-(turn.x() != 0 ? turn.x() : turn.y()) / 2);
+  scrollTo(offset_ - (turn.x() != 0 ? turn.x() : turn.y()) / 2);
   event->accept();
 }
 
 void ViewsStrip::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right) {
-    scrollBy(event->key() == Qt::Key_Left ? -90 : 90);
+    scrollTo(offset_ + (event->key() == Qt::Key_Left ? -kKeyStep : kKeyStep));
   } else {
     QWidget::keyPressEvent(event);
   }

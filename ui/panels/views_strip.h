@@ -5,14 +5,18 @@
 
 namespace scantrove {
 
-/// The views of one object side by side, scrolled sideways with wheel or arrow keys.
+/// The views of one object side by side, newest first, scrolled sideways with wheel or arrow keys.
 class ViewsStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit ViewsStrip(QWidget* parent = nullptr);
-  void setViews(std::vector<QImage> pictures);
+  /// Of another object than before; where there are none, `note` is shown.
+  void setViews(std::vector<QImage> pictures, const QString& note);
+  /// Of the same object: what is looked at stays in its place.
+  void updateViews(std::vector<QImage> pictures);
   [[nodiscard]] std::size_t count() const { return pictures_.size(); }
+  [[nodiscard]] int offset() const { return offset_; }  ///< scrolled that far, in pixels
   [[nodiscard]] QSize sizeHint() const override { return {240, 92}; }
 
  protected:
@@ -21,10 +25,11 @@ class ViewsStrip : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void scrollBy(int pixels);
+  void scrollTo(int offset);
   [[nodiscard]] int contentWidth() const;
 
   std::vector<QImage> pictures_;
+  QString note_;
   int offset_ = 0;
 };
 

@@ -113,6 +113,7 @@ QPushButton[primary="true"]:disabled { background: %4; border-color: %4; color: 
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { text-align: left; padding: 8px 10px 6px 10px; background: palette(window); }
+QDockWidget::close-button { subcontrol-position: center right; subcontrol-origin: margin; right: 8px; }
 QStatusBar { background: palette(window); border-top: 1px solid %1; }
 QStatusBar::item { border: none; }
 QProgressBar { border: none; border-radius: 4px; background: %4; max-height: 8px; min-height: 8px; }

@@ -72,8 +72,8 @@ TEST(SessionBridge, LosesNoEventAndKeepsTheirOrder) {
   for (int i = 1; i <= 5; ++i) station.session->post(ObjectAdded{ObjectId{1}, "Obj_" + std::to_string(i)});
   station.session->post(ScanFailed{Error{"The disk is full.", "Make room."}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return station.news.size() >= 7; }, 2000));
-  EXPECT_THAT(station.news, ElementsAre("preparing", "added Obj_1", "added Obj_2", "added Obj_3", "added Obj_4",
-                                        "added Obj_5", "failed The disk is full. Make room."));
+  EXPECT_THAT(station.news, ElementsAre("preparing", "added Obj_1", "added Obj_2", "added Obj_3",
+                                        "added Obj_4", "added Obj_5", "failed The disk is full. Make room."));
 }
 
 TEST(SessionBridge, NothingOfTheScanBeforeComesAfterStarting) {

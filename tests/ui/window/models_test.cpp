@@ -33,18 +33,58 @@ TEST_F(CatalogueEditorTest, RefusedRenameIsAnnouncedAndLeavesNothingToUndo) {
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }
 
-TEST_F(CatalogueEditorTest, DeleteAndMergeAreUndone) {
+TEST_F(CatalogueEditorTest, SeveralAreDeletedMergedAndConfirmedInOneStepEach) {
+  QUndoStack& undo = editor_.undoStack();
   ASSERT_TRUE(editor_.remove({objects_[0], objects_[2]}));
   EXPECT_EQ(storedCount(), 1U);
-  editor_.undoStack().undo();
+  undo.undo();
   EXPECT_EQ(storedCount(), 3U);
+
+  ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
   ASSERT_TRUE(editor_.merge(objects_));
   EXPECT_EQ(storedCount(), 1U);
-  EXPECT_EQ(stored(objects_[0]).views, 3);
-  editor_.undoStack().undo();
+  EXPECT_EQ(stored(objects_[1]).views, 3);
+  EXPECT_EQ(stored(objects_[1]).name, "Cup");
+  undo.undo();
   EXPECT_EQ(storedCount(), 3U);
-  EXPECT_EQ(stored(objects_[0]).views, 1);
+  EXPECT_EQ(stored(objects_[1]).views, 1);
   EXPECT_EQ(stored(objects_[2]).name, "Obj_3");
+  undo.redo();
+  EXPECT_EQ(stored(objects_[1]).views, 3);
+  undo.undo();
+
+  // Undo gives back what each was.
+  ASSERT_TRUE(editor_.setConfirmed({objects_[2]}, true));
+  const int steps = undo.index();
+  ASSERT_TRUE(editor_.setConfirmed(objects_, true));
+  EXPECT_EQ(undo.index(), steps + 1);
+  for (const ObjectId object : objects_) EXPECT_TRUE(stored(object).confirmed);
+  undo.undo();
+  EXPECT_FALSE(stored(objects_[0]).confirmed);
+  EXPECT_FALSE(stored(objects_[1]).confirmed);
+  EXPECT_TRUE(stored(objects_[2]).confirmed);
+}
+
+TEST_F(CatalogueEditorTest, ARenameTakenBackIsNoNameOfAPerson) {
+  ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
+  EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::person);
+  editor_.undoStack().undo();
+  EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::program);
+}
+
+TEST_F(CatalogueEditorTest, SaysOnceWhatOthersDid) {
+  auto other = ObjectDatabase::open(file_.toStdString());
+  ASSERT_TRUE(other);
+  QSignalSpy changes(&editor_, &CatalogueEditor::changed);
+  editor_.poll();
+  EXPECT_EQ(changes.count(), 0);
+  ASSERT_TRUE((*other)->rename(objects_[1], "Cup"));
+  editor_.poll();
+  editor_.poll();
+  ASSERT_EQ(changes.count(), 1);
+  const auto said = changes[0][0].value<CatalogueChanges>();
+  ASSERT_EQ(said.changes.size(), 1U);
+  EXPECT_EQ(std::get<change::Renamed>(said.changes[0]).object, objects_[1]);
 }
 
 TEST_F(CatalogueEditorTest, KeepsTheOpenCatalogueWhenAnotherCannotBeOpened) {
@@ -54,38 +94,66 @@ TEST_F(CatalogueEditorTest, KeepsTheOpenCatalogueWhenAnotherCannotBeOpened) {
   EXPECT_EQ(editor_.objects().size(), 3U);
 }
 
-TEST_F(CatalogueEditorTest, ModelListsNewestFirstWithPictures) {
+TEST_F(CatalogueEditorTest, ModelListsNewestLastWithPictures) {
   ObjectListModel model(editor_);
   ASSERT_EQ(model.rowCount(), 3);
-  EXPECT_EQ(model.objectAt(model.index(0)), objects_[2]);
-  const auto picture = model.index(0).data(Qt::DecorationRole).value<QImage>();
+  EXPECT_EQ(model.objectAt(model.index(2)), objects_[2]);
+  const auto picture = model.index(2).data(Qt::DecorationRole).value<QImage>();
   ASSERT_FALSE(picture.isNull());
   const QColor centre = picture.pixelColor(picture.width() / 2, picture.height() / 2);
   EXPECT_GT(centre.blue(), 200);
   EXPECT_LT(centre.red(), 60);
 }
 
-TEST(ViewPicture, DimsWhatIsNotTheObject) {
-  const QImage picture = viewPicture(test::discView({0, 0, 255}));
-  EXPECT_EQ(picture.pixelColor(40, 30), QColor(255, 0, 0));
-  EXPECT_LT(picture.pixelColor(1, 1).lightness(), 80);
-  EXPECT_TRUE(viewPicture(ObjectView{}).isNull());
-}
-
 TEST_F(CatalogueEditorTest, ModelFollowsTheDatabaseRowByRow) {
   ObjectListModel model(editor_);
   QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
-  const QPersistentModelIndex first(model.indexOf(objects_[0]));
+  QSignalSpy rows(&model, &QAbstractItemModel::dataChanged);
+  const QPersistentModelIndex last(model.indexOf(objects_[2]));
   auto other = ObjectDatabase::open(file_.toStdString());
   ASSERT_TRUE(other);
-  ASSERT_TRUE((*other)->addObject(test::discView({0, 255, 255})));
-  model.markAdded(ObjectId{objects_[2].value + 1});
-  EXPECT_EQ(model.rowCount(), 4);
-  ASSERT_TRUE((*other)->remove({&objects_[1], 1}));
-  model.reload();
+  const auto added = (*other)->addObject(test::discView({0, 255, 255}));
+  ASSERT_TRUE(added);
+  editor_.poll();
+  ASSERT_EQ(model.rowCount(), 4);
+  EXPECT_EQ(model.objectAt(model.index(3)), added->id);
+  EXPECT_EQ(rows.count(), 0);
+
+  ASSERT_TRUE((*other)->setConfirmed(std::vector{objects_[1]}, true));
+  editor_.poll();
+  ASSERT_EQ(rows.count(), 1);
+  EXPECT_EQ(rows[0][0].toModelIndex(), model.indexOf(objects_[1]));
+  EXPECT_EQ(rows[0][1].toModelIndex(), model.indexOf(objects_[1]));
+  EXPECT_EQ(model.confirmedCount(), 1);
+
+  ASSERT_TRUE((*other)->remove(std::vector{objects_[1]}));
+  editor_.poll();
   EXPECT_EQ(model.rowCount(), 3);
-  EXPECT_EQ(model.objectAt(first), objects_[0]);
+  EXPECT_EQ(model.confirmedCount(), 0);
+  EXPECT_EQ(model.objectAt(last), objects_[2]);
+  ASSERT_TRUE((*other)->restore(std::vector{objects_[1]}));
+  editor_.poll();
+  EXPECT_EQ(model.objectAt(model.index(1)), objects_[1]);
   EXPECT_EQ(resets.count(), 0);
+}
+
+TEST_F(CatalogueEditorTest, ModelHandsOverFromAMergedRowWhileBothAreThere) {
+  ObjectListModel model(editor_);
+  int told = 0;
+  QObject::connect(&model, &ObjectListModel::merged, [&](ObjectId into, ObjectId from) {
+    ++told;
+    EXPECT_TRUE(model.indexOf(into).isValid());
+    EXPECT_TRUE(model.indexOf(from).isValid());
+    EXPECT_EQ(into, objects_[1]);
+  });
+  ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
+  ASSERT_TRUE(editor_.merge({objects_[0], objects_[1]}));
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(model.rowCount(), 2);
+  EXPECT_EQ(model.record(objects_[1])->views, 2);
+  editor_.undoStack().undo();
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(model.rowCount(), 3);
 }
 
 TEST_F(CatalogueEditorTest, ModelKnowsWhatIsInView) {

@@ -2,17 +2,23 @@
 
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QStandardItemModel>
 #include <QTest>
 #include <opencv2/core.hpp>
 
+#include "ui/models/object_list_model.h"
 #include "ui/panels/camera_dialog.h"
 #include "ui/panels/color_panel.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/object_delegate.h"
 #include "ui/panels/params_panel.h"
 #include "ui/panels/status_strip.h"
+#include "ui/theme/theme.h"
 
 namespace scantrove {
 namespace {
@@ -87,6 +93,51 @@ TEST_F(ColorPanelTest, ShowsTheNameThatAnObjectHasNow) {
   EXPECT_GT(countPixels(paint(object), beyond_the_old_name, cyan), 10);
 }
 
+TEST_F(ColorPanelTest, SelectedObjectIsLitUp) {
+  const SeenObject object = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
+  const QColor yellow(255, 208, 0);
+  EXPECT_EQ(countPixels(paint(object), QRect(90, 140, 120, 95), yellow), 0);
+  panel_.setSelected({ObjectId{4}});
+  EXPECT_EQ(countPixels(paint(object), QRect(90, 140, 120, 95), yellow), 0);
+  panel_.setSelected({ObjectId{4}, object.object});
+  const QImage image = paint(object);
+  EXPECT_GT(countPixels(image, QRect(90, 140, 120, 95), yellow), 200);
+  EXPECT_NE(image.pixelColor(150, 190), QColor(60, 60, 60));
+}
+
+TEST(FramePanels, RegionsBesideASelectedObjectAreDark) {
+  FramePanels panels;
+  ScanSnapshot snapshot;
+  snapshot.color = cv::Mat(48, 64, CV_8UC3, cv::Scalar(60, 60, 60));
+  snapshot.regions = cv::Mat(48, 64, CV_32SC1, cv::Scalar(5));
+  snapshot.regions.colRange(32, 64).setTo(7);
+  SeenObject object = seenAt(0.5F, 0, 0.5F, 1);
+  object.region = RegionId{7};
+  snapshot.objects = {object};
+  panels.showSnapshot(snapshot);
+  const ImagePanel* regions = panels.panels()[4];
+  const QColor lit = regions->picture().pixelColor(50, 20);
+  const QColor other = regions->picture().pixelColor(10, 20);
+  panels.setSelected({object.object});
+  EXPECT_EQ(regions->picture().pixelColor(50, 20), lit);
+  EXPECT_LT(regions->picture().pixelColor(10, 20).lightness(), other.lightness() / 2);
+  panels.setSelected({});
+  EXPECT_EQ(regions->picture().pixelColor(10, 20), other);
+}
+
+TEST(FramePanels, SayWhatAClickDoesAndNothingWhereItDoesNothing) {
+  FramePanels panels;
+  panels.resize(420, 700);
+  panels.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panels));
+  const ImagePanel* color = panels.panels()[0];
+  const ImagePanel* depth = panels.panels()[1];
+  EXPECT_EQ(color->cursor().shape(), Qt::ArrowCursor);
+  EXPECT_FALSE(color->toolTip().contains(QStringLiteral("Click:")));
+  EXPECT_EQ(depth->cursor().shape(), Qt::PointingHandCursor);
+  EXPECT_TRUE(depth->toolTip().contains(QStringLiteral("Click:")));
+}
+
 TEST(FramePanels, AClickMakesAnotherPictureLarge) {
   FramePanels panels;
   panels.resize(420, 700);
@@ -159,6 +210,70 @@ TEST(StatusStrip, SaysWhetherTheCameraIsTracked) {
   EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Lost")));
   strip.showState(ScanState::finished);
   EXPECT_EQ(strip.stateText(), QStringLiteral("Finished"));
+}
+
+TEST(StatusStrip, SaysThatTheProcessorIsPreparedUntilTheFirstFrame) {
+  StatusStrip strip;
+  strip.showState(ScanState::starting);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Starting…"));
+  strip.showPreparing();
+  EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Preparing the processor")));
+  strip.showState(ScanState::scanning);
+  EXPECT_TRUE(strip.stateText().startsWith(QStringLiteral("Preparing the processor")));
+  ScanSnapshot snapshot;
+  snapshot.frame_index = 0;
+  snapshot.pose.state = TrackingState::tracking;
+  strip.showSnapshot(snapshot);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Tracking"));
+  strip.showState(ScanState::starting);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Starting…"));
+}
+
+TEST(ElidedLabel, GivesWayAndSaysTheRestInItsTooltip) {
+  ElidedLabel label;
+  const QString text = QStringLiteral("a name that is a good deal longer than there is room");
+  label.setFullText(text);
+  label.resize(label.sizeHint());
+  label.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&label));
+  EXPECT_EQ(label.text(), text);
+  EXPECT_TRUE(label.toolTip().isEmpty());
+  label.resize(90, 20);
+  EXPECT_TRUE(label.text().endsWith(QStringLiteral("…")));
+  EXPECT_EQ(label.toolTip(), text);
+  EXPECT_LT(label.minimumSizeHint().width(), 90);
+}
+
+TEST(ObjectDelegate, TheTagHasARoomOfItsOwn) {
+  QStandardItemModel model(1, 1);
+  model.setItem(0, new QStandardItem(QStringLiteral("an object with a name of many letters")));
+  const ObjectDelegate delegate;
+  const auto paint = [&](bool added, int width) {
+    model.setData(model.index(0, 0), added, ObjectListModel::AddedNowRole);
+    QImage image(width, delegate.sizeHint({}, {}).height(), QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    QStyleOptionViewItem option;
+    option.rect = image.rect();
+    delegate.paint(&painter, option, model.index(0, 0));
+    return image;
+  };
+  // Whole in a narrow list too, and the name is not shorter for it.
+  const auto tagPixels = [&](int width) {
+    return countPixels(paint(true, width), QRect(0, 0, width, 70), Theme::instance().colors().warning);
+  };
+  EXPECT_GT(tagPixels(400), 5);
+  EXPECT_EQ(tagPixels(200), tagPixels(400));
+  const auto textWidth = [](const QImage& image, int rows) {
+    int right = 0;
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image.pixelColor(x, y).lightness() > 60) right = std::max(right, x);
+      }
+    }
+    return right;
+  };
+  EXPECT_NEAR(textWidth(paint(true, 200), 22), textWidth(paint(false, 200), 30), 2);
 }
 
 }  // namespace

@@ -1,106 +1,21 @@
-#include <QLineEdit>
-#include <QListView>
 #include <QMimeData>
-#include <QSettings>
-#include <QTest>
-#include <QToolButton>
 #include <algorithm>
 
-#include "tests/ui/scripted_session.h"
-#include "tests/ui/window/catalogue_fixture.h"
+#include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/main_actions.h"
-#include "ui/main_window/main_window.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/color_panel.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/message_bar.h"
-#include "ui/panels/object_panel.h"
 #include "ui/panels/progress_strip.h"
 #include "ui/panels/views_strip.h"
 
 namespace scantrove {
 namespace {
 
-class WindowTest : public test::CatalogueTest {
- protected:
-  void SetUp() override {
-    QSettings().clear();
-    CatalogueTest::SetUp();
-    restart();
-  }
-
-  /// A new window over the same catalogue, as after a restart of the program.
-  void restart() {
-    window_.reset();
-    WindowOptions options;
-    options.database = file_.toStdString();
-    options.width = 1280;
-    options.height = 800;
-    window_ = std::make_unique<MainWindow>(
-        [this](SessionPort::Listener listener) {
-          auto made = std::make_unique<test::ScriptedSession>(std::move(listener));
-          session_ = made.get();
-          return made;
-        },
-        options);
-    window_->show();
-    window_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
-  }
-
-  QListView* list() { return window_->objectPanel()->list(); }
-
-  QModelIndex rowOf(ObjectId object) {
-    for (int i = 0; i < list()->model()->rowCount(); ++i) {
-      const QModelIndex index = list()->model()->index(i, 0);
-      if (index.data(ObjectListModel::ObjectIdRole).toUInt() == object.value) return index;
-    }
-    return {};
-  }
-
-  void clickOn(ObjectId object, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mouseClick(list()->viewport(), Qt::LeftButton, modifiers,
-                      list()->visualRect(rowOf(object)).center());
-  }
-
-  QLineEdit* nameEditor() { return list()->findChild<QLineEdit*>(QStringLiteral("objectNameEditor")); }
-
-  /// Return in the name's field; Qt hands the text on from its event loop.
-  void endEditing() {
-    QTest::keyClick(nameEditor(), Qt::Key_Return);
-    QTest::qWait(50);
-  }
-
-  void pressButton(QAction* action) {
-    for (QToolButton* button : window_->objectPanel()->findChildren<QToolButton*>()) {
-      if (button->defaultAction() != action) continue;
-      QTest::mouseClick(button, Qt::LeftButton);
-      return;
-    }
-    FAIL() << "no button for " << action->text().toStdString();
-  }
-
-  ScanSnapshot snapshotOf(int frame) {
-    ScanSnapshot snapshot;
-    snapshot.state = ScanState::scanning;
-    snapshot.frame_index = frame;
-    snapshot.frames.read = frame + 1;
-    snapshot.frames_total = 100;
-    snapshot.pose.state = TrackingState::tracking;
-    snapshot.K = {290, 290, 160, 120, 320, 240};
-    snapshot.color = cv::Mat(480, 640, CV_8UC3, cv::Scalar(40, 80, 120));
-    snapshot.depth_raw_m = cv::Mat(240, 320, CV_32FC1, cv::Scalar(1.5));
-    snapshot.depth_fused_m = snapshot.depth_raw_m;
-    snapshot.segments = cv::Mat(240, 320, CV_32SC1, cv::Scalar(2));
-    snapshot.regions = cv::Mat(240, 320, CV_32SC1, cv::Scalar(5));
-    return snapshot;
-  }
-
-  test::ScriptedSession* session_ = nullptr;
-  std::unique_ptr<MainWindow> window_;
-};
+using test::WindowTest;
 
 TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
   QTest::keyClick(window_.get(), Qt::Key_L, Qt::ControlModifier);
@@ -110,7 +25,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Green cup"));
-  endEditing();
+  QTest::keyClick(nameEditor(), Qt::Key_Return);
   EXPECT_EQ(stored(objects_[1]).name, "Green cup");
   EXPECT_FALSE(stored(objects_[1]).confirmed);
 
@@ -130,7 +45,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByMouseIsStored) {
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Red ball"));
-  endEditing();
+  QTest::keyClick(nameEditor(), Qt::Key_Return);
   pressButton(window_->objectPanel()->actions().confirm);
   EXPECT_EQ(stored(objects_[0]).name, "Red ball");
   EXPECT_TRUE(stored(objects_[0]).confirmed);
@@ -159,7 +74,7 @@ TEST_F(WindowTest, ARefusedNameIsSaidInTheBarAndNothingIsLost) {
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Obj_1"));
-  endEditing();
+  QTest::keyClick(nameEditor(), Qt::Key_Return);
   EXPECT_TRUE(window_->messageBar()->isVisible());
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }

@@ -1,0 +1,94 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/main_window/dock_arrangement.h"
+#include "ui/main_window/main_actions.h"
+
+namespace scantrove {
+namespace {
+
+class DocksTest : public test::WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    beginScan();
+  }
+
+  void beginScan() {
+    window_->open(QStringLiteral("demo"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dock("framesDock")->isVisible(); }, 3000));
+  }
+
+  QDockWidget* dock(const char* name) { return window_->findChild<QDockWidget*>(QString::fromLatin1(name)); }
+
+  void resizeWindow(int width, int height) {
+    window_->resize(width, height);  // as low as the panels allow
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->width() == width; }, 3000)) << window_->width();
+    QTest::qWait(100);
+  }
+};
+
+TEST_F(DocksTest, EachClosesAndComesBackByMenuAndByKey) {
+  const std::map<const char*, Qt::Key> keys = {
+      {"objectsDock", Qt::Key_1}, {"framesDock", Qt::Key_2}, {"settingsDock", Qt::Key_3}};
+  for (const auto& [name, key] : keys) {
+    QAction* toggle = dock(name)->toggleViewAction();
+    ASSERT_TRUE(toggle->isEnabled()) << name;
+    toggle->trigger();
+    EXPECT_FALSE(dock(name)->isVisible()) << name;
+    toggle->trigger();
+    EXPECT_TRUE(dock(name)->isVisible()) << name;
+    QTest::keyClick(window_.get(), key, Qt::ControlModifier);
+    EXPECT_FALSE(dock(name)->isVisible()) << name;
+    QTest::keyClick(window_.get(), key, Qt::ControlModifier);
+    EXPECT_TRUE(dock(name)->isVisible()) << name;
+  }
+}
+
+TEST_F(DocksTest, HaveTheirWidthAgainAfterTheWindowWasSmall) {
+  const int objects = dock("objectsDock")->width();
+  const int frames = dock("framesDock")->width();
+  resizeWindow(700, 500);
+  EXPECT_LT(dock("framesDock")->width(), frames);
+  resizeWindow(1280, 800);
+  EXPECT_EQ(dock("objectsDock")->width(), objects);
+  EXPECT_EQ(dock("framesDock")->width(), frames);
+}
+
+TEST_F(DocksTest, KeepTheWidthThatAPersonGaveThem) {
+  const QRect frames = dock("framesDock")->geometry();
+  const QPoint line(frames.left() - 3, frames.center().y());
+  QTest::mousePress(window_.get(), Qt::LeftButton, {}, line);
+  QTest::mouseMove(window_.get(), line + QPoint(40, 0));
+  QTest::mouseMove(window_.get(), line + QPoint(80, 0));
+  QTest::qWait(100);
+  QTest::mouseRelease(window_.get(), Qt::LeftButton, {}, line + QPoint(80, 0));
+  QTest::qWait(100);
+  const int wanted = dock("framesDock")->width();
+  EXPECT_NEAR(wanted, frames.width() - 80, 4);
+  resizeWindow(700, 500);
+  resizeWindow(1280, 800);
+  EXPECT_EQ(dock("framesDock")->width(), wanted);
+  window_->close();
+  restart();
+  beginScan();
+  EXPECT_EQ(dock("framesDock")->width(), wanted);
+  window_->actions().reset_layout->trigger();
+  QTest::qWait(50);
+  EXPECT_EQ(dock("framesDock")->width(), frames.width());
+}
+
+TEST_F(DocksTest, WhatWasClosedStaysClosedAfterARestart) {
+  dock("settingsDock")->close();
+  window_->close();
+  restart();
+  EXPECT_FALSE(dock("framesDock")->isVisible());  // the start page has no frame to show
+  beginScan();
+  EXPECT_FALSE(dock("settingsDock")->isVisible());
+  EXPECT_TRUE(dock("framesDock")->isVisible());
+}
+
+}  // namespace
+}  // namespace scantrove

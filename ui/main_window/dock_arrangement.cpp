@@ -1,0 +1,141 @@
+#include "ui/main_window/dock_arrangement.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QEvent>
+#include <QLayout>
+#include <QSettings>
+#include <QTimer>
+#include <utility>
+
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kLayoutVersion = 2;
+const QString kLayoutKey = QStringLiteral("window/docks");
+
+QString widthKey(const QDockWidget* dock) { return QStringLiteral("window/width/") + dock->objectName(); }
+
+/// Qt's own icon does not follow the theme, and comes back with each change of style.
+void drawCloseButton(const QDockWidget& dock) {
+  if (auto* button = dock.findChild<QAbstractButton*>(QStringLiteral("qt_dockwidget_closebutton"))) {
+    button->setIcon(icon(QStringLiteral("close")));
+    button->setToolTip(DockArrangement::tr("Close (%1)")
+                           .arg(dock.toggleViewAction()->shortcut().toString(QKeySequence::NativeText)));
+  }
+}
+
+}  // namespace
+
+DockArrangement::DockArrangement(QMainWindow& window) : QObject(&window), window_(window) {
+  window_.setDockNestingEnabled(true);
+  window_.installEventFilter(this);
+}
+
+QDockWidget* DockArrangement::add(const Dock& dock, QWidget* content) {
+  auto* widget = new QDockWidget(dock.title, &window_);
+  widget->setObjectName(QString::fromLatin1(dock.name));
+  widget->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  widget->setWidget(content);
+  widget->toggleViewAction()->setShortcut(QKeySequence(dock.key));
+  // Opened or closed by hand: that holds for the scan as well.
+  connect(widget->toggleViewAction(), &QAction::triggered, this,
+          [this, widget] { waiting_for_scan_.removeAll(widget); });
+  connect(&Theme::instance(), &Theme::changed, widget, [widget] { drawCloseButton(*widget); });
+  drawCloseButton(*widget);
+  window_.addDockWidget(dock.area, widget);
+  docks_ << widget;
+  usual_.emplace(widget, dock);
+  wanted_widths_[widget] = dock.usual_width;
+  return widget;
+}
+
+void DockArrangement::restore() {
+  arrangeAsUsual();
+  const QSettings settings;
+  for (QDockWidget* dock : docks_) {
+    wanted_widths_[dock] = settings.value(widthKey(dock), wanted_widths_[dock]).toInt();
+  }
+  window_.restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+  applyWidthsSoon();
+}
+
+void DockArrangement::save() {
+  QSettings settings;
+  for (QDockWidget* dock : docks_) settings.setValue(widthKey(dock), wanted_widths_[dock]);
+  for (QDockWidget* dock : waiting_for_scan_) dock->show();
+  settings.setValue(kLayoutKey, window_.saveState(kLayoutVersion));
+}
+
+void DockArrangement::arrangeAsUsual() {
+  std::map<Qt::DockWidgetArea, QDockWidget*> above;
+  for (QDockWidget* dock : docks_) {
+    const Qt::DockWidgetArea area = usual_.at(dock).area;
+    window_.addDockWidget(area, dock);
+    dock->show();
+    if (above.contains(area)) window_.splitDockWidget(above[area], dock, Qt::Vertical);
+    above[area] = dock;
+    wanted_widths_[dock] = usual_.at(dock).usual_width;
+  }
+  if (!is_scan_shown_) setScanShown(false);
+  applyWidths();
+}
+
+void DockArrangement::setScanShown(bool shown) {
+  is_scan_shown_ = shown;
+  if (shown) {
+    for (QDockWidget* dock : std::exchange(waiting_for_scan_, {})) dock->show();
+    applyWidths();
+    return;
+  }
+  for (QDockWidget* dock : docks_) {
+    if (!usual_.at(dock).only_with_scan || dock->isHidden()) continue;
+    waiting_for_scan_.removeAll(dock);
+    waiting_for_scan_ << dock;
+    dock->hide();
+  }
+}
+
+std::map<QDockWidget*, int> DockArrangement::presentWidths() const {
+  std::map<QDockWidget*, int> widths;
+  for (QDockWidget* dock : docks_) {
+    if (dock->isVisible() && !dock->isFloating()) widths[dock] = dock->width();
+  }
+  return widths;
+}
+
+void DockArrangement::applyWidths() {
+  QList<QDockWidget*> shown;
+  QList<int> widths;
+  for (QDockWidget* dock : docks_) {
+    if (dock->isHidden()) continue;
+    shown << dock;
+    widths << wanted_widths_[dock];
+  }
+  window_.resizeDocks(shown, widths, Qt::Horizontal);
+  // Qt only notes them down for the next layout.
+  window_.layout()->invalidate();
+  window_.layout()->activate();
+}
+
+void DockArrangement::applyWidthsSoon() { QTimer::singleShot(0, this, &DockArrangement::applyWidths); }
+
+void DockArrangement::learnWidths() {
+  for (const auto& [dock, width] : presentWidths()) {
+    const auto before = widths_at_press_.find(dock);
+    if (before != widths_at_press_.end() && before->second != width) wanted_widths_[dock] = width;
+  }
+}
+
+bool DockArrangement::eventFilter(QObject* watched, QEvent* event) {
+  // The lines between the docks are no widgets: the window itself gets the mouse that drags them.
+  if (event->type() == QEvent::MouseButtonPress) widths_at_press_ = presentWidths();
+  if (event->type() == QEvent::MouseButtonRelease) QTimer::singleShot(0, this, &DockArrangement::learnWidths);
+  if (event->type() == QEvent::Resize) applyWidthsSoon();
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace scantrove

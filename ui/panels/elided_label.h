@@ -1,0 +1,49 @@
+#pragma once
+#include <QLabel>
+
+namespace scantrove {
+
+/// One line of plain text that may be given less room than it wants: what does not fit ends in "…" and is in
+/// the tooltip.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr) : QLabel(parent) { setTextFormat(Qt::PlainText); }
+
+  /// `help` is the tooltip; without it the full text is, where it is cut.
+  void setFullText(const QString& text, const QString& help = {}) {
+    full_text_ = text;
+    help_ = help;
+    updateGeometry();
+    elide();
+  }
+
+  [[nodiscard]] QSize sizeHint() const override {
+    return {fontMetrics().horizontalAdvance(full_text_) + kMargin_px, QLabel::sizeHint().height()};
+  }
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    return {fontMetrics().averageCharWidth() * kFewestLetters, QLabel::minimumSizeHint().height()};
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    elide();
+  }
+
+ private:
+  static constexpr int kMargin_px = 2;
+  static constexpr int kFewestLetters = 4;
+
+  void elide() {
+    const QString shown = fontMetrics().elidedText(full_text_, Qt::ElideRight, contentsRect().width());
+    setText(shown);
+    setToolTip(help_.isEmpty() && shown != full_text_ ? full_text_.toHtmlEscaped() : help_);
+  }
+
+  QString full_text_;
+  QString help_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,79 @@
+#include "ui/panels/label_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scantrove {
+namespace {
+
+constexpr double kGap = 2;
+
+double overlapArea(const QRectF& label, const std::vector<QRectF>& others) {
+  double area = 0;
+  for (const QRectF& other : others) {
+    const QRectF common = label.intersected(other.adjusted(-kGap, -kGap, kGap, kGap));
+    area += common.width() * common.height();
+  }
+  return area;
+}
+
+QRectF movedInto(const QRectF& bounds, QRectF label) {
+  label.moveLeft(std::max(bounds.left(), std::min(label.left(), bounds.right() - label.width())));
+  label.moveTop(std::max(bounds.top(), std::min(label.top(), bounds.bottom() - label.height())));
+  return label;
+}
+
+/// Best first.
+std::vector<QRectF> placesFor(const LabelRequest& request, const QRectF& bounds) {
+  const QRectF& box = request.box;
+  const double width = request.size.width();
+  const double height = request.size.height();
+  const double above = box.top() - height - kGap;
+  const double below = box.bottom() + kGap;
+  const double top_inside = box.top() + kGap;
+  const double bottom_inside = box.bottom() - height - kGap;
+  std::vector<QPointF> corners;
+  if (above >= bounds.top()) corners = {{box.left(), above}, {box.right() - width, above}};
+  corners.insert(corners.end(), {{box.left(), top_inside}, {box.right() - width, top_inside}});
+  if (below + height <= bounds.bottom()) {
+    corners.insert(corners.end(), {{box.left(), below}, {box.right() - width, below}});
+  }
+  corners.insert(
+      corners.end(),
+      {{box.left(), bottom_inside}, {box.right() + kGap, box.top()}, {box.left() - width - kGap, box.top()}});
+  std::vector<QRectF> places;
+  for (const QPointF& corner : corners) places.push_back(movedInto(bounds, {corner, request.size}));
+
+  // Further away, the nearest first.
+  const auto beside = static_cast<std::ptrdiff_t>(places.size());
+  for (double y = bounds.top(); y + height <= bounds.bottom(); y += height + kGap) {
+    places.push_back(movedInto(bounds, {QPointF(box.left(), y), request.size}));
+  }
+  std::stable_sort(places.begin() + beside, places.end(), [&box](const QRectF& a, const QRectF& b) {
+    return std::abs(a.top() - box.top()) < std::abs(b.top() - box.top());
+  });
+  return places;
+}
+
+}  // namespace
+
+std::vector<QRectF> placeLabels(const std::vector<LabelRequest>& requests, const QRectF& bounds) {
+  std::vector<QRectF> placed;
+  for (const LabelRequest& request : requests) {
+    QRectF best;
+    double least = std::numeric_limits<double>::max();
+    for (const QRectF& place : placesFor(request, bounds)) {
+      const double area = overlapArea(place, placed);
+      if (area < least) {
+        least = area;
+        best = place;
+      }
+      if (area == 0) break;
+    }
+    placed.push_back(best);
+  }
+  return placed;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,115 @@
+#include "ui/panels/object_list_view.h"
+
+#include <QEvent>
+#include <QItemSelectionModel>
+#include <QScrollBar>
+#include <algorithm>
+#include <utility>
+
+#include "ui/models/object_list_model.h"
+#include "ui/panels/name_editor.h"
+#include "ui/panels/object_delegate.h"
+
+namespace scantrove {
+namespace {
+constexpr int kLeastHeight_px = 60;
+}
+
+ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, QWidget* parent)
+    : QListView(parent), model_(model), name_editor_(nullptr) {
+  setModel(&model_);
+  setItemDelegate(new ObjectDelegate(this));
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setUniformItemSizes(true);
+  setMinimumHeight(kLeastHeight_px);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setMouseTracking(true);
+  setAccessibleName(tr("Objects"));
+  setObjectName(QStringLiteral("objectList"));
+  connect(&model_, &ObjectListModel::aboutToFollow, this, &ObjectListView::rememberPlace);
+  connect(&model_, &ObjectListModel::followed, this, &ObjectListView::restorePlace);
+  connect(&model_, &ObjectListModel::merged, this, &ObjectListView::moveSelection);
+  connect(verticalScrollBar(), &QAbstractSlider::valueChanged, this, &ObjectListView::newBelowChanged);
+  name_editor_ = new NameEditor(*this, editor, model);
+  connect(this, &QAbstractItemView::doubleClicked, this,
+          [this](const QModelIndex& row) { editName(model_.objectAt(row)); });
+}
+
+std::vector<ObjectId> ObjectListView::selection() const {
+  std::vector<ObjectId> objects;
+  for (const QModelIndex& row : selectionModel()->selectedIndexes()) objects.push_back(model_.objectAt(row));
+  std::sort(objects.begin(), objects.end());
+  return objects;
+}
+
+void ObjectListView::selectNewest() { setCurrentIndex(model_.index(model_.rowCount() - 1)); }
+
+void ObjectListView::editName(ObjectId object) { name_editor_->begin(object); }
+
+bool ObjectListView::finishEditing() { return name_editor_->finish(); }
+
+bool ObjectListView::isHeld() const { return pressed_ || verticalScrollBar()->isSliderDown(); }
+
+bool ObjectListView::isAttended() const {
+  return (hasFocus() && selectionModel()->hasSelection()) || name_editor_->isOpen() ||
+         viewport()->rect().contains(viewport()->mapFromGlobal(QCursor::pos()));
+}
+
+int ObjectListView::newBelow() const {
+  int count = 0;
+  for (int row = model()->rowCount() - 1; row >= 0; --row, ++count) {
+    const QModelIndex index = model()->index(row, 0);
+    if (!index.data(ObjectListModel::AddedNowRole).toBool()) break;
+    if (visualRect(index).top() < viewport()->height()) break;
+  }
+  return count;
+}
+
+void ObjectListView::rememberPlace() {
+  was_at_end_ = verticalScrollBar()->value() == verticalScrollBar()->maximum();
+  visible_rows_.clear();
+  const auto add = [this](const QModelIndex& row) {
+    if (row.isValid()) visible_rows_.emplace_back(row, visualRect(row).top());
+  };
+  add(indexAt(viewport()->mapFromGlobal(QCursor::pos())));
+  const QModelIndex first = indexAt(QPoint(viewport()->width() / 2, 1));
+  for (int row = first.row(); first.isValid() && row < model_.rowCount(); ++row) {
+    if (visualRect(model_.index(row)).top() >= viewport()->height()) break;
+    add(model_.index(row));
+  }
+}
+
+void ObjectListView::restorePlace() {
+  for (const auto& [row, top] : std::exchange(visible_rows_, {})) {
+    if (!row.isValid()) continue;
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + visualRect(row).top() - top);
+    break;
+  }
+  if (was_at_end_ && !isAttended()) scrollToBottom();
+  emit newBelowChanged();
+}
+
+void ObjectListView::moveSelection(ObjectId into, ObjectId from) {
+  const QModelIndex gone = model_.indexOf(from);
+  const QModelIndex kept = model_.indexOf(into);
+  if (!kept.isValid() || !selectionModel()->isSelected(gone)) return;
+  const bool is_current = currentIndex() == gone;
+  selectionModel()->select(kept, QItemSelectionModel::Select);
+  if (is_current) selectionModel()->setCurrentIndex(kept, QItemSelectionModel::NoUpdate);
+}
+
+bool ObjectListView::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick)
+    pressed_ = true;
+  if (event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::Leave) pressed_ = false;
+  return QListView::viewportEvent(event);
+}
+
+void ObjectListView::updateGeometries() {
+  QListView::updateGeometries();
+  emit newBelowChanged();
+}
+
+}  // namespace scantrove
