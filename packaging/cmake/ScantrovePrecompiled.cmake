@@ -15,10 +15,16 @@ set(scantrove_window_headers
   <QAction> <QBoxLayout> <QComboBox> <QDialog> <QFileDialog> <QFormLayout> <QImage> <QLabel> <QListView> <QMainWindow>
   <QObject> <QPainter> <QPainterPath> <QPushButton> <QSettings> <QString> <QTimer> <QToolButton> <QUndoStack> <QWidget>)
 
+# FOR_PROGRAMS: for programs with and without Qt, which asks its users for -fPIC.
 function(scantrove_declare_precompiled kind)
-  cmake_parse_arguments(ARG "" "" "HEADERS;LINK" ${ARGN})
-  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp" CONTENT "// Holds the precompiled headers.\n")
-  add_library(scantrove_precompiled_${kind} STATIC "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp")
+  cmake_parse_arguments(ARG "FOR_PROGRAMS" "" "HEADERS;LINK" ${ARGN})
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp" CONTENT "int main() {}\n")
+  if(ARG_FOR_PROGRAMS)
+    add_executable(scantrove_precompiled_${kind} EXCLUDE_FROM_ALL "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp")
+    target_compile_options(scantrove_precompiled_${kind} PRIVATE -fPIC)
+  else()
+    add_library(scantrove_precompiled_${kind} STATIC EXCLUDE_FROM_ALL "${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp")
+  endif()
   set_target_properties(scantrove_precompiled_${kind} PROPERTIES AUTOMOC OFF AUTORCC OFF)
   target_link_libraries(scantrove_precompiled_${kind} PRIVATE scantrove_settings spdlog::spdlog Threads::Threads
     Eigen3::Eigen opencv_core ${ARG_LINK})
@@ -32,7 +38,7 @@ if(SCANTROVE_PRECOMPILE)
     HEADERS ${scantrove_core_headers} "${PROJECT_SOURCE_DIR}/core/compute/opencl.h")
   if(SCANTROVE_BUILD_TESTS)
     find_package(GTest REQUIRED)
-    scantrove_declare_precompiled(tests LINK GTest::gtest GTest::gmock
+    scantrove_declare_precompiled(tests FOR_PROGRAMS LINK GTest::gtest GTest::gmock
       HEADERS ${scantrove_core_headers} <gmock/gmock.h> <gtest/gtest.h>)
   endif()
   scantrove_declare_precompiled(window LINK Qt6::Core Qt6::Gui Qt6::Widgets HEADERS ${scantrove_window_headers})
