@@ -209,6 +209,11 @@ const ObjectRecord* ObjectListModel::record(ObjectId object) const {
   return index.isValid() ? &rows_[static_cast<std::size_t>(index.row())] : nullptr;
 }
 
+int ObjectListModel::addedAfter(ObjectId object) const {
+  return static_cast<int>(std::count_if(added_.upper_bound(object), added_.end(),
+                                        [this](ObjectId added) { return indexOf(added).isValid(); }));
+}
+
 void ObjectListModel::emitRow(ObjectId object, const QList<int>& roles) {
   const QModelIndex row = indexOf(object);
   if (row.isValid()) emit dataChanged(row, row, roles);

@@ -40,6 +40,8 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
+  /// How many rows after that one this scan has added.
+  [[nodiscard]] int addedAfter(ObjectId object) const;
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
 
  signals:

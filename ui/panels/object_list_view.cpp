@@ -58,13 +58,8 @@ bool ObjectListView::isAttended() const {
 }
 
 int ObjectListView::newBelow() const {
-  int count = 0;
-  for (int row = model()->rowCount() - 1; row >= 0; --row, ++count) {
-    const QModelIndex index = model()->index(row, 0);
-    if (!index.data(ObjectListModel::AddedNowRole).toBool()) break;
-    if (visualRect(index).top() < viewport()->height()) break;
-  }
-  return count;
+  const QModelIndex last = indexAt(QPoint(viewport()->width() / 2, viewport()->height() - 1));
+  return last.isValid() ? model_.addedAfter(model_.objectAt(last)) : 0;
 }
 
 void ObjectListView::rememberPlace() {
