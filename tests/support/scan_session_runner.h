@@ -17,6 +17,7 @@ struct ScanEnding {
   std::vector<FrameSkipped> skipped;
   std::vector<std::string> added;       ///< names
   std::vector<std::string> recognised;  ///< names
+  std::vector<ObjectId> merged;         ///< objects that became part of others
 };
 
 /// Runs one scan to its end through the session that window and command line use.
@@ -29,6 +30,8 @@ inline ScanEnding runScan(ScanRequest request) {
     if (const auto* skipped = std::get_if<FrameSkipped>(&event)) ending.skipped.push_back(*skipped);
     if (const auto* added = std::get_if<ObjectAdded>(&event)) ending.added.push_back(added->name);
     if (const auto* known = std::get_if<ObjectRecognised>(&event)) ending.recognised.push_back(known->name);
+    if (const auto* merged = std::get_if<ObjectsMerged>(&event))
+      ending.merged.insert(ending.merged.end(), merged->from.begin(), merged->from.end());
   });
   session.start(std::move(request));
   session.wait();

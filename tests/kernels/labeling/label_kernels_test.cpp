@@ -201,7 +201,11 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     bricks.allocate(bricksAroundOrigin(1));
     auto cloud = LabelCloud::create(compute);
     ASSERT_TRUE(cloud) << cloud.error().message();
-    (void)(*cloud)->extract({}, bricks, 4);  // makes the cloud's voxels
+    SurfaceMaps nothing;
+    nothing.K = {1, 1, 0, 0, 1, 1};
+    nothing.vertices_world = Buffer<cl_float4>(compute.context(), 1);
+    nothing.vertices_world.fill(compute.queue(), cl_float4{});
+    (void)(*cloud)->project(nothing, bricks);  // makes the cloud's voxels
     // Distances on both sides of the limit, to the last digit, for a truncation of 4 voxels.
     const std::vector<int> distances{0, 1, -1, 8191, -8191, 8192, -8192, 16000, 32767, -32767};
     std::mt19937 random(2);

@@ -41,17 +41,18 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognisedTheSecondTime) {
   const double ate = trajectoryError(out.path() / "first", recording);
   EXPECT_LT(ate, 0.040);
   EXPECT_GE(first.report->objects.size(), 3U) << "mugs, boxes, books stand on this table";
-  EXPECT_EQ(first.added.size(), first.report->objects.size());
+  // Objects whose regions join become one.
+  EXPECT_EQ(first.added.size() - first.merged.size(), first.report->objects.size());
 
   ScanRequest again = scanOf(recording, out.path() / "second");
   again.database = (out.path() / "first" / "catalogue.sqlite").string();
   const ScanEnding second = runScan(std::move(again));
   ASSERT_TRUE(second.report) << second.error;
-  std::cout << "kitchen: ATE " << 1000 * ate << " mm, " << first.report->fps << " fps, " << first.added.size()
-            << " objects; second scan: " << second.recognised.size() << " recognised, " << second.added.size()
-            << " added\n";
-  EXPECT_GE(2 * second.recognised.size(), first.added.size());
-  EXPECT_LT(second.added.size(), first.added.size());
+  std::cout << "kitchen: ATE " << 1000 * ate << " mm, " << first.report->fps << " fps, "
+            << first.report->objects.size() << " objects; second scan: " << second.recognised.size()
+            << " recognised, " << second.added.size() << " added\n";
+  EXPECT_GE(2 * second.recognised.size(), first.report->objects.size());
+  EXPECT_LT(second.added.size(), first.report->objects.size());
 }
 
 TEST(Redwood, IsTrackedWithinTwentyMillimetres) {
