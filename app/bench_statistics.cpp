@@ -11,6 +11,8 @@
 namespace scantrove {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 double sumOfMedians(const ScanReport& report) {
   double sum = 0;
   for (const ScanReport::Stage& stage : report.stages) sum += stage.median_ms;
@@ -99,7 +101,6 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
 }
 
 nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<BenchSample>& samples) {
-  using Json = nlohmann::ordered_json;
   const double sum = sumOfMedians(report);
   Json stages = Json::object();
   for (const ScanReport::Stage& stage : report.stages) {

@@ -8,6 +8,8 @@
 namespace scantrove {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 void printText(const std::vector<DeviceInfo>& devices, const Result<std::vector<CameraInfo>>& cameras) {
   std::cout << "OpenCL devices (--device INDEX|NAME):\n";
   for (const DeviceInfo& device : devices) {
@@ -31,7 +33,6 @@ void printText(const std::vector<DeviceInfo>& devices, const Result<std::vector<
 }
 
 void printJson(const std::vector<DeviceInfo>& devices, const Result<std::vector<CameraInfo>>& cameras) {
-  using Json = nlohmann::ordered_json;
   Json json = {{"opencl", Json::array()}, {"cameras", Json::array()}};
   for (const DeviceInfo& device : devices) {
     json["opencl"].push_back({{"index", device.index},

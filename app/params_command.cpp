@@ -9,6 +9,8 @@
 namespace scantrove {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct ParamsCommand {
   std::string config;
   std::vector<std::string> settings;
@@ -37,7 +39,6 @@ void printTable(const ScanParams& params) {
 }
 
 void printJson(const ScanParams& params) {
-  using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const ParamInfo& info : paramRegistry()) {
     const bool is_number = info.choices.empty();
