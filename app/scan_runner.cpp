@@ -46,19 +46,25 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
   listenForStop();
   ScanSession session([&](const ScanEvent& event) { events.push(event); });
   session.start(std::move(request));
+  const auto showLatest = [&] {
+    if (const auto snapshot = session.snapshots().collect()) {
+      if (watch) watch(*snapshot);
+      progress.show(*snapshot);
+    }
+  };
   while (true) {
     if (const auto event = events.pop(kPoll)) {
       if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
-      if (const auto* finished = std::get_if<ScanFinished>(&*event)) return finished->report;
+      if (const auto* finished = std::get_if<ScanFinished>(&*event)) {
+        showLatest();  // the last one was posted before this event
+        return finished->report;
+      }
       if (std::holds_alternative<PreparingDevice>(*event))
         progress.say("Preparing the processor (first time only).");
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
       if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
     }
-    if (const auto snapshot = session.snapshots().collect()) {
-      if (watch) watch(*snapshot);
-      progress.show(*snapshot);
-    }
+    showLatest();
     if (stopRequested() && !is_stopping) {
       is_stopping = true;
       progress.say("Stopping; writing what there is.");
