@@ -14,7 +14,8 @@ struct Id {
 };
 
 using SegmentId = Id<struct SegmentTag>;  ///< a segment of one frame (S_t)
-using RegionId = Id<struct RegionTag>;    ///< a region of the label cloud, after the label table
+using FragmentId = Id<struct FragmentTag>;  ///< what a voxel of the label cloud holds; 24 bits
+using RegionId = Id<struct RegionTag>;    ///< fragments that are one thing; its identity outlives joins and parts
 using ObjectId = Id<struct ObjectTag>;    ///< a row of the catalogue's table `objects`
 
 }  // namespace scantrove

@@ -42,16 +42,18 @@ RegionCensus RegionCounter::count(const RegionMap& map) {
                   static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
   RegionCensus census;
   for (int v = 0; v < map.height; ++v) {
-    const std::uint32_t* row = map.regions.data() + static_cast<std::ptrdiff_t>(v) * map.width;
+    const RegionId* row = map.regions.data() + static_cast<std::ptrdiff_t>(v) * map.width;
     for (int begin = 0; begin < map.width;) {
-      const std::uint32_t region = row[begin];
+      const RegionId region = row[begin];
       int end = begin + 1;
       while (end < map.width && row[end] == region) ++end;
-      if (region != 0) {
-        if (region >= slot_of_region_.size()) slot_of_region_.resize(region + region / 2 + 64, 0);
-        std::uint32_t& slot = slot_of_region_[region];
+      if (region) {
+        if (region.value >= slot_of_region_.size()) {
+          slot_of_region_.resize(region.value + region.value / 2 + 64, 0);
+        }
+        std::uint32_t& slot = slot_of_region_[region.value];
         if (slot == 0) {
-          census.extents.emplace_back().region = RegionId{region};
+          census.extents.emplace_back().region = region;
           slot = static_cast<std::uint32_t>(census.extents.size());
         }
         addRun(census.extents[slot - 1], v, begin, end);

@@ -20,7 +20,7 @@ void forEachPoint(const RegionExtent& extent, const DiscoveryInput& input, Use&&
     const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.regions.width);
     for (int u = box.x; u < box.br().x; ++u) {
       const std::size_t pixel = row + static_cast<std::size_t>(u);
-      if (input.regions.regions[pixel] != extent.region.value) continue;
+      if (input.regions.regions[pixel] != extent.region) continue;
       if (isSurface(input.vertices_world[pixel])) use(input.vertices_world[pixel], u, v);
     }
   }
@@ -68,9 +68,9 @@ float hiddenFraction(const RegionExtent& extent, const DiscoveryInput& input, co
     for (const auto& [du, dv] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
       const int far_u = u + kStep * du, far_v = v + kStep * dv;
       if (far_u < 0 || far_v < 0 || far_u >= width || far_v >= height) continue;
-      if (input.regions.regions[pixelAt(u + du, v + dv)] == extent.region.value) continue;
+      if (input.regions.regions[pixelAt(u + du, v + dv)] == extent.region) continue;
       const std::size_t beyond = pixelAt(far_u, far_v);
-      if (input.regions.regions[beyond] == extent.region.value || !isSurface(input.vertices_world[beyond]))
+      if (input.regions.regions[beyond] == extent.region || !isSurface(input.vertices_world[beyond]))
         continue;
       const float z = depth(vertex);
       ++steps;

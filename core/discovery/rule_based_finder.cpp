@@ -12,10 +12,10 @@ namespace {
 cv::Mat maskOf(const RegionExtent& extent, const RegionMap& map) {
   cv::Mat mask(extent.box_px.size(), CV_8UC1);
   for (int y = 0; y < mask.rows; ++y) {
-    const std::uint32_t* regions =
+    const RegionId* regions =
         map.regions.data() + static_cast<std::ptrdiff_t>(extent.box_px.y + y) * map.width + extent.box_px.x;
     unsigned char* out = mask.ptr(y);
-    for (int x = 0; x < mask.cols; ++x) out[x] = regions[x] == extent.region.value ? 255 : 0;
+    for (int x = 0; x < mask.cols; ++x) out[x] = regions[x] == extent.region ? 255 : 0;
   }
   return mask;
 }

@@ -29,42 +29,59 @@ Result<void> LabelCloud::buildKernels() {
   return moveInto(extract_points_, compute_.kernel(kernels::extract_points, "extract_points"));
 }
 
-std::vector<std::uint32_t> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
+std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
   fitPools(bricks);
   const int pixels = surface.K.pixels();
   fit(projected_, static_cast<std::size_t>(pixels));
   project_labels_.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
                          surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(), labels_,
                          1.0F / bricks.voxelSize(), projected_);
-  std::vector<std::uint32_t> result(static_cast<std::size_t>(pixels));
-  projected_.read(compute_.queue(), result);
+  std::vector<FragmentId> result(static_cast<std::size_t>(pixels));
+  static_assert(sizeof(FragmentId) == sizeof(cl_uint));
+  projected_.read(compute_.queue(), {reinterpret_cast<cl_uint*>(result.data()), result.size()});
   return result;
 }
 
+void LabelCloud::fitFragments(std::uint32_t highest) {
+  const std::size_t needed = std::size_t{highest} + 1;
+  if (fragment_voxels_.size() < needed) {
+    Buffer<cl_int> larger(compute_.context(), needed + needed / 2);
+    larger.fill(compute_.queue(), 0);
+    larger.write(compute_.queue(), fragment_voxels_host_);
+    fragment_voxels_ = larger;
+  }
+  if (fragment_voxels_host_.size() < needed) fragment_voxels_host_.resize(needed, 0);
+}
+
 std::span<const cl_int> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
-                                           const LabelTable& table, const LabelingParams& params,
+                                           std::span<const FragmentId> carved, const LabelingParams& params,
                                            BrickMap& bricks) {
   const float reach = params.update_distance_vox * bricks.voxelSize();
   makeMissingBricks(surface, reach, bricks);
   fitPools(bricks);
-  fit(new_labels_, merged.labels.size());
-  new_labels_.write(compute_.queue(), merged.labels);
-  const auto& regions = table.regionOfLabel();
-  fit(region_of_label_, regions.size());
-  region_of_label_.write(compute_.queue(), regions);
+  new_labels_host_.resize(merged.fragments.size());
+  std::uint32_t highest = 0;
+  std::ranges::transform(merged.fragments, new_labels_host_.begin(), [&](FragmentId fragment) {
+    highest = std::max(highest, fragment.value);
+    const bool at_once = std::ranges::find(carved, fragment) != carved.end();
+    return fragment.value | (at_once ? LABEL_AT_ONCE : 0U);
+  });
+  fitFragments(highest);
+  fit(new_labels_, new_labels_host_.size());
+  new_labels_.write(compute_.queue(), new_labels_host_);
   count_.fill(compute_.queue(), 0);
   ++stamp_;
   const Intrinsics& K = surface.K;
   update_labels_.launch(cl::NDRange(static_cast<std::size_t>(K.pixels())), cl::NDRange(64),
-                        surface.vertices_world, new_labels_, region_of_label_, bricks.table(),
-                        bricks.tableMask(), toKernel(surface.T_world_camera.inverse()),
+                        surface.vertices_world, new_labels_, bricks.table(), bricks.tableMask(), toKernel(surface.T_world_camera.inverse()),
                         toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width}, cl_int{K.height},
                         bricks.voxelSize(), reach, static_cast<cl_int>(params.voxel_confidence ? 1 : 0),
-                        cl_int{stamp_}, labels_, stamps_, count_, touched_);
+                        cl_int{stamp_}, labels_, fragment_voxels_, stamps_, count_, touched_);
   cl_int count = 0;
   count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
   touched_host_.resize(static_cast<std::size_t>(count));
   touched_.read(compute_.queue(), std::span<cl_int>(touched_host_));
+  fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
   return touched_host_;
 }
 

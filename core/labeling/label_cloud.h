@@ -9,25 +9,30 @@
 #include "core/fusion/brick_map.h"
 #include "core/fusion/surface_maps.h"
 #include "core/labeling/kernels/label_voxel.h"
-#include "core/labeling/label_table.h"
 #include "core/labeling/labeling_params.h"
 #include "core/labeling/region_map.h"
 
 namespace scantrove {
 
-/// The label cloud (thesis 3.3.3): a raw label in every voxel of the brick map's bricks, on the device. One
-/// thread, the context's.
+/// The label cloud (thesis 3.3.3): a fragment in every voxel of the brick map's bricks, on the device, and how
+/// many voxels hold each. One thread, the context's.
 class LabelCloud {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
 
-  /// S_prj,t: the raw label at each vertex of `surface`, row by row, 0 = none.
-  [[nodiscard]] std::vector<std::uint32_t> project(const SurfaceMaps& surface, const BrickMap& bricks);
+  /// S_prj,t: the fragment at each vertex of `surface`, row by row.
+  [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface, const BrickMap& bricks);
 
   /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
-  /// Allocates bricks where such a voxel has none. Returns the slots of the bricks that were written to.
-  std::span<const cl_int> update(const SurfaceMaps& surface, const RegionMap& merged, const LabelTable& table,
-                                 const LabelingParams& params, BrickMap& bricks);
+  /// With `params.voxel_confidence` a voxel that holds another fragment gives way only after as many frames as it
+  /// was sure of; to the fragments `carved` it gives way at once. Allocates bricks where such a voxel has none.
+  /// Returns the slots of the bricks that were written to.
+  std::span<const cl_int> update(const SurfaceMaps& surface, const RegionMap& merged,
+                                 std::span<const FragmentId> carved, const LabelingParams& params,
+                                 BrickMap& bricks);
+
+  /// How many voxels hold each fragment, by fragment number; shorter than the highest number where none does.
+  [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
 
   /// Labelled voxels within a voxel of the surface, for some bricks.
   struct Extract {
@@ -44,6 +49,8 @@ class LabelCloud {
   explicit LabelCloud(ComputeContext& compute);
   [[nodiscard]] Result<void> buildKernels();
 
+  /// Room to count the voxels of fragments up to `highest`.
+  void fitFragments(std::uint32_t highest);
   /// Gives every slot of `bricks` its labels (0 when new), stamp and position.
   void fitPools(const BrickMap& bricks);
   /// Allocates every brick that a voxel within `reach` of a vertex lies in.
@@ -58,9 +65,11 @@ class LabelCloud {
   Buffer<cl_uint> labels_;
   Buffer<cl_int> stamps_, touched_, count_, listed_, offsets_;
   Buffer<cl_int4> positions_, missing_;
-  Buffer<cl_uint> projected_, new_labels_, region_of_label_;
+  Buffer<cl_uint> projected_, new_labels_;
+  Buffer<cl_int> fragment_voxels_;
   Buffer<LabelPoint> points_;
-  std::vector<cl_int> touched_host_;
+  std::vector<cl_int> touched_host_, fragment_voxels_host_;
+  std::vector<cl_uint> new_labels_host_;
   cl_int stamp_ = 0;
   int positions_known_ = 0;
 };

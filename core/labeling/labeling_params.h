@@ -5,12 +5,15 @@ namespace scantrove {
 /// Merging of segments over time (thesis 3.3).
 struct LabelingParams {
   enum class Rule {
-    thesis,    ///< join at once where the overlap rule holds
-    evidence,  ///< join regions after the rule held for the pair in `evidence_frames` frames
+    graph,   ///< regions are parts of a graph of evidence between fragments: they join, and part again
+    thesis,  ///< join at once, and for good, where the overlap rule holds (thesis 3.3.2, literal)
   };
-  Rule rule = Rule::evidence;
+  Rule rule = Rule::graph;
   float overlap_threshold = 0.3F;  ///< O_thresh
-  int evidence_frames = 5;
+  /// Log-odds that two fragments are one thing must pass this to join, and fall under its negative to part.
+  float hysteresis = 0.5F;
+  float joining_bias = 0;  ///< added to the log-odds of every border: above 0 joins more
+  int min_fragment_px = 120;  ///< smaller segments on unlabelled ground found no fragment (640x480 equivalent)
   bool voxel_confidence =
       true;  ///< agree +1, disagree -1, replace at 0; false = overwrite as Algorithm 1 does
   float update_distance_vox = 1.0F;  ///< distthresh in voxels; at least sqrt(3)/2

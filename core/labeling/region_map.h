@@ -1,16 +1,16 @@
 #pragma once
-#include <cstdint>
 #include <vector>
+
+#include "core/base/ids.h"
 
 namespace scantrove {
 
-/// S_cloud,t: the merged segmentation of one frame, on the host.
+/// S_cloud,t: the merged segmentation of one frame, on the host. Both images row by row; none = unlabelled.
 struct RegionMap {
   int width = 0;
   int height = 0;
-  std::vector<std::uint32_t>
-      labels;  ///< raw labels (immutable, what voxels hold), row by row; 0 = unlabelled
-  std::vector<std::uint32_t> regions;  ///< the same resolved through the label table as known at this frame
+  std::vector<FragmentId> fragments;  ///< what the voxels that are seen in each pixel are to hold
+  std::vector<RegionId> regions;      ///< the same resolved as known at this frame
 };
 
 }  // namespace scantrove

@@ -1,55 +1,43 @@
 #pragma once
-#include <cstdint>
-#include <map>
+#include <Eigen/Geometry>
+#include <memory>
 #include <span>
-#include <utility>
-#include <vector>
 
-#include "core/labeling/label_table.h"
+#include "core/capture/intrinsics.h"
 #include "core/labeling/labeling_params.h"
-#include "core/labeling/overlap_graph.h"
 #include "core/labeling/region_map.h"
+#include "core/labeling/region_table.h"
 #include "core/segmentation/segment_map.h"
 
 namespace scantrove {
 
-/// Merges the segments of one frame with the regions projected from the label cloud (thesis 3.3.2). One
-/// thread.
-///
-/// Rule `thesis`: the components of the graph of qualifying edges become one region each, at once. A
-/// component is named by its projected region of largest area (segment ids have no life beyond their frame);
-/// one without any gets a new label.
-///
-/// Rule `evidence` (after Tateno et al. 2015): frames vote on each pair of regions. A segment that qualifies
-/// with both speaks for joining them; where they touch in the image and the segments keep them apart, the
-/// frame speaks against. They are joined when the votes for lead by `evidence_frames`; votes against count up
-/// to twice that, so that a long time apart outweighs a short leak, but not for ever. Until then such a
-/// segment overwrites neither: its pixels keep their projected region, and only the rest take the region of
-/// largest overlap.
+/// What merging looks at in one frame. All images K.width x K.height, row by row.
+struct MergeInput {
+  const SegmentMap& segments;               ///< S_t
+  std::span<const FragmentId> projected;    ///< S_prj,t: what the voxels in view hold
+  std::span<const Eigen::Vector4f> vertices_world;  ///< V_t, w = 0: no surface
+  std::span<const Eigen::Vector4f> normals_world;   ///< N_t, towards the camera, w = 0: none
+  Intrinsics K;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::span<const int> voxels;  ///< that hold each fragment, by fragment number
+};
+
+/// Merges the segments of one frame with the regions of the label cloud (thesis 3.3). One thread.
 class RegionMerger {
  public:
   struct Outcome {
-    RegionMap map;                                      ///< S_cloud,t
-    std::vector<std::pair<RegionId, RegionId>> joined;  ///< (into, from) of this frame
+    RegionMap map;         ///< S_cloud,t
+    RegionEvents events;   ///< what this frame changed
+    std::vector<FragmentId> carved;  ///< cut out of others in this frame: take their voxels at once
   };
 
-  /// `projected`: raw labels, pixel by pixel like `segments.ids`. Pixels without segment keep their projected
-  /// label.
-  [[nodiscard]] Outcome merge(const SegmentMap& segments, std::span<const std::uint32_t> projected,
-                              LabelTable& table, const LabelingParams& params);
-
- private:
-  using RegionPair = std::pair<std::uint32_t, std::uint32_t>;  // smaller id first
-
-  void joinComponents(const OverlapGraph& graph, const LabelingParams& params, LabelTable& table,
-                      Outcome& outcome) const;
-  void joinByEvidence(const OverlapGraph& graph, const std::vector<RegionPair>& touching,
-                      const LabelingParams& params, LabelTable& table, Outcome& outcome);
-
-  /// What was known of a region that was joined is now known of the region that it became part of.
-  void renameJoined(const LabelTable& table);
-
-  std::map<RegionPair, int> evidence_;  // votes for less votes against
+  virtual ~RegionMerger() = default;
+  [[nodiscard]] virtual Outcome merge(const MergeInput& input, RegionTable& table,
+                                      const LabelingParams& params) = 0;
+  /// No voxel holds the fragment any more; its number may come again for another.
+  virtual void forget(FragmentId fragment) = 0;
 };
+
+[[nodiscard]] std::unique_ptr<RegionMerger> makeRegionMerger(LabelingParams::Rule rule);
 
 }  // namespace scantrove

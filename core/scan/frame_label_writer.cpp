@@ -86,11 +86,11 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   return {};
 }
 
-Result<void> FrameLabelWriter::finish(const LabelTable& table) {
+Result<void> FrameLabelWriter::finish(const RegionTable&) {
   close();
   std::vector<std::uint32_t> final_numbers(numbers_.count());
   for (std::uint32_t number = 0; number < final_numbers.size(); ++number) {
-    final_numbers[number] = numbers_.numberOf(table.regionOf(numbers_.regionOf(number)).value);
+    final_numbers[number] = number;
   }
   std::atomic<std::size_t> next = 0;
   const auto work = [&]() -> Result<void> {

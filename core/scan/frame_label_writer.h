@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/labeling/label_table.h"
+#include "core/labeling/region_table.h"
 #include "core/scan/region_numbers.h"
 #include "core/segmentation/segment_map.h"
 
@@ -27,7 +27,7 @@ class FrameLabelWriter {
     cv::Mat depth;  ///< of the input: its resolution is the images'
     float metres_per_unit = 0.001F;
     SegmentMap segments;
-    std::vector<std::uint32_t> regions;  ///< as RegionMap::regions, of the segments' size
+    std::vector<RegionId> regions;  ///< as RegionMap::regions, of the segments' size
   };
 
   /// The three folders exist in `folder`; `numbers` are this writer's alone until finish() has returned.
@@ -41,7 +41,7 @@ class FrameLabelWriter {
 
   /// Waits for all frames, then writes each again with the regions as `table` has them now. No add()
   /// afterwards. Error: the first file that could not be written.
-  [[nodiscard]] Result<void> finish(const LabelTable& table);
+  [[nodiscard]] Result<void> finish(const RegionTable& table);
 
  private:
   void run();

@@ -2,16 +2,16 @@
 
 namespace scantrove {
 
-std::uint32_t RegionNumbers::numberOf(std::uint32_t region) {
+std::uint32_t RegionNumbers::numberOf(RegionId region) {
   const auto [entry, is_new] =
       number_of_region_.try_emplace(region, static_cast<std::uint32_t>(regions_.size()));
   if (is_new) regions_.push_back(region);
   return entry->second;
 }
 
-std::vector<std::uint32_t> RegionNumbers::numbersOf(std::span<const std::uint32_t> regions) {
+std::vector<std::uint32_t> RegionNumbers::numbersOf(std::span<const RegionId> regions) {
   std::vector<std::uint32_t> numbers(regions.size());
-  std::uint32_t last_region = 0;
+  RegionId last_region;
   std::uint32_t last_number = 0;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     if (regions[i] != last_region) {

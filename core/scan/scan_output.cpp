@@ -47,7 +47,7 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
   // The cloud uses the numbers of the images.
   if (label_images_) {
-    attempt("writing the label images", [&] { return label_images_->finish(pipeline.labelTable()); });
+    attempt("writing the label images", [&] { return label_images_->finish(pipeline.regionTable()); });
   }
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline); });
   return outcome.result();
@@ -57,8 +57,8 @@ Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
   std::vector<LabeledPoint> points;
   std::map<std::uint32_t, LabelMapEntry> entries;  // by number
   SCANTROVE_TRY(pipeline.forEachCloudPoint([&](const LabelPoint& point) {
-    const RegionId region = pipeline.labelTable().regionOf(point.label);
-    const std::uint32_t number = numbers_.numberOf(region.value);
+    const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
+    const std::uint32_t number = numbers_.numberOf(region);
     LabelMapEntry& entry = entries[number];
     if (!entry.region) {
       entry.region = RegionId{number};

@@ -26,6 +26,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
   SCANTROVE_TRY(moveInto(pipeline->cloud_, LabelCloud::create(compute)));
+  pipeline->merger_ = makeRegionMerger(setup.params.labeling.rule);
   pipeline->finder_ = makeRuleBasedFinder(setup.params.discovery);
   if (setup.database != nullptr) {
     SCANTROVE_TRY(
@@ -91,25 +92,26 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   stage("raycast", [&] { map_->raycast(T_world_camera, working_K_, surface_); });
 
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
-  const std::vector<std::uint32_t> projected =
-      stage("project", [&] { return cloud_->project(surface_, map_->bricks()); });
-  RegionMerger::Outcome merged =
-      stage("merge", [&] { return merger_.merge(result.segments, projected, table_, params_.labeling); });
+  const std::vector<FragmentId> projected = stage("project", [&] {
+    readSurface(result);
+    return cloud_->project(surface_, map_->bricks());
+  });
+  RegionMerger::Outcome merged = stage("merge", [&] {
+    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, working_K_,
+                           T_world_camera, cloud_->voxelsOfFragments()},
+                          table_, params_.labeling);
+  });
   result.regions = std::move(merged.map);
   touched_ = stage("update", [&] {
-    return cloud_->update(surface_, result.regions, table_, params_.labeling, map_->bricks());
+    return cloud_->update(surface_, result.regions, merged.carved, params_.labeling, map_->bricks());
   });
+  forgetFragments();
 
-  for (const auto& [into, from] : merged.joined) {
+  for (const auto& [into, from] : merged.events.joined) {
     finder_->regionsMerged(into, from);
     if (collector_) collector_->regionsMerged(into, from);
   }
   const std::vector<Candidate> candidates = stage("discover", [&] {
-    result.vertices_world.resize(static_cast<std::size_t>(working_K_.pixels()));
-    static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
-    surface_.vertices_world.read(
-        compute_.queue(),
-        {reinterpret_cast<cl_float4*>(result.vertices_world.data()), result.vertices_world.size()});
     return finder_->find({result.regions, result.vertices_world, working_K_, T_world_camera});
   });
   if (collector_) {
@@ -117,6 +119,25 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
         stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
   }
   return result;
+}
+
+void ScanPipeline::readSurface(FrameResult& result) {
+  static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
+  const auto read = [&](const Buffer<cl_float4>& from, std::vector<Eigen::Vector4f>& to) {
+    to.resize(static_cast<std::size_t>(working_K_.pixels()));
+    from.read(compute_.queue(), {reinterpret_cast<cl_float4*>(to.data()), to.size()});
+  };
+  read(surface_.vertices_world, result.vertices_world);
+  read(surface_.normals_world, result.normals_world);
+}
+
+void ScanPipeline::forgetFragments() {
+  const std::vector<cl_int>& voxels = cloud_->voxelsOfFragments();
+  for (std::uint32_t fragment = 1; fragment < table_.regions().size(); ++fragment) {
+    if (!table_.regions()[fragment] || (fragment < voxels.size() && voxels[fragment] > 0)) continue;
+    merger_->forget(FragmentId{fragment});
+    table_.free(FragmentId{fragment});
+  }
 }
 
 PoseEstimate ScanPipeline::estimatePose(const RgbdFrame& frame, const DepthPyramid& depth) {
@@ -155,8 +176,10 @@ PoseEstimate ScanPipeline::firstPose(const DepthPyramid& depth) {
 
 void ScanPipeline::setParams(const ScanParams& params) {
   const FusionParams fusion = params_.fusion;
+  const LabelingParams::Rule rule = params_.labeling.rule;
   params_ = params;
   params_.fusion = fusion;
+  if (params.labeling.rule != rule) merger_ = makeRegionMerger(params.labeling.rule);
   finder_->setParams(params_.discovery);
   if (collector_) collector_->setParams(params_.detection);
 }
@@ -164,9 +187,9 @@ void ScanPipeline::setParams(const ScanParams& params) {
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes() + cloud_->deviceBytes(); }
 
 Result<int> ScanPipeline::regionCount() {
-  std::unordered_set<std::uint32_t> regions;
+  std::unordered_set<RegionId> regions;
   SCANTROVE_TRY(forEachCloudPoint(
-      [&](const LabelPoint& point) { regions.insert(table_.regionOf(point.label).value); }));
+      [&](const LabelPoint& point) { regions.insert(table_.regionOf(FragmentId{point.fragment})); }));
   return static_cast<int>(regions.size());
 }
 

@@ -15,9 +15,9 @@
 #include "core/fusion/pose_estimate.h"
 #include "core/fusion/tracker.h"
 #include "core/labeling/label_cloud.h"
-#include "core/labeling/label_table.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
+#include "core/labeling/region_table.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
 #include "core/scan/scan_params.h"
@@ -31,10 +31,11 @@ struct FrameResult {
   SegmentMap segments;                          ///< S_t
   RegionMap regions;                            ///< S_cloud,t
   std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
+  std::vector<Eigen::Vector4f> normals_world;   ///< N_t likewise
   FrameObjects objects;
 };
 
-/// One frame through every stage of the thesis. Owns map, label cloud and label table; cost per frame does
+/// One frame through every stage of the thesis. Owns map, label cloud and region table; cost per frame does
 /// not depend on how much was scanned. One thread, the compute context's.
 class ScanPipeline {
  public:
@@ -67,7 +68,8 @@ class ScanPipeline {
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
-  [[nodiscard]] const LabelTable& labelTable() const { return table_; }
+  [[nodiscard]] const RegionTable& regionTable() const { return table_; }
+  [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
   /// Regions that still have a voxel near the surface, over the whole map.
@@ -88,6 +90,9 @@ class ScanPipeline {
         frame_count_(setup.frame_count) {}
 
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
+  void readSurface(FrameResult& result);
+  /// Fragments that no voxel holds any more go; their numbers are used again.
+  void forgetFragments();
   [[nodiscard]] PoseEstimate estimatePose(const RgbdFrame& frame, const DepthPyramid& depth);
   [[nodiscard]] PoseEstimate firstPose(const DepthPyramid& depth);
   [[nodiscard]] Error outOfMemory(int frame_index) const;
@@ -108,8 +113,8 @@ class ScanPipeline {
   std::unique_ptr<DenseMap> map_;
   std::unique_ptr<GraphSegmenter> segmenter_;
   std::unique_ptr<LabelCloud> cloud_;
-  LabelTable table_;
-  RegionMerger merger_;
+  RegionTable table_;
+  std::unique_ptr<RegionMerger> merger_;
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<ObjectCollector> collector_;
 

@@ -31,7 +31,7 @@ struct SeenObject {
 struct CloudBrick {
   struct Point {
     float x, y, z;        ///< world, metres
-    std::uint32_t label;  ///< raw label; resolve through ScanSnapshot::region_of_label
+    FragmentId fragment;  ///< resolve through ScanSnapshot::region_of_fragment
   };
   Eigen::Vector3i position;  ///< in units of bricks
   std::uint64_t version = 0;
@@ -58,7 +58,7 @@ struct ScanSnapshot {
   std::vector<SeenObject> objects;
 
   std::vector<CloudBrick> changed_bricks;
-  std::shared_ptr<const std::vector<std::uint32_t>> region_of_label;  ///< index = raw label
+  std::shared_ptr<const std::vector<RegionId>> region_of_fragment;  ///< index = fragment
 
   struct StageTime {
     std::string name;

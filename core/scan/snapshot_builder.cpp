@@ -9,12 +9,16 @@ namespace scantrove {
 namespace {
 constexpr auto kLeastInterval = std::chrono::milliseconds(80);
 
+std::int32_t number(std::uint32_t segment) { return static_cast<std::int32_t>(segment); }
+std::int32_t number(RegionId region) { return static_cast<std::int32_t>(region.value); }
+
 /// Ids as a CV_32SC1 image.
-cv::Mat idImage(const std::vector<std::uint32_t>& ids, int width, int height) {
+template <class Id>
+cv::Mat idImage(const std::vector<Id>& ids, int width, int height) {
   if (ids.empty()) return {};
   cv::Mat image(height, width, CV_32SC1);
   std::transform(ids.begin(), ids.end(), image.begin<std::int32_t>(),
-                 [](std::uint32_t id) { return static_cast<std::int32_t>(id); });
+                 [](Id id) { return number(id); });
   return image;
 }
 
@@ -97,9 +101,9 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   snapshot->fps = fps_;
   snapshot->map_bricks = pipeline.bricks().brickCount();
   snapshot->map_megabytes = static_cast<double>(pipeline.deviceBytes()) / (1 << 20);
-  const std::unordered_set<std::uint32_t> in_view(result_.regions.regions.begin(),
-                                                  result_.regions.regions.end());
-  snapshot->region_count = static_cast<int>(in_view.size()) - (in_view.contains(0) ? 1 : 0);
+  std::unordered_set<RegionId> in_view(result_.regions.regions.begin(), result_.regions.regions.end());
+  in_view.erase(RegionId{});
+  snapshot->region_count = static_cast<int>(in_view.size());
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));
   return {};
@@ -122,13 +126,15 @@ Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size
     brick.version = version_;
     for (std::uint32_t p = extract->first[i]; p < extract->first[i + 1]; ++p) {
       const LabelPoint& point = extract->points[p];
-      brick.points.push_back({point.x, point.y, point.z, point.label});
+      brick.points.push_back({point.x, point.y, point.z, FragmentId{point.fragment}});
     }
     snapshot.changed_bricks.push_back(std::move(brick));
   }
-  // The table changes with almost every frame while the scene is new; a copy is a few kilobytes.
-  snapshot.region_of_label =
-      std::make_shared<const std::vector<std::uint32_t>>(pipeline.labelTable().regionOfLabel());
+  if (const RegionTable& table = pipeline.regionTable(); table.version() != table_version_) {
+    table_version_ = table.version();
+    table_ = std::make_shared<const std::vector<RegionId>>(table.regions());
+  }
+  snapshot.region_of_fragment = table_;
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/check.h"
+#include "core/base/ids.h"
 
 namespace scantrove {
 namespace {
@@ -96,22 +97,26 @@ std::int32_t DepthUpsampler::closest(int u, int v, const Usable& is_usable) cons
   return best_source;
 }
 
-std::vector<std::uint32_t> DepthUpsampler::apply(std::span<const std::uint32_t> ids) const {
+template <class Id>
+std::vector<Id> DepthUpsampler::apply(std::span<const Id> ids) const {
   SCANTROVE_CHECK(ids.size() == depths_m_.size());
-  std::vector<std::uint32_t> result(closest_.size(), 0);
+  std::vector<Id> result(closest_.size(), Id{});
   for (std::size_t target = 0; target < result.size(); ++target) {
     std::int32_t source = closest_[target];
     if (source == kNone) continue;
-    if (ids[static_cast<std::size_t>(source)] == 0 && guide_.depth[target] != 0) {
+    if (ids[static_cast<std::size_t>(source)] == Id{} && guide_.depth[target] != 0) {
       // A surface without id: the closest of those that have one.
       const auto u = static_cast<int>(target % static_cast<std::size_t>(guide_.width));
       const auto v = static_cast<int>(target / static_cast<std::size_t>(guide_.width));
-      source = closest(u, v, [&](std::size_t pixel) { return ids[pixel] != 0; });
+      source = closest(u, v, [&](std::size_t pixel) { return ids[pixel] != Id{}; });
       if (source == kNone) continue;
     }
     result[target] = ids[static_cast<std::size_t>(source)];
   }
   return result;
 }
+
+template std::vector<std::uint32_t> DepthUpsampler::apply(std::span<const std::uint32_t>) const;
+template std::vector<RegionId> DepthUpsampler::apply(std::span<const RegionId>) const;
 
 }  // namespace scantrove

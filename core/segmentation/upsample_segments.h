@@ -22,8 +22,13 @@ class DepthUpsampler {
   /// `depths_m`: width * height, row by row, 0 = no surface. It and the guide's image outlive the upsampler.
   DepthUpsampler(std::span<const float> depths_m, int width, int height, const DepthGuide& guide);
 
-  /// `ids`: width * height, 0 = none. Result: guide.width * guide.height.
-  [[nodiscard]] std::vector<std::uint32_t> apply(std::span<const std::uint32_t> ids) const;
+  /// `ids`: width * height, 0 = none; segments or regions. Result: guide.width * guide.height.
+  template <class Id>
+  [[nodiscard]] std::vector<Id> apply(std::span<const Id> ids) const;
+  template <class Id>
+  [[nodiscard]] std::vector<Id> apply(const std::vector<Id>& ids) const {
+    return apply(std::span<const Id>(ids));
+  }
 
  private:
   static constexpr std::int32_t kNone = -1;

@@ -50,10 +50,10 @@ class SceneTest : public testing::Test {
     return bricks;
   }
 
-  void show(const std::vector<CloudBrick>& bricks, const std::vector<std::uint32_t>& region_of_label) {
+  void show(const std::vector<CloudBrick>& bricks, const std::vector<std::uint32_t>& region_of_fragment) {
     ScanSnapshot snapshot;
     snapshot.changed_bricks = bricks;
-    snapshot.region_of_label = std::make_shared<const std::vector<std::uint32_t>>(region_of_label);
+    snapshot.region_of_fragment = std::make_shared<const std::vector<std::uint32_t>>(region_of_fragment);
     scene_.update(snapshot);
   }
 
@@ -172,7 +172,7 @@ TEST_F(SceneTest, WhatArrivesDoesNotTurnAViewThatAPersonTook) {
   snapshot.pose.state = TrackingState::tracking;
   snapshot.pose.T_world_camera.linear() =
       Eigen::AngleAxisd(50 * std::numbers::pi / 180, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  snapshot.region_of_label =
+  snapshot.region_of_fragment =
       std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1});
   scene_.update(snapshot);
   const Eigen::Vector3f eye = scene_.viewpoint().eye();

@@ -62,7 +62,7 @@ ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(pa
   form->setContentsMargins(0, 0, 0, 0);
   form->setSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  addField(form, "labeling.evidence_frames", tr("Merge after"));
+  addField(form, "labeling.joining_bias", tr("Joining"));
   addField(form, "labeling.overlap_threshold", tr("Overlap to merge"));
   addField(form, "discovery.min_size_m", tr("Smallest object"));
   addField(form, "discovery.max_size_m", tr("Largest object"));

@@ -29,7 +29,7 @@ using LevelCounts = std::array<std::size_t, kLevelStride.size()>;
 /// A cube of bricks that is sent to the graphics card as one piece, at one of several levels of detail.
 class CloudChunk {
  public:
-  using RegionOfLabel = std::vector<std::uint32_t>;
+  using RegionOfFragment = std::vector<RegionId>;
 
   explicit CloudChunk(vtkRenderer* renderer);
   ~CloudChunk();
@@ -40,8 +40,8 @@ class CloudChunk {
   /// grew.
   std::ptrdiff_t setBrick(const CloudBrick& brick, float voxel_size_m);
 
-  /// The chunk must be drawn anew when it holds a label for which `changed_labels[label]` is true.
-  void markIfUses(const std::vector<bool>& changed_labels);
+  /// The chunk must be drawn anew when it holds a fragment for which `changed[fragment]` is true.
+  void markIfUses(const std::vector<bool>& changed);
 
   void setLevel(std::size_t level);
   [[nodiscard]] std::size_t level() const { return wanted_level_; }
@@ -52,7 +52,7 @@ class CloudChunk {
   [[nodiscard]] bool inView() const { return in_view_; }
 
   /// Sends points and colours of the wanted level to VTK.
-  void rebuild(const RegionOfLabel* region_of_label, float voxel_size_m);
+  void rebuild(const RegionOfFragment* region_of_fragment, float voxel_size_m);
 
   /// Sets the drawn size: `pixels_at_1m` is the edge of a voxel in pixels at one metre from the camera.
   void setPointScale(float pixels_at_1m);

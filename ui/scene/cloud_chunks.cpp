@@ -31,14 +31,14 @@ CloudChunks::~CloudChunks() = default;
 
 void CloudChunks::clear() {
   chunks_.clear();
-  region_of_label_.reset();
+  region_of_fragment_.reset();
   bounds_.setEmpty();
   point_count_ = 0;
   drawn_point_count_ = 0;
 }
 
-void CloudChunks::update(const std::vector<CloudBrick>& changed, RegionOfLabel region_of_label) {
-  if (region_of_label != nullptr && region_of_label != region_of_label_) recolor(region_of_label);
+void CloudChunks::update(const std::vector<CloudBrick>& changed, RegionOfFragment region_of_fragment) {
+  if (region_of_fragment != nullptr && region_of_fragment != region_of_fragment_) recolor(region_of_fragment);
   std::ptrdiff_t growth = 0;
   for (const CloudBrick& brick : changed) {
     const ChunkKey key{floorDivide(brick.position.x(), kChunkBricks),
@@ -52,16 +52,16 @@ void CloudChunks::update(const std::vector<CloudBrick>& changed, RegionOfLabel r
   point_count_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(point_count_) + growth);
 }
 
-void CloudChunks::recolor(const RegionOfLabel& newer) {
+void CloudChunks::recolor(const RegionOfFragment& newer) {
   std::vector<bool> changed(newer->size(), false);
   bool any = false;
-  for (std::size_t label = 0; label < newer->size(); ++label) {
-    // Labels that were not in the older table were drawn with their own number.
-    const bool known = region_of_label_ != nullptr && label < region_of_label_->size();
-    const auto old_region = known ? (*region_of_label_)[label] : static_cast<std::uint32_t>(label);
-    if ((*newer)[label] != old_region) any = changed[label] = true;
+  for (std::size_t fragment = 0; fragment < newer->size(); ++fragment) {
+    // Fragments that were not in the older table were drawn as unlabelled.
+    const bool known = region_of_fragment_ != nullptr && fragment < region_of_fragment_->size();
+    const RegionId old_region = known ? (*region_of_fragment_)[fragment] : RegionId{};
+    if ((*newer)[fragment] != old_region) any = changed[fragment] = true;
   }
-  region_of_label_ = newer;
+  region_of_fragment_ = newer;
   if (!any) return;
   for (auto& [key, chunk] : chunks_) chunk->markIfUses(changed);
 }
@@ -121,7 +121,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   std::size_t spent = 0;
   for (CloudChunk* chunk : dirty) {
     if (spent > 0 && spent + chunk->pointCount(chunk->level()) > rebuild_budget) return false;
-    chunk->rebuild(region_of_label_.get(), voxel_size_m_);
+    chunk->rebuild(region_of_fragment_.get(), voxel_size_m_);
     chunk->waiting_rounds = 0;
     spent += chunk->pointCount(chunk->level());
   }

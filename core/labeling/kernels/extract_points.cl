@@ -27,7 +27,7 @@ kernel void extract_points(global const int* listed, const int listed_count, glo
       out[count].x = ((float)(8 * brick.x + (i & 7)) + 0.5f) * voxel_size;
       out[count].y = ((float)(8 * brick.y + ((i >> 3) & 7)) + 0.5f) * voxel_size;
       out[count].z = ((float)(8 * brick.z + (i >> 6)) + 0.5f) * voxel_size;
-      out[count].label = label;
+      out[count].fragment = label;
     }
     ++count;
   }

@@ -1,5 +1,5 @@
 // One voxel of the label cloud, shared by host (C++) and device (OpenCL C):
-// the raw label in the upper 24 bits, how sure it is (0 .. LABEL_CONFIDENCE_MAX) in the lower 8. 0 =
+// the fragment in the upper 24 bits, how sure it is (0 .. LABEL_CONFIDENCE_MAX) in the lower 8. 0 =
 // unlabelled.
 #ifndef SCANTROVE_LABEL_VOXEL_H
 #define SCANTROVE_LABEL_VOXEL_H
@@ -9,11 +9,12 @@
 #define LABEL_VOXEL(label, confidence) (((label) << 8) | (confidence))
 #define LABEL_CONFIDENCE_MAX 10u
 #define LABEL_MAX 0xffffffu
+#define LABEL_AT_ONCE 0x80000000u /* of a pixel's new label: voxels take it whatever they hold */
 
 /* A labelled voxel near the surface, as extract_points writes it. */
 typedef struct LabelPoint {
   float x, y, z; /* world, metres */
-  unsigned int label;
+  unsigned int fragment;
 } LabelPoint;
 
 #endif

@@ -3,37 +3,35 @@
 //   where |V_t(u) - v_g| < reach and S_cloud,t(u) != 0 the voxel takes S_cloud,t(u).
 // A voxel is seen in one pixel at most, and only voxels within reach of that pixel's vertex are written: so visit those from
 // the pixel, and write those that are seen in it. The result is the same, and no voxel is written twice.
-// With confidence: a voxel of the same region gains one (up to the cap), of another loses one and
-// changes at zero; without: it is overwritten.
+// With confidence: a voxel that holds the same fragment gains one (up to the cap), one of another loses one and
+// changes at zero, or at once where LABEL_AT_ONCE says so; without: it is overwritten.
 // One work-item: one pixel.
 //   vertices         pixels x float4, world, w = 0: no surface
-//   new_labels       pixels, S_cloud,t as raw labels
-//   region_of_label  region of each raw label
+//   new_labels       pixels, S_cloud,t as fragments, with LABEL_AT_ONCE
 //   labels           slots x 512 label voxels, in/out; every brick within reach exists
+//   fragment_voxels  voxels that hold each fragment, in/out
 //   stamps           slots, in/out: number of the update in which the slot was last listed, so that it is listed once
 //   touched, count   out: slots in which a voxel was visited
 #include "core/compute/kernels/common.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
 #include "core/labeling/kernels/label_voxel.h"
 
-inline uint changed_voxel(const uint voxel, const uint label, const int use_confidence,
-                          global const uint* region_of_label) {
-  if (!use_confidence) return LABEL_VOXEL(label, 1u);
+inline uint changed_voxel(const uint voxel, const uint new_label, const int use_confidence) {
+  const uint label = new_label & LABEL_MAX;
   const uint held = LABEL_OF(voxel);
   const uint confidence = CONFIDENCE_OF(voxel);
-  if (held == 0u) return LABEL_VOXEL(label, 1u);
-  if (region_of_label[held] == region_of_label[label]) {
-    return LABEL_VOXEL(held, min(confidence + 1u, LABEL_CONFIDENCE_MAX));
-  }
-  return confidence > 1u ? LABEL_VOXEL(held, confidence - 1u) : LABEL_VOXEL(label, 1u);
+  if (!use_confidence || held == 0u) return LABEL_VOXEL(label, 1u);
+  if (held == label) return LABEL_VOXEL(held, min(confidence + 1u, LABEL_CONFIDENCE_MAX));
+  const bool gives_way = confidence <= 1u || (new_label & LABEL_AT_ONCE) != 0u;
+  return gives_way ? LABEL_VOXEL(label, 1u) : LABEL_VOXEL(held, confidence - 1u);
 }
 
 kernel void update_labels(global const float4* vertices, global const uint* new_labels,
-                          global const uint* region_of_label, global const BrickEntry* table, const uint mask,
-                          const float16 T_camera_world, const float4 K, const int width, const int height,
-                          const float voxel_size, const float reach, const int use_confidence, const int stamp,
-                          global uint* labels, volatile global int* stamps, volatile global int* count,
-                          global int* touched) {
+                          global const BrickEntry* table, const uint mask, const float16 T_camera_world,
+                          const float4 K, const int width, const int height, const float voxel_size,
+                          const float reach, const int use_confidence, const int stamp, global uint* labels,
+                          volatile global int* fragment_voxels, volatile global int* stamps,
+                          volatile global int* count, global int* touched) {
   const int pixel = get_global_id(0);
   if (pixel >= width * height) return;
   const float4 vertex = vertices[pixel];
@@ -69,7 +67,13 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
           if (stamps[slot] != stamp && atomic_xchg(stamps + slot, stamp) != stamp) touched[atomic_inc(count)] = slot;
         }
         global uint* voxel = labels + slot * BRICK_VOXELS + (x & 7) + 8 * ((y & 7) + 8 * (z & 7));
-        *voxel = changed_voxel(*voxel, label, use_confidence, region_of_label);
+        const uint before = *voxel;
+        const uint after = changed_voxel(before, label, use_confidence);
+        *voxel = after;
+        if (LABEL_OF(before) != LABEL_OF(after)) {
+          if (LABEL_OF(before) != 0u) atomic_dec(fragment_voxels + LABEL_OF(before));
+          atomic_inc(fragment_voxels + LABEL_OF(after));
+        }
       }
     }
   }

@@ -114,7 +114,7 @@ TEST_F(SnapshotBuilderTest, AFlushCarriesWhatWasNotCollectedAndAllThatWaits) {
   EXPECT_EQ(snapshot->frames.done(), 2);
   for (const CloudBrick& brick : snapshot->changed_bricks) {
     for (const CloudBrick::Point& point : brick.points)
-      ASSERT_LT(point.label, snapshot->region_of_label->size());
+      ASSERT_LT(point.fragment.value, snapshot->region_of_fragment->size());
   }
 }
 

@@ -105,7 +105,7 @@ TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
         {0.006F * static_cast<float>(i % 8), 0.006F * static_cast<float>(i / 8), 1.18F, 1});
   }
   snapshot.changed_bricks.push_back(brick);
-  snapshot.region_of_label =
+  snapshot.region_of_fragment =
       std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1});
   SeenObject seen;
   seen.object = objects_[2];

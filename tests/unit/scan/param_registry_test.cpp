@@ -50,7 +50,7 @@ TEST(ParamRegistry, RefusalsNameWhatIsWrong) {
   EXPECT_THAT(refusal("segmentation.k=nan"), HasSubstr("no number"));
   EXPECT_THAT(refusal("segmentation.k=-1"), HasSubstr("between"));
   EXPECT_THAT(refusal("segmentation.k"), HasSubstr("key=value"));
-  EXPECT_THAT(refusal("labeling.rule=best"), HasSubstr("thesis, evidence"));
+  EXPECT_THAT(refusal("labeling.rule=best"), HasSubstr("graph, thesis"));
   EXPECT_THAT(refusal("segmentation.neighbours=6"), HasSubstr("4, 8"));
   EXPECT_THAT(refusal("="), HasSubstr("key=value"));
   EXPECT_THAT(refusal("=3"), HasSubstr("key=value"));

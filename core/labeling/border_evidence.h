@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+
+#include "core/labeling/fragment_contacts.h"
+
+namespace scantrove {
+
+/// What all looks together say of the border between two fragments.
+struct BorderEvidence {
+  enum class Constraint { none, must_link, cannot_link };
+
+  float looks = 0;             ///< weighed, at most kMostLooks
+  float bridged = 0;           ///< of the looks: one segment on both sides of the border
+  float shared = 0;            ///< of the looks: both fragments' visible parts lie in the same segments
+  float bends = 0;             ///< weighed looks at the bend, at most kMostLooks
+  float concavity_rad = 0;     ///< mean, > 0 a fold, < 0 a ridge
+  float turn_rad = 0;          ///< mean of its absolute
+  float length_m = 0;          ///< of the border, longest look
+  Constraint constraint = Constraint::none;
+  int constraint_order = 0;    ///< later ones are stronger
+
+  /// Older looks fade as newer come: what was seen wrongly is overruled by so many that see it right.
+  static constexpr float kMostLooks = 20;
+
+  /// Adds one look. `shared` in 0 .. 1: how far both lie in the same segments (see sharedSegments).
+  void add(const FragmentContact& contact, float shared);
+
+  /// What logOdds() weighs.
+  static constexpr std::size_t kFeatures = 7;
+  [[nodiscard]] std::array<float, kFeatures> features() const;
+
+  /// Logarithm of the odds that the two are one thing, by a logistic model of the above; its coefficients are
+  /// fitted to random synthetic scenes (tests/benchmarks/border_evidence_fit). Constraints count as infinite.
+  [[nodiscard]] float logOdds() const;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,93 @@
+#include "core/labeling/fragment_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace scantrove {
+namespace {
+
+constexpr float kLeastShare = 0.05F;          // of the fragment's visible part, for each side
+constexpr float kLeastSide = 1.0F / 1500;     // of the image: 51 pixels of 320 x 240
+constexpr float kLeastFold_rad = 0.3F;        // 17 degrees, mean along the border
+constexpr int kMemory = 30;                   // frames without another look until one is forgotten
+constexpr float kSamePlace = 0.35F;           // centres agree within this part of the side's extent ...
+constexpr float kSameArea = 0.5F;             // ... and areas within this ratio
+
+struct Side {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  float area_m2 = 0;
+  int pixels = 0;
+};
+
+}  // namespace
+
+std::vector<FragmentCutter::Cut> FragmentCutter::find(const MergeInput& input,
+                                                      const OverlapGraph<FragmentId>& overlaps,
+                                                      std::span<const FragmentId> owner) {
+  agePending();
+  // Sides: segments that hold enough of the fragment that they belong to.
+  const float least_px = kLeastSide * static_cast<float>(input.K.pixels());
+  std::vector<bool> is_side(owner.size(), false);
+  std::map<FragmentId, int> sides_of;
+  for (const auto& edge : overlaps.edges) {
+    if (owner[edge.segment] != overlaps.patches[edge.patch]) continue;
+    if (static_cast<float>(edge.overlap_px) < least_px || !overlaps.covers(edge, kLeastShare)) continue;
+    is_side[edge.segment] = true;
+    ++sides_of[owner[edge.segment]];
+  }
+  if (std::ranges::all_of(sides_of, [](const auto& entry) { return entry.second < 2; })) return {};
+
+  std::vector<FragmentId> parts(input.projected.size());
+  std::vector<Side> sides(owner.size());
+  const float pixel_area = 1 / (input.K.fx * input.K.fy);
+  for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
+    const std::uint32_t segment = input.segments.ids[pixel];
+    if (!is_side[segment] || input.projected[pixel] != owner[segment] || sides_of[owner[segment]] < 2) continue;
+    parts[pixel] = FragmentId{segment};
+    Side& side = sides[segment];
+    side.sum += input.vertices_world[pixel].head<3>();
+    side.area_m2 += pixel_area * input.segments.depths_m[pixel] * input.segments.depths_m[pixel];
+    ++side.pixels;
+  }
+  std::vector<Cut> cuts;
+  std::set<FragmentId> cut_now;  // one cut a fragment and frame
+  for (const FragmentContact& contact : findContacts(input, parts)) {
+    const FragmentId fragment = owner[contact.a.value];
+    if (fragment != owner[contact.b.value] || cut_now.contains(fragment)) continue;
+    if (contact.bends * 2 < contact.length_px || contact.concavity_rad < kLeastFold_rad) continue;
+    const std::uint32_t smaller =
+        sides[contact.a.value].pixels < sides[contact.b.value].pixels ? contact.a.value : contact.b.value;
+    const Side& side = sides[smaller];
+    if (!isConfirmed(fragment, side.sum / static_cast<float>(side.pixels), side.area_m2)) continue;
+    cuts.push_back({fragment, smaller, contact});
+    cut_now.insert(fragment);
+  }
+  return cuts;
+}
+
+bool FragmentCutter::isConfirmed(FragmentId fragment, const Eigen::Vector3f& centre_world, float area_m2) {
+  std::vector<Pending>& known = pending_[fragment];
+  const float extent_m = std::sqrt(area_m2);
+  for (Pending& pending : known) {
+    const bool same_place = (pending.centre_world - centre_world).norm() < kSamePlace * extent_m;
+    const bool same_size =
+        std::min(pending.area_m2, area_m2) > kSameArea * std::max(pending.area_m2, area_m2);
+    if (!same_place || !same_size) continue;
+    pending = {centre_world, area_m2, pending.looks + 1, 0};
+    if (pending.looks < kLooks) return false;
+    std::erase_if(known, [](const Pending& p) { return p.looks >= kLooks; });
+    return true;
+  }
+  known.push_back({centre_world, area_m2, 1, 0});
+  return false;
+}
+
+void FragmentCutter::agePending() {
+  for (auto& [fragment, known] : pending_) {
+    std::erase_if(known, [](Pending& pending) { return ++pending.age > kMemory; });
+  }
+  std::erase_if(pending_, [](const auto& entry) { return entry.second.empty(); });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,44 @@
+#pragma once
+#include <Eigen/Core>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/labeling/fragment_contacts.h"
+#include "core/labeling/overlap_graph.h"
+#include "core/labeling/region_merger.h"
+
+namespace scantrove {
+
+/// Finds fragments that turn out to hold two things: segments cut them along a fold, at the same place in several
+/// looks. One thread.
+class FragmentCutter {
+ public:
+  static constexpr int kLooks = 3;  ///< that agree before a cut is made
+
+  struct Cut {
+    FragmentId fragment;
+    std::uint32_t segment;    ///< of this frame: the side that becomes a fragment of its own
+    FragmentContact contact;  ///< between the two sides; its ids are those of the segments
+  };
+
+  /// `owner`: the fragment of each segment. Cuts that this frame completes, by fragment and segment.
+  [[nodiscard]] std::vector<Cut> find(const MergeInput& input, const OverlapGraph<FragmentId>& overlaps,
+                                      std::span<const FragmentId> owner);
+  void forget(FragmentId fragment) { pending_.erase(fragment); }
+
+ private:
+  /// A side that was cut off in earlier looks.
+  struct Pending {
+    Eigen::Vector3f centre_world = Eigen::Vector3f::Zero();
+    float area_m2 = 0;
+    int looks = 0;
+    int age = 0;  ///< frames since the last look
+  };
+  [[nodiscard]] bool isConfirmed(FragmentId fragment, const Eigen::Vector3f& centre_world, float area_m2);
+  void agePending();
+
+  std::map<FragmentId, std::vector<Pending>> pending_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,164 @@
+#include "core/labeling/graph_merger.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/labeling/fragment_contacts.h"
+#include "core/labeling/region_partition.h"
+#include "core/labeling/thesis_merger.h"
+
+namespace scantrove {
+
+std::unique_ptr<RegionMerger> makeRegionMerger(LabelingParams::Rule rule) {
+  if (rule == LabelingParams::Rule::thesis) return std::make_unique<ThesisMerger>();
+  return std::make_unique<GraphMerger>();
+}
+
+namespace {
+
+using Overlaps = OverlapGraph<FragmentId>;
+
+/// How the visible part of each fragment is shared out among segments.
+class SegmentShares {
+ public:
+  explicit SegmentShares(const Overlaps& overlaps) {
+    for (std::size_t patch = 0; patch < overlaps.patches.size(); ++patch) {
+      index_[overlaps.patches[patch]] = patch;
+    }
+    shares_.resize(overlaps.patches.size());
+    for (const Overlaps::Edge& edge : overlaps.edges) {
+      shares_[edge.patch].push_back({edge.segment, static_cast<float>(edge.overlap_px) /
+                                                       static_cast<float>(overlaps.patch_areas_px[edge.patch])});
+    }
+  }
+
+  /// The part of both fragments that lies in the same segments: sum over segments of the smaller share.
+  [[nodiscard]] float shared(FragmentId a, FragmentId b) const {
+    const auto& of_a = shares_[index_.at(a)];
+    const auto& of_b = shares_[index_.at(b)];
+    float sum = 0;
+    for (auto i = of_a.begin(), j = of_b.begin(); i != of_a.end() && j != of_b.end();) {
+      if (i->segment == j->segment) {
+        sum += std::min((i++)->part, (j++)->part);
+      } else if (i->segment < j->segment) {
+        ++i;
+      } else {
+        ++j;
+      }
+    }
+    return sum;
+  }
+
+ private:
+  struct Share {
+    std::uint32_t segment;
+    float part;
+  };
+  std::unordered_map<FragmentId, std::size_t> index_;
+  std::vector<std::vector<Share>> shares_;  // by segment
+};
+
+/// What each segment is, and which fragments it leaves alone.
+struct SegmentOwners {
+  std::vector<FragmentId> owner;                ///< by segment
+  std::vector<std::vector<FragmentId>> covered;  ///< by segment
+
+  [[nodiscard]] bool covers(std::uint32_t segment, FragmentId fragment) const {
+    return std::ranges::find(covered[segment], fragment) != covered[segment].end();
+  }
+};
+
+SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
+  SegmentOwners owners;
+  owners.owner.resize(overlaps.segment_areas_px.size());
+  owners.covered.resize(overlaps.segment_areas_px.size());
+  std::vector<int> largest_px(overlaps.segment_areas_px.size(), 0);
+  for (const Overlaps::Edge& edge : overlaps.edges) {
+    if (overlaps.covers(edge, threshold)) owners.covered[edge.segment].push_back(overlaps.patches[edge.patch]);
+    if (edge.overlap_px <= largest_px[edge.segment] || !overlaps.qualifies(edge, threshold)) continue;
+    largest_px[edge.segment] = edge.overlap_px;
+    owners.owner[edge.segment] = overlaps.patches[edge.patch];
+  }
+  return owners;
+}
+
+}  // namespace
+
+void GraphMerger::look(const MergeInput& input, const Overlaps& overlaps) {
+  const SegmentShares shares(overlaps);
+  for (const FragmentContact& contact : findContacts(input, input.projected)) {
+    graph_.between(contact.a, contact.b).add(contact, shares.shared(contact.a, contact.b));
+    touched_.push_back(contact.a);
+    touched_.push_back(contact.b);
+  }
+}
+
+RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& table,
+                                         const LabelingParams& params) {
+  Outcome outcome;
+  const SegmentMap& segments = input.segments;
+  const Overlaps overlaps = buildOverlapGraph<FragmentId>(segments, input.projected);
+  look(input, overlaps);
+  updatePartition(touched_, graph_, input.voxels, params, table, outcome.events);
+  touched_.clear();
+
+  SegmentOwners owners = findOwners(overlaps, params.overlap_threshold);
+  const auto least_px = static_cast<int>(static_cast<float>(params.min_fragment_px) *
+                                         static_cast<float>(input.K.pixels()) / (640.0F * 480.0F));
+  for (std::size_t segment = 1; segment < owners.owner.size(); ++segment) {
+    if (!owners.owner[segment] && segments.areas[segment] >= least_px) {
+      owners.owner[segment] = table.newFragment();
+    }
+  }
+  carve(input, overlaps, owners.owner, table, outcome);
+
+  RegionMap& map = outcome.map;
+  map.width = segments.width;
+  map.height = segments.height;
+  map.fragments.assign(input.projected.begin(), input.projected.end());
+  map.regions.resize(map.fragments.size());
+  for (std::size_t pixel = 0; pixel < map.fragments.size(); ++pixel) {
+    FragmentId& fragment = map.fragments[pixel];
+    const std::uint32_t segment = segments.ids[pixel];
+    const FragmentId owner = owners.owner[segment];
+    if (owner && fragment != owner && (!fragment || (table.regionOf(fragment) != table.regionOf(owner) &&
+                                                     !owners.covers(segment, fragment)))) {
+      fragment = owner;
+    }
+    if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];
+    map.regions[pixel] = table.regionOf(fragment);
+  }
+  return outcome;
+}
+
+void GraphMerger::carve(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
+                        RegionTable& table, Outcome& outcome) {
+  carved_from_.assign(owner.size(), {});
+  carved_.assign(owner.size(), {});
+  for (const FragmentCutter::Cut& cut : cutter_.find(input, overlaps, owner)) {
+    const FragmentId carved = table.newFragment();
+    carved_from_[cut.segment] = cut.fragment;
+    carved_[cut.segment] = carved;
+    outcome.carved.push_back(carved);
+    outcome.events.parted.emplace_back(table.regionOf(cut.fragment), table.regionOf(carved));
+    for (int look = 0; look < FragmentCutter::kLooks; ++look) {
+      graph_.between(cut.fragment, carved).add(cut.contact, 0);
+    }
+    touched_.push_back(carved);
+    touched_.push_back(cut.fragment);
+  }
+}
+
+void GraphMerger::forget(FragmentId fragment) {
+  graph_.remove(fragment);
+  cutter_.forget(fragment);
+  std::erase(touched_, fragment);
+}
+
+void GraphMerger::constrain(FragmentId a, FragmentId b, BorderEvidence::Constraint constraint) {
+  graph_.constrain(a, b, constraint);
+  touched_.push_back(a);
+  touched_.push_back(b);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,128 @@
+#include "core/labeling/region_table.h"
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+
+FragmentId RegionTable::newFragment() {
+  FragmentId fragment;
+  if (free_.empty()) {
+    fragment.value = static_cast<std::uint32_t>(regions_.size());
+    regions_.emplace_back();
+  } else {
+    fragment = free_.back();
+    free_.pop_back();
+  }
+  assign(newRegion(), {fragment});
+  ++version_;
+  return fragment;
+}
+
+void RegionTable::free(FragmentId fragment) {
+  RegionId& region = regions_.at(fragment.value);
+  if (!fragment || !region) return;
+  std::vector<FragmentId>& members = members_.at(region).fragments;
+  std::erase(members, fragment);
+  if (members.empty()) members_.erase(region);
+  region = {};
+  free_.insert(std::lower_bound(free_.begin(), free_.end(), fragment, std::greater<>()), fragment);
+  ++version_;
+}
+
+std::span<const FragmentId> RegionTable::fragmentsOf(RegionId region) const {
+  const auto found = members_.find(region);
+  if (found == members_.end()) return {};
+  return found->second.fragments;
+}
+
+void RegionTable::setKnown(RegionId region, bool known) {
+  if (const auto found = members_.find(region); found != members_.end()) found->second.known = known;
+}
+
+bool RegionTable::isKnown(RegionId region) const {
+  const auto found = members_.find(region);
+  return found != members_.end() && found->second.known;
+}
+
+RegionId RegionTable::newRegion() {
+  const RegionId region{++last_region_};
+  members_[region];
+  return region;
+}
+
+void RegionTable::assign(RegionId region, std::vector<FragmentId> fragments) {
+  for (const FragmentId fragment : fragments) regions_[fragment.value] = region;
+  members_[region].fragments = std::move(fragments);
+}
+
+bool RegionTable::join(RegionId into, RegionId from) {
+  if (into == from || !members_.contains(into) || !members_.contains(from)) return false;
+  std::vector<FragmentId> all;
+  std::ranges::merge(members_[into].fragments, members_[from].fragments, std::back_inserter(all));
+  const bool known = members_[into].known || members_[from].known;
+  members_.erase(from);
+  assign(into, std::move(all));
+  members_[into].known = known;
+  ++version_;
+  return true;
+}
+
+void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
+                         RegionEvents& events) {
+  // Claims of parts on identities, the strongest first; ties in the order of parts and regions.
+  struct Claim {
+    bool known;
+    std::int64_t voxels;
+    std::size_t part;
+    RegionId region;
+  };
+  std::vector<Claim> claims;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::map<RegionId, std::int64_t> given;
+    for (const FragmentId fragment : parts[part]) {
+      const bool counted = fragment.value < voxels.size();
+      given[regionOf(fragment)] += counted ? std::max(voxels[fragment.value], 1) : 1;
+    }
+    for (const auto& [region, count] : given) claims.push_back({isKnown(region), count, part, region});
+  }
+  std::ranges::stable_sort(claims, [](const Claim& a, const Claim& b) {
+    return std::tie(a.known, a.voxels) > std::tie(b.known, b.voxels);
+  });
+  std::vector<RegionId> identity(parts.size());
+  std::map<RegionId, std::size_t> keeper;  // of each region: the part that goes on as it
+  for (const Claim& claim : claims) {
+    if (identity[claim.part] || keeper.contains(claim.region)) continue;
+    identity[claim.part] = claim.region;
+    keeper[claim.region] = claim.part;
+  }
+  // A part without identity is new; it came out of the region that gave it most. A region that no part goes on
+  // as was joined into the part that got most of it.
+  bool changed = false;
+  std::map<RegionId, RegionId> joined_into;
+  for (const Claim& claim : claims) {
+    if (!identity[claim.part]) {
+      identity[claim.part] = newRegion();
+      events.parted.emplace_back(claim.region, identity[claim.part]);
+      changed = true;
+    }
+    if (!keeper.contains(claim.region)) joined_into.try_emplace(claim.region, identity[claim.part]);
+  }
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::vector<FragmentId> fragments = parts[part];
+    std::ranges::sort(fragments);
+    if (members_.at(identity[part]).fragments == fragments) continue;
+    assign(identity[part], std::move(fragments));
+    changed = true;
+  }
+  for (const auto& [from, into] : joined_into) {
+    members_.erase(from);
+    events.joined.emplace_back(into, from);
+  }
+  if (changed || !joined_into.empty()) ++version_;
+}
+
+}  // namespace scantrove
