@@ -1,9 +1,11 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/capture/color_camera.h"
+#include "core/capture/instance_name.h"
 #include "core/capture/intrinsics.h"
 #include "core/capture/rgbd_frame.h"
 
@@ -18,6 +20,7 @@ struct SourceInfo {
   std::optional<int> frame_count;  ///< frames that next() will give in all; empty for a live camera
   bool is_live = false;
   bool has_poses = false;
+  std::vector<InstanceName> instances;  ///< of the masks in RgbdFrame::instances, where there are some
 };
 
 /// What one call of FrameSource::next() gave.

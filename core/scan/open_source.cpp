@@ -25,10 +25,11 @@ constexpr const char* kKnownSources =
 OpenedSource openDemo(const std::string& source, const SourceOptions& options) {
   const std::string scene = source == "demo" ? "tabletop" : source.substr(source.find(':') + 1);
   auto demo = makeSyntheticSource(scene, options);
-  if (demo) {
-    SCANTROVE_TRY(checkIntrinsics((*demo)->info().intrinsics, "--intrinsics"));
+  if (!demo) {
+    return fail(demo.error());
   }
-  return demo;
+  SCANTROVE_TRY(checkIntrinsics((*demo)->info().intrinsics, "--intrinsics"));
+  return std::move(*demo);
 }
 
 /// A 7-Scenes download holds its recordings in seq-01, seq-02, ...: say so instead of only "nothing found".

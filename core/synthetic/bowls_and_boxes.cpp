@@ -10,20 +10,6 @@ namespace {
 
 std::unique_ptr<Shape> lathe(const Lathe::Profile& profile) { return std::make_unique<Lathe>(profile); }
 
-/// A hollow vessel: the outer wall as given from the foot up, walls of `wall` metres, rounded rim.
-Lathe::Profile vessel(const Lathe::Profile& outer, double wall) {
-  Lathe::Profile profile{{0, outer.front().y()}};
-  profile.insert(profile.end(), outer.begin(), outer.end());
-  const Eigen::Vector2d rim = outer.back();
-  appendArc(profile, {rim.x() - wall / 2, rim.y()}, wall / 2, 0, 180, 6);
-  for (auto p = outer.rbegin(); p != outer.rend(); ++p) {
-    const double floor_z = outer.front().y() + wall;
-    profile.emplace_back(std::max(0.0, p->x() - wall), std::max(p->y(), floor_z));
-  }
-  profile.emplace_back(0, outer.front().y() + wall);
-  return profile;
-}
-
 }  // namespace
 
 Eigen::Isometry3d Place::pose() const {
@@ -58,7 +44,7 @@ std::uint16_t addMug(SyntheticScene& scene, const std::string& name, const Place
   appendArc(outer, {0.034, 0.006}, 0.006, -90, 0, 4);
   outer.emplace_back(0.042, 0.050);
   outer.emplace_back(0.042, 0.093);
-  addPart(scene, id, place, lathe(vessel(outer, 0.005)), material);
+  addPart(scene, id, place, lathe(vesselProfile(outer, 0.005)), material);
   Material handle = material;
   handle.pattern = Pattern::plain;
   handle.main = material.second;
@@ -100,7 +86,7 @@ std::uint16_t addBowl(SyntheticScene& scene, const std::string& name, const Plac
   Lathe::Profile outer{{0.040, 0.0}, {0.042, 0.006}};
   const auto side = smoothProfile({{0.043, 0.010}, {0.078, 0.030}, {0.100, 0.060}, {0.108, 0.085}}, 6);
   outer.insert(outer.end(), side.begin(), side.end());
-  addPart(scene, id, place, lathe(vessel(outer, 0.006)), material);
+  addPart(scene, id, place, lathe(vesselProfile(outer, 0.006)), material);
   return id;
 }
 
@@ -115,7 +101,7 @@ std::uint16_t addVase(SyntheticScene& scene, const std::string& name, const Plac
                                    {0.027, 0.230},
                                    {0.040, 0.255}},
                                   5);
-  addPart(scene, id, place, lathe(vessel(side, 0.005)), material);
+  addPart(scene, id, place, lathe(vesselProfile(side, 0.005)), material);
   return id;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 
 #include "core/synthetic/scene.h"
@@ -23,5 +24,12 @@ struct FilmSet {
 /// the chair cuts the floor in separate pieces; the camera then steps back and around it, and goes on to the
 /// table.
 [[nodiscard]] FilmSet makeRoomSet();
+
+/// A room of its own for every seed: 2 - 4 walls with furniture, doors, curtains and pillars, rugs, clutter
+/// on the floor, on tables and in shelves, stacked, leaning and touching; 300 frames along the walls.
+[[nodiscard]] FilmSet makeRandomRoomSet(std::uint32_t seed);
+
+/// A table with things of 5 - 40 cm for every seed; 240 frames around it.
+[[nodiscard]] FilmSet makeRandomTabletopSet(std::uint32_t seed);
 
 }  // namespace scantrove::synthetic

@@ -131,6 +131,17 @@ SurfacePoint Lathe::describe(const Vec3& point, int part) const {
   return surface;
 }
 
+double Lathe::reach(const Vec3& direction) const {
+  const double outwards = lengthOf(direction.x(), direction.y());
+  double reach = -kNoHit;
+  for (const Piece& piece : pieces_) {
+    for (const Eigen::Vector2d& end : {piece.from, piece.to}) {
+      reach = std::max(reach, outwards * end.x() + direction.z() * end.y());
+    }
+  }
+  return reach;
+}
+
 void appendArc(Lathe::Profile& profile, Eigen::Vector2d centre, double radius, double from_deg, double to_deg,
                int steps) {
   for (int i = 0; i <= steps; ++i) {
@@ -145,6 +156,19 @@ Lathe::Profile canProfile(double bottom_radius, double top_radius, double height
   appendArc(profile, {bottom_radius - rim, rim}, rim, -90, 0, 3);
   appendArc(profile, {top_radius - rim, height - rim}, rim, 0, 90, 3);
   profile.emplace_back(0, height);
+  return profile;
+}
+
+Lathe::Profile vesselProfile(const Lathe::Profile& outer, double wall) {
+  Lathe::Profile profile{{0, outer.front().y()}};
+  profile.insert(profile.end(), outer.begin(), outer.end());
+  const Eigen::Vector2d rim = outer.back();
+  appendArc(profile, {rim.x() - wall / 2, rim.y()}, wall / 2, 0, 180, 6);
+  for (auto p = outer.rbegin(); p != outer.rend(); ++p) {
+    const double floor_z = outer.front().y() + wall;
+    profile.emplace_back(std::max(0.0, p->x() - wall), std::max(p->y(), floor_z));
+  }
+  profile.emplace_back(0, outer.front().y() + wall);
   return profile;
 }
 

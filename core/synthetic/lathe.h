@@ -17,6 +17,7 @@ class Lathe final : public Shape {
   [[nodiscard]] Bounds bounds() const override;
   [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
   [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+  [[nodiscard]] double reach(const Vec3& direction) const override;
 
  private:
   struct Piece {
@@ -39,6 +40,9 @@ void appendArc(Lathe::Profile& profile, Eigen::Vector2d centre, double radius, d
 /// A closed can from z = 0 to `height` with its rims rounded.
 [[nodiscard]] Lathe::Profile canProfile(double bottom_radius, double top_radius, double height,
                                         double rim = 0.002);
+
+/// A hollow vessel: the outer wall as given from the foot up, walls of `wall` metres, rounded rim.
+[[nodiscard]] Lathe::Profile vesselProfile(const Lathe::Profile& outer, double wall);
 
 /// A smooth curve through the given (radius, z) points (Catmull-Rom), `steps` chords for each of its spans.
 [[nodiscard]] Lathe::Profile smoothProfile(const Lathe::Profile& knots, int steps);

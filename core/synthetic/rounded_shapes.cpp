@@ -4,32 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/synthetic/sphere_tracing.h"
+
 namespace scantrove::synthetic {
-namespace {
-
-constexpr double kSurface_m = 1e-6;  // sphere tracing stops this close
-constexpr double kGrazing_m = 3e-5;  // a ray that ran out of steps this close still counts as a hit
-constexpr int kMaxSteps = 96;
-
-/// Sphere tracing from `t` to `leave`.
-template <class Distance>
-double march(const Ray& ray, double t, double leave, const Distance& distance) {
-  const double per_metre = 1.0 / ray.direction.norm();
-  double d = 0;
-  for (int step = 0; step < kMaxSteps; ++step) {
-    d = distance(ray.at(t));
-    if (d < kSurface_m) {
-      return t;
-    }
-    t += d * per_metre;
-    if (!(t < leave)) {
-      return kNoHit;
-    }
-  }
-  return d < kGrazing_m ? t : kNoHit;
-}
-
-}  // namespace
 
 RoundedBox::RoundedBox(const Vec3& half_size, double radius)
     : half_(half_size),
@@ -79,6 +56,8 @@ SurfacePoint RoundedBox::describe(const Vec3& point, int /*part*/) const {
   return surface;
 }
 
+double RoundedBox::reach(const Vec3& direction) const { return direction.cwiseAbs().dot(inner_) + radius_; }
+
 ShapeHit Sphere::intersect(const Ray& ray, double t_max) const {
   const double a = ray.direction.squaredNorm();
   const double b = ray.origin.dot(ray.direction);
@@ -104,6 +83,8 @@ SurfacePoint Sphere::describe(const Vec3& point, int /*part*/) const {
   surface.rv = static_cast<float>(height * 2 / std::numbers::pi);
   return surface;
 }
+
+double Sphere::reach(const Vec3& /*direction*/) const { return radius_; }
 
 Torus::Torus(double ring_radius, double tube_radius, double keep_above)
     : ring_radius_(ring_radius), tube_radius_(tube_radius), keep_above_(keep_above) {}
@@ -145,6 +126,12 @@ SurfacePoint Torus::describe(const Vec3& point, int /*part*/) const {
   surface.ru = static_cast<float>(around / std::numbers::pi);
   surface.rv = static_cast<float>(along / std::numbers::pi);
   return surface;
+}
+
+double Torus::reach(const Vec3& direction) const {
+  const double whole = ring_radius_ * lengthOf(direction.x(), direction.y()) + tube_radius_;
+  const Bounds box = bounds();
+  return std::min(whole, direction.cwiseProduct(box.low).cwiseMax(direction.cwiseProduct(box.high)).sum());
 }
 
 }  // namespace scantrove::synthetic

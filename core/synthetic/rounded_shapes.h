@@ -11,6 +11,8 @@ class RoundedBox final : public Shape {
   [[nodiscard]] Bounds bounds() const override { return {-half_, half_}; }
   [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
   [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+  [[nodiscard]] double reach(const Vec3& direction) const override;
+  [[nodiscard]] double thickness() const override { return 2 * half_.minCoeff(); }
 
  private:
   Vec3 half_;
@@ -24,6 +26,8 @@ class Sphere final : public Shape {
   [[nodiscard]] Bounds bounds() const override { return {Vec3::Constant(-radius_), Vec3::Constant(radius_)}; }
   [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
   [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+  [[nodiscard]] double reach(const Vec3& direction) const override;
+  [[nodiscard]] double thickness() const override { return 2 * radius_; }
 
  private:
   double radius_;
@@ -37,6 +41,7 @@ class Torus final : public Shape {
   [[nodiscard]] Bounds bounds() const override;
   [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
   [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+  [[nodiscard]] double reach(const Vec3& direction) const override;
 
  private:
   [[nodiscard]] double tubeDistance(const Vec3& point) const;

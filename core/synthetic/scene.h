@@ -5,18 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "core/capture/instance_name.h"
 #include "core/synthetic/material.h"
 #include "core/synthetic/shape.h"
 
 namespace scantrove {
-
-/// Who is who in `RgbdFrame::instances`.
-struct InstanceName {
-  std::uint16_t id = 0;
-  std::string name;
-  bool is_object = false;   ///< false for floor, walls, table and other furniture that stays
-  bool non_convex = false;  ///< its shape has concave parts (a handle, a hollow, a step)
-};
 
 /// What a ray meets. World frame.
 struct RayHit {
@@ -51,6 +44,9 @@ class SyntheticScene {
   std::uint16_t addInstance(std::string name, bool is_object, bool non_convex = false);
   void add(std::uint16_t instance, std::unique_ptr<synthetic::Shape> shape,
            const Eigen::Isometry3d& T_world_part, const synthetic::Material& material);
+
+  /// Gives the parts away: to be put somewhere else, or into another skin.
+  [[nodiscard]] std::vector<Part> takeParts() && { return std::move(parts_); }
 
  private:
   std::vector<Part> parts_;

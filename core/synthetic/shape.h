@@ -71,6 +71,11 @@ class Shape {
   /// The nearest hit with 0 < t < t_max, to 0.1 mm or better.
   [[nodiscard]] virtual ShapeHit intersect(const Ray& ray, double t_max) const = 0;
   [[nodiscard]] virtual SurfacePoint describe(const Vec3& point, int part) const = 0;
+  /// How far the solid reaches along a unit direction: max of `direction` . point. Never less than that; of a
+  /// cut torus exact along its axes, of all others in every direction.
+  [[nodiscard]] virtual double reach(const Vec3& direction) const = 0;
+  /// The material is at least so thick everywhere; 0 where nobody promises.
+  [[nodiscard]] virtual double thickness() const { return 0; }
 };
 
 }  // namespace scantrove::synthetic

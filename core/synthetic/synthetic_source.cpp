@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
 #include "core/synthetic/renderer.h"
+#include "core/synthetic/uneven_shape.h"
 
 namespace scantrove {
 namespace {
@@ -20,8 +22,10 @@ constexpr double kColorNoise = 1.8;  // grey levels
 struct Demo {
   const char* name;
   synthetic::FilmSet (*set)();
+  synthetic::FilmSet (*random_set)(std::uint32_t seed);
 };
-constexpr Demo kDemos[] = {{"tabletop", synthetic::makeTabletopSet}, {"room", synthetic::makeRoomSet}};
+constexpr Demo kDemos[] = {{"tabletop", synthetic::makeTabletopSet, synthetic::makeRandomTabletopSet},
+                           {"room", synthetic::makeRoomSet, synthetic::makeRandomRoomSet}};
 
 /// Metres to 16-bit units; 0 where there is no reading or it does not fit.
 cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
@@ -46,6 +50,7 @@ class RenderedSource final : public SyntheticSource {
     info_.intrinsics = options.K;
     info_.frame_count = (options.frames - options.start + options.stride - 1) / options.stride;
     info_.has_poses = true;
+    info_.instances = set_.scene.instances();
   }
 
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
@@ -91,13 +96,24 @@ class RenderedSource final : public SyntheticSource {
   int given_ = 0;
 };
 
-/// "", "exact" or a seed. False: none of these.
-bool applyMode(SyntheticOptions& options, const std::string& mode) {
-  options.noise = mode != "exact";
-  if (mode.empty() || mode == "exact") return true;
-  const char* end = mode.data() + mode.size();
-  const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
-  return failure == std::errc{} && stop == end;
+/// What follows the scene's name: words and a seed between colons. False: something else.
+bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view modes) {
+  while (!modes.empty()) {
+    const std::size_t colon = std::min(modes.find(':'), modes.size());
+    const std::string_view mode = modes.substr(0, colon);
+    modes.remove_prefix(std::min(colon + 1, modes.size()));
+    if (mode == "exact") {
+      options.noise = false;
+    } else if (mode == "uneven") {
+      options.uneven = true;
+    } else {
+      const char* end = mode.data() + mode.size();
+      const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
+      if (failure != std::errc{} || stop != end) return false;
+      options.set = [random_set = demo.random_set, seed = options.seed] { return random_set(seed); };
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -105,8 +121,15 @@ bool applyMode(SyntheticOptions& options, const std::string& mode) {
 Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& given) {
   SyntheticOptions options = given;
   synthetic::FilmSet set = options.set();
+  if (options.uneven) {
+    set.scene = synthetic::makeUneven(std::move(set.scene), options.seed);
+  }
   if (options.frames <= 0) {
     options.frames = set.frames;
+  }
+  if (options.at_most && options.stride >= 1 &&
+      *options.at_most < (options.frames - options.start) / options.stride) {
+    options.frames = options.start + std::max(*options.at_most, 0) * options.stride;
   }
   const Intrinsics& K = options.K;
   if (!(K.fx > 0 && K.fy > 0) || K.width <= 0 || K.height <= 0) {
@@ -126,21 +149,25 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOpti
   return std::make_unique<RenderedSource>(options, std::move(set));
 }
 
-Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scene,
-                                                         const SourceOptions& given) {
+Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
+                                                             const SourceOptions& given) {
   SyntheticOptions options;
-  const std::size_t colon = scene.find(':');
-  const std::string name = colon == 0 || scene.empty() ? "tabletop" : scene.substr(0, colon);
-  const std::string mode = colon == std::string::npos ? "" : scene.substr(colon + 1);
+  const std::size_t colon = std::min(scene.find(':'), scene.size());
+  const std::string name = colon == 0 ? "tabletop" : scene.substr(0, colon);
+  const std::string_view modes = std::string_view(scene).substr(std::min(colon + 1, scene.size()));
   const auto* demo =
       std::find_if(std::begin(kDemos), std::end(kDemos), [&](const Demo& d) { return name == d.name; });
-  if (demo == std::end(kDemos) || !applyMode(options, mode)) {
-    return fail(fmt::format("There is no demo scene '{}'.", scene),
-                "Choose tabletop or room; add :exact for depth without noise, or :7 for other noise.");
+  if (demo != std::end(kDemos)) {
+    options.set = demo->set;
   }
-  options.set = demo->set;
+  if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
+    return fail(fmt::format("There is no demo scene '{}'.", scene),
+                "Choose tabletop or room; add :7 for the random scene of that seed, :uneven for bumps on its "
+                "surfaces, :exact for depth without noise.");
+  }
   options.start = given.start;
   options.stride = given.stride;
+  options.at_most = given.frames;
   if (given.intrinsics) {
     const Intrinsics size = options.K;
     options.K = *given.intrinsics;
@@ -150,16 +177,7 @@ Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scen
   if (given.depth_scale) {
     options.metres_per_unit = static_cast<float>(1.0 / *given.depth_scale);
   }
-  const int length = options.set().frames;
-  options.frames = length;
-  if (given.frames && options.stride >= 1 && *given.frames < (length - options.start) / options.stride) {
-    options.frames = options.start + std::max(*given.frames, 0) * options.stride;
-  }
-  auto source = makeSyntheticSource(options);
-  if (!source) {
-    return fail(source.error());
-  }
-  return std::move(*source);
+  return makeSyntheticSource(options);
 }
 
 }  // namespace scantrove

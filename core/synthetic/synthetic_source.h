@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -11,15 +13,17 @@ namespace scantrove {
 
 /// How to film a synthetic scene. World frame: metres, z up, floor at z = 0.
 struct SyntheticOptions {
-  synthetic::FilmSet (*set)() = synthetic::makeTabletopSet;  ///< makes what is filmed
+  std::function<synthetic::FilmSet()> set = synthetic::makeTabletopSet;  ///< makes what is filmed
   Intrinsics K{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
-  int frames = 0;     ///< length of the recording; 0 = the set's own; the camera goes on as long as asked
-  int start = 0;      ///< first frame of the recording that is given ...
-  int stride = 1;     ///< ... and then every stride-th
+  int frames = 0;  ///< length of the recording; 0 = the set's own; the camera goes on as long as asked
+  int start = 0;   ///< first frame of the recording that is given ...
+  int stride = 1;  ///< ... and then every stride-th
+  std::optional<int> at_most;  ///< so many of them
   bool noise = true;  ///< Kinect model on depth and sensor noise on colour; false: exact, rounded to the unit
-  bool color = true;  ///< false: no colour images (a good third faster)
+  bool uneven = false;     ///< surfaces with bumps of 2 - 5 mm
+  bool color = true;       ///< false: no colour images (a good third faster)
   bool tremor = true;      ///< the small shaking of a hand
-  std::uint32_t seed = 1;  ///< of noise and tremor; the scene itself never changes
+  std::uint32_t seed = 1;  ///< of noise, tremor and bumps; what is filmed is up to `set`
   float metres_per_unit = 0.001F;
 };
 
@@ -35,10 +39,10 @@ class SyntheticSource : public FrameSource {
 /// Error: no frame is left, or the intrinsics are not those of a camera.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
-/// `scene`: "tabletop" (also "") or "room"; with ":exact" appended, without noise; with ":7", with that seed.
-/// Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays). Error: names the scene
-/// and those there are.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> makeSyntheticSource(const std::string& scene,
-                                                                       const SourceOptions& options);
+/// `scene`: "tabletop" (also "") or "room". With ":7" appended, the random scene of that seed; with ":exact",
+/// without noise; with ":uneven", with bumps on its surfaces; in any order. Intrinsics given in `options` are
+/// those the scene is filmed with (640 x 480 stays). Error: names the scene and those there are.
+[[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
+                                                                           const SourceOptions& options);
 
 }  // namespace scantrove

@@ -242,6 +242,7 @@ TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
 
 TEST(SyntheticSource, ANumberAfterTheNameIsTheSeed) {
   SyntheticOptions options;
+  options.set = [] { return synthetic::makeRandomTabletopSet(7); };
   options.seed = 7;
   const auto by_name = makeSyntheticSource("tabletop:7", {});
   ASSERT_TRUE(by_name) << by_name.error().message();
@@ -305,7 +306,9 @@ TEST(SyntheticSource, LengthsAreThoseOfTheScenes) {
   options.stride = 7;
   EXPECT_EQ((*makeSyntheticSource("room:exact", options))->info().frame_count, 58);
   options.frames = 1000;
-  EXPECT_EQ((*makeSyntheticSource("room:3", options))->info().frame_count, 58);
+  EXPECT_EQ((*makeSyntheticSource("room:exact", options))->info().frame_count, 58);
+  EXPECT_EQ((*makeSyntheticSource("room:3", {}))->info().frame_count, 300);
+  EXPECT_EQ((*makeSyntheticSource("tabletop:3", {}))->info().frame_count, 240);
 }
 
 TEST(SyntheticSource, RefusesWhatItCannotFilm) {

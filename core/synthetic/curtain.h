@@ -1,0 +1,26 @@
+#pragma once
+#include "core/synthetic/shape.h"
+
+namespace scantrove::synthetic {
+
+/// A hanging cloth that fills `size` (x, y, z) around the origin: a sheet of `thickness` that waves in y
+/// along x, `folds` times. Sphere traced to a micrometre.
+class Curtain final : public Shape {
+ public:
+  Curtain(const Vec3& size, double thickness, double folds);
+  [[nodiscard]] Bounds bounds() const override { return {-half_, half_}; }
+  [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
+  [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
+  [[nodiscard]] double reach(const Vec3& direction) const override { return direction.cwiseAbs().dot(half_); }
+
+ private:
+  [[nodiscard]] double wave(double x) const;
+  [[nodiscard]] double slope(double x) const;
+  Vec3 half_;
+  double half_thickness_;
+  double amplitude_;
+  double per_metre_;  // radians
+  double steepest_;   // length of the normal (slope, 1) at most
+};
+
+}  // namespace scantrove::synthetic

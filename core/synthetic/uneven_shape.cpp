@@ -1,0 +1,100 @@
+#include "core/synthetic/uneven_shape.h"
+
+#include <numbers>
+
+#include "core/synthetic/hash_stream.h"
+
+namespace scantrove::synthetic {
+namespace {
+
+constexpr double kLengths_m[] = {0.15, 0.10, 0.065, 0.042, 0.028, 0.020};
+constexpr double kGrazing = 0.15;  // flatter rays are taken as if they came so steep
+
+/// sin of any angle to 0.1 %: a parabola, bent towards the sine.
+float quickSine(float angle) {
+  const float turns = angle * static_cast<float>(0.5 / std::numbers::pi);
+  const float x = 2 * (turns - static_cast<float>(floorInt(turns + 0.5F)));  // -1..1
+  const float y = 4 * x * (1 - std::abs(x));
+  return y * (0.775F + 0.225F * std::abs(y));
+}
+
+}  // namespace
+
+UnevenShape::UnevenShape(std::unique_ptr<Shape> base, double depth_m, std::uint32_t seed)
+    : base_(std::move(base)), middle_(depth_m / 2) {
+  HashStream random(seed, 3);
+  double sum = 0;
+  for (std::size_t i = 0; i < kWaves; ++i) {
+    const double length = kLengths_m[i * std::size(kLengths_m) / kWaves] * random.uniform(0.85, 1.0);
+    const double z = random.uniform(-1, 1);
+    const double around = random.uniform(0, 2 * std::numbers::pi);
+    const double flat = std::sqrt(1 - z * z);
+    const Vec3 along(flat * std::cos(around), flat * std::sin(around), z);
+    waves_[i].per_metre = (along * (2 * std::numbers::pi / length)).cast<float>();
+    waves_[i].phase = static_cast<float>(random.uniform(0, 2 * std::numbers::pi));
+    waves_[i].height = static_cast<float>(length);
+    sum += length;
+  }
+  for (Wave& wave : waves_) wave.height *= static_cast<float>(middle_ / sum);
+}
+
+double UnevenShape::carved(const Vec3& point) const {
+  const Eigen::Vector3f p = point.cast<float>();
+  float sum = 0;
+  for (const Wave& wave : waves_) sum += wave.height * quickSine(wave.per_metre.dot(p) + wave.phase);
+  return middle_ + double{sum};
+}
+
+Vec3 UnevenShape::slope(const Vec3& point) const {
+  const Eigen::Vector3f p = point.cast<float>();
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  constexpr auto kQuarter = static_cast<float>(std::numbers::pi / 2);
+  for (const Wave& wave : waves_) {
+    sum += wave.height * quickSine(wave.per_metre.dot(p) + wave.phase + kQuarter) * wave.per_metre;
+  }
+  return sum.cast<double>();
+}
+
+ShapeHit UnevenShape::intersect(const Ray& ray, double t_max) const {
+  ShapeHit hit = base_->intersect(ray, t_max);
+  if (hit.t == kNoHit) {
+    return hit;
+  }
+  // Below the tangent plane, the ray sinks by `steep` a unit of t, until it is as deep as the surface there.
+  const Vec3 normal = base_->describe(ray.at(hit.t), hit.part).normal;
+  const double steep = std::max(std::abs(ray.direction.dot(normal)), kGrazing * ray.direction.norm());
+  double deeper = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 below = ray.at(hit.t + deeper);
+    deeper = carved(below + deeper * steep * normal) / steep;
+  }
+  hit.t += deeper;
+  return hit.t < t_max ? hit : ShapeHit{};
+}
+
+SurfacePoint UnevenShape::describe(const Vec3& point, int part) const {
+  SurfacePoint surface = base_->describe(point, part);
+  const Vec3 gradient = slope(point);
+  const auto tilt = [&](const Vec3& normal) {
+    return Vec3(normal + gradient - gradient.dot(normal) * normal).normalized();
+  };
+  surface.normal = tilt(surface.normal);
+  surface.shading_normal = tilt(surface.shading_normal);
+  return surface;
+}
+
+SyntheticScene makeUneven(SyntheticScene scene, std::uint32_t seed) {
+  SyntheticScene uneven;
+  for (const InstanceName& who : scene.instances())
+    uneven.addInstance(who.name, who.is_object, who.non_convex);
+  for (SyntheticScene::Part& part : std::move(scene).takeParts()) {
+    // The sum of the waves rarely comes near its bounds: what is seen of these are bumps of 2 - 5 mm.
+    const std::uint32_t one = hashBits(part.instance, 17, 0, seed);
+    const double depth = std::min(0.0035 + 0.0045 * double{hashUniform(one)}, 0.3 * part.shape->thickness());
+    if (depth > 0.001) part.shape = std::make_unique<UnevenShape>(std::move(part.shape), depth, one);
+    uneven.add(part.instance, std::move(part.shape), part.T_world_part, part.material);
+  }
+  return uneven;
+}
+
+}  // namespace scantrove::synthetic

@@ -1,0 +1,233 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <opencv2/core.hpp>
+
+#include "core/synthetic/synthetic_source.h"
+#include "core/synthetic/trajectory.h"
+
+namespace scantrove {
+namespace {
+
+using Eigen::Vector3d;
+using synthetic::FilmSet;
+using synthetic::kNoHit;
+using synthetic::Ray;
+
+constexpr double kDegree = 3.14159265358979 / 180;
+
+struct Kind {
+  const char* name;
+  FilmSet (*make)(std::uint32_t seed);
+  int frames;
+};
+const Kind kRoom{"room", synthetic::makeRandomRoomSet, 300};
+const Kind kTabletop{"tabletop", synthetic::makeRandomTabletopSet, 240};
+
+/// Every kind of random scene with thirty seeds.
+class RandomScene : public testing::TestWithParam<std::tuple<Kind, std::uint32_t>> {
+ protected:
+  const Kind kind = std::get<0>(GetParam());
+  const std::uint32_t seed = std::get<1>(GetParam());
+  const FilmSet set = kind.make(seed);
+};
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene,
+                         testing::Combine(testing::Values(kRoom, kTabletop), testing::Range(1U, 31U)),
+                         [](const auto& test) {
+                           return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
+                         });
+
+/// Where a ray first meets the instance, or everything but the instance; world frame.
+double castAt(const SyntheticScene& scene, std::uint16_t instance, bool others, const Vector3d& from,
+              const Vector3d& direction) {
+  double nearest = kNoHit;
+  for (const SyntheticScene::Part& part : scene.parts()) {
+    if ((part.instance == instance) == others) continue;
+    const Eigen::Isometry3d T_part_world = part.T_world_part.inverse();
+    const Ray ray{T_part_world * from, T_part_world.linear() * direction};
+    nearest = std::min(nearest, part.shape->intersect(ray, nearest).t);
+  }
+  return nearest;
+}
+
+Eigen::AlignedBox3d boundsOf(const SyntheticScene& scene, std::uint16_t instance) {
+  Eigen::AlignedBox3d box;
+  for (const SyntheticScene::Part& part : scene.parts()) {
+    if (part.instance != instance) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        const Vector3d direction = sign * Vector3d::Unit(axis);
+        const double reach = part.T_world_part.translation().dot(direction) +
+                             part.shape->reach(part.T_world_part.linear().transpose() * direction);
+        Vector3d corner = part.T_world_part.translation();
+        corner[axis] = sign * reach;
+        box.extend(corner);
+      }
+    }
+  }
+  return box;
+}
+
+/// How far the instance's lowest points are from what is below them: 0 = it stands, more = it floats;
+/// infinite = nothing is below, or it has sunk in. Rays upwards find its lowest points, rays downwards what
+/// is below.
+double gapBelow(const SyntheticScene& scene, std::uint16_t instance) {
+  constexpr int kSteps = 40;
+  const Eigen::AlignedBox3d box = boundsOf(scene, instance);
+  std::vector<Vector3d> underside;
+  double lowest = kNoHit;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int k = 0; k <= kSteps; ++k) {
+      Vector3d from = box.min();
+      from.x() += box.sizes().x() * (0.001 + 0.998 * i / kSteps);
+      from.y() += box.sizes().y() * (0.001 + 0.998 * k / kSteps);
+      from.z() -= 0.1;
+      const double up = castAt(scene, instance, false, from, Vector3d::UnitZ());
+      if (up == kNoHit) continue;
+      from.z() += up;
+      underside.push_back(from);
+      lowest = std::min(lowest, from.z());
+    }
+  }
+  double gap = kNoHit;
+  for (Vector3d& point : underside) {
+    if (point.z() > lowest + 0.0015) continue;
+    constexpr double kAbove_m =
+        0.003;  // a support whose surface lies higher is missed: the thing has sunk in
+    point.z() += kAbove_m;
+    const double down = castAt(scene, instance, true, point, -Vector3d::UnitZ());
+    gap = std::min(gap, std::abs(down - kAbove_m));
+  }
+  return gap;
+}
+
+TEST_P(RandomScene, EveryObjectRestsOnSomething) {
+  int objects = 0;
+  for (const InstanceName& who : set.scene.instances()) {
+    if (!who.is_object) continue;
+    ++objects;
+    EXPECT_LT(gapBelow(set.scene, who.id), 0.0025) << who.name;
+  }
+  EXPECT_GE(objects, 8);
+}
+
+TEST_P(RandomScene, NothingIsInsideSomethingElse) {
+  // A point under an object's surface lies in no other box or ball: straight rays that enter before it would
+  // leave after it.
+  const SyntheticScene& scene = set.scene;
+  for (const SyntheticScene::Part& part : scene.parts()) {
+    const Vector3d middle =
+        part.T_world_part * Vector3d((part.shape->bounds().low + part.shape->bounds().high) / 2);
+    if (!scene.instances()[part.instance - 1U].is_object || part.shape->thickness() == 0) continue;
+    for (const SyntheticScene::Part& other : scene.parts()) {
+      if (other.instance == part.instance || other.shape->thickness() == 0) continue;
+      const Vector3d local = other.T_world_part.inverse() * middle;
+      bool inside = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+          const Vector3d direction = sign * Vector3d::Unit(axis);
+          inside = inside && other.shape->intersect({local - 20 * direction, direction}, kNoHit).t < 20;
+        }
+      }
+      EXPECT_FALSE(inside) << scene.instances()[part.instance - 1U].name << " in "
+                           << scene.instances()[other.instance - 1U].name;
+    }
+  }
+}
+
+TEST_P(RandomScene, CameraKeepsClearAndMovesLikeACarefulHand) {
+  const synthetic::Trajectory trajectory(set.path, false, 0);
+  double way_m = 0;
+  for (int frame = 0; frame + 1 < kind.frames; ++frame) {
+    const Eigen::Isometry3d here = trajectory.pose(frame / 30.0);
+    const Eigen::Isometry3d step = here.inverse() * trajectory.pose((frame + 1) / 30.0);
+    way_m += step.translation().norm();
+    ASSERT_LT(step.translation().norm() * 30, 0.35) << "m/s at frame " << frame;
+    ASSERT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 25 * kDegree) << "rad/s at frame " << frame;
+    if (frame % 5 != 0) continue;
+    for (int i = 0; i < 60; ++i) {  // all around it: no surface within 20 cm, so that it is inside nothing
+      const double z = (i + 0.5) / 30 - 1;
+      const double around = 2.4 * i;
+      const double flat = std::sqrt(1 - z * z);
+      const Vector3d direction(flat * std::cos(around), flat * std::sin(around), z);
+      const RayHit hit = set.scene.cast(here.translation(), direction);
+      ASSERT_GT(hit.distance, 0.2) << "frame " << frame;
+    }
+  }
+  EXPECT_GT(way_m, 0.6);
+}
+
+TEST_P(RandomScene, ViewsAreNearEnoughAndFull) {
+  SyntheticOptions options;
+  options.set = [this] { return kind.make(seed); };
+  options.K = options.K.resizedTo(160, 120);
+  options.noise = false;
+  options.color = false;
+  options.stride = 30;
+  const auto source = makeSyntheticSource(options);
+  ASSERT_TRUE(source) << source.error().message();
+  EXPECT_EQ((*source)->info().frame_count, kind.frames / 30);
+  for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
+       read = (*source)->next()) {
+    const cv::Mat& depth = read.frame.depth;
+    const double readings = cv::countNonZero((depth > 400) & (depth < 5000));
+    EXPECT_GT(readings, 0.8 * static_cast<double>(depth.total())) << "frame " << read.frame.index;
+    const cv::Mat middle = depth(cv::Rect(72, 54, 16, 12));
+    EXPECT_GT(cv::mean(middle)[0], 500) << "frame " << read.frame.index;
+    EXPECT_LT(cv::mean(middle)[0], 3000) << "frame " << read.frame.index;
+    std::map<std::uint16_t, int> seen;
+    for (const std::uint16_t id : cv::Mat_<std::uint16_t>(read.frame.instances)) ++seen[id];
+    const auto things =
+        std::count_if(seen.begin(), seen.end(), [](const auto& s) { return s.first != 0 && s.second > 40; });
+    EXPECT_GE(things, 5) << "frame " << read.frame.index;
+  }
+}
+
+TEST(RandomScenes, ASeedIsAScene) {
+  SourceOptions options;
+  options.frames = 1;
+  const auto first = [&](const std::string& scene) {
+    auto source = makeSyntheticSource(scene, options);
+    EXPECT_TRUE(source) << scene;
+    return (*source)->next().frame;
+  };
+  for (const std::string kind : {"room", "tabletop"}) {
+    const RgbdFrame once = first(kind + ":7");
+    const RgbdFrame again = first(kind + ":7");
+    EXPECT_EQ(cv::countNonZero(once.depth != again.depth), 0);
+    EXPECT_EQ(cv::norm(once.color, again.color, cv::NORM_INF), 0);
+    EXPECT_TRUE(once.T_world_camera->matrix() == again.T_world_camera->matrix());
+    for (const std::string& other : {kind, kind + ":8"}) {
+      EXPECT_GT(cv::countNonZero(once.instances != first(other).instances), 50000) << other;
+    }
+  }
+}
+
+TEST(RandomScenes, WordsAndSeedCombineInAnyOrder) {
+  SourceOptions options;
+  options.frames = 1;
+  const auto first = [&](const std::string& scene) {
+    auto source = makeSyntheticSource(scene, options);
+    EXPECT_TRUE(source) << scene;
+    return (*source)->next().frame.depth;
+  };
+  const auto same = [](const cv::Mat& a, const cv::Mat& b) { return cv::countNonZero(a != b) == 0; };
+  const cv::Mat exact = first("room:7:exact");
+  EXPECT_TRUE(same(exact, first("room:exact:7")));
+  EXPECT_FALSE(same(exact, first("room:7")));
+  const cv::Mat uneven = first("room:7:uneven:exact");
+  EXPECT_TRUE(same(uneven, first("room:exact:uneven:7")));
+  int bumped = 0;
+  int far = 0;
+  for (int i = 0; i < static_cast<int>(exact.total()); ++i) {
+    const int difference = uneven.ptr<std::uint16_t>()[i] - exact.ptr<std::uint16_t>()[i];
+    bumped += difference >= 1 && difference <= 30 ? 1 : 0;
+    far += difference < -1 || difference > 30 ? 1 : 0;
+  }
+  EXPECT_GT(bumped, 200000) << "pixels";
+  EXPECT_LT(far, 15000) << "pixels, at edges";
+}
+
+}  // namespace
+}  // namespace scantrove
