@@ -9,6 +9,10 @@ namespace {
 
 constexpr float kCertain = 1e6F;
 constexpr float kFullLength_px = 16;  // borders this long count fully
+constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
+constexpr float kIntercept = 4.905F;
+constexpr std::array<float, BorderEvidence::kFeatures> kCoefficients{-0.306F, -0.903F, 1.011F, 0.436F,
+                                                                     3.143F,  0.703F,  0.179F, -0.52F};
 constexpr float kFarFrom_m = 2.5F;    // noise grows with z^2: beyond this a look counts for less than half
 
 float weightOf(const FragmentContact& contact) {
@@ -38,24 +42,29 @@ void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
   const float step = bends > 0 ? bend_weight / bends : 0;
   concavity_rad += step * (contact.concavity_rad - concavity_rad);
   turn_rad += step * (contact.turn_rad - turn_rad);
+  folded += step * (contact.folded - folded);
+  ridged += step * (contact.ridged - ridged);
 }
 
-std::array<float, BorderEvidence::kFeatures> BorderEvidence::features() const {
-  const auto oddsOf = [&](float part) { return std::log((part + 0.5F) / (looks - part + 0.5F)); };
-  const float fold = std::max(0.0F, concavity_rad - 0.2F);
-  const float ridge = std::max(0.0F, -concavity_rad - 0.2F);
-  return {oddsOf(bridged), oddsOf(shared),           fold, ridge, std::log(length_m + 0.01F),
-          turn_rad < 0.15F && bends > 0 ? 1.0F : 0.0F, std::log(looks + 0.1F)};
+std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels_a, int voxels_b) const {
+  const float bent = bends > kLeastBends ? 1.0F : 0.0F;
+  const auto [fewer, more] = std::minmax(voxels_a, voxels_b);
+  return {bent * std::max(0.0F, 1 - folded - ridged),
+          bent * folded,
+          bent * ridged,
+          std::log((bridged + 0.5F) / (looks - bridged + 0.5F)),
+          looks > 0 ? shared / looks : 0.0F,
+          std::log(length_m + 0.01F),
+          std::log(static_cast<float>(fewer) + 10),
+          std::log(static_cast<float>(more) + 10)};
 }
 
-float BorderEvidence::logOdds() const {
+float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
   if (constraint != Constraint::none) {
     const float strength = kCertain * (1 + static_cast<float>(constraint_order));
     return constraint == Constraint::must_link ? strength : -strength;
   }
-  constexpr std::array<float, kFeatures> kCoefficients{0.7F, 0.7F, -4.0F, 0.0F, 0.0F, 1.0F, 0.0F};
-  constexpr float kIntercept = 0;
-  const std::array<float, kFeatures> x = features();
+  const std::array<float, kFeatures> x = features(voxels_a, voxels_b);
   return std::inner_product(x.begin(), x.end(), kCoefficients.begin(), kIntercept);
 }
 

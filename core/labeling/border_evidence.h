@@ -15,6 +15,7 @@ struct BorderEvidence {
   float bends = 0;             ///< weighed looks at the bend, at most kMostLooks
   float concavity_rad = 0;     ///< mean, > 0 a fold, < 0 a ridge
   float turn_rad = 0;          ///< mean of its absolute
+  float folded = 0, ridged = 0;  ///< parts of the border that clearly are, mean
   float length_m = 0;          ///< of the border, longest look
   Constraint constraint = Constraint::none;
   int constraint_order = 0;    ///< later ones are stronger
@@ -26,12 +27,12 @@ struct BorderEvidence {
   void add(const FragmentContact& contact, float shared);
 
   /// What logOdds() weighs.
-  static constexpr std::size_t kFeatures = 7;
-  [[nodiscard]] std::array<float, kFeatures> features() const;
+  static constexpr std::size_t kFeatures = 8;
+  [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
   /// Logarithm of the odds that the two are one thing, by a logistic model of the above; its coefficients are
   /// fitted to random synthetic scenes (tests/benchmarks/border_evidence_fit). Constraints count as infinite.
-  [[nodiscard]] float logOdds() const;
+  [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 };
 
 }  // namespace scantrove

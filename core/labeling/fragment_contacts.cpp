@@ -9,7 +9,7 @@ namespace {
 constexpr float kDistanceFactor = 3;       // d_max of eq. 3.5: factor * z / f ...
 constexpr float kLeastDistance_m = 0.01F;  // ... but at least this, for each step
 constexpr int kLongestStep_px = 3;         // over pixels without fragment
-constexpr int kBendReach_px = 3;           // normals are compared so far to either side of the border
+constexpr int kBendReach_px = 3;           // normals and segments are compared so far to either side
 constexpr float kBendGap = 4;              // times d_max: normals farther apart belong to something else
 
 struct Step {
@@ -65,17 +65,19 @@ class StepFinder {
     const float reach_m = std::max(kDistanceFactor * z / focal_px_, kLeastDistance_m);
     if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F))) return;
     Step step{pairKey(parts_[here], parts_[there]), z / focal_px_, z, 0, false, false};
-    step.bridged =
-        input_.segments.ids[here] != 0 && input_.segments.ids[here] == input_.segments.ids[there];
-    measureBend(x - kBendReach_px * dx, y - kBendReach_px * dy, u + kBendReach_px * dx, v + kBendReach_px * dy,
-                parts_[here], parts_[there], kBendGap * reach_m, step);
+    // A little off the border: that of the segments and that of the voxels are never quite the same.
+    for (int off = kBendReach_px; off >= 0; --off) {
+      if (!isInside(x - off * dx, y - off * dy) || !isInside(u + off * dx, v + off * dy)) continue;
+      const std::size_t a = at(x - off * dx, y - off * dy), b = at(u + off * dx, v + off * dy);
+      if (parts_[a] != parts_[here] || parts_[b] != parts_[there]) continue;
+      step.bridged = input_.segments.ids[a] != 0 && input_.segments.ids[a] == input_.segments.ids[b];
+      if (off > 0) measureBend(a, b, kBendGap * reach_m, step);
+      break;
+    }
     steps_.push_back(step);
   }
 
-  void measureBend(int x, int y, int u, int v, FragmentId a, FragmentId b, float gap_m, Step& step) {
-    if (!isInside(x, y) || !isInside(u, v)) return;
-    const std::size_t here = at(x, y), there = at(u, v);
-    if (parts_[here] != a || parts_[there] != b) return;
+  void measureBend(std::size_t here, std::size_t there, float gap_m, Step& step) {
     const Eigen::Vector4f& n_a = input_.normals_world[here];
     const Eigen::Vector4f& n_b = input_.normals_world[there];
     if (!(n_a.w() > 0) || !(n_b.w() > 0)) return;
@@ -106,11 +108,15 @@ FragmentContact summarise(std::span<const Step> steps) {
     ++contact.bends;
     contact.concavity_rad += step.concavity_rad;
     contact.turn_rad += std::abs(step.concavity_rad);
+    contact.folded += step.concavity_rad > kClearBend_rad ? 1.0F : 0.0F;
+    contact.ridged += step.concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
   }
   contact.depth_m /= static_cast<float>(contact.length_px);
   if (contact.bends > 0) {
     contact.concavity_rad /= static_cast<float>(contact.bends);
     contact.turn_rad /= static_cast<float>(contact.bends);
+    contact.folded /= static_cast<float>(contact.bends);
+    contact.ridged /= static_cast<float>(contact.bends);
   }
   return contact;
 }

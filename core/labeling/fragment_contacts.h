@@ -19,7 +19,11 @@ struct FragmentContact {
   int bends = 0;            ///< steps at which the bend could be measured
   float concavity_rad = 0;  ///< mean angle between the normals to both sides: > 0 a fold, < 0 a ridge
   float turn_rad = 0;       ///< mean of its absolute
+  float folded = 0;         ///< part of the measured steps that fold by more than kClearBend_rad
+  float ridged = 0;         ///< and that ridge by more
 };
+
+inline constexpr float kClearBend_rad = 0.35F;  ///< 20 degrees
 
 /// Steps between the parts of an image that belong to different fragments: neighbours in the image whose
 /// vertices are at most d_max of eq. 3.5 apart (a gap of up to two pixels without fragment is bridged).

@@ -41,7 +41,7 @@ class Divider {
         if (!decided && (isSliver(members_[a]) || isSliver(link.other))) continue;
         const bool are_one = table.regionOf(members_[a]) == table.regionOf(link.other);
         const float hysteresis = are_one ? params.hysteresis : -params.hysteresis;
-        edges.push_back({a, b, border.logOdds() + (decided ? 0 : params.joining_bias + hysteresis)});
+        edges.push_back({a, b, border.logOdds(voxelsOf(members_[a]), voxelsOf(link.other)) + (decided ? 0 : params.joining_bias + hysteresis)});
       }
     }
     std::vector<std::uint32_t> part = contractGreedily(members_.size(), edges);
@@ -60,9 +60,10 @@ class Divider {
     if (found == members_.end() || *found != fragment) return kOutside;
     return static_cast<std::uint32_t>(found - members_.begin());
   }
-  [[nodiscard]] bool isSliver(FragmentId fragment) const {
-    return fragment.value < voxels_.size() && voxels_[fragment.value] < kSliverVoxels;
+  [[nodiscard]] int voxelsOf(FragmentId fragment) const {
+    return fragment.value < voxels_.size() ? voxels_[fragment.value] : 0;
   }
+  [[nodiscard]] bool isSliver(FragmentId fragment) const { return voxelsOf(fragment) < kSliverVoxels; }
 
   /// Slivers beside something take its part; those beside slivers only stay what they are.
   void attachSlivers(std::vector<std::uint32_t>& part) const {

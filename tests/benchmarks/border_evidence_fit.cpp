@@ -67,8 +67,11 @@ int main(int argc, char** argv) {
   app.add_option("--stride", stride);
   app.add_option("--frames", frames);
   app.add_flag("--fit", fit);
+  std::string csv_path;
+  app.add_option("--csv", csv_path);
   CLI11_PARSE(app, argc, argv);
   std::vector<Sample> samples;
+  std::FILE* csv = csv_path.empty() ? nullptr : std::fopen(csv_path.c_str(), "w");
   auto compute = ComputeContext::create({});
   Score mean;
   double ratio_sum = 0;
@@ -125,6 +128,13 @@ int main(int argc, char** argv) {
           const FragmentId f = result->regions.fragments[static_cast<std::size_t>(p)];
           if (f) ++truth_of[f.value][truth.ptr<int>()[p]];
         }
+        if (csv != nullptr) {
+          std::map<int, int> instance_area, unlabelled;
+          for (int p = 0; p < K.pixels(); ++p) ++instance_area[truth.ptr<int>()[p]];
+          for (auto& [id, area] : instance_area) std::fprintf(csv, "I,%s,%d,%d,%d\n", scene.c_str(), frame, id, area);
+          for (auto& [f, of] : truth_of)
+            for (auto& [id, count] : of) std::fprintf(csv, "F,%s,%d,%u,%d,%d\n", scene.c_str(), frame, f, id, count);
+        }
         const auto& graph = dynamic_cast<const GraphMerger&>((*pipeline)->regionMerger()).graph();
         const auto majority = [&](std::uint32_t f, double& purity) {
           int most = 0, n = 0, total = 0;
@@ -141,8 +151,13 @@ int main(int argc, char** argv) {
           for (const auto& link : graph.linksOf(FragmentId{f})) {
             if (link.other.value < f || !truth_of.contains(link.other.value)) continue;
             const int b = majority(link.other.value, pb);
+            if (csv != nullptr) {
+              const auto& e = graph.border(link.border);
+              const auto& vox = (*pipeline)->voxels();
+              std::fprintf(csv, "E,%s,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%d,%d,%d,%d,%u,%u\n", scene.c_str(), frame, a == 0 || b == 0 || pa < 0.7 || pb < 0.7 ? -1 : a == b, e.looks, e.bridged, e.shared, e.bends, e.concavity_rad, e.turn_rad, e.folded, e.ridged, e.length_m, vox[f], vox[link.other.value], a, b, f, link.other.value);
+            }
             if (a == 0 || b == 0 || pa < 0.7 || pb < 0.7) continue;
-            const auto x = graph.border(link.border).features();
+            const auto x = graph.border(link.border).features((*pipeline)->voxels()[f], (*pipeline)->voxels()[link.other.value]);
             samples.push_back({Eigen::Map<const Eigen::VectorXf>(x.data(), static_cast<Eigen::Index>(x.size())).cast<double>(), a == b, 1});
           }
         }
