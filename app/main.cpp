@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   });
   app.require_subcommand(0, 1);
   addScanCommand(app, outcome);
+  addRecordCommand(app, outcome);
   addEvaluateCommand(app, outcome);
   addObjectsCommand(app, outcome);
   addBenchCommand(app, outcome);

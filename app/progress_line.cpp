@@ -19,10 +19,14 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const ScanSnapshot& snapshot) {
+  show([&] { return describeProgress(snapshot); });
+}
+
+void ProgressLine::show(const std::function<std::string()>& describe) {
   if (Clock::now() < next_) return;
   next_ = Clock::now() + (is_terminal_ ? 200ms : 3000ms);
   clearLine();
-  std::cerr << describeProgress(snapshot) << (is_terminal_ ? "" : "\n") << std::flush;
+  std::cerr << describe() << (is_terminal_ ? "" : "\n") << std::flush;
   line_is_open_ = is_terminal_;
 }
 

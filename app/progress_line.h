@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "core/scan/scan_snapshot.h"
@@ -16,6 +17,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const ScanSnapshot& snapshot);
+  /// The same with words of one's own, asked for only when they are shown.
+  void show(const std::function<std::string()>& describe);
   /// A message of its own line, between two states of the progress.
   void say(const std::string& message);
 

@@ -61,9 +61,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
 void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ScanCommand>();
   CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
-  sub->add_option("SOURCE", command->options.source,
-                  "a folder, an .oni file, 'demo', 'demo:room', 'camera', 'camera:URI'")
-      ->required();
+  sub->add_option("SOURCE", command->options.source, kSourceHelp)->required();
   sub->add_option("--out", command->out, "folder for the results; made when missing")
       ->required()
       ->type_name("DIR");

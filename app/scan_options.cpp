@@ -44,15 +44,12 @@ ColorCamera colorCameraFrom(const std::string& text) {
 
 }  // namespace
 
-void ScanOptions::addTo(CLI::App& command) {
+void ScanOptions::addSourceTo(CLI::App& command) {
   command.add_option("--frames", frames, "at most so many frames")->transform(wholeNumber(1))->type_name("N");
   command.add_option("--start", start, "skip so many frames first")
       ->transform(wholeNumber(0))
       ->type_name("N");
   command.add_option("--stride", stride, "then take every N-th")->transform(wholeNumber(1))->type_name("N");
-  command.add_option("--poses", poses, "'tracked' by the camera tracker, or 'given' by the recording")
-      ->check(CLI::IsMember({"tracked", "given"}))
-      ->type_name("tracked|given");
   command.add_option("--intrinsics", intrinsics, "camera of folders that do not carry one, pixels")
       ->type_name("fx,fy,cx,cy");
   command.add_option("--depth-scale", depth_scale, "depth units per metre of folders that do not carry it")
@@ -64,6 +61,13 @@ void ScanOptions::addTo(CLI::App& command) {
           "colour camera of folders whose colour is not registered to depth: its pixels, and x (in metres)\n"
           "of a point less its x for the depth camera; 'registered' if it is (7-Scenes: its own Kinect)")
       ->type_name("registered|fx,fy,cx,cy,x");
+}
+
+void ScanOptions::addTo(CLI::App& command) {
+  addSourceTo(command);
+  command.add_option("--poses", poses, "'tracked' by the camera tracker, or 'given' by the recording")
+      ->check(CLI::IsMember({"tracked", "given"}))
+      ->type_name("tracked|given");
   command.add_option("--config", config, "parameters from a TOML file")->type_name("FILE");
   command.add_option("--set", settings, "one parameter; 'scantrove params' lists them")
       ->expected(1)
@@ -74,18 +78,24 @@ void ScanOptions::addTo(CLI::App& command) {
       ->type_name("INDEX|NAME");
 }
 
+SourceOptions ScanOptions::toSourceOptions() const {
+  SourceOptions source_options;
+  source_options.start = start;
+  source_options.stride = stride;
+  if (frames > 0) source_options.frames = frames;
+  if (depth_scale > 0) source_options.depth_scale = depth_scale;
+  if (!intrinsics.empty()) source_options.intrinsics = intrinsicsFrom(intrinsics);
+  if (!color_camera.empty()) source_options.color_camera = colorCameraFrom(color_camera);
+  if (const auto checked = checkSourceOptions(source_options); !checked) {
+    throw CLI::ValidationError(checked.error().message(), CLI::ExitCodes::ValidationError);
+  }
+  return source_options;
+}
+
 ScanRequest ScanOptions::toRequest() const {
   ScanRequest request;
   request.source = source;
-  request.source_options.start = start;
-  request.source_options.stride = stride;
-  if (frames > 0) request.source_options.frames = frames;
-  if (depth_scale > 0) request.source_options.depth_scale = depth_scale;
-  if (!intrinsics.empty()) request.source_options.intrinsics = intrinsicsFrom(intrinsics);
-  if (!color_camera.empty()) request.source_options.color_camera = colorCameraFrom(color_camera);
-  if (const auto checked = checkSourceOptions(request.source_options); !checked) {
-    throw CLI::ValidationError(checked.error().message(), CLI::ExitCodes::ValidationError);
-  }
+  request.source_options = toSourceOptions();
   request.poses = poses == "given" ? ScanRequest::Poses::given : ScanRequest::Poses::tracked;
   request.params = paramsFrom(config, settings);
   request.device = device;

@@ -22,11 +22,19 @@ struct ScanOptions {
   std::string device;
 
   void addTo(CLI::App& command);
+  /// Only which frames of the source, and what is known of its cameras.
+  void addSourceTo(CLI::App& command);
 
   /// What they ask for; all but results and catalogue. Throws CLI::ValidationError (wrong usage) with what is
   /// wrong.
   [[nodiscard]] ScanRequest toRequest() const;
+  /// The part of addSourceTo(). Throws likewise.
+  [[nodiscard]] SourceOptions toSourceOptions() const;
 };
+
+inline constexpr const char* kSourceHelp =
+    "a folder, an .oni file, 'camera', 'camera:URI', 'demo', 'demo:room'; a random scene: 'demo:room:SEED',\n"
+    "'demo:tabletop:SEED'; ':uneven' gives a demo's surfaces bumps, ':exact' takes the noise away";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.
 [[nodiscard]] ScanParams paramsFrom(const std::string& config, const std::vector<std::string>& settings);

@@ -109,6 +109,7 @@ Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
     if (json.contains("depth_scale")) {
       model.units_per_metre = json.at("depth_scale").get<double>();
     }
+    model.color_is_registered = json.value("color_registered", false);
     return model;
   } catch (const nlohmann::json::exception& exception) {
     return fail(file.string() + " is no Open3D camera: " + exception.what() + ".",

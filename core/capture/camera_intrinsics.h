@@ -11,6 +11,7 @@ namespace scantrove {
 struct CameraModel {
   Intrinsics K;  ///< width and height 0: the values hold for the recording's images, whatever their size
   std::optional<double> units_per_metre;  ///< of the depth images, where the file says so
+  bool color_is_registered = false;       ///< to depth: the file says so
 };
 
 /// 525 525 319.5 239.5 at 640x480: the usual guess for a PrimeSense camera (Kinect, Xtion).
@@ -30,7 +31,7 @@ inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F
 [[nodiscard]] Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file);
 
 /// Reads Open3D's JSON: `width`, `height`, `intrinsic_matrix` (nine values, column by column), and
-/// `depth_scale` (units per metre) where there is one. Error: names the file.
+/// `depth_scale` (units per metre) and `color_registered` where they are there. Error: names the file.
 [[nodiscard]] Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file);
 
 /// Looks for `camera-intrinsics.txt`, `intrinsic.json`, `camera_intrinsic.json` in a recording's folder and

@@ -68,7 +68,7 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
   Intrinsics K = sequence.camera.K;
   K.width = kDefault.width;
   K.height = kDefault.height;
-  if (K == kDefault && !options.intrinsics) {
+  if (K == kDefault && !options.intrinsics && !sequence.camera.color_is_registered) {
     sequence.color_camera = kSevenScenesColorCamera;
   }
   return openImageSequence(std::move(sequence), options);

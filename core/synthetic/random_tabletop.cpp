@@ -48,7 +48,7 @@ Stand build(HashStream& random, Layout& layout) {
   Stand top = layout.newStands().front();
   Stand used = top;
   used.area.half = used.area.half.cwiseMin(Eigen::Vector2d(0.5, 0.4));
-  layout.clutter(random, used, random.between(8, 16));
+  layout.clutter(random, used, random.between(10, 18));
   for (int i = random.between(0, 3); i > 0 && !layout.faces().empty(); --i) {
     const auto faces = static_cast<int>(layout.faces().size());
     Face face = layout.faces()[static_cast<std::size_t>(random.below(faces))];

@@ -37,6 +37,22 @@ std::uint16_t SyntheticScene::find(const std::string& name) const {
   return 0;
 }
 
+Eigen::AlignedBox3d SyntheticScene::boundsOf(std::uint16_t instance) const {
+  Eigen::AlignedBox3d bounds;
+  for (const Part& part : parts_) {
+    if (part.instance != instance) continue;
+    const Eigen::Matrix3d towards = part.T_world_part.linear().transpose();  // columns: the world's axes
+    Eigen::Vector3d low = part.T_world_part.translation();
+    Eigen::Vector3d high = low;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] -= part.shape->reach(-towards.col(axis));
+      high[axis] += part.shape->reach(towards.col(axis));
+    }
+    bounds.extend(Eigen::AlignedBox3d(low, high));
+  }
+  return bounds;
+}
+
 std::uint16_t SyntheticScene::addInstance(std::string name, bool is_object, bool non_convex) {
   const auto id = static_cast<std::uint16_t>(instances_.size() + 1);
   instances_.push_back({id, std::move(name), is_object, non_convex});

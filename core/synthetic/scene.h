@@ -40,6 +40,9 @@ class SyntheticScene {
   /// The id of the instance of that name; 0 where there is none.
   [[nodiscard]] std::uint16_t find(const std::string& name) const;
 
+  /// The instance's box along the world's axes.
+  [[nodiscard]] Eigen::AlignedBox3d boundsOf(std::uint16_t instance) const;
+
   /// Building. New instances get the next id; parts of one instance may overlap.
   std::uint16_t addInstance(std::string name, bool is_object, bool non_convex = false);
   void add(std::uint16_t instance, std::unique_ptr<synthetic::Shape> shape,

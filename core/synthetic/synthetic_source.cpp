@@ -51,6 +51,7 @@ class RenderedSource final : public SyntheticSource {
     info_.frame_count = (options.frames - options.start + options.stride - 1) / options.stride;
     info_.has_poses = true;
     info_.instances = set_.scene.instances();
+    for (InstanceName& who : info_.instances) who.extent_m = set_.scene.boundsOf(who.id).sizes().maxCoeff();
   }
 
   [[nodiscard]] const SourceInfo& info() const override { return info_; }

@@ -51,30 +51,12 @@ double castAt(const SyntheticScene& scene, std::uint16_t instance, bool others, 
   return nearest;
 }
 
-Eigen::AlignedBox3d boundsOf(const SyntheticScene& scene, std::uint16_t instance) {
-  Eigen::AlignedBox3d box;
-  for (const SyntheticScene::Part& part : scene.parts()) {
-    if (part.instance != instance) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double sign : {-1.0, 1.0}) {
-        const Vector3d direction = sign * Vector3d::Unit(axis);
-        const double reach = part.T_world_part.translation().dot(direction) +
-                             part.shape->reach(part.T_world_part.linear().transpose() * direction);
-        Vector3d corner = part.T_world_part.translation();
-        corner[axis] = sign * reach;
-        box.extend(corner);
-      }
-    }
-  }
-  return box;
-}
-
 /// How far the instance's lowest points are from what is below them: 0 = it stands, more = it floats;
 /// infinite = nothing is below, or it has sunk in. Rays upwards find its lowest points, rays downwards what
 /// is below.
 double gapBelow(const SyntheticScene& scene, std::uint16_t instance) {
   constexpr int kSteps = 40;
-  const Eigen::AlignedBox3d box = boundsOf(scene, instance);
+  const Eigen::AlignedBox3d box = scene.boundsOf(instance);
   std::vector<Vector3d> underside;
   double lowest = kNoHit;
   for (int i = 0; i <= kSteps; ++i) {

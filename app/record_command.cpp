@@ -1,0 +1,74 @@
+#include <memory>
+
+#include "app/command.h"
+#include "app/progress_line.h"
+#include "app/scan_options.h"
+#include "app/stop_signal.h"
+#include "core/exchange/recording_writer.h"
+#include "core/scan/open_source.h"
+
+namespace scantrove {
+namespace {
+
+struct RecordCommand {
+  ScanOptions options;
+  std::string out;
+};
+
+std::string describeFrames(int written, const SourceInfo& info) {
+  const std::string so_far = std::to_string(written);
+  return info.frame_count ? so_far + '/' + std::to_string(*info.frame_count) + " frames" : so_far + " frames";
+}
+
+Result<int> writeFrames(FrameSource& source, RecordingWriter& writer) {
+  ProgressLine progress;
+  listenForStop();
+  int written = 0;
+  while (!stopRequested()) {
+    const FrameRead read = source.next();
+    if (read.status == FrameRead::Status::end) break;
+    if (read.status == FrameRead::Status::failed) return fail(read.error);
+    if (read.status == FrameRead::Status::skipped) progress.say(read.error.message());
+    if (read.status != FrameRead::Status::frame) continue;
+    SCANTROVE_TRY(writer.add(read.frame));
+    ++written;
+    progress.show([&] { return describeFrames(written, source.info()); });
+  }
+  return written;
+}
+
+Result<void> record(const RecordCommand& command, const SourceOptions& options) {
+  const auto source = openSource(command.options.source, options);
+  if (!source) return fail(source.error());
+  auto writer = RecordingWriter::create(command.out, (*source)->info());
+  if (!writer) return fail(writer.error());
+  const auto written = writeFrames(**source, *writer);
+  if (!written) return fail(written.error());
+  if (*written == 0 && !stopRequested()) {
+    return fail(command.options.source + " gave no frame that could be recorded.",
+                "Try it with 'scantrove scan'.");
+  }
+  std::cout << "frames   " << *written << "\nresults  " << command.out << '\n';
+  return {};
+}
+
+}  // namespace
+
+void addRecordCommand(CLI::App& app, CommandOutcome& outcome) {
+  auto command = std::make_shared<RecordCommand>();
+  CLI::App* sub = app.add_subcommand(
+      "record",
+      "Write a source as a folder in 7-Scenes layout: frame-NNNNNN.{color.png, depth.png, pose.txt};\n"
+      "random scenes (demo:room:SEED, demo:tabletop:SEED) with their truth, frame-NNNNNN.instance.png");
+  sub->add_option("SOURCE", command->options.source, kSourceHelp)->required();
+  sub->add_option("--out", command->out, "folder for the recording; new or empty")
+      ->required()
+      ->type_name("DIR");
+  command->options.addSourceTo(*sub);
+  sub->callback([command, &outcome] {
+    if (const auto done = record(*command, command->options.toSourceOptions()); !done)
+      outcome.failWith(done.error());
+  });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,109 @@
+#include "core/exchange/recording_writer.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/gray_png.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSuffixes[] = {"color.png", "pose.txt", "instance.png", "depth.png"};
+
+Result<void> write(const fs::path& path, std::string_view bytes) {
+  return writeFileAtomically(path, bytes, Durability::process);
+}
+
+/// Packed at the lowest level: noise does not get much smaller, only later.
+std::string encodeColorPng(const cv::Mat& image) {
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  return {bytes.begin(), bytes.end()};
+}
+
+/// The 4 x 4 matrix, row by row, with all digits that a double needs; fmt knows no languages.
+std::string matrixText(const Eigen::Isometry3d& pose) {
+  std::string text;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      text += fmt::format("{}{}", pose.matrix()(row, column), column < 3 ? ' ' : '\n');
+    }
+  }
+  return text;
+}
+
+Json instancesToJson(const std::vector<InstanceName>& instances) {
+  Json all = Json::array();
+  for (const InstanceName& instance : instances) {
+    Json one{{"id", instance.id}, {"name", instance.name}, {"object", instance.is_object}};
+    if (instance.extent_m > 0) one["extent_m"] = instance.extent_m;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<RecordingWriter> RecordingWriter::create(const fs::path& folder, const SourceInfo& info) {
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored) && !fs::is_empty(folder, ignored)) {
+    return fail("The folder " + folder.string() + " is not empty.", "Give a new folder for the recording.");
+  }
+  SCANTROVE_TRY(prepareOutputFolder(folder));
+  if (!info.instances.empty()) {
+    SCANTROVE_TRY(write(folder / "instances.json", instancesToJson(info.instances).dump(1) + '\n'));
+  }
+  return RecordingWriter(folder, info);
+}
+
+Result<void> RecordingWriter::add(const RgbdFrame& frame) {
+  if (!is_described_) {
+    SCANTROVE_TRY(describeCamera(frame));
+    is_described_ = true;
+  }
+  Result<void> written = writeParts(frame);
+  if (!written) {
+    std::error_code ignored;
+    for (const char* suffix : kSuffixes) fs::remove(pathOf(frame.index, suffix), ignored);
+  }
+  return written;
+}
+
+Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) const {
+  const Intrinsics& K = info_.intrinsics;
+  const double units_per_metre = 1.0 / double{frame.metres_per_unit};
+  const Json camera{{"width", K.width},
+                    {"height", K.height},
+                    {"intrinsic_matrix", {K.fx, 0, 0, 0, K.fy, 0, K.cx, K.cy, 1}},  // column by column
+                    {"depth_scale", std::round(units_per_metre * 1e3) / 1e3},
+                    {"color_registered", true}};
+  return write(folder_ / "intrinsic.json", camera.dump(1) + '\n');
+}
+
+Result<void> RecordingWriter::writeParts(const RgbdFrame& frame) const {
+  if (!frame.color.empty()) {
+    SCANTROVE_TRY(write(pathOf(frame.index, "color.png"), encodeColorPng(frame.color)));
+  }
+  if (frame.T_world_camera) {
+    SCANTROVE_TRY(write(pathOf(frame.index, "pose.txt"), matrixText(*frame.T_world_camera)));
+  }
+  if (!frame.instances.empty()) {
+    SCANTROVE_TRY(write(pathOf(frame.index, "instance.png"), encodeGrayPng(frame.instances)));
+  }
+  // Last: without its depth image, readers take it for no frame.
+  return write(pathOf(frame.index, "depth.png"), encodeGrayPng(frame.depth));
+}
+
+fs::path RecordingWriter::pathOf(int index, const char* suffix) const {
+  return folder_ / fmt::format("frame-{:06}.{}", index, suffix);
+}
+
+}  // namespace scantrove

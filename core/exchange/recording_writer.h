@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/capture/frame_source.h"
+
+namespace scantrove {
+
+/// Writes frames as a recording in the 7-Scenes layout, which openSource() reads back:
+///
+///     frame-NNNNNN.color.png .depth.png .pose.txt   what of these the frames have; NNNNNN is their index
+///     frame-NNNNNN.instance.png                     16 bit, 0 = nothing; where the frames carry truth
+///     intrinsic.json                                camera, depth units a metre; colour is registered to
+///     depth instances.json                                [{id, name, object, extent_m}]; where the frames
+///     carry truth
+///
+/// A frame is there whole or not at all. The layout has no times: a reader takes NNNNNN / 30.
+class RecordingWriter {
+ public:
+  /// Makes `folder`. Error: it cannot be written to, or something is in it.
+  [[nodiscard]] static Result<RecordingWriter> create(const std::filesystem::path& folder,
+                                                      const SourceInfo& info);
+
+  /// Error: names the file; what of this frame had been written is gone.
+  [[nodiscard]] Result<void> add(const RgbdFrame& frame);
+
+ private:
+  RecordingWriter(std::filesystem::path folder, SourceInfo info)
+      : folder_(std::move(folder)), info_(std::move(info)) {}
+  [[nodiscard]] Result<void> describeCamera(const RgbdFrame& frame) const;
+  [[nodiscard]] Result<void> writeParts(const RgbdFrame& frame) const;
+  [[nodiscard]] std::filesystem::path pathOf(int index, const char* suffix) const;
+
+  std::filesystem::path folder_;
+  SourceInfo info_;
+  bool is_described_ = false;
+};
+
+}  // namespace scantrove
