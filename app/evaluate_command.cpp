@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "app/label_image_pairs.h"
 #include "app/number_check.h"
+#include "app/segmentation_evaluation.h"
 #include "core/capture/trajectory_reader.h"
 #include "core/evaluation/trajectory_metrics.h"
 
@@ -15,24 +15,13 @@ using Json = nlohmann::ordered_json;
 struct EvaluateCommand {
   std::string estimate;
   std::string truth;
+  std::vector<std::string> scans, truths;
   int delta_frames = 1;
   SegmentationMetricOptions metrics;
 };
 
 Json toJson(const ErrorSummary& summary) {
   return {{"rmse", summary.rmse}, {"mean", summary.mean}, {"median", summary.median}, {"max", summary.max}};
-}
-
-Json toJson(const SegmentationMetrics& metrics) {
-  return {{"boundary_error", metrics.boundary_error},
-          {"boundary_precision", metrics.boundary_precision},
-          {"boundary_recall", metrics.boundary_recall},
-          {"boundary_f", metrics.boundary_f},
-          {"coverage_weighted", metrics.coverage_weighted},
-          {"coverage", metrics.coverage},
-          {"instances", metrics.instances},
-          {"over_segmented", metrics.over_segmented},
-          {"under_segmented", metrics.under_segmented}};
 }
 
 Result<Json> evaluateTrajectory(const EvaluateCommand& command) {
@@ -56,19 +45,17 @@ Result<Json> evaluateTrajectory(const EvaluateCommand& command) {
 }
 
 Result<Json> evaluateSegmentations(const EvaluateCommand& command) {
-  const auto pairs = pairLabelImages(command.estimate, command.truth);
-  if (!pairs) return fail(pairs.error());
-  std::vector<SegmentationMetrics> all;
-  Json images = Json::array();
-  for (const LabelImagePair& pair : *pairs) {
-    const auto metrics = evaluatePair(pair, command.metrics);
-    if (!metrics) return fail(metrics.error());
-    all.push_back(*metrics);
-    Json image = {{"image", pair.estimate.filename().string()}};
-    image.update(toJson(*metrics));
-    images.push_back(std::move(image));
+  const std::size_t judged = command.scans.empty() ? 1 : command.scans.size();
+  if (command.truths.size() != judged || command.estimate.empty() == command.scans.empty()) {
+    throw CLI::ValidationError("segmentation",
+                               "give --estimate DIR --truth DIR, or --scan DIR --truth DIR (each scan "
+                               "with its truth)");
   }
-  return Json{{"images", all.size()}, {"mean", toJson(averaged(all))}, {"each", images}};
+  if (command.scans.empty())
+    return evaluateEstimate(command.estimate, command.truths.front(), command.metrics);
+  std::vector<JudgedScan> scans;
+  for (std::size_t i = 0; i < judged; ++i) scans.push_back({command.scans[i], command.truths[i]});
+  return evaluateScans(scans, command.metrics);
 }
 
 using Evaluation = Result<Json> (*)(const EvaluateCommand&);
@@ -77,8 +64,6 @@ CLI::App* addEvaluation(CLI::App& parent, const char* name, const char* help,
                         const std::shared_ptr<EvaluateCommand>& command, CommandOutcome& outcome,
                         Evaluation evaluate) {
   CLI::App* sub = parent.add_subcommand(name, help);
-  sub->add_option("--estimate", command->estimate, "what a scan wrote")->required()->type_name("PATH");
-  sub->add_option("--truth", command->truth, "what is right")->required()->type_name("PATH");
   sub->callback([command, &outcome, evaluate] {
     const auto json = evaluate(*command);
     if (!json) return outcome.failWith(json.error());
@@ -87,29 +72,63 @@ CLI::App* addEvaluation(CLI::App& parent, const char* name, const char* help,
   return sub;
 }
 
+void addTrajectory(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
+                   CommandOutcome& outcome) {
+  CLI::App* sub = addEvaluation(parent, "trajectory",
+                                "ATE and RPE of a trajectory: a TUM file, a .log, or a recording's folder",
+                                command, outcome, evaluateTrajectory);
+  sub->add_option("--estimate", command->estimate, "what a scan wrote")->required()->type_name("PATH");
+  sub->add_option("--truth", command->truth, "what is right")->required()->type_name("PATH");
+  sub->add_option("--delta", command->delta_frames, "frames between the poses of the relative error")
+      ->transform(wholeNumber(1))
+      ->type_name("N");
+}
+
+CLI::Option* addFolders(CLI::App& command, const char* option, std::vector<std::string>& folders,
+                        const char* help) {
+  return command.add_option(option, folders, help)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("DIR");
+}
+
+void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
+                     CommandOutcome& outcome) {
+  CLI::App* sub = addEvaluation(
+      parent, "segmentation",
+      "Boundary error (eq. 4.1), boundary precision, recall and F, coverage of small and large instances.\n"
+      "Pixels with truth 0 are not annotated and have no part in the boundary error.\n"
+      "--scan compares segments/ (each frame alone), labels/ (merged, as known at that frame) and\n"
+      "labels-final/ of one scan with --label-maps; over_frames lists them for the scan's first 20 frames, "
+      "as\n"
+      "fig. 4.9 of the thesis: n is how many frames had been merged by then, that frame included (frames "
+      "lost or\n"
+      "left out by --stride do not count), and both segmentations are of the surface fused from the same n "
+      "frames.\n"
+      "One scan gives one image for each n: give --scan and --truth several times for means over scans.",
+      command, outcome, evaluateSegmentations);
+  sub->add_option("--estimate", command->estimate, "a folder of label PNGs")->type_name("DIR");
+  addFolders(*sub, "--scan", command->scans,
+             "what a scan with --label-maps wrote; may be given several times");
+  addFolders(*sub, "--truth", command->truths,
+             "true labels, matched by the numbers in their names; a recording with frame-NNNNNN.instance.png")
+      ->required();
+  sub->add_option("--tolerance", command->metrics.tolerance_px, "of boundary precision and recall, pixels")
+      ->check(atLeast(0))
+      ->type_name("PX");
+  sub->add_option("--min-instance", command->metrics.min_instance_px, "leave out smaller true instances")
+      ->transform(wholeNumber(1))
+      ->type_name("PX");
+}
+
 }  // namespace
 
 void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<EvaluateCommand>();
   CLI::App* evaluate = app.add_subcommand("evaluate", "Measure results against ground truth (JSON)");
   evaluate->require_subcommand(1);
-  addEvaluation(*evaluate, "trajectory",
-                "ATE and RPE of a trajectory: a TUM file, a .log, or a recording's folder", command, outcome,
-                evaluateTrajectory)
-      ->add_option("--delta", command->delta_frames, "frames between the poses of the relative error")
-      ->transform(wholeNumber(1))
-      ->type_name("N");
-  CLI::App* segmentation = addEvaluation(
-      *evaluate, "segmentation", "Boundary error (eq. 4.1), boundary F, coverage of folders of label PNGs",
-      command, outcome, evaluateSegmentations);
-  segmentation
-      ->add_option("--tolerance", command->metrics.tolerance_px, "of boundary precision and recall, pixels")
-      ->check(atLeast(0))
-      ->type_name("PX");
-  segmentation
-      ->add_option("--min-instance", command->metrics.min_instance_px, "leave out smaller true instances")
-      ->transform(wholeNumber(1))
-      ->type_name("PX");
+  addTrajectory(*evaluate, command, outcome);
+  addSegmentation(*evaluate, command, outcome);
 }
 
 }  // namespace scantrove

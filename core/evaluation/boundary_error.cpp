@@ -7,12 +7,15 @@
 
 namespace scantrove {
 
-double boundaryError(const cv::Mat1b& segmentation_boundary, const cv::Mat1b& truth_boundary) {
+double boundaryError(const cv::Mat1b& segmentation_boundary, const cv::Mat1b& truth_boundary,
+                     const cv::Mat1b& counted) {
   SCANTROVE_CHECK(segmentation_boundary.size() == truth_boundary.size());
-  if (truth_boundary.empty()) return 0;
-  const double sum =
-      cv::norm(distanceToBoundary(truth_boundary), distanceToBoundary(segmentation_boundary), cv::NORM_L1);
-  return sum / static_cast<double>(truth_boundary.total());
+  SCANTROVE_CHECK(counted.size() == truth_boundary.size());
+  const int pixels = counted.empty() ? 0 : cv::countNonZero(counted);
+  if (pixels == 0) return 0;
+  return cv::norm(distanceToBoundary(truth_boundary), distanceToBoundary(segmentation_boundary), cv::NORM_L1,
+                  counted) /
+         pixels;
 }
 
 double boundaryShareNear(const cv::Mat1b& boundary, const cv::Mat1b& reference, double tolerance_px) {

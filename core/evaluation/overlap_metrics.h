@@ -25,6 +25,16 @@ struct Coverage {
 /// Mean over true instances of the best intersection over union with any segment (0 where none touches it).
 [[nodiscard]] Coverage coverage(const OverlapTable& table);
 
+/// How well instances of one size are found.
+struct SizedCoverage {
+  int instances = 0;
+  double coverage = 0;   ///< mean of the best intersection over union
+  double over_half = 0;  ///< share of the instances that one segment covers by more than half (IoU > 0.5)
+};
+
+/// Of the instances whose area is `least` to `most` pixels, both included.
+[[nodiscard]] SizedCoverage coverageOfSize(const OverlapTable& table, double least, double most);
+
 /// Instances of which at least two segments each hold `share` or more of the instance's area.
 [[nodiscard]] int overSegmentedCount(const OverlapTable& table, double share);
 

@@ -2,19 +2,23 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/evaluation/overlap_metrics.h"
+
 namespace scantrove {
 
 /// Metrics of one segmented image against its ground truth (algorithms.md 5). Images of one size; 0 =
 /// unlabelled.
 struct SegmentationMetrics {
-  double boundary_error = 0;  ///< thesis eq. 4.1, pixels; lower is better
-  double boundary_precision =
-      0;                       ///< share of the segmentation's boundary within `tolerance_px` of the truth's
+  double boundary_error = 0;      ///< thesis eq. 4.1 where truth is annotated, pixels; lower is better
+  double boundary_precision = 0;  ///< share of the segmentation's boundary, where truth is annotated, within
+                                  ///< `tolerance_px` of the truth's
   double boundary_recall = 0;  ///< share of the truth's boundary within `tolerance_px` of the segmentation's
   double boundary_f = 0;       ///< harmonic mean of the two
   double coverage_weighted =
       0;                   ///< mean over true instances of the best intersection over union, weighted by area
   double coverage = 0;     ///< the same, unweighted
+  SizedCoverage small;     ///< instances of 400 - 15,000 pixels at 640 x 480, at other sizes in proportion
+  SizedCoverage large;     ///< those above
   int instances = 0;       ///< true instances counted
   int over_segmented = 0;  ///< true instances of which two or more segments each cover a tenth
   int under_segmented = 0;  ///< segments that hold a tenth or more of each of two or more true instances
@@ -29,7 +33,8 @@ struct SegmentationMetricOptions {
 [[nodiscard]] SegmentationMetrics evaluateSegmentation(const cv::Mat& segmentation, const cv::Mat& truth,
                                                        const SegmentationMetricOptions& options = {});
 
-/// Mean over images; counts are summed. Images without a true instance do not enter the coverages.
+/// Mean over images; counts are summed. Images without a true instance do not enter the coverages; in `small`
+/// and `large` each instance counts as one, in whichever image.
 [[nodiscard]] SegmentationMetrics averaged(const std::vector<SegmentationMetrics>& images);
 
 }  // namespace scantrove

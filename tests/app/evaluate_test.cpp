@@ -69,6 +69,70 @@ TEST(EvaluateSegmentation, OfHandMadeImages) {
   EXPECT_EQ(strict["each"][0]["boundary_f"], 0);
 }
 
+/// A scan of 22 frames, 30 on, 4 x 10 pixels, whose truth is cut in the middle. Single frames are cut two
+/// columns too far (error 1.8), merged ones from the third frame on where they should be, final ones always.
+void writeScan(const std::filesystem::path& scan, const std::filesystem::path& truth) {
+  for (int i = 0; i < 22; ++i) {
+    const std::string name = "0000" + std::to_string(30 + i) + ".png";
+    writeLabels(scan / "segments" / name, 7);
+    writeLabels(scan / "labels" / name, i < 2 ? 7 : 5);
+    writeLabels(scan / "labels-final" / name, 5);
+    if (i == 5) continue;  // not annotated
+    writeLabels(truth / ("frame-0000" + std::to_string(30 + i) + ".instance.png"), 5);
+    writeLabels(truth / ("frame-0000" + std::to_string(30 + i) + ".depth.png"), 1);
+  }
+}
+
+TEST(EvaluateSegmentation, OfAScanWithItsTruth) {
+  const TemporaryFolder folder;
+  writeScan(folder / "scan", folder / "truth");
+  const auto json =
+      jsonOf(scantrove({"evaluate", "segmentation", "--scan", folder / "scan", "--truth", folder / "truth"}));
+  EXPECT_EQ(json["images"], 21);
+  EXPECT_NEAR(json["single"]["boundary_error"], 1.8, 1e-6);
+  EXPECT_NEAR(json["merged"]["boundary_error"], 2 * 1.8 / 21, 1e-6);
+  EXPECT_EQ(json["final"]["boundary_error"], 0);
+  EXPECT_NEAR(json["ratio"], 2.0 / 21, 1e-6);
+  EXPECT_EQ(json["ratio_final"], 0);
+  EXPECT_EQ(json["single"]["large"]["instances"], 42) << "half of an image each, and none is small";
+  EXPECT_EQ(json["single"]["large"]["over_half"], 1);
+  ASSERT_EQ(json["over_frames"].size(), 19U) << "the first 20 frames, but for the one without truth";
+  EXPECT_EQ(json["over_frames"][0]["n"], 1);
+  EXPECT_NEAR(json["over_frames"][1]["ratio"], 1, 1e-6);
+  EXPECT_EQ(json["over_frames"][2]["ratio"], 0);
+  EXPECT_EQ(json["over_frames"][5]["n"], 7);
+  EXPECT_EQ(json["over_frames"][5]["images"], 1);
+}
+
+TEST(EvaluateSegmentation, OfSeveralScansTogether) {
+  const TemporaryFolder folder;
+  writeScan(folder / "a", folder / "truth a");
+  writeScan(folder / "b", folder / "truth b");
+  writeLabels(folder / "b/labels/000030.png", 5);
+  const auto json =
+      jsonOf(scantrove({"evaluate", "segmentation", "--scan", folder / "a", "--truth", folder / "truth a",
+                        "--scan", folder / "b", "--truth", folder / "truth b"}));
+  EXPECT_EQ(json["images"], 42);
+  EXPECT_NEAR(json["merged"]["boundary_error"], 3 * 1.8 / 42, 1e-6);
+  EXPECT_EQ(json["over_frames"][0]["images"], 2);
+  EXPECT_NEAR(json["over_frames"][0]["ratio"], 0.5, 1e-6);
+}
+
+TEST(EvaluateSegmentation, WantsAScanOrAnEstimateWithItsTruth) {
+  const TemporaryFolder folder;
+  writeScan(folder / "scan", folder / "truth");
+  const auto evaluate = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"evaluate", "segmentation", "--truth", (folder / "truth").string()});
+    return scantrove(arguments);
+  };
+  const std::string scan = folder / "scan";
+  expectWrongUsage(evaluate({}), {"--scan"});
+  expectWrongUsage(evaluate({"--scan", scan, "--estimate", scan}), {"--scan"});
+  expectWrongUsage(evaluate({"--scan", scan, "--scan", scan}), {"each scan with its truth"});
+  std::filesystem::remove_all(folder / "scan/labels-final");
+  expectJobFailure(evaluate({"--scan", scan}), {scan, "labels-final", "--label-maps"});
+}
+
 TEST(EvaluateSegmentation, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   writeLabels(folder / "estimate/000005.png", 7);

@@ -66,9 +66,27 @@ TEST(Boundary, DistanceWithoutAnyBoundaryIsTheDiagonal) {
 
 TEST(BoundaryError, OfALineThatIsShifted) {
   // Boundaries in columns 4 and 6 of 10: |d - d'| is 2 outside, 2 0 2 in columns 4 5 6 -> (9 * 2) / 10.
-  const double error = boundaryError(boundaryPixels(cutAt(5)), boundaryPixels(cutAt(7)));
+  const cv::Mat1b all(4, 10, static_cast<unsigned char>(255));
+  const double error = boundaryError(boundaryPixels(cutAt(5)), boundaryPixels(cutAt(7)), all);
   EXPECT_NEAR(error, 1.8, 1e-6);
-  EXPECT_EQ(boundaryError(boundaryPixels(cutAt(5)), boundaryPixels(cutAt(5))), 0);
+  EXPECT_EQ(boundaryError(boundaryPixels(cutAt(5)), boundaryPixels(cutAt(5)), all), 0);
+}
+
+TEST(BoundaryError, OnlyWhereTruthIsAnnotated) {
+  // Truth: 1 in columns 0-4, nothing known from there on; its outline is a boundary in column 4. Segments:
+  // cuts in columns 4 and 8. |d - d'| is 0 in columns 0-4; in 5 ... 9 it would be 0 0 2 4 4.
+  cv::Mat1i truth = cutAt(5);
+  truth.setTo(0, truth == 2);
+  cv::Mat1i segments = cutAt(5);
+  segments.colRange(9, 10) = 3;
+  const SegmentationMetrics metrics = evaluateSegmentation(segments, truth);
+  EXPECT_EQ(metrics.boundary_error, 0);
+  EXPECT_EQ(metrics.boundary_precision, 1) << "the cut in column 8 is neither right nor wrong";
+  EXPECT_EQ(metrics.boundary_recall, 1);
+  const SegmentationMetrics all = evaluateSegmentation(segments, cutAt(5));
+  EXPECT_NEAR(all.boundary_error, 1.0, 1e-6);
+  EXPECT_EQ(all.boundary_precision, 0.5);
+  EXPECT_EQ(evaluateSegmentation(segments, cv::Mat1i(4, 10, 0)).boundary_error, 0);
 }
 
 TEST(BoundaryError, DoesNotCareAboutNamesOfLabels) {
@@ -177,6 +195,27 @@ TEST(SegmentationMetrics, CoverageEqualsBruteForceOnRandomImages) {
   }
 }
 
+TEST(SegmentationMetrics, SmallAndLargeInstancesApart) {
+  // 64 x 48 pixels: a hundredth of 640 x 480, so small is 4 - 150 pixels.
+  cv::Mat1i truth(48, 64, 0);
+  truth(cv::Rect(0, 0, 3, 1)) = 1;     // 3: neither
+  truth(cv::Rect(10, 0, 4, 1)) = 2;    // 4: small
+  truth(cv::Rect(20, 0, 15, 10)) = 3;  // 150: small
+  truth(cv::Rect(0, 20, 20, 10)) = 4;  // 200: large
+  cv::Mat1i segments(48, 64, 0);
+  segments(cv::Rect(10, 0, 2, 1)) = 5;    // half of 2, not more
+  segments(cv::Rect(20, 0, 15, 9)) = 6;   // 135 of 3
+  segments(cv::Rect(0, 20, 20, 8)) = 7;   // 160 of 4 ...
+  segments(cv::Rect(30, 20, 34, 1)) = 7;  // ... and 34 elsewhere
+  const SegmentationMetrics metrics = evaluateSegmentation(segments, truth);
+  EXPECT_EQ(metrics.small.instances, 2);
+  EXPECT_NEAR(metrics.small.coverage, (0.5 + 0.9) / 2, 1e-12);
+  EXPECT_EQ(metrics.small.over_half, 0.5);
+  EXPECT_EQ(metrics.large.instances, 1);
+  EXPECT_NEAR(metrics.large.coverage, 160.0 / 234, 1e-12);
+  EXPECT_EQ(metrics.large.over_half, 1);
+}
+
 TEST(SegmentationMetrics, TakesSixteenBitImages) {
   cv::Mat segments, truth;
   cutAt(4).convertTo(segments, CV_16UC1);
@@ -191,11 +230,17 @@ TEST(SegmentationMetrics, AverageSumsCountsAndIgnoresImagesWithoutInstances) {
   a.instances = 3;
   a.over_segmented = 1;
   b.boundary_error = 4;
+  a.small = {3, 0.5, 1.0};
+  b.small = {1, 0.9, 0.0};
   const SegmentationMetrics mean = averaged({a, b});
   EXPECT_EQ(mean.boundary_error, 3);
   EXPECT_EQ(mean.coverage, 0.8);
   EXPECT_EQ(mean.instances, 3);
   EXPECT_EQ(mean.over_segmented, 1);
+  EXPECT_EQ(mean.small.instances, 4);
+  EXPECT_NEAR(mean.small.coverage, (3 * 0.5 + 0.9) / 4, 1e-12);
+  EXPECT_NEAR(mean.small.over_half, 0.75, 1e-12);
+  EXPECT_EQ(mean.large.instances, 0);
   EXPECT_EQ(averaged({}).instances, 0);
 }
 

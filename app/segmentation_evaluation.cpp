@@ -1,0 +1,153 @@
+#include "app/segmentation_evaluation.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/label_images.h"
+#include "core/exchange/label_image_writer.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kSeriesLength = 20;  // of thesis fig. 4.9
+
+Json toJson(const SizedCoverage& sized) {
+  return {{"instances", sized.instances}, {"coverage", sized.coverage}, {"over_half", sized.over_half}};
+}
+
+Json toJson(const SegmentationMetrics& metrics) {
+  return {{"boundary_error", metrics.boundary_error},
+          {"boundary_precision", metrics.boundary_precision},
+          {"boundary_recall", metrics.boundary_recall},
+          {"boundary_f", metrics.boundary_f},
+          {"coverage_weighted", metrics.coverage_weighted},
+          {"coverage", metrics.coverage},
+          {"small", toJson(metrics.small)},
+          {"large", toJson(metrics.large)},
+          {"instances", metrics.instances},
+          {"over_segmented", metrics.over_segmented},
+          {"under_segmented", metrics.under_segmented}};
+}
+
+tl::unexpected<Error> nothingInCommon(const std::string& labels, const std::string& truth) {
+  return fail("No label image of " + labels + " has the number of one in " + truth + ".",
+              "Give two folders of PNGs named by frame, such as 000012.png.");
+}
+
+/// The three label images of a frame.
+enum Labels : std::size_t { kSingle, kMerged, kFinal, kKinds };
+constexpr std::array<const char*, kKinds> kFolders{"segments", "labels", "labels-final"};
+using FrameMetrics = std::array<SegmentationMetrics, kKinds>;
+
+/// Frames with a truth, each with its place among the frames that the scan merged, from 1.
+struct JudgedFrame {
+  std::size_t place = 0;
+  FrameMetrics metrics;
+};
+
+Result<void> judgeScan(const JudgedScan& scan, const SegmentationMetricOptions& options,
+                       std::vector<JudgedFrame>& frames) {
+  const fs::path folder = scan.scan;
+  for (const char* name : kFolders) {
+    std::error_code ignored;
+    if (fs::is_directory(folder / name, ignored)) continue;
+    return fail("The scan " + scan.scan + " has no folder " + name + ".",
+                "Scan with --label-maps, to the end.");
+  }
+  const auto merged_images = numberedImages(folder / kFolders[kMerged]);
+  if (!merged_images) return fail(merged_images.error());
+  const auto truths = numberedImages(scan.truth);
+  if (!truths) return fail(truths.error());
+  const std::size_t before = frames.size();
+  std::size_t place = 0;
+  for (const auto& [number, image] : *merged_images) {
+    ++place;
+    const auto match = truths->find(number);
+    if (match == truths->end()) continue;
+    const auto truth = readLabelImage(match->second);
+    if (!truth) return fail(truth.error());
+    JudgedFrame frame{place, {}};
+    for (const Labels kind : {kSingle, kMerged, kFinal}) {
+      const auto metrics = evaluateLabelImage(folder / kFolders[kind] / image.filename(), *truth, options);
+      if (!metrics) return fail(metrics.error());
+      frame.metrics[kind] = *metrics;
+    }
+    frames.push_back(frame);
+  }
+  if (frames.size() == before) return nothingInCommon((folder / kFolders[kMerged]).string(), scan.truth);
+  return {};
+}
+
+SegmentationMetrics meanOf(const std::vector<JudgedFrame>& frames, Labels kind) {
+  std::vector<SegmentationMetrics> all;
+  for (const JudgedFrame& frame : frames) all.push_back(frame.metrics[kind]);
+  return averaged(all);
+}
+
+/// Null where nothing is to be divided by.
+Json ratio(double of, double to) { return to > 0 ? Json(of / to) : Json(); }
+
+Json seriesOverFrames(const std::vector<JudgedFrame>& frames) {
+  Json series = Json::array();
+  for (std::size_t n = 1; n <= kSeriesLength; ++n) {
+    std::vector<JudgedFrame> there;
+    for (const JudgedFrame& frame : frames) {
+      if (frame.place == n) there.push_back(frame);
+    }
+    if (there.empty()) continue;
+    const SegmentationMetrics alone = meanOf(there, kSingle);
+    const SegmentationMetrics together = meanOf(there, kMerged);
+    series.push_back({{"n", n},
+                      {"images", there.size()},
+                      {"single", toJson(alone)},
+                      {"merged", toJson(together)},
+                      {"ratio", ratio(together.boundary_error, alone.boundary_error)}});
+  }
+  return series;
+}
+
+}  // namespace
+
+Result<Json> evaluateEstimate(const std::string& estimate, const std::string& truth,
+                              const SegmentationMetricOptions& options) {
+  const auto estimates = numberedImages(estimate);
+  if (!estimates) return fail(estimates.error());
+  const auto truths = numberedImages(truth);
+  if (!truths) return fail(truths.error());
+  std::vector<SegmentationMetrics> all;
+  Json images = Json::array();
+  for (const auto& [number, path] : *estimates) {
+    const auto match = truths->find(number);
+    if (match == truths->end()) continue;
+    const auto true_labels = readLabelImage(match->second);
+    if (!true_labels) return fail(true_labels.error());
+    const auto metrics = evaluateLabelImage(path, *true_labels, options);
+    if (!metrics) return fail(metrics.error());
+    all.push_back(*metrics);
+    Json image = {{"image", path.filename().string()}};
+    image.update(toJson(*metrics));
+    images.push_back(std::move(image));
+  }
+  if (all.empty()) return nothingInCommon(estimate, truth);
+  return Json{{"images", all.size()}, {"mean", toJson(averaged(all))}, {"each", images}};
+}
+
+Result<Json> evaluateScans(const std::vector<JudgedScan>& scans, const SegmentationMetricOptions& options) {
+  std::vector<JudgedFrame> frames;
+  for (const JudgedScan& scan : scans) SCANTROVE_TRY(judgeScan(scan, options, frames));
+  const SegmentationMetrics alone = meanOf(frames, kSingle);
+  const SegmentationMetrics together = meanOf(frames, kMerged);
+  const SegmentationMetrics in_the_end = meanOf(frames, kFinal);
+  return Json{{"images", frames.size()},
+              {"single", toJson(alone)},
+              {"merged", toJson(together)},
+              {"final", toJson(in_the_end)},
+              {"ratio", ratio(together.boundary_error, alone.boundary_error)},
+              {"ratio_final", ratio(in_the_end.boundary_error, alone.boundary_error)},
+              {"over_frames", seriesOverFrames(frames)}};
+}
+
+}  // namespace scantrove
