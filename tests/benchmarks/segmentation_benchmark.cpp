@@ -1,84 +1,226 @@
-// One thread: GraphSegmenter on a surface like a real frame's (boxes on a table, noise of a structured-light
-// camera), and its stages alone.
-#include <benchmark/benchmark.h>
+// How much better merged regions are than single frames, over random scenes with exact truth: the scan
+// pipeline on each scene, every few frames both compared with the truth. One line a scene, and means, for
+// each set of parameters.
+//
+//   segmentation_benchmark --cache DIR --rooms 1-5 --tables 1-5 [--uneven] [--rule graph,thesis] [--set
+//   key=value]
+#include <spdlog/fmt/fmt.h>
 
-#include <random>
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
 
-#include "core/segmentation/edge_weigher.h"
-#include "core/segmentation/graph_partition.h"
-#include "core/segmentation/graph_segmenter.h"
-#include "core/segmentation/normal_refiner.h"
+#include "core/evaluation/segmentation_metrics.h"
+#include "core/scan/param_registry.h"
+#include "core/scan/scan_pipeline.h"
+#include "tests/benchmarks/scene_cache.h"
 
+namespace scantrove::benchmarks {
 namespace {
 
-using namespace scantrove;
+struct Options {
+  std::string cache;
+  std::vector<std::string> rooms, tables;
+  bool uneven = false;
+  std::vector<std::string> rules;
+  std::vector<std::string> settings;
+  std::string poses = "tracked";
+  int every = 5;
+  int frames = 0;
+  int stride = 1;
+};
 
-SurfaceMaps tableTop(ComputeContext& compute, int width) {
-  const Intrinsics K = Intrinsics{525, 525, 319.5F, 239.5F, 640, 480}.resizedTo(width, width * 3 / 4);
-  std::mt19937 random(1);
-  std::normal_distribution<float> noise(0, 0.001F);
-  std::vector<cl_float4> vertices;
-  for (int v = 0; v < K.height; ++v) {
-    for (int u = 0; u < K.width; ++u) {
-      const float x = (static_cast<float>(u) - K.cx) / K.fx, y = (static_cast<float>(v) - K.cy) / K.fy;
-      const bool box = static_cast<int>(x * 8 + 20) % 2 == 0 && static_cast<int>(y * 8 + 20) % 2 == 0;
-      const float z = 0.7F / (0.6F + 0.8F * y) - (box ? 0.08F : 0.0F) + noise(random);
-      const Eigen::Vector3f p = K.backProject(static_cast<float>(u), static_cast<float>(v), z);
-      vertices.push_back({{p.x(), p.y(), p.z(), z > 0 && z < 4 ? 1.0F : 0.0F}});
+/// A set of parameters and what it is called.
+struct Variant {
+  std::string name;
+  ScanParams params;
+};
+
+struct SceneScore {
+  SegmentationMetrics single, merged;
+  double regions = 0;
+  double merge_ms = 0;
+  double fps = 0;
+  double lost = 0;
+};
+
+/// "1-3" and "7": 1 2 3 7.
+std::vector<int> seedsFrom(const std::vector<std::string>& ranges) {
+  std::vector<int> seeds;
+  for (const std::string& range : ranges) {
+    const std::size_t dash = range.find('-');
+    const int first = std::stoi(range);
+    const int last = dash == std::string::npos ? first : std::stoi(range.substr(dash + 1));
+    for (int seed = first; seed <= last; ++seed) seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+Result<std::vector<Variant>> variantsOf(const Options& options) {
+  std::vector<std::string> rules = options.rules;
+  if (rules.empty()) rules.emplace_back();
+  std::vector<Variant> variants;
+  for (const std::string& rule : rules) {
+    Variant variant{rule.empty() ? "default" : rule, {}};
+    if (!rule.empty()) SCANTROVE_TRY(applySetting(variant.params, "labeling.rule=" + rule));
+    for (const std::string& setting : options.settings) {
+      SCANTROVE_TRY(applySetting(variant.params, setting));
+      variant.name += ' ' + setting;
     }
+    variants.push_back(std::move(variant));
   }
-  SurfaceMaps surface;
-  surface.K = K;
-  surface.vertices_world = Buffer<cl_float4>(compute.context(), vertices.size());
-  surface.normals_world = Buffer<cl_float4>(compute.context(), vertices.size());
-  surface.vertices_world.write(compute.queue(), vertices);
-  return surface;
+  return variants;
 }
 
-ComputeContext& device() {
-  static auto compute = ComputeContext::create({});
-  return **compute;
+cv::Mat labelImage(const std::vector<std::uint32_t>& labels, const Intrinsics& K) {
+  cv::Mat_<int> image(K.height, K.width);
+  std::copy(labels.begin(), labels.end(), image.begin());
+  return image;
 }
 
-void segment(benchmark::State& state) {
-  const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
-  auto segmenter = GraphSegmenter::create(device());
-  int segments = 0;
-  for (auto _ : state) segments = (*segmenter)->segment(surface, {}).count();
-  state.counters["segments"] = segments;
-}
-BENCHMARK(segment)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
-
-void refineNormals(benchmark::State& state) {
-  const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
-  auto refiner = NormalRefiner::create(device());
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(refiner->refine(surface, {}).size());
-    device().finish();
+/// Mean time a frame in the stages that join and part regions.
+double mergeMilliseconds(const StageTimer& timer) {
+  double sum = 0;
+  std::size_t frames = 1;
+  for (const StageTimer::Stage& stage : timer.stages()) {
+    if (stage.name != "merge" && stage.name != "partition") continue;
+    for (const double ms : stage.all_ms) sum += ms;
+    frames = std::max(frames, stage.all_ms.size());
   }
+  return sum / static_cast<double>(frames);
 }
-BENCHMARK(refineNormals)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
-void weighEdges(benchmark::State& state) {
-  const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
-  auto refiner = NormalRefiner::create(device());
-  auto weigher = EdgeWeigher::create(device());
-  const Buffer<cl_float4>& normals = refiner->refine(surface, {});
-  EdgeKeys edges;
-  for (auto _ : state) weigher->weigh(surface, normals, {}, edges);
+Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanParams& params,
+                           const Options& options, ComputeContext& compute) {
+  SourceOptions frames;
+  frames.stride = options.stride;
+  if (options.frames > 0) frames.frames = options.frames;
+  const auto source = openSource(recording.string(), frames);
+  if (!source) return fail(source.error());
+  const bool given = options.poses == "given";
+  const auto pipeline =
+      ScanPipeline::create(compute, {(*source)->info().intrinsics, params, given, nullptr, 0});
+  if (!pipeline) return fail(pipeline.error());
+  const Intrinsics& K = (*pipeline)->workingIntrinsics();
+  std::vector<SegmentationMetrics> single, merged;
+  SceneScore score;
+  const auto start = std::chrono::steady_clock::now();
+  int done = 0;
+  for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
+       read = (*source)->next()) {
+    const auto result = (*pipeline)->processFrame(read.frame);
+    if (!result) return fail(result.error());
+    if (!result->pose.usable()) score.lost += 1;
+    if (++done % options.every != 0 || !result->pose.usable()) continue;
+    const std::string name = fmt::format("frame-{:06}.instance.png", read.frame.index);
+    const auto truth = readLabelImage(recording / name);
+    if (!truth) return fail(truth.error());
+    cv::Mat small;
+    cv::resize(*truth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
+    single.push_back(evaluateSegmentation(labelImage(result->segments.ids, K), small));
+    merged.push_back(evaluateSegmentation(labelImage(result->regions.regions, K), small));
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  score.fps = done / elapsed.count();
+  score.single = averaged(single);
+  score.merged = averaged(merged);
+  score.merge_ms = mergeMilliseconds((*pipeline)->timer());
+  const auto regions = (*pipeline)->regionCount();
+  if (!regions) return fail(regions.error());
+  score.regions = *regions;
+  return score;
 }
-BENCHMARK(weighEdges)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
-void sortTheEdges(benchmark::State& state) {
-  const SurfaceMaps surface = tableTop(device(), static_cast<int>(state.range(0)));
-  auto refiner = NormalRefiner::create(device());
-  auto weigher = EdgeWeigher::create(device());
-  EdgeKeys edges;
-  weigher->weigh(surface, refiner->refine(surface, {}), {}, edges);
-  const std::span<const std::uint16_t> keys(edges.keys.data()->s, edges.keys.size() * 4);
-  std::vector<std::uint32_t> counts, order;
-  for (auto _ : state) sortEdges(keys, counts, order);
+void printHeader(const Variant& variant) {
+  std::printf("\n== %s\n%-18s |  error 4.1 px            | small over half        | large over half |\n",
+              variant.name.c_str(), "");
+  std::printf(
+      "%-18s | single merged  ratio     | single merged  gain    | single merged   | regions merge_ms fps "
+      "lost\n",
+      "scene");
 }
-BENCHMARK(sortTheEdges)->Arg(320)->Arg(640)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+
+void printLine(const std::string& name, const SceneScore& s, double ratio) {
+  const auto& [single, merged] = std::pair(s.single, s.merged);
+  std::printf(
+      "%-18s | %6.2f %6.2f  %5.3f     | %6.3f %6.3f %+6.3f   | %6.3f %6.3f   | %7.0f %8.2f %3.0f %4.0f\n",
+      name.c_str(), single.boundary_error, merged.boundary_error, ratio, single.small.over_half,
+      merged.small.over_half, merged.small.over_half - single.small.over_half, single.large.over_half,
+      merged.large.over_half, s.regions, s.merge_ms, s.fps, s.lost);
+  std::fflush(stdout);
+}
+
+/// Means over scenes; of the ratio too, as each scene counts as one.
+void printMean(const std::string& name, const std::vector<SceneScore>& scores) {
+  if (scores.empty()) return;
+  SceneScore mean;
+  double ratio = 0;
+  for (const SceneScore& score : scores) {
+    const double share = 1.0 / static_cast<double>(scores.size());
+    for (const auto part : {&SceneScore::single, &SceneScore::merged}) {
+      (mean.*part).boundary_error += share * (score.*part).boundary_error;
+      (mean.*part).small.over_half += share * (score.*part).small.over_half;
+      (mean.*part).large.over_half += share * (score.*part).large.over_half;
+    }
+    for (const auto part :
+         {&SceneScore::regions, &SceneScore::merge_ms, &SceneScore::fps, &SceneScore::lost}) {
+      mean.*part += share * score.*part;
+    }
+    ratio += share * score.merged.boundary_error / score.single.boundary_error;
+  }
+  printLine(name, mean, ratio);
+}
+
+Result<void> run(const Options& options) {
+  const auto variants = variantsOf(options);
+  if (!variants) return fail(variants.error());
+  auto compute = ComputeContext::create({});
+  if (!compute) return fail(compute.error());
+  const SceneCache cache(options.cache);
+  for (const Variant& variant : *variants) {
+    printHeader(variant);
+    std::vector<SceneScore> all;
+    for (const auto& [kind, seeds] :
+         {std::pair("room", &options.rooms), std::pair("tabletop", &options.tables)}) {
+      std::vector<SceneScore> of_kind;
+      for (const int seed : seedsFrom(*seeds)) {
+        const std::string scene = fmt::format("{}:{}{}", kind, seed, options.uneven ? ":uneven" : "");
+        const auto recording = cache.recordingOf(scene);
+        if (!recording) return fail(recording.error());
+        const auto score = scoreOf(*recording, variant.params, options, **compute);
+        if (!score) return fail(score.error());
+        printLine(scene, *score, score->merged.boundary_error / score->single.boundary_error);
+        of_kind.push_back(*score);
+        all.push_back(*score);
+      }
+      printMean(fmt::format("mean of {}s", kind), of_kind);
+    }
+    printMean("mean of all", all);
+  }
+  return {};
+}
 
 }  // namespace
+}  // namespace scantrove::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace scantrove;
+  benchmarks::Options options;
+  CLI::App app("Single frames against merged regions on random scenes");
+  app.add_option("--cache", options.cache, "folder that keeps the rendered scenes")->required();
+  app.add_option("--rooms", options.rooms, "seeds of demo:room, such as 1-5,9")->delimiter(',');
+  app.add_option("--tables", options.tables, "seeds of demo:tabletop")->delimiter(',');
+  app.add_flag("--uneven", options.uneven, "surfaces with bumps");
+  app.add_option("--rule", options.rules, "rules of labeling to compare")->delimiter(',');
+  app.add_option("--set", options.settings, "parameters, key=value, for all of them");
+  app.add_option("--poses", options.poses, "tracked or given")->check(CLI::IsMember({"tracked", "given"}));
+  app.add_option("--every", options.every, "compare every N-th frame with the truth")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--frames", options.frames, "only the first N of each scene");
+  app.add_option("--stride", options.stride, "every N-th frame")->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
+  const auto done = benchmarks::run(options);
+  if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
+  return done ? 0 : 1;
+}
