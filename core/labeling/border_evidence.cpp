@@ -10,10 +10,20 @@ namespace {
 constexpr float kCertain = 1e6F;
 constexpr float kFullLength_px = 16;  // borders this long count fully
 constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
-constexpr float kIntercept = 4.905F;
-constexpr std::array<float, BorderEvidence::kFeatures> kCoefficients{-0.306F, -0.903F, 1.011F, 0.436F,
-                                                                     3.143F,  0.703F,  0.179F, -0.52F};
-constexpr float kFarFrom_m = 2.5F;    // noise grows with z^2: beyond this a look counts for less than half
+
+/// A logistic model: intercept, then a coefficient for each feature.
+struct Model {
+  float intercept;
+  std::array<float, BorderEvidence::kFeatures> coefficients;
+};
+/// Fitted by border_evidence_fit to demo:room:1-4 and 5:uneven, demo:tabletop:1-4 and 5:uneven. Small things
+/// suffer more from one wrong join than from one missed: the intercepts are lower by 1 than the fit.
+constexpr Model kWithColor{7.70F, {-0.05F, -0.63F, 2.05F, -0.18F, 3.72F, 0.57F, -0.05F, -0.42F, -1.86F}};
+constexpr Model kWithoutColor{3.50F, {-0.40F, -1.45F, 0.88F, 0.46F, 3.19F, 0.70F, 0.03F, -0.33F, 0}};
+constexpr float kEnoughLooks = 2;        // before these nothing speaks for joining
+constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
+
+constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look counts for less than half
 
 float weightOf(const FragmentContact& contact) {
   const float far = contact.depth_m / kFarFrom_m;
@@ -35,6 +45,10 @@ void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
     shared *= fade;
   }
   length_m = std::max(length_m, contact.length_m);
+  if (contact.color_shift) {
+    const float before = color_shift.value_or(*contact.color_shift);
+    color_shift = before + weight / looks * (*contact.color_shift - before);
+  }
   if (contact.bends == 0) return;
   const float bend_weight =
       weight * static_cast<float>(contact.bends) / static_cast<float>(contact.length_px);
@@ -56,16 +70,24 @@ std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels
           looks > 0 ? shared / looks : 0.0F,
           std::log(length_m + 0.01F),
           std::log(static_cast<float>(fewer) + 10),
-          std::log(static_cast<float>(more) + 10)};
+          std::log(static_cast<float>(more) + 10),
+          std::log(color_shift.value_or(0) + 1)};
 }
 
 float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
+  const Model& model = color_shift ? kWithColor : kWithoutColor;
+  const std::array<float, kFeatures> x = features(voxels_a, voxels_b);
+  return std::inner_product(x.begin(), x.end(), model.coefficients.begin(), model.intercept);
+}
+
+float BorderEvidence::weight(int voxels_a, int voxels_b, float bias) const {
   if (constraint != Constraint::none) {
     const float strength = kCertain * (1 + static_cast<float>(constraint_order));
     return constraint == Constraint::must_link ? strength : -strength;
   }
-  const std::array<float, kFeatures> x = features(voxels_a, voxels_b);
-  return std::inner_product(x.begin(), x.end(), kCoefficients.begin(), kIntercept);
+  const float odds = logOdds(voxels_a, voxels_b) + bias;
+  if (odds > 0 && looks < kEnoughLooks) return 0;
+  return odds * std::min(1.0F, length_m / kEnoughLength_m);
 }
 
 }  // namespace scantrove

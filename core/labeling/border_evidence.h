@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "core/labeling/fragment_contacts.h"
 
@@ -9,16 +10,17 @@ namespace scantrove {
 struct BorderEvidence {
   enum class Constraint { none, must_link, cannot_link };
 
-  float looks = 0;             ///< weighed, at most kMostLooks
-  float bridged = 0;           ///< of the looks: one segment on both sides of the border
-  float shared = 0;            ///< of the looks: both fragments' visible parts lie in the same segments
-  float bends = 0;             ///< weighed looks at the bend, at most kMostLooks
-  float concavity_rad = 0;     ///< mean, > 0 a fold, < 0 a ridge
-  float turn_rad = 0;          ///< mean of its absolute
-  float folded = 0, ridged = 0;  ///< parts of the border that clearly are, mean
-  float length_m = 0;          ///< of the border, longest look
+  float looks = 0;                   ///< weighed, at most kMostLooks
+  float bridged = 0;                 ///< of the looks: one segment on both sides of the border
+  float shared = 0;                  ///< of the looks: both fragments' visible parts lie in the same segments
+  float bends = 0;                   ///< weighed looks at the bend, at most kMostLooks
+  float concavity_rad = 0;           ///< mean, > 0 a fold, < 0 a ridge
+  float turn_rad = 0;                ///< mean of its absolute
+  float folded = 0, ridged = 0;      ///< parts of the border that clearly are, mean
+  std::optional<float> color_shift;  ///< as in FragmentContact, mean
+  float length_m = 0;                ///< of the border, longest look
   Constraint constraint = Constraint::none;
-  int constraint_order = 0;    ///< later ones are stronger
+  int constraint_order = 0;  ///< later ones are stronger
 
   /// Older looks fade as newer come: what was seen wrongly is overruled by so many that see it right.
   static constexpr float kMostLooks = 20;
@@ -27,12 +29,16 @@ struct BorderEvidence {
   void add(const FragmentContact& contact, float shared);
 
   /// What logOdds() weighs.
-  static constexpr std::size_t kFeatures = 8;
+  static constexpr std::size_t kFeatures = 9;
   [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
   /// Logarithm of the odds that the two are one thing, by a logistic model of the above; its coefficients are
-  /// fitted to random synthetic scenes (tests/benchmarks/border_evidence_fit). Constraints count as infinite.
+  /// fitted to random synthetic scenes (tests/benchmarks/border_evidence_fit).
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
+
+  /// What the border adds to the balance between two regions: logOdds() + bias; 0 while too little was seen
+  /// to join by, less for a border of a few centimetres, without limit under a constraint.
+  [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias) const;
 };
 
 }  // namespace scantrove

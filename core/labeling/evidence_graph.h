@@ -16,8 +16,8 @@ class EvidenceGraph {
     std::uint32_t border;  ///< for border()
   };
 
-  /// The border between two fragments; made when it is first asked for. Valid until the next call that changes
-  /// the graph.
+  /// The border between two fragments; made when it is first asked for. Valid until the next call that
+  /// changes the graph.
   [[nodiscard]] BorderEvidence& between(FragmentId a, FragmentId b);
   /// Borders of a fragment, by the other's number.
   [[nodiscard]] std::span<const Link> linksOf(FragmentId fragment) const;

@@ -16,6 +16,7 @@ struct Step {
   std::uint64_t pair;  // a in the upper half
   float length_m, depth_m, concavity_rad;
   bool bridged, has_bend;
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();  // of b less that of a
 };
 
 std::uint64_t pairKey(FragmentId a, FragmentId b) {
@@ -40,7 +41,9 @@ class StepFinder {
   }
 
  private:
-  [[nodiscard]] std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * input_.K.width + x); }
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y * input_.K.width + x);
+  }
   [[nodiscard]] bool isInside(int x, int y) const {
     return x >= 0 && y >= 0 && x < input_.K.width && y < input_.K.height;
   }
@@ -63,8 +66,10 @@ class StepFinder {
     if (!(from.w() > 0) || !(to.w() > 0)) return;
     const float z = input_.segments.depths_m[here];
     const float reach_m = std::max(kDistanceFactor * z / focal_px_, kLeastDistance_m);
-    if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F))) return;
-    Step step{pairKey(parts_[here], parts_[there]), z / focal_px_, z, 0, false, false};
+    if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F)))
+      return;
+    Step step{
+        pairKey(parts_[here], parts_[there]), z / focal_px_, z, 0, false, false, Eigen::Vector3f::Zero()};
     // A little off the border: that of the segments and that of the voxels are never quite the same.
     for (int off = kBendReach_px; off >= 0; --off) {
       if (!isInside(x - off * dx, y - off * dy) || !isInside(u + off * dx, v + off * dy)) continue;
@@ -72,6 +77,10 @@ class StepFinder {
       if (parts_[a] != parts_[here] || parts_[b] != parts_[there]) continue;
       step.bridged = input_.segments.ids[a] != 0 && input_.segments.ids[a] == input_.segments.ids[b];
       if (off > 0) measureBend(a, b, kBendGap * reach_m, step);
+      if (!input_.color_lab.empty()) {
+        step.color = input_.color_lab[b] - input_.color_lab[a];
+        if (parts_[here] > parts_[there]) step.color = -step.color;
+      }
       break;
     }
     steps_.push_back(step);
@@ -95,15 +104,17 @@ class StepFinder {
   std::vector<Step> steps_;
 };
 
-FragmentContact summarise(std::span<const Step> steps) {
+FragmentContact summarise(std::span<const Step> steps, bool has_color) {
   FragmentContact contact;
   contact.a.value = static_cast<std::uint32_t>(steps.front().pair >> 32);
   contact.b.value = static_cast<std::uint32_t>(steps.front().pair);
   contact.length_px = static_cast<int>(steps.size());
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();
   for (const Step& step : steps) {
     contact.bridged_px += step.bridged ? 1 : 0;
     contact.length_m += step.length_m;
     contact.depth_m += step.depth_m;
+    color += step.color;
     if (!step.has_bend) continue;
     ++contact.bends;
     contact.concavity_rad += step.concavity_rad;
@@ -112,6 +123,7 @@ FragmentContact summarise(std::span<const Step> steps) {
     contact.ridged += step.concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
   }
   contact.depth_m /= static_cast<float>(contact.length_px);
+  if (has_color) contact.color_shift = color.norm() / static_cast<float>(contact.length_px);
   if (contact.bends > 0) {
     contact.concavity_rad /= static_cast<float>(contact.bends);
     contact.turn_rad /= static_cast<float>(contact.bends);
@@ -129,7 +141,7 @@ std::vector<FragmentContact> findContacts(const MergeInput& input, std::span<con
   std::vector<FragmentContact> contacts;
   for (std::size_t first = 0, next = 0; first < steps.size(); first = next) {
     while (next < steps.size() && steps[next].pair == steps[first].pair) ++next;
-    contacts.push_back(summarise(std::span(steps).subspan(first, next - first)));
+    contacts.push_back(summarise(std::span(steps).subspan(first, next - first), !input.color_lab.empty()));
   }
   return contacts;
 }

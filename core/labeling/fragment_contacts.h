@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct FragmentContact {
   int bends = 0;            ///< steps at which the bend could be measured
   float concavity_rad = 0;  ///< mean angle between the normals to both sides: > 0 a fold, < 0 a ridge
   float turn_rad = 0;       ///< mean of its absolute
-  float folded = 0;         ///< part of the measured steps that fold by more than kClearBend_rad
-  float ridged = 0;         ///< and that ridge by more
+  /// Length of the mean difference in CIE L*a*b* between the colours to both sides; none without colour.
+  std::optional<float> color_shift;
+  float folded = 0;  ///< part of the measured steps that fold by more than kClearBend_rad
+  float ridged = 0;  ///< and that ridge by more
 };
 
 inline constexpr float kClearBend_rad = 0.35F;  ///< 20 degrees

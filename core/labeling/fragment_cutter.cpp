@@ -7,12 +7,12 @@
 namespace scantrove {
 namespace {
 
-constexpr float kLeastShare = 0.05F;          // of the fragment's visible part, for each side
-constexpr float kLeastSide = 1.0F / 1500;     // of the image: 51 pixels of 320 x 240
-constexpr float kLeastFold_rad = 0.3F;        // 17 degrees, mean along the border
-constexpr int kMemory = 30;                   // frames without another look until one is forgotten
-constexpr float kSamePlace = 0.35F;           // centres agree within this part of the side's extent ...
-constexpr float kSameArea = 0.5F;             // ... and areas within this ratio
+constexpr float kLeastShare = 0.05F;       // of the fragment's visible part, for each side
+constexpr float kLeastSide = 1.0F / 1500;  // of the image: 51 pixels of 320 x 240
+constexpr float kLeastFold_rad = 0.3F;     // 17 degrees, mean along the border
+constexpr int kMemory = 30;                // frames without another look until one is forgotten
+constexpr float kSamePlace = 0.35F;        // centres agree within this part of the side's extent ...
+constexpr float kSameArea = 0.5F;          // ... and areas within this ratio
 
 struct Side {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -43,7 +43,8 @@ std::vector<FragmentCutter::Cut> FragmentCutter::find(const MergeInput& input,
   const float pixel_area = 1 / (input.K.fx * input.K.fy);
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
     const std::uint32_t segment = input.segments.ids[pixel];
-    if (!is_side[segment] || input.projected[pixel] != owner[segment] || sides_of[owner[segment]] < 2) continue;
+    if (!is_side[segment] || input.projected[pixel] != owner[segment] || sides_of[owner[segment]] < 2)
+      continue;
     parts[pixel] = FragmentId{segment};
     Side& side = sides[segment];
     side.sum += input.vertices_world[pixel].head<3>();

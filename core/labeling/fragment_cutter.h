@@ -10,8 +10,8 @@
 
 namespace scantrove {
 
-/// Finds fragments that turn out to hold two things: segments cut them along a fold, at the same place in several
-/// looks. One thread.
+/// Finds fragments that turn out to hold two things: segments cut them along a fold, at the same place in
+/// several looks. One thread.
 class FragmentCutter {
  public:
   static constexpr int kLooks = 3;  ///< that agree before a cut is made

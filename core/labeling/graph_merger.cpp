@@ -27,8 +27,9 @@ class SegmentShares {
     }
     shares_.resize(overlaps.patches.size());
     for (const Overlaps::Edge& edge : overlaps.edges) {
-      shares_[edge.patch].push_back({edge.segment, static_cast<float>(edge.overlap_px) /
-                                                       static_cast<float>(overlaps.patch_areas_px[edge.patch])});
+      shares_[edge.patch].push_back(
+          {edge.segment,
+           static_cast<float>(edge.overlap_px) / static_cast<float>(overlaps.patch_areas_px[edge.patch])});
     }
   }
 
@@ -60,7 +61,7 @@ class SegmentShares {
 
 /// What each segment is, and which fragments it leaves alone.
 struct SegmentOwners {
-  std::vector<FragmentId> owner;                ///< by segment
+  std::vector<FragmentId> owner;                 ///< by segment
   std::vector<std::vector<FragmentId>> covered;  ///< by segment
 
   [[nodiscard]] bool covers(std::uint32_t segment, FragmentId fragment) const {
@@ -74,7 +75,8 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
   owners.covered.resize(overlaps.segment_areas_px.size());
   std::vector<int> largest_px(overlaps.segment_areas_px.size(), 0);
   for (const Overlaps::Edge& edge : overlaps.edges) {
-    if (overlaps.covers(edge, threshold)) owners.covered[edge.segment].push_back(overlaps.patches[edge.patch]);
+    if (overlaps.covers(edge, threshold))
+      owners.covered[edge.segment].push_back(overlaps.patches[edge.patch]);
     if (edge.overlap_px <= largest_px[edge.segment] || !overlaps.qualifies(edge, threshold)) continue;
     largest_px[edge.segment] = edge.overlap_px;
     owners.owner[edge.segment] = overlaps.patches[edge.patch];
@@ -121,8 +123,9 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
     FragmentId& fragment = map.fragments[pixel];
     const std::uint32_t segment = segments.ids[pixel];
     const FragmentId owner = owners.owner[segment];
-    if (owner && fragment != owner && (!fragment || (table.regionOf(fragment) != table.regionOf(owner) &&
-                                                     !owners.covers(segment, fragment)))) {
+    if (owner && fragment != owner &&
+        (!fragment ||
+         (table.regionOf(fragment) != table.regionOf(owner) && !owners.covers(segment, fragment)))) {
       fragment = owner;
     }
     if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];

@@ -6,13 +6,13 @@
 
 namespace scantrove {
 
-/// Regions that can part again. Voxels hold fragments, which are never joined; each frame says of fragments that
-/// touch whether one segment holds both (EvidenceGraph), and the regions are the parts of the graph that its
-/// evidence holds together (updatePartition).
+/// Regions that can part again. Voxels hold fragments, which are never joined; each frame says of fragments
+/// that touch whether one segment holds both (EvidenceGraph), and the regions are the parts of the graph that
+/// its evidence holds together (updatePartition).
 ///
-/// A segment belongs to the fragment that it shares most pixels with. Its pixels on unlabelled ground take that
-/// fragment, so do those of fragments of other regions that it does not cover: outlines heal. What it covers
-/// of other fragments stays theirs. A segment without any founds a fragment.
+/// A segment belongs to the fragment that it shares most pixels with. Its pixels on unlabelled ground take
+/// that fragment, so do those of fragments of other regions that it does not cover: outlines heal. What it
+/// covers of other fragments stays theirs. A segment without any founds a fragment.
 class GraphMerger final : public RegionMerger {
  public:
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,
@@ -31,7 +31,7 @@ class GraphMerger final : public RegionMerger {
 
   EvidenceGraph graph_;
   FragmentCutter cutter_;
-  std::vector<FragmentId> touched_;  // whose evidence changed since the last partition
+  std::vector<FragmentId> touched_;               // whose evidence changed since the last partition
   std::vector<FragmentId> carved_from_, carved_;  // of this frame, by segment
 };
 

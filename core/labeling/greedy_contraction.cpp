@@ -18,7 +18,8 @@ struct Contraction {
 
 class Contractor {
  public:
-  Contractor(std::size_t node_count, std::span<const WeightedEdge> edges) : parent_(node_count), sums_(node_count) {
+  Contractor(std::size_t node_count, std::span<const WeightedEdge> edges)
+      : parent_(node_count), sums_(node_count) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const WeightedEdge& edge : edges) {
       if (edge.a == edge.b) continue;

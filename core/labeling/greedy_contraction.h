@@ -11,9 +11,9 @@ struct WeightedEdge {
   float weight = 0;
 };
 
-/// Greedy additive edge contraction (Keuper et al. 2015), the standard heuristic of correlation clustering: the
-/// two parts with the largest sum of weights between them become one, until no sum is above 0. All edges between
-/// two parts count, so that one weak place does not chain two things. Ties go to the lower numbers.
+/// Greedy additive edge contraction (Keuper et al. 2015), the standard heuristic of correlation clustering:
+/// the two parts with the largest sum of weights between them become one, until no sum is above 0. All edges
+/// between two parts count, so that one weak place does not chain two things. Ties go to the lower numbers.
 /// Result: part of each node, numbered by their first node.
 [[nodiscard]] std::vector<std::uint32_t> contractGreedily(std::size_t node_count,
                                                           std::span<const WeightedEdge> edges);

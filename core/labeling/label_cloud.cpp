@@ -73,10 +73,11 @@ std::span<const cl_int> LabelCloud::update(const SurfaceMaps& surface, const Reg
   ++stamp_;
   const Intrinsics& K = surface.K;
   update_labels_.launch(cl::NDRange(static_cast<std::size_t>(K.pixels())), cl::NDRange(64),
-                        surface.vertices_world, new_labels_, bricks.table(), bricks.tableMask(), toKernel(surface.T_world_camera.inverse()),
-                        toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width}, cl_int{K.height},
-                        bricks.voxelSize(), reach, static_cast<cl_int>(params.voxel_confidence ? 1 : 0),
-                        cl_int{stamp_}, labels_, fragment_voxels_, stamps_, count_, touched_);
+                        surface.vertices_world, new_labels_, bricks.table(), bricks.tableMask(),
+                        toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
+                        cl_int{K.width}, cl_int{K.height}, bricks.voxelSize(), reach,
+                        static_cast<cl_int>(params.voxel_confidence ? 1 : 0), cl_int{stamp_}, labels_,
+                        fragment_voxels_, stamps_, count_, touched_);
   cl_int count = 0;
   count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
   touched_host_.resize(static_cast<std::size_t>(count));

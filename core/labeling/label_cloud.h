@@ -14,8 +14,8 @@
 
 namespace scantrove {
 
-/// The label cloud (thesis 3.3.3): a fragment in every voxel of the brick map's bricks, on the device, and how
-/// many voxels hold each. One thread, the context's.
+/// The label cloud (thesis 3.3.3): a fragment in every voxel of the brick map's bricks, on the device, and
+/// how many voxels hold each. One thread, the context's.
 class LabelCloud {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
@@ -24,9 +24,9 @@ class LabelCloud {
   [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface, const BrickMap& bricks);
 
   /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
-  /// With `params.voxel_confidence` a voxel that holds another fragment gives way only after as many frames as it
-  /// was sure of; to the fragments `carved` it gives way at once. Allocates bricks where such a voxel has none.
-  /// Returns the slots of the bricks that were written to.
+  /// With `params.voxel_confidence` a voxel that holds another fragment gives way only after as many frames
+  /// as it was sure of; to the fragments `carved` it gives way at once. Allocates bricks where such a voxel
+  /// has none. Returns the slots of the bricks that were written to.
   std::span<const cl_int> update(const SurfaceMaps& surface, const RegionMap& merged,
                                  std::span<const FragmentId> carved, const LabelingParams& params,
                                  BrickMap& bricks);

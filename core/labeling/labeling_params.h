@@ -13,7 +13,8 @@ struct LabelingParams {
   /// Log-odds that two fragments are one thing must pass this to join, and fall under its negative to part.
   float hysteresis = 0.5F;
   float joining_bias = 0;  ///< added to the log-odds of every border: above 0 joins more
-  int min_fragment_px = 120;  ///< smaller segments on unlabelled ground found no fragment (640x480 equivalent)
+  int min_fragment_px =
+      120;  ///< smaller segments on unlabelled ground found no fragment (640x480 equivalent)
   bool voxel_confidence =
       true;  ///< agree +1, disagree -1, replace at 0; false = overwrite as Algorithm 1 does
   float update_distance_vox = 1.0F;  ///< distthresh in voxels; at least sqrt(3)/2

@@ -8,8 +8,8 @@
 
 namespace scantrove {
 
-/// The bipartite graph of thesis 3.3.2: segments of S_t on one side, patches of S_prj,t on the other (regions in
-/// the thesis' rule, fragments in the graph's), an edge where they share pixels.
+/// The bipartite graph of thesis 3.3.2: segments of S_t on one side, patches of S_prj,t on the other (regions
+/// in the thesis' rule, fragments in the graph's), an edge where they share pixels.
 template <class PatchId>
 struct OverlapGraph {
   struct Edge {
@@ -35,8 +35,8 @@ struct OverlapGraph {
   }
 };
 
-/// `projected`: pixel by pixel like `segments.ids`; none = nothing. One pass over the pixels. For FragmentId and
-/// RegionId.
+/// `projected`: pixel by pixel like `segments.ids`; none = nothing. One pass over the pixels. For FragmentId
+/// and RegionId.
 template <class PatchId>
 [[nodiscard]] OverlapGraph<PatchId> buildOverlapGraph(const SegmentMap& segments,
                                                       std::span<const PatchId> projected);

@@ -13,10 +13,11 @@ namespace scantrove {
 
 /// What merging looks at in one frame. All images K.width x K.height, row by row.
 struct MergeInput {
-  const SegmentMap& segments;               ///< S_t
-  std::span<const FragmentId> projected;    ///< S_prj,t: what the voxels in view hold
+  const SegmentMap& segments;                       ///< S_t
+  std::span<const FragmentId> projected;            ///< S_prj,t: what the voxels in view hold
   std::span<const Eigen::Vector4f> vertices_world;  ///< V_t, w = 0: no surface
   std::span<const Eigen::Vector4f> normals_world;   ///< N_t, towards the camera, w = 0: none
+  std::span<const Eigen::Vector3f> color_lab;       ///< CIE L*a*b*; empty where there is no colour
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   std::span<const int> voxels;  ///< that hold each fragment, by fragment number
@@ -26,8 +27,8 @@ struct MergeInput {
 class RegionMerger {
  public:
   struct Outcome {
-    RegionMap map;         ///< S_cloud,t
-    RegionEvents events;   ///< what this frame changed
+    RegionMap map;                   ///< S_cloud,t
+    RegionEvents events;             ///< what this frame changed
     std::vector<FragmentId> carved;  ///< cut out of others in this frame: take their voxels at once
   };
 

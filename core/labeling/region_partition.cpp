@@ -40,8 +40,8 @@ class Divider {
         const bool decided = border.constraint != BorderEvidence::Constraint::none;
         if (!decided && (isSliver(members_[a]) || isSliver(link.other))) continue;
         const bool are_one = table.regionOf(members_[a]) == table.regionOf(link.other);
-        const float hysteresis = are_one ? params.hysteresis : -params.hysteresis;
-        edges.push_back({a, b, border.logOdds(voxelsOf(members_[a]), voxelsOf(link.other)) + (decided ? 0 : params.joining_bias + hysteresis)});
+        const float bias = params.joining_bias + (are_one ? params.hysteresis : -params.hysteresis);
+        edges.push_back({a, b, border.weight(voxelsOf(members_[a]), voxelsOf(link.other), bias)});
       }
     }
     std::vector<std::uint32_t> part = contractGreedily(members_.size(), edges);
@@ -88,8 +88,9 @@ class Divider {
 
 }  // namespace
 
-void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph, std::span<const int> voxels,
-                     const LabelingParams& params, RegionTable& table, RegionEvents& events) {
+void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph,
+                     std::span<const int> voxels, const LabelingParams& params, RegionTable& table,
+                     RegionEvents& events) {
   std::vector<FragmentId> members = membersOfTouched(touched, table);
   if (members.size() < 2) return;
   table.divide(Divider(std::move(members), graph, voxels).divide(table, params), voxels, events);

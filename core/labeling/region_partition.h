@@ -10,11 +10,12 @@ namespace scantrove {
 /// Regions of under so many voxels are slivers: too little to be a thing of their own.
 inline constexpr int kSliverVoxels = 50;
 
-/// Divides the regions of the `touched` fragments (those whose evidence changed) anew by what the graph now says,
-/// and no other. With hysteresis: what is one region stays one until the log-odds fall under minus
-/// `params.hysteresis`, what is two stays two until they pass it. A fragment under kSliverVoxels goes with the
-/// fragment that it touches along the longest border. `voxels`: by fragment number.
-void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph, std::span<const int> voxels,
-                     const LabelingParams& params, RegionTable& table, RegionEvents& events);
+/// Divides the regions of the `touched` fragments (those whose evidence changed) anew by what the graph now
+/// says, and no other. With hysteresis: what is one region stays one until the log-odds fall under minus
+/// `params.hysteresis`, what is two stays two until they pass it. A fragment under kSliverVoxels goes with
+/// the fragment that it touches along the longest border. `voxels`: by fragment number.
+void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph,
+                     std::span<const int> voxels, const LabelingParams& params, RegionTable& table,
+                     RegionEvents& events);
 
 }  // namespace scantrove

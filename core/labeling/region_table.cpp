@@ -99,8 +99,8 @@ void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std:
     identity[claim.part] = claim.region;
     keeper[claim.region] = claim.part;
   }
-  // A part without identity is new; it came out of the region that gave it most. A region that no part goes on
-  // as was joined into the part that got most of it.
+  // A part without identity is new; it came out of the region that gave it most. A region that no part goes
+  // on as was joined into the part that got most of it.
   bool changed = false;
   std::map<RegionId, RegionId> joined_into;
   for (const Claim& claim : claims) {

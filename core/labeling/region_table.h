@@ -15,8 +15,8 @@ struct RegionEvents {
   std::vector<std::pair<RegionId, RegionId>> parted;  ///< (from, part): `part` is new, `from` goes on
 };
 
-/// Fragment -> region. Voxels hold fragments; joining or parting regions changes entries here and reaches every
-/// voxel, seen or not. One thread.
+/// Fragment -> region. Voxels hold fragments; joining or parting regions changes entries here and reaches
+/// every voxel, seen or not. One thread.
 ///
 /// Fragment numbers are used again after free(); region numbers never.
 class RegionTable {
@@ -40,9 +40,9 @@ class RegionTable {
   /// All fragments of `from` become fragments of `into`. False when they are one already, or one is none.
   bool join(RegionId into, RegionId from);
 
-  /// Divides the fragments of some whole regions anew: `parts` hold each of their fragments once. Of the parts
-  /// of a region the one with most voxels keeps its identity; a part made of several regions takes that of a
-  /// known one, else of the one that gives it most voxels. `voxels`: by fragment number.
+  /// Divides the fragments of some whole regions anew: `parts` hold each of their fragments once. Of the
+  /// parts of a region the one with most voxels keeps its identity; a part made of several regions takes that
+  /// of a known one, else of the one that gives it most voxels. `voxels`: by fragment number.
   void divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
               RegionEvents& events);
 

@@ -4,9 +4,10 @@
 
 namespace scantrove {
 
-/// The literal rule of thesis 3.3.2: the components of the graph of qualifying edges become one region each, at
-/// once and for good. A component is named by its projected region of largest area (segment ids have no life
-/// beyond their frame); one without any is a new fragment. Pixels without segment keep their projected label.
+/// The literal rule of thesis 3.3.2: the components of the graph of qualifying edges become one region each,
+/// at once and for good. A component is named by its projected region of largest area (segment ids have no
+/// life beyond their frame); one without any is a new fragment. Pixels without segment keep their projected
+/// label.
 class ThesisMerger final : public RegionMerger {
  public:
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <unordered_set>
 
@@ -97,8 +98,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     return cloud_->project(surface_, map_->bricks());
   });
   RegionMerger::Outcome merged = stage("merge", [&] {
-    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, working_K_,
-                           T_world_camera, cloud_->voxelsOfFragments()},
+    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world,
+                           labColors(frame.color), working_K_, T_world_camera, cloud_->voxelsOfFragments()},
                           table_, params_.labeling);
   });
   result.regions = std::move(merged.map);
@@ -129,6 +130,20 @@ void ScanPipeline::readSurface(FrameResult& result) {
   };
   read(surface_.vertices_world, result.vertices_world);
   read(surface_.normals_world, result.normals_world);
+}
+
+std::span<const Eigen::Vector3f> ScanPipeline::labColors(const cv::Mat& color) {
+  color_lab_.clear();
+  if (color.empty()) return color_lab_;
+  cv::Mat small, soft, lab;
+  cv::resize(color, small, {working_K_.width, working_K_.height}, 0, 0, cv::INTER_AREA);
+  cv::blur(small, soft, {3, 3});
+  soft.convertTo(soft, CV_32F, 1.0 / 255);
+  cv::cvtColor(soft, lab, cv::COLOR_BGR2Lab);
+  static_assert(sizeof(cv::Vec3f) == sizeof(Eigen::Vector3f));
+  const auto* first = reinterpret_cast<const Eigen::Vector3f*>(lab.ptr<float>());
+  color_lab_.assign(first, first + lab.total());
+  return color_lab_;
 }
 
 void ScanPipeline::forgetFragments() {

@@ -92,6 +92,8 @@ class ScanPipeline {
 
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
   void readSurface(FrameResult& result);
+  /// The colour image in CIE L*a*b* at the working resolution, a little blurred.
+  [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const cv::Mat& color);
   /// Fragments that no voxel holds any more go; their numbers are used again.
   void forgetFragments();
   [[nodiscard]] PoseEstimate estimatePose(const RgbdFrame& frame, const DepthPyramid& depth);
@@ -123,6 +125,7 @@ class ScanPipeline {
   std::optional<Eigen::Isometry3d> last_pose_;         // of the last usable frame
   std::optional<Eigen::Isometry3d> before_last_pose_;  // of the frame before it, if that was usable too
   std::span<const cl_int> touched_;
+  std::vector<Eigen::Vector3f> color_lab_;
   int frames_ = 0;  // given to processFrame
 };
 

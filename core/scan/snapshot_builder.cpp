@@ -17,8 +17,7 @@ template <class Id>
 cv::Mat idImage(const std::vector<Id>& ids, int width, int height) {
   if (ids.empty()) return {};
   cv::Mat image(height, width, CV_32SC1);
-  std::transform(ids.begin(), ids.end(), image.begin<std::int32_t>(),
-                 [](Id id) { return number(id); });
+  std::transform(ids.begin(), ids.end(), image.begin<std::int32_t>(), [](Id id) { return number(id); });
   return image;
 }
 

@@ -51,7 +51,7 @@ class SnapshotBuilder {
   std::vector<Eigen::Vector3f> trail_;
   std::deque<cl_int> waiting_slots_;
   std::vector<bool> is_waiting_;  // by slot
-  std::uint64_t version_ = 0;  // of the bricks that are sent
+  std::uint64_t version_ = 0;     // of the bricks that are sent
   std::shared_ptr<const std::vector<RegionId>> table_;
   std::uint64_t table_version_ = 0;
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/evaluation/label_grid.h"
+#include "core/exchange/label_image_writer.h"
 #include "core/evaluation/overlap_metrics.h"
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/labeling/graph_merger.h"
@@ -101,6 +102,13 @@ int main(int argc, char** argv) {
       const Intrinsics& K = (*pipeline)->workingIntrinsics();
       if (frame % 5 != 4) continue;
       cv::Mat instances;
+      if (read.frame.instances.empty()) {
+        std::array<char, 40> name{};
+        std::snprintf(name.data(), name.size(), "/frame-%06d.instance.png", read.frame.index);
+        const auto stored = readLabelImage(scene + name.data());
+        if (!stored) return std::cerr << stored.error().message() << "\n", 1;
+        read.frame.instances = *stored;
+      }
       cv::resize(read.frame.instances, instances, {K.width, K.height}, 0, 0, cv::INTER_NEAREST);
       const cv::Mat1i truth = toLabelGrid(instances);
       const cv::Mat1i segments = image(result->segments.ids, K), regions = image(result->regions.regions, K);
@@ -154,7 +162,7 @@ int main(int argc, char** argv) {
             if (csv != nullptr) {
               const auto& e = graph.border(link.border);
               const auto& vox = (*pipeline)->voxels();
-              std::fprintf(csv, "E,%s,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%d,%d,%d,%d,%u,%u\n", scene.c_str(), frame, a == 0 || b == 0 || pa < 0.7 || pb < 0.7 ? -1 : a == b, e.looks, e.bridged, e.shared, e.bends, e.concavity_rad, e.turn_rad, e.folded, e.ridged, e.length_m, vox[f], vox[link.other.value], a, b, f, link.other.value);
+              std::fprintf(csv, "E,%s,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%d,%d,%d,%d,%g,%g,%u,%u\n", scene.c_str(), frame, a == 0 || b == 0 || pa < 0.7 || pb < 0.7 ? -1 : a == b, e.looks, e.bridged, e.shared, e.bends, e.concavity_rad, e.turn_rad, e.folded, e.ridged, e.length_m, vox[f], vox[link.other.value], a, b, 0.0, static_cast<double>(e.color_shift.value_or(0)), f, link.other.value);
             }
             if (a == 0 || b == 0 || pa < 0.7 || pb < 0.7) continue;
             const auto x = graph.border(link.border).features((*pipeline)->voxels()[f], (*pipeline)->voxels()[link.other.value]);

@@ -80,6 +80,12 @@ cv::Mat labelImage(const std::vector<std::uint32_t>& labels, const Intrinsics& K
 }
 
 /// Mean time a frame in the stages that join and part regions.
+std::vector<std::uint32_t> numbersOf(const std::vector<RegionId>& regions) {
+  std::vector<std::uint32_t> numbers(regions.size());
+  std::ranges::transform(regions, numbers.begin(), [](RegionId region) { return region.value; });
+  return numbers;
+}
+
 double mergeMilliseconds(const StageTimer& timer) {
   double sum = 0;
   std::size_t frames = 1;
@@ -119,7 +125,7 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
     cv::Mat small;
     cv::resize(*truth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
     single.push_back(evaluateSegmentation(labelImage(result->segments.ids, K), small));
-    merged.push_back(evaluateSegmentation(labelImage(result->regions.regions, K), small));
+    merged.push_back(evaluateSegmentation(labelImage(numbersOf(result->regions.regions), K), small));
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   score.fps = done / elapsed.count();
