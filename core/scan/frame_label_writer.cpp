@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cstdio>
 #include <future>
 #include <utility>
 
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/gray_png.h"
 #include "core/exchange/label_image_writer.h"
+#include "core/scan/first_error.h"
 #include "core/scan/guarded.h"
 #include "core/segmentation/upsample_segments.h"
 
@@ -17,9 +19,6 @@ namespace scantrove {
 namespace {
 
 constexpr int kNiceness = 10;
-
-constexpr int kFinalWriters = 2;  // nothing else runs by then
-
 std::string fileName(int frame_index) {
   std::array<char, 24> name{};
   std::snprintf(name.data(), name.size(), "%06d.png", frame_index);
@@ -82,48 +81,51 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, upsampler.apply(segments.ids), size));
   SCANTROVE_TRY(
       writeLabelImage(folder_ / "labels" / name, numbers_.numbersOf(upsampler.apply(frame.regions)), size));
-  written_.push_back(name);
+  SCANTROVE_TRY(writeFileAtomically(depthFile(name), encodeGrayPng(frame.depth), Durability::process));
+  written_.push_back({name, frame.T_world_camera, frame.metres_per_unit});
   return {};
 }
 
-Result<void> FrameLabelWriter::finish(const RegionTable&) {
-  close();
-  std::vector<std::uint32_t> final_numbers(numbers_.count());
-  for (std::uint32_t number = 0; number < final_numbers.size(); ++number) {
-    final_numbers[number] = number;
-  }
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&]() -> Result<void> {
-    return guarded("writing the final label images", [&]() -> Result<void> {
-      for (std::size_t i = next++; i < written_.size(); i = next++) {
-        SCANTROVE_TRY(writeFinal(written_[i], final_numbers));
-      }
-      return {};
-    });
-  };
-  std::vector<std::future<Result<void>>> writers;
-  for (int i = 0; i < kFinalWriters; ++i) writers.push_back(std::async(std::launch::async, work));
-  for (std::future<Result<void>>& writer : writers) {
-    const Result<void> done = writer.get();
-    if (outcome_) outcome_ = done;
-  }
-  return outcome_;
+std::filesystem::path FrameLabelWriter::depthFile(const std::string& name) const {
+  // Named as a temporary file is: when this process is killed, the next scan into the folder removes it.
+  return folder_ / "labels-final" / ("." + name + "." + std::to_string(::getpid()) + "-0.part");
 }
 
-Result<void> FrameLabelWriter::writeFinal(const std::string& name,
-                                          const std::vector<std::uint32_t>& final_numbers) const {
-  const Result<cv::Mat> image = readLabelImage(folder_ / "labels" / name);
-  if (!image) return fail(image.error());
-  std::vector<std::uint32_t> labels;
-  labels.reserve(image->total());
-  for (const std::uint16_t number : cv::Mat_<std::uint16_t>(*image)) {
-    if (number >= final_numbers.size()) {
-      return fail("The label image " + (folder_ / "labels" / name).string() + " was changed during the scan.",
-                  "Scan again into another folder.");
+Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
+  close();
+  std::future<Result<void>> writing;  // of the frame before: encoded while the map is looked at for the next
+  FirstError outcome;
+  const auto wait = [&] {
+    if (writing.valid()) outcome.note(writing.get());
+  };
+  for (const Written& frame : written_) {
+    Result<FinalView> view = outcome_ ? look(frame.T_world_camera) : fail(outcome_.error());
+    wait();
+    if (!view || !outcome.result()) {
+      if (!view) outcome.note(fail(view.error()));
+      break;
     }
-    labels.push_back(final_numbers[number]);
+    writing = std::async(std::launch::async, [this, &frame, view = std::move(*view)] {
+      return guarded("writing the final label images", [&] { return writeFinal(frame, view); });
+    });
   }
-  return writeLabelImage(folder_ / "labels-final" / name, labels, image->size());
+  wait();
+  for (const Written& frame : written_) {
+    std::error_code ignored;
+    std::filesystem::remove(depthFile(frame.name), ignored);
+  }
+  outcome.note(outcome_);
+  return outcome.result();
+}
+
+Result<void> FrameLabelWriter::writeFinal(const Written& frame, const FinalView& view) {
+  const Result<cv::Mat> depth = readLabelImage(depthFile(frame.name));
+  if (!depth) return fail(depth.error());
+  const DepthGuide guide{
+      depth->cols, depth->rows, {depth->ptr<std::uint16_t>(), depth->total()}, frame.metres_per_unit};
+  const DepthUpsampler upsampler(view.depths_m, view.width, view.height, guide);
+  return writeLabelImage(folder_ / "labels-final" / frame.name,
+                         numbers_.numbersOf(upsampler.apply(view.regions)), depth->size());
 }
 
 }  // namespace scantrove

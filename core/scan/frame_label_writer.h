@@ -1,14 +1,15 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <opencv2/core/mat.hpp>
 #include <thread>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/labeling/region_table.h"
 #include "core/scan/region_numbers.h"
 #include "core/segmentation/segment_map.h"
 
@@ -28,7 +29,17 @@ class FrameLabelWriter {
     float metres_per_unit = 0.001F;
     SegmentMap segments;
     std::vector<RegionId> regions;  ///< as RegionMap::regions, of the segments' size
+    Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   };
+
+  /// The finished map as seen from one place.
+  struct FinalView {
+    int width = 0;
+    int height = 0;
+    std::vector<RegionId> regions;
+    std::vector<float> depths_m;  ///< z in the camera, 0 = no surface
+  };
+  using LookAtMap = std::function<Result<FinalView>(const Eigen::Isometry3d& T_world_camera)>;
 
   /// The three folders exist in `folder`; `numbers` are this writer's alone until finish() has returned.
   FrameLabelWriter(std::filesystem::path folder, RegionNumbers& numbers);
@@ -39,20 +50,27 @@ class FrameLabelWriter {
   /// Error: an earlier frame could not be written; no more are.
   [[nodiscard]] Result<void> add(Frame frame);
 
-  /// Waits for all frames, then writes each again with the regions as `table` has them now. No add()
-  /// afterwards. Error: the first file that could not be written.
-  [[nodiscard]] Result<void> finish(const RegionTable& table);
+  /// Waits for all frames, then writes what the map shows of each by now: regions have joined and parted, and
+  /// voxels changed, since it came. `look` is called from this thread. No add() afterwards. Error: the first
+  /// file that could not be written.
+  [[nodiscard]] Result<void> finish(const LookAtMap& look);
 
  private:
   void run();
   [[nodiscard]] Result<void> write(const Frame& frame);
-  [[nodiscard]] Result<void> writeFinal(const std::string& name,
-                                        const std::vector<std::uint32_t>& final_numbers) const;
+  struct Written {
+    std::string name;  ///< of the files
+    Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    float metres_per_unit = 0.001F;
+  };
+  /// Where a frame's depth waits for the end.
+  [[nodiscard]] std::filesystem::path depthFile(const std::string& name) const;
+  [[nodiscard]] Result<void> writeFinal(const Written& frame, const FinalView& view);
   void close();
 
   std::filesystem::path folder_;
-  RegionNumbers& numbers_;            // the thread's until it has ended, like written_
-  std::vector<std::string> written_;  // file names, in order
+  RegionNumbers& numbers_;        // the thread's until it has ended, like written_
+  std::vector<Written> written_;  // in order
 
   std::mutex mutex_;
   std::condition_variable changed_;

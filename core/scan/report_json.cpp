@@ -60,6 +60,7 @@ Json reportToJson(const ScanReport& report) {
           {"peak_memory_mb", report.peak_memory_mb},
           {"map", {{"bricks", report.map_bricks}, {"megabytes", report.map_megabytes}}},
           {"regions", report.regions},
+          {"slivers", report.slivers},
           {"objects", objectsToJson(report.objects)}};
 }
 

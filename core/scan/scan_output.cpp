@@ -33,8 +33,8 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
   if (!result.pose.usable()) return {};
   trajectory_.push_back({frame.timestamp_s, result.pose.T_world_camera});
   if (!label_images_) return {};
-  return label_images_->add(
-      {frame.index, frame.depth, frame.metres_per_unit, result.segments, result.regions.regions});
+  return label_images_->add({frame.index, frame.depth, frame.metres_per_unit, result.segments,
+                             result.regions.regions, result.pose.T_world_camera});
 }
 
 Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report) {
@@ -47,7 +47,9 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
   // The cloud uses the numbers of the images.
   if (label_images_) {
-    attempt("writing the label images", [&] { return label_images_->finish(pipeline.regionTable()); });
+    attempt("writing the label images", [&] {
+      return label_images_->finish([&](const Eigen::Isometry3d& T) { return pipeline.lookAtMap(T); });
+    });
   }
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline); });
   return outcome.result();

@@ -4,9 +4,10 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
-#include <unordered_set>
+#include <unordered_map>
 
 #include "core/fusion/motion_prediction.h"
+#include "core/labeling/region_partition.h"
 #include "core/scan/guarded.h"
 #include "core/scan/map_memory.h"
 
@@ -118,6 +119,9 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
+    for (const SeenObject& seen : result.objects.seen) {
+      table_.setKnown(seen.region, seen.confirmed || seen.recognised);
+    }
   }
   return result;
 }
@@ -201,11 +205,36 @@ void ScanPipeline::setParams(const ScanParams& params) {
 
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes() + cloud_->deviceBytes(); }
 
-Result<int> ScanPipeline::regionCount() {
-  std::unordered_set<RegionId> regions;
-  SCANTROVE_TRY(forEachCloudPoint(
-      [&](const LabelPoint& point) { regions.insert(table_.regionOf(FragmentId{point.fragment})); }));
-  return static_cast<int>(regions.size());
+Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera) {
+  return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
+    FrameLabelWriter::FinalView view;
+    view.width = working_K_.width;
+    view.height = working_K_.height;
+    SurfaceMaps surface;
+    map_->raycast(T_world_camera, working_K_, surface);
+    const std::vector<FragmentId> fragments = cloud_->project(surface, map_->bricks());
+    const std::vector<cl_float4> vertices = surface.vertices_world.read(compute_.queue());
+    const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+      view.regions.push_back(table_.regionOf(fragments[i]));
+      const cl_float4& v = vertices[i];
+      view.depths_m.push_back(v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F);
+    }
+    return view;
+  });
+}
+
+ScanPipeline::RegionCount ScanPipeline::regionCount() const {
+  std::unordered_map<RegionId, std::int64_t> voxels;
+  const std::vector<cl_int>& of_fragment = cloud_->voxelsOfFragments();
+  for (std::size_t fragment = 1; fragment < std::min(of_fragment.size(), table_.regions().size());
+       ++fragment) {
+    if (const RegionId region = table_.regions()[fragment]) voxels[region] += of_fragment[fragment];
+  }
+  RegionCount count;
+  for (const auto& [region, of_region] : voxels)
+    ++(of_region < kSliverVoxels ? count.slivers : count.regions);
+  return count;
 }
 
 Result<LabelCloud::Extract> ScanPipeline::extractCloud(std::span<const cl_int> slots) {

@@ -18,6 +18,7 @@
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
+#include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
 #include "core/scan/scan_params.h"
@@ -73,8 +74,14 @@ class ScanPipeline {
   [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
-  /// Regions that still have a voxel near the surface, over the whole map.
-  [[nodiscard]] Result<int> regionCount();
+  /// What the map shows from `T_world_camera`, with the regions as they are now. Error: the device failed.
+  [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera);
+  struct RegionCount {
+    int regions = 0;  ///< of at least kSliverVoxels voxels
+    int slivers = 0;  ///< smaller ones
+  };
+  /// Regions of the whole map.
+  [[nodiscard]] RegionCount regionCount() const;
 
   /// Bricks whose labels the last frame may have changed.
   [[nodiscard]] std::span<const cl_int> touchedSlots() const { return touched_; }

@@ -32,7 +32,8 @@ struct ScanReport {
   double peak_memory_mb = 0;
   int map_bricks = 0;
   double map_megabytes = 0;
-  int regions = 0;
+  int regions = 0;  ///< of at least kSliverVoxels voxels
+  int slivers = 0;  ///< smaller ones
   struct Object {
     ObjectId id;
     std::string name;

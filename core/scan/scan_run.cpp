@@ -140,14 +140,14 @@ void ScanRun::stopClock() {
 Result<ScanReport> ScanRun::finish() {
   stopClock();
   FirstError outcome;
-  ScanReport report = makeReport(outcome);
+  ScanReport report = makeReport();
   if (output_) outcome.note(output_->finish(*pipeline_, report));
   outcome.note(database_->endSession(session_));
   SCANTROVE_TRY(outcome.result());
   return report;
 }
 
-ScanReport ScanRun::makeReport(FirstError& outcome) {
+ScanReport ScanRun::makeReport() {
   ScanReport report;
   report.source = request_.source;
   report.device = compute_->deviceName();
@@ -170,12 +170,9 @@ ScanReport ScanRun::makeReport(FirstError& outcome) {
   report.peak_memory_mb = peakMemoryMegabytes();
   report.map_bricks = pipeline_->bricks().brickCount();
   report.map_megabytes = static_cast<double>(pipeline_->deviceBytes()) / (1 << 20);
-  const Result<int> regions = pipeline_->regionCount();
-  if (regions) {
-    report.regions = *regions;
-  } else {
-    outcome.note(fail(regions.error()));
-  }
+  const ScanPipeline::RegionCount regions = pipeline_->regionCount();
+  report.regions = regions.regions;
+  report.slivers = regions.slivers;
   report.objects = pipeline_->collector()->metObjects();
   return report;
 }

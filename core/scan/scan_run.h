@@ -61,7 +61,7 @@ class ScanRun {
   void count(const FrameResult& result, int frame_index);
   void announce(const FrameObjects& objects);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
-  [[nodiscard]] ScanReport makeReport(FirstError& outcome);
+  [[nodiscard]] ScanReport makeReport();
 
   ScanRequest request_;
   ScanSession::Listener listener_;

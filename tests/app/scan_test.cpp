@@ -68,7 +68,7 @@ TEST(Scan, WritesEverythingThatIsPromised) {
 
   const auto report = reportIn(out);
   for (const char* key : {"source", "device", "params", "frames", "fps", "frame_ms", "stages",
-                          "peak_memory_mb", "map", "regions", "objects"}) {
+                          "peak_memory_mb", "map", "regions", "slivers", "objects"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   EXPECT_EQ(report["frames"]["read"], 3);

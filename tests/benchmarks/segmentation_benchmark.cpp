@@ -132,9 +132,7 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
   score.single = averaged(single);
   score.merged = averaged(merged);
   score.merge_ms = mergeMilliseconds((*pipeline)->timer());
-  const auto regions = (*pipeline)->regionCount();
-  if (!regions) return fail(regions.error());
-  score.regions = *regions;
+  score.regions = (*pipeline)->regionCount().regions;
   return score;
 }
 

@@ -42,7 +42,7 @@ class SceneTest : public testing::Test {
         for (int i = 0; i < 64; ++i) {
           brick.points.push_back({kVoxel_m * static_cast<float>(8 * bx + i % 8),
                                   kVoxel_m * static_cast<float>(8 * by + i / 8),
-                                  kVoxel_m * static_cast<float>(z), bx < 0 ? left : right});
+                                  kVoxel_m * static_cast<float>(z), FragmentId{bx < 0 ? left : right}});
         }
         bricks.push_back(std::move(brick));
       }
@@ -50,10 +50,10 @@ class SceneTest : public testing::Test {
     return bricks;
   }
 
-  void show(const std::vector<CloudBrick>& bricks, const std::vector<std::uint32_t>& region_of_fragment) {
+  void show(const std::vector<CloudBrick>& bricks, const std::vector<RegionId>& region_of_fragment) {
     ScanSnapshot snapshot;
     snapshot.changed_bricks = bricks;
-    snapshot.region_of_fragment = std::make_shared<const std::vector<std::uint32_t>>(region_of_fragment);
+    snapshot.region_of_fragment = std::make_shared<const std::vector<RegionId>>(region_of_fragment);
     scene_.update(snapshot);
   }
 
@@ -97,7 +97,7 @@ class SceneTest : public testing::Test {
 };
 
 TEST_F(SceneTest, PointsHaveTheirRegionsColoursAndCloseTheSurface) {
-  show(wall(64, 1, 2), {0, 7, 9});
+  show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   EXPECT_EQ(scene_.cloud().pointCount(), 64U * 64U);
   // x grows to the right, as in the image of the sensor.
@@ -110,9 +110,9 @@ TEST_F(SceneTest, PointsHaveTheirRegionsColoursAndCloseTheSurface) {
 }
 
 TEST_F(SceneTest, MergedRegionsAreRecoloured) {
-  show(wall(64, 1, 2), {0, 7, 9});
+  show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
-  show({}, {0, 7, 7});
+  show({}, {{0}, {7}, {7}});
   EXPECT_FALSE(scene_.cloud().upToDate());
   render();
   EXPECT_TRUE(scene_.cloud().upToDate());
@@ -120,18 +120,18 @@ TEST_F(SceneTest, MergedRegionsAreRecoloured) {
 }
 
 TEST_F(SceneTest, NewerBrickReplacesAndOlderIsIgnored) {
-  show(wall(64, 1, 1, 5), {0, 7, 9});
-  show(wall(64, 2, 2, 4), {0, 7, 9});
+  show(wall(64, 1, 1, 5), {{0}, {7}, {9}});
+  show(wall(64, 2, 2, 4), {{0}, {7}, {9}});
   render();
   EXPECT_TRUE(hasHueOf(pixel(120, 120), regionColor(RegionId{7})));
-  show(wall(64, 2, 2, 6), {0, 7, 9});
+  show(wall(64, 2, 2, 6), {{0}, {7}, {9}});
   render();
   EXPECT_TRUE(hasHueOf(pixel(120, 120), regionColor(RegionId{9})));
   EXPECT_EQ(scene_.cloud().pointCount(), 64U * 64U);
 }
 
 TEST_F(SceneTest, FewerPointsWithinABudgetStillCloseTheSurface) {
-  show(wall(128, 1, 1), {0, 7});
+  show(wall(128, 1, 1), {{0}, {7}});
   render(3000);
   EXPECT_LE(scene_.cloud().drawnPointCount(), 3000U);
   int covered = 0;
@@ -142,7 +142,7 @@ TEST_F(SceneTest, FewerPointsWithinABudgetStillCloseTheSurface) {
 }
 
 TEST_F(SceneTest, ClearEmptiesIt) {
-  show(wall(64, 1, 2), {0, 7, 9});
+  show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   scene_.clear();
   EXPECT_EQ(scene_.cloud().pointCount(), 0U);
@@ -173,7 +173,7 @@ TEST_F(SceneTest, WhatArrivesDoesNotTurnAViewThatAPersonTook) {
   snapshot.pose.T_world_camera.linear() =
       Eigen::AngleAxisd(50 * std::numbers::pi / 180, Eigen::Vector3d::UnitX()).toRotationMatrix();
   snapshot.region_of_fragment =
-      std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1});
+      std::make_shared<const std::vector<RegionId>>(std::vector<RegionId>{{0}, {1}});
   scene_.update(snapshot);
   const Eigen::Vector3f eye = scene_.viewpoint().eye();
   const Eigen::Vector3f up = scene_.viewpoint().up();

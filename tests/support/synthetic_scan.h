@@ -65,13 +65,11 @@ class SyntheticScan {
     return absoluteTrajectoryError(pairs).rmse;
   }
 
-  /// Regions of a frame with the label table as it is now.
+  /// What the map shows of a frame by now.
   [[nodiscard]] cv::Mat finalRegions(const Frame& frame) const {
-    cv::Mat now = frame.regions.clone();
-    for (auto& region : cv::Mat_<int>(now)) {
-      region = static_cast<int>(pipeline_->labelTable().regionOf(static_cast<std::uint32_t>(region)).value);
-    }
-    return now;
+    const auto view = pipeline_->lookAtMap(frame.pose.T_world_camera);
+    EXPECT_TRUE(view) << view.error().message();
+    return image(view->regions, pipeline_->workingIntrinsics());
   }
 
   /// Ids of `labels` that hold at least `share` of the pixels where `instances` is `instance`.
@@ -97,9 +95,12 @@ class SyntheticScan {
   [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
 
  private:
-  static cv::Mat image(const std::vector<std::uint32_t>& ids, const Intrinsics& K) {
+  static int numberOf(std::uint32_t segment) { return static_cast<int>(segment); }
+  static int numberOf(RegionId region) { return static_cast<int>(region.value); }
+  template <class Id>
+  static cv::Mat image(const std::vector<Id>& ids, const Intrinsics& K) {
     cv::Mat result(K.height, K.width, CV_32SC1, cv::Scalar(0));
-    std::copy(ids.begin(), ids.end(), result.begin<int>());
+    std::ranges::transform(ids, result.begin<int>(), [](Id id) { return numberOf(id); });
     return result;
   }
 

@@ -102,11 +102,11 @@ TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
   CloudBrick brick{Eigen::Vector3i(0, 0, 25), 1, {}};
   for (int i = 0; i < 64; ++i) {
     brick.points.push_back(
-        {0.006F * static_cast<float>(i % 8), 0.006F * static_cast<float>(i / 8), 1.18F, 1});
+        {0.006F * static_cast<float>(i % 8), 0.006F * static_cast<float>(i / 8), 1.18F, FragmentId{1}});
   }
   snapshot.changed_bricks.push_back(brick);
   snapshot.region_of_fragment =
-      std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1});
+      std::make_shared<const std::vector<RegionId>>(std::vector<RegionId>{{0}, {1}});
   SeenObject seen;
   seen.object = objects_[2];
   seen.name = "Obj_3";

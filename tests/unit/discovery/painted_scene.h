@@ -19,7 +19,7 @@ struct PaintedScene {
   PaintedScene() {
     map.width = K.width;
     map.height = K.height;
-    map.regions.assign(static_cast<std::size_t>(K.pixels()), 0);
+    map.regions.assign(static_cast<std::size_t>(K.pixels()), RegionId{});
     vertices.assign(map.regions.size(), Eigen::Vector4f::Zero());
     T_world_camera =
         Eigen::Translation3d(0.3, -1, 2) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
@@ -30,7 +30,7 @@ struct PaintedScene {
     for (int v = box.y; v < box.br().y; ++v) {
       for (int u = box.x; u < box.br().x; ++u) {
         const auto pixel = static_cast<std::size_t>(v * K.width + u);
-        map.regions[pixel] = region;
+        map.regions[pixel] = RegionId{region};
         const Eigen::Vector3f p = K.backProject(static_cast<float>(u), static_cast<float>(v), depth(u, v));
         vertices[pixel] << (T_world_camera * p.cast<double>()).cast<float>(), 1;
       }

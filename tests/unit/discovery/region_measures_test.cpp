@@ -17,7 +17,7 @@ TEST(RegionCensus, EqualsPixelByPixelSums) {
   map.width = 37;
   map.height = 23;
   for (int i = 0; i < 37 * 23; ++i)
-    map.regions.push_back(static_cast<std::uint32_t>(random() % 3 == 0 ? random() % 5 : 2));
+    map.regions.push_back(RegionId{static_cast<std::uint32_t>(random() % 3 == 0 ? random() % 5 : 2)});
   RegionCounter counter;
   for (int repeat = 0; repeat < 2; ++repeat) {
     const RegionCensus census = counter.count(map);
@@ -26,7 +26,7 @@ TEST(RegionCensus, EqualsPixelByPixelSums) {
       double n = 0, u1 = 0, v1 = 0, uu = 0, uv = 0, vv = 0;
       for (int v = 0; v < 23; ++v) {
         for (int u = 0; u < 37; ++u) {
-          if (map.regions[static_cast<std::size_t>(v * 37 + u)] != extent.region.value) continue;
+          if (map.regions[static_cast<std::size_t>(v * 37 + u)] != extent.region) continue;
           n += 1, u1 += u, v1 += v, uu += u * u, uv += u * v, vv += v * v;
         }
       }
@@ -45,9 +45,9 @@ TEST(RegionCensus, EccentricityOfARectangle) {
   RegionMap map;
   map.width = 100;
   map.height = 60;
-  map.regions.assign(6000, 0);
+  map.regions.assign(6000, RegionId{});
   for (int v = 10; v < 20; ++v) {
-    for (int u = 30; u < 80; ++u) map.regions[static_cast<std::size_t>(v * 100 + u)] = 3;
+    for (int u = 30; u < 80; ++u) map.regions[static_cast<std::size_t>(v * 100 + u)] = RegionId{3};
   }
   const RegionCensus census = RegionCounter().count(map);
   ASSERT_EQ(census.extents.size(), 1U);

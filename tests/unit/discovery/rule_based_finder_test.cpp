@@ -62,7 +62,7 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
 TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
-  scene.map.regions[50 * 160 + 60] = 1;  // a corner that belongs to the wall
+  scene.map.regions[50 * 160 + 60] = RegionId{1};  // a corner that belongs to the wall
   const auto finder = makeRuleBasedFinder(testParams());
   std::vector<Candidate> found;
   for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
@@ -145,7 +145,7 @@ TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
   params.central_fraction = 1;
   EXPECT_THAT(findAfter(scene, params, 5), ElementsAre(7U));
   for (int v = 0; v < 120; ++v) {
-    for (int u = 155; u < 160; ++u) scene.map.regions[static_cast<std::size_t>(v * 160 + u)] = 0;
+    for (int u = 155; u < 160; ++u) scene.map.regions[static_cast<std::size_t>(v * 160 + u)] = RegionId{};
   }
   EXPECT_THAT(findAfter(scene, params, 5), IsEmpty());
   EXPECT_THAT(broken(scene, params, 7), ElementsAre("off border"));
@@ -153,7 +153,7 @@ TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
 
 TEST(RuleBasedFinder, AnObjectAloneInTheViewIsNotCutOff) {
   PaintedScene scene;
-  std::ranges::fill(scene.map.regions, 0U);
+  std::ranges::fill(scene.map.regions, RegionId{});
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
 }
@@ -251,7 +251,7 @@ TEST(RuleBasedFinder, RefusesBackgroundSeenThroughAGap) {
 
 TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
   PaintedScene scene;
-  std::ranges::fill(scene.map.regions, 0U);
+  std::ranges::fill(scene.map.regions, RegionId{});
   EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
 }
 

@@ -29,9 +29,19 @@ FrameLabelWriter::Frame frameOf(int index, std::uint32_t left, std::uint32_t rig
     const bool is_left = i % kWidth < kWidth / 2;
     frame.segments.ids.push_back(is_left ? 1 : 2);
     frame.segments.depths_m.push_back(1);
-    frame.regions.push_back(is_left ? left : right);
+    frame.regions.push_back(RegionId{is_left ? left : right});
   }
+  // Where the camera stood says which frame it was.
+  frame.T_world_camera.translation().x() = index;
   return frame;
+}
+
+/// A map that shows `left` and `right` from every place, as frameOf does.
+FrameLabelWriter::LookAtMap mapOf(std::uint32_t left, std::uint32_t right) {
+  return [=](const Eigen::Isometry3d&) -> Result<FrameLabelWriter::FinalView> {
+    const FrameLabelWriter::Frame frame = frameOf(0, left, right);
+    return FrameLabelWriter::FinalView{kWidth, kHeight, frame.regions, frame.segments.depths_m};
+  };
 }
 
 void makeFolders(const TemporaryFolder& folder) {
@@ -61,22 +71,21 @@ TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
   const TemporaryFolder folder;
   makeFolders(folder);
   constexpr int kFrames = 5 * static_cast<int>(FrameLabelWriter::kMostWaiting);
-  LabelTable table;
-  for (int label = 0; label < 100; ++label) static_cast<void>(table.newLabel());
   RegionNumbers numbers;
   FrameLabelWriter writer(folder.path(), numbers);
   for (int i = 0; i < kFrames; ++i) {
     ASSERT_TRUE(writer.add(frameOf(i, 90, i < 20 ? 30U + static_cast<std::uint32_t>(i) : 29U)));
   }
-  ASSERT_TRUE(table.join(RegionId{90}, RegionId{31}));
-  ASSERT_TRUE(writer.finish(table));
+  // From where frame 1 was taken, both halves are the left one by now; elsewhere the right one is new.
+  ASSERT_TRUE(writer.finish(
+      [](const Eigen::Isometry3d& T) { return mapOf(90, T.translation().x() == 1 ? 90 : 95)(T); }));
   for (int i = 0; i < kFrames; ++i) {
     EXPECT_EQ(halves(folder / "segments" / nameOf(i)), std::pair(1, 2)) << i;
     const int number = i < 20 ? 2 + i : 22;
     EXPECT_EQ(halves(folder / "labels" / nameOf(i)), std::pair(1, number)) << i;
-    EXPECT_EQ(halves(folder / "labels-final" / nameOf(i)), std::pair(1, i == 1 ? 1 : number)) << i;
+    EXPECT_EQ(halves(folder / "labels-final" / nameOf(i)), std::pair(1, i == 1 ? 1 : 23)) << i;
   }
-  EXPECT_EQ(numbers.count(), 23U);
+  EXPECT_EQ(numbers.count(), 24U);
 }
 
 TEST(FrameLabelWriter, TheSameFramesGiveTheSameFiles) {
@@ -85,11 +94,9 @@ TEST(FrameLabelWriter, TheSameFramesGiveTheSameFiles) {
     const TemporaryFolder folder;
     makeFolders(folder);
     RegionNumbers numbers;
-    LabelTable table;
-    for (int label = 0; label < 100; ++label) static_cast<void>(table.newLabel());
     FrameLabelWriter writer(folder.path(), numbers);
     for (int i = 0; i < 20; ++i) ASSERT_TRUE(writer.add(frameOf(i, 90U - static_cast<std::uint32_t>(i), 7)));
-    ASSERT_TRUE(writer.finish(table));
+    ASSERT_TRUE(writer.finish(mapOf(90, 7)));
     for (const char* part : {"segments", "labels", "labels-final"}) {
       for (int i = 0; i < 20; ++i) contents.push_back(test::readText(folder / part / nameOf(i)));
     }
@@ -103,34 +110,47 @@ TEST(FrameLabelWriter, AFileThatCannotBeWrittenIsAnErrorThatNamesItAndTheOthersA
   makeFolders(folder);
   std::filesystem::create_directories(folder / "labels" / "000003.png" / "in the way");
   RegionNumbers numbers;
-  LabelTable table;
-  for (int label = 0; label < 100; ++label) static_cast<void>(table.newLabel());
   FrameLabelWriter writer(folder.path(), numbers);
   Result<void> added;
   for (int i = 0; i < 100 && added; ++i) added = writer.add(frameOf(i, 5, 6));
   ASSERT_FALSE(added) << "a hundred frames went by without a word";
   EXPECT_THAT(added.error().what, HasSubstr("labels/000003.png"));
-  const Result<void> finished = writer.finish(table);
+  const Result<void> finished = writer.finish(mapOf(5, 6));
   ASSERT_FALSE(finished);
   EXPECT_EQ(finished.error().what, added.error().what);
   EXPECT_EQ(halves(folder / "labels-final" / "000002.png"), std::pair(1, 2));
 }
 
-TEST(FrameLabelWriter, ALabelImageThatSomebodyReplacedIsAnError) {
+TEST(FrameLabelWriter, OnlyLabelImagesAreLeftInTheFolders) {
   const TemporaryFolder folder;
   makeFolders(folder);
   RegionNumbers numbers;
-  LabelTable table;
-  for (int label = 0; label < 10; ++label) static_cast<void>(table.newLabel());
   FrameLabelWriter writer(folder.path(), numbers);
   ASSERT_TRUE(writer.add(frameOf(0, 5, 6)));
-  const std::filesystem::path file = folder / "labels" / "000000.png";
-  for (int i = 0; i < 1000 && !std::filesystem::exists(file); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  ASSERT_TRUE(writeLabelImage(file, std::vector<std::uint32_t>(4, 60000), {2, 2}));
-  const Result<void> finished = writer.finish(table);
+  ASSERT_TRUE(writer.finish(mapOf(5, 6)));
+  for (const char* part : {"segments", "labels", "labels-final"}) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / part)) {
+      names.push_back(entry.path().filename());
+    }
+    EXPECT_THAT(names, testing::ElementsAre("000000.png")) << part;
+  }
+}
+
+TEST(FrameLabelWriter, AMapThatCannotBeLookedAtIsAnError) {
+  const TemporaryFolder folder;
+  makeFolders(folder);
+  RegionNumbers numbers;
+  FrameLabelWriter writer(folder.path(), numbers);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer.add(frameOf(i, 5, 6)));
+  const Result<void> finished =
+      writer.finish([](const Eigen::Isometry3d& T) -> Result<FrameLabelWriter::FinalView> {
+        if (T.translation().x() == 1) return fail("The device is gone.");
+        return mapOf(5, 6)(T);
+      });
   ASSERT_FALSE(finished);
-  EXPECT_THAT(finished.error().what, HasSubstr("labels/000000.png"));
+  EXPECT_THAT(finished.error().what, HasSubstr("The device is gone."));
+  EXPECT_EQ(halves(folder / "labels-final" / nameOf(0)), std::pair(1, 2));
 }
 
 }  // namespace
