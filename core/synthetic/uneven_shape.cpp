@@ -1,5 +1,6 @@
 #include "core/synthetic/uneven_shape.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/synthetic/hash_stream.h"
@@ -7,8 +8,9 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kLengths_m[] = {0.15, 0.10, 0.065, 0.042, 0.028, 0.020};
-constexpr double kGrazing = 0.15;  // flatter rays are taken as if they came so steep
+constexpr double kDeviations = 5;   // of a sum of waves, from its lowest to its highest
+constexpr double kSteepest = 0.16;  // root mean square of the slope
+constexpr double kGrazing = 0.15;   // flatter rays are taken as if they came so steep
 
 /// sin of any angle to 0.1 %: a parabola, bent towards the sine.
 float quickSine(float angle) {
@@ -20,29 +22,31 @@ float quickSine(float angle) {
 
 }  // namespace
 
-UnevenShape::UnevenShape(std::unique_ptr<Shape> base, double depth_m, std::uint32_t seed)
-    : base_(std::move(base)), middle_(depth_m / 2) {
+UnevenShape::UnevenShape(std::unique_ptr<Shape> base, double bumps_m, double wavelength_m, std::uint32_t seed)
+    : base_(std::move(base)) {
   HashStream random(seed, 3);
-  double sum = 0;
-  for (std::size_t i = 0; i < kWaves; ++i) {
-    const double length = kLengths_m[i * std::size(kLengths_m) / kWaves] * random.uniform(0.85, 1.0);
+  const double deviation = std::min(bumps_m / kDeviations, kSteepest * wavelength_m / (2 * std::numbers::pi));
+  middle_ = 2 * deviation;
+  double squares = 0;
+  for (Wave& wave : waves_) {
+    const double length = std::clamp(wavelength_m * random.uniform(0.6, 1.4), 0.02, 0.15);
     const double z = random.uniform(-1, 1);
     const double around = random.uniform(0, 2 * std::numbers::pi);
     const double flat = std::sqrt(1 - z * z);
     const Vec3 along(flat * std::cos(around), flat * std::sin(around), z);
-    waves_[i].per_metre = (along * (2 * std::numbers::pi / length)).cast<float>();
-    waves_[i].phase = static_cast<float>(random.uniform(0, 2 * std::numbers::pi));
-    waves_[i].height = static_cast<float>(length);
-    sum += length;
+    wave.per_metre = (along * (2 * std::numbers::pi / length)).cast<float>();
+    wave.phase = static_cast<float>(random.uniform(0, 2 * std::numbers::pi));
+    wave.height = static_cast<float>(length);
+    squares += length * length / 2;
   }
-  for (Wave& wave : waves_) wave.height *= static_cast<float>(middle_ / sum);
+  for (Wave& wave : waves_) wave.height *= static_cast<float>(deviation / std::sqrt(squares));
 }
 
 double UnevenShape::carved(const Vec3& point) const {
   const Eigen::Vector3f p = point.cast<float>();
   float sum = 0;
   for (const Wave& wave : waves_) sum += wave.height * quickSine(wave.per_metre.dot(p) + wave.phase);
-  return middle_ + double{sum};
+  return std::max(0.0, middle_ + double{sum});
 }
 
 Vec3 UnevenShape::slope(const Vec3& point) const {
@@ -74,7 +78,7 @@ ShapeHit UnevenShape::intersect(const Ray& ray, double t_max) const {
 
 SurfacePoint UnevenShape::describe(const Vec3& point, int part) const {
   SurfacePoint surface = base_->describe(point, part);
-  const Vec3 gradient = slope(point);
+  const Vec3 gradient = carved(point) > 0 ? slope(point) : Vec3::Zero();
   const auto tilt = [&](const Vec3& normal) {
     return Vec3(normal + gradient - gradient.dot(normal) * normal).normalized();
   };
@@ -88,10 +92,12 @@ SyntheticScene makeUneven(SyntheticScene scene, std::uint32_t seed) {
   for (const InstanceName& who : scene.instances())
     uneven.addInstance(who.name, who.is_object, who.non_convex);
   for (SyntheticScene::Part& part : std::move(scene).takeParts()) {
-    // The sum of the waves rarely comes near its bounds: what is seen of these are bumps of 2 - 5 mm.
-    const std::uint32_t one = hashBits(part.instance, 17, 0, seed);
-    const double depth = std::min(0.0035 + 0.0045 * double{hashUniform(one)}, 0.3 * part.shape->thickness());
-    if (depth > 0.001) part.shape = std::make_unique<UnevenShape>(std::move(part.shape), depth, one);
+    HashStream random(seed, 5000U + part.instance);
+    const double wavelength = 0.03 * std::pow(4.3, random.uniform(0, 1));
+    const double bumps = std::min(random.uniform(0.002, 0.005), 0.3 * part.shape->thickness());
+    if (bumps > 0.001) {
+      part.shape = std::make_unique<UnevenShape>(std::move(part.shape), bumps, wavelength, random.bits());
+    }
     uneven.add(part.instance, std::move(part.shape), part.T_world_part, part.material);
   }
   return uneven;

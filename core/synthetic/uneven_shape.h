@@ -6,12 +6,13 @@
 
 namespace scantrove::synthetic {
 
-/// A skin of gentle bumps, as paint, cloth and crumpled cardboard have: the solid's surface lies between 0
-/// and `depth_m` below that of `base`, measured along its normal, in waves between 2 and 15 cm. The same from
-/// every direction but where the surface is seen at a grazing angle and within `depth_m` of sharp edges.
+/// A skin of gentle bumps, as paint, cloth and crumpled cardboard have: the solid's surface lies a little
+/// below that of `base`, measured along its normal, in waves around `wavelength_m`; from top to bottom about
+/// `bumps_m`. The same from every direction but where the surface is seen at a grazing angle and within
+/// `bumps_m` of sharp edges.
 class UnevenShape final : public Shape {
  public:
-  UnevenShape(std::unique_ptr<Shape> base, double depth_m, std::uint32_t seed);
+  UnevenShape(std::unique_ptr<Shape> base, double bumps_m, double wavelength_m, std::uint32_t seed);
   [[nodiscard]] Bounds bounds() const override { return base_->bounds(); }
   [[nodiscard]] ShapeHit intersect(const Ray& ray, double t_max) const override;
   [[nodiscard]] SurfacePoint describe(const Vec3& point, int part) const override;
@@ -22,7 +23,7 @@ class UnevenShape final : public Shape {
     Eigen::Vector3f per_metre;  // radians
     float phase, height;
   };
-  static constexpr std::size_t kWaves = 9;
+  static constexpr std::size_t kWaves = 6;
   [[nodiscard]] double carved(const Vec3& point) const;
   [[nodiscard]] Vec3 slope(const Vec3& point) const;
   std::unique_ptr<Shape> base_;
@@ -30,8 +31,8 @@ class UnevenShape final : public Shape {
   std::array<Wave, kWaves> waves_;
 };
 
-/// The same scene with bumps of 2 - 5 mm on walls, floor and all that is thick enough; what is turned (cans,
-/// bottles, vases) stays smooth.
+/// The same scene with bumps of 2 - 5 mm, 3 - 13 cm long, on walls, floor and all that is thick enough, other
+/// ones on each thing; what is turned (cans, bottles, vases) stays smooth.
 [[nodiscard]] SyntheticScene makeUneven(SyntheticScene scene, std::uint32_t seed);
 
 }  // namespace scantrove::synthetic
