@@ -18,9 +18,11 @@ struct ObjectView {
   ObjectId object;
   std::int64_t session = 0;
   int frame_index = 0;
-  cv::Mat color;     ///< h x w, CV_8UC3, BGR
-  cv::Mat mask;      ///< h x w, CV_8UC1, 255 = object
-  cv::Mat depth_mm;  ///< h x w, CV_16UC1, 0 = none
+  cv::Rect box_px;    ///< where it was cut, in pixels of the frame's depth image; `mask` fills it
+  cv::Size frame_px;  ///< size of that image; empty, like the box: not known (stored by an older version)
+  cv::Mat color;      ///< h x w, CV_8UC3, BGR
+  cv::Mat mask;       ///< h x w, CV_8UC1, 255 = object
+  cv::Mat depth_mm;   ///< h x w, CV_16UC1, 0 = none
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   Eigen::Vector3f direction =
       Eigen::Vector3f::UnitZ();  ///< unit, from the object's centroid to the camera, world

@@ -1,5 +1,6 @@
 // The views of ObjectDatabase: images and poses in and out of the table `views`.
 #include <QStringList>
+#include <array>
 #include <optional>
 
 #include "core/catalog/database_connection.h"
@@ -36,6 +37,30 @@ std::string readImage(const QSqlQuery& query, int column, const char* what, cv::
   return image.empty() && !bytes.isEmpty() ? std::string("its ") + what + " is not an image" : std::string();
 }
 
+/// Six values for readBox(); nulls where the box is not known.
+QVariantList boxColumns(const ObjectView& view) {
+  if (view.frame_px.empty()) return QVariantList(6, QVariant(QMetaType(QMetaType::Int)));
+  const cv::Rect& box = view.box_px;
+  return {box.x, box.y, box.width, box.height, view.frame_px.width, view.frame_px.height};
+}
+
+/// The box and its frame from six columns; both empty where they are not known or make no sense.
+void readBox(const QSqlQuery& query, int column, ObjectView& view) {
+  constexpr int kLargestSide_px = 4096;  // of the images that can be scanned
+  std::array<int, 6> numbers{};
+  for (int i = 0; i < 6; ++i) {
+    numbers[static_cast<std::size_t>(i)] = query.value(column + i).toInt();
+    if (numbers[static_cast<std::size_t>(i)] < 0 || numbers[static_cast<std::size_t>(i)] > kLargestSide_px)
+      return;
+  }
+  const auto [x, y, width, height, frame_width, frame_height] = numbers;
+  const cv::Rect box(x, y, width, height);
+  const cv::Rect frame(0, 0, frame_width, frame_height);
+  if (box.empty() || (box & frame) != box) return;
+  view.box_px = box;
+  view.frame_px = frame.size();
+}
+
 /// Fills a view from its row; returns what is wrong with it.
 std::string readView(const QSqlQuery& query, ObjectView& view) {
   view.id = query.value(0).toLongLong();
@@ -46,6 +71,7 @@ std::string readView(const QSqlQuery& query, ObjectView& view) {
     view.direction[i] = query.value(5 + i).toFloat();
     view.size_m[i] = query.value(8 + i).toFloat();
   }
+  readBox(query, 14, view);
   const std::optional<Eigen::Isometry3d> pose = toPose(query.value(4).toString());
   if (!pose) return "its pose is not twelve numbers";
   view.T_world_camera = *pose;
@@ -60,7 +86,8 @@ std::string readView(const QSqlQuery& query, ObjectView& view) {
 Result<std::vector<ObjectView>> ObjectDatabase::views(ObjectId id) {
   Result<QSqlQuery> query = connection_->execute(
       "SELECT v.id, v.object, v.session, v.frame_index, v.pose, v.direction_x, v.direction_y, v.direction_z,"
-      " s.size_x_m, s.size_y_m, s.size_z_m, v.color, v.mask, v.depth_mm"
+      " s.size_x_m, s.size_y_m, s.size_z_m, v.color, v.mask, v.depth_mm,"
+      " v.box_x, v.box_y, v.box_width, v.box_height, v.frame_width, v.frame_height"
       " FROM views v LEFT JOIN view_summaries s ON s.view = v.id WHERE v.object = ? ORDER BY v.id",
       {id.value});
   if (!query) return fail(query.error());
@@ -89,14 +116,26 @@ Result<std::int64_t> ObjectDatabase::insertView(ObjectView view) {
   }
   const Result<ObjectRow> holder = holderOf(*connection_, view.object);
   if (!holder) return fail(holder.error());
+  QVariantList values{holder->id.value,
+                      view.object.value,
+                      orNull(view.session),
+                      view.frame_index,
+                      toText(view.T_world_camera),
+                      view.direction.x(),
+                      view.direction.y(),
+                      view.direction.z(),
+                      DatabaseConnection::now(),
+                      toPng(view.color),
+                      toPng(view.mask),
+                      toPng(view.depth_mm)};
+  values += boxColumns(view);
   SCANTROVE_TRY(moveInto(
       view.id,
       connection_->insert(
           "INSERT INTO views (object, first_object, session, frame_index, pose, direction_x, direction_y,"
-          " direction_z, created, color, mask, depth_mm) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-          {holder->id.value, view.object.value, orNull(view.session), view.frame_index,
-           toText(view.T_world_camera), view.direction.x(), view.direction.y(), view.direction.z(),
-           DatabaseConnection::now(), toPng(view.color), toPng(view.mask), toPng(view.depth_mm)})));
+          " direction_z, created, color, mask, depth_mm, box_x, box_y, box_width, box_height, frame_width,"
+          " frame_height) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+          values)));
   SCANTROVE_TRY(insertSummary(*connection_, view, summarise(view)));
   SCANTROVE_TRY(refreshObject(*connection_, holder->id));
   SCANTROVE_TRY(recordEvent(*connection_, event::kAddView, holder->id, {},

@@ -31,7 +31,9 @@ ObjectView cutView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_came
   const cv::Rect in_color = scaledBox(candidate.box_px, working, frame.color.size());
   view.color = frame.color(in_color).clone();
   cv::resize(candidate.mask, view.mask, in_color.size(), 0, 0, cv::INTER_NEAREST);
-  const cv::Mat depth = frame.depth(scaledBox(candidate.box_px, working, frame.depth.size()));
+  view.frame_px = frame.depth.size();
+  view.box_px = scaledBox(candidate.box_px, working, view.frame_px);
+  const cv::Mat depth = frame.depth(view.box_px);
   depth.convertTo(view.depth_mm, CV_16U, static_cast<double>(frame.metres_per_unit) * 1000.0);
   if (view.depth_mm.size() != in_color.size()) {
     cv::resize(view.depth_mm, view.depth_mm, in_color.size(), 0, 0, cv::INTER_NEAREST);

@@ -48,6 +48,8 @@ inline ObjectView randomView(int seed, const cv::Size& size = {31, 17}) {
   cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
   ObjectView view;
   view.frame_index = seed;
+  view.box_px = {seed, 20, 40, 30};
+  view.frame_px = {640, 480};
   view.color.create(size, CV_8UC3);
   random.fill(view.color, cv::RNG::UNIFORM, 0, 256);
   view.mask.create(size, CV_8UC1);

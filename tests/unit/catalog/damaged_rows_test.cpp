@@ -109,6 +109,22 @@ TEST_F(DamagedRows, DepthAndPoseAreLookedAtWhereTheyAreRead) {
   }
 }
 
+TEST_F(DamagedRows, ABoxThatCannotBeIsNotKnown) {
+  const auto database = openOrFail(file());
+  EXPECT_EQ(database->views(ObjectId{2})->front().box_px, cv::Rect(1, 20, 40, 30));
+  for (const char* damage :
+       {"box_x = -1", "box_width = 0", "box_y = 470", "frame_width = 30", "box_width = 2147483647",
+        "frame_height = NULL", "box_x = 'left'", "box_width = 100000, frame_width = 200000"}) {
+    const QString undamaged = "box_x = 1, box_y = 20, box_width = 40, frame_width = 640, frame_height = 480";
+    askSqlite(file(), "UPDATE views SET " + undamaged + " WHERE id = 2");
+    askSqlite(file(), QString("UPDATE views SET %1 WHERE id = 2").arg(damage));
+    const std::vector<ObjectView> views = *database->views(ObjectId{2});
+    ASSERT_EQ(views.size(), 1U) << damage << ": the view itself can be used";
+    const bool is_known = !views.front().frame_px.empty();
+    EXPECT_EQ(is_known, std::string(damage) == "box_x = 'left'") << damage;  // text is 0
+  }
+}
+
 TEST_F(DamagedRows, DescriptorsThatCannotBeAreLeftOut) {
   const auto database = openOrFail(file());
   EXPECT_EQ(countDescriptors(*database), 3);

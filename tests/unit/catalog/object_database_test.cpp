@@ -25,9 +25,9 @@ TEST_F(ObjectDatabaseTest, StartsEmpty) {
   EXPECT_EQ(*database->forEachDescriptor(0, [](const StoredDescriptor&) { FAIL(); }), 0);
   EXPECT_FALSE(*database->findByName("Obj_1"));
   EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "wal");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "2");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "3");
   EXPECT_EQ(askSqlite(file(), "SELECT group_concat(name) FROM schema_migrations"),
-            "001_initial.sql,002_summaries.sql");
+            "001_initial.sql,002_summaries.sql,003_view_boxes.sql");
 }
 
 TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
@@ -69,11 +69,24 @@ TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
     EXPECT_EQ(view.T_world_camera.matrix(), expected.T_world_camera.matrix());
     EXPECT_EQ(view.direction, expected.direction);
     EXPECT_EQ(view.frame_index, i);
+    EXPECT_EQ(view.box_px, cv::Rect(i, 20, 40, 30));
+    EXPECT_EQ(view.frame_px, cv::Size(640, 480));
     EXPECT_EQ(view.session, session);
     EXPECT_EQ(view.object, objects[0].id);
   }
   EXPECT_EQ(database->picture(objects[0].id)->size(), cv::Size(128, 96));  // of the view that shows more
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM sessions WHERE ended IS NOT NULL"), "1");
+}
+
+TEST_F(ObjectDatabaseTest, AViewNeedNotSayWhereItWasCut) {
+  const auto database = openOrFail(file());
+  ObjectView view = randomView(0);
+  view.box_px = {};
+  view.frame_px = {};
+  const ObjectRecord object = *database->addObject(view);
+  EXPECT_TRUE(database->views(object.id)->front().frame_px.empty());
+  EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM views WHERE box_x IS NULL AND frame_height IS NULL"),
+            "1");
 }
 
 TEST_F(ObjectDatabaseTest, DepthOnlySourcesHaveNoColour) {

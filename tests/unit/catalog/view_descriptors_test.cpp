@@ -35,6 +35,9 @@ class ViewDescriptors : public test::CatalogTest {
     for (const char* sql :
          {"DROP TABLE view_summaries", "DROP TABLE descriptors", "DROP TABLE pictures",
           "ALTER TABLE objects DROP COLUMN best_view", "ALTER TABLE objects DROP COLUMN named_by_person",
+          "ALTER TABLE views DROP COLUMN box_x", "ALTER TABLE views DROP COLUMN box_y",
+          "ALTER TABLE views DROP COLUMN box_width", "ALTER TABLE views DROP COLUMN box_height",
+          "ALTER TABLE views DROP COLUMN frame_width", "ALTER TABLE views DROP COLUMN frame_height",
           "DELETE FROM schema_migrations WHERE version > 1", "PRAGMA user_version = 1"}) {
       askSqlite(file(), sql);
     }
@@ -104,6 +107,7 @@ TEST_F(ViewDescriptors, ViewsOfTheFirstVersionAreDescribedOnce) {
   EXPECT_EQ(database->object(ObjectId{2})->named_by, NamedBy::person);
   EXPECT_EQ(database->object(ObjectId{3})->named_by, NamedBy::program);
   EXPECT_EQ(database->object(ObjectId{1})->size_m, randomView(0).size_m);
+  EXPECT_TRUE(database->views(ObjectId{1})->front().frame_px.empty()) << "where it was cut is not known";
 }
 
 TEST_F(ViewDescriptors, PicturesAreSmallAndDimTheBackground) {

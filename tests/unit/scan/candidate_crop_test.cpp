@@ -51,6 +51,8 @@ TEST(CutView, TakesTheBoxOutOfTheFullResolution) {
   ASSERT_EQ(view.depth_mm.type(), CV_16UC1);
   EXPECT_EQ(view.depth_mm.at<std::uint16_t>(0, 0), 100 + 20 + 40);  // millimetres
   EXPECT_EQ(view.frame_index, 42);
+  EXPECT_EQ(view.box_px, cv::Rect(20, 40, 60, 80));
+  EXPECT_EQ(view.frame_px, cv::Size(640, 480));
 }
 
 TEST(CutView, FollowsColourAndDepthOfTheirOwnResolutions) {
@@ -62,6 +64,8 @@ TEST(CutView, FollowsColourAndDepthOfTheirOwnResolutions) {
   EXPECT_EQ(view.mask.size(), view.color.size());
   ASSERT_EQ(view.depth_mm.size(), view.color.size());
   EXPECT_EQ(view.depth_mm.at<std::uint16_t>(0, 0), 100 + 7 + 9);
+  EXPECT_EQ(view.box_px, cv::Rect(7, 9, 11, 13)) << "of the depth image";
+  EXPECT_EQ(view.frame_px, cv::Size(320, 240));
 }
 
 TEST(CutView, ABoxAtTheBorderStaysInTheImage) {
