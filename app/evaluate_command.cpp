@@ -1,6 +1,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/catalogue_evaluation.h"
 #include "app/command.h"
 #include "app/number_check.h"
 #include "app/segmentation_evaluation.h"
@@ -16,6 +17,7 @@ struct EvaluateCommand {
   std::string estimate;
   std::string truth;
   std::vector<std::string> scans, truths;
+  std::string scan, database;
   int delta_frames = 1;
   SegmentationMetricOptions metrics;
 };
@@ -121,6 +123,34 @@ void addSegmentation(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& c
       ->type_name("PX");
 }
 
+Result<Json> evaluateCatalogue(const EvaluateCommand& command) {
+  return evaluateCatalogueOf(command.scan, command.truth, command.database);
+}
+
+void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& command,
+                  CommandOutcome& outcome) {
+  CLI::App* sub = addEvaluation(
+      parent, "catalogue",
+      "Purity and completeness of the objects that a scan collected, and the verdict on each of them.\n"
+      "purity: share of the entries that are one whole object: in at least 80 % of their views, the view's "
+      "mask and\n"
+      "the object in its frame overlap by more than 0.6 (intersection over union).\n"
+      "completeness: share of the true objects of 5 to 60 cm (longest side), seen in 30 frames or more with "
+      "at\n"
+      "least 400 pixels at 640 x 480, that have such an entry.\n"
+      "Verdicts: whole, part (of one object), merger (of several), background (mostly what is no object).\n"
+      "Entries are judged by the views that the newest scan stored.",
+      command, outcome, evaluateCatalogue);
+  sub->add_option("--scan", command->scan, "what a scan wrote")->required()->type_name("DIR");
+  sub->add_option(
+         "--truth", command->truth,
+         "a recording with frame-NNNNNN.instance.png and, to say which instances are objects, instances.json")
+      ->required()
+      ->type_name("DIR");
+  sub->add_option("--database", command->database, "the catalogue (default: catalogue.sqlite of the scan)")
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
@@ -129,6 +159,7 @@ void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome) {
   evaluate->require_subcommand(1);
   addTrajectory(*evaluate, command, outcome);
   addSegmentation(*evaluate, command, outcome);
+  addCatalogue(*evaluate, command, outcome);
 }
 
 }  // namespace scantrove

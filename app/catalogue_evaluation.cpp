@@ -1,0 +1,161 @@
+#include "app/catalogue_evaluation.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/core_application.h"
+#include "app/true_objects.h"
+#include "core/capture/pose_files.h"
+#include "core/catalog/object_database.h"
+#include "core/exchange/label_image_writer.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Entry {
+  ObjectRecord record;
+  std::vector<ObjectView> views;  // of the session that is judged
+};
+
+constexpr const char* wordFor(CatalogueVerdict verdict) {
+  switch (verdict) {
+    case CatalogueVerdict::whole:
+      return "whole";
+    case CatalogueVerdict::part:
+      return "part";
+    case CatalogueVerdict::merger:
+      return "merger";
+    case CatalogueVerdict::background:
+      break;
+  }
+  return "background";
+}
+
+/// The frames that a scan tracked, by the times in its trajectory. Empty where these are no frame numbers
+/// / 30.
+Result<std::set<long>> scannedFrames(const fs::path& scan) {
+  constexpr double kFramesPerSecond = 30;
+  const auto trajectory = readTumTrajectory(scan / "trajectory.txt");
+  if (!trajectory) return fail(trajectory.error());
+  std::set<long> frames;
+  for (const StampedPose& pose : *trajectory) {
+    const double frame = pose.timestamp_s * kFramesPerSecond;
+    if (std::abs(frame - std::round(frame)) > 0.01 || frame > 1e6) return std::set<long>{};
+    frames.insert(std::lround(frame));
+  }
+  return frames;
+}
+
+/// Entries with views of the newest session that stored any, and which that is.
+Result<std::vector<Entry>> readEntries(ObjectDatabase& database, std::int64_t& session) {
+  const auto records = database.objects();
+  if (!records) return fail(records.error());
+  std::vector<Entry> entries;
+  session = 0;
+  for (const ObjectRecord& record : *records) {
+    Entry entry{record, {}};
+    SCANTROVE_TRY(moveInto(entry.views, database.views(record.id)));
+    for (const ObjectView& view : entry.views) session = std::max(session, view.session);
+    entries.push_back(std::move(entry));
+  }
+  for (Entry& entry : entries) {
+    std::erase_if(entry.views, [&](const ObjectView& view) { return view.session != session; });
+  }
+  std::erase_if(entries, [](const Entry& entry) { return entry.views.empty(); });
+  return entries;
+}
+
+/// The view's box in the true image, which may be of another size than the frame was.
+cv::Rect boxIn(const cv::Size& image, const ObjectView& view) {
+  const double sx = static_cast<double>(image.width) / view.frame_px.width;
+  const double sy = static_cast<double>(image.height) / view.frame_px.height;
+  const cv::Point first(cvRound(view.box_px.x * sx), cvRound(view.box_px.y * sy));
+  const cv::Point last(cvRound(view.box_px.br().x * sx), cvRound(view.box_px.br().y * sy));
+  return {first, last};
+}
+
+Result<EntryJudgement> judge(const Entry& entry, const TrueScene& scene, const std::set<int>& objects) {
+  std::vector<ViewJudgement> views;
+  for (const ObjectView& view : entry.views) {
+    const auto image = scene.images.find(view.frame_index);
+    if (image == scene.images.end()) continue;
+    if (view.frame_px.empty()) {
+      return fail("The views of " + entry.record.name + " do not say where they were cut.",
+                  "An older version stored them: scan again.");
+    }
+    const auto truth = readLabelImage(image->second);
+    if (!truth) return fail(truth.error());
+    views.push_back(judgeView(view.mask, boxIn(truth->size(), view), *truth, objects));
+  }
+  return judgeEntry(views);
+}
+
+Json namesOf(const std::vector<int>& instances, const TrueScene& scene) {
+  Json names = Json::array();
+  for (const int instance : instances) {
+    const auto name = scene.names.find(instance);
+    names.push_back(name != scene.names.end() ? name->second : std::to_string(instance));
+  }
+  return names;
+}
+
+Json toJson(const Entry& entry, const EntryJudgement& judgement, const TrueScene& scene) {
+  return {{"id", entry.record.id.value},
+          {"name", entry.record.name},
+          {"verdict", wordFor(judgement.verdict)},
+          {"of", namesOf(judgement.instances, scene)},
+          {"views", judgement.views},
+          {"whole_views", judgement.whole_views}};
+}
+
+}  // namespace
+
+Result<Json> evaluateCatalogueOf(const std::string& scan, const std::string& truth,
+                                 const std::string& database) {
+  const fs::path file = database.empty() ? fs::path(scan) / "catalogue.sqlite" : fs::path(database);
+  std::error_code ignored;
+  if (file.string().find("://") == std::string::npos && !fs::exists(file, ignored)) {
+    return fail("There is no catalogue " + file.string() + ".",
+                "Give --database if the scan used another one.");
+  }
+  const auto scanned = scannedFrames(scan);
+  if (!scanned) return fail(scanned.error());
+  const auto scene =
+      readTrueScene(truth, [&](long frame) { return scanned->empty() || scanned->contains(frame); });
+  if (!scene) return fail(scene.error());
+  const CoreApplication qt;
+  const auto catalogue = ObjectDatabase::open(file.string());
+  if (!catalogue) return fail(catalogue.error());
+  std::int64_t session = 0;
+  const auto entries = readEntries(**catalogue, session);
+  if (!entries) return fail(entries.error());
+
+  std::set<int> objects;
+  for (const auto& [id, object] : scene->objects) objects.insert(id);
+  std::vector<EntryJudgement> judgements;
+  Json each = Json::array();
+  for (const Entry& entry : *entries) {
+    const auto judgement = judge(entry, *scene, objects);
+    if (!judgement) return fail(judgement.error());
+    if (judgement->views == 0) continue;
+    judgements.push_back(*judgement);
+    each.push_back(toJson(entry, *judgement, *scene));
+  }
+  const CatalogueMetrics metrics = evaluateCatalogue(judgements, scene->objects);
+  return Json{{"purity", metrics.purity},
+              {"completeness", metrics.completeness},
+              {"entries", metrics.entries},
+              {"whole", metrics.whole},
+              {"duplicates", metrics.duplicates},
+              {"expected", metrics.expected},
+              {"missing", namesOf(metrics.missing, *scene)},
+              {"frames", scene->images.size()},
+              {"session", session},
+              {"each", each}};
+}
+
+}  // namespace scantrove

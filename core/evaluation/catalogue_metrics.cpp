@@ -1,0 +1,154 @@
+#include "core/evaluation/catalogue_metrics.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "core/evaluation/label_grid.h"
+
+namespace scantrove {
+namespace {
+
+constexpr double kWholeOverlap = 0.6;
+constexpr double kBackgroundShare = 0.5;
+constexpr double kPartShare = 0.75;
+constexpr double kNamedShare = 0.15;
+constexpr double kWholeViews = 0.8;
+constexpr double kVisible_px = 400;
+constexpr double kUsualPixels = 640.0 * 480.0;
+constexpr int kVisibleFrames = 30;
+constexpr double kSmallest_m = 0.05;
+constexpr double kLargest_m = 0.60;
+
+struct MaskOverlaps {
+  int mask_area = 0;
+  std::map<int, int> shared;  // pixels of the mask by instance, 0 = not annotated
+};
+
+MaskOverlaps overlapsOf(const cv::Mat& mask, const cv::Rect& box, const cv::Mat1i& truth) {
+  cv::Mat fitted = mask;
+  if (mask.size() != box.size()) cv::resize(mask, fitted, box.size(), 0, 0, cv::INTER_NEAREST);
+  MaskOverlaps overlaps;
+  for (int y = 0; y < box.height; ++y) {
+    for (int x = 0; x < box.width; ++x) {
+      const cv::Point there(box.x + x, box.y + y);
+      if (fitted.at<std::uint8_t>(y, x) == 0 || !there.inside({0, 0, truth.cols, truth.rows})) continue;
+      ++overlaps.mask_area;
+      ++overlaps.shared[truth(there)];
+    }
+  }
+  return overlaps;
+}
+
+/// Those with a share worth naming, largest first.
+std::vector<int> namedInstances(const MaskOverlaps& overlaps) {
+  std::vector<std::pair<int, int>> by_share;
+  for (const auto& [instance, pixels] : overlaps.shared) {
+    if (instance != 0 && pixels >= kNamedShare * overlaps.mask_area) by_share.emplace_back(-pixels, instance);
+  }
+  std::sort(by_share.begin(), by_share.end());
+  std::vector<int> instances;
+  for (const auto& [pixels, instance] : by_share) instances.push_back(instance);
+  return instances;
+}
+
+}  // namespace
+
+ViewJudgement judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat& truth,
+                        const std::set<int>& objects) {
+  if (mask.empty() || box.empty()) return {};
+  const cv::Mat1i instances = toLabelGrid(truth);
+  const MaskOverlaps overlaps = overlapsOf(mask, box, instances);
+  int main_object = 0;
+  int main_pixels = 0;
+  int object_pixels = 0;
+  for (const auto& [instance, pixels] : overlaps.shared) {
+    if (!objects.contains(instance)) continue;
+    object_pixels += pixels;
+    if (pixels > main_pixels) {
+      main_object = instance;
+      main_pixels = pixels;
+    }
+  }
+  cv::Mat visible;
+  cv::compare(instances, main_object, visible, cv::CMP_EQ);
+  const int united = overlaps.mask_area + cv::countNonZero(visible) - main_pixels;
+  if (main_pixels > kWholeOverlap * united) return {CatalogueVerdict::whole, {main_object}};
+  if (overlaps.mask_area - object_pixels >= kBackgroundShare * overlaps.mask_area) {
+    return {CatalogueVerdict::background, namedInstances(overlaps)};
+  }
+  if (main_pixels >= kPartShare * overlaps.mask_area) return {CatalogueVerdict::part, {main_object}};
+  return {CatalogueVerdict::merger, namedInstances(overlaps)};
+}
+
+EntryJudgement judgeEntry(std::span<const ViewJudgement> views) {
+  using Kind = std::pair<CatalogueVerdict, std::vector<int>>;
+  std::map<Kind, int> counts;
+  for (const ViewJudgement& view : views) ++counts[{view.verdict, view.instances}];
+  EntryJudgement entry;
+  entry.views = static_cast<int>(views.size());
+  int most_others = 0;
+  Kind others;
+  Kind whole;
+  for (const auto& [kind, count] : counts) {
+    if (kind.first == CatalogueVerdict::whole && count > entry.whole_views) {
+      entry.whole_views = count;
+      whole = kind;
+    } else if (kind.first != CatalogueVerdict::whole && count > most_others) {
+      most_others = count;
+      others = kind;
+    }
+  }
+  const bool is_whole = entry.views > 0 && entry.whole_views >= kWholeViews * entry.views;
+  if (!is_whole && most_others == 0 && entry.views > 0) {  // whole, but each time something else
+    for (const auto& [kind, count] : counts) others.second.push_back(kind.second.front());
+    others.first = CatalogueVerdict::merger;
+  }
+  if (entry.views > 0) std::tie(entry.verdict, entry.instances) = is_whole ? whole : others;
+  return entry;
+}
+
+bool shouldBeFound(const TrueObject& object) {
+  return object.frames >= kVisibleFrames && object.extent_m >= kSmallest_m && object.extent_m <= kLargest_m;
+}
+
+void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects) {
+  const cv::Mat1i instances = toLabelGrid(truth);
+  const double enough = kVisible_px * static_cast<double>(instances.total()) / kUsualPixels;
+  std::map<int, int> areas;
+  for (int y = 0; y < instances.rows; ++y) {
+    for (int x = 0; x < instances.cols;) {
+      const int from = x;
+      const int instance = instances(y, x);
+      while (x < instances.cols && instances(y, x) == instance) ++x;
+      areas[instance] += x - from;
+    }
+  }
+  for (const auto& [instance, area] : areas) {
+    const auto object = objects.find(instance);
+    if (object != objects.end() && area >= enough) ++object->second.frames;
+  }
+}
+
+CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgement> entries,
+                                   const std::map<int, TrueObject>& objects) {
+  CatalogueMetrics metrics;
+  std::set<int> found;
+  for (const EntryJudgement& entry : entries) {
+    ++metrics.entries;
+    if (entry.verdict != CatalogueVerdict::whole) continue;
+    ++metrics.whole;
+    if (!found.insert(entry.instances.front()).second) ++metrics.duplicates;
+  }
+  for (const auto& [instance, object] : objects) {
+    if (!shouldBeFound(object)) continue;
+    ++metrics.expected;
+    if (!found.contains(instance)) metrics.missing.push_back(instance);
+  }
+  metrics.purity = metrics.entries > 0 ? static_cast<double>(metrics.whole) / metrics.entries : 0;
+  const double missing = static_cast<double>(metrics.missing.size());
+  metrics.completeness = metrics.expected > 0 ? 1 - missing / metrics.expected : 0;
+  return metrics;
+}
+
+}  // namespace scantrove
