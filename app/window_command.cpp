@@ -28,9 +28,7 @@ bool readSize(const std::string& text, int& width, int& height) {
 }  // namespace
 
 void WindowCommand::addTo(CLI::App& app) {
-  app.add_option("SOURCE", scan_.source,
-                 "a folder, an .oni file, 'demo', 'demo:room', 'camera' or 'camera:URI'")
-      ->check(CLI::Validator(checkSource, ""));
+  app.add_option("SOURCE", scan_.source, kSourceHelp)->check(CLI::Validator(checkSource, ""));
   scan_.addTo(app);
   app.add_option("--database", database_, "catalogue (default: your own, in $XDG_DATA_HOME)")
       ->type_name("FILE");

@@ -166,6 +166,21 @@ TEST_P(RandomScene, ViewsAreNearEnoughAndFull) {
   }
 }
 
+TEST(RandomScenes, EightToTwentyThingsAreOnATable) {
+  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+    const SyntheticScene scene = synthetic::makeRandomTabletopSet(seed).scene;
+    const Eigen::AlignedBox3d table = scene.boundsOf(scene.find("table"));
+    int things = 0;
+    for (const InstanceName& who : scene.instances()) {
+      const Eigen::AlignedBox3d box = scene.boundsOf(who.id);
+      const Vector3d middle(box.center().x(), box.center().y(), table.center().z());
+      things += who.is_object && box.min().z() > table.max().z() - 0.001 && table.contains(middle) ? 1 : 0;
+    }
+    EXPECT_GE(things, 8) << "seed " << seed;
+    EXPECT_LE(things, 20) << "seed " << seed;
+  }
+}
+
 TEST(RandomScenes, ASeedIsAScene) {
   SourceOptions options;
   options.frames = 1;

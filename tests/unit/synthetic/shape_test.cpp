@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <memory>
 #include <random>
 
+#include "core/synthetic/curtain.h"
 #include "core/synthetic/lathe.h"
 #include "core/synthetic/rounded_shapes.h"
+#include "core/synthetic/uneven_shape.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -122,6 +125,97 @@ TEST(SyntheticShape, ArcsAndRoundedCansKeepTheirSize) {
   const Bounds can = Lathe(canProfile(0.04, 0.03, 0.1)).bounds();
   EXPECT_NEAR(can.high.x(), 0.04, 1e-12);
   EXPECT_NEAR(can.high.z(), 0.1, 1e-6);
+}
+
+TEST(SyntheticShape, ReachIsThatOfTheSurface) {
+  const RoundedBox box({0.1, 0.06, 0.15}, 0.02);
+  const Lathe can(canProfile(0.04, 0.03, 0.1));
+  const Torus ring(0.1, 0.03);
+  const Sphere ball(0.12);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (const Shape* shape : std::initializer_list<const Shape*>{&box, &can, &ring, &ball}) {
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 direction = Vec3(normal(random), normal(random), normal(random)).normalized();
+      double farthest = -kNoHit;
+      for (int k = 0; k < 20000; ++k) {
+        const Vec3 from = Vec3(normal(random), normal(random), normal(random)).normalized();
+        const Vec3 towards = 0.1 * Vec3(normal(random), normal(random), normal(random));
+        const Ray ray{from, towards - from};
+        const ShapeHit hit = shape->intersect(ray, kNoHit);
+        if (hit.t < kNoHit) farthest = std::max(farthest, direction.dot(ray.at(hit.t)));
+      }
+      EXPECT_LT(farthest, shape->reach(direction) + 1e-5);
+      EXPECT_GT(farthest, shape->reach(direction) - 0.006) << "as near as so many rays come";
+    }
+  }
+  const Torus half(0.1, 0.03, 0.0);
+  EXPECT_EQ(half.reach(-Vec3::UnitY()), 0) << "the flat cut";
+}
+
+TEST(SyntheticShape, CurtainHangsInFolds) {
+  const Curtain curtain({1.0, 0.10, 2.0}, 0.004, 6);
+  int changes = 0;
+  double before = 0;
+  double nearest = kNoHit;
+  double farthest = -kNoHit;
+  for (int i = 0; i < 400; ++i) {
+    const Ray ray{{-0.49 + 0.98 * i / 400, -1, 0.3}, {0, 1, 0}};
+    const ShapeHit hit = curtain.intersect(ray, kNoHit);
+    ASSERT_LT(hit.t, kNoHit) << "no gaps";
+    const Vec3 point = ray.at(hit.t);
+    nearest = std::min(nearest, point.y());
+    farthest = std::max(farthest, point.y());
+    const Vec3 normal = curtain.describe(point, hit.part).normal;
+    EXPECT_LT(normal.y(), 0) << "towards who looks";
+    changes += normal.x() * before < 0 ? 1 : 0;
+    before = normal.x();
+  }
+  EXPECT_GE(changes, 10) << "six folds, each with two turns";
+  EXPECT_GT(farthest - nearest, 0.05);
+  EXPECT_EQ(curtain.intersect({{0, -1, 1.01}, {0, 1, 0}}, kNoHit).t, kNoHit);
+}
+
+/// Heights of the uneven top of a box at z = 0.1, found from straight above.
+double heightAt(const UnevenShape& shape, double x, double y) {
+  return 1 - shape.intersect({{x, y, 1}, {0, 0, -1}}, kNoHit).t;
+}
+
+TEST(UnevenShape, HasBumpsOfTheAskedHeightBelowTheSurface) {
+  const UnevenShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
+  double lowest = kNoHit;
+  double highest = -kNoHit;
+  for (double x = -0.4; x < 0.4; x += 0.007) {
+    for (double y = -0.4; y < 0.4; y += 0.007) {
+      const double height = heightAt(shape, x, y);
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+      const Vec3 normal = shape.describe({x, y, height}, 0).normal;
+      constexpr double kStep = 1e-3;
+      const double slope_x = (heightAt(shape, x + kStep, y) - heightAt(shape, x - kStep, y)) / (2 * kStep);
+      const double slope_y = (heightAt(shape, x, y + kStep) - heightAt(shape, x, y - kStep)) / (2 * kStep);
+      const Vec3 expected = Vec3(-slope_x, -slope_y, 1).normalized();
+      EXPECT_LT((normal - expected).norm(), 0.03 + (height > 0.1 - 1e-4 ? 0.3 : 0))
+          << "but where it is cut off";
+    }
+  }
+  EXPECT_LE(highest, 0.1 + 1e-9);
+  EXPECT_GT(highest - lowest, 0.0025);
+  EXPECT_LT(highest - lowest, 0.0055);
+}
+
+TEST(UnevenShape, IsTheSameFromEveryDirection) {
+  const UnevenShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 from{uniform(random), uniform(random), 0.6 + 0.4 * uniform(random)};
+    const Vec3 towards{0.4 * uniform(random), 0.4 * uniform(random), 0.1};
+    const Ray ray{from, towards - from};
+    if (-ray.direction.normalized().z() < 0.35) continue;  // flatter than 20 degrees
+    const Vec3 point = ray.at(shape.intersect(ray, kNoHit).t);
+    EXPECT_NEAR(point.z(), heightAt(shape, point.x(), point.y()), 0.0002);
+  }
 }
 
 }  // namespace

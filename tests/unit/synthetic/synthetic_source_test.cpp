@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/synthetic/synthetic_source.h"
+#include "core/synthetic/uneven_shape.h"
 #include "tests/support/film_sets.h"
 
 namespace scantrove {
@@ -36,10 +37,19 @@ RgbdFrame frameAt(SyntheticOptions options, int index) {
   return read.frame;
 }
 
+synthetic::FilmSet makeARoom() { return synthetic::makeRandomRoomSet(4); }
+
+synthetic::FilmSet makeAnUnevenRoom() {
+  synthetic::FilmSet set = makeARoom();
+  set.scene = synthetic::makeUneven(std::move(set.scene), 4);
+  return set;
+}
+
 class EveryScene : public testing::TestWithParam<MakeSet> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
                          testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet,
-                                         &test::makeLBlockSet, &test::makeChairFloorSet));
+                                         &test::makeLBlockSet, &test::makeChairFloorSet, &makeARoom,
+                                         &makeAnUnevenRoom));
 
 TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
   SyntheticOptions options = exactOptions(GetParam());
