@@ -50,12 +50,6 @@ Footprint Footprint::placedAt(double x, double y, double yaw) const {
   return {Vector2d(x, y) + turned(centre, yaw), half, yaw_deg + yaw, round};
 }
 
-Vector2d Footprint::halfExtent() const {
-  Vector2d extent = Vector2d::Zero();
-  for (const Vector2d& corner : corners(*this)) extent = extent.cwiseMax((corner - centre).cwiseAbs());
-  return extent.array() + round;
-}
-
 double distance(const Footprint& a, const Footprint& b) {
   const auto corners_a = corners(a);
   const auto corners_b = corners(b);

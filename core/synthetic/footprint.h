@@ -12,8 +12,6 @@ struct Footprint {
 
   /// Seen from the frame that `(x, y, yaw)` places it in.
   [[nodiscard]] Footprint placedAt(double x, double y, double yaw_deg) const;
-  /// The outer box along the world's axes: half its size around `centre`.
-  [[nodiscard]] Eigen::Vector2d halfExtent() const;
 };
 
 /// The way between two footprints; negative where they overlap.

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/scan/param_registry.h"
@@ -43,6 +44,7 @@ struct SceneScore {
   double merge_ms = 0;
   double fps = 0;
   double lost = 0;
+  double drift_mm = 0;  // farthest that the tracked camera was from where it should be
 };
 
 /// "1-3" and "7": 1 2 3 7.
@@ -113,12 +115,21 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
   SceneScore score;
   const auto start = std::chrono::steady_clock::now();
   int done = 0;
+  std::optional<Eigen::Isometry3d> T_truth_estimate;
   for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
        read = (*source)->next()) {
     const auto result = (*pipeline)->processFrame(read.frame);
     if (!result) return fail(result.error());
-    if (!result->pose.usable()) score.lost += 1;
-    if (++done % options.every != 0 || !result->pose.usable()) continue;
+    ++done;
+    if (!result->pose.usable()) {
+      score.lost += 1;
+      continue;
+    }
+    const Eigen::Isometry3d& truth_pose = *read.frame.T_world_camera;
+    if (!T_truth_estimate) T_truth_estimate = truth_pose * result->pose.T_world_camera.inverse();
+    const Eigen::Isometry3d pose = *T_truth_estimate * result->pose.T_world_camera;
+    score.drift_mm = std::max(score.drift_mm, 1000 * (pose.translation() - truth_pose.translation()).norm());
+    if (done % options.every != 0) continue;
     const std::string name = fmt::format("frame-{:06}.instance.png", read.frame.index);
     const auto truth = readLabelImage(recording / name);
     if (!truth) return fail(truth.error());
@@ -148,10 +159,11 @@ void printHeader(const Variant& variant) {
 void printLine(const std::string& name, const SceneScore& s, double ratio) {
   const auto& [single, merged] = std::pair(s.single, s.merged);
   std::printf(
-      "%-18s | %6.2f %6.2f  %5.3f     | %6.3f %6.3f %+6.3f   | %6.3f %6.3f   | %7.0f %8.2f %3.0f %4.0f\n",
+      "%-18s | %6.2f %6.2f  %5.3f     | %6.3f %6.3f %+6.3f   | %6.3f %6.3f   | %7.0f %8.2f %3.0f %4.0f "
+      "%8.1f\n",
       name.c_str(), single.boundary_error, merged.boundary_error, ratio, single.small.over_half,
       merged.small.over_half, merged.small.over_half - single.small.over_half, single.large.over_half,
-      merged.large.over_half, s.regions, s.merge_ms, s.fps, s.lost);
+      merged.large.over_half, s.regions, s.merge_ms, s.fps, s.lost, s.drift_mm);
   std::fflush(stdout);
 }
 
@@ -167,8 +179,8 @@ void printMean(const std::string& name, const std::vector<SceneScore>& scores) {
       (mean.*part).small.over_half += share * (score.*part).small.over_half;
       (mean.*part).large.over_half += share * (score.*part).large.over_half;
     }
-    for (const auto part :
-         {&SceneScore::regions, &SceneScore::merge_ms, &SceneScore::fps, &SceneScore::lost}) {
+    for (const auto part : {&SceneScore::regions, &SceneScore::merge_ms, &SceneScore::fps,
+                            &SceneScore::drift_mm, &SceneScore::lost}) {
       mean.*part += share * score.*part;
     }
     ratio += share * score.merged.boundary_error / score.single.boundary_error;
