@@ -21,16 +21,16 @@ std::string truncated(Bytes bytes) { return "is truncated (" + std::to_string(by
 
 /// Chunks are length (big endian), type, data, checksum.
 bool reachesPngEnd(Bytes bytes) {
-  constexpr std::size_t kChunkFrame = 12;
+  constexpr std::size_t kFrameBytes = 12;
   constexpr std::array<std::uint8_t, 4> kEnd = {'I', 'E', 'N', 'D'};
   std::size_t at = kPngSignature.size();
-  while (bytes.size() >= at + kChunkFrame) {
+  while (bytes.size() >= at + kFrameBytes) {
     const std::size_t length = std::size_t{bytes[at]} << 24 | std::size_t{bytes[at + 1]} << 16 |
                                std::size_t{bytes[at + 2]} << 8 | std::size_t{bytes[at + 3]};
     if (std::equal(kEnd.begin(), kEnd.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at + 4))) {
       return true;
     }
-    at += kChunkFrame + length;
+    at += kFrameBytes + length;
   }
   return false;
 }

@@ -37,18 +37,18 @@ void onMessage(j_common_ptr jpeg, int level) {
   }
 }
 
-class Decoder {
+class JpegDecoder {
  public:
-  explicit Decoder(std::span<const std::uint8_t> bytes) {
+  explicit JpegDecoder(std::span<const std::uint8_t> bytes) {
     jpeg_.err = jpeg_std_error(&handler_.base);
     handler_.base.error_exit = onError;
     handler_.base.emit_message = onMessage;
     jpeg_create_decompress(&jpeg_);
     jpeg_mem_src(&jpeg_, bytes.data(), static_cast<unsigned long>(bytes.size()));
   }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
-  ~Decoder() { jpeg_destroy_decompress(&jpeg_); }
+  JpegDecoder(const JpegDecoder&) = delete;
+  JpegDecoder& operator=(const JpegDecoder&) = delete;
+  ~JpegDecoder() { jpeg_destroy_decompress(&jpeg_); }
 
   bool start() {
     if (setjmp(handler_.on_error) != 0) {
@@ -86,7 +86,7 @@ class Decoder {
 }  // namespace
 
 Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
-  Decoder decoder(bytes);
+  JpegDecoder decoder(bytes);
   cv::Mat image;
   if (decoder.start()) {
     image.create(decoder.size(), CV_8UC3);

@@ -23,7 +23,7 @@ using Status = FrameRead::Status;
 
 constexpr auto kLiveTimeout = 1000ms;
 constexpr auto kRecordingTimeout = 2000ms;  // a recording that gives nothing for so long is over
-constexpr double kPairTolerance_s = 0.020;  // a little more than half a frame at 30 Hz
+constexpr double kColorLag_s = 0.020;       // a little more than half a frame at 30 Hz
 
 class OpenNiSource final : public FrameSource {
  public:
@@ -97,7 +97,7 @@ class OpenNiSource final : public FrameSource {
 
   /// A colour image of the same moment is here, or one that is later (none that fits better can follow).
   [[nodiscard]] bool hasColorFor(const OpenNiImage& depth) const {
-    return !streams_->hasColor() || (color_ && color_->timestamp_s >= depth.timestamp_s - kPairTolerance_s);
+    return !streams_->hasColor() || (color_ && color_->timestamp_s >= depth.timestamp_s - kColorLag_s);
   }
 
   FrameRead makeFrame(const OpenNiImage& depth) {

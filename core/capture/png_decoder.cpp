@@ -36,17 +36,17 @@ void readInput(png_structp png, png_bytep out, png_size_t size) {
 
 void onWarning(png_structp, png_const_charp) {}
 
-class Decoder {
+class PngDecoder {
  public:
-  explicit Decoder(Input& input)
+  explicit PngDecoder(Input& input)
       : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &input, onError, onWarning)),
         info_(png_create_info_struct(png_)) {
     png_set_read_fn(png_, &input, readInput);
     png_set_user_limits(png_, kLongestImageSide_px, kLongestImageSide_px);
   }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
-  ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngDecoder(const PngDecoder&) = delete;
+  PngDecoder& operator=(const PngDecoder&) = delete;
+  ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
   bool readHeader() {
     if (setjmp(png_jmpbuf(png_)) != 0) {
@@ -98,7 +98,7 @@ tl::unexpected<Error> cannotDecode(const std::string& name, const Input& input) 
   return fail(name + " cannot be decoded: it is damaged (" + input.reason + ").");
 }
 
-Result<cv::Mat> readImage(Decoder& decoder, const Input& input, int type, const std::string& name) {
+Result<cv::Mat> readImage(PngDecoder& decoder, const Input& input, int type, const std::string& name) {
   cv::Mat image(decoder.size(), type);
   std::vector<png_bytep> rows;
   for (int y = 0; y < image.rows; ++y) {
@@ -114,7 +114,7 @@ Result<cv::Mat> readImage(Decoder& decoder, const Input& input, int type, const 
 
 Result<cv::Mat> decodeColorPng(std::span<const std::uint8_t> bytes, const std::string& name) {
   Input input{bytes};
-  Decoder decoder(input);
+  PngDecoder decoder(input);
   if (!decoder.readHeader()) {
     return cannotDecode(name, input);
   }
@@ -123,7 +123,7 @@ Result<cv::Mat> decodeColorPng(std::span<const std::uint8_t> bytes, const std::s
 
 Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::string& name) {
   Input input{bytes};
-  Decoder decoder(input);
+  PngDecoder decoder(input);
   if (!decoder.readHeader()) {
     return cannotDecode(name, input);
   }

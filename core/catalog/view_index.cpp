@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kMostSamples = 256;  // views that the components are fitted to
 constexpr float kGrowthToRefit = 1.5F;
-constexpr int kEnoughViews = 2000;           // the components of so many are those of more: fitted no more
-constexpr std::size_t kViewsOfABatch = 256;  // whose pixels wait for their coordinates
-constexpr float kColorUnit = 40;             // CIE units of mean colour that count as 1 of distance
+constexpr int kEnoughViews = 2000;          // the components of so many are those of more: fitted no more
+constexpr std::size_t kWaitingViews = 256;  // whose pixels wait for their coordinates
+constexpr float kColorUnit = 40;            // CIE units of mean colour that count as 1 of distance
 
 using Coarse = decltype(Thumbnail::coarse);
 
@@ -58,7 +58,7 @@ void ViewIndex::append(ObjectId first_object, const Thumbnail& thumbnail, const 
   views_.push_back(
       {ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), PrincipalComponents::Coordinates::Zero()});
   coarse_.push_back(thumbnail.coarse);
-  if (size() >= kEnoughViews && coarse_.size() >= kViewsOfABatch) updateComponents();
+  if (size() >= kEnoughViews && coarse_.size() >= kWaitingViews) updateComponents();
 }
 
 void ViewIndex::updateComponents() {

@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kGroup = 16;                // pixels of a group of find_missing_bricks
+constexpr int kGroupPixels = 16;          // pixels of a group of find_missing_bricks
 constexpr std::size_t kSeenSize = 32768;  // list_missing_bricks.cl
 constexpr std::size_t kFirstListSize = 16384;
 
@@ -38,8 +38,8 @@ Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const Fus
 
 int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                              const Eigen::Isometry3d& T_world_camera) {
-  SCANTROVE_CHECK(frame.K.width >= kGroup);
-  const cl::NDRange groups(static_cast<std::size_t>((frame.K.width + kGroup - 1) / kGroup),
+  SCANTROVE_CHECK(frame.K.width >= kGroupPixels);
+  const cl::NDRange groups(static_cast<std::size_t>((frame.K.width + kGroupPixels - 1) / kGroupPixels),
                            static_cast<std::size_t>(frame.K.height));
   const std::size_t group_count = groups.get()[0] * groups.get()[1];
   if (missing_.size() < group_count) missing_ = Buffer<cl_uchar>(compute_->context(), group_count);

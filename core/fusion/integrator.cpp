@@ -9,15 +9,17 @@
 namespace scantrove {
 namespace {
 
-constexpr int kTile = 8;           // pixels; the tiles of reduce_depth_tiles
-constexpr std::size_t kGroup = 8;  // bricks that one work-group of integrate_bricks does
+constexpr int kDepthTile = 8;            // pixels; the tiles of reduce_depth_tiles
+constexpr std::size_t kGroupBricks = 8;  // bricks that one work-group of integrate_bricks does
 
-constexpr std::size_t tiles(int pixels) { return static_cast<std::size_t>((pixels + kTile - 1) / kTile); }
+constexpr std::size_t depthTiles(int pixels) {
+  return static_cast<std::size_t>((pixels + kDepthTile - 1) / kDepthTile);
+}
 
 }  // namespace
 
 Result<Integrator> Integrator::create(ComputeContext& compute, const FusionParams& params) {
-  const std::string options = "-DTILE=" + std::to_string(kTile);
+  const std::string options = "-DTILE=" + std::to_string(kDepthTile);
   Integrator result(compute, params);
   SCANTROVE_TRY(moveInto(result.reduce_depth_tiles_,
                          compute.kernel(kernels::reduce_depth_tiles, "reduce_depth_tiles", options)));
@@ -54,15 +56,15 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   const float truncation_m = params_.truncation_vox * map.voxelSize();
   const float max_weight = 256.0F * std::clamp(params_.max_weight, 1.0F, 255.0F);
 
-  const cl::NDRange tile_grid(tiles(frame.K.width), tiles(frame.K.height));
+  const cl::NDRange tile_grid(depthTiles(frame.K.width), depthTiles(frame.K.height));
   const std::size_t tile_count = tile_grid.get()[0] * tile_grid.get()[1];
   if (extents_.size() < tile_count) extents_ = Buffer<cl_float2>(compute_->context(), tile_count);
   reduce_depth_tiles_.launch(tile_grid, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height,
                              params_.max_depth_m, extents_);
   find_brick_readings_.launch(cl::NDRange(slots.size()), cl::NDRange(64), bricks_, count, T, K, frame.K.width,
                               frame.K.height, extents_, params_.max_depth_m, readings_);
-  integrate_bricks_.launch(cl::NDRange(slots.size()), cl::NDRange(kGroup), bricks_, count, readings_, T, K,
-                           frame.K.width, frame.K.height, frame.depth_m, params_.max_depth_m, truncation_m,
+  integrate_bricks_.launch(cl::NDRange(slots.size()), cl::NDRange(kGroupBricks), bricks_, count, readings_, T,
+                           K, frame.K.width, frame.K.height, frame.depth_m, params_.max_depth_m, truncation_m,
                            max_weight, map.voxels(), empty_);
 }
 

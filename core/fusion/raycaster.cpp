@@ -11,12 +11,12 @@
 namespace scantrove {
 namespace {
 
-constexpr int kTile = 8;  // pixels; what a work-item of cast_rays does at a time
+constexpr int kRayTile = 8;  // pixels; what a work-item of cast_rays does at a time
 constexpr std::size_t kPad = 4;
 constexpr float kNoPlane = 1e30F;  // fit_planes.cl
 constexpr const char* kPlaneOptions = " -DR=3 -DSLOPE=3.0f";
 
-constexpr int tiles(int pixels) { return (pixels + kTile - 1) / kTile; }
+constexpr int rayTiles(int pixels) { return (pixels + kRayTile - 1) / kRayTile; }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
       window.fromCamera(surface.T_world_camera, BRICK_SIDE * voxel_size_m, voxel_size_m);
   const Eigen::Vector3d origin_m = window.firstBrick().cast<double>() * (BRICK_SIDE * voxel_size_m);
   const Intrinsics& K = surface.K;
-  const auto columns = static_cast<std::size_t>(tiles(K.width));
+  const auto columns = static_cast<std::size_t>(rayTiles(K.width));
   const auto rows = static_cast<std::size_t>(K.height);
   const std::size_t padded = (8 * columns + 2 * kPad) * (rows + 2 * kPad);
   if (depths_.size() != padded) {
@@ -66,17 +66,18 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
 // bricks.
 void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, const SurfaceMaps& surface) {
   const Intrinsics& K = surface.K;
-  const int columns = tiles(K.width);
-  const int rows = tiles(K.height);
-  const auto count = static_cast<std::size_t>(columns * rows);
+  const int columns = rayTiles(K.width);
+  const int rows = rayTiles(K.height);
+  const auto pitch = static_cast<std::size_t>(columns);
+  const std::size_t count = pitch * static_cast<std::size_t>(rows);
   host_ranges_.assign(count, {{params_.max_depth_m, kNearestView_m}});
   const double size_m = BRICK_SIDE * static_cast<double>(map.voxelSize());
   const float radius_m = 0.5F * std::sqrt(3.0F) * static_cast<float>(size_m);
   const Eigen::Isometry3d T_camera_world = surface.T_world_camera.inverse();
   const auto bound = [](float low, float high, float nearest, float farthest, float focal, float centre,
                         int count_of) {
-    const float from = (focal * std::min(low / nearest, low / farthest) + centre) / kTile;
-    const float to = (focal * std::max(high / nearest, high / farthest) + centre) / kTile;
+    const float from = (focal * std::min(low / nearest, low / farthest) + centre) / kRayTile;
+    const float to = (focal * std::max(high / nearest, high / farthest) + centre) / kRayTile;
     const float last = static_cast<float>(count_of) - 0.5F;
     return std::pair(static_cast<int>(std::clamp(from, 0.0F, last)),
                      static_cast<int>(std::clamp(to, -1.0F, last)));
@@ -91,7 +92,8 @@ void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, c
     const auto [top, bottom] = bound(c.y() - radius_m, c.y() + radius_m, nearest, farthest, K.fy, K.cy, rows);
     for (int row = top; row <= bottom; ++row) {
       for (int column = left; column <= right; ++column) {
-        cl_float2& range = host_ranges_[static_cast<std::size_t>(row * columns + column)];
+        cl_float2& range =
+            host_ranges_[static_cast<std::size_t>(row) * pitch + static_cast<std::size_t>(column)];
         range.s[0] = std::min(range.s[0], nearest);
         range.s[1] = std::max(range.s[1], farthest);
       }

@@ -50,7 +50,7 @@ void addThingsOnTable(SyntheticScene& scene, double z) {
           {Pattern::stripes, rgb(0xd7263d), rgb(0xf5f1e8), {}, 0.0628F, 0.3F});
 }
 
-SyntheticScene makeScene() {
+SyntheticScene makeRoom() {
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
   addBox(scene, floor, {}, {4.8, 4.6, 0.1}, 0, {Pattern::planks, rgb(0xb68a5e), {}, {}, 0.13F}, {0, 0, -0.1});
@@ -88,7 +88,7 @@ SyntheticScene makeScene() {
 
 FilmSet makeRoomSet() {
   return {.name = "room",
-          .scene = makeScene(),
+          .scene = makeRoom(),
           .path = throughRoom,
           .frames = 400,
           .lit_centre = {0, 0.8, 0.4},

@@ -18,7 +18,7 @@ Gaze aroundTable(double t) {
           {0.03 * std::sin(0.7 * t), 0.03 * std::cos(0.5 * t), 0.76}};
 }
 
-SyntheticScene makeScene() {
+SyntheticScene makeTabletop() {
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
   addBox(scene, floor, {}, {5, 5, 0.1}, 0, {Pattern::planks, rgb(0xb08a63), {}, {}, 0.14F}, {0, 0, -0.1});
@@ -69,7 +69,7 @@ SyntheticScene makeScene() {
 
 FilmSet makeTabletopSet() {
   return {.name = "tabletop",
-          .scene = makeScene(),
+          .scene = makeTabletop(),
           .path = aroundTable,
           .frames = 300,
           .lit_centre = {0, 0, 0.4},

@@ -11,7 +11,6 @@ namespace scantrove::synthetic {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A sum of three sines a channel, each within +-1.
 double shake(double time_s, std::uint32_t channel, std::uint32_t seed) {
@@ -57,7 +56,7 @@ Eigen::Isometry3d Trajectory::pose(double time_s) const {
   T_world_camera.translation() = gaze.eye;
   if (tremor_) {
     constexpr double kSway_m = 0.003;
-    constexpr double kTurn = 0.25 * kDegree;
+    constexpr double kTurn = 0.25 * std::numbers::pi / 180;
     const auto channel = [&](std::uint32_t c) { return shake(time_s, c, seed_); };
     T_world_camera.translate(kSway_m * Vector3d(channel(0), channel(1), 0.6 * channel(2)));
     T_world_camera.rotate(Eigen::AngleAxisd(kTurn * channel(3), Vector3d::UnitX()) *

@@ -92,6 +92,7 @@ function(scantrove_embed target kind output inputs)
             "-DOUTPUT=${output}" -P "${SCANTROVE_EMBED_SCRIPT}"
     DEPENDS ${inputs} ${ARGN} "${SCANTROVE_EMBED_SCRIPT}"
     COMMENT "Embedding into ${target}" VERBATIM)
+  set_source_files_properties("${output}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   target_sources(${target} PRIVATE "${output}")
 endfunction()
 

@@ -1,10 +1,11 @@
-# The heavy foreign headers, compiled once for many files. A file still includes all that it uses: the sanitizer presets
-# build without this, so an include that is missing shows there.
+# The heavy foreign headers, compiled once for many files:
 #   core    the standard library, Eigen, OpenCV's matrices, spdlog, tl::expected
-#   device  core and the OpenCL bindings
 #   window  core and Qt's widgets
 #   tests   core and GoogleTest
+# And a target's own files, some at a time, as one: what they instantiate alike (Eigen, OpenCV, json) is compiled once.
+# A file still includes all that it uses, and its names are its target's only ones: packaging/lint compiles each alone.
 option(SCANTROVE_PRECOMPILE "Precompile heavy foreign headers" ON)
+option(SCANTROVE_UNITY "Compile the files of a target together" ON)
 
 set(scantrove_core_headers
   <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <mutex> <optional> <span>
@@ -34,8 +35,6 @@ endfunction()
 
 if(SCANTROVE_PRECOMPILE)
   scantrove_declare_precompiled(core HEADERS ${scantrove_core_headers})
-  scantrove_declare_precompiled(device LINK scantrove_opencl
-    HEADERS ${scantrove_core_headers} "${PROJECT_SOURCE_DIR}/core/compute/opencl.h")
   if(SCANTROVE_BUILD_TESTS)
     find_package(GTest REQUIRED)
     scantrove_declare_precompiled(tests FOR_PROGRAMS LINK GTest::gtest GTest::gmock
@@ -44,9 +43,14 @@ if(SCANTROVE_PRECOMPILE)
   scantrove_declare_precompiled(window LINK Qt6::Core Qt6::Gui Qt6::Widgets HEADERS ${scantrove_window_headers})
 endif()
 
-# scantrove_precompile(<target> core|device|window|tests)
+# scantrove_precompile(<target> core|window|tests)
 function(scantrove_precompile target kind)
   if(SCANTROVE_PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM scantrove_precompiled_${kind})
   endif()
+endfunction()
+
+# Not all at once: a change to one file is compiled again in seconds, and all cores have something to do.
+function(scantrove_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SCANTROVE_UNITY} UNITY_BUILD_BATCH_SIZE 6)
 endfunction()

@@ -13,13 +13,14 @@ if(SCANTROVE_SANITIZE)
   target_link_options(scantrove_settings INTERFACE -fsanitize=${SCANTROVE_SANITIZE})
 endif()
 
-# scantrove_module(<name> SOURCES ... [KERNELS ...] [LINK ...] [PRECOMPILED core|device|window])
+# scantrove_module(<name> SOURCES ... [KERNELS ...] [LINK ...] [PRECOMPILED core|window])
 # Declares the static library scantrove_<name>; kernels are embedded (Embed.cmake), heavy foreign headers precompiled
 # (ScantrovePrecompiled.cmake).
 function(scantrove_module name)
   cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;KERNELS;LINK" ${ARGN})
   add_library(scantrove_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(scantrove_${name} PUBLIC scantrove_settings ${ARG_LINK})
+  scantrove_compile_together(scantrove_${name})
   if(ARG_PRECOMPILED)
     scantrove_precompile(scantrove_${name} ${ARG_PRECOMPILED})
   endif()

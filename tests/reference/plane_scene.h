@@ -9,6 +9,8 @@
 
 namespace scantrove::reference {
 
+inline Eigen::Vector3d toEigen(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }
+
 /// A half-space's face: points p of the camera frame with normal . p = offset, kept where inside(p).
 struct Face {
   Eigen::Vector3d normal;  ///< unit, towards the camera

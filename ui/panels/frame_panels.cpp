@@ -7,7 +7,7 @@
 
 namespace scantrove {
 namespace {
-constexpr int kGap = 8;
+constexpr int kPanelGap = 8;
 constexpr int kMargin = 8;
 constexpr float kRangeFollowing =
     0.1F;  ///< of the way to the frame's own range, so that colours do not flicker
@@ -91,10 +91,10 @@ void FramePanels::resizeEvent(QResizeEvent* /*event*/) { arrange(); }
 
 void FramePanels::arrange() {
   // Large picture w x 3/4 w over a grid of two columns: the height is 3/2 w plus gaps.
-  const int available = height() - 2 * kMargin - 2 * kGap;
-  const int w = std::max(100, std::min(width() - 2 * kMargin, available * 2 / 3 + kGap / 2));
+  const int available = height() - 2 * kMargin - 2 * kPanelGap;
+  const int w = std::max(100, std::min(width() - 2 * kMargin, available * 2 / 3 + kPanelGap / 2));
   const int left = (width() - w) / 2;
-  const int small_width = (w - kGap) / 2;
+  const int small_width = (w - kPanelGap) / 2;
   const int small_height = small_width * 3 / 4;
   const int large_height = w * 3 / 4;
   panels_[featured_]->setGeometry(left, kMargin, w, large_height);
@@ -104,7 +104,7 @@ void FramePanels::arrange() {
     if (i == featured_) continue;
     panels_[i]->setClickMeaning(tr("Click: show it large"));
     const int x = left + (cell % 2) * (w - small_width);
-    const int y = kMargin + large_height + kGap + (cell / 2) * (small_height + kGap);
+    const int y = kMargin + large_height + kPanelGap + (cell / 2) * (small_height + kPanelGap);
     panels_[i]->setGeometry(x, y, small_width, small_height);
     ++cell;
   }

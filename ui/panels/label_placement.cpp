@@ -7,12 +7,12 @@
 namespace scantrove {
 namespace {
 
-constexpr double kGap = 2;
+constexpr double kLabelGap = 2;
 
 double overlapArea(const QRectF& label, const std::vector<QRectF>& others) {
   double area = 0;
   for (const QRectF& other : others) {
-    const QRectF common = label.intersected(other.adjusted(-kGap, -kGap, kGap, kGap));
+    const QRectF common = label.intersected(other.adjusted(-kLabelGap, -kLabelGap, kLabelGap, kLabelGap));
     area += common.width() * common.height();
   }
   return area;
@@ -29,25 +29,25 @@ std::vector<QRectF> placesFor(const LabelRequest& request, const QRectF& bounds)
   const QRectF& box = request.box;
   const double width = request.size.width();
   const double height = request.size.height();
-  const double above = box.top() - height - kGap;
-  const double below = box.bottom() + kGap;
-  const double top_inside = box.top() + kGap;
-  const double bottom_inside = box.bottom() - height - kGap;
+  const double above = box.top() - height - kLabelGap;
+  const double below = box.bottom() + kLabelGap;
+  const double top_inside = box.top() + kLabelGap;
+  const double bottom_inside = box.bottom() - height - kLabelGap;
   std::vector<QPointF> corners;
   if (above >= bounds.top()) corners = {{box.left(), above}, {box.right() - width, above}};
   corners.insert(corners.end(), {{box.left(), top_inside}, {box.right() - width, top_inside}});
   if (below + height <= bounds.bottom()) {
     corners.insert(corners.end(), {{box.left(), below}, {box.right() - width, below}});
   }
-  corners.insert(
-      corners.end(),
-      {{box.left(), bottom_inside}, {box.right() + kGap, box.top()}, {box.left() - width - kGap, box.top()}});
+  corners.insert(corners.end(), {{box.left(), bottom_inside},
+                                 {box.right() + kLabelGap, box.top()},
+                                 {box.left() - width - kLabelGap, box.top()}});
   std::vector<QRectF> places;
   for (const QPointF& corner : corners) places.push_back(movedInto(bounds, {corner, request.size}));
 
   // Further away, the nearest first.
   const auto beside = static_cast<std::ptrdiff_t>(places.size());
-  for (double y = bounds.top(); y + height <= bounds.bottom(); y += height + kGap) {
+  for (double y = bounds.top(); y + height <= bounds.bottom(); y += height + kLabelGap) {
     places.push_back(movedInto(bounds, {QPointF(box.left(), y), request.size}));
   }
   std::stable_sort(places.begin() + beside, places.end(), [&box](const QRectF& a, const QRectF& b) {

@@ -10,7 +10,7 @@
 
 namespace scantrove {
 namespace {
-constexpr int kGap = 6;
+constexpr int kPictureGap = 6;
 constexpr int kHeight = 84;
 constexpr int kKeyStep = 90;
 
@@ -41,7 +41,7 @@ void ViewsStrip::updateViews(std::vector<QImage> pictures) {
 
 int ViewsStrip::contentWidth() const {
   int sum = 0;
-  for (const QImage& picture : pictures_) sum += widthOf(picture) + kGap;
+  for (const QImage& picture : pictures_) sum += widthOf(picture) + kPictureGap;
   return sum;
 }
 
@@ -67,7 +67,7 @@ void ViewsStrip::paintEvent(QPaintEvent* /*event*/) {
     painter.drawImage(QRect(cell.center() - QPoint(fitted.width() / 2 - 1, fitted.height() / 2 - 1), fitted),
                       picture);
     painter.restore();
-    x += cell.width() + kGap;
+    x += cell.width() + kPictureGap;
   }
   if (hasFocus()) {
     painter.setPen(QPen(colors.accent, 1));

@@ -12,6 +12,8 @@
 namespace scantrove {
 namespace {
 
+using reference::toEigen;
+
 constexpr int kRadius_px = WINDOW_RADIUS;
 
 std::vector<cl_float4> refine(ComputeContext& compute, const Intrinsics& K,
@@ -27,8 +29,6 @@ std::vector<cl_float4> refine(ComputeContext& compute, const Intrinsics& K,
   surface.vertices_world.write(compute.queue(), vertices_world);
   return refiner->refine(surface, params).read(compute.queue());
 }
-
-Eigen::Vector3d toEigen(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }
 
 TEST(RefineNormals, PlanesAndValleysAreExactRidgesAreSmooth) {
   const Intrinsics K{260, 260, 31.5F, 23.5F, 64, 48};

@@ -13,6 +13,8 @@
 namespace scantrove {
 namespace {
 
+using reference::toEigen;
+
 constexpr std::array<std::array<int, 2>, EDGE_DIRECTIONS> kSteps = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
 
 SurfaceMaps upload(ComputeContext& compute, const Intrinsics& K, const std::vector<cl_float4>& vertices,
@@ -33,8 +35,6 @@ EdgeKeys weigh(ComputeContext& compute, const SurfaceMaps& surface, const Segmen
   weigher->weigh(surface, surface.normals_world, params, edges);
   return edges;
 }
-
-Eigen::Vector3d toEigen(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }
 
 /// Weights of edges across the crease of a wedge, both ways over it, in all four directions.
 void expectCreaseWeight(ComputeContext& compute, bool convex, double turn_rad, bool level, double normal_sign,

@@ -8,8 +8,6 @@
 namespace scantrove::test {
 namespace {
 
-const Intrinsics kKinect{585, 585, 320, 240, 640, 480};
-
 std::unique_ptr<DepthPreprocessor> make(ComputeContext& compute, const Intrinsics& K,
                                         const FusionParams& params = {}) {
   auto preprocessor = DepthPreprocessor::create(compute, K, params);

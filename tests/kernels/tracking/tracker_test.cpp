@@ -14,7 +14,6 @@
 namespace scantrove::test {
 namespace {
 
-const Intrinsics kKinect{585, 585, 320, 240, 640, 480};
 const Intrinsics kWorking = kKinect.resizedTo(320, 240);
 constexpr double kDegree = 3.14159265358979323846 / 180;
 

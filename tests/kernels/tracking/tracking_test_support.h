@@ -8,6 +8,8 @@
 
 namespace scantrove::test {
 
+inline const Intrinsics kKinect{585, 585, 320, 240, 640, 480};
+
 /// What a camera at `T_world_camera` delivers of `scene`: depth in units of 0.2 mm (TUM's scale; fine enough
 /// not to matter).
 inline RgbdFrame frameOf(const AnalyticScene& scene, const Intrinsics& K,
