@@ -120,7 +120,7 @@ Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
 Result<std::optional<CameraModel>> findIntrinsics(const std::filesystem::path& folder) {
   std::error_code error;
   const auto present = [](Result<CameraModel> model) {
-    return std::move(model).map([](CameraModel found) { return std::optional(std::move(found)); });
+    return std::move(model).map([](CameraModel found) { return std::optional(found); });
   };
   if (const auto file = folder / "camera-intrinsics.txt"; std::filesystem::exists(file, error)) {
     return present(readIntrinsicsMatrix(file));

@@ -25,7 +25,7 @@ Bytes bytesOf(const std::string& text) {
 
 /// Refuses what is too large before it is read whole.
 Result<std::string> readImageBytes(const std::filesystem::path& file) {
-  const auto start = readFile(file, kImageHeaderBytes);
+  auto start = readFile(file, kImageHeaderBytes);
   if (!start) {
     return start;
   }

@@ -9,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 #include <thread>
-#include <vector>
 
 #include "core/capture/openni_library.h"
 
@@ -102,9 +101,10 @@ OpenNiStreams::~OpenNiStreams() {
   if (is_virtual) {
     // And even so its streams stay until the process ends.
     static std::mutex mutex;
-    static auto* const kept = new std::vector<std::unique_ptr<Handles>>;  // never destroyed
+    static Handles* kept = nullptr;  // never destroyed
     const std::scoped_lock lock(mutex);
-    kept->push_back(std::move(handles_));
+    handles_->kept_before = kept;
+    kept = handles_.release();
     return;
   }
   handles_->depth.destroy();

@@ -53,6 +53,7 @@ class OpenNiStreams {
   struct Handles {
     openni::Device device;
     openni::VideoStream depth, color;
+    Handles* kept_before = nullptr;
   };
   std::unique_ptr<Handles> handles_ = std::make_unique<Handles>();
   bool is_depth_mirrored_ = false;  // recordings only: a camera is told not to mirror

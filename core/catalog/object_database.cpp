@@ -60,8 +60,8 @@ ObjectDatabase::~ObjectDatabase() = default;
 Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source) {
   return inTransaction(*connection_, [&]() -> Result<std::int64_t> {
     const QString name = QString::fromStdString(source);
-    const Result<std::int64_t> id = connection_->insert(
-        "INSERT INTO sessions (source, started) VALUES (?, ?)", {name, DatabaseConnection::now()});
+    Result<std::int64_t> id = connection_->insert("INSERT INTO sessions (source, started) VALUES (?, ?)",
+                                                  {name, DatabaseConnection::now()});
     if (!id) return id;
     SCANTROVE_TRY(recordEvent(*connection_, event::kSessionBegin, {}, {}, {{"source", name}}, *id));
     return id;

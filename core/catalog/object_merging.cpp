@@ -77,7 +77,7 @@ Result<std::vector<Contender>> contenders(DatabaseConnection& connection, std::s
     if (!views) return fail(views.error());
     result.push_back({*row, views->next() ? views->value(0).toLongLong() : 0});
   }
-  std::ranges::rotate(result, std::ranges::max_element(result, std::less<>()));
+  std::rotate(result.begin(), std::max_element(result.begin(), result.end()), result.end());
   return result;
 }
 

@@ -63,10 +63,11 @@ std::optional<Thumbnail> makeThumbnail(const cv::Mat& color, const cv::Mat& mask
         Thumbnail::kUnit /
         std::max(deviation, static_cast<double>(kLeastDeviation[static_cast<std::size_t>(c)]));
     thumbnail.mean_lab[c] = static_cast<float>(mean);
+    std::int8_t* fine = thumbnail.fine.data() + c * Thumbnail::kPixels;
     for (int i = 0; i < Thumbnail::kPixels; ++i) {
       const double w = small.weight.ptr<float>()[i], value = small.lab.ptr<cv::Vec3f>()[i][c];
       const double stored = std::clamp(std::floor(w * (value - mean) * unit + 0.5), -127.0, 127.0);
-      thumbnail.fine[static_cast<std::size_t>(c * Thumbnail::kPixels + i)] = static_cast<std::int8_t>(stored);
+      fine[i] = static_cast<std::int8_t>(stored);
     }
   }
   fillCoarse(thumbnail);
@@ -76,13 +77,12 @@ std::optional<Thumbnail> makeThumbnail(const cv::Mat& color, const cv::Mat& mask
 void fillCoarse(Thumbnail& thumbnail) {
   for (int c = 0; c < 3; ++c) {
     const std::int8_t* fine = thumbnail.fine.data() + c * Thumbnail::kPixels;
+    std::int8_t* coarse = thumbnail.coarse.data() + c * Thumbnail::kCoarsePixels;
     for (int y = 0; y < Thumbnail::kCoarseSide; ++y) {
       for (int x = 0; x < Thumbnail::kCoarseSide; ++x) {
         const std::int8_t* p = fine + 2 * y * Thumbnail::kSide + 2 * x;
         const int sum = p[0] + p[1] + p[Thumbnail::kSide] + p[Thumbnail::kSide + 1];
-        thumbnail
-            .coarse[static_cast<std::size_t>(c * Thumbnail::kCoarsePixels + y * Thumbnail::kCoarseSide + x)] =
-            static_cast<std::int8_t>((sum + 2) >> 2);
+        *coarse++ = static_cast<std::int8_t>((sum + 2) >> 2);
       }
     }
   }

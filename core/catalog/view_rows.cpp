@@ -83,7 +83,7 @@ Result<void> refreshObject(DatabaseConnection& connection, ObjectId object) {
       {object.value});
   if (!query) return fail(query.error());
   std::array<std::vector<float>, 3> sides;
-  QVariant best_view(QMetaType(QMetaType::LongLong));
+  QVariant best_view{QMetaType(QMetaType::LongLong)};
   while (query->next()) {
     if (best_view.isNull()) best_view = query->value(0);
     const Eigen::Vector3f size(query->value(1).toFloat(), query->value(2).toFloat(),

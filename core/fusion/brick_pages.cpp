@@ -16,7 +16,8 @@ Eigen::Vector3i pageOf(const Eigen::Vector3i& brick) {
 }
 
 std::size_t localIndex(const Eigen::Vector3i& local) {
-  return static_cast<std::size_t>(local.x() + PAGE_SIDE * (local.y() + PAGE_SIDE * local.z()));
+  const Eigen::Matrix<std::size_t, 3, 1> i = local.cast<std::size_t>();
+  return i.x() + PAGE_SIDE * (i.y() + PAGE_SIDE * i.z());
 }
 
 Eigen::Vector3i clampedPage(const Eigen::Vector3d& position) {

@@ -11,12 +11,12 @@ void BrickWindow::set(ComputeContext& compute, const BrickPages& all, std::span<
     last = last.cwiseMax(all.page(page).position);
   }
   const Eigen::Vector3i size = last - first + Eigen::Vector3i::Ones();
-  const auto cells = static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
-                     static_cast<std::size_t>(size.z());
+  const Eigen::Matrix<std::size_t, 3, 1> sides = size.cast<std::size_t>();
+  const std::size_t cells = sides.prod();
   host_cells_.assign(cells, PAGE_EMPTY);
   for (const int page : pages) {
-    const Eigen::Vector3i p = all.page(page).position - first;
-    host_cells_[static_cast<std::size_t>(p.x() + size.x() * (p.y() + size.y() * p.z()))] = page;
+    const Eigen::Matrix<std::size_t, 3, 1> p = (all.page(page).position - first).cast<std::size_t>();
+    host_cells_[p.x() + sides.x() * (p.y() + sides.y() * p.z())] = page;
   }
   if (cells_.size() < cells) cells_ = Buffer<cl_int>(compute.context(), 2 * cells);
   cells_.write(compute.queue(), host_cells_);

@@ -69,8 +69,9 @@ std::int32_t DepthUpsampler::closest(int u, int v, const Usable& is_usable) cons
   const float per_y = static_cast<float>(height_) / static_cast<float>(guide_.height);
   const float x_exact = (static_cast<float>(u) + 0.5F) * per_x - 0.5F;
   const float y_exact = (static_cast<float>(v) + 0.5F) * per_y - 0.5F;
-  const float z = static_cast<float>(guide_.depth[static_cast<std::size_t>(v * guide_.width + u)]) *
-                  guide_.metres_per_unit;
+  const std::size_t pixel =
+      static_cast<std::size_t>(v) * static_cast<std::size_t>(guide_.width) + static_cast<std::size_t>(u);
+  const float z = static_cast<float>(guide_.depth[pixel]) * guide_.metres_per_unit;
   const float grow = std::max(1.0F, z * z);
   const bool is_inside =
       x0 >= kSearch_px && y0 >= kSearch_px && x0 < width_ - kSearch_px && y0 < height_ - kSearch_px;

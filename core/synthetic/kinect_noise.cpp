@@ -61,15 +61,15 @@ cv::Mat projectorShadow(const cv::Mat& z_m, const Intrinsics& K, const KinectMod
       const float from = joined ? std::min(column(u), column(u + 1)) : column(u) - 0.5F;
       const float to = joined ? std::max(column(u), column(u + 1)) : column(u) + 0.5F;
       const float depth = joined ? std::max(z[u], z[u + 1]) : z[u];
-      const int last = std::min(static_cast<int>(to + 0.5F), static_cast<int>(nearest.size()) - 1);
-      for (int c = std::max(static_cast<int>(from + 0.5F), 0); c <= last; ++c) {
+      const int last = std::min(static_cast<int>(std::lrint(to)), static_cast<int>(nearest.size()) - 1);
+      for (int c = std::max(static_cast<int>(std::lrint(from)), 0); c <= last; ++c) {
         float& cell = nearest[static_cast<std::size_t>(c)];
         cell = std::min(cell, depth);
       }
     }
     std::uint8_t* out = shadow.ptr<std::uint8_t>(v);
     for (int u = 0; u < z_m.cols; ++u) {
-      const int c = static_cast<int>(column(u) + 0.5F);
+      const int c = static_cast<int>(std::lrint(column(u)));
       if (z[u] > 0 && c >= 0 && c < static_cast<int>(nearest.size())) {
         out[u] = isJump(z[u], nearest[static_cast<std::size_t>(c)]) ? 255 : 0;
       }
@@ -125,7 +125,7 @@ cv::Mat measureDepth(const cv::Mat& z_m, const cv::Mat& incidence, const Intrins
       if (!(noisy > z_min && noisy < z_max)) {
         continue;
       }
-      const float disparity_steps = static_cast<float>(static_cast<int>(steps_m / noisy + 0.5F));
+      const float disparity_steps = static_cast<float>(std::lrint(steps_m / noisy));
       out[u] = steps_m / disparity_steps;
     }
   }

@@ -60,13 +60,14 @@ Lighting::DepthMap Lighting::highestWithin(const DepthMap& map, double radius) {
   DepthMap result = map;
   for (const bool along_x : {true, false}) {  // a square window, one axis after the other
     const DepthMap source = result;
+    auto texel = result.z.begin();
     for (int y = 0; y < map.size; ++y) {
       for (int x = 0; x < map.size; ++x) {
         float highest = kFar;
         for (int i = -reach; i <= reach; ++i) {
           highest = std::min(highest, along_x ? source.at(x + i, y) : source.at(x, y + i));
         }
-        result.z[static_cast<std::size_t>(y * map.size + x)] = highest;
+        *texel++ = highest;
       }
     }
   }

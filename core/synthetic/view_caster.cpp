@@ -45,8 +45,7 @@ ViewCaster::ViewCaster(const SyntheticScene& scene, const View& view)
       for (int x = seen[0]; x <= seen[1]; ++x) {
         const auto [nearest, farthest] = depthRange(rays, bounds, x, y);
         if (nearest <= farthest) {
-          tiles_[static_cast<std::size_t>(y * tiles_x_ + x)].push_back(
-              {static_cast<std::uint16_t>(i), nearest});
+          tiles_[tileIndex(x, y)].push_back({static_cast<std::uint16_t>(i), nearest});
         }
       }
     }
@@ -121,7 +120,7 @@ std::pair<double, double> ViewCaster::depthRange(const LinearRays& rays, const B
 
 ViewCaster::Hit ViewCaster::cast(int u, int v) const {
   Hit best;
-  for (const Candidate& candidate : tiles_[static_cast<std::size_t>(v / kTile * tiles_x_ + u / kTile)]) {
+  for (const Candidate& candidate : tiles_[tileIndex(u / kTile, v / kTile)]) {
     if (candidate.nearest_z >= best.z) {
       break;
     }

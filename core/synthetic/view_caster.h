@@ -51,6 +51,10 @@ class ViewCaster {
   [[nodiscard]] std::pair<double, double> depthRange(const LinearRays& rays, const Bounds& bounds, int tile_x,
                                                      int tile_y) const;
 
+  [[nodiscard]] std::size_t tileIndex(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_x_) + static_cast<std::size_t>(x);
+  }
+
   static constexpr int kTile = 16;
   const SyntheticScene& scene_;
   View view_;

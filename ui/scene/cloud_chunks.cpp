@@ -37,7 +37,7 @@ void CloudChunks::clear() {
   drawn_point_count_ = 0;
 }
 
-void CloudChunks::update(const std::vector<CloudBrick>& changed, RegionOfFragment region_of_fragment) {
+void CloudChunks::update(const std::vector<CloudBrick>& changed, const RegionOfFragment& region_of_fragment) {
   if (region_of_fragment != nullptr && region_of_fragment != region_of_fragment_) recolor(region_of_fragment);
   std::ptrdiff_t growth = 0;
   for (const CloudBrick& brick : changed) {

@@ -34,7 +34,7 @@ class CloudChunks {
 
   /// Takes over the changed bricks (older versions than the stored are ignored) and the region of each
   /// fragment; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
-  void update(const std::vector<CloudBrick>& changed, RegionOfFragment region_of_fragment);
+  void update(const std::vector<CloudBrick>& changed, const RegionOfFragment& region_of_fragment);
 
   /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
   /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed. Returns true

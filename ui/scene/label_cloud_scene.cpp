@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kFirstLeveling_points = 20'000;
+constexpr std::size_t kFirstLevelingPoints = 20'000;
 
 /// Point sizes come from the chunks' vertex shader (see CloudChunk).
 void enableProgramPointSize(vtkObject* /*caller*/, unsigned long /*event*/, void* /*client*/,
@@ -68,7 +68,7 @@ void LabelCloudScene::update(const ScanSnapshot& snapshot) {
     up_ = -R_world_camera_.col(1);
     viewpoint_.setUp(up_);
   }
-  if (cloud_.pointCount() > std::max(kFirstLeveling_points, 2 * points_at_leveling_)) levelOut();
+  if (cloud_.pointCount() > std::max(kFirstLevelingPoints, 2 * points_at_leveling_)) levelOut();
   if (following_ && snapshot.pose.usable()) {
     // From behind and above the sensor's shoulder, at what lies in front of it.
     const Eigen::Vector3f centre = T_world_camera.translation();

@@ -21,7 +21,7 @@ void setColor(vtkActor* actor, const Rgb& color) {
 }
 
 vtkSmartPointer<vtkPoints> makePoints(const std::vector<Eigen::Vector3f>& positions) {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
+  auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Eigen::Vector3f& p = positions[i];

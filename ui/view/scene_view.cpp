@@ -19,7 +19,7 @@ constexpr double kTimeShareWhileScanning = 0.15;
 constexpr int kShortestInterval_ms = 150;  ///< while scanning
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
-constexpr std::size_t kRebuildWhileScanning_points = 150'000;
+constexpr std::size_t kRebuildWhileScanningPoints = 150'000;
 constexpr float kTurnPerPixel_rad = 0.006F;
 
 }  // namespace
@@ -197,7 +197,7 @@ void SceneView::paintGL() {
   // Qt changed OpenGL's state behind VTK's back.
   window.GetState()->Reset();
   window.GetState()->Push();
-  const std::size_t rebuild_budget = scanning_ && !full_detail_ ? kRebuildWhileScanning_points : 10'000'000;
+  const std::size_t rebuild_budget = scanning_ && !full_detail_ ? kRebuildWhileScanningPoints : 10'000'000;
   const std::size_t points = full_detail_ ? static_cast<std::size_t>(PointBudget::kMost) : budget().points();
   const bool complete = scene_.prepare(pixels.width(), pixels.height(), points, rebuild_budget);
   const double prepared_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
