@@ -83,6 +83,7 @@ Result<void> judgeScan(const JudgedScan& scan, const SegmentationMetricOptions& 
 
 SegmentationMetrics meanOf(const std::vector<JudgedFrame>& frames, Labels kind) {
   std::vector<SegmentationMetrics> all;
+  all.reserve(frames.size());
   for (const JudgedFrame& frame : frames) all.push_back(frame.metrics[kind]);
   return averaged(all);
 }

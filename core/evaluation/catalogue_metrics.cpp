@@ -48,6 +48,7 @@ std::vector<int> namedInstances(const MaskOverlaps& overlaps) {
   }
   std::sort(by_share.begin(), by_share.end());
   std::vector<int> instances;
+  instances.reserve(by_share.size());
   for (const auto& [pixels, instance] : by_share) instances.push_back(instance);
   return instances;
 }

@@ -46,6 +46,7 @@ double longestSide(std::span<const Eigen::Vector3f> measured) {
   float longest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<float> along;
+    along.reserve(points.size());
     for (const Eigen::Vector3f& point : points)
       along.push_back((point - mean).dot(axes.eigenvectors().col(axis)));
     longest = std::max(longest, quantile(along, 0.99) - quantile(along, 0.01));

@@ -15,6 +15,7 @@ constexpr double kContact_m = 1e-5;  // nearer than this is touching
 std::vector<Volume> placedAt(const std::vector<Volume>& volumes, double x, double y, double z,
                              double yaw_deg) {
   std::vector<Volume> placed;
+  placed.reserve(volumes.size());
   for (const Volume& volume : volumes) placed.push_back(volume.placedAt(x, y, z, yaw_deg));
   return placed;
 }
@@ -89,7 +90,7 @@ Eigen::Vector2d Layout::slideUpTo(HashStream& random, const Stand& stand, const 
   const Eigen::Vector2d step =
       (neighbours[static_cast<std::size_t>(random.below(count))] - from).normalized();
   for (double moved = 0; moved < kFarthest_m;) {
-    const Eigen::Vector2d there = from + moved * step;
+    Eigen::Vector2d there = from + moved * step;
     const double room = clearance(placedAt(thing.volumes, there.x(), there.y(), stand.z, yaw_deg), 0);
     if (room < kContact_m) return there;
     moved += room - kContact_m / 2;
