@@ -15,7 +15,7 @@ constexpr double kPartShare = 0.75;
 constexpr double kNamedShare = 0.15;
 constexpr double kWholeViews = 0.8;
 constexpr double kVisible_px = 400;
-constexpr double kUsualPixels = 640.0 * 480.0;
+constexpr double kVgaPixels = 640.0 * 480.0;
 constexpr int kVisibleFrames = 30;
 constexpr double kSmallest_m = 0.05;
 constexpr double kLargest_m = 0.60;
@@ -115,7 +115,7 @@ bool shouldBeFound(const TrueObject& object) {
 
 void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects) {
   const cv::Mat1i instances = toLabelGrid(truth);
-  const double enough = kVisible_px * static_cast<double>(instances.total()) / kUsualPixels;
+  const double enough = kVisible_px * static_cast<double>(instances.total()) / kVgaPixels;
   std::map<int, int> areas;
   for (int y = 0; y < instances.rows; ++y) {
     for (int x = 0; x < instances.cols;) {

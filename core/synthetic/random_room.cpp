@@ -9,9 +9,9 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kSeconds = 10;  // 300 frames
-constexpr int kRooms = 12;       // tried until one can be filmed well
-constexpr int kPaths = 40;       // tried in each
+constexpr double kRoomSeconds = 10;  // 300 frames
+constexpr int kRooms = 12;           // tried until one can be filmed well
+constexpr int kPathsInRoom = 40;     // tried in each
 
 /// A table of any height in the middle of things, what is on it, and chairs around and under it.
 void addIsland(HashStream& random, Layout& layout, const Stand& floor) {
@@ -75,7 +75,7 @@ CameraPath makePath(HashStream& random, const Shell& shell) {
   return alongAtHandsPace(std::move(points));
 }
 
-Shell build(HashStream& random, Layout& layout) {
+Shell buildRoom(HashStream& random, Layout& layout) {
   const Shell shell{random.uniform(3.2, 4.6), random.uniform(3.2, 4.4)};
   addRandomFloor(random, layout, shell);
   const int walls = random.between(2, 4);
@@ -100,12 +100,12 @@ FilmSet makeRandomRoomSet(std::uint32_t seed) {
   for (std::uint32_t room = 0; room < kRooms && fewest_bad > 0; ++room) {
     HashStream random(seed, 1000 + room);
     Layout layout;
-    const Shell shell = build(random, layout);
+    const Shell shell = buildRoom(random, layout);
     CameraPath path;
     int fewest_here = fewest_bad;
-    for (int attempt = 0; attempt < kPaths && fewest_here > 0; ++attempt) {
+    for (int attempt = 0; attempt < kPathsInRoom && fewest_here > 0; ++attempt) {
       CameraPath candidate = makePath(random, shell);
-      const int bad = countBadViews(layout, candidate, kSeconds, fewest_here);
+      const int bad = countBadViews(layout, candidate, kRoomSeconds, fewest_here);
       if (bad < fewest_here) {
         fewest_here = bad;
         path = std::move(candidate);

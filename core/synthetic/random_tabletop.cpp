@@ -9,9 +9,9 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kSeconds = 8;  // 240 frames
-constexpr int kTables = 12;     // tried until one can be filmed well
-constexpr int kPaths = 30;      // tried around each
+constexpr double kTableSeconds = 8;    // 240 frames
+constexpr int kTables = 12;            // tried until one can be filmed well
+constexpr int kPathsAroundTable = 30;  // tried around each
 
 /// Around the table's middle, nearer and farther, higher and lower.
 CameraPath makePath(HashStream& random, const Stand& top) {
@@ -33,7 +33,7 @@ CameraPath makePath(HashStream& random, const Stand& top) {
 }
 
 /// A table in a room with two walls; the stand is its top.
-Stand build(HashStream& random, Layout& layout) {
+Stand buildTable(HashStream& random, Layout& layout) {
   const Shell shell{random.uniform(3.0, 4.2), random.uniform(3.0, 4.2)};
   addRandomFloor(random, layout, shell);
   const int first = random.below(4);
@@ -71,12 +71,12 @@ FilmSet makeRandomTabletopSet(std::uint32_t seed) {
   for (std::uint32_t table = 0; table < kTables && fewest_bad > 0; ++table) {
     HashStream random(seed, 2000 + table);
     Layout layout;
-    const Stand top = build(random, layout);
+    const Stand top = buildTable(random, layout);
     CameraPath path;
     int fewest_here = fewest_bad;
-    for (int attempt = 0; attempt < kPaths && fewest_here > 0; ++attempt) {
+    for (int attempt = 0; attempt < kPathsAroundTable && fewest_here > 0; ++attempt) {
       CameraPath candidate = makePath(random, top);
-      const int bad = countBadViews(layout, candidate, kSeconds, fewest_here);
+      const int bad = countBadViews(layout, candidate, kTableSeconds, fewest_here);
       if (bad < fewest_here) {
         fewest_here = bad;
         path = std::move(candidate);

@@ -121,7 +121,8 @@ TEST(DepthUpsampler, IsTheDefinitionOnSurfacesWithStepsHolesAndNoise) {
 
 TEST(DepthUpsampler, EmptyMapsGiveUnlabelledPixels) {
   const std::vector<std::uint16_t> depth(12, 1000);
-  EXPECT_EQ(DepthUpsampler({}, 0, 0, {4, 3, depth, 0.001F}).apply({}), std::vector<std::uint32_t>(12, 0));
+  EXPECT_EQ(DepthUpsampler({}, 0, 0, {4, 3, depth, 0.001F}).apply(std::vector<std::uint32_t>()),
+            std::vector<std::uint32_t>(12, 0));
 }
 
 }  // namespace

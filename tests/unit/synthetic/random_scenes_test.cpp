@@ -15,7 +15,7 @@ using synthetic::FilmSet;
 using synthetic::kNoHit;
 using synthetic::Ray;
 
-constexpr double kDegree = 3.14159265358979 / 180;
+constexpr double kRadiansPerDegree = 3.14159265358979 / 180;
 
 struct Kind {
   const char* name;
@@ -126,7 +126,8 @@ TEST_P(RandomScene, CameraKeepsClearAndMovesLikeACarefulHand) {
     const Eigen::Isometry3d step = here.inverse() * trajectory.pose((frame + 1) / 30.0);
     way_m += step.translation().norm();
     ASSERT_LT(step.translation().norm() * 30, 0.35) << "m/s at frame " << frame;
-    ASSERT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 25 * kDegree) << "rad/s at frame " << frame;
+    ASSERT_LT(Eigen::AngleAxisd(step.linear()).angle() * 30, 25 * kRadiansPerDegree)
+        << "rad/s at frame " << frame;
     if (frame % 5 != 0) continue;
     for (int i = 0; i < 60; ++i) {  // all around it: no surface within 20 cm, so that it is inside nothing
       const double z = (i + 0.5) / 30 - 1;
