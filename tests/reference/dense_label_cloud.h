@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/ids.h"
 #include "core/capture/intrinsics.h"
 
 namespace scantrove::reference {
@@ -30,8 +31,8 @@ struct DenseLabelCloud {
            static_cast<std::size_t>(x);
   }
 
-  /// `vertices`: world, w = 0 = none. `merged`: S_cloud,t, 0 = unlabelled (such a pixel writes nothing).
-  void update(const std::vector<Eigen::Vector4f>& vertices, const std::vector<std::uint32_t>& merged,
+  /// `vertices`: world, w = 0 = none. `merged`: S_cloud,t, none = unlabelled (such a pixel writes nothing).
+  void update(const std::vector<Eigen::Vector4f>& vertices, const std::vector<FragmentId>& merged,
               const Intrinsics& K, const Eigen::Isometry3d& T_world_camera, float distthresh) {
     const Eigen::Matrix4f T_camera_world = T_world_camera.inverse().matrix().cast<float>();
     for (int z = 0; z < side; ++z) {
@@ -45,8 +46,9 @@ struct DenseLabelCloud {
           const int row = static_cast<int>(std::floor(v.y() * K.fy / v.z() + K.cy + 0.5F));
           if (column < 0 || row < 0 || column >= K.width || row >= K.height) continue;
           const auto pixel = static_cast<std::size_t>(row * K.width + column);
-          if (vertices[pixel].w() == 0 || merged[pixel] == 0) continue;
-          if ((vertices[pixel].head<3>() - v_g).norm() < distthresh) labels[indexOf(x, y, z)] = merged[pixel];
+          if (vertices[pixel].w() == 0 || !merged[pixel]) continue;
+          if ((vertices[pixel].head<3>() - v_g).norm() < distthresh)
+            labels[indexOf(x, y, z)] = merged[pixel].value;
         }
       }
     }

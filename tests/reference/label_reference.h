@@ -29,21 +29,21 @@ using Voxel = std::array<int, 3>;
   return found == labels.end() ? 0 : found->second;
 }
 
-/// One labelled voxel near the surface.
+/// One voxel with a fragment near the surface.
 struct SurfacePoint {
   Eigen::Vector3d centre_m;  ///< world
-  std::uint32_t label = 0;
+  std::uint32_t fragment = 0;
 };
 
 /// What is known of a voxel.
 struct FusedVoxel {
   double distance = 0;  ///< signed, in truncations
   bool seen = false;
-  std::uint32_t label = 0;
+  std::uint32_t fragment = 0;
 };
 
-/// The points of one brick of 8^3 voxels, x fastest: its voxels that were seen, carry a label, and lie within
-/// one voxel of the surface.
+/// The points of one brick of 8^3 voxels, x fastest: its voxels that were seen, hold a fragment, and lie
+/// within one voxel of the surface.
 [[nodiscard]] inline std::vector<SurfacePoint> pointsOfBrick(
     const Eigen::Vector3i& brick, double voxel_size_m, double truncation_vox,
     const std::function<FusedVoxel(const Eigen::Vector3i& local)>& voxel_at) {
@@ -52,9 +52,9 @@ struct FusedVoxel {
     for (int y = 0; y < 8; ++y) {
       for (int x = 0; x < 8; ++x) {
         const FusedVoxel voxel = voxel_at({x, y, z});
-        if (!voxel.seen || voxel.label == 0 || std::abs(voxel.distance) * truncation_vox > 1) continue;
+        if (!voxel.seen || voxel.fragment == 0 || std::abs(voxel.distance) * truncation_vox > 1) continue;
         const Eigen::Vector3i position = 8 * brick + Eigen::Vector3i(x, y, z);
-        points.push_back({(position.cast<double>().array() + 0.5) * voxel_size_m, voxel.label});
+        points.push_back({(position.cast<double>().array() + 0.5) * voxel_size_m, voxel.fragment});
       }
     }
   }

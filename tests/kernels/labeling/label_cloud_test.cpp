@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <set>
 
@@ -98,19 +99,24 @@ std::vector<int> allDevices() {
   return indices;
 }
 
-RegionMap randomLabels(unsigned seed, LabelTable& table) {
+/// Patches of `fragments` in turn, from `first` on; some pixels without.
+RegionMap randomPatches(unsigned seed, std::uint32_t first, std::uint32_t fragments = 20) {
   std::mt19937 random(seed);
-  const std::uint32_t first = table.newLabel().value;
-  for (int i = 0; i < 20; ++i) (void)table.newLabel();
   RegionMap map{kCamera.width, kCamera.height, {}, {}};
   for (int v = 0; v < kCamera.height; ++v) {
     for (int u = 0; u < kCamera.width; ++u) {
-      const bool unlabelled = random() % 29 == 0;
-      map.labels.push_back(unlabelled ? 0 : first + static_cast<std::uint32_t>(u / 11 + v / 9) % 20);
+      const bool none = random() % 29 == 0;
+      map.fragments.push_back({none ? 0 : first + static_cast<std::uint32_t>(u / 11 + v / 9) % fragments});
     }
   }
-  map.regions = map.labels;
   return map;
+}
+
+RegionMap onlyFragment(FragmentId fragment) {
+  return {kCamera.width,
+          kCamera.height,
+          std::vector<FragmentId>(static_cast<std::size_t>(kCamera.pixels()), fragment),
+          {}};
 }
 
 Eigen::Isometry3d cameraAt(double x, double y, double yaw) {
@@ -124,7 +130,6 @@ Eigen::Isometry3d cameraAt(double x, double y, double yaw) {
 
 TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFrames) {
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
-  LabelTable table;
   LabelingParams params;
   params.voxel_confidence = false;  // Algorithm 1 overwrites
   for (const float reach_vox : {0.8660254F, 1.0F, 1.7F}) {
@@ -132,9 +137,10 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
     for (int frame = 0; frame < 3; ++frame) {
       const Eigen::Isometry3d T = cameraAt(0.02 * frame, -0.015 * frame, 0.05 * frame);
       const std::vector<Eigen::Vector4f> vertices = renderScene(T);
-      const RegionMap merged = randomLabels(static_cast<unsigned>(frame), table);
-      (void)cloud_->update(toSurface(vertices, T), merged, table, params, *bricks_);
-      dense.update(vertices, merged.labels, kCamera, T, reach_vox * kVoxel);
+      const RegionMap merged =
+          randomPatches(static_cast<unsigned>(frame), 1 + 20U * static_cast<std::uint32_t>(frame));
+      (void)cloud_->update(toSurface(vertices, T), merged, {}, params, *bricks_);
+      dense.update(vertices, merged.fragments, kCamera, T, reach_vox * kVoxel);
     }
   }
   std::size_t labelled = 0;
@@ -154,31 +160,30 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
 }
 
 TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
-  LabelTable table;
   LabelingParams params;
   params.voxel_confidence = false;
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
   const std::vector<Eigen::Vector4f> vertices = renderScene(T);
   const SurfaceMaps surface = toSurface(vertices, T);
-  EXPECT_THAT(cloud_->project(surface, *bricks_), testing::Each(0U));
+  EXPECT_THAT(cloud_->project(surface, *bricks_), testing::Each(FragmentId{}));
   RegionMap merged{kCamera.width, kCamera.height, {}, {}};
-  for (int i = 0; i < kCamera.pixels(); ++i) merged.labels.push_back(table.newLabel().value);
-  (void)cloud_->update(surface, merged, table, params, *bricks_);
+  for (int i = 0; i < kCamera.pixels(); ++i) merged.fragments.push_back({static_cast<std::uint32_t>(i) + 1});
+  (void)cloud_->update(surface, merged, {}, params, *bricks_);
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
-  dense.update(vertices, merged.labels, kCamera, T, params.update_distance_vox * kVoxel);
-  const std::vector<std::uint32_t> projected = cloud_->project(surface, *bricks_);
+  dense.update(vertices, merged.fragments, kCamera, T, params.update_distance_vox * kVoxel);
+  const std::vector<FragmentId> projected = cloud_->project(surface, *bricks_);
   std::size_t labelled = 0;
   std::size_t different = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (vertices[i].w() == 0) {
-      EXPECT_EQ(projected[i], 0U);
+      EXPECT_EQ(projected[i], FragmentId{});
       continue;
     }
     const Eigen::Vector3d in_voxels = vertices[i].head<3>().cast<double>() / double{kVoxel};
     const Eigen::Vector3i voxel = in_voxels.array().floor().cast<int>().matrix() - kFirst;
     const std::uint32_t expected = dense.labels[dense.indexOf(voxel.x(), voxel.y(), voxel.z())];
     labelled += expected != 0 ? 1U : 0U;
-    different += projected[i] != expected ? 1U : 0U;
+    different += projected[i].value != expected ? 1U : 0U;
   }
   // The voxel of a vertex may itself be seen through a neighbouring pixel without surface, or lie outside the
   // image: it has no label then.
@@ -187,53 +192,101 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
   EXPECT_LE(different, labelled / 1000);
 }
 
-TEST_P(LabelCloudTest, ConfidenceKeepsALabelAgainstFewerDisagreements) {
-  LabelTable table;
-  const RegionId first = table.newLabel();
-  const RegionId second = table.newLabel();
-  LabelingParams params;
-  const Eigen::Isometry3d T = cameraAt(0, 0, 0);
-  const SurfaceMaps surface = toSurface(renderScene(T), T);
-  RegionMap merged{kCamera.width, kCamera.height, {}, {}};
-  const auto write = [&](RegionId region, int times) {
-    merged.labels.assign(static_cast<std::size_t>(kCamera.pixels()), region.value);
-    for (int i = 0; i < times; ++i) (void)cloud_->update(surface, merged, table, params, *bricks_);
-  };
-  const auto held = [&] {
-    std::size_t labelled = 0;
-    std::set<std::uint32_t> labels;
-    for (const std::uint32_t label :
-         denseLabels(reference::DenseLabelCloud(kFirst, kSide, kVoxel), labelled)) {
-      if (label != 0) labels.insert(label);
+/// Updates of one view, and the fragments that the cloud then holds.
+class LabelCloudConfidenceTest : public LabelCloudTest {
+ protected:
+  void write(FragmentId fragment, int times, std::span<const FragmentId> carved = {}) {
+    const Eigen::Isometry3d T = cameraAt(0, 0, 0);
+    const SurfaceMaps surface = toSurface(renderScene(T), T);
+    for (int i = 0; i < times; ++i) {
+      (void)cloud_->update(surface, onlyFragment(fragment), carved, params_, *bricks_);
     }
-    return labels;
-  };
-  write(first, 3);
-  write(second, 2);
-  EXPECT_EQ(held(), std::set<std::uint32_t>{first.value});
-  write(second, 1);
-  EXPECT_EQ(held(), std::set<std::uint32_t>{second.value});
-  // Labels of one region agree whatever their numbers: the voxel keeps its own.
-  table.join(first, second);
-  write(first, 4);
-  EXPECT_EQ(held(), std::set<std::uint32_t>{second.value});
+  }
+  std::set<std::uint32_t> held() {
+    std::size_t labelled = 0;
+    std::set<std::uint32_t> fragments;
+    for (const std::uint32_t fragment :
+         denseLabels(reference::DenseLabelCloud(kFirst, kSide, kVoxel), labelled)) {
+      if (fragment != 0) fragments.insert(fragment);
+    }
+    return fragments;
+  }
+
+  const FragmentId first_{1}, second_{2};
+  LabelingParams params_;
+};
+
+TEST_P(LabelCloudConfidenceTest, AnotherFragmentTakesAVoxelOnlyAfterAsManyFramesAsItWasSureOf) {
+  write(first_, 3);
+  write(second_, 2);
+  EXPECT_EQ(held(), std::set{first_.value});
+  write(second_, 1);
+  EXPECT_EQ(held(), std::set{second_.value});
+  // Sure of itself by one frame now, so one of the other is enough.
+  write(first_, 1);
+  EXPECT_EQ(held(), std::set{first_.value});
+}
+
+TEST_P(LabelCloudConfidenceTest, HasALimitSoThatAVoxelIsNeverLost) {
+  write(first_, 3 * static_cast<int>(LABEL_CONFIDENCE_MAX));
+  write(second_, static_cast<int>(LABEL_CONFIDENCE_MAX) - 1);
+  EXPECT_EQ(held(), std::set{first_.value});
+  write(second_, 1);
+  EXPECT_EQ(held(), std::set{second_.value});
+}
+
+TEST_P(LabelCloudConfidenceTest, GivesWayAtOnceToACarvedFragment) {
+  write(first_, 8);
+  write(second_, 1, std::array{second_});
+  EXPECT_EQ(held(), std::set{second_.value});
+  write(first_, 1);
+  EXPECT_EQ(held(), std::set{first_.value}) << "and a voxel begins again with what it was cut to";
+}
+
+TEST_P(LabelCloudConfidenceTest, WithoutItEveryFrameOverwrites) {
+  params_.voxel_confidence = false;
+  write(first_, 8);
+  write(second_, 1);
+  EXPECT_EQ(held(), std::set{second_.value});
+}
+
+TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
+  EXPECT_THAT(cloud_->voxelsOfFragments(), testing::IsEmpty());
+  std::mt19937 random(5);
+  LabelingParams params;
+  for (int frame = 0; frame < 40; ++frame) {
+    const Eigen::Isometry3d T = cameraAt(0.01 * static_cast<double>(random() % 7), -0.01, 0.02 * (frame % 5));
+    // Fragments of earlier frames and, in frames that need more room, of much higher numbers.
+    const std::uint32_t first = 1 + static_cast<std::uint32_t>(random() % 9) * (frame < 20 ? 3U : 400U);
+    params.voxel_confidence = random() % 4 != 0;
+    const std::array carved{FragmentId{first + 2}, FragmentId{first + 5}};
+    (void)cloud_->update(
+        toSurface(renderScene(T), T), randomPatches(static_cast<unsigned>(random()), first, 15),
+        random() % 3 == 0 ? std::span<const FragmentId>(carved) : std::span<const FragmentId>(), params,
+        *bricks_);
+  }
+  std::vector<cl_int> counted(cloud_->voxelsOfFragments().size(), 0);
+  for (const cl_uint voxel : cloud_->voxels().read(compute_->queue())) {
+    if (LABEL_OF(voxel) == 0) continue;
+    ASSERT_LT(LABEL_OF(voxel), counted.size());
+    ++counted[LABEL_OF(voxel)];
+  }
+  EXPECT_EQ(cloud_->voxelsOfFragments(), counted);
+  EXPECT_GT(std::ranges::count_if(counted, [](cl_int count) { return count > 0; }), 30);
 }
 
 TEST_P(LabelCloudTest, EmptyFrameTouchesNothing) {
-  LabelTable table;
   const SurfaceMaps surface = toSurface(
       std::vector<Eigen::Vector4f>(static_cast<std::size_t>(kCamera.pixels()), Eigen::Vector4f::Zero()),
       Eigen::Isometry3d::Identity());
-  EXPECT_TRUE(cloud_->update(surface, randomLabels(1, table), table, {}, *bricks_).empty());
+  EXPECT_TRUE(cloud_->update(surface, randomPatches(1, 1), {}, {}, *bricks_).empty());
   EXPECT_EQ(bricks_->brickCount(), 0);
 }
 
 TEST_P(LabelCloudTest, ExtractGivesEachBrickItsOwnNearSurfaceVoxels) {
-  LabelTable table;
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
   const SurfaceMaps surface = toSurface(renderScene(T), T);
-  const RegionMap merged = randomLabels(1, table);
-  const auto touched = cloud_->update(surface, merged, table, {}, *bricks_);
+  const auto touched = cloud_->update(surface, randomPatches(1, 1), {}, {}, *bricks_);
   const std::vector<cl_int> slots(touched.begin(), touched.end());
   EXPECT_TRUE(cloud_->extract(slots, *bricks_, 4).points.empty())
       << "nothing was fused, so nothing has a surface";
@@ -255,12 +308,13 @@ TEST_P(LabelCloudTest, ExtractGivesEachBrickItsOwnNearSurfaceVoxels) {
       const LabelPoint& point = extract.points[p];
       const Eigen::Vector3f in_bricks = Eigen::Vector3f(point.x, point.y, point.z) / (8 * kVoxel);
       EXPECT_EQ(Eigen::Vector3i(in_bricks.array().floor().cast<int>()), bricks_->positionOf(slots[b]));
-      EXPECT_NE(point.label, 0U);
+      EXPECT_NE(point.fragment, 0U);
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, LabelCloudTest, testing::ValuesIn(allDevices()));
+INSTANTIATE_TEST_SUITE_P(Devices, LabelCloudConfidenceTest, testing::ValuesIn(allDevices()));
 
 }  // namespace
 }  // namespace scantrove

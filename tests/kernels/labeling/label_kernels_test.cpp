@@ -243,7 +243,7 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
         EXPECT_EQ(expected.empty(), slots[b] == 3);
         for (std::size_t i = 0; i < expected.size(); ++i) {
           const LabelPoint& point = extract.points[extract.first[b] + i];
-          EXPECT_EQ(point.label, expected[i].label);
+          EXPECT_EQ(point.fragment, expected[i].fragment);
           EXPECT_FLOAT_EQ(point.x, static_cast<float>(expected[i].centre_m.x()));
           EXPECT_FLOAT_EQ(point.y, static_cast<float>(expected[i].centre_m.y()));
           EXPECT_FLOAT_EQ(point.z, static_cast<float>(expected[i].centre_m.z()));
