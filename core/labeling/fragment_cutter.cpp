@@ -52,13 +52,15 @@ std::vector<FragmentCutter::Cut> FragmentCutter::find(const MergeInput& input,
     ++side.pixels;
   }
   std::vector<Cut> cuts;
-  std::set<FragmentId> cut_now;  // one cut a fragment and frame
+  std::set<FragmentId> cut_now;       // one cut a fragment and frame
+  std::set<std::uint32_t> looked_at;  // one look a side and frame
   for (const FragmentContact& contact : findContacts(input, parts)) {
     const FragmentId fragment = owner[contact.a.value];
     if (fragment != owner[contact.b.value] || cut_now.contains(fragment)) continue;
     if (contact.bends * 2 < contact.length_px || contact.concavity_rad < kLeastFold_rad) continue;
     const std::uint32_t smaller =
         sides[contact.a.value].pixels < sides[contact.b.value].pixels ? contact.a.value : contact.b.value;
+    if (!looked_at.insert(smaller).second) continue;
     const Side& side = sides[smaller];
     if (!isConfirmed(fragment, side.sum / static_cast<float>(side.pixels), side.area_m2)) continue;
     cuts.push_back({fragment, smaller, contact});

@@ -1,0 +1,139 @@
+#include "core/labeling/fragment_contacts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/unit/labeling/painted_frame.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedFrame;
+constexpr FragmentId kLeftPart{4}, kRightPart{2};
+constexpr int kBorder_px = PaintedFrame::kHeight;  // the middle column, top to bottom
+
+/// Left and right halves painted as parts, and seen as segments of their own.
+PaintedFrame withTwoParts(PaintedFrame frame) {
+  PaintedFrame::fill(frame.projected, PaintedFrame::kLeft, kLeftPart);
+  PaintedFrame::fill(frame.projected, PaintedFrame::kRight, kRightPart);
+  frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight});
+  return frame;
+}
+
+std::vector<FragmentContact> contactsOf(const PaintedFrame& frame) {
+  return findContacts(frame.input(), frame.projected);
+}
+
+TEST(FragmentContacts, AFoldHasTheAngleBetweenItsPlanes) {
+  for (const float turn : {0.2F, 0.7F, std::numbers::pi_v<float> / 2}) {
+    const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(turn)));
+    ASSERT_EQ(contacts.size(), 1U);
+    const FragmentContact& fold = contacts.front();
+    EXPECT_EQ(std::pair(fold.a, fold.b), std::pair(kRightPart, kLeftPart)) << "the lower number first";
+    EXPECT_EQ(fold.length_px, kBorder_px);
+    EXPECT_EQ(fold.bends, kBorder_px);
+    EXPECT_NEAR(fold.concavity_rad, turn, 1e-4F);
+    EXPECT_NEAR(fold.turn_rad, turn, 1e-4F);
+    EXPECT_EQ(fold.folded, turn > kClearBend_rad ? 1 : 0);
+    EXPECT_EQ(fold.ridged, 0);
+  }
+}
+
+TEST(FragmentContacts, ARidgeIsAFoldTheOtherWay) {
+  const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(-0.6F)));
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_NEAR(contacts.front().concavity_rad, -0.6F, 1e-4F);
+  EXPECT_NEAR(contacts.front().turn_rad, 0.6F, 1e-4F);
+  EXPECT_EQ(contacts.front().ridged, 1);
+  EXPECT_EQ(contacts.front().folded, 0);
+}
+
+TEST(FragmentContacts, ASmoothBorderDoesNotBendAndHasTheLengthThatItHasInSpace) {
+  const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(0)));
+  ASSERT_EQ(contacts.size(), 1U);
+  const FragmentContact& smooth = contacts.front();
+  EXPECT_NEAR(smooth.turn_rad, 0, 1e-4F);
+  EXPECT_EQ(smooth.folded + smooth.ridged, 0);
+  // 48 pixels of 1 / 60 m, one metre away.
+  EXPECT_NEAR(smooth.length_m, 0.8F, 1e-4F);
+  EXPECT_NEAR(smooth.depth_m, 1, 1e-5F);
+  EXPECT_FALSE(smooth.color_shift);
+}
+
+TEST(FragmentContacts, TheShiftOfColorIsThatOfTheMeans) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+  frame.color_lab.resize(PaintedFrame::kPixels);
+  // Stripes of 10 more and less cancel out; what is left is (3, 0, 4) between the two sides.
+  for (int y = 0; y < PaintedFrame::kHeight; ++y) {
+    const float stripe = y % 2 == 0 ? 10.0F : -10.0F;
+    const int last = PaintedFrame::kWidth - 1, middle = PaintedFrame::kWidth / 2;
+    PaintedFrame::fill(frame.color_lab, {0, y, middle - 1, y}, Eigen::Vector3f(50 + stripe, 0, 0));
+    PaintedFrame::fill(frame.color_lab, {middle, y, last, y}, Eigen::Vector3f(53 - stripe, 0, 4));
+  }
+  const auto contacts = contactsOf(frame);
+  ASSERT_EQ(contacts.size(), 1U);
+  ASSERT_TRUE(contacts.front().color_shift);
+  EXPECT_NEAR(*contacts.front().color_shift, 5, 1e-4F);
+}
+
+TEST(FragmentContacts, NeighboursAcrossAnOcclusionEdgeDoNotTouch) {
+  // d_max one metre ahead is three pixels' width: 3 / 60 m.
+  EXPECT_EQ(contactsOf(withTwoParts(PaintedFrame::step(0.03F))).size(), 1U);
+  EXPECT_THAT(contactsOf(withTwoParts(PaintedFrame::step(0.06F))), testing::IsEmpty());
+}
+
+TEST(FragmentContacts, AGapOfTwoPixelsIsBridgedOneOfThreeIsNot) {
+  for (const int gap : {1, 2, 3}) {
+    PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+    const int first = PaintedFrame::kWidth / 2;
+    PaintedFrame::fill(frame.projected, {first, 0, first + gap - 1, PaintedFrame::kHeight - 1}, FragmentId{});
+    const auto contacts = contactsOf(frame);
+    EXPECT_EQ(contacts.empty() ? 0 : contacts.front().length_px, gap > 2 ? 0 : kBorder_px) << gap;
+  }
+}
+
+TEST(FragmentContacts, IsBridgedWhereOneSegmentLiesOnBothSides) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+  EXPECT_EQ(contactsOf(frame).front().bridged_px, 0);
+  // A segment over the border in its upper quarter.
+  const test::Rectangle bridge{20, 0, 50, PaintedFrame::kHeight / 4 - 1};
+  frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight, bridge});
+  EXPECT_EQ(contactsOf(frame).front().bridged_px, kBorder_px / 4);
+  // A rim of a pixel or two, as the borders of segments and of voxels have, is no bridge.
+  const int middle = PaintedFrame::kWidth / 2;
+  const test::Rectangle rim{middle - 2, 0, middle + 1, PaintedFrame::kHeight - 1};
+  frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight, rim});
+  EXPECT_EQ(contactsOf(frame).front().bridged_px, 0);
+}
+
+TEST(FragmentContacts, NeedNoNormalsToTouch) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0.8F));
+  PaintedFrame::fill(frame.normals, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
+  const auto contacts = contactsOf(frame);
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts.front().length_px, kBorder_px);
+  EXPECT_EQ(contacts.front().bends, 0);
+  EXPECT_EQ(contacts.front().concavity_rad, 0);
+}
+
+TEST(FragmentContacts, WithoutSurfaceThereIsNone) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+  PaintedFrame::fill(frame.vertices, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
+  EXPECT_THAT(contactsOf(frame), testing::IsEmpty());
+}
+
+TEST(FragmentContacts, AreOrderedByTheirFragments) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+  PaintedFrame::fill(frame.projected, {16, 12, 47, 35}, FragmentId{9});
+  PaintedFrame::fill(frame.projected, {30, 20, 33, 24}, FragmentId{1});
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const FragmentContact& contact : contactsOf(frame))
+    pairs.emplace_back(contact.a.value, contact.b.value);
+  EXPECT_THAT(pairs,
+              testing::ElementsAre(std::pair(1, 9), std::pair(2, 4), std::pair(2, 9), std::pair(4, 9)));
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,115 @@
+#include "core/labeling/fragment_cutter.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/labeling/painted_frame.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedFrame;
+using test::Rectangle;
+constexpr FragmentId kWhole{3};
+constexpr Rectangle kSmall{PaintedFrame::kWidth / 2, 10, PaintedFrame::kWidth / 2 + 9, 37};
+
+/// One fragment over all of a surface, and looks at it.
+class FragmentCutterTest : public testing::Test {
+ protected:
+  explicit FragmentCutterTest(const PaintedFrame& frame = PaintedFrame::corner(1)) : frame_(frame) {
+    PaintedFrame::fill(frame_.projected, PaintedFrame::kAll, kWhole);
+  }
+
+  std::vector<FragmentCutter::Cut> look(const std::vector<Rectangle>& segments) {
+    frame_.segments = frame_.segmentsOf(segments);
+    std::vector<FragmentId> owner(segments.size() + 1, kWhole);
+    owner[0] = {};
+    return cutter_.find(frame_.input(), buildOverlapGraph<FragmentId>(frame_.segments, frame_.projected),
+                        owner);
+  }
+  /// The look of `count` that first cut; 0: none did.
+  int firstCut(const std::vector<Rectangle>& segments, int count) {
+    for (int i = 1; i <= count; ++i) {
+      if (!look(segments).empty()) return i;
+    }
+    return 0;
+  }
+
+  PaintedFrame frame_;
+  FragmentCutter cutter_;
+};
+
+TEST_F(FragmentCutterTest, CutsAfterSoManyLooksThatAgree) {
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, FragmentCutter::kLooks - 1), 0);
+  const auto cuts = look({PaintedFrame::kLeft, kSmall});
+  ASSERT_EQ(cuts.size(), 1U);
+  EXPECT_EQ(cuts.front().fragment, kWhole);
+  EXPECT_EQ(cuts.front().segment, 2U) << "the smaller side is cut off";
+  EXPECT_EQ(cuts.front().contact.length_px, kSmall.bottom - kSmall.top + 1);
+  EXPECT_NEAR(cuts.front().contact.concavity_rad, 1, 1e-3F);
+}
+
+TEST_F(FragmentCutterTest, TheNumberOfASegmentDoesNotMatter) {
+  ASSERT_TRUE(look({PaintedFrame::kLeft, kSmall}).empty());
+  ASSERT_TRUE(look({kSmall, PaintedFrame::kLeft}).empty());
+  const auto cuts = look({kSmall, PaintedFrame::kLeft});
+  ASSERT_EQ(cuts.size(), 1U);
+  EXPECT_EQ(cuts.front().segment, 1U);
+}
+
+TEST_F(FragmentCutterTest, LooksThatDisagreeCutNothing) {
+  // Another place each time, or another size.
+  const int middle = PaintedFrame::kWidth / 2;
+  for (int round = 0; round < FragmentCutter::kLooks - 1; ++round) {
+    EXPECT_TRUE(look({PaintedFrame::kLeft, {middle, 0, middle + 9, 9}}).empty());
+    EXPECT_TRUE(look({PaintedFrame::kLeft, {middle, 15, middle + 9, 24}}).empty());
+    EXPECT_TRUE(look({PaintedFrame::kLeft, {middle, 30, middle + 9, 47}}).empty());
+    EXPECT_TRUE(look({PaintedFrame::kLeft, PaintedFrame::kRight}).empty());
+  }
+}
+
+TEST_F(FragmentCutterTest, OneFrameIsOneLookAtASide) {
+  // The side meets two others in a fold.
+  const Rectangle upper{0, 0, PaintedFrame::kWidth / 2 - 1, 23},
+      lower{0, 24, PaintedFrame::kWidth / 2 - 1, 47};
+  EXPECT_EQ(firstCut({upper, lower, kSmall}, FragmentCutter::kLooks), FragmentCutter::kLooks);
+}
+
+TEST_F(FragmentCutterTest, LooksFarApartInTimeAreForgotten) {
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, FragmentCutter::kLooks - 1), 0);
+  for (int i = 0; i < 40; ++i) EXPECT_TRUE(look({PaintedFrame::kAll}).empty());
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, 10), FragmentCutter::kLooks);
+}
+
+TEST_F(FragmentCutterTest, ForgetsAFragmentThatIsNoMore) {
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, FragmentCutter::kLooks - 1), 0);
+  cutter_.forget(kWhole);
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, 10), FragmentCutter::kLooks);
+}
+
+TEST_F(FragmentCutterTest, OneFragmentIsCutOnceAFrame) {
+  const Rectangle middle{24, 0, 39, 47}, upper{40, 0, 63, 23}, lower{40, 24, 63, 47};
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_LE(look({PaintedFrame::kLeft, middle, upper, lower}).size(), 1U);
+  }
+}
+
+TEST_F(FragmentCutterTest, ASegmentOfAnotherFragmentIsNoSide) {
+  for (int i = 0; i < 10; ++i) {
+    frame_.segments = frame_.segmentsOf({PaintedFrame::kLeft, kSmall});
+    const std::vector<FragmentId> owner{{}, kWhole, FragmentId{8}};
+    EXPECT_TRUE(
+        cutter_.find(frame_.input(), buildOverlapGraph<FragmentId>(frame_.segments, frame_.projected), owner)
+            .empty());
+  }
+}
+
+struct FragmentCutterOnAWall : FragmentCutterTest {
+  FragmentCutterOnAWall() : FragmentCutterTest(PaintedFrame::corner(0)) {}
+};
+TEST_F(FragmentCutterOnAWall, CutsNothingThatIsSmooth) {
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, PaintedFrame::kRight}, 10), 0);
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,145 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/labeling/graph_merger.h"
+
+namespace scantrove::test {
+
+/// Pixels of an image, last ones included.
+struct Rectangle {
+  int left, top, right, bottom;
+};
+
+/// A surface drawn by formula, seen from the world's origin along z, and images to paint on it.
+struct PaintedFrame {
+  static constexpr int kWidth = 64, kHeight = 48;
+  static constexpr Rectangle kAll{0, 0, kWidth - 1, kHeight - 1};
+  static constexpr Rectangle kLeft{0, 0, kWidth / 2 - 1, kHeight - 1};
+  static constexpr Rectangle kRight{kWidth / 2, 0, kWidth - 1, kHeight - 1};
+  static constexpr auto kPixels = static_cast<std::size_t>(kWidth) * kHeight;
+
+  Intrinsics K{60, 60, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight};
+  std::vector<Eigen::Vector4f> vertices = std::vector<Eigen::Vector4f>(kPixels);
+  std::vector<Eigen::Vector4f> normals = std::vector<Eigen::Vector4f>(kPixels);
+  std::vector<Eigen::Vector3f> color_lab;  ///< empty: no colour
+  std::vector<FragmentId> projected = std::vector<FragmentId>(kPixels);
+  std::vector<int> voxels;  ///< by fragment
+  SegmentMap segments;      ///< to be made by segmentsOf()
+
+  /// Two upright planes that meet in the middle column, 1 m ahead. `turn_rad`: angle between their normals,
+  /// > 0 an inner corner, < 0 an outer one, 0 a wall.
+  static PaintedFrame corner(float turn_rad) {
+    return drawn([=](float x) { return planeAt(x, x < 0 ? turn_rad / 2 : -turn_rad / 2); });
+  }
+  /// Two walls, the right one `gap_m` behind the left one, which is 1 m ahead.
+  static PaintedFrame step(float gap_m) {
+    return drawn([=](float x) { return std::pair(x < 0 ? 1.0F : 1 + gap_m, Eigen::Vector3f(0, 0, -1)); });
+  }
+
+  static void fill(auto& image, const Rectangle& where, auto value) {
+    for (int y = where.top; y <= where.bottom; ++y) {
+      for (int x = where.left; x <= where.right; ++x) image[static_cast<std::size_t>(y * kWidth + x)] = value;
+    }
+  }
+
+  /// S_t with the rectangles as segments 1, 2, ...; later ones lie on earlier ones.
+  [[nodiscard]] SegmentMap segmentsOf(const std::vector<Rectangle>& rectangles) const {
+    SegmentMap map{
+        kWidth, kHeight, std::vector<std::uint32_t>(kPixels, 0), {}, std::vector<float>(kPixels, 0)};
+    std::uint32_t id = 0;
+    for (const Rectangle& rectangle : rectangles) fill(map.ids, rectangle, ++id);
+    map.areas.assign(id + 1, 0);
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      ++map.areas[map.ids[i]];
+      if (map.ids[i] != 0) map.depths_m[i] = vertices[i].z();
+    }
+    return map;
+  }
+
+  [[nodiscard]] MergeInput input() const {
+    return {segments, projected, vertices, normals, color_lab, K, Eigen::Isometry3d::Identity(), voxels};
+  }
+
+ private:
+  /// Depth and normal of the plane through (0, 0, 1) whose normal is turned by `yaw_rad` to the right.
+  static std::pair<float, Eigen::Vector3f> planeAt(float x, float yaw_rad) {
+    const Eigen::Vector3f normal(std::sin(yaw_rad), 0, -std::cos(yaw_rad));
+    return {normal.z() / (normal.z() + normal.x() * x), normal};
+  }
+  /// `at`: depth and normal at x = X / Z.
+  static PaintedFrame drawn(auto&& at) {
+    PaintedFrame frame;
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      const auto u = static_cast<float>(i % kWidth), v = static_cast<float>(i / kWidth);
+      const auto [z, normal] = at(frame.K.backProject(u, v, 1).x());
+      frame.vertices[i] = frame.K.backProject(u, v, z).homogeneous();
+      frame.normals[i] << normal, 1.0F;
+    }
+    return frame;
+  }
+};
+
+/// Looks at one painted surface again and again: each pixel is `kVoxelsAPixel` voxels, which hold fragments
+/// by the rule of update_labels.cl.
+class PaintedScan {
+ public:
+  static constexpr int kVoxelsAPixel = 4;
+
+  explicit PaintedScan(PaintedFrame frame) : frame_(std::move(frame)) {}
+
+  const RegionMerger::Outcome& look(const std::vector<Rectangle>& segments, int times = 1) {
+    for (int i = 0; i < times; ++i) lookOnce(segments);
+    return outcome_;
+  }
+  [[nodiscard]] RegionId regionAt(int x, int y) const { return table.regionOf(fragmentAt(x, y)); }
+  [[nodiscard]] FragmentId fragmentAt(int x, int y) const {
+    return frame_.projected[static_cast<std::size_t>(y * PaintedFrame::kWidth + x)];
+  }
+
+  RegionTable table;
+  GraphMerger merger;
+  LabelingParams params;
+
+ private:
+  void lookOnce(const std::vector<Rectangle>& segments) {
+    frame_.segments = frame_.segmentsOf(segments);
+    outcome_ = merger.merge(frame_.input(), table, params);
+    for (std::size_t i = 0; i < PaintedFrame::kPixels; ++i) {
+      FragmentId& held = frame_.projected[i];
+      int& confidence = confidence_[i];
+      const FragmentId seen = outcome_.map.fragments[i];
+      if (!seen) continue;
+      const bool at_once = std::ranges::find(outcome_.carved, seen) != outcome_.carved.end();
+      if (held == seen) {
+        confidence = std::min(confidence + 1, 10);
+      } else if (!held || at_once || confidence <= 1) {
+        held = seen;
+        confidence = 1;
+      } else {
+        --confidence;
+      }
+    }
+    countVoxels();
+  }
+
+  void countVoxels() {
+    frame_.voxels.assign(table.regions().size(), 0);
+    for (const FragmentId held : frame_.projected) {
+      if (held) frame_.voxels[held.value] += kVoxelsAPixel;
+    }
+    for (std::uint32_t i = 1; i < frame_.voxels.size(); ++i) {
+      if (!table.regions()[i] || frame_.voxels[i] > 0) continue;
+      merger.forget(FragmentId{i});
+      table.free(FragmentId{i});
+    }
+  }
+
+  PaintedFrame frame_;
+  RegionMerger::Outcome outcome_;
+  std::vector<int> confidence_ = std::vector<int>(PaintedFrame::kPixels, 0);
+};
+
+}  // namespace scantrove::test
