@@ -7,7 +7,6 @@
 namespace scantrove {
 namespace {
 
-constexpr float kCertain = 1e6F;
 constexpr float kFullLength_px = 16;  // borders this long count fully
 constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
 
@@ -81,10 +80,6 @@ float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
 }
 
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias) const {
-  if (constraint != Constraint::none) {
-    const float strength = kCertain * (1 + static_cast<float>(constraint_order));
-    return constraint == Constraint::must_link ? strength : -strength;
-  }
   const float odds = logOdds(voxels_a, voxels_b) + bias;
   if (odds > 0 && looks < kEnoughLooks) return 0;
   return odds * std::min(1.0F, length_m / kEnoughLength_m);

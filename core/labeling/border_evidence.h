@@ -20,7 +20,7 @@ struct BorderEvidence {
   std::optional<float> color_shift;  ///< as in FragmentContact, mean
   float length_m = 0;                ///< of the border, longest look
   Constraint constraint = Constraint::none;
-  int constraint_order = 0;  ///< later ones are stronger
+  int constraint_order = 0;  ///< higher: said later
 
   /// Older looks fade as newer come: what was seen wrongly is overruled by so many that see it right.
   static constexpr float kMostLooks = 20;
@@ -36,8 +36,8 @@ struct BorderEvidence {
   /// fitted to random synthetic scenes (tests/benchmarks/border_evidence_fit).
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 
-  /// What the border adds to the balance between two regions: logOdds() + bias; 0 while too little was seen
-  /// to join by, less for a border of a few centimetres, without limit under a constraint.
+  /// What looks add to the balance between two regions: logOdds() + bias; 0 while too little was seen to join
+  /// by, less for a border of a few centimetres.
   [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias) const;
 };
 

@@ -1,7 +1,9 @@
 #include "core/labeling/region_partition.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "core/labeling/greedy_contraction.h"
 
@@ -23,6 +25,40 @@ std::vector<FragmentId> membersOfTouched(std::span<const FragmentId> touched, co
   return members;
 }
 
+using Constraint = BorderEvidence::Constraint;
+constexpr float kCertain = 1e6F;  ///< more than all evidence together
+
+/// What was said of nodes 0, 1, 2 ..., as far as nothing said later contradicts it.
+class Constraints {
+ public:
+  explicit Constraints(std::size_t nodes) : group_(nodes) { std::iota(group_.begin(), group_.end(), 0U); }
+
+  /// To be called from the newest on.
+  void add(std::uint32_t a, std::uint32_t b, Constraint constraint) {
+    const std::uint32_t into = group_[a], from = group_[b];
+    if (into == from) return;
+    if (constraint == Constraint::cannot_link) {
+      apart_.emplace_back(a, b);
+    } else if (!areApart(into, from)) {
+      std::ranges::replace(group_, from, into);
+    }
+  }
+  /// A node for all those that must be one.
+  [[nodiscard]] std::uint32_t groupOf(std::uint32_t node) const { return group_[node]; }
+  /// Nodes that must not be one.
+  [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& apart() const { return apart_; }
+
+ private:
+  [[nodiscard]] bool areApart(std::uint32_t group, std::uint32_t other) const {
+    return std::ranges::any_of(apart_, [&](const auto& pair) {
+      return std::minmax(group_[pair.first], group_[pair.second]) == std::minmax(group, other);
+    });
+  }
+
+  std::vector<std::uint32_t> group_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> apart_;
+};
+
 class Divider {
  public:
   Divider(std::vector<FragmentId> members, const EvidenceGraph& graph, std::span<const int> voxels)
@@ -30,21 +66,21 @@ class Divider {
 
   [[nodiscard]] std::vector<std::vector<FragmentId>> divide(const RegionTable& table,
                                                             const LabelingParams& params) {
+    const Constraints constraints = findConstraints();
     std::vector<WeightedEdge> edges;
-    for (std::uint32_t a = 0; a < members_.size(); ++a) {
-      for (const EvidenceGraph::Link& link : graph_.linksOf(members_[a])) {
-        if (link.other < members_[a]) continue;
-        const std::uint32_t b = indexOf(link.other);
-        if (b == kOutside) continue;
-        const BorderEvidence& border = graph_.border(link.border);
-        const bool decided = border.constraint != BorderEvidence::Constraint::none;
-        if (!decided && (isSliver(members_[a]) || isSliver(link.other))) continue;
-        const bool are_one = table.regionOf(members_[a]) == table.regionOf(link.other);
-        const float bias = params.joining_bias + (are_one ? params.hysteresis : -params.hysteresis);
-        edges.push_back({a, b, border.weight(voxelsOf(members_[a]), voxelsOf(link.other), bias)});
-      }
+    for (const auto& [a, b] : constraints.apart()) {
+      edges.push_back({constraints.groupOf(a), constraints.groupOf(b), -kCertain});
     }
-    std::vector<std::uint32_t> part = contractGreedily(members_.size(), edges);
+    forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
+      if (isSliver(members_[a]) || isSliver(members_[b])) return;
+      const bool are_one = table.regionOf(members_[a]) == table.regionOf(members_[b]);
+      const float bias = params.joining_bias + (are_one ? params.hysteresis : -params.hysteresis);
+      edges.push_back({constraints.groupOf(a), constraints.groupOf(b),
+                       border.weight(voxelsOf(members_[a]), voxelsOf(members_[b]), bias)});
+    });
+    const std::vector<std::uint32_t> part_of_group = contractGreedily(members_.size(), edges);
+    std::vector<std::uint32_t> part(members_.size());
+    for (std::uint32_t i = 0; i < part.size(); ++i) part[i] = part_of_group[constraints.groupOf(i)];
     attachSlivers(part);
     std::vector<std::vector<FragmentId>> parts(members_.size());
     for (std::size_t i = 0; i < members_.size(); ++i) parts[part[i]].push_back(members_[i]);
@@ -63,7 +99,41 @@ class Divider {
   [[nodiscard]] int voxelsOf(FragmentId fragment) const {
     return fragment.value < voxels_.size() ? voxels_[fragment.value] : 0;
   }
-  [[nodiscard]] bool isSliver(FragmentId fragment) const { return voxelsOf(fragment) < kSliverVoxels; }
+  /// One that something was said of is none.
+  [[nodiscard]] bool isSliver(FragmentId fragment) const {
+    return voxelsOf(fragment) < kSliverVoxels &&
+           std::ranges::all_of(graph_.linksOf(fragment), [this](const EvidenceGraph::Link& link) {
+             return graph_.border(link.border).constraint == Constraint::none;
+           });
+  }
+
+  /// Borders between members, each once: visit(index, index, border).
+  void forEachBorder(auto&& visit) const {
+    for (std::uint32_t a = 0; a < members_.size(); ++a) {
+      for (const EvidenceGraph::Link& link : graph_.linksOf(members_[a])) {
+        if (link.other < members_[a]) continue;
+        const std::uint32_t b = indexOf(link.other);
+        if (b != kOutside) visit(a, b, graph_.border(link.border));
+      }
+    }
+  }
+
+  [[nodiscard]] Constraints findConstraints() const {
+    struct Said {
+      int order;
+      std::uint32_t a, b;
+      Constraint constraint;
+    };
+    std::vector<Said> said;
+    forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
+      if (border.constraint != Constraint::none)
+        said.push_back({border.constraint_order, a, b, border.constraint});
+    });
+    std::ranges::sort(said, std::greater<>(), &Said::order);
+    Constraints constraints(members_.size());
+    for (const Said& entry : said) constraints.add(entry.a, entry.b, entry.constraint);
+    return constraints;
+  }
 
   /// Slivers beside something take its part; those beside slivers only stay what they are.
   void attachSlivers(std::vector<std::uint32_t>& part) const {
@@ -74,7 +144,6 @@ class Divider {
         const std::uint32_t other = indexOf(link.other);
         const BorderEvidence& border = graph_.border(link.border);
         if (other == kOutside || isSliver(link.other) || border.length_m <= longest_m) continue;
-        if (border.constraint == BorderEvidence::Constraint::cannot_link) continue;
         longest_m = border.length_m;
         part[i] = part[other];
       }

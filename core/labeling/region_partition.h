@@ -12,7 +12,8 @@ inline constexpr int kSliverVoxels = 50;
 
 /// Divides the regions of the `touched` fragments (those whose evidence changed) anew by what the graph now
 /// says, and no other. With hysteresis: what is one region stays one until the log-odds fall under minus
-/// `params.hysteresis`, what is two stays two until they pass it. A fragment under kSliverVoxels goes with
+/// `params.hysteresis`, what is two stays two until they pass it. Constraints hold whatever was seen; of
+/// those that contradict one another the newest. A fragment under kSliverVoxels without constraint goes with
 /// the fragment that it touches along the longest border. `voxels`: by fragment number.
 void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph,
                      std::span<const int> voxels, const LabelingParams& params, RegionTable& table,

@@ -1,0 +1,129 @@
+#include "core/labeling/border_evidence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scantrove {
+namespace {
+
+constexpr int kVoxels = 1000;
+
+/// A long border seen from nearby: a look of weight 1, but for 1 part in 10^6.
+FragmentContact nearLook(float bridged_part) {
+  FragmentContact contact;
+  contact.length_px = 100;
+  contact.bridged_px = static_cast<int>(std::lround(100 * bridged_part));
+  contact.length_m = 0.5F;
+  contact.depth_m = 0.0025F;
+  return contact;
+}
+FragmentContact nearFold(float concavity_rad) {
+  FragmentContact contact = nearLook(0);
+  contact.bends = contact.length_px;
+  contact.concavity_rad = concavity_rad;
+  contact.turn_rad = std::abs(concavity_rad);
+  contact.folded = concavity_rad > kClearBend_rad ? 1.0F : 0.0F;
+  contact.ridged = concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
+  return contact;
+}
+
+BorderEvidence after(const FragmentContact& contact, float shared, int looks) {
+  BorderEvidence border;
+  for (int i = 0; i < looks; ++i) border.add(contact, shared);
+  return border;
+}
+
+TEST(BorderEvidence, FarAndShortLooksCountForLess) {
+  FragmentContact contact = nearLook(1);
+  EXPECT_NEAR(after(contact, 0, 1).looks, 1, 1e-4F);
+  contact.depth_m = 2.5F;
+  EXPECT_NEAR(after(contact, 0, 1).looks, 0.5F, 1e-4F);
+  contact.depth_m = 5;
+  EXPECT_NEAR(after(contact, 0, 1).looks, 0.2F, 1e-4F);
+  contact = nearLook(1);
+  contact.length_px = contact.bridged_px = 4;
+  EXPECT_NEAR(after(contact, 0, 1).looks, 0.25F, 1e-4F);
+  EXPECT_NEAR(after(contact, 0, 1).bridged, 0.25F, 1e-4F);
+}
+
+TEST(BorderEvidence, OlderLooksFadeAsNewerCome) {
+  BorderEvidence border = after(nearLook(1), 1, 1000);
+  constexpr float kMost = BorderEvidence::kMostLooks;
+  EXPECT_NEAR(border.looks, kMost, 1e-3F);
+  EXPECT_NEAR(border.bridged, kMost, 1e-3F);
+  for (int look = 0; look < 40; ++look) border.add(nearLook(0), 0);
+  const float left = kMost * std::pow(kMost / (kMost + 1), 40.0F);
+  EXPECT_NEAR(border.looks, kMost, 1e-3F);
+  EXPECT_NEAR(border.bridged, left, 1e-3F);
+  EXPECT_NEAR(border.shared, left, 1e-3F);
+}
+
+TEST(BorderEvidence, TheBendIsTheMeanOfLooksThatSawIt) {
+  BorderEvidence border;
+  border.add(nearFold(0.6F), 0);
+  border.add(nearLook(0), 0);
+  border.add(nearFold(0.2F), 0);
+  border.add(nearFold(-0.5F), 0);
+  EXPECT_NEAR(border.bends, 3, 1e-3F);
+  EXPECT_NEAR(border.concavity_rad, 0.1F, 1e-4F);
+  EXPECT_NEAR(border.turn_rad, 1.3F / 3, 1e-4F);
+  EXPECT_NEAR(border.folded, 1.0F / 3, 1e-4F);
+  EXPECT_NEAR(border.ridged, 1.0F / 3, 1e-4F);
+}
+
+TEST(BorderEvidence, ABendThatWasWronglySeenIsOverruled) {
+  BorderEvidence border = after(nearFold(0), 0, 500);
+  for (int look = 0; look < 60; ++look) border.add(nearFold(0.8F), 0);
+  EXPECT_GT(border.folded, 0.9F);
+}
+
+TEST(BorderEvidence, ColorIsTheMeanOfLooksThatHadIt) {
+  BorderEvidence border = after(nearLook(0), 0, 1);
+  EXPECT_FALSE(border.color_shift);
+  FragmentContact contact = nearLook(0);
+  contact.color_shift = 8;
+  border.add(contact, 0);
+  EXPECT_FLOAT_EQ(*border.color_shift, 8);
+  border.add(nearLook(0), 0);
+  EXPECT_FLOAT_EQ(*border.color_shift, 8);
+}
+
+TEST(BorderEvidence, FewLooksJoinNothingButMayPart) {
+  for (const int looks : {0, 1}) {
+    const BorderEvidence border = after(nearLook(1), 1, looks);
+    EXPECT_EQ(border.weight(kVoxels, kVoxels, 100), 0) << looks;
+  }
+  EXPECT_GT(after(nearLook(1), 1, 3).weight(kVoxels, kVoxels, 100), 0);
+  EXPECT_LT(after(nearLook(0), 0, 1).weight(kVoxels, kVoxels, -100), 0);
+}
+
+TEST(BorderEvidence, SegmentsOnBothSpeakForAFoldSpeaksAgainst) {
+  const auto oddsOf = [](const FragmentContact& contact, float shared) {
+    return after(contact, shared, 10).logOdds(kVoxels, kVoxels);
+  };
+  EXPECT_GT(oddsOf(nearLook(0), 1), oddsOf(nearLook(0), 0.2F));
+  EXPECT_LT(oddsOf(nearFold(1), 0.5F), oddsOf(nearFold(0), 0.5F));
+  EXPECT_GT(oddsOf(nearLook(1), 1), 0);
+  EXPECT_LT(oddsOf(nearFold(1), 0), 0);
+  FragmentContact alike = nearLook(1), unlike = nearLook(1);
+  alike.color_shift = 0.5F;
+  unlike.color_shift = 30;
+  EXPECT_GT(oddsOf(alike, 0.5F), oddsOf(unlike, 0.5F));
+}
+
+TEST(BorderEvidence, AShortBorderWeighsLessThanItsOdds) {
+  FragmentContact contact = nearLook(1);
+  contact.length_m = 0.02F;
+  const BorderEvidence border = after(contact, 1, 10);
+  const float odds = border.logOdds(kVoxels, kVoxels);
+  EXPECT_NEAR(border.weight(kVoxels, kVoxels, 1), 0.2F * (odds + 1), 1e-4F);
+}
+
+TEST(BorderEvidence, DoesNotMatterWhichFragmentIsWhich) {
+  const BorderEvidence border = after(nearFold(0.3F), 0.4F, 5);
+  EXPECT_EQ(border.logOdds(60, 5000), border.logOdds(5000, 60));
+}
+
+}  // namespace
+}  // namespace scantrove

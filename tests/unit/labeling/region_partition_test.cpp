@@ -1,0 +1,219 @@
+#include "core/labeling/region_partition.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace scantrove {
+namespace {
+
+using Constraint = BorderEvidence::Constraint;
+constexpr FragmentId kA{1}, kB{2}, kC{3}, kD{4};
+
+/// Fragments that are regions of their own, and borders that speak for or against.
+class RegionPartitionTest : public testing::Test {
+ protected:
+  explicit RegionPartitionTest(int fragments = 4) : voxels_(static_cast<std::size_t>(fragments) + 1, 1000) {
+    for (int i = 0; i < fragments; ++i) (void)table_.newFragment();
+  }
+
+  /// As many looks as evidence can hold, all alike: one segment on both, or a fold between two.
+  void see(FragmentId a, FragmentId b, bool as_one, float length_m = 0.5F) {
+    BorderEvidence& border = graph_.between(a, b);
+    border.looks = border.bends = BorderEvidence::kMostLooks;
+    border.bridged = border.shared = as_one ? border.looks : 0;
+    border.folded = as_one ? 0.0F : 1.0F;
+    border.length_m = length_m;
+    ASSERT_EQ(border.logOdds(1000, 1000) > 0, as_one);
+  }
+  [[nodiscard]] float oddsBetween(FragmentId a, FragmentId b) {
+    return graph_.between(a, b).logOdds(voxels_[a.value], voxels_[b.value]);
+  }
+  void update(const std::vector<FragmentId>& touched) {
+    updatePartition(touched, graph_, voxels_, params_, table_, events_);
+  }
+  [[nodiscard]] bool areOne(FragmentId a, FragmentId b) const {
+    return table_.regionOf(a) == table_.regionOf(b);
+  }
+
+  EvidenceGraph graph_;
+  RegionTable table_;
+  RegionEvents events_;
+  LabelingParams params_;
+  std::vector<int> voxels_;
+};
+
+TEST_F(RegionPartitionTest, JoinsAndPartsAsTheEvidenceSays) {
+  see(kA, kB, true);
+  update({kA, kB});
+  EXPECT_TRUE(areOne(kA, kB));
+  EXPECT_EQ(events_.joined.size(), 1U);
+  see(kA, kB, false);
+  update({kA});
+  EXPECT_FALSE(areOne(kA, kB));
+  EXPECT_EQ(events_.parted.size(), 1U);
+}
+
+TEST_F(RegionPartitionTest, StaysAsItIsBetweenPlusAndMinusHysteresis) {
+  see(kA, kB, true);
+  params_.hysteresis = 0.5F;
+  const float odds = oddsBetween(kA, kB);
+  const auto areOneAt = [&](float log_odds) {
+    params_.joining_bias = log_odds - odds;
+    update({kA, kB});
+    return areOne(kA, kB);
+  };
+  EXPECT_FALSE(areOneAt(0.4F)) << "two stay two";
+  EXPECT_TRUE(areOneAt(0.6F));
+  EXPECT_TRUE(areOneAt(-0.4F)) << "one stays one";
+  EXPECT_FALSE(areOneAt(-0.6F));
+}
+
+TEST_F(RegionPartitionTest, AllBordersBetweenTwoRegionsCount) {
+  // a - b and b - c speak for one thing by a little, a - c for two by much more.
+  see(kA, kB, true);
+  see(kB, kC, true);
+  see(kA, kC, false);
+  params_.joining_bias = 1 + params_.hysteresis - oddsBetween(kA, kB);
+  ASSERT_LT(oddsBetween(kA, kC) + params_.joining_bias, -2);
+  update({kA, kB, kC});
+  EXPECT_TRUE(areOne(kA, kB)) << "one of two that are alike: the lower numbers";
+  EXPECT_FALSE(areOne(kB, kC));
+  EXPECT_FALSE(areOne(kA, kC));
+}
+
+TEST_F(RegionPartitionTest, RegionsThatNothingTouchedStay) {
+  see(kA, kB, true);
+  see(kC, kD, true);
+  see(kB, kC, true);
+  update({kA, kB});
+  EXPECT_TRUE(areOne(kA, kB));
+  EXPECT_FALSE(areOne(kC, kD));
+  EXPECT_FALSE(areOne(kB, kC));
+  EXPECT_EQ(events_.joined.size(), 1U);
+  // One fragment of a region brings all of it in.
+  update({kA, kC, kD});
+  EXPECT_TRUE(areOne(kA, kD));
+}
+
+TEST_F(RegionPartitionTest, ASliverGoesWithWhatItTouchesMost) {
+  voxels_[kB.value] = kSliverVoxels - 1;
+  see(kA, kB, false, 0.3F);
+  see(kB, kC, true, 0.1F);
+  update({kA, kB, kC});
+  EXPECT_TRUE(areOne(kA, kB)) << "whatever was seen: there is too little of it to judge by";
+  EXPECT_FALSE(areOne(kA, kC));
+  voxels_[kB.value] = kSliverVoxels;
+  update({kA, kB, kC});
+  EXPECT_FALSE(areOne(kA, kB));
+  EXPECT_TRUE(areOne(kB, kC));
+}
+
+TEST_F(RegionPartitionTest, SliversAmongThemselvesStayApart) {
+  voxels_[kA.value] = voxels_[kB.value] = 3;
+  see(kA, kB, true);
+  update({kA, kB});
+  EXPECT_FALSE(areOne(kA, kB));
+}
+
+TEST_F(RegionPartitionTest, APersonsWordHoldsWhateverIsSeen) {
+  see(kA, kB, false);
+  see(kC, kD, true);
+  graph_.constrain(kA, kB, Constraint::must_link);
+  graph_.constrain(kC, kD, Constraint::cannot_link);
+  params_.joining_bias = 1;
+  update({kA, kB, kC, kD});
+  EXPECT_TRUE(areOne(kA, kB));
+  EXPECT_FALSE(areOne(kC, kD));
+  graph_.constrain(kC, kD, Constraint::none);
+  update({kC, kD});
+  EXPECT_TRUE(areOne(kC, kD));
+}
+
+TEST_F(RegionPartitionTest, APersonsWordHoldsForSliversToo) {
+  // b is a sliver that touches a most, but was said to be one with c; d one that must not be part of a.
+  voxels_[kB.value] = voxels_[kD.value] = 5;
+  see(kA, kB, true, 0.5F);
+  see(kB, kC, true, 0.1F);
+  see(kC, kD, true, 0.5F);
+  see(kA, kD, true, 0.1F);
+  see(kA, kC, true, 0.5F);
+  graph_.constrain(kB, kC, Constraint::must_link);
+  graph_.constrain(kA, kC, Constraint::cannot_link);
+  graph_.constrain(kC, kD, Constraint::cannot_link);
+  update({kA, kB, kC, kD});
+  EXPECT_TRUE(areOne(kB, kC));
+  EXPECT_FALSE(areOne(kA, kC));
+  EXPECT_TRUE(areOne(kA, kD));
+  // The sliver's longest border is with a region that holds what it must not be with.
+  graph_.constrain(kA, kC, Constraint::must_link);
+  update({kA, kB, kC, kD});
+  EXPECT_TRUE(areOne(kA, kC));
+  EXPECT_FALSE(areOne(kC, kD));
+}
+
+/// Rounds of contradicting constraints between eight fragments.
+class PartitionConstraintsTest : public RegionPartitionTest, public testing::WithParamInterface<unsigned> {
+ protected:
+  static constexpr std::uint32_t kFragments = 8;
+  PartitionConstraintsTest() : RegionPartitionTest(kFragments) {}
+};
+
+/// Groups that must be one, and pairs of them that must not.
+struct Accepted {
+  std::vector<std::uint32_t> group;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;  // fragments
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t into = group[a], from = group[b];
+    std::ranges::replace(group, from, into);
+  }
+  [[nodiscard]] bool areApart(std::uint32_t a, std::uint32_t b) const {
+    return std::ranges::any_of(apart, [&](const auto& pair) {
+      const std::pair groups(group[pair.first], group[pair.second]);
+      return groups == std::pair(group[a], group[b]) || groups == std::pair(group[b], group[a]);
+    });
+  }
+};
+
+TEST_P(PartitionConstraintsTest, TheNewestThatContradictOneAnotherWin) {
+  std::mt19937 random(GetParam());
+  std::vector<FragmentId> all;
+  for (std::uint32_t i = 1; i <= kFragments; ++i) all.push_back(FragmentId{i});
+  struct Said {
+    std::uint32_t a, b;
+    bool must_link;
+  };
+  std::vector<Said> said;
+  for (int round = 0; round < 16; ++round) {
+    const auto a = static_cast<std::uint32_t>(1 + random() % kFragments);
+    const auto b = static_cast<std::uint32_t>(1 + (a + random() % (kFragments - 1)) % kFragments);
+    see(FragmentId{a}, FragmentId{b}, random() % 2 == 0);
+    const bool must_link = random() % 2 == 0;
+    graph_.constrain(FragmentId{a}, FragmentId{b},
+                     must_link ? Constraint::must_link : Constraint::cannot_link);
+    std::erase_if(said, [&](const Said& old) { return std::minmax(old.a, old.b) == std::minmax(a, b); });
+    said.push_back({a, b, must_link});
+    update(all);
+
+    // From the newest on, each holds that does not contradict newer ones.
+    Accepted accepted;
+    for (std::uint32_t i = 0; i <= kFragments; ++i) accepted.group.push_back(i);
+    for (auto it = said.rbegin(); it != said.rend(); ++it) {
+      const bool are_one = accepted.group[it->a] == accepted.group[it->b];
+      if (it->must_link ? accepted.areApart(it->a, it->b) : are_one) continue;
+      EXPECT_EQ(areOne(FragmentId{it->a}, FragmentId{it->b}), it->must_link)
+          << it->a << (it->must_link ? " with " : " without ") << it->b << ", round " << round;
+      if (it->must_link) {
+        accepted.join(it->a, it->b);
+      } else {
+        accepted.apart.emplace_back(it->a, it->b);
+      }
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, PartitionConstraintsTest, testing::Range(1U, 9U));
+
+}  // namespace
+}  // namespace scantrove
