@@ -1,0 +1,65 @@
+#include "core/labeling/evidence_graph.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scantrove {
+namespace {
+
+std::vector<std::uint32_t> othersOf(const EvidenceGraph& graph, std::uint32_t fragment) {
+  std::vector<std::uint32_t> others;
+  for (const auto& link : graph.linksOf(FragmentId{fragment})) others.push_back(link.other.value);
+  return others;
+}
+
+TEST(EvidenceGraph, ABorderIsOneFromBothSides) {
+  EvidenceGraph graph;
+  graph.between(FragmentId{5}, FragmentId{2}).looks = 7;
+  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{5}).looks, 7);
+  EXPECT_EQ(graph.borderCount(), 1U);
+  for (const std::uint32_t fragment : {2U, 5U}) {
+    ASSERT_EQ(graph.linksOf(FragmentId{fragment}).size(), 1U);
+    EXPECT_EQ(graph.border(graph.linksOf(FragmentId{fragment}).front().border).looks, 7);
+  }
+}
+
+TEST(EvidenceGraph, LinksAreInTheOrderOfTheOthers) {
+  EvidenceGraph graph;
+  for (const std::uint32_t other : {9U, 1U, 7U, 3U}) (void)graph.between(FragmentId{4}, FragmentId{other});
+  EXPECT_THAT(othersOf(graph, 4), testing::ElementsAre(1, 3, 7, 9));
+  EXPECT_THAT(othersOf(graph, 100), testing::IsEmpty());
+}
+
+TEST(EvidenceGraph, RemovingAFragmentForgetsItsBordersOnly) {
+  EvidenceGraph graph;
+  graph.between(FragmentId{1}, FragmentId{2}).looks = 1;
+  graph.between(FragmentId{2}, FragmentId{3}).looks = 2;
+  graph.between(FragmentId{1}, FragmentId{3}).looks = 3;
+  graph.remove(FragmentId{2});
+  EXPECT_EQ(graph.borderCount(), 1U);
+  EXPECT_THAT(othersOf(graph, 1), testing::ElementsAre(3));
+  EXPECT_THAT(othersOf(graph, 2), testing::IsEmpty());
+  EXPECT_EQ(graph.between(FragmentId{3}, FragmentId{1}).looks, 3);
+  // The number comes again for another fragment, of which nothing is known.
+  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{3}).looks, 0);
+  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{1}).looks, 0);
+  EXPECT_EQ(graph.borderCount(), 3U);
+  graph.remove(FragmentId{50});
+  EXPECT_EQ(graph.borderCount(), 3U);
+}
+
+TEST(EvidenceGraph, LaterConstraintsAreMarkedAsSuch) {
+  using Constraint = BorderEvidence::Constraint;
+  EvidenceGraph graph;
+  graph.constrain(FragmentId{1}, FragmentId{2}, Constraint::must_link);
+  graph.constrain(FragmentId{3}, FragmentId{2}, Constraint::cannot_link);
+  const int first = graph.between(FragmentId{1}, FragmentId{2}).constraint_order;
+  EXPECT_GT(graph.between(FragmentId{2}, FragmentId{3}).constraint_order, first);
+  graph.constrain(FragmentId{2}, FragmentId{1}, Constraint::cannot_link);
+  const BorderEvidence& border = graph.between(FragmentId{1}, FragmentId{2});
+  EXPECT_EQ(border.constraint, Constraint::cannot_link);
+  EXPECT_GT(border.constraint_order, graph.between(FragmentId{2}, FragmentId{3}).constraint_order);
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,71 @@
+#include "core/labeling/thesis_merger.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/labeling/one_row.h"
+
+namespace scantrove {
+namespace {
+
+using test::idsOf;
+using test::segmentsOf;
+
+/// Merges one-row images into a table of fragments 1, 2, ... that are regions 1, 2, ...
+class ThesisMergerTest : public testing::Test {
+ protected:
+  RegionMerger::Outcome merge(const std::vector<std::uint32_t>& segments,
+                              const std::vector<std::uint32_t>& projected) {
+    while (table_.regions().size() <= *std::ranges::max_element(projected)) (void)table_.newFragment();
+    const SegmentMap map = segmentsOf(segments);
+    const std::vector<FragmentId> fragments = idsOf<FragmentId>(projected);
+    return merger_.merge({map, fragments, {}, {}, {}, {}, Eigen::Isometry3d::Identity(), {}}, table_, {});
+  }
+  [[nodiscard]] RegionId regionOf(std::uint32_t fragment) const {
+    return table_.regionOf(FragmentId{fragment});
+  }
+
+  RegionTable table_;
+  ThesisMerger merger_;
+};
+
+TEST_F(ThesisMergerTest, ASegmentOnUnlabelledGroundIsANewFragment) {
+  const auto outcome = merge({1, 1, 2, 0}, {0, 0, 0, 0});
+  EXPECT_EQ(outcome.map.fragments, idsOf<FragmentId>({1, 1, 2, 0}));
+  EXPECT_EQ(outcome.map.regions, idsOf<RegionId>({1, 1, 2, 0}));
+  EXPECT_TRUE(outcome.events.joined.empty());
+}
+
+TEST_F(ThesisMergerTest, TwoSegmentsOnOneRegionAreThatRegion) {
+  EXPECT_EQ(merge({1, 1, 1, 2, 2, 2}, {5, 5, 5, 5, 5, 5}).map.regions, std::vector(6, RegionId{5}));
+}
+
+TEST_F(ThesisMergerTest, JoinsWhatOneSegmentCoversIntoTheLargest) {
+  const auto outcome = merge({1, 1, 1, 1, 1}, {2, 2, 4, 4, 4});
+  EXPECT_EQ(outcome.map.regions, std::vector(5, RegionId{4}));
+  EXPECT_EQ(regionOf(2), RegionId{4});
+  EXPECT_EQ(outcome.events.joined, (std::vector<std::pair<RegionId, RegionId>>{{RegionId{4}, RegionId{2}}}));
+}
+
+TEST_F(ThesisMergerTest, FollowsChains) {
+  // Regions 1 - 2 share segment 1, regions 2 - 3 share segment 2: all one.
+  (void)merge({1, 1, 1, 2, 2, 2}, {1, 1, 2, 2, 3, 3});
+  EXPECT_EQ(regionOf(1), regionOf(3));
+}
+
+TEST_F(ThesisMergerTest, PixelsWithoutSegmentKeepTheirRegion) {
+  EXPECT_EQ(merge({1, 1, 0}, {1, 1, 2}).map.regions, idsOf<RegionId>({1, 1, 2}));
+}
+
+TEST_F(ThesisMergerTest, FragmentsOfOneRegionCountAsOne) {
+  (void)merge({1, 1}, {1, 2});
+  ASSERT_EQ(regionOf(1), regionOf(2));
+  // Neither fragment alone is over 0.3 of segment 1 or has over 0.3 of itself in it; together they are 4
+  // of 10.
+  const auto outcome = merge({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2},
+                             {1, 1, 2, 2, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2});
+  EXPECT_EQ(outcome.map.regions, std::vector(22, regionOf(1)));
+  EXPECT_EQ(outcome.map.fragments[2], FragmentId{2}) << "a voxel of the region keeps its fragment";
+}
+
+}  // namespace
+}  // namespace scantrove
