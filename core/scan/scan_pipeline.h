@@ -70,7 +70,8 @@ class ScanPipeline {
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
   [[nodiscard]] const RegionTable& regionTable() const { return table_; }
-  [[nodiscard]] const std::vector<cl_int>& voxels() const { return cloud_->voxelsOfFragments(); }
+  /// How many voxels hold each fragment, by fragment number.
+  [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
   [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;

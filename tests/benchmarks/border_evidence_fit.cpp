@@ -1,217 +1,177 @@
-// Fits the coefficients of BorderEvidence::logOdds() to scenes whose truth is known, and reports how merging does:
-//   border_evidence_fit [--set key=value] SCENE...      e.g. demo:room demo:tabletop:3
-// For every border of the evidence graph, at every 20th frame: do its two fragments belong to the same thing?
-#include <CLI/CLI.hpp>
+// Fits the logistic models of BorderEvidence::logOdds() to random scenes with exact truth, with colour and
+// without. A sample is a border of the evidence graph in view at every 20th frame: its features, and whether
+// the fragments to both sides are of one thing. Prints how well the models do on scenes that they were not
+// fitted to, and their coefficients as border_evidence.cpp takes them.
+//
+//   border_evidence_fit --cache DIR --rooms 1-4,5:uneven --tables 1-4,5:uneven [--stride 2] [--set key=value]
+#include <Eigen/Cholesky>
 #include <cmath>
-#include <iostream>
+#include <cstdio>
 #include <map>
-#include <opencv2/imgproc.hpp>
+#include <set>
 
-#include "core/evaluation/label_grid.h"
-#include "core/exchange/label_image_writer.h"
-#include "core/evaluation/overlap_metrics.h"
-#include "core/evaluation/segmentation_metrics.h"
 #include "core/labeling/graph_merger.h"
-#include "core/scan/open_source.h"
 #include "core/scan/param_registry.h"
-#include "core/scan/scan_pipeline.h"
+#include "tests/benchmarks/scene_scan.h"
 
+namespace scantrove::benchmarks {
 namespace {
 
-using namespace scantrove;
+constexpr int kLeastPixels = 20;      // of a fragment in view, for its thing to be known
+constexpr double kLeastPurity = 0.7;  // part of them that are of one thing
+constexpr double kRidge = 1;          // on each coefficient but the intercept
+constexpr int kNewtonSteps = 30;
 
 struct Sample {
-  Eigen::VectorXd features;
+  std::size_t scene = 0;
+  Eigen::VectorXd x;  ///< 1, then the features
   bool are_one = false;
-  double weight = 1;
 };
 
-struct Score {
-  double single = 0, merged = 0;
-  int small = 0, small_single = 0, small_merged = 0, large = 0, large_single = 0, large_merged = 0, images = 0;
-  double oracle = 0;
-  int small_oracle = 0, large_oracle = 0;
-};
-
-cv::Mat1i image(const auto& ids, const Intrinsics& K) {
-  cv::Mat1i result(K.height, K.width);
-  std::transform(ids.begin(), ids.end(), result.begin(), [](auto id) {
-    if constexpr (requires { id.value; }) return static_cast<int>(id.value);
-    else return static_cast<int>(id);
-  });
-  return result;
+/// The true instance of each fragment in view that is clearly of one.
+std::map<FragmentId, int> instancesOf(const std::vector<FragmentId>& fragments, const cv::Mat& truth) {
+  std::map<FragmentId, std::map<int, int>> pixels;
+  auto fragment = fragments.begin();
+  for (const int instance : cv::Mat1i(truth)) ++pixels[*fragment++][instance];
+  pixels.erase(FragmentId{});
+  std::map<FragmentId, int> instances;
+  for (const auto& [id, of] : pixels) {
+    int all = 0;
+    for (const auto& [instance, count] : of) all += count;
+    const auto most = std::ranges::max_element(of, {}, [](const auto& entry) { return entry.second; });
+    if (most->first == 0 || all < kLeastPixels || most->second < kLeastPurity * all) continue;
+    instances[id] = most->first;
+  }
+  return instances;
 }
 
-void countHalf(const cv::Mat1i& labels, const cv::Mat1i& truth, int& small, int& large, int* all_small, int* all_large) {
-  const OverlapTable table = countOverlaps(labels, truth, 100);
-  std::map<int, double> best;
-  for (const auto& [pair, shared] : table.intersection) {
-    const int united = table.instance_area.at(pair.first) + table.segment_area.at(pair.second) - shared;
-    best[pair.first] = std::max(best[pair.first], static_cast<double>(shared) / united);
+void collect(const ScanPipeline& pipeline, const EvidenceGraph& graph, const FrameResult& result,
+             const cv::Mat& truth, std::size_t scene, std::vector<Sample>& samples) {
+  const std::map<FragmentId, int> instances = instancesOf(result.regions.fragments, truth);
+  const std::vector<cl_int>& voxels = pipeline.voxelsOfFragments();
+  for (const auto& [fragment, instance] : instances) {
+    for (const EvidenceGraph::Link& link : graph.linksOf(fragment)) {
+      const auto other = instances.find(link.other);
+      if (link.other < fragment || other == instances.end()) continue;
+      const auto features =
+          graph.border(link.border).features(voxels[fragment.value], voxels[link.other.value]);
+      Sample sample{scene, Eigen::VectorXd::Ones(features.size() + 1), instance == other->second};
+      std::ranges::copy(features, sample.x.begin() + 1);
+      samples.push_back(std::move(sample));
+    }
   }
-  for (const auto& [instance, area] : table.instance_area) {
-    const bool is_small = area <= 3750;
-    if (all_small != nullptr) ++*(is_small ? all_small : all_large);
-    if (best[instance] > 0.5) ++(is_small ? small : large);
+}
+
+Result<std::vector<Sample>> collectSamples(const SceneOptions& options) {
+  ScanParams params;
+  for (const std::string& setting : options.settings) SCANTROVE_TRY(applySetting(params, setting));
+  params.labeling.rule = LabelingParams::Rule::graph;
+  auto compute = ComputeContext::create({});
+  if (!compute) return fail(compute.error());
+  const SceneCache cache(options.cache);
+  std::vector<std::string> scenes = options.scenesOf("room");
+  std::ranges::copy(options.scenesOf("tabletop"), std::back_inserter(scenes));
+  std::vector<Sample> samples;
+  for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
+    const auto recording = cache.recordingOf(scenes[scene]);
+    if (!recording) return fail(recording.error());
+    const std::size_t before = samples.size();
+    const auto scan =
+        scanScene(*recording, params, options, **compute,
+                  [&](const ScanPipeline& pipeline, const FrameResult& result, const cv::Mat& truth) {
+                    const auto& merger = dynamic_cast<const GraphMerger&>(pipeline.regionMerger());
+                    collect(pipeline, merger.graph(), result, truth, scene, samples);
+                  });
+    if (!scan) return fail(scan.error());
+    std::printf("%-18s %5zu borders, %d frames, %d lost\n", scenes[scene].c_str(), samples.size() - before,
+                scan->frames, scan->lost);
+    std::fflush(stdout);
   }
+  return samples;
+}
+
+/// Logistic regression by Newton's method. Coefficients: the intercept, then one a feature.
+Eigen::VectorXd fitted(const std::vector<Sample>& samples) {
+  const Eigen::Index size = samples.front().x.size();
+  Eigen::VectorXd ridge = Eigen::VectorXd::Constant(size, kRidge);
+  ridge[0] = 0;
+  Eigen::VectorXd beta = Eigen::VectorXd::Zero(size);
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    Eigen::MatrixXd hessian = ridge.asDiagonal();
+    Eigen::VectorXd gradient = -ridge.cwiseProduct(beta);
+    for (const Sample& sample : samples) {
+      const double p = 1 / (1 + std::exp(-beta.dot(sample.x)));
+      gradient += ((sample.are_one ? 1 : 0) - p) * sample.x;
+      hessian += p * (1 - p) * sample.x * sample.x.transpose();
+    }
+    beta += hessian.ldlt().solve(gradient);
+  }
+  return beta;
+}
+
+struct Quality {
+  double loss = 0;   ///< mean of -log of the probability that the model gave to what is true
+  double right = 0;  ///< part of the samples whose side it is on
+};
+
+/// Each scene judged by the model that is fitted to the others.
+Quality leaveOneSceneOut(const std::vector<Sample>& samples) {
+  std::set<std::size_t> scenes;
+  for (const Sample& sample : samples) scenes.insert(sample.scene);
+  Quality quality;
+  const double share = 1 / static_cast<double>(samples.size());
+  for (const std::size_t scene : scenes) {
+    std::vector<Sample> others;
+    std::ranges::copy_if(samples, std::back_inserter(others),
+                         [&](const Sample& sample) { return sample.scene != scene; });
+    const Eigen::VectorXd beta = fitted(others);
+    for (const Sample& sample : samples) {
+      if (sample.scene != scene) continue;
+      const double odds = beta.dot(sample.x);
+      quality.loss += share * std::log1p(std::exp(sample.are_one ? -odds : odds));
+      if ((odds > 0) == sample.are_one) quality.right += share;
+    }
+  }
+  return quality;
+}
+
+/// `features`: how many of them the model knows; the others get the coefficient 0.
+void report(const char* name, std::vector<Sample> samples, Eigen::Index features) {
+  for (Sample& sample : samples) sample.x.conservativeResize(features + 1);
+  const Quality quality = leaveOneSceneOut(samples);
+  std::printf("\n%s: on scenes left out, loss %.3f, right %.3f\n", name, quality.loss, quality.right);
+  const Eigen::VectorXd beta = fitted(samples);
+  std::printf("{%.2fF, {", beta[0]);
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(BorderEvidence::kFeatures); ++i) {
+    std::printf("%s%.2fF", i == 0 ? "" : ", ", i < features ? beta[i + 1] : 0);
+  }
+  std::printf("}}\n");
+}
+
+Result<void> run(const SceneOptions& options) {
+  const auto samples = collectSamples(options);
+  if (!samples) return fail(samples.error());
+  std::set<std::size_t> scenes;
+  for (const Sample& sample : *samples) scenes.insert(sample.scene);
+  if (scenes.size() < 2) return fail("One scene must be left out of the fit.", "Choose at least two.");
+  const auto ones = std::ranges::count(*samples, true, &Sample::are_one);
+  std::printf("\n%zu borders, %td within one thing\n", samples->size(), ones);
+  report("with colour", *samples, BorderEvidence::kFeatures);
+  report("without colour", *samples, BorderEvidence::kFeatures - 1);  // its feature is the last
+  return {};
 }
 
 }  // namespace
+}  // namespace scantrove::benchmarks
 
 int main(int argc, char** argv) {
-  CLI::App app;
-  std::vector<std::string> scenes, settings;
-  int stride = 1, frames = 0;
-  bool fit = false;
-  app.add_option("scenes", scenes)->required();
-  app.add_option("--set", settings);
-  app.add_option("--stride", stride);
-  app.add_option("--frames", frames);
-  app.add_flag("--fit", fit);
-  std::string csv_path;
-  app.add_option("--csv", csv_path);
+  using namespace scantrove;
+  benchmarks::SceneOptions options;
+  options.every = 20;
+  CLI::App app("Fits what borders between fragments say, on random scenes");
+  options.addTo(app);
   CLI11_PARSE(app, argc, argv);
-  std::vector<Sample> samples;
-  std::FILE* csv = csv_path.empty() ? nullptr : std::fopen(csv_path.c_str(), "w");
-  auto compute = ComputeContext::create({});
-  Score mean;
-  double ratio_sum = 0;
-  for (const std::string& scene : scenes) {
-    ScanParams params;
-    for (const std::string& setting : settings) {
-      if (auto r = applySetting(params, setting); !r) return std::cerr << r.error().message() << '\n', 1;
-    }
-    SourceOptions options;
-    options.stride = stride;
-    if (frames > 0) options.frames = frames;
-    auto source = openSource(scene, options);
-    if (!source) return std::cerr << source.error().message() << '\n', 1;
-    auto pipeline = ScanPipeline::create(**compute, {(*source)->info().intrinsics, params, false, nullptr, 0});
-    std::map<std::uint32_t, std::map<int, int>> truth_of;
-    Score score;
-    int frame = 0, lost = 0;
-    for (;; ++frame) {
-      FrameRead read = (*source)->next();
-      if (read.status != FrameRead::Status::frame) break;
-      auto result = (*pipeline)->processFrame(read.frame);
-      if (!result) return std::cerr << result.error().message() << '\n', 1;
-      if (!result->pose.usable()) {
-        ++lost;
-        continue;
-      }
-      const Intrinsics& K = (*pipeline)->workingIntrinsics();
-      if (frame % 5 != 4) continue;
-      cv::Mat instances;
-      if (read.frame.instances.empty()) {
-        std::array<char, 40> name{};
-        std::snprintf(name.data(), name.size(), "/frame-%06d.instance.png", read.frame.index);
-        const auto stored = readLabelImage(scene + name.data());
-        if (!stored) return std::cerr << stored.error().message() << "\n", 1;
-        read.frame.instances = *stored;
-      }
-      cv::resize(read.frame.instances, instances, {K.width, K.height}, 0, 0, cv::INTER_NEAREST);
-      const cv::Mat1i truth = toLabelGrid(instances);
-      const cv::Mat1i segments = image(result->segments.ids, K), regions = image(result->regions.regions, K);
-      const auto single = evaluateSegmentation(segments, truth), merged = evaluateSegmentation(regions, truth);
-      score.single += single.boundary_error;
-      score.merged += merged.boundary_error;
-      ++score.images;
-      countHalf(segments, truth, score.small_single, score.large_single, &score.small, &score.large);
-      countHalf(regions, truth, score.small_merged, score.large_merged, nullptr, nullptr);
-      // The best that any partition of these fragments could be.
-      std::map<int, std::map<int, int>> held;
-      const cv::Mat1i parts = image(result->regions.fragments, K);
-      for (int p = 0; p < K.pixels(); ++p) ++held[parts.ptr<int>()[p]][truth.ptr<int>()[p]];
-      cv::Mat1i best = parts.clone();
-      for (int& part : best) {
-        if (part == 0) continue;
-        const auto& of = held[part];
-        part = 1 + std::max_element(of.begin(), of.end(), [](auto& a, auto& b) { return a.second < b.second; })->first;
-      }
-      score.oracle += evaluateSegmentation(best, truth).boundary_error;
-      countHalf(best, truth, score.small_oracle, score.large_oracle, nullptr, nullptr);
-      if (frame % 20 == 19 && fit) {
-        truth_of.clear();
-        for (int p = 0; p < K.pixels(); ++p) {
-          const FragmentId f = result->regions.fragments[static_cast<std::size_t>(p)];
-          if (f) ++truth_of[f.value][truth.ptr<int>()[p]];
-        }
-        if (csv != nullptr) {
-          std::map<int, int> instance_area, unlabelled;
-          for (int p = 0; p < K.pixels(); ++p) ++instance_area[truth.ptr<int>()[p]];
-          for (auto& [id, area] : instance_area) std::fprintf(csv, "I,%s,%d,%d,%d\n", scene.c_str(), frame, id, area);
-          for (auto& [f, of] : truth_of)
-            for (auto& [id, count] : of) std::fprintf(csv, "F,%s,%d,%u,%d,%d\n", scene.c_str(), frame, f, id, count);
-        }
-        const auto& graph = dynamic_cast<const GraphMerger&>((*pipeline)->regionMerger()).graph();
-        const auto majority = [&](std::uint32_t f, double& purity) {
-          int most = 0, n = 0, total = 0;
-          for (auto& [id, c] : truth_of[f]) {
-            total += c;
-            if (c > n) n = c, most = id;
-          }
-          purity = static_cast<double>(n) / total;
-          return total < 20 ? 0 : most;
-        };
-        for (const auto& [f, unused] : truth_of) {
-          double pa = 0, pb = 0;
-          const int a = majority(f, pa);
-          for (const auto& link : graph.linksOf(FragmentId{f})) {
-            if (link.other.value < f || !truth_of.contains(link.other.value)) continue;
-            const int b = majority(link.other.value, pb);
-            if (csv != nullptr) {
-              const auto& e = graph.border(link.border);
-              const auto& vox = (*pipeline)->voxels();
-              std::fprintf(csv, "E,%s,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%d,%d,%d,%d,%g,%g,%u,%u\n", scene.c_str(), frame, a == 0 || b == 0 || pa < 0.7 || pb < 0.7 ? -1 : a == b, e.looks, e.bridged, e.shared, e.bends, e.concavity_rad, e.turn_rad, e.folded, e.ridged, e.length_m, vox[f], vox[link.other.value], a, b, 0.0, static_cast<double>(e.color_shift.value_or(0)), f, link.other.value);
-            }
-            if (a == 0 || b == 0 || pa < 0.7 || pb < 0.7) continue;
-            const auto x = graph.border(link.border).features((*pipeline)->voxels()[f], (*pipeline)->voxels()[link.other.value]);
-            samples.push_back({Eigen::Map<const Eigen::VectorXf>(x.data(), static_cast<Eigen::Index>(x.size())).cast<double>(), a == b, 1});
-          }
-        }
-      }
-    }
-    auto regions = (*pipeline)->regionCount();
-    std::printf("%-22s n %3d lost %d err %.2f %.2f (%.2f) ratio %.3f | small %4d %.3f %.3f (%.3f) | large %4d %.3f %.3f (%.3f) | regions %d fragments %zu\n", scene.c_str(),
-                frame, lost, score.single / score.images, score.merged / score.images, score.oracle / score.images, score.merged / score.single,
-                score.small, 1.0 * score.small_single / score.small, 1.0 * score.small_merged / score.small, 1.0 * score.small_oracle / score.small, score.large,
-                1.0 * score.large_single / score.large, 1.0 * score.large_merged / score.large, 1.0 * score.large_oracle / score.large, *regions,
-                (*pipeline)->regionTable().regions().size());
-    std::fflush(stdout);
-    ratio_sum += score.merged / score.single;
-    mean.small += score.small; mean.small_single += score.small_single; mean.small_merged += score.small_merged;
-    mean.large += score.large; mean.large_single += score.large_single; mean.large_merged += score.large_merged;
-  }
-  std::printf("MEAN ratio %.3f small %.3f %.3f large %.3f %.3f\n", ratio_sum / static_cast<double>(scenes.size()),
-              1.0 * mean.small_single / mean.small, 1.0 * mean.small_merged / mean.small,
-              1.0 * mean.large_single / mean.large, 1.0 * mean.large_merged / mean.large);
-  if (!fit) return 0;
-  // Logistic regression with a little ridge, by Newton's method.
-  const Eigen::Index n = samples.front().features.size();
-  Eigen::VectorXd beta = Eigen::VectorXd::Zero(n + 1);
-  for (int step = 0; step < 30; ++step) {
-    Eigen::MatrixXd H = Eigen::MatrixXd::Identity(n + 1, n + 1) * 1.0;
-    Eigen::VectorXd g = -beta;
-    for (const Sample& s : samples) {
-      Eigen::VectorXd x(n + 1);
-      x << 1, s.features;
-      const double p = 1 / (1 + std::exp(-beta.dot(x)));
-      g += ((s.are_one ? 1 : 0) - p) * x;
-      H += p * (1 - p) * x * x.transpose();
-    }
-    beta += H.ldlt().solve(g);
-  }
-  int right = 0, ones = 0;
-  double loss = 0;
-  const auto total = static_cast<double>(samples.size());
-  for (const Sample& s : samples) {
-    Eigen::VectorXd x(n + 1);
-    x << 1, s.features;
-    const double z = beta.dot(x);
-    right += (z > 0) == s.are_one;
-    ones += s.are_one;
-    loss += std::log1p(std::exp(s.are_one ? -z : z));
-  }
-  std::cout << samples.size() << " samples, one " << ones << ", right " << right / total << " loss " << loss / total << "\n"
-            << beta.transpose() << "\n";
+  const auto done = benchmarks::run(options);
+  if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
+  return done ? 0 : 1;
 }

@@ -4,32 +4,18 @@
 //
 //   segmentation_benchmark --cache DIR --rooms 1-5 --tables 1-5 [--uneven] [--rule graph,thesis] [--set
 //   key=value]
-#include <spdlog/fmt/fmt.h>
-
-#include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
-#include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/scan/param_registry.h"
-#include "core/scan/scan_pipeline.h"
-#include "tests/benchmarks/scene_cache.h"
+#include "tests/benchmarks/scene_scan.h"
 
 namespace scantrove::benchmarks {
 namespace {
 
 struct Options {
-  std::string cache;
-  std::vector<std::string> rooms, tables;
-  bool uneven = false;
+  SceneOptions scenes;
   std::vector<std::string> rules;
-  std::vector<std::string> settings;
-  std::string poses = "tracked";
-  int every = 5;
-  int frames = 0;
-  int stride = 1;
 };
 
 /// A set of parameters and what it is called.
@@ -44,20 +30,8 @@ struct SceneScore {
   double merge_ms = 0;
   double fps = 0;
   double lost = 0;
-  double drift_mm = 0;  // farthest that the tracked camera was from where it should be
+  double drift_mm = 0;
 };
-
-/// "1-3" and "7": 1 2 3 7.
-std::vector<int> seedsFrom(const std::vector<std::string>& ranges) {
-  std::vector<int> seeds;
-  for (const std::string& range : ranges) {
-    const std::size_t dash = range.find('-');
-    const int first = std::stoi(range);
-    const int last = dash == std::string::npos ? first : std::stoi(range.substr(dash + 1));
-    for (int seed = first; seed <= last; ++seed) seeds.push_back(seed);
-  }
-  return seeds;
-}
 
 Result<std::vector<Variant>> variantsOf(const Options& options) {
   std::vector<std::string> rules = options.rules;
@@ -66,7 +40,7 @@ Result<std::vector<Variant>> variantsOf(const Options& options) {
   for (const std::string& rule : rules) {
     Variant variant{rule.empty() ? "default" : rule, {}};
     if (!rule.empty()) SCANTROVE_TRY(applySetting(variant.params, "labeling.rule=" + rule));
-    for (const std::string& setting : options.settings) {
+    for (const std::string& setting : options.scenes.settings) {
       SCANTROVE_TRY(applySetting(variant.params, setting));
       variant.name += ' ' + setting;
     }
@@ -81,18 +55,18 @@ cv::Mat labelImage(const std::vector<std::uint32_t>& labels, const Intrinsics& K
   return image;
 }
 
-/// Mean time a frame in the stages that join and part regions.
 std::vector<std::uint32_t> numbersOf(const std::vector<RegionId>& regions) {
   std::vector<std::uint32_t> numbers(regions.size());
   std::ranges::transform(regions, numbers.begin(), [](RegionId region) { return region.value; });
   return numbers;
 }
 
+/// Mean time a frame in the stage that joins and parts regions.
 double mergeMilliseconds(const StageTimer& timer) {
   double sum = 0;
   std::size_t frames = 1;
   for (const StageTimer::Stage& stage : timer.stages()) {
-    if (stage.name != "merge" && stage.name != "partition") continue;
+    if (stage.name != "merge") continue;
     for (const double ms : stage.all_ms) sum += ms;
     frames = std::max(frames, stage.all_ms.size());
   }
@@ -101,49 +75,23 @@ double mergeMilliseconds(const StageTimer& timer) {
 
 Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanParams& params,
                            const Options& options, ComputeContext& compute) {
-  SourceOptions frames;
-  frames.stride = options.stride;
-  if (options.frames > 0) frames.frames = options.frames;
-  const auto source = openSource(recording.string(), frames);
-  if (!source) return fail(source.error());
-  const bool given = options.poses == "given";
-  const auto pipeline =
-      ScanPipeline::create(compute, {(*source)->info().intrinsics, params, given, nullptr, 0});
-  if (!pipeline) return fail(pipeline.error());
-  const Intrinsics& K = (*pipeline)->workingIntrinsics();
   std::vector<SegmentationMetrics> single, merged;
+  const auto scan = scanScene(
+      recording, params, options.scenes, compute,
+      [&](const ScanPipeline& pipeline, const FrameResult& result, const cv::Mat& truth) {
+        const Intrinsics& K = pipeline.workingIntrinsics();
+        single.push_back(evaluateSegmentation(labelImage(result.segments.ids, K), truth));
+        merged.push_back(evaluateSegmentation(labelImage(numbersOf(result.regions.regions), K), truth));
+      });
+  if (!scan) return fail(scan.error());
   SceneScore score;
-  const auto start = std::chrono::steady_clock::now();
-  int done = 0;
-  std::optional<Eigen::Isometry3d> T_truth_estimate;
-  for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
-       read = (*source)->next()) {
-    const auto result = (*pipeline)->processFrame(read.frame);
-    if (!result) return fail(result.error());
-    ++done;
-    if (!result->pose.usable()) {
-      score.lost += 1;
-      continue;
-    }
-    const Eigen::Isometry3d& truth_pose = *read.frame.T_world_camera;
-    if (!T_truth_estimate) T_truth_estimate = truth_pose * result->pose.T_world_camera.inverse();
-    const Eigen::Isometry3d pose = *T_truth_estimate * result->pose.T_world_camera;
-    score.drift_mm = std::max(score.drift_mm, 1000 * (pose.translation() - truth_pose.translation()).norm());
-    if (done % options.every != 0) continue;
-    const std::string name = fmt::format("frame-{:06}.instance.png", read.frame.index);
-    const auto truth = readLabelImage(recording / name);
-    if (!truth) return fail(truth.error());
-    cv::Mat small;
-    cv::resize(*truth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
-    single.push_back(evaluateSegmentation(labelImage(result->segments.ids, K), small));
-    merged.push_back(evaluateSegmentation(labelImage(numbersOf(result->regions.regions), K), small));
-  }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  score.fps = done / elapsed.count();
   score.single = averaged(single);
   score.merged = averaged(merged);
-  score.merge_ms = mergeMilliseconds((*pipeline)->timer());
-  score.regions = (*pipeline)->regionCount().regions;
+  score.regions = scan->pipeline->regionCount().regions;
+  score.merge_ms = mergeMilliseconds(scan->pipeline->timer());
+  score.fps = scan->frames / scan->seconds;
+  score.lost = scan->lost;
+  score.drift_mm = scan->drift_mm;
   return score;
 }
 
@@ -193,15 +141,13 @@ Result<void> run(const Options& options) {
   if (!variants) return fail(variants.error());
   auto compute = ComputeContext::create({});
   if (!compute) return fail(compute.error());
-  const SceneCache cache(options.cache);
+  const SceneCache cache(options.scenes.cache);
   for (const Variant& variant : *variants) {
     printHeader(variant);
     std::vector<SceneScore> all;
-    for (const auto& [kind, seeds] :
-         {std::pair("room", &options.rooms), std::pair("tabletop", &options.tables)}) {
+    for (const char* kind : {"room", "tabletop"}) {
       std::vector<SceneScore> of_kind;
-      for (const int seed : seedsFrom(*seeds)) {
-        const std::string scene = fmt::format("{}:{}{}", kind, seed, options.uneven ? ":uneven" : "");
+      for (const std::string& scene : options.scenes.scenesOf(kind)) {
         const auto recording = cache.recordingOf(scene);
         if (!recording) return fail(recording.error());
         const auto score = scoreOf(*recording, variant.params, options, **compute);
@@ -224,17 +170,8 @@ int main(int argc, char** argv) {
   using namespace scantrove;
   benchmarks::Options options;
   CLI::App app("Single frames against merged regions on random scenes");
-  app.add_option("--cache", options.cache, "folder that keeps the rendered scenes")->required();
-  app.add_option("--rooms", options.rooms, "seeds of demo:room, such as 1-5,9")->delimiter(',');
-  app.add_option("--tables", options.tables, "seeds of demo:tabletop")->delimiter(',');
-  app.add_flag("--uneven", options.uneven, "surfaces with bumps");
+  options.scenes.addTo(app);
   app.add_option("--rule", options.rules, "rules of labeling to compare")->delimiter(',');
-  app.add_option("--set", options.settings, "parameters, key=value, for all of them");
-  app.add_option("--poses", options.poses, "tracked or given")->check(CLI::IsMember({"tracked", "given"}));
-  app.add_option("--every", options.every, "compare every N-th frame with the truth")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--frames", options.frames, "only the first N of each scene");
-  app.add_option("--stride", options.stride, "every N-th frame")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   const auto done = benchmarks::run(options);
   if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());

@@ -1,0 +1,107 @@
+#pragma once
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <functional>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "core/scan/scan_pipeline.h"
+#include "tests/benchmarks/scene_cache.h"
+
+namespace scantrove::benchmarks {
+
+/// Which random scenes to scan, and how.
+struct SceneOptions {
+  std::string cache;
+  std::vector<std::string> rooms, tables;  ///< "1-3", "7", "5:uneven"
+  bool uneven = false;
+  std::vector<std::string> settings;
+  std::string poses = "tracked";
+  int every = 5;
+  int frames = 0;  ///< 0: all
+  int stride = 1;
+
+  void addTo(CLI::App& app) {
+    app.add_option("--cache", cache, "folder that keeps the rendered scenes")->required();
+    app.add_option("--rooms", rooms, "seeds of demo:room, such as 1-5,9,7:uneven")->delimiter(',');
+    app.add_option("--tables", tables, "seeds of demo:tabletop")->delimiter(',');
+    app.add_flag("--uneven", uneven, "surfaces with bumps, in all scenes");
+    app.add_option("--set", settings, "parameters, key=value");
+    app.add_option("--poses", poses, "tracked or given")->check(CLI::IsMember({"tracked", "given"}));
+    app.add_option("--every", every, "compare every N-th frame with the truth")->check(CLI::PositiveNumber);
+    app.add_option("--frames", frames, "only the first N of each scene");
+    app.add_option("--stride", stride, "every N-th frame")->check(CLI::PositiveNumber);
+  }
+
+  /// Names as after "demo:", of "room" or "tabletop".
+  [[nodiscard]] std::vector<std::string> scenesOf(const std::string& kind) const {
+    std::vector<std::string> scenes;
+    for (const std::string& range : kind == "room" ? rooms : tables) {
+      const std::size_t colon = std::min(range.find(':'), range.size());
+      const std::size_t dash = std::min(range.find('-'), colon);
+      const int first = std::stoi(range);
+      const int last = dash < colon ? std::stoi(range.substr(dash + 1)) : first;
+      const std::string surface = uneven ? ":uneven" : range.substr(colon);
+      for (int seed = first; seed <= last; ++seed)
+        scenes.push_back(fmt::format("{}:{}{}", kind, seed, surface));
+    }
+    return scenes;
+  }
+};
+
+/// What is left of a scan that is done.
+struct SceneScan {
+  std::unique_ptr<ScanPipeline> pipeline;
+  int frames = 0;
+  int lost = 0;
+  double seconds = 0;
+  double drift_mm = 0;  ///< farthest that the tracked camera was from where it should be
+};
+
+/// Called with what a frame gave, and its true instances at the working resolution.
+using FrameVisit = std::function<void(const ScanPipeline&, const FrameResult&, const cv::Mat& truth)>;
+
+/// Scans a recording of SceneCache; visits every `options.every`-th frame if it has a pose.
+inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const ScanParams& params,
+                                   const SceneOptions& options, ComputeContext& compute,
+                                   const FrameVisit& visit) {
+  SourceOptions which;
+  which.stride = options.stride;
+  if (options.frames > 0) which.frames = options.frames;
+  const auto source = openSource(recording.string(), which);
+  if (!source) return fail(source.error());
+  SceneScan scan;
+  SCANTROVE_TRY(
+      moveInto(scan.pipeline, ScanPipeline::create(compute, {(*source)->info().intrinsics, params,
+                                                             options.poses == "given", nullptr, 0})));
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<Eigen::Isometry3d> T_truth_estimate;
+  for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
+       read = (*source)->next()) {
+    const auto result = scan.pipeline->processFrame(read.frame);
+    if (!result) return fail(result.error());
+    ++scan.frames;
+    if (!result->pose.usable()) {
+      ++scan.lost;
+      continue;
+    }
+    const Eigen::Isometry3d& truth_pose = *read.frame.T_world_camera;
+    if (!T_truth_estimate) T_truth_estimate = truth_pose * result->pose.T_world_camera.inverse();
+    const Eigen::Isometry3d pose = *T_truth_estimate * result->pose.T_world_camera;
+    scan.drift_mm = std::max(scan.drift_mm, 1000 * (pose.translation() - truth_pose.translation()).norm());
+    if (scan.frames % options.every != 0) continue;
+    const auto truth = readLabelImage(recording / fmt::format("frame-{:06}.instance.png", read.frame.index));
+    if (!truth) return fail(truth.error());
+    const Intrinsics& K = scan.pipeline->workingIntrinsics();
+    cv::Mat small;
+    cv::resize(*truth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
+    visit(*scan.pipeline, *result, small);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  scan.seconds = elapsed.count();
+  return scan;
+}
+
+}  // namespace scantrove::benchmarks
