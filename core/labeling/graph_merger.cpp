@@ -123,11 +123,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
     FragmentId& fragment = map.fragments[pixel];
     const std::uint32_t segment = segments.ids[pixel];
     const FragmentId owner = owners.owner[segment];
-    if (owner && fragment != owner &&
-        (!fragment ||
-         (table.regionOf(fragment) != table.regionOf(owner) && !owners.covers(segment, fragment)))) {
-      fragment = owner;
-    }
+    if (owner && !owners.covers(segment, fragment)) fragment = owner;
     if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];
     map.regions[pixel] = table.regionOf(fragment);
   }

@@ -11,8 +11,8 @@ namespace scantrove {
 /// its evidence holds together (updatePartition).
 ///
 /// A segment belongs to the fragment that it shares most pixels with. Its pixels on unlabelled ground take
-/// that fragment, so do those of fragments of other regions that it does not cover: outlines heal. What it
-/// covers of other fragments stays theirs. A segment without any founds a fragment.
+/// that fragment, so do those of other fragments that it does not cover: outlines heal, also within a region.
+/// What it covers of other fragments stays theirs. A segment without any founds a fragment.
 class GraphMerger final : public RegionMerger {
  public:
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,

@@ -1,0 +1,196 @@
+#include "core/labeling/graph_merger.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/unit/labeling/painted_frame.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedFrame;
+using test::PaintedScan;
+using test::Rectangle;
+using Constraint = BorderEvidence::Constraint;
+
+constexpr int kMiddle = PaintedFrame::kWidth / 2;
+// Points on the two sides.
+constexpr int kX = 12, kOtherX = 52, kY = 24;
+const std::vector<Rectangle> kClear{PaintedFrame::kLeft, PaintedFrame::kRight};
+const std::vector<Rectangle> kLeak{PaintedFrame::kAll};
+
+/// Wall and floor, so to say: two faces in a right angle.
+PaintedFrame fold() { return PaintedFrame::corner(1.5F); }
+
+bool areOne(const PaintedScan& scan) { return scan.regionAt(kX, kY) == scan.regionAt(kOtherX, kY); }
+
+TEST(GraphMerger, ASegmentOnUnlabelledGroundIsANewFragment) {
+  PaintedScan scan(fold());
+  const auto& outcome = scan.look(kClear);
+  EXPECT_TRUE(outcome.events.joined.empty());
+  EXPECT_NE(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY));
+  EXPECT_EQ(outcome.map.regions.front(), scan.regionAt(0, 0));
+  EXPECT_FALSE(areOne(scan));
+}
+
+TEST(GraphMerger, ASegmentTooSmallForAFragmentLeavesTheGroundUnlabelled) {
+  PaintedScan scan(fold());
+  // 120 pixels at 640 x 480 are 1.2 here; the parameter of ten times that: 12.
+  scan.params.min_fragment_px = 1200;
+  (void)scan.look({{0, 0, 10, 0}, {0, 10, 11, 10}});
+  EXPECT_FALSE(scan.fragmentAt(5, 0));
+  EXPECT_TRUE(scan.fragmentAt(5, 10));
+}
+
+TEST(GraphMerger, FacesSeenAsTwoStayTwo) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 40);
+  EXPECT_FALSE(areOne(scan));
+}
+
+TEST(GraphMerger, OneWallFirstSeenInTwoPiecesBecomesOneRegion) {
+  PaintedScan scan(PaintedFrame::corner(0));
+  scan.look(kClear, 2);
+  ASSERT_FALSE(areOne(scan));
+  const RegionId left = scan.regionAt(kX, kY), right = scan.regionAt(kOtherX, kY);
+  RegionEvents all;
+  for (int i = 0; i < 20; ++i) {
+    const RegionEvents events = scan.look(kLeak).events;
+    all.joined.insert(all.joined.end(), events.joined.begin(), events.joined.end());
+  }
+  EXPECT_TRUE(areOne(scan));
+  ASSERT_EQ(all.joined.size(), 1U);
+  EXPECT_THAT((std::array{all.joined[0].first, all.joined[0].second}),
+              testing::UnorderedElementsAre(left, right));
+}
+
+TEST(GraphMerger, ALeakPartsAgain) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 3);
+  const RegionId left = scan.regionAt(kX, kY), right = scan.regionAt(kOtherX, kY);
+  scan.look(kLeak, 10);
+  ASSERT_TRUE(areOne(scan)) << "there is nothing to heal";
+  int frames = 0;
+  RegionEvents events;
+  while (areOne(scan) && frames < 30) {
+    events = scan.look(kClear).events;
+    ++frames;
+  }
+  ASSERT_FALSE(areOne(scan));
+  ASSERT_EQ(events.parted.size(), 1U);
+  const RegionId kept = events.parted.front().first;
+  EXPECT_TRUE(kept == left || kept == right);
+  EXPECT_NE(events.parted.front().second, left);
+  EXPECT_NE(events.parted.front().second, right);
+  scan.look(kClear, 30);
+  EXPECT_FALSE(areOne(scan));
+  for (int y = 0; y < PaintedFrame::kHeight; ++y) {
+    EXPECT_EQ(scan.regionAt(kMiddle - 1, y), scan.regionAt(kX, kY));
+    EXPECT_EQ(scan.regionAt(kMiddle, y), scan.regionAt(kOtherX, kY));
+  }
+}
+
+TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
+  PaintedScan scan(fold());
+  scan.look(kLeak, 10);
+  ASSERT_EQ(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY));
+  const RegionId whole = scan.regionAt(kX, kY);
+  const std::vector<Rectangle> smaller_right{PaintedFrame::kLeft,
+                                             {kMiddle, 0, 55, PaintedFrame::kHeight - 1}};
+  RegionMerger::Outcome outcome;
+  for (int i = 0; i < 30 && outcome.carved.empty(); ++i) outcome = scan.look(smaller_right);
+  ASSERT_EQ(outcome.carved.size(), 1U);
+  EXPECT_EQ(scan.fragmentAt(kOtherX, kY), outcome.carved.front()) << "its voxels change at once";
+  EXPECT_EQ(outcome.events.parted,
+            (std::vector<std::pair<RegionId, RegionId>>{{whole, scan.regionAt(kOtherX, kY)}}));
+  scan.look(smaller_right, 30);
+  EXPECT_FALSE(areOne(scan));
+  EXPECT_EQ(scan.regionAt(kX, kY), whole) << "the larger side goes on";
+}
+
+TEST(GraphMerger, MustLinkHoldsWhateverIsSeen) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 20);
+  ASSERT_FALSE(areOne(scan));
+  scan.merger.constrain(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY), Constraint::must_link);
+  for (int i = 0; i < 40; ++i) {
+    scan.look(kClear);
+    EXPECT_TRUE(areOne(scan)) << "frame " << i;
+  }
+}
+
+TEST(GraphMerger, CannotLinkHoldsWhateverIsSeen) {
+  PaintedScan scan(PaintedFrame::corner(0));
+  scan.look(kClear, 2);
+  scan.merger.constrain(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY), Constraint::cannot_link);
+  for (int i = 0; i < 40; ++i) {
+    scan.look(kLeak);
+    EXPECT_FALSE(areOne(scan)) << "frame " << i;
+  }
+}
+
+TEST(GraphMerger, TheNewerConstraintWins) {
+  PaintedScan scan(PaintedFrame::corner(0));
+  scan.look(kClear, 2);
+  const FragmentId left = scan.fragmentAt(kX, kY), right = scan.fragmentAt(kOtherX, kY);
+  for (const bool as_one : {true, false, true, false}) {
+    scan.merger.constrain(left, right, as_one ? Constraint::must_link : Constraint::cannot_link);
+    scan.look(kClear);
+    EXPECT_EQ(areOne(scan), as_one);
+  }
+}
+
+TEST(GraphMerger, WhatIsSeenRightHealsAnOutline) {
+  // The right face's fragment reaches eight pixels on to the left face; clear looks take that back.
+  PaintedScan scan(fold());
+  scan.look({{0, 0, kMiddle - 9, PaintedFrame::kHeight - 1}, {kMiddle - 8, 0, 63, PaintedFrame::kHeight - 1}},
+            3);
+  ASSERT_EQ(scan.fragmentAt(kMiddle - 4, kY), scan.fragmentAt(kOtherX, kY));
+  scan.look(kClear, 30);
+  EXPECT_EQ(scan.regionAt(kMiddle - 4, kY), scan.regionAt(kX, kY));
+  EXPECT_NE(scan.regionAt(kMiddle - 4, kY), scan.regionAt(kOtherX, kY));
+}
+
+TEST(GraphMerger, AThingThatLooksLikePartOfTheWallKeepsItsFragment) {
+  // A segment over both covers the smaller fragment and so leaves its pixels alone.
+  PaintedScan scan(fold());
+  const Rectangle thing{kMiddle + 10, 10, kMiddle + 20, 30};
+  scan.look({PaintedFrame::kLeft, PaintedFrame::kRight, thing}, 3);
+  const FragmentId fragment = scan.fragmentAt(kMiddle + 15, 20);
+  scan.look(kClear, 40);
+  EXPECT_EQ(scan.fragmentAt(kMiddle + 15, 20), fragment);
+}
+
+TEST(GraphMerger, ForgottenFragmentsLeaveNoEvidence) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 5);
+  const FragmentId right = scan.fragmentAt(kOtherX, kY);
+  ASSERT_EQ(scan.merger.graph().borderCount(), 1U);
+  scan.merger.forget(right);
+  EXPECT_EQ(scan.merger.graph().borderCount(), 0U);
+}
+
+TEST(GraphMerger, TheSameInputGivesTheSameOutput) {
+  const auto scanOnce = [] {
+    std::mt19937 random(7);
+    PaintedScan scan(fold());
+    std::vector<RegionId> seen;
+    for (int i = 0; i < 60; ++i) {
+      std::vector<Rectangle> segments;
+      for (int n = 0; n < 8; ++n) {
+        const int x = static_cast<int>(random() % 48), y = static_cast<int>(random() % 36);
+        segments.push_back({x, y, x + static_cast<int>(random() % 16), y + static_cast<int>(random() % 12)});
+      }
+      const auto& map = scan.look(segments).map;
+      seen.insert(seen.end(), map.regions.begin(), map.regions.end());
+    }
+    EXPECT_GT(scan.merger.graph().borderCount(), 10U);
+    return seen;
+  };
+  EXPECT_EQ(scanOnce(), scanOnce());
+}
+
+}  // namespace
+}  // namespace scantrove
