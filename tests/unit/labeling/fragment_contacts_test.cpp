@@ -78,6 +78,19 @@ TEST(FragmentContacts, TheShiftOfColorIsThatOfTheMeans) {
   EXPECT_NEAR(*contacts.front().color_shift, 5, 1e-4F);
 }
 
+TEST(FragmentContacts, TheShiftOfColorIsTheSameFromBothSidesOfAFragment) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+  const test::Rectangle island{44, 10, 57, 40};
+  PaintedFrame::fill(frame.projected, island, FragmentId{9});
+  frame.color_lab.assign(PaintedFrame::kPixels, Eigen::Vector3f(50, 0, 0));
+  PaintedFrame::fill(frame.color_lab, island, Eigen::Vector3f(56, 8, 0));
+  const auto contacts = contactsOf(frame);
+  ASSERT_EQ(contacts.size(), 2U);
+  EXPECT_EQ(std::pair(contacts[1].a, contacts[1].b), std::pair(kRightPart, FragmentId{9}));
+  EXPECT_NEAR(*contacts[0].color_shift, 0, 1e-4F);
+  EXPECT_NEAR(*contacts[1].color_shift, 10, 1e-4F);
+}
+
 TEST(FragmentContacts, NeighboursAcrossAnOcclusionEdgeDoNotTouch) {
   // d_max one metre ahead is three pixels' width: 3 / 60 m.
   EXPECT_EQ(contactsOf(withTwoParts(PaintedFrame::step(0.03F))).size(), 1U);

@@ -81,6 +81,14 @@ TEST_F(FragmentCutterTest, LooksFarApartInTimeAreForgotten) {
   EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, 10), FragmentCutter::kLooks);
 }
 
+TEST_F(FragmentCutterTest, EachLookMakesTheOnesBeforeLastLonger) {
+  for (int i = 1; i < FragmentCutter::kLooks; ++i) {
+    EXPECT_TRUE(look({PaintedFrame::kLeft, kSmall}).empty());
+    for (int frame = 0; frame < 25; ++frame) EXPECT_TRUE(look({PaintedFrame::kAll}).empty());
+  }
+  EXPECT_EQ(look({PaintedFrame::kLeft, kSmall}).size(), 1U);
+}
+
 TEST_F(FragmentCutterTest, ForgetsAFragmentThatIsNoMore) {
   EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, FragmentCutter::kLooks - 1), 0);
   cutter_.forget(kWhole);
