@@ -9,11 +9,12 @@ namespace scantrove {
 namespace {
 
 using Constraint = BorderEvidence::Constraint;
-constexpr FragmentId kA{1}, kB{2}, kC{3}, kD{4};
 
 /// Fragments that are regions of their own, and borders that speak for or against.
 class RegionPartitionTest : public testing::Test {
  protected:
+  static constexpr FragmentId kA{1}, kB{2}, kC{3}, kD{4};
+
   explicit RegionPartitionTest(int fragments = 4) : voxels_(static_cast<std::size_t>(fragments) + 1, 1000) {
     for (int i = 0; i < fragments; ++i) (void)table_.newFragment();
   }
