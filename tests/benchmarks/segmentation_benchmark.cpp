@@ -100,7 +100,7 @@ void printHeader(const Variant& variant) {
               variant.name.c_str(), "");
   std::printf(
       "%-18s | single merged  ratio     | single merged  gain    | single merged   | regions merge_ms fps "
-      "lost\n",
+      "lost drift_mm\n",
       "scene");
 }
 
