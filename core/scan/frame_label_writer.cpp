@@ -95,16 +95,19 @@ Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
   close();
   std::future<Result<void>> writing;  // of the frame before: encoded while the map is looked at for the next
   FirstError outcome;
+  outcome.note(outcome_);
+  bool written = true;
   const auto wait = [&] {
-    if (writing.valid()) outcome.note(writing.get());
+    if (!writing.valid()) return;
+    const Result<void> done = writing.get();
+    written = written && done.has_value();
+    outcome.note(done);
   };
   for (const Written& frame : written_) {
-    Result<FinalView> view = outcome_ ? look(frame.T_world_camera) : fail(outcome_.error());
+    Result<FinalView> view = look(frame.T_world_camera);
     wait();
-    if (!view || !outcome.result()) {
-      if (!view) outcome.note(fail(view.error()));
-      break;
-    }
+    if (!view) outcome.note(fail(view.error()));
+    if (!view || !written) break;
     writing = std::async(std::launch::async, [this, &frame, view = std::move(*view)] {
       return guarded("writing the final label images", [&] { return writeFinal(frame, view); });
     });
@@ -114,7 +117,6 @@ Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
     std::error_code ignored;
     std::filesystem::remove(depthFile(frame.name), ignored);
   }
-  outcome.note(outcome_);
   return outcome.result();
 }
 

@@ -58,12 +58,12 @@ TEST(SessionBridge, DeliversTheNewestSnapshotOnly) {
   station.session->post(snapshotOf(1));
   station.session->post(snapshotOf(2));
   ScanSnapshot third = snapshotOf(3);
-  third.changed_bricks.push_back({Eigen::Vector3i(1, 2, 3), 7, {{0.1F, 0.2F, 0.3F, 4}}});
+  third.changed_bricks.push_back({Eigen::Vector3i(1, 2, 3), 7, {{0.1F, 0.2F, 0.3F, FragmentId{4}}}});
   station.session->post(std::move(third));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !station.news.empty(); }, 2000));
   EXPECT_THAT(station.news, ElementsAre("frame 3"));
   ASSERT_EQ(station.last->changed_bricks.size(), 1U);
-  EXPECT_EQ(station.last->changed_bricks[0].points[0].label, 4U);
+  EXPECT_EQ(station.last->changed_bricks[0].points[0].fragment, FragmentId{4});
 }
 
 TEST(SessionBridge, LosesNoEventAndKeepsTheirOrder) {
