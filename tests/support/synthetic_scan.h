@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/evaluation/trajectory_metrics.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/segmentation/upsample_segments.h"
 #include "core/synthetic/synthetic_source.h"
 
 namespace scantrove::test {
@@ -65,11 +67,16 @@ class SyntheticScan {
     return absoluteTrajectoryError(pairs).rmse;
   }
 
-  /// What the map shows of a frame by now.
+  /// What the map shows of a frame by now, as labels-final/ has it: surface without label takes the nearest.
   [[nodiscard]] cv::Mat finalRegions(const Frame& frame) const {
     const auto view = pipeline_->lookAtMap(frame.pose.T_world_camera);
     EXPECT_TRUE(view) << view.error().message();
-    return image(view->regions, pipeline_->workingIntrinsics());
+    std::vector<std::uint16_t> depth_mm;
+    for (const float z : view->depths_m)
+      depth_mm.push_back(static_cast<std::uint16_t>(std::lround(1000 * z)));
+    const DepthUpsampler upsampler(view->depths_m, view->width, view->height,
+                                   {view->width, view->height, depth_mm, 0.001F});
+    return image(upsampler.apply(view->regions), pipeline_->workingIntrinsics());
   }
 
   /// Ids of `labels` that hold at least `share` of the pixels where `instances` is `instance`.
