@@ -13,10 +13,11 @@ struct Id {
   auto operator<=>(const Id&) const = default;
 };
 
-using SegmentId = Id<struct SegmentTag>;  ///< a segment of one frame (S_t)
+using SegmentId = Id<struct SegmentTag>;    ///< a segment of one frame (S_t)
 using FragmentId = Id<struct FragmentTag>;  ///< what a voxel of the label cloud holds; 24 bits
-using RegionId = Id<struct RegionTag>;    ///< fragments that are one thing; its identity outlives joins and parts
-using ObjectId = Id<struct ObjectTag>;    ///< a row of the catalogue's table `objects`
+using RegionId =
+    Id<struct RegionTag>;  ///< fragments that are one thing; its identity outlives joins and parts
+using ObjectId = Id<struct ObjectTag>;  ///< a row of the catalogue's table `objects`
 
 }  // namespace scantrove
 

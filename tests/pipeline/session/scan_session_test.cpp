@@ -115,7 +115,8 @@ TEST_F(ScanSessionTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
   for (const CloudBrick& brick : last->changed_bricks) {
     bricks.insert({brick.position.x(), brick.position.y(), brick.position.z()});
     points += brick.points.size();
-    for (const CloudBrick::Point& point : brick.points) ASSERT_LT(point.fragment.value, last->region_of_fragment->size());
+    for (const CloudBrick::Point& point : brick.points)
+      ASSERT_LT(point.fragment.value, last->region_of_fragment->size());
   }
   EXPECT_GT(points, 10000U);
 
