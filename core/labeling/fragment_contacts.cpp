@@ -42,7 +42,8 @@ class StepFinder {
 
  private:
   [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y * input_.K.width + x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(input_.K.width) +
+           static_cast<std::size_t>(x);
   }
   [[nodiscard]] bool isInside(int x, int y) const {
     return x >= 0 && y >= 0 && x < input_.K.width && y < input_.K.height;

@@ -162,7 +162,7 @@ Lathe::Profile canProfile(double bottom_radius, double top_radius, double height
 Lathe::Profile vesselProfile(const Lathe::Profile& outer, double wall) {
   Lathe::Profile profile{{0, outer.front().y()}};
   profile.insert(profile.end(), outer.begin(), outer.end());
-  const Eigen::Vector2d rim = outer.back();
+  const Eigen::Vector2d& rim = outer.back();
   appendArc(profile, {rim.x() - wall / 2, rim.y()}, wall / 2, 0, 180, 6);
   for (auto p = outer.rbegin(); p != outer.rend(); ++p) {
     const double floor_z = outer.front().y() + wall;
