@@ -25,15 +25,15 @@ struct BorderEvidence {
   /// Older looks fade as newer come: what was seen wrongly is overruled by so many that see it right.
   static constexpr float kMostLooks = 20;
 
-  /// Adds one look. `shared` in 0 .. 1: how far both lie in the same segments (see sharedSegments).
+  /// Adds one look. `shared` in 0 .. 1: how far both lie in the same segments (SegmentShares).
   void add(const FragmentContact& contact, float shared);
 
   /// What logOdds() weighs.
   static constexpr std::size_t kFeatures = 9;
   [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
-  /// Logarithm of the odds that the two are one thing, by a logistic model of the above; its coefficients are
-  /// fitted to random synthetic scenes (tests/benchmarks/border_evidence_fit).
+  /// Logarithm of the odds that the two are one thing, by a logistic model of the above; fitted to random
+  /// synthetic scenes.
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 
   /// What looks add to the balance between two regions: logOdds() + bias; 0 while too little was seen to join

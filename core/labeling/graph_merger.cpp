@@ -56,7 +56,7 @@ class SegmentShares {
     float part;
   };
   std::unordered_map<FragmentId, std::size_t> index_;
-  std::vector<std::vector<Share>> shares_;  // by segment
+  std::vector<std::vector<Share>> shares_;  // of each fragment, by segment
 };
 
 /// What each segment is, and which fragments it leaves alone.

@@ -31,7 +31,8 @@ TEST(SyntheticTabletop, TracksWithinTenMillimetresAndMergingBeatsSingleFrames) {
   for (std::size_t i = 20; i < scan.frames.size(); i += 4) {  // the first frames have nothing to merge yet
     const auto& frame = scan.frames[i];
     single.push_back(evaluateSegmentation(frame.segments, frame.instances));
-    merged.push_back(evaluateSegmentation(scan.finalRegions(frame), frame.instances));
+    // As known at the frame: both have the same pixels without surface, so neither gains by fewer holes.
+    merged.push_back(evaluateSegmentation(frame.regions, frame.instances));
   }
   const double single_error = averaged(single).boundary_error;
   const double merged_error = averaged(merged).boundary_error;
