@@ -3,19 +3,23 @@
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 
-#include "core/base/ids.h"
+#include "core/discovery/region_set.h"
 
 namespace scantrove {
 
-/// A region that may be an object, as seen in one frame.
+/// Regions that may be an object, as seen in one frame.
 struct Candidate {
-  RegionId region;
+  RegionSet regions;
   cv::Rect box_px;  ///< in the working resolution
-  cv::Mat mask;     ///< box_px.height x box_px.width, CV_8UC1, 255 = belongs to the region
+  cv::Mat mask;     ///< box_px.height x box_px.width, CV_8UC1, 255 = belongs to the regions
   Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
   Eigen::Vector3f centroid_camera = Eigen::Vector3f::Zero();
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< sides of the oriented box, longest first
   int pixels = 0;                                    ///< in the working resolution
+  float outline = 0;      ///< part of what is seen of its outline that is its own (OutlineSteps::own)
+  float hidden = 0;       ///< part of its outline that lies behind something nearer
+  float odds = 0;         ///< of several regions: log-odds of the weakest contact that holds them together
+  bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
 };
 
 }  // namespace scantrove

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,8 +17,12 @@ namespace scantrove {
 struct DiscoveryInput {
   const RegionMap& regions;
   std::span<const Eigen::Vector4f> vertices_world;  ///< V_t on the host; w = 0 = no surface
+  std::span<const Eigen::Vector4f> normals_world;   ///< N_t on the host, towards the camera; w = 0 = none
   Intrinsics K;                                     ///< of the working resolution
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  /// Log-odds that two regions that touch are one thing; below 0, or they would be. Empty: no sets of
+  /// regions.
+  std::function<float(RegionId, RegionId)> joining_odds = {};
 };
 
 /// One way to discover objects; others plug in here.
@@ -25,14 +30,21 @@ class CandidateFinder {
  public:
   virtual ~CandidateFinder() = default;
   virtual void setParams(const DiscoveryParams& params) = 0;
-  /// Candidates of this frame, by region id. Keeps what it needs to know of earlier frames.
+  /// Candidates of this frame, by their regions. They may overlap: each is one way to see the scene (see
+  /// chooseDisjoint). Keeps what it needs to know of earlier frames.
   [[nodiscard]] virtual std::vector<Candidate> find(const DiscoveryInput& input) = 0;
   /// `from` is now part of `into`: its history goes with it.
-  virtual void regionsMerged(RegionId into, RegionId from) = 0;
+  virtual void regionsJoined(RegionId into, RegionId from) = 0;
 };
 
-/// The rules of thesis 5.1: central, persistent in size, size in range, not flat, not eccentric, off the
-/// border.
+/// The rules of thesis 5.1 (central, persistent in size, size in range, not flat, not eccentric, off the
+/// border) for regions and for sets of neighbours (ch. 6), and of what passes them, which is whole.
 [[nodiscard]] std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& params);
+
+/// Of candidates that share regions only the best: the one that the catalogue speaks for (`known`, by index,
+/// higher is better, 0: nothing), that is whole, whose outline is its own, that is likely to be one. In order
+/// of their regions.
+[[nodiscard]] std::vector<std::size_t> chooseDisjoint(std::span<const Candidate> candidates,
+                                                      std::span<const float> known);
 
 }  // namespace scantrove

@@ -48,8 +48,8 @@ bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params) {
   return box.size_m[0] <= params.max_flat_size_m || box.thickness_ratio >= params.min_thickness_ratio;
 }
 
-bool isNotBackground(float hidden_fraction, const DiscoveryParams& params) {
-  return hidden_fraction <= params.max_hidden_fraction;
+bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params) {
+  return outline.hiddenPart() <= params.max_hidden_fraction;
 }
 
 }  // namespace scantrove

@@ -5,6 +5,7 @@
 #include "core/discovery/discovery_params.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/region_census.h"
+#include "core/discovery/region_outlines.h"
 
 namespace scantrove {
 
@@ -17,7 +18,6 @@ namespace scantrove {
                                     const DiscoveryParams& params);
 
 /// Does not reach the edge of what is visible; floors, walls and tables do.
-
 [[nodiscard]] bool isOffBorder(const RegionExtent& extent, const cv::Rect& visible_px,
                                const DiscoveryParams& params);
 [[nodiscard]] bool hasEnoughPoints(const RegionExtent& extent, const Intrinsics& K,
@@ -29,6 +29,6 @@ namespace scantrove {
 [[nodiscard]] bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params);
 
 /// Not a piece of floor or wall between nearer things.
-[[nodiscard]] bool isNotBackground(float hidden_fraction, const DiscoveryParams& params);
+[[nodiscard]] bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params);
 
 }  // namespace scantrove

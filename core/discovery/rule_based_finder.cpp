@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "core/base/check.h"
 #include "core/discovery/candidate_finder.h"
+#include "core/discovery/look_history.h"
 #include "core/discovery/oriented_box.h"
-#include "core/discovery/region_census.h"
+#include "core/discovery/region_hypotheses.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
 #include "core/discovery/size_history.h"
@@ -9,26 +12,33 @@
 namespace scantrove {
 namespace {
 
-cv::Mat maskOf(const RegionExtent& extent, const RegionMap& map) {
-  cv::Mat mask(extent.box_px.size(), CV_8UC1);
+/// A set is one way to see its regions only where its outline is not clearly worse than theirs.
+constexpr float kOutlineSlack = 0.05F;
+/// Parts of a set may be smaller than what must be seen of a thing.
+constexpr int kLeastPartOfThing = 8;
+
+cv::Mat maskOf(const RegionHypothesis& hypothesis, const RegionMap& map) {
+  const cv::Rect& box = hypothesis.extent.box_px;
+  cv::Mat mask(box.size(), CV_8UC1);
   for (int y = 0; y < mask.rows; ++y) {
-    const RegionId* regions =
-        map.regions.data() + static_cast<std::ptrdiff_t>(extent.box_px.y + y) * map.width + extent.box_px.x;
+    const RegionId* regions = map.regions.data() + static_cast<std::ptrdiff_t>(box.y + y) * map.width + box.x;
     unsigned char* out = mask.ptr(y);
-    for (int x = 0; x < mask.cols; ++x) out[x] = regions[x] == extent.region ? 255 : 0;
+    for (int x = 0; x < mask.cols; ++x) out[x] = hypothesis.regions.contains(regions[x]) ? 255 : 0;
   }
   return mask;
 }
 
-Candidate toCandidate(const RegionExtent& extent, const OrientedBox& box, const DiscoveryInput& input) {
+Candidate toCandidate(const RegionHypothesis& hypothesis, const OrientedBox& box,
+                      const DiscoveryInput& input) {
   Candidate candidate;
-  candidate.region = extent.region;
-  candidate.box_px = extent.box_px;
-  candidate.mask = maskOf(extent, input.regions);
+  candidate.regions = hypothesis.regions;
+  candidate.box_px = hypothesis.extent.box_px;
+  candidate.mask = maskOf(hypothesis, input.regions);
   candidate.centroid_world = box.mean;
   candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
   candidate.size_m = box.size_m;
-  candidate.pixels = static_cast<int>(extent.pixels);
+  candidate.odds = hypothesis.odds;
+  candidate.pixels = static_cast<int>(hypothesis.extent.pixels);
   return candidate;
 }
 
@@ -37,51 +47,109 @@ class RuleBasedFinder final : public CandidateFinder {
   explicit RuleBasedFinder(const DiscoveryParams& params) : params_(params) {}
 
   void setParams(const DiscoveryParams& params) override { params_ = params; }
-  void regionsMerged(RegionId into, RegionId from) override { history_.merge(into, from); }
+  void regionsJoined(RegionId into, RegionId from) override {
+    sizes_.follow(into, from);
+    looks_.follow(into, from);
+  }
 
   std::vector<Candidate> find(const DiscoveryInput& input) override {
     SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
     const RegionCensus census = counter_.count(input.regions);
-    const std::vector<RegionExtent> whole = wholeRegions(census, input);
-
-    std::vector<SizeHistory::Sighting> sightings;
-    for (const RegionExtent& extent : whole) sightings.push_back({extent.region, visibleArea(extent, input)});
-    history_.add(sightings, params_.persistent_frames);
+    const RegionOutlines outlines(input, params_);
+    const std::vector<RegionHypothesis> hypotheses =
+        proposeHypotheses(wholeRegions(census, input), outlines, input);
+    rememberSizes(hypotheses);
+    looks_.nextFrame();
 
     std::vector<Candidate> candidates;
-    for (const RegionExtent& extent : whole) {
-      if (!isCentral(extent, input.K, params_) || !isNotEccentric(extent, params_)) continue;
-      if (!history_.isPersistent(extent.region, params_.persistent_frames, params_.size_tolerance)) continue;
-      const OrientedBox box = fitOrientedBox(pointsOf(extent, input));
+    for (const RegionHypothesis& hypothesis : hypotheses) {
+      const RegionExtent& extent = hypothesis.extent;
+      if (!hasEnoughPoints(extent, input.K, params_) || !isCentral(extent, input.K, params_) ||
+          !isNotEccentric(extent, params_))
+        continue;
+      if (!sizes_.isPersistent(hypothesis.regions, params_.persistent_frames, params_.size_tolerance))
+        continue;
+      const OutlineSteps outline = outlines.of(hypothesis.regions);
+      if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines)) continue;
+      const OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
-      if (!isNotBackground(hiddenFraction(extent, input, params_), params_)) continue;
-      candidates.push_back(toCandidate(extent, box, input));
+      candidates.push_back(toCandidate(hypothesis, box, input));
+      look(outline, input, candidates.back());
     }
     return candidates;
   }
 
  private:
-  /// Regions that are seen entirely and are not too small: only their size means anything.
+  /// Regions that are seen entirely: only their size means anything.
   [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census,
                                                        const DiscoveryInput& input) const {
     const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height, params_);
     std::vector<RegionExtent> whole;
     for (const RegionExtent& extent : census.extents) {
-      if (isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.K, params_))
+      RegionExtent enlarged = extent;
+      enlarged.pixels *= kLeastPartOfThing;
+      if (isOffBorder(extent, visible, params_) && hasEnoughPoints(enlarged, input.K, params_))
         whole.push_back(extent);
     }
     return whole;
   }
 
+  void rememberSizes(const std::vector<RegionHypothesis>& hypotheses) {
+    std::vector<SizeHistory::Sighting> sightings;
+    for (const RegionHypothesis& hypothesis : hypotheses)
+      sightings.push_back({hypothesis.regions, hypothesis.visible_area_m2});
+    sizes_.add(sightings, params_.persistent_frames);
+  }
+
+  [[nodiscard]] static bool isOutlineKept(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
+                                          const RegionOutlines& outlines) {
+    return std::ranges::all_of(hypothesis.regions, [&](RegionId region) {
+      return outline.own() >= outlines.of({region}).own() - kOutlineSlack;
+    });
+  }
+
+  void look(const OutlineSteps& outline, const DiscoveryInput& input, Candidate& candidate) {
+    const Eigen::Vector3f camera_centre = input.T_world_camera.translation().cast<float>();
+    candidate.outline = outline.own();
+    candidate.hidden = outline.hiddenPart();
+    looks_.add(candidate.regions, {candidate.outline, candidate.hidden, candidate.size_m,
+                                   (camera_centre - candidate.centroid_world).normalized()});
+    candidate.is_whole = looks_.isWhole(candidate.regions, params_);
+  }
+
   DiscoveryParams params_;
   RegionCounter counter_;
-  SizeHistory history_;
+  SizeHistory sizes_;
+  LookHistory looks_;
 };
 
 }  // namespace
 
 std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& params) {
   return std::make_unique<RuleBasedFinder>(params);
+}
+
+std::vector<std::size_t> chooseDisjoint(std::span<const Candidate> candidates, std::span<const float> known) {
+  SCANTROVE_CHECK(candidates.size() == known.size());
+  // Where odds are even a set and its regions are equally likely; regions join later than that.
+  constexpr float kEvenOdds = -1, kOfOdds = 0.1F, kMostGain = 0.15F;
+  const auto score = [&](std::size_t i) {
+    const Candidate& candidate = candidates[i];
+    const float together =
+        candidate.regions.size() < 2 ? 0 : std::min(kOfOdds * (candidate.odds - kEvenOdds), kMostGain);
+    return known[i] + (candidate.is_whole ? 0.5F : 0.0F) + candidate.outline - candidate.hidden + together;
+  };
+  std::vector<std::size_t> order(candidates.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, std::greater<>(), score);
+  std::vector<std::size_t> chosen;
+  for (const std::size_t i : order) {
+    const bool is_free = std::ranges::none_of(
+        chosen, [&](std::size_t other) { return candidates[i].regions.overlaps(candidates[other].regions); });
+    if (is_free) chosen.push_back(i);
+  }
+  std::ranges::sort(chosen);
+  return chosen;
 }
 
 }  // namespace scantrove

@@ -1,35 +1,35 @@
 #pragma once
+#include <map>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
-#include "core/base/ids.h"
+#include "core/discovery/region_set.h"
 
 namespace scantrove {
 
-/// The visible sizes of regions over their last consecutive sightings. Holds only regions of the last frame,
-/// and of each at most the `frames` newest sizes.
+/// The visible sizes of sets of regions over their last consecutive sightings. Holds only sets of the last
+/// frame, and of each at most the `frames` newest sizes.
 class SizeHistory {
  public:
   struct Sighting {
-    RegionId region;
+    RegionSet regions;
     float visible_area_m2 = 0;
   };
 
-  /// Adds one frame's sightings; a region that is missing starts anew when it comes back.
+  /// Adds one frame's sightings; a set that is missing starts anew when it comes back.
   void add(std::span<const Sighting> sightings, int frames);
 
-  /// True when the region was seen `frames` times in a row and its sizes differ by at most `tolerance` of the
+  /// True when the set was seen `frames` times in a row and its sizes differ by at most `tolerance` of the
   /// largest.
-  [[nodiscard]] bool isPersistent(RegionId region, int frames, float tolerance) const;
+  [[nodiscard]] bool isPersistent(const RegionSet& regions, int frames, float tolerance) const;
 
-  /// `into` keeps its own history; where it has none it takes that of `from`.
-  void merge(RegionId into, RegionId from);
+  /// `from` is now part of `into`: where that makes two sets one, the one that was there keeps its history.
+  void follow(RegionId into, RegionId from);
 
-  [[nodiscard]] std::size_t regionCount() const { return areas_.size(); }
+  [[nodiscard]] std::size_t setCount() const { return areas_.size(); }
 
  private:
-  std::unordered_map<RegionId, std::vector<float>> areas_;  // oldest first
+  std::map<RegionSet, std::vector<float>> areas_;  // oldest first
 };
 
 }  // namespace scantrove

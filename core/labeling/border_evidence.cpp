@@ -8,6 +8,7 @@ namespace scantrove {
 namespace {
 
 constexpr float kFullLength_px = 16;  // borders this long count fully
+constexpr float kLargeFrom = 9.5F;    // logarithm of the voxels of half a square metre
 constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
 
 /// A logistic model: intercept, then a coefficient for each feature.
@@ -15,14 +16,11 @@ struct Model {
   float intercept;
   std::array<float, BorderEvidence::kFeatures> coefficients;
 };
-/// With colour: a logistic fit to borders of demo:room:1-4 and 5:uneven, demo:tabletop:1-4 and 5:uneven, made
-/// before outlines healed within a region. A later fit by border_evidence_fit ({9.20, -0.33, -0.24, 2.29,
-/// -0.09, 2.78, 0.66, -0.16, -0.38, -1.82}) joined the chair with the floor in the room of the tests; it is
-/// not used. Without colour: by border_evidence_fit to rooms 1-6 and 1:uneven, tables 1-3 and 1:uneven. The
-/// intercepts are lower than fitted, by 1 and 1.5, since small things suffer more from a wrong join than from
-/// a missed one; the 1.5 is not measured.
-constexpr Model kWithColor{7.70F, {-0.05F, -0.63F, 2.05F, -0.18F, 3.72F, 0.57F, -0.05F, -0.42F, -1.86F}};
-constexpr Model kWithoutColor{4.22F, {-0.75F, -1.15F, 0.99F, 0.56F, 2.58F, 0.81F, -0.08F, -0.33F, 0}};
+/// By border_evidence_fit to demo:room:1-6 and 1:uneven, demo:tabletop:1-4 and 1:uneven. The intercepts are
+/// lower by 1 than fitted: small things suffer more from a wrong join than from a missed one.
+constexpr Model kWithColor{4.85F,
+                           {-0.24F, -0.90F, 2.42F, -0.21F, 3.85F, 0.72F, -0.19F, 0.08F, -1.14F, -1.79F}};
+constexpr Model kWithoutColor{0.91F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0}};
 constexpr float kEnoughLooks = 2;        // before these nothing speaks for joining
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
 constexpr float kFarFrom_m = 2.5F;       // noise grows with z^2: beyond this a look counts for less than half
@@ -73,6 +71,7 @@ std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels
           std::log(length_m + 0.01F),
           std::log(static_cast<float>(fewer) + 10),
           std::log(static_cast<float>(more) + 10),
+          std::max(0.0F, std::log(static_cast<float>(more) + 10) - kLargeFrom),
           std::log(color_shift.value_or(0) + 1)};
 }
 

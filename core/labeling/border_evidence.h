@@ -29,7 +29,7 @@ struct BorderEvidence {
   void add(const FragmentContact& contact, float shared);
 
   /// What logOdds() weighs.
-  static constexpr std::size_t kFeatures = 9;
+  static constexpr std::size_t kFeatures = 10;
   [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
   /// Logarithm of the odds that the two are one thing, by a logistic model of the above; fitted to random

@@ -7,9 +7,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kLeastShare = 0.05F;       // of the fragment's visible part, for each side
+constexpr float kLeastShare = 0.002F;      // of the fragment's visible part, for each side
 constexpr float kLeastSide = 1.0F / 1500;  // of the image: 51 pixels of 320 x 240
-constexpr float kLeastFold_rad = 0.3F;     // 17 degrees, mean along the border
 constexpr int kMemory = 30;                // frames without another look until one is forgotten
 constexpr float kSamePlace = 0.35F;        // centres agree within this part of the side's extent ...
 constexpr float kSameArea = 0.5F;          // ... and areas within this ratio
@@ -57,7 +56,6 @@ std::vector<FragmentCutter::Cut> FragmentCutter::find(const MergeInput& input,
   for (const FragmentContact& contact : findContacts(input, parts)) {
     const FragmentId fragment = owner[contact.a.value];
     if (fragment != owner[contact.b.value] || cut_now.contains(fragment)) continue;
-    if (contact.bends * 2 < contact.length_px || contact.concavity_rad < kLeastFold_rad) continue;
     const std::uint32_t smaller =
         sides[contact.a.value].pixels < sides[contact.b.value].pixels ? contact.a.value : contact.b.value;
     if (!looked_at.insert(smaller).second) continue;

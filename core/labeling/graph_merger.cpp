@@ -154,6 +154,37 @@ void GraphMerger::forget(FragmentId fragment) {
   std::erase(touched_, fragment);
 }
 
+std::optional<float> GraphMerger::joiningOdds(RegionId a, RegionId b, const RegionTable& table,
+                                              std::span<const int> voxels,
+                                              const LabelingParams& params) const {
+  const auto voxelsOf = [&](FragmentId fragment) {
+    return fragment.value < voxels.size() ? voxels[fragment.value] : 0;
+  };
+  std::optional<float> odds;
+  for (const FragmentId fragment : table.fragmentsOf(a)) {
+    for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) {
+      if (table.regionOf(link.other) != b) continue;
+      const BorderEvidence& border = graph_.border(link.border);
+      if (border.constraint == BorderEvidence::Constraint::cannot_link) return std::nullopt;
+      odds = odds.value_or(0) + border.weight(voxelsOf(fragment), voxelsOf(link.other), params.joining_bias);
+    }
+  }
+  return odds;
+}
+
+void GraphMerger::mustBeOne(RegionId a, RegionId b, const RegionTable& table) {
+  const auto of_a = table.fragmentsOf(a), of_b = table.fragmentsOf(b);
+  if (of_a.empty() || of_b.empty() || a == b) return;
+  // Where they touch, if they are known to.
+  for (const FragmentId fragment : of_a) {
+    for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) {
+      if (table.regionOf(link.other) == b)
+        return constrain(fragment, link.other, BorderEvidence::Constraint::must_link);
+    }
+  }
+  constrain(of_a.front(), of_b.front(), BorderEvidence::Constraint::must_link);
+}
+
 void GraphMerger::constrain(FragmentId a, FragmentId b, BorderEvidence::Constraint constraint) {
   graph_.constrain(a, b, constraint);
   touched_.push_back(a);

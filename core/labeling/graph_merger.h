@@ -18,6 +18,10 @@ class GraphMerger final : public RegionMerger {
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,
                               const LabelingParams& params) override;
   void forget(FragmentId fragment) override;
+  [[nodiscard]] std::optional<float> joiningOdds(RegionId a, RegionId b, const RegionTable& table,
+                                                 std::span<const int> voxels,
+                                                 const LabelingParams& params) const override;
+  void mustBeOne(RegionId a, RegionId b, const RegionTable& table) override;
 
   [[nodiscard]] const EvidenceGraph& graph() const { return graph_; }
   /// Says what two fragments are to each other, whatever is seen; takes effect with the next frame.

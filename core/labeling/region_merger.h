@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/capture/intrinsics.h"
@@ -37,6 +38,14 @@ class RegionMerger {
                                       const LabelingParams& params) = 0;
   /// No voxel holds the fragment any more; its number may come again for another.
   virtual void forget(FragmentId fragment) = 0;
+
+  /// Log-odds that two regions are one thing, by all that is known of the borders between them; none where
+  /// nothing is, or what was said keeps them apart.
+  [[nodiscard]] virtual std::optional<float> joiningOdds(RegionId a, RegionId b, const RegionTable& table,
+                                                         std::span<const int> voxels,
+                                                         const LabelingParams& params) const = 0;
+  /// The regions are one thing whatever is seen; takes effect with the next frame.
+  virtual void mustBeOne(RegionId a, RegionId b, const RegionTable& table) = 0;
 };
 
 [[nodiscard]] std::unique_ptr<RegionMerger> makeRegionMerger(LabelingParams::Rule rule);

@@ -13,6 +13,12 @@ class ThesisMerger final : public RegionMerger {
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,
                               const LabelingParams& params) override;
   void forget(FragmentId) override {}
+  /// The rule knows no odds, and joins by itself alone.
+  [[nodiscard]] std::optional<float> joiningOdds(RegionId, RegionId, const RegionTable&, std::span<const int>,
+                                                 const LabelingParams&) const override {
+    return std::nullopt;
+  }
+  void mustBeOne(RegionId, RegionId, const RegionTable&) override {}
 };
 
 }  // namespace scantrove

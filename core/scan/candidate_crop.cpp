@@ -18,6 +18,11 @@ cv::Rect scaledBox(const cv::Rect& box, const cv::Size& from, const cv::Size& to
 
 }  // namespace
 
+Eigen::Vector3f directionOf(const Candidate& candidate, const Eigen::Isometry3d& T_world_camera) {
+  const Eigen::Vector3f camera_centre = T_world_camera.translation().cast<float>();
+  return (camera_centre - candidate.centroid_world).normalized();
+}
+
 ObjectView cutView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
                    const Intrinsics& working_K, const Candidate& candidate) {
   const cv::Size working(working_K.width, working_K.height);
@@ -25,8 +30,7 @@ ObjectView cutView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_came
   view.frame_index = frame.index;
   view.T_world_camera = T_world_camera;
   view.size_m = candidate.size_m;
-  const Eigen::Vector3f camera_centre = T_world_camera.translation().cast<float>();
-  view.direction = (camera_centre - candidate.centroid_world).normalized();
+  view.direction = directionOf(candidate, T_world_camera);
 
   const cv::Rect in_color = scaledBox(candidate.box_px, working, frame.color.size());
   view.color = frame.color(in_color).clone();

@@ -8,6 +8,10 @@
 
 namespace scantrove {
 
+/// From the candidate to the camera, unit, world.
+[[nodiscard]] Eigen::Vector3f directionOf(const Candidate& candidate,
+                                          const Eigen::Isometry3d& T_world_camera);
+
 /// The view of a candidate in one frame: colour of full resolution, mask, depth in millimetres, pose,
 /// direction (thesis 5.1.1). The crop is the candidate's box, brought from the working to the colour image's
 /// resolution.

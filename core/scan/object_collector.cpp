@@ -2,22 +2,32 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "core/base/log.h"
+#include "core/discovery/candidate_finder.h"
 #include "core/scan/candidate_crop.h"
 
 namespace scantrove {
 namespace {
 
-/// Two sightings of one scan are of one object when their centroids lie within this fraction of its diagonal.
-constexpr float kSamePlaceFraction = 0.25F;
+/// A view is kept of a look whose size is about that of the object.
+constexpr float kAlikeFraction = 0.7F;
+/// An object that was seen so few frames ago is there under regions of its own.
+constexpr int kFramesToReturn = 10;
+/// An object that was seen elsewhere so few frames ago is not here.
+constexpr int kFramesToMove = 90;
 
 cv::Rect2f inFractions(const cv::Rect& box, const Intrinsics& K) {
   const auto width = static_cast<float>(K.width);
   const auto height = static_cast<float>(K.height);
   return {static_cast<float>(box.x) / width, static_cast<float>(box.y) / height,
           static_cast<float>(box.width) / width, static_cast<float>(box.height) / height};
+}
+
+/// A look that is worth a view: the outline is the thing's own, and little of it is hidden.
+bool isClear(const Candidate& candidate) {
+  constexpr float kLeastOutline = 0.75F, kMostHidden = 0.35F;
+  return candidate.is_whole && candidate.outline >= kLeastOutline && candidate.hidden <= kMostHidden;
 }
 
 /// A person said what this object is.
@@ -51,33 +61,22 @@ void ObjectCollector::setParams(const DetectionParams& params) {
 FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
                                       const Intrinsics& working_K, const std::vector<Candidate>& candidates) {
   FrameObjects objects;
+  ++frame_;
   if (frames_until_retry_ > 0) --frames_until_retry_;
   if (mayUseCatalogue()) {
     if (const Result<void> followed = followCatalogue(); !followed) noteFailure(followed.error(), objects);
   }
   mergeJoined(objects);
-  std::vector<Sighting> sightings;
-  if (!frame.color.empty()) {
-    for (const Candidate& candidate : candidates) {
-      sightings.push_back({&candidate, cutView(frame, pose.T_world_camera, working_K, candidate)});
-      sightings.back().view.session = session_;
-    }
-  }
-  std::vector<Sighting*> unidentified;
-  for (Sighting& sighting : sightings) {
-    if (!object_of_region_.contains(sighting.candidate->region)) unidentified.push_back(&sighting);
-  }
-  identify(unidentified, objects);
-  for (Sighting& sighting : sightings) {
-    const auto found = object_of_region_.find(sighting.candidate->region);
-    if (found == object_of_region_.end()) continue;
-    meet(found->second, *sighting.candidate);
-    keepNewDirection(found->second, sighting, objects);
-  }
-  for (const Candidate& candidate : candidates) {
+  const Look look{frame, pose.T_world_camera, working_K, objects};
+  identify(candidates, look);
+  const std::vector<const Candidate*> chosen = choose(candidates);
+  for (const Candidate* candidate : chosen) collectOne(*candidate, look);
+  joinDoubles(chosen);
+  recognition_.forgetBefore(frame_ - RecognitionHistory::kMemory);
+  for (const Candidate* candidate : chosen) {
     SeenObject seen;
-    seen.region = candidate.region;
-    seen.box = inFractions(candidate.box_px, working_K);
+    seen.regions = candidate->regions;
+    seen.box = inFractions(candidate->box_px, working_K);
     describeObject(seen);
     objects.seen.push_back(std::move(seen));
   }
@@ -94,79 +93,168 @@ void ObjectCollector::noteFailure(const Error& error, FrameObjects& objects) {
   }
 }
 
-void ObjectCollector::identify(const std::vector<Sighting*>& unidentified, FrameObjects& objects) {
-  std::vector<Sighting*> to_look_up;
-  std::vector<DetectionQuery> queries;
-  for (Sighting* sighting : unidentified) {
+void ObjectCollector::identify(const std::vector<Candidate>& candidates, const Look& look) {
+  std::vector<const Candidate*> due;
+  for (const Candidate& candidate : candidates) {
+    if (met_.objectOf(candidate.regions)) continue;
     // The same thing under a new region: no need to look at it.
-    if (const ObjectId object = metNearby(*sighting->candidate)) {
-      object_of_region_[sighting->candidate->region] = object;
-      continue;
+    if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) {
+      met_.bind(candidate.regions, object);
+    } else if (!look.frame.color.empty() && recognition_.isLookDue(candidate.regions, frame_)) {
+      due.push_back(&candidate);
     }
-    to_look_up.push_back(sighting);
-    queries.push_back({sighting->view.color, sighting->view.mask, sighting->candidate->size_m});
   }
-  if (queries.empty()) return;
-  const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    ObjectId object = matches[i].object;
-    if (const ObjectRecord* known = record(object)) {
-      if (!isMet(object)) objects.recognised.push_back(*known);
-    } else {
-      object = addToCatalogue(*to_look_up[i], objects);
-      if (!object) continue;
-    }
-    object_of_region_[to_look_up[i]->candidate->region] = object;
-    meet(object, *to_look_up[i]->candidate);
-  }
-}
-
-ObjectId ObjectCollector::addToCatalogue(Sighting& sighting, FrameObjects& objects) {
-  if (!mayUseCatalogue()) return {};
-  const Result<ObjectRecord> added = database_.addObject(sighting.view);
-  if (!added) {
-    noteFailure(added.error(), objects);
-    return {};
-  }
-  is_failure_said_ = false;
-  objects.added.push_back(*added);
-  catalogue_.noteAdded(*added);
-  met_[added->id].views.keep(sighting.view.direction);
-  return added->id;
-}
-
-void ObjectCollector::keepNewDirection(ObjectId object, Sighting& sighting, FrameObjects& objects) {
-  const ObjectRecord* holder = record(catalogue_.holderOf(object));
-  if (holder == nullptr || holder->views >= params_.max_views || !mayUseCatalogue()) return;
-  ObjectView& view = sighting.view;
-  const bool is_new = std::ranges::all_of(met_, [&](const auto& met) {
-    return catalogue_.holderOf(met.first) != holder->id ||
-           met.second.views.isNew(view.direction, params_.new_view_angle_deg);
+  std::ranges::stable_sort(due, {}, [this](const Candidate* candidate) {
+    return std::pair(!candidate->is_whole, recognition_.looks(candidate->regions));
   });
-  if (!is_new) return;
-  view.object = object;
-  if (const Result<std::int64_t> stored = database_.addView(view); !stored) {
-    noteFailure(stored.error(), objects);
+  due.resize(std::min(due.size(), kMostLooks));
+  lookUp(due, look);
+  for (const Candidate& candidate : candidates) {
+    if (met_.objectOf(candidate.regions)) continue;
+    if (const auto verdict = recognition_.verdict(candidate.regions); verdict && *verdict)
+      recognise(candidate, *verdict, look.objects);
+  }
+}
+
+void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, const Look& look) {
+  if (candidates.empty()) return;
+  std::vector<DetectionQuery> queries;
+  for (const Candidate* candidate : candidates) {
+    const ObjectView view = viewOf(*candidate, look);
+    queries.push_back({view.color, view.mask, candidate->size_m});
+  }
+  const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    recognition_.add(candidates[i]->regions, matches[i], params_.max_distance, frame_);
+}
+
+void ObjectCollector::recognise(const Candidate& candidate, ObjectId object, FrameObjects& objects) {
+  const ObjectRecord* known = record(catalogue_.holderOf(object));
+  if (known == nullptr) return;
+  // One of this look that was seen elsewhere a moment ago is another of the kind.
+  for (const auto& [met_object, met] : met_.all()) {
+    if (catalogue_.holderOf(met_object) == known->id && frame_ - met.last_frame < kFramesToMove &&
+        !met_.isAt(met_object, candidate))
+      return;
+  }
+  if (!isMet(known->id)) objects.recognised.push_back(*known);
+  met_.bind(candidate.regions, known->id);
+  met_.meet(known->id, candidate, frame_);
+}
+
+std::vector<const Candidate*> ObjectCollector::choose(const std::vector<Candidate>& candidates) const {
+  constexpr float kKnown = 0.3F, kConfirmed = 1;
+  std::vector<float> known;
+  for (const Candidate& candidate : candidates) {
+    const ObjectId object = met_.objectOf(candidate.regions);
+    const ObjectRecord* is_record = record(catalogue_.holderOf(object));
+    const bool is_confirmed = is_record != nullptr && is_record->confirmed;
+    known.push_back(!object ? 0 : (is_confirmed ? kConfirmed : kKnown));
+  }
+  std::vector<const Candidate*> chosen;
+  for (const std::size_t i : chooseDisjoint(candidates, known)) chosen.push_back(&candidates[i]);
+  return chosen;
+}
+
+void ObjectCollector::collectOne(const Candidate& candidate, const Look& look) {
+  if (const ObjectId object = met_.objectOf(candidate.regions)) {
+    const ObjectRecord* known = record(catalogue_.holderOf(object));
+    const float size_m = candidate.size_m.norm();
+    const bool is_alike =
+        known == nullptr || known->size_m.isZero() ||
+        std::min(size_m, known->size_m.norm()) >= kAlikeFraction * std::max(size_m, known->size_m.norm());
+    met_.bind(candidate.regions, object);
+    if (!is_alike) return;
+    met_.meet(object, candidate, frame_);
+    if (isClear(candidate)) keepNewDirection(object, candidate, look);
     return;
   }
-  is_failure_said_ = false;
-  met_.at(object).views.keep(view.direction);
-  catalogue_.noteView(holder->id);
-  objects.new_views.push_back(holder->id);
+  const auto verdict = recognition_.verdict(candidate.regions);
+  const bool is_unknown = verdict.has_value();  // or one that stands elsewhere
+  if (isWanted(candidate) || (isClear(candidate) && is_unknown)) addToCatalogue(candidate, look);
 }
 
-void ObjectCollector::regionsMerged(RegionId into, RegionId from) {
-  const auto found = object_of_region_.find(from);
-  if (found == object_of_region_.end()) return;
-  const ObjectId object = found->second;
-  object_of_region_.erase(found);
-  const auto [entry, is_first] = object_of_region_.try_emplace(into, object);
-  if (is_first) return;
-  if (!catalogue_.holderOf(entry->second)) {
-    entry->second = object;  // a deleted one gives way
-  } else {
-    joined_.emplace_back(entry->second, object);
+bool ObjectCollector::isWanted(const Candidate& candidate) const {
+  return std::ranges::any_of(wanted_, [&](RegionId region) { return candidate.regions.contains(region); });
+}
+
+/// Two objects at one place are one, the second was met under other regions; those that were ever seen side
+/// by side are two.
+void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
+  std::set<ObjectId> in_view;
+  for (const Candidate* candidate : chosen) in_view.insert(met_.objectOf(candidate->regions));
+  in_view.erase(ObjectId{});
+  for (const ObjectId a : in_view) {
+    for (const ObjectId b : in_view) {
+      if (a < b) side_by_side_.emplace(a, b);
+    }
   }
+  for (const Candidate* candidate : chosen) {
+    const ObjectId object = met_.objectOf(candidate->regions);
+    if (!object) continue;
+    for (const auto& [other, met] : met_.all()) {
+      if (in_view.contains(other) || side_by_side_.contains(std::minmax(object, other))) continue;
+      if (met_.isAt(other, *candidate) &&
+          shouldMerge(catalogue_.holderOf(other), catalogue_.holderOf(object)))
+        joined_.emplace_back(other, object);
+    }
+  }
+}
+
+void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look) {
+  if (!mayUseCatalogue() || look.frame.color.empty()) return;
+  const Result<ObjectRecord> added = database_.addObject(viewOf(candidate, look));
+  if (!added) return noteFailure(added.error(), look.objects);
+  is_failure_said_ = false;
+  look.objects.added.push_back(*added);
+  catalogue_.noteAdded(*added);
+  met_.bind(candidate.regions, added->id);
+  met_.meet(added->id, candidate, frame_);
+  met_.met(added->id).views.keep(directionOf(candidate, look.T_world_camera));
+  for (const RegionId region : candidate.regions) wanted_.erase(region);
+}
+
+void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look) {
+  const ObjectRecord* holder = record(catalogue_.holderOf(object));
+  if (holder == nullptr || holder->views >= params_.max_views || !mayUseCatalogue() ||
+      look.frame.color.empty())
+    return;
+  const Eigen::Vector3f direction = directionOf(candidate, look.T_world_camera);
+  const bool is_new = std::ranges::all_of(met_.all(), [&](const auto& met) {
+    return catalogue_.holderOf(met.first) != holder->id ||
+           met.second.views.isNew(direction, params_.new_view_angle_deg);
+  });
+  if (!is_new) return;
+  ObjectView view = viewOf(candidate, look);
+  view.object = object;
+  if (const Result<std::int64_t> stored = database_.addView(view); !stored)
+    return noteFailure(stored.error(), look.objects);
+  is_failure_said_ = false;
+  met_.met(object).views.keep(direction);
+  catalogue_.noteView(holder->id);
+  look.objects.new_views.push_back(holder->id);
+}
+
+ObjectView ObjectCollector::viewOf(const Candidate& candidate, const Look& look) const {
+  ObjectView view = cutView(look.frame, look.T_world_camera, look.working_K, candidate);
+  view.session = session_;
+  return view;
+}
+
+void ObjectCollector::regionsJoined(RegionId into, RegionId from) {
+  recognition_.forgetRegion(from);
+  const auto [kept, gone] = met_.regionsJoined(into, from);
+  if (!kept) return;
+  if (!catalogue_.holderOf(kept)) {
+    met_.bind({into}, gone);  // a deleted one gives way
+  } else {
+    joined_.emplace_back(kept, gone);
+  }
+}
+
+void ObjectCollector::regionsParted(RegionId from, RegionId part) {
+  const ObjectId object = met_.objectOf(from);
+  if (object && !catalogue_.holderOf(object)) met_.bind({part}, object);
 }
 
 bool ObjectCollector::shouldMerge(ObjectId a, ObjectId b) const {
@@ -194,32 +282,13 @@ void ObjectCollector::mergeJoined(FrameObjects& objects) {
   }
 }
 
-void ObjectCollector::meet(ObjectId object, const Candidate& candidate) {
-  MetObject& met = met_[object];
-  met.centroid_world = candidate.centroid_world;
-  met.size_m = candidate.size_m;
-}
-
 bool ObjectCollector::isMet(ObjectId holder) const {
-  return std::ranges::any_of(met_, [&](const auto& met) { return catalogue_.holderOf(met.first) == holder; });
-}
-
-ObjectId ObjectCollector::metNearby(const Candidate& candidate) const {
-  ObjectId nearest;
-  float least_distance_m = std::numeric_limits<float>::max();
-  for (const auto& [object, met] : met_) {
-    const float diagonal = std::max(met.size_m.norm(), candidate.size_m.norm());
-    const bool alike = std::min(met.size_m.norm(), candidate.size_m.norm()) > 0.5F * diagonal;
-    const float distance_m = (met.centroid_world - candidate.centroid_world).norm();
-    if (!alike || distance_m >= std::min(kSamePlaceFraction * diagonal, least_distance_m)) continue;
-    nearest = object;
-    least_distance_m = distance_m;
-  }
-  return nearest;
+  return std::ranges::any_of(met_.all(),
+                             [&](const auto& met) { return catalogue_.holderOf(met.first) == holder; });
 }
 
 void ObjectCollector::describeObject(SeenObject& seen) const {
-  seen.object = objectOf(seen.region);
+  seen.object = catalogue_.holderOf(met_.objectOf(seen.regions));
   const ObjectRecord* known = record(seen.object);
   seen.name = known != nullptr ? known->name : std::string();
   seen.confirmed = known != nullptr && known->confirmed;
@@ -227,13 +296,12 @@ void ObjectCollector::describeObject(SeenObject& seen) const {
 }
 
 ObjectId ObjectCollector::objectOf(RegionId region) const {
-  const auto found = object_of_region_.find(region);
-  return found == object_of_region_.end() ? ObjectId{} : catalogue_.holderOf(found->second);
+  return catalogue_.holderOf(met_.objectOf(region));
 }
 
 std::vector<ScanReport::Object> ObjectCollector::metObjects() const {
   std::map<ObjectId, ScanReport::Object> objects;
-  for (const auto& [object, met] : met_) {
+  for (const auto& [object, met] : met_.all()) {
     const ObjectRecord* known = record(catalogue_.holderOf(object));
     if (known == nullptr) continue;
     objects[known->id] = {known->id, known->name, known->confirmed, known->views,

@@ -1,34 +1,37 @@
 #pragma once
-#include <map>
 #include <memory>
-#include <unordered_map>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_database.h"
-#include "core/catalog/view_sphere.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/pose_estimate.h"
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/frame_objects.h"
+#include "core/scan/met_objects.h"
+#include "core/scan/recognition_history.h"
 #include "core/scan/scan_report.h"
 
 namespace scantrove {
 
-/// Turns candidates into objects of the catalogue (thesis 5.1.1 and 5.2): a candidate that is met for the
-/// first time is looked up; a known one is recognised, an unknown one added; then new directions of view are
+/// Turns candidates into objects of the catalogue (thesis 5.1.1, 5.2 and ch. 6). A candidate is looked up
+/// several times before it counts as known or unknown; of those that share regions the one that the catalogue
+/// and its outline speak for is taken. What is whole and unknown is added; then new directions of view are
 /// kept. Follows what persons and other programs do to the catalogue meanwhile: what was deleted is not added
 /// again by this scan, what was merged is one. One thread, the worker's; may throw cl::Error.
 ///
-/// A region is remembered with the object that it was taken for. Who holds that object now, after merges and
-/// deletions, is asked anew each time (CatalogueMirror::holderOf), so that whatever is undone is undone here
-/// too.
+/// Regions are remembered with the object that they were taken for. Who holds that object now, after merges
+/// and deletions, is asked anew each time (CatalogueMirror::holderOf), so that whatever is undone is undone
+/// here too.
 class ObjectCollector {
  public:
   /// After a failure the catalogue is left alone for so many frames: each try may wait 5 s for a lock.
   static constexpr int kFramesUntilRetry = 60;
+  /// Candidates that are looked up in one frame at most: bounds what it takes.
+  static constexpr std::size_t kMostLooks = 4;
 
   /// Loads all views of `database` into the detector.
   [[nodiscard]] static Result<std::unique_ptr<ObjectCollector>> create(ComputeContext& compute,
@@ -36,13 +39,20 @@ class ObjectCollector {
                                                                        std::int64_t session,
                                                                        const DetectionParams& params);
 
-  /// Candidates of one frame. That the catalogue fails is part of the outcome; it ends nothing.
+  /// Candidates of one frame, which may share regions. That the catalogue fails is part of the outcome; it
+  /// ends nothing.
   [[nodiscard]] FrameObjects collect(const RgbdFrame& frame, const PoseEstimate& pose,
                                      const Intrinsics& working_K, const std::vector<Candidate>& candidates);
 
   /// The region `from` is now part of `into`. When they were two objects, collect() makes them one in the
   /// catalogue, unless persons said what each is, or took such a merge back.
-  void regionsMerged(RegionId into, RegionId from);
+  void regionsJoined(RegionId into, RegionId from);
+  /// `part` was a part of `from` until now. What a person deleted stays so in its parts.
+  void regionsParted(RegionId from, RegionId part);
+
+  /// A person says that the candidate with this region is an object: it is added when it is seen next, whole
+  /// or not.
+  void addByPerson(RegionId region) { wanted_.insert(region); }
 
   /// Learns what happened to the catalogue since the last call; collect() does so by itself.
   [[nodiscard]] Result<void> followCatalogue() { return catalogue_.follow(); }
@@ -54,18 +64,16 @@ class ObjectCollector {
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
   /// The record of an object of the catalogue, or null.
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const { return catalogue_.record(object); }
-  /// Fills in the object of `seen.region` as it is called now.
+  /// Fills in the object of `seen.regions` as it is called now.
   void describeObject(SeenObject& seen) const;
 
  private:
-  struct MetObject {
-    Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();  ///< newest sighting
-    Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
-    ViewSphere views;
-  };
-  struct Sighting {
-    const Candidate* candidate = nullptr;
-    ObjectView view;
+  /// One frame as cut up into views.
+  struct Look {
+    const RgbdFrame& frame;
+    const Eigen::Isometry3d& T_world_camera;
+    const Intrinsics& working_K;
+    FrameObjects& objects;
   };
 
   ObjectCollector(ObjectDatabase& database, std::int64_t session, Detector detector,
@@ -76,21 +84,30 @@ class ObjectCollector {
 
   void mergeJoined(FrameObjects& objects);
   [[nodiscard]] bool shouldMerge(ObjectId a, ObjectId b) const;
-  void identify(const std::vector<Sighting*>& unidentified, FrameObjects& objects);
-  [[nodiscard]] ObjectId addToCatalogue(Sighting& sighting, FrameObjects& objects);
-  void keepNewDirection(ObjectId object, Sighting& sighting, FrameObjects& objects);
-  void meet(ObjectId object, const Candidate& candidate);
+  void identify(const std::vector<Candidate>& candidates, const Look& look);
+  void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
+  void recognise(const Candidate& candidate, ObjectId object, FrameObjects& objects);
+  [[nodiscard]] std::vector<const Candidate*> choose(const std::vector<Candidate>& candidates) const;
+  void collectOne(const Candidate& candidate, const Look& look);
+  void joinDoubles(const std::vector<const Candidate*>& chosen);
+  [[nodiscard]] bool isWanted(const Candidate& candidate) const;
+  void addToCatalogue(const Candidate& candidate, const Look& look);
+  void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
+  [[nodiscard]] ObjectView viewOf(const Candidate& candidate, const Look& look) const;
   [[nodiscard]] bool isMet(ObjectId holder) const;
-  [[nodiscard]] ObjectId metNearby(const Candidate& candidate) const;
 
   ObjectDatabase& database_;
   std::int64_t session_ = 0;
   CatalogueMirror catalogue_;
   DetectionParams params_;
 
-  std::map<ObjectId, MetObject> met_;                        // by the object at that time
-  std::unordered_map<RegionId, ObjectId> object_of_region_;  // likewise; stays when the object is deleted
-  std::vector<std::pair<ObjectId, ObjectId>> joined_;        // whose regions were joined
+  MetObjects met_;
+  RecognitionHistory recognition_;
+  std::set<RegionId> wanted_;  // by a person, not added yet
+  std::vector<std::pair<ObjectId, ObjectId>>
+      joined_;  // whose regions were joined, or that stand at one place
+  std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
+  int frame_ = 0;
   int frames_until_retry_ = 0;
   bool is_failure_said_ = false;
 };

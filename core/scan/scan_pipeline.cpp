@@ -1,6 +1,7 @@
 #include "core/scan/scan_pipeline.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -109,21 +110,41 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   });
   forgetFragments();
 
-  for (const auto& [into, from] : merged.events.joined) {
-    finder_->regionsMerged(into, from);
-    if (collector_) collector_->regionsMerged(into, from);
-  }
+  tellOf(merged.events);
   const std::vector<Candidate> candidates = stage("discover", [&] {
-    return finder_->find({result.regions, result.vertices_world, working_K_, T_world_camera});
+    return finder_->find({result.regions, result.vertices_world, result.normals_world, working_K_,
+                          T_world_camera, [this](RegionId a, RegionId b) {
+                            constexpr float kNever = -std::numeric_limits<float>::infinity();
+                            return merger_
+                                ->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling)
+                                .value_or(kNever);
+                          }});
   });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
-    for (const SeenObject& seen : result.objects.seen) {
-      table_.setKnown(seen.region, seen.confirmed || seen.recognised);
-    }
+    keepKnown(result.objects);
   }
   return result;
+}
+
+void ScanPipeline::tellOf(const RegionEvents& events) {
+  for (const auto& [into, from] : events.joined) {
+    finder_->regionsJoined(into, from);
+    if (collector_) collector_->regionsJoined(into, from);
+  }
+  if (!collector_) return;
+  for (const auto& [from, part] : events.parted) collector_->regionsParted(from, part);
+}
+
+void ScanPipeline::keepKnown(const FrameObjects& objects) {
+  for (const SeenObject& seen : objects.seen) {
+    for (const RegionId region : seen.regions) {
+      table_.setKnown(region, seen.confirmed || seen.recognised);
+      // What a person confirmed is one thing, of however many regions it was found.
+      if (seen.confirmed) merger_->mustBeOne(*seen.regions.begin(), region, table_);
+    }
+  }
 }
 
 void ScanPipeline::readSurface(FrameResult& result) {

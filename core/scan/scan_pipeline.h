@@ -99,6 +99,11 @@ class ScanPipeline {
         frame_count_(setup.frame_count) {}
 
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
+  /// Discovery and collection learn what became of regions.
+  void tellOf(const RegionEvents& events);
+  /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
+  /// one.
+  void keepKnown(const FrameObjects& objects);
   void readSurface(FrameResult& result);
   /// The colour image in CIE L*a*b* at the working resolution, a little blurred.
   [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const cv::Mat& color);

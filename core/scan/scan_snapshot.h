@@ -9,6 +9,7 @@
 
 #include "core/base/ids.h"
 #include "core/capture/intrinsics.h"
+#include "core/discovery/region_set.h"
 #include "core/fusion/pose_estimate.h"
 #include "core/scan/frame_counts.h"
 
@@ -20,7 +21,7 @@ enum class ScanState { idle, starting, scanning, paused, stopping, finished, fai
 /// A discovered object as seen in the current frame.
 struct SeenObject {
   ObjectId object;  ///< none while the candidate is still being watched
-  RegionId region;
+  RegionSet regions;
   std::string name;         ///< empty while `object` is none
   bool recognised = false;  ///< known from the catalogue before this scan, or met again
   bool confirmed = false;   ///< by a person

@@ -9,6 +9,7 @@
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/scan/param_registry.h"
 #include "tests/benchmarks/scene_scan.h"
+#include "tests/benchmarks/small_losses.h"
 
 namespace scantrove::benchmarks {
 namespace {
@@ -26,6 +27,7 @@ struct Variant {
 
 struct SceneScore {
   SegmentationMetrics single, merged;
+  SmallLosses losses;
   double regions = 0;
   double merge_ms = 0;
   double fps = 0;
@@ -76,15 +78,16 @@ double mergeMilliseconds(const StageTimer& timer) {
 Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanParams& params,
                            const Options& options, ComputeContext& compute) {
   std::vector<SegmentationMetrics> single, merged;
+  SceneScore score;
   const auto scan = scanScene(
       recording, params, options.scenes, compute,
       [&](const ScanPipeline& pipeline, const FrameResult& result, const cv::Mat& truth) {
         const Intrinsics& K = pipeline.workingIntrinsics();
         single.push_back(evaluateSegmentation(labelImage(result.segments.ids, K), truth));
         merged.push_back(evaluateSegmentation(labelImage(numbersOf(result.regions.regions), K), truth));
+        score.losses += countSmallLosses(result, truth);
       });
   if (!scan) return fail(scan.error());
-  SceneScore score;
   score.single = averaged(single);
   score.merged = averaged(merged);
   score.regions = scan->pipeline->regionCount().regions;
@@ -96,10 +99,13 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
 }
 
 void printHeader(const Variant& variant) {
-  std::printf("\n== %s\n%-18s |  error 4.1 px            | small over half        | large over half |\n",
-              variant.name.c_str(), "");
   std::printf(
-      "%-18s | single merged  ratio     | single merged  gain    | single merged   | regions merge_ms fps "
+      "\n== %s\n%-18s |  error 4.1 px            | small over half        | large over half | small things: "
+      "segment had / lost as mixed, joined, split / won |\n",
+      variant.name.c_str(), "");
+  std::printf(
+      "%-18s | single merged  ratio     | single merged  gain    | single merged   | had mixed join split "
+      "won | regions merge_ms fps "
       "lost drift_mm\n",
       "scene");
 }
@@ -107,11 +113,13 @@ void printHeader(const Variant& variant) {
 void printLine(const std::string& name, const SceneScore& s, double ratio) {
   const auto& [single, merged] = std::pair(s.single, s.merged);
   std::printf(
-      "%-18s | %6.2f %6.2f  %5.3f     | %6.3f %6.3f %+6.3f   | %6.3f %6.3f   | %7.0f %8.2f %3.0f %4.0f "
+      "%-18s | %6.2f %6.2f  %5.3f     | %6.3f %6.3f %+6.3f   | %6.3f %6.3f   | %5d %4d %4d %4d %4d | %7.0f "
+      "%8.2f %3.0f %4.0f "
       "%8.1f\n",
       name.c_str(), single.boundary_error, merged.boundary_error, ratio, single.small.over_half,
       merged.small.over_half, merged.small.over_half - single.small.over_half, single.large.over_half,
-      merged.large.over_half, s.regions, s.merge_ms, s.fps, s.lost, s.drift_mm);
+      merged.large.over_half, s.losses.covered, s.losses.mixed, s.losses.joined, s.losses.split, s.losses.won,
+      s.regions, s.merge_ms, s.fps, s.lost, s.drift_mm);
   std::fflush(stdout);
 }
 
@@ -131,6 +139,7 @@ void printMean(const std::string& name, const std::vector<SceneScore>& scores) {
                             &SceneScore::drift_mm, &SceneScore::lost}) {
       mean.*part += share * score.*part;
     }
+    mean.losses += score.losses;
     ratio += share * score.merged.boundary_error / score.single.boundary_error;
   }
   printLine(name, mean, ratio);

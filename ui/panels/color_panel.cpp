@@ -49,7 +49,7 @@ void ColorPanel::setSelected(const std::set<ObjectId>& selected) {
 void ColorPanel::sortObjects() {
   // Labels choose their places in this order: the same in every frame, so that they do not jump about.
   const auto rank = [this](const SeenObject& object) {
-    return std::tuple(!isSelected(object), !object.object, object.object, object.region);
+    return std::tuple(!isSelected(object), !object.object, object.object, object.regions);
   };
   std::stable_sort(objects_.begin(), objects_.end(),
                    [&rank](const SeenObject& a, const SeenObject& b) { return rank(a) < rank(b); });

@@ -64,7 +64,7 @@ void FramePanels::setSelected(const std::set<ObjectId>& selected) {
 void FramePanels::showRegions() {
   std::set<RegionId> lit;
   for (const SeenObject& object : objects_) {
-    if (selected_.contains(object.object)) lit.insert(object.region);
+    if (selected_.contains(object.object)) lit.insert(object.regions.begin(), object.regions.end());
   }
   regions_->setPicture(regionPicture(region_ids_, lit));
 }

@@ -117,7 +117,7 @@ class LayerRules {
         "core/capture/intrinsics.h",       "core/capture/rgbd_frame.h",    "core/fusion/brick_map.h",
         "core/fusion/depth_pyramid.h",     "core/fusion/pose_estimate.h",  "core/fusion/surface_maps.h",
         "core/segmentation/segment_map.h", "core/labeling/region_map.h",   "core/discovery/candidate.h",
-        "core/catalog/object_record.h",    "core/exchange/labeled_point.h"};
+        "core/discovery/region_set.h",     "core/catalog/object_record.h", "core/exchange/labeled_point.h"};
     const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
     return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
   }

@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "core/discovery/region_outlines.h"
+
+namespace scantrove {
+
+/// Regions that may be one thing, all their image parts together. `extent.region` is the first of them.
+struct RegionHypothesis {
+  RegionSet regions;
+  RegionExtent extent;
+  float visible_area_m2 = 0;
+  float odds = 0;  ///< of a set: the least log-odds of the contacts that hold it together
+};
+
+/// Each of the regions by itself, and the sets of up to four of them that touch one another and are near to
+/// being joined (thesis ch. 6): `input.joining_odds` of each contact above -kNearOdds. By their regions; at
+/// most kMostSets sets, those of fewest regions first.
+[[nodiscard]] std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> regions,
+                                                              const RegionOutlines& outlines,
+                                                              const DiscoveryInput& input);
+
+inline constexpr float kNearOdds = 3;
+inline constexpr std::size_t kMostRegions = 4;  ///< of a set
+inline constexpr std::size_t kMostSets = 96;
+
+}  // namespace scantrove

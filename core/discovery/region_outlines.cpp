@@ -1,0 +1,205 @@
+#include "core/discovery/region_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.h"
+#include "core/discovery/region_points.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kBeyond_px = 2;     // pixels at an edge may lie between two surfaces: look past the first
+constexpr int kBendReach_px = 3;  // normals are compared so far to either side
+constexpr float kGrowsFrom_m = 1.5F;
+constexpr float kClearBend_rad = 0.35F;  // 20 degrees
+constexpr float kLeastStep_m = 0.005F;   // up to 1.2 m; beyond it grows as the sensor's noise does
+constexpr float kStepGrowsFrom_m = 1.2F;
+
+enum class End { open, folded, smooth, ridged, hidden, cut, unseen };
+
+void count(End end, OutlineSteps& steps) {
+  switch (end) {
+    case End::open:
+      ++steps.open;
+      return;
+    case End::folded:
+      ++steps.folded;
+      return;
+    case End::smooth:
+      ++steps.smooth;
+      return;
+    case End::ridged:
+      ++steps.ridged;
+      return;
+    case End::hidden:
+      ++steps.hidden;
+      return;
+    case End::cut:
+      ++steps.cut;
+      return;
+    case End::unseen:
+      ++steps.unseen;
+      return;
+  }
+}
+
+/// Says how a region ends at one step.
+class StepJudge {
+ public:
+  StepJudge(const DiscoveryInput& input, const DiscoveryParams& params) : input_(input), params_(params) {
+    const Eigen::Matrix4f T_camera_world = input.T_world_camera.inverse().matrix().cast<float>();
+    axis_ = T_camera_world.block<1, 3>(2, 0).transpose();
+    offset_ = T_camera_world(2, 3);
+  }
+
+  /// From (u, v) in direction (du, dv), where the next pixel is another region's.
+  [[nodiscard]] End judge(int u, int v, int du, int dv) const {
+    const RegionId region = regionAt(u, v);
+    if (!isInside(u + kBeyond_px * du, v + kBeyond_px * dv)) return End::cut;
+    const Eigen::Vector4f& here = vertexAt(u, v);
+    const Eigen::Vector4f& there = vertexAt(u + kBeyond_px * du, v + kBeyond_px * dv);
+    if (!isSurface(here) || !isSurface(there)) return End::unseen;
+    if (regionAt(u + kBeyond_px * du, v + kBeyond_px * dv) == region) return End::unseen;  // a slit
+    const float z = depthOf(here), z_beyond = depthOf(there);
+    const float hides_from_m = params_.hiding_step_m * std::max(1.0F, z / kGrowsFrom_m);
+    if (z_beyond < z - hides_from_m) return End::hidden;
+    if (z_beyond > z + hides_from_m) return End::open;
+    return judgeContact(u, v, du, dv, z);
+  }
+
+ private:
+  [[nodiscard]] End judgeContact(int u, int v, int du, int dv, float z) const {
+    const RegionId inner = regionAt(u, v), outer = regionAt(u + kBeyond_px * du, v + kBeyond_px * dv);
+    // As far off the border as both go on.
+    int back = kBendReach_px, on = kBendReach_px + 1;
+    while (back > 0 &&
+           (!isInside(u - back * du, v - back * dv) || regionAt(u - back * du, v - back * dv) != inner ||
+            !isSurface(vertexAt(u - back * du, v - back * dv))))
+      --back;
+    while (on > kBeyond_px &&
+           (!isInside(u + on * du, v + on * dv) || regionAt(u + on * du, v + on * dv) != outer ||
+            !isSurface(vertexAt(u + on * du, v + on * dv))))
+      --on;
+    const std::size_t a = at(u - back * du, v - back * dv), b = at(u + on * du, v + on * dv);
+    const Eigen::Vector4f& n_a = input_.normals_world[a];
+    const Eigen::Vector4f& n_b = input_.normals_world[b];
+    if (!isSurface(n_a) || !isSurface(n_b)) return End::unseen;
+    const Eigen::Vector3f across = (input_.vertices_world[b] - input_.vertices_world[a]).head<3>();
+    const Eigen::Vector3f turn = (n_b - n_a).head<3>();
+    const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));
+    if (angle > kClearBend_rad) return across.dot(turn) > 0 ? End::ridged : End::folded;
+    // Two surfaces that face one way: on one level, or one above the other.
+    const float grown = std::max(1.0F, z / kStepGrowsFrom_m);
+    const float rise_m = across.dot((n_a + n_b).head<3>()) / 2;
+    if (rise_m < -kLeastStep_m * grown * grown) return End::open;
+    if (rise_m > kLeastStep_m * grown * grown) return End::hidden;
+    return End::smooth;
+  }
+
+  [[nodiscard]] bool isInside(int u, int v) const {
+    return u >= 0 && v >= 0 && u < input_.regions.width && v < input_.regions.height;
+  }
+  [[nodiscard]] std::size_t at(int u, int v) const {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.regions.width) +
+           static_cast<std::size_t>(u);
+  }
+  [[nodiscard]] RegionId regionAt(int u, int v) const { return input_.regions.regions[at(u, v)]; }
+  [[nodiscard]] const Eigen::Vector4f& vertexAt(int u, int v) const {
+    return input_.vertices_world[at(u, v)];
+  }
+  [[nodiscard]] float depthOf(const Eigen::Vector4f& vertex) const {
+    return axis_.dot(vertex.head<3>()) + offset_;
+  }
+
+  const DiscoveryInput& input_;
+  const DiscoveryParams& params_;
+  Eigen::Vector3f axis_;
+  float offset_;
+};
+
+}  // namespace
+
+void OutlineSteps::operator+=(const OutlineSteps& other) {
+  open += other.open;
+  folded += other.folded;
+  smooth += other.smooth;
+  ridged += other.ridged;
+  hidden += other.hidden;
+  cut += other.cut;
+  unseen += other.unseen;
+}
+
+float OutlineSteps::own() const {
+  const int shown = known() - hidden;
+  return shown == 0 ? 0 : static_cast<float>(open + folded) / static_cast<float>(shown);
+}
+
+float OutlineSteps::hiddenPart() const {
+  return known() == 0 ? 0 : static_cast<float>(hidden) / static_cast<float>(known());
+}
+
+RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParams& params) {
+  const int width = input.regions.width, height = input.regions.height;
+  SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
+  SCANTROVE_CHECK(input.normals_world.size() == input.regions.regions.size());
+  const StepJudge judge(input, params);
+  const auto add = [&](RegionId from, RegionId to, End end) {
+    if (!from) return;
+    std::vector<Beyond>& outline = outlines_[from];
+    auto beyond = std::ranges::find(outline, to, &Beyond::region);
+    if (beyond == outline.end()) beyond = outline.insert(outline.end(), {to, {}});
+    count(end, beyond->steps);
+  };
+  const std::vector<RegionId>& regions = input.regions.regions;
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const std::size_t here =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
+      const RegionId region = regions[here];
+      if (u == 0 || u + 1 == width) add(region, {}, End::cut);
+      if (v == 0 || v + 1 == height) add(region, {}, End::cut);
+      if (u + 1 < width && regions[here + 1] != region) {
+        add(region, regions[here + 1], judge.judge(u, v, 1, 0));
+        add(regions[here + 1], region, judge.judge(u + 1, v, -1, 0));
+      }
+      const std::size_t below = here + static_cast<std::size_t>(width);
+      if (v + 1 < height && regions[below] != region) {
+        add(region, regions[below], judge.judge(u, v, 0, 1));
+        add(regions[below], region, judge.judge(u, v + 1, 0, -1));
+      }
+    }
+  }
+}
+
+OutlineSteps RegionOutlines::of(const RegionSet& regions) const {
+  OutlineSteps steps;
+  for (const RegionId region : regions) {
+    const auto outline = outlines_.find(region);
+    if (outline == outlines_.end()) continue;
+    for (const Beyond& beyond : outline->second) {
+      if (!regions.contains(beyond.region)) steps += beyond.steps;
+    }
+  }
+  return steps;
+}
+
+OutlineSteps RegionOutlines::between(RegionId a, RegionId b) const {
+  const auto outline = outlines_.find(a);
+  if (outline == outlines_.end()) return {};
+  const auto beyond = std::ranges::find(outline->second, b, &Beyond::region);
+  return beyond == outline->second.end() ? OutlineSteps{} : beyond->steps;
+}
+
+std::vector<RegionId> RegionOutlines::touchedBy(RegionId region, int least_steps) const {
+  std::vector<RegionId> touched;
+  const auto outline = outlines_.find(region);
+  if (outline == outlines_.end()) return touched;
+  for (const Beyond& beyond : outline->second) {
+    if (beyond.region && beyond.steps.touching() >= least_steps) touched.push_back(beyond.region);
+  }
+  std::ranges::sort(touched);
+  return touched;
+}
+
+}  // namespace scantrove

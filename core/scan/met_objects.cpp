@@ -1,0 +1,81 @@
+#include "core/scan/met_objects.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace scantrove {
+namespace {
+
+/// Two sightings of one scan are of one object when their centroids lie within this fraction of its diagonal,
+constexpr float kSamePlaceFraction = 0.25F;
+/// and the smaller diagonal is at least this fraction of the larger.
+constexpr float kAlikeFraction = 0.6F;
+
+/// Between the centroids, where both are at one place.
+std::optional<float> distanceAtOnePlace(const MetObjects::Met& met, const Candidate& candidate) {
+  const float diagonal = std::max(met.size_m.norm(), candidate.size_m.norm());
+  if (std::min(met.size_m.norm(), candidate.size_m.norm()) < kAlikeFraction * diagonal) return std::nullopt;
+  const float distance_m = (met.centroid_world - candidate.centroid_world).norm();
+  if (distance_m >= kSamePlaceFraction * diagonal) return std::nullopt;
+  return distance_m;
+}
+
+}  // namespace
+
+void MetObjects::bind(const RegionSet& regions, ObjectId object) {
+  for (const RegionId region : regions) object_of_region_[region] = object;
+}
+
+ObjectId MetObjects::objectOf(RegionId region) const {
+  const auto found = object_of_region_.find(region);
+  return found == object_of_region_.end() ? ObjectId{} : found->second;
+}
+
+ObjectId MetObjects::objectOf(const RegionSet& regions) const {
+  ObjectId object;
+  for (const RegionId region : regions) {
+    const ObjectId of_region = objectOf(region);
+    if (!of_region || of_region == object) continue;
+    if (object) return {};
+    object = of_region;
+  }
+  return object;
+}
+
+std::pair<ObjectId, ObjectId> MetObjects::regionsJoined(RegionId into, RegionId from) {
+  const auto found = object_of_region_.find(from);
+  if (found == object_of_region_.end()) return {};
+  const ObjectId object = found->second;
+  object_of_region_.erase(found);
+  const auto [entry, is_first] = object_of_region_.try_emplace(into, object);
+  if (is_first || entry->second == object) return {};
+  return {entry->second, object};
+}
+
+void MetObjects::meet(ObjectId object, const Candidate& candidate, int frame) {
+  Met& met = met_[object];
+  met.centroid_world = candidate.centroid_world;
+  met.size_m = candidate.size_m;
+  met.last_frame = frame;
+}
+
+ObjectId MetObjects::nearby(const Candidate& candidate, int frame) const {
+  ObjectId nearest;
+  float least_m = std::numeric_limits<float>::max();
+  for (const auto& [object, met] : met_) {
+    if (met.last_frame >= frame) continue;
+    const std::optional<float> distance_m = distanceAtOnePlace(met, candidate);
+    if (!distance_m || *distance_m >= least_m) continue;
+    nearest = object;
+    least_m = *distance_m;
+  }
+  return nearest;
+}
+
+bool MetObjects::isAt(ObjectId object, const Candidate& candidate) const {
+  const auto found = met_.find(object);
+  return found != met_.end() && distanceAtOnePlace(found->second, candidate).has_value();
+}
+
+}  // namespace scantrove

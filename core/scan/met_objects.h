@@ -1,0 +1,50 @@
+#pragma once
+#include <Eigen/Core>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/catalog/view_sphere.h"
+#include "core/discovery/candidate.h"
+
+namespace scantrove {
+
+/// The objects that a scan has met: which regions they are, where they stand, and from where views of them
+/// were kept. An object is remembered as it was taken for; who holds it now, after merges and deletions, is
+/// for the catalogue to say.
+class MetObjects {
+ public:
+  struct Met {
+    Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();  ///< newest sighting
+    Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
+    int last_frame = 0;
+    ViewSphere views;
+  };
+
+  /// The regions are this object, whatever they were before.
+  void bind(const RegionSet& regions, ObjectId object);
+  /// The object of all those of the regions that are of any; none where they are of none, or of several.
+  [[nodiscard]] ObjectId objectOf(const RegionSet& regions) const;
+  [[nodiscard]] ObjectId objectOf(RegionId region) const;
+
+  /// `from` is now part of `into`. Returns the two objects that they were, when they were two.
+  [[nodiscard]] std::pair<ObjectId, ObjectId> regionsJoined(RegionId into, RegionId from);
+
+  /// Another sighting.
+  void meet(ObjectId object, const Candidate& candidate, int frame);
+  [[nodiscard]] Met& met(ObjectId object) { return met_[object]; }
+  [[nodiscard]] const std::map<ObjectId, Met>& all() const { return met_; }
+
+  /// The nearest object that stands where the candidate is, is about as large, and was not seen since
+  /// `frame`: one that was is there under regions of its own.
+  [[nodiscard]] ObjectId nearby(const Candidate& candidate, int frame) const;
+  /// It stands where the candidate is and is about as large.
+  [[nodiscard]] bool isAt(ObjectId object, const Candidate& candidate) const;
+
+ private:
+  std::map<ObjectId, Met> met_;
+  std::unordered_map<RegionId, ObjectId> object_of_region_;  // stays when the object is deleted
+};
+
+}  // namespace scantrove

@@ -1,0 +1,51 @@
+#include "core/scan/recognition_history.h"
+
+#include <algorithm>
+
+namespace scantrove {
+
+void RecognitionHistory::add(const RegionSet& regions, const DetectionMatch& match, float max_distance,
+                             int frame) {
+  Tally& tally = tallies_[regions];
+  ++tally.looks;
+  tally.last_frame = frame;
+  if (!match.object) return;
+  Votes& votes = tally.votes[match.object];
+  ++votes.looks;
+  votes.sure = votes.sure || match.distance < kSurePart * max_distance;
+}
+
+bool RecognitionHistory::isLookDue(const RegionSet& regions, int frame) const {
+  const auto found = tallies_.find(regions);
+  return found == tallies_.end() || frame - found->second.last_frame >= kFramesApart;
+}
+
+int RecognitionHistory::looks(const RegionSet& regions) const {
+  const auto found = tallies_.find(regions);
+  return found == tallies_.end() ? 0 : found->second.looks;
+}
+
+std::optional<ObjectId> RecognitionHistory::verdict(const RegionSet& regions) const {
+  const auto found = tallies_.find(regions);
+  if (found == tallies_.end()) return std::nullopt;
+  const Tally& tally = found->second;
+  const auto best = std::ranges::max_element(tally.votes, {}, [](const auto& entry) {
+    return entry.second.looks + (entry.second.sure ? kLooksToKnow : 0);
+  });
+  if (best != tally.votes.end() && (best->second.sure || best->second.looks >= kLooksToKnow))
+    return best->first;
+  // A single vote among many looks was chance.
+  const int needed = tally.votes.empty() ? kLooksToGiveUp : 2 * kLooksToGiveUp;
+  if (tally.looks < needed) return std::nullopt;
+  return ObjectId{};
+}
+
+void RecognitionHistory::forgetRegion(RegionId region) {
+  std::erase_if(tallies_, [region](const auto& entry) { return entry.first.contains(region); });
+}
+
+void RecognitionHistory::forgetBefore(int frame) {
+  std::erase_if(tallies_, [frame](const auto& entry) { return entry.second.last_frame < frame; });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,92 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <unordered_map>
+#include <vector>
+
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove::benchmarks {
+
+/// Small things (as in SegmentationMetrics::small) that one segment covers by more than half (intersection
+/// over union) and no region does, by what is to blame.
+struct SmallLosses {
+  int covered = 0;  ///< by a segment
+  int mixed = 0;    ///< no choice of whole fragments covers the thing
+  int joined = 0;   ///< most of the region that overlaps it most is something else
+  int split = 0;    ///< several regions share the thing
+  int won = 0;      ///< a region covers what no segment does
+
+  void operator+=(const SmallLosses& other) {
+    covered += other.covered;
+    mixed += other.mixed;
+    joined += other.joined;
+    split += other.split;
+    won += other.won;
+  }
+};
+
+/// Counts them in one frame. `truth`: CV_16UC1 of the working resolution, 0 = none.
+inline SmallLosses countSmallLosses(const FrameResult& frame, const cv::Mat& truth) {
+  using Counts = std::unordered_map<std::uint32_t, int>;
+  struct Thing {
+    int area = 0;
+    Counts segments, regions, fragments;
+  };
+  std::unordered_map<std::uint32_t, Thing> things;
+  Counts segments, regions, fragments;
+  for (std::size_t i = 0; i < frame.segments.ids.size(); ++i) {
+    const auto instance = static_cast<std::uint32_t>(truth.ptr<std::uint16_t>()[i]);
+    const std::uint32_t segment = frame.segments.ids[i], region = frame.regions.regions[i].value,
+                        fragment = frame.regions.fragments[i].value;
+    if (instance != 0) {
+      Thing& thing = things[instance];
+      ++thing.area;
+      ++thing.segments[segment];
+      ++thing.regions[region];
+      ++thing.fragments[fragment];
+    }
+    ++segments[segment];
+    ++regions[region];
+    ++fragments[fragment];
+  }
+  const double scale = static_cast<double>(truth.total()) / (640.0 * 480.0);
+  const auto best = [](const Thing& thing, const Counts& parts, const Counts& areas) {
+    double iou = 0;
+    for (const auto& [part, overlap] : parts) {
+      if (part != 0)
+        iou = std::max(iou, static_cast<double>(overlap) / (thing.area + areas.at(part) - overlap));
+    }
+    return iou;
+  };
+  SmallLosses losses;
+  for (const auto& [instance, thing] : things) {
+    if (thing.area < 400 * scale || thing.area > 15000 * scale) continue;
+    const bool by_segment = best(thing, thing.segments, segments) > 0.5;
+    const bool by_region = best(thing, thing.regions, regions) > 0.5;
+    losses.covered += by_segment ? 1 : 0;
+    losses.won += by_region && !by_segment ? 1 : 0;
+    if (!by_segment || by_region) continue;
+    int inside = 0, whole = 0;
+    for (const auto& [fragment, overlap] : thing.fragments) {
+      if (fragment == 0 || 2 * overlap < fragments.at(fragment)) continue;
+      inside += overlap;
+      whole += fragments.at(fragment);
+    }
+    std::uint32_t most = 0;
+    for (const auto& [region, overlap] : thing.regions) {
+      if (region != 0 && (most == 0 || overlap > thing.regions.at(most))) most = region;
+    }
+    if (2 * inside <= thing.area + whole - inside) {
+      ++losses.mixed;
+    } else if (most != 0 && 2 * thing.regions.at(most) < regions.at(most)) {
+      ++losses.joined;
+    } else {
+      ++losses.split;
+    }
+  }
+  return losses;
+}
+
+}  // namespace scantrove::benchmarks
