@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "core/base/log.h"
 #include "core/scan/candidate_crop.h"
@@ -12,13 +13,6 @@ namespace {
 
 /// Two sightings of one scan are of one object when their centroids lie within this fraction of its diagonal.
 constexpr float kSamePlaceFraction = 0.25F;
-
-cv::Rect2f inFractions(const cv::Rect& box, const Intrinsics& K) {
-  const auto width = static_cast<float>(K.width);
-  const auto height = static_cast<float>(K.height);
-  return {static_cast<float>(box.x) / width, static_cast<float>(box.y) / height,
-          static_cast<float>(box.width) / width, static_cast<float>(box.height) / height};
-}
 
 /// A person said what this object is.
 bool isSettled(const ObjectRecord& record) { return record.confirmed || record.named_by == NamedBy::person; }
@@ -49,7 +43,8 @@ void ObjectCollector::setParams(const DetectionParams& params) {
 }
 
 FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
-                                      const Intrinsics& working_K, const std::vector<Candidate>& candidates) {
+                                      const SurfaceInColor& in_color,
+                                      const std::vector<Candidate>& candidates) {
   FrameObjects objects;
   if (frames_until_retry_ > 0) --frames_until_retry_;
   if (mayUseCatalogue()) {
@@ -59,8 +54,10 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   std::vector<Sighting> sightings;
   if (!frame.color.empty()) {
     for (const Candidate& candidate : candidates) {
-      sightings.push_back({&candidate, cutView(frame, pose.T_world_camera, working_K, candidate)});
-      sightings.back().view.session = session_;
+      std::optional<ObjectView> view = cutView(frame, pose.T_world_camera, in_color, candidate);
+      if (!view) continue;
+      view->session = session_;
+      sightings.push_back({&candidate, std::move(*view)});
     }
   }
   std::vector<Sighting*> unidentified;
@@ -77,7 +74,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   for (const Candidate& candidate : candidates) {
     SeenObject seen;
     seen.region = candidate.region;
-    seen.box = inFractions(candidate.box_px, working_K);
+    seen.box = boxInColor(in_color, candidate);
     describeObject(seen);
     objects.seen.push_back(std::move(seen));
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_database.h"
 #include "core/catalog/view_sphere.h"
@@ -36,9 +37,11 @@ class ObjectCollector {
                                                                        std::int64_t session,
                                                                        const DetectionParams& params);
 
-  /// Candidates of one frame. That the catalogue fails is part of the outcome; it ends nothing.
+  /// Candidates of one frame; `in_color` at their resolution. That the catalogue fails is part of the
+  /// outcome; it ends nothing.
   [[nodiscard]] FrameObjects collect(const RgbdFrame& frame, const PoseEstimate& pose,
-                                     const Intrinsics& working_K, const std::vector<Candidate>& candidates);
+                                     const SurfaceInColor& in_color,
+                                     const std::vector<Candidate>& candidates);
 
   /// The region `from` is now part of `into`. When they were two objects, collect() makes them one in the
   /// catalogue, unless persons said what each is, or took such a merge back.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/capture/color_registration.h"
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
 #include "core/synthetic/renderer.h"
@@ -74,8 +75,16 @@ class RenderedSource final : public SyntheticSource {
     frame.timestamp_s = index / kFramesPerSecond;
     frame.metres_per_unit = options_.metres_per_unit;
     frame.T_world_camera = pose(index);
-    synthetic::RenderedFrame image =
-        synthetic::renderFrame(set_.scene, lighting_.get(), options_.K, *frame.T_world_camera);
+    const bool is_registered = !options_.color_camera;
+    synthetic::RenderedFrame image = synthetic::renderFrame(
+        set_.scene, is_registered ? lighting_.get() : nullptr, options_.K, *frame.T_world_camera);
+    if (options_.color && !is_registered) {
+      const Eigen::Isometry3d T_world_color =
+          *frame.T_world_camera * options_.color_camera->T_color_depth.inverse();
+      image.color =
+          synthetic::renderFrame(set_.scene, lighting_.get(), options_.color_camera->K, T_world_color).color;
+      frame.color_camera = options_.color_camera;
+    }
     const auto number = static_cast<std::uint32_t>(index);
     if (options_.noise) {
       image.z_m = synthetic::measureDepth(image.z_m, image.incidence, options_.K, {}, options_.seed, number);
@@ -174,6 +183,11 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.K = *given.intrinsics;
     options.K.width = size.width;
     options.K.height = size.height;
+  }
+  if (given.color_registration) {
+    SCANTROVE_TRY(moveInto(options.color_camera,
+                           colorCameraFor(*given.color_registration, {options.K.width, options.K.height},
+                                          options.K, "the demo")));
   }
   if (given.depth_scale) {
     options.metres_per_unit = static_cast<float>(1.0 / *given.depth_scale);

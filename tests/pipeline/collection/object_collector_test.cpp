@@ -70,6 +70,10 @@ class ObjectCollectorTest : public testing::Test {
     moveIn(collector_, ObjectCollector::create(*compute_, *database_, session, {}));
   }
 
+  static SurfaceInColor inColor() {
+    return locateInColor(std::nullopt, kWorking, Eigen::Isometry3d::Identity(), {});
+  }
+
   /// One frame that shows `things` from a direction about the vertical.
   FrameObjects look(const std::vector<Thing>& things, double degrees = 0) {
     RgbdFrame frame;
@@ -85,7 +89,7 @@ class ObjectCollectorTest : public testing::Test {
     pose.state = TrackingState::tracking;
     const double angle = degrees * 3.14159265 / 180;
     pose.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
-    return collector_->collect(frame, pose, kWorking, candidates);
+    return collector_->collect(frame, pose, inColor(), candidates);
   }
 
   std::vector<ObjectRecord> objects() {
@@ -250,7 +254,7 @@ TEST_F(ObjectCollectorTest, WhatAnotherProgramAddsIsRecognised) {
   frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
   mug_.paint(frame.color);
   const Result<ObjectRecord> other =
-      person_->addObject(cutView(frame, Eigen::Isometry3d::Identity(), kWorking, candidate));
+      person_->addObject(*cutView(frame, Eigen::Isometry3d::Identity(), inColor(), candidate));
   ASSERT_TRUE(other);
   const FrameObjects seen = look({mug_});
   ASSERT_EQ(seen.recognised.size(), 1U);
