@@ -59,7 +59,7 @@ void markHidden(SurfaceInColor& seen, const cv::Mat& depths_m) {
       cell = std::min(cell, depth_m);
     }
   }
-  cv::erode(nearest, nearest, {});  // cells that a near surface left out between its pixels
+  cv::morphologyEx(nearest, nearest, cv::MORPH_OPEN, {});  // fills cells that lie between a surface's pixels
   for (int v = 0; v < size.height; ++v) {
     for (int u = 0; u < size.width; ++u) {
       const cv::Vec2f& place = seen.places.at<cv::Vec2f>(v, u);

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/capture/color_registration.h"
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
 #include "core/synthetic/renderer.h"
@@ -184,10 +183,10 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.K.width = size.width;
     options.K.height = size.height;
   }
-  if (given.color_registration) {
-    SCANTROVE_TRY(moveInto(options.color_camera,
-                           colorCameraFor(*given.color_registration, {options.K.width, options.K.height},
-                                          options.K, "the demo")));
+  if (given.color_registration && given.color_registration->camera) {
+    options.color_camera = given.color_registration->camera;
+    options.color_camera->K.width = options.K.width;
+    options.color_camera->K.height = options.K.height;
   }
   if (given.depth_scale) {
     options.metres_per_unit = static_cast<float>(1.0 / *given.depth_scale);

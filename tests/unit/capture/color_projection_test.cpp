@@ -30,7 +30,7 @@ std::vector<Eigen::Vector4f> halfHidden() {
 }
 
 cv::Point2f pixelAt(const SurfaceInColor& seen, const cv::Size& size, int u, int v) {
-  const cv::Vec2f& pixel = pixelsOf(seen.places, size).at<cv::Vec2f>(v, u);
+  const cv::Vec2f pixel = pixelsOf(seen.places, size).at<cv::Vec2f>(v, u);
   return {pixel[0], pixel[1]};
 }
 

@@ -111,14 +111,14 @@ TEST(CutView, LooksFromTheObjectToTheCamera) {
 
 // ---- colour of a camera of its own ----
 
-/// A disc and behind its right edge a square, both upright before a wall.
+/// A disc and behind its left edge a rectangle, both upright before a wall.
 struct Stage {
-  static constexpr float kDisc_m = 0.8F, kSquare_m = 1.2F, kWall_m = 2.0F;
-  enum What : uchar { wall, disc, square };
+  static constexpr float kDisc_m = 0.8F, kRectangle_m = 1.2F, kWall_m = 2.0F;
+  enum What : uchar { wall, disc, rectangle };
 
   static bool isOnDisc(const Eigen::Vector3f& p) { return std::hypot(p.x() + 0.1F, p.y()) < 0.12F; }
-  static bool isOnSquare(const Eigen::Vector3f& p) {
-    return p.x() > -0.05F && p.x() < 0.25F && std::abs(p.y()) < 0.1F;
+  static bool isOnRectangle(const Eigen::Vector3f& p) {
+    return p.x() > -0.5F && p.x() < -0.2F && std::abs(p.y()) < 0.1F;
   }
   /// What the ray from `eye` along (x, y, 1) meets, and its depth.
   static std::pair<What, float> cast(const Eigen::Vector3f& eye, float x, float y) {
@@ -126,7 +126,7 @@ struct Stage {
       return eye + (z - eye.z()) * Eigen::Vector3f(x, y, 1);
     };
     if (isOnDisc(at(kDisc_m))) return {disc, kDisc_m};
-    if (isOnSquare(at(kSquare_m))) return {square, kSquare_m};
+    if (isOnRectangle(at(kRectangle_m))) return {rectangle, kRectangle_m};
     return {wall, kWall_m};
   }
 };
@@ -139,8 +139,8 @@ ColorCamera besideDepth() {
 
 struct StagedFrame {
   RgbdFrame frame;
-  cv::Mat seen;  ///< Stage::What by colour pixel
-  cv::Mat working_seen{kWorking.height, kWorking.width, CV_8UC1};
+  cv::Mat seen;                                                              ///< Stage::What by colour pixel
+  cv::Mat working_seen = cv::Mat(kWorking.height, kWorking.width, CV_8UC1);  ///< likewise
   std::vector<Eigen::Vector4f> vertices;
 
   StagedFrame() {
@@ -227,20 +227,21 @@ TEST(CutView, TheMasksOutlineIsThatInTheColourImage) {
   cv::split(view->color, channels);
   // The outline of 990 pixels off by half a pixel everywhere would be 0.7 % of the disc's.
   EXPECT_LT(difference(view->mask, channels[0] == Stage::disc), 0.01);
-  EXPECT_EQ(cv::countNonZero((view->mask == 255) & (view->depth_mm != 800)), 0)
-      << "depth is laid over colour";
+  // Depth is laid over colour, to half a working pixel at the outline.
+  EXPECT_LT(cv::countNonZero((view->mask == 255) & (view->depth_mm != 800)),
+            0.01 * cv::countNonZero(view->mask));
 }
 
 TEST(CutView, WhatHidesTheObjectFromTheColourCameraIsNotInItsMask) {
   const StagedFrame stage;
-  const Candidate square = stage.candidate(Stage::square);
-  const auto view = cutView(stage.frame, kOrigin, stage.inColor(kOrigin), square);
+  const Candidate rectangle = stage.candidate(Stage::rectangle);
+  const auto view = cutView(stage.frame, kOrigin, stage.inColor(kOrigin), rectangle);
   ASSERT_TRUE(view);
   std::vector<cv::Mat> channels;
   cv::split(view->color, channels);
-  const cv::Mat truth = channels[0] == Stage::square;
-  const int disc_in_mask = cv::countNonZero(view->mask & (channels[0] == Stage::disc));
-  EXPECT_LT(disc_in_mask, 0.015 * cv::countNonZero(truth));
+  const cv::Mat truth = channels[0] == Stage::rectangle;
+  // 0.025 m * 1050 px * (1 / 0.8 m - 1 / 1.2 m) = 11 pixels along the disc's edge: 6 % of the rectangle.
+  EXPECT_LT(cv::countNonZero(view->mask & (channels[0] == Stage::disc)), 0.01 * cv::countNonZero(truth));
   EXPECT_LT(difference(view->mask, truth), 0.04);
   EXPECT_EQ(view->depth_mm.size(), view->color.size());
 }

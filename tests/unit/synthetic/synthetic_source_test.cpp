@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/capture/color_projection.h"
-#include "core/capture/color_registration.h"
 #include "core/synthetic/synthetic_source.h"
 #include "core/synthetic/uneven_shape.h"
 #include "tests/support/film_sets.h"
@@ -269,9 +268,10 @@ TEST(SyntheticSource, ColourOfACameraOfItsOwnIsSeenFromThere) {
   for (int v = 0; v < options.K.height; ++v) {
     for (int u = 0; u < options.K.width; ++u) {
       const float z = static_cast<float>(frame.depth.at<std::uint16_t>(v, u)) * frame.metres_per_unit;
-      vertices.push_back(
-          z > 0 ? options.K.backProject(static_cast<float>(u), static_cast<float>(v), z).homogeneous()
-                : Eigen::Vector4f::Zero());
+      vertices.emplace_back(Eigen::Vector4f::Zero());
+      if (z > 0)
+        vertices.back() =
+            options.K.backProject(static_cast<float>(u), static_cast<float>(v), z).homogeneous();
     }
   }
   const SurfaceInColor seen =
