@@ -35,7 +35,8 @@ Eigen::Matrix3f toPlaces(const Intrinsics& K) {
 /// Outside the image, and no farther away than arithmetic on pixels bears.
 cv::Vec2f placeOf(const Eigen::Vector3f& p) {
   if (p.z() < kNearest_m) return {-1, -1};
-  return {std::clamp(p.x() / p.z(), -1.0F, 2.0F), std::clamp(p.y() / p.z(), -1.0F, 2.0F)};
+  const float per_depth = 1 / p.z();
+  return {std::clamp(p.x() * per_depth, -1.0F, 2.0F), std::clamp(p.y() * per_depth, -1.0F, 2.0F)};
 }
 
 bool isInside(const cv::Vec2f& place) {
@@ -44,28 +45,31 @@ bool isInside(const cv::Vec2f& place) {
 
 /// `depths_m`: in the colour camera, CV_32FC1, 0 = no surface.
 void markHidden(SurfaceInColor& seen, const cv::Mat& depths_m) {
+  constexpr float kNothing_m = std::numeric_limits<float>::max();
   const cv::Size size = depths_m.size();
-  const auto cellOf = [&](const cv::Vec2f& place) {
-    return cv::Point(static_cast<int>(place[0] * static_cast<float>(size.width)),
-                     static_cast<int>(place[1] * static_cast<float>(size.height)));
+  const auto width = static_cast<float>(size.width);
+  const auto height = static_cast<float>(size.height);
+  cv::Mat nearest(size, CV_32FC1, cv::Scalar(kNothing_m));
+  const auto cellOf = [&](const cv::Vec2f& place) -> float& {
+    return nearest.at<float>(static_cast<int>(place[1] * height), static_cast<int>(place[0] * width));
   };
-  cv::Mat nearest(size, CV_32FC1, cv::Scalar(std::numeric_limits<float>::max()));
   for (int v = 0; v < size.height; ++v) {
+    const auto* places = seen.places.ptr<cv::Vec2f>(v);
+    const auto* row = depths_m.ptr<float>(v);
     for (int u = 0; u < size.width; ++u) {
-      const cv::Vec2f& place = seen.places.at<cv::Vec2f>(v, u);
-      const float depth_m = depths_m.at<float>(v, u);
-      if (depth_m <= 0 || !isInside(place)) continue;
-      float& cell = nearest.at<float>(cellOf(place));
-      cell = std::min(cell, depth_m);
+      if (row[u] <= 0 || !isInside(places[u])) continue;
+      float& cell = cellOf(places[u]);
+      cell = std::min(cell, row[u]);
     }
   }
   cv::morphologyEx(nearest, nearest, cv::MORPH_OPEN, {});  // fills cells that lie between a surface's pixels
   for (int v = 0; v < size.height; ++v) {
+    const auto* places = seen.places.ptr<cv::Vec2f>(v);
+    const auto* row = depths_m.ptr<float>(v);
+    auto* hidden = seen.hidden.ptr<std::uint8_t>(v);
     for (int u = 0; u < size.width; ++u) {
-      const cv::Vec2f& place = seen.places.at<cv::Vec2f>(v, u);
-      const bool is_seen =
-          isInside(place) && depths_m.at<float>(v, u) <= kHidingStep * nearest.at<float>(cellOf(place));
-      if (!is_seen) seen.hidden.at<std::uint8_t>(v, u) = 255;
+      const bool is_seen = isInside(places[u]) && row[u] <= kHidingStep * cellOf(places[u]);
+      hidden[u] = is_seen ? 0 : 255;
     }
   }
 }
@@ -83,19 +87,23 @@ SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const Int
   }
   const Eigen::Matrix3f to_places = toPlaces(camera->K);
   const Eigen::Isometry3d T_color_world = camera->T_color_depth * T_world_depth.inverse();
-  const Eigen::Matrix<float, 3, 4> from_world = to_places * T_color_world.matrix().topRows<3>().cast<float>();
+  Eigen::Matrix4f from_world = Eigen::Matrix4f::Zero();
+  from_world.topRows<3>() = to_places * T_color_world.matrix().topRows<3>().cast<float>();
   const Eigen::Matrix3f from_ray = to_places * camera->T_color_depth.linear().cast<float>();
   seen.places.create(K.height, K.width, CV_32FC2);
   cv::Mat depths_m = cv::Mat::zeros(K.height, K.width, CV_32FC1);
-  std::size_t i = 0;
+  const Eigen::Vector4f* vertex = vertices_world.data();
   for (int v = 0; v < K.height; ++v) {
-    for (int u = 0; u < K.width; ++u, ++i) {
-      const Eigen::Vector4f& vertex = vertices_world[i];
-      const bool has_surface = vertex.w() > 0;
-      Eigen::Vector3f p = from_world * vertex;
-      if (!has_surface) p = from_ray * K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
-      seen.places.at<cv::Vec2f>(v, u) = placeOf(p);
-      if (has_surface) depths_m.at<float>(v, u) = p.z();
+    auto* places = seen.places.ptr<cv::Vec2f>(v);
+    auto* row = depths_m.ptr<float>(v);
+    for (int u = 0; u < K.width; ++u, ++vertex) {
+      if (vertex->w() > 0) {
+        const Eigen::Vector4f p = from_world * *vertex;
+        places[u] = placeOf(p.head<3>());
+        row[u] = p.z();
+      } else {
+        places[u] = placeOf(from_ray * K.backProject(static_cast<float>(u), static_cast<float>(v), 1));
+      }
     }
   }
   markHidden(seen, depths_m);

@@ -43,24 +43,21 @@ cv::Rect2f bounds(const cv::Mat& places, const cv::Mat& mask, const cv::Size& wo
   return {first - half_pixel, last + half_pixel};
 }
 
-/// By how much the surface is shifted in the colour image, in pixels of it, against where colour of the same
-/// camera would show it. Outside `mask` as at the nearest pixel of it.
-cv::Mat shiftsAround(const cv::Mat& mask, const cv::Mat& places, const cv::Rect& box, const cv::Size& working,
-                     const cv::Size& color) {
+/// By how much the surface is shifted in the colour image, in working pixels, against where colour of the
+/// same camera would show it: CV_32FC2 by pixel of `mask`, which is at `origin` of `places`. Outside `mask`
+/// as at the nearest pixel of it.
+cv::Mat shiftsAround(const cv::Mat& mask, const cv::Mat& places, const cv::Point& origin) {
   cv::Mat distances, nearest;
   cv::distanceTransform(mask == 0, distances, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-  const auto shiftAt = [&](const cv::Point& p) {
-    const cv::Vec2f& place = places.at<cv::Vec2f>(p);
-    const float even_x = (static_cast<float>(p.x) + 0.5F) / static_cast<float>(working.width);
-    const float even_y = (static_cast<float>(p.y) + 0.5F) / static_cast<float>(working.height);
-    return cv::Vec2f((place[0] - even_x) * static_cast<float>(color.width),
-                     (place[1] - even_y) * static_cast<float>(color.height));
-  };
   std::vector<cv::Vec2f> shift_of(mask.total() + 1);  // by label
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      shift_of[static_cast<std::size_t>(nearest.at<int>(y, x))] = shiftAt(box.tl() + cv::Point(x, y));
+      const cv::Point p = origin + cv::Point(x, y);
+      const cv::Vec2f& place = places.at<cv::Vec2f>(p);
+      shift_of[static_cast<std::size_t>(nearest.at<int>(y, x))] = {
+          place[0] * static_cast<float>(places.cols) - 0.5F - static_cast<float>(p.x),
+          place[1] * static_cast<float>(places.rows) - 0.5F - static_cast<float>(p.y)};
     }
   }
   cv::Mat shifts(mask.size(), CV_32FC2);
@@ -72,25 +69,27 @@ cv::Mat shiftsAround(const cv::Mat& mask, const cv::Mat& places, const cv::Rect&
   return shifts;
 }
 
-/// For each pixel of the crop `in_color` the pixel of `shifts` that is shifted there, CV_32FC2.
-/// `to_working`: from pixels of colour to those of `shifts`, whose first is at `origin`.
-cv::Mat undoShifts(const cv::Mat& shifts, const cv::Rect& in_color, const cv::Vec2f& to_working,
+/// For each pixel of `crop` of the colour image the pixel of `shifts` that is shifted there, CV_32FC2.
+/// `to_working`: from pixels of colour to working pixels, of which `origin` is the first of `shifts`.
+cv::Mat undoShifts(const cv::Mat& shifts, const cv::Rect& crop, const cv::Vec2f& to_working,
                    const cv::Point& origin) {
   constexpr int kRounds = 2;  // each leaves a tenth of the error: shifts change slowly
-  cv::Mat shift(in_color.size(), CV_32FC2, cv::mean(shifts)), pixels(in_color.size(), CV_32FC2);
-  for (int round = 0;; ++round) {
-    for (int y = 0; y < pixels.rows; ++y) {
-      for (int x = 0; x < pixels.cols; ++x) {
-        const cv::Vec2f& d = shift.at<cv::Vec2f>(y, x);
-        const cv::Vec2f in_even(static_cast<float>(in_color.x + x) + 0.5F - d[0],
-                                static_cast<float>(in_color.y + y) + 0.5F - d[1]);
-        pixels.at<cv::Vec2f>(y, x) = {in_even[0] * to_working[0] - 0.5F - static_cast<float>(origin.x),
-                                      in_even[1] * to_working[1] - 0.5F - static_cast<float>(origin.y)};
-      }
+  cv::Mat shifted(crop.size(), CV_32FC2);
+  for (int y = 0; y < crop.height; ++y) {
+    auto* row = shifted.ptr<cv::Vec2f>(y);
+    const float at_y = (static_cast<float>(crop.y + y) + 0.5F) * to_working[1] - 0.5F;
+    for (int x = 0; x < crop.width; ++x) {
+      const float at_x = (static_cast<float>(crop.x + x) + 0.5F) * to_working[0] - 0.5F;
+      row[x] = {at_x - static_cast<float>(origin.x), at_y - static_cast<float>(origin.y)};
     }
-    if (round == kRounds) return pixels;
-    cv::remap(shifts, shift, pixels, {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   }
+  cv::Mat pixels = shifted - cv::mean(shifts);
+  for (int round = 0; round < kRounds; ++round) {
+    cv::Mat shift;
+    cv::remap(shifts, shift, pixels, {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    cv::subtract(shifted, shift, pixels);
+  }
+  return pixels;
 }
 
 cv::Mat visiblePart(const SurfaceInColor& in_color, const Candidate& candidate) {
@@ -131,8 +130,7 @@ std::optional<ObjectView> cutView(const RgbdFrame& frame, const Eigen::Isometry3
   cv::copyMakeBorder(visible, visible, kMargin_px, kMargin_px, kMargin_px, kMargin_px, cv::BORDER_CONSTANT,
                      0);
   const cv::Point origin = candidate.box_px.tl() - cv::Point(kMargin_px, kMargin_px);
-  const cv::Rect around(origin, visible.size());
-  const cv::Mat shifts = shiftsAround(visible, in_color.places, around, working, color);
+  const cv::Mat shifts = shiftsAround(visible, in_color.places, origin);
   const cv::Vec2f to_working(static_cast<float>(working.width) / static_cast<float>(color.width),
                              static_cast<float>(working.height) / static_cast<float>(color.height));
   const cv::Mat pixels = undoShifts(shifts, crop, to_working, origin);
