@@ -1,5 +1,6 @@
 #include "core/scan/candidate_crop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
