@@ -1,45 +1,29 @@
 #include "app/scan_options.h"
 
-#include <cmath>
-
 #include "app/number_check.h"
 #include "core/base/text.h"
-#include "core/capture/camera_intrinsics.h"
+#include "core/capture/color_registration.h"
 #include "core/capture/source_options.h"
 #include "core/scan/param_registry.h"
 
 namespace scantrove {
 namespace {
 
-/// `count` numbers separated by commas, or wrong usage.
-std::vector<float> numbersFrom(const std::string& option, const std::string& text, std::size_t count,
-                               const std::string& advice) {
-  const auto numbers = parseNumbers(text);
-  if (!numbers || numbers->size() != count) {
-    throw CLI::ValidationError(option,
-                               "'" + text + "' is not " + std::to_string(count) + " numbers: " + advice);
-  }
-  return {numbers->begin(), numbers->end()};
-}
-
 Intrinsics intrinsicsFrom(const std::string& text) {
-  const auto values =
-      numbersFrom("--intrinsics", text, 4, "fx,fy,cx,cy in pixels, for example 525,525,319.5,239.5");
-  return {values[0], values[1], values[2], values[3], 0, 0};
+  const auto values = parseNumbers(text);
+  if (!values || values->size() != 4) {
+    throw CLI::ValidationError(
+        "--intrinsics",
+        "'" + text + "' is not 4 numbers: fx,fy,cx,cy in pixels, for example 525,525,319.5,239.5");
+  }
+  const auto at = [&](std::size_t i) { return static_cast<float>((*values)[i]); };
+  return {at(0), at(1), at(2), at(3), 0, 0};
 }
 
-ColorCamera colorCameraFrom(const std::string& text) {
-  if (text == "registered") return {};
-  const auto values = numbersFrom(
-      "--color-camera", text, 5,
-      "'registered', or fx,fy,cx,cy in pixels and x in metres, for example 525,525,320,240,-0.025");
-  const ColorCamera camera{values[0], values[1], values[2], values[3], values[4]};
-  const Intrinsics K{camera.fx, camera.fy, camera.cx, camera.cy, 0, 0};
-  const bool is_near = std::abs(camera.offset_x_m) < 1;
-  if (!checkFocalLengths(K, "--color-camera") || !is_near) {
-    throw CLI::ValidationError("--color-camera", "'" + text + "' is no camera beside the depth camera");
-  }
-  return camera;
+ColorRegistration colorRegistrationFrom(const std::string& text) {
+  const auto parsed = parseColorRegistration(text);
+  if (!parsed) throw CLI::ValidationError("--color-registration", parsed.error().message());
+  return *parsed;
 }
 
 }  // namespace
@@ -57,10 +41,13 @@ void ScanOptions::addSourceTo(CLI::App& command) {
       ->type_name("S");
   command
       .add_option(
-          "--color-camera", color_camera,
-          "colour camera of folders whose colour is not registered to depth: its pixels, and x (in metres)\n"
-          "of a point less its x for the depth camera; 'registered' if it is (7-Scenes: its own Kinect)")
-      ->type_name("registered|fx,fy,cx,cy,x");
+          "--color-registration", color_registration,
+          "how colour lies over depth: 'registered', 'kinect' (a Kinect v1 as it leaves the factory), or "
+          "the\n"
+          "colour camera: its pixels, and of a point its x (or x,y,z; or x,y,z and a rotation) in the "
+          "colour\n"
+          "camera less that in the depth camera, in metres and degrees (default: what the source says)")
+      ->type_name("registered|kinect|fx,fy,cx,cy,x[,y,z[,rx,ry,rz]]");
 }
 
 void ScanOptions::addTo(CLI::App& command) {
@@ -85,7 +72,9 @@ SourceOptions ScanOptions::toSourceOptions() const {
   if (frames > 0) source_options.frames = frames;
   if (depth_scale > 0) source_options.depth_scale = depth_scale;
   if (!intrinsics.empty()) source_options.intrinsics = intrinsicsFrom(intrinsics);
-  if (!color_camera.empty()) source_options.color_camera = colorCameraFrom(color_camera);
+  if (!color_registration.empty()) {
+    source_options.color_registration = colorRegistrationFrom(color_registration);
+  }
   if (const auto checked = checkSourceOptions(source_options); !checked) {
     throw CLI::ValidationError(checked.error().message(), CLI::ExitCodes::ValidationError);
   }

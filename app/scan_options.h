@@ -14,9 +14,9 @@ struct ScanOptions {
   int start = 0;
   int stride = 1;
   std::string poses = "tracked";
-  std::string intrinsics;    ///< "fx,fy,cx,cy", or empty
-  std::string color_camera;  ///< "registered" or "fx,fy,cx,cy,x"; empty = the source's
-  double depth_scale = 0;    ///< units per metre; 0 = the source's
+  std::string intrinsics;          ///< "fx,fy,cx,cy", or empty
+  std::string color_registration;  ///< as parseColorRegistration() reads it; empty = the source's
+  double depth_scale = 0;          ///< units per metre; 0 = the source's
   std::string config;
   std::vector<std::string> settings;
   std::string device;

@@ -7,6 +7,7 @@
 
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/capture/pose_files.h"
 
 namespace scantrove {
 
@@ -34,6 +35,31 @@ std::string sizeText(const Intrinsics& K) { return std::to_string(K.width) + "x"
 
 std::string describe(const Intrinsics& K) {
   return text(K.fx) + "," + text(K.fy) + "," + text(K.cx) + "," + text(K.cy);
+}
+
+Result<Intrinsics> intrinsicsFrom(const nlohmann::json& json, const std::filesystem::path& file) {
+  const auto matrix = json.at("intrinsic_matrix").get<std::vector<float>>();
+  if (matrix.size() != 9) {
+    return fail(file.string() + ": intrinsic_matrix has " + std::to_string(matrix.size()) +
+                " values, not 9.");
+  }
+  return Intrinsics{
+      matrix[0], matrix[4], matrix[6], matrix[7], json.value("width", 0), json.value("height", 0)};
+}
+
+Result<ColorCamera> colorCameraFrom(const nlohmann::json& json, const std::filesystem::path& file) {
+  ColorCamera camera;
+  SCANTROVE_TRY(moveInto(camera.K, intrinsicsFrom(json, file)));
+  const auto values = json.at("T_color_depth").get<std::vector<double>>();
+  const bool is_matrix = values.size() == 16;
+  const auto motion =
+      is_matrix ? rigidMotion(Eigen::Map<const Eigen::Matrix4d>(values.data()).transpose()) : std::nullopt;
+  if (!motion) {
+    return fail(file.string() + ": T_color_depth is no rigid motion of 16 values.",
+                "Correct it, or give --color-registration.");
+  }
+  camera.T_color_depth = *motion;
+  return camera;
 }
 
 }  // namespace
@@ -98,18 +124,18 @@ Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
   }
   try {
     const nlohmann::json json = nlohmann::json::parse(*text);
-    const auto matrix = json.at("intrinsic_matrix").get<std::vector<float>>();
-    if (matrix.size() != 9) {
-      return fail(file.string() + ": intrinsic_matrix has " + std::to_string(matrix.size()) +
-                  " values, not 9.");
-    }
-    CameraModel model{
-        {matrix[0], matrix[4], matrix[6], matrix[7], json.value("width", 0), json.value("height", 0)},
-        std::nullopt};
+    CameraModel model;
+    SCANTROVE_TRY(moveInto(model.K, intrinsicsFrom(json, file)));
     if (json.contains("depth_scale")) {
       model.units_per_metre = json.at("depth_scale").get<double>();
     }
-    model.color_is_registered = json.value("color_registered", false);
+    if (json.contains("color_camera")) {
+      ColorCamera camera;
+      SCANTROVE_TRY(moveInto(camera, colorCameraFrom(json.at("color_camera"), file)));
+      model.color = ColorRegistration{camera};
+    } else if (json.value("color_registered", false)) {
+      model.color = ColorRegistration{};
+    }
     return model;
   } catch (const nlohmann::json::exception& exception) {
     return fail(file.string() + " is no Open3D camera: " + exception.what() + ".",

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "core/capture/color_camera.h"
 #include "core/capture/intrinsics.h"
 
 namespace scantrove {
@@ -10,8 +11,8 @@ namespace scantrove {
 /// A camera whose image size may be unknown yet.
 struct CameraModel {
   Intrinsics K;  ///< width and height 0: the values hold for the recording's images, whatever their size
-  std::optional<double> units_per_metre;  ///< of the depth images, where the file says so
-  bool color_is_registered = false;       ///< to depth: the file says so
+  std::optional<double> units_per_metre;        ///< of the depth images, where the file says so
+  std::optional<ColorRegistration> color = {};  ///< where the file says it
 };
 
 /// 525 525 319.5 239.5 at 640x480: the usual guess for a PrimeSense camera (Kinect, Xtion).
@@ -30,8 +31,9 @@ inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F
 /// Reads a 3x3 matrix, row by row (7-Scenes' `camera-intrinsics.txt`). Error: names the file.
 [[nodiscard]] Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file);
 
-/// Reads Open3D's JSON: `width`, `height`, `intrinsic_matrix` (nine values, column by column), and
-/// `depth_scale` (units per metre) and `color_registered` where they are there. Error: names the file.
+/// Reads Open3D's JSON: `width`, `height`, `intrinsic_matrix` (nine values, column by column), and where they
+/// are there `depth_scale` (units per metre), `color_registered`, and `color_camera`: the first three again,
+/// and `T_color_depth` (sixteen values, row by row). Error: names the file.
 [[nodiscard]] Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file);
 
 /// Looks for `camera-intrinsics.txt`, `intrinsic.json`, `camera_intrinsic.json` in a recording's folder and

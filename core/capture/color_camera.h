@@ -1,14 +1,22 @@
 #pragma once
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "core/capture/intrinsics.h"
 
 namespace scantrove {
 
-/// A colour camera beside the depth camera, looking the same way.
+/// A colour camera of its own beside the depth camera, fixed to it.
 struct ColorCamera {
-  float fx = 0, fy = 0, cx = 0,
-        cy = 0;          ///< of the colour image, pixels; all 0: the images are registered already
-  float offset_x_m = 0;  ///< x of a point in the colour camera's frame less its x in the depth camera's
+  Intrinsics K;  ///< of the colour images
+  Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
+};
 
-  bool operator==(const ColorCamera&) const = default;
+/// How the colour images of a recording lie over its depth images, before the images' sizes are known.
+struct ColorRegistration {
+  /// What made the colour images; none: they are registered, that is they show what the depth images show,
+  /// scaled. K for images of K.width x K.height; both 0: for the recording's, whatever their size.
+  std::optional<ColorCamera> camera;
 };
 
 }  // namespace scantrove

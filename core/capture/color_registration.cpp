@@ -1,40 +1,86 @@
 #include "core/capture/color_registration.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
-#include <vector>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/text.h"
+#include "core/capture/camera_intrinsics.h"
 
 namespace scantrove {
 namespace {
 
-/// Median of the readings on a grid of every 8th pixel; empty depth: infinitely far.
-float inverseMedianDepth(const cv::Mat& depth, float metres_per_unit) {
-  std::vector<std::uint16_t> readings;
-  for (int row = 0; row < depth.rows; row += 8) {
-    for (int column = 0; column < depth.cols; column += 8) {
-      if (const auto reading = depth.at<std::uint16_t>(row, column); reading != 0)
-        readings.push_back(reading);
-    }
-  }
-  if (readings.empty()) return 0;
-  const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
-  std::nth_element(readings.begin(), middle, readings.end());
-  return 1.0F / (static_cast<float>(*middle) * metres_per_unit);
+constexpr const char* kRegistrationAdvice =
+    "Give --color-registration registered, kinect, or the colour camera: fx,fy,cx,cy in pixels and x (or "
+    "x,y,z, or x,y,z,rx,ry,rz) of T_color_depth in metres and degrees, e.g. 525,525,319.5,239.5,-0.025.";
+constexpr double kFarthest_m = 1;
+
+std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+bool haveOneShape(const cv::Size& size, const Intrinsics& K) {
+  return size.width * K.height == size.height * K.width;
 }
 
 }  // namespace
 
-cv::Mat registerColor(const cv::Mat& color, const ColorCamera& camera, const cv::Mat& depth,
-                      float metres_per_unit, const Intrinsics& K) {
-  // From the depth image's pixel to the colour image's, at the median depth.
-  const float sx = camera.fx / K.fx;
-  const float sy = camera.fy / K.fy;
-  const float shift = camera.fx * camera.offset_x_m * inverseMedianDepth(depth, metres_per_unit);
-  const cv::Matx23f to_color(sx, 0, camera.cx - sx * K.cx + shift, 0, sy, camera.cy - sy * K.cy);
-  cv::Mat registered;
-  cv::warpAffine(color, registered, to_color, {K.width, K.height}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                 cv::BORDER_REPLICATE);
-  return registered;
+ColorCamera kinectColorCamera() {
+  ColorCamera camera{{528, 528, 320, 240, 640, 480}};
+  camera.T_color_depth.translation().x() = -0.025;
+  return camera;
+}
+
+Result<ColorRegistration> parseColorRegistration(const std::string& text) {
+  if (text == "registered") return ColorRegistration{};
+  if (text == "kinect") return ColorRegistration{kinectColorCamera()};
+  const auto values = parseNumbers(text);
+  const std::size_t count = values ? values->size() : 0;
+  if (count != 5 && count != 7 && count != 10) {
+    return fail("'" + text + "' does not say how colour lies over depth.", kRegistrationAdvice);
+  }
+  if (!std::ranges::all_of(*values, [](double value) { return std::isfinite(value); })) {
+    return fail("'" + text + "' has values that are not finite.", kRegistrationAdvice);
+  }
+  const auto at = [&](std::size_t i) { return i < count ? (*values)[i] : 0.0; };
+  const auto pixels = [&](std::size_t i) { return static_cast<float>(at(i)); };
+  ColorCamera camera{{pixels(0), pixels(1), pixels(2), pixels(3), 0, 0}};
+  if (const auto checked = checkFocalLengths(camera.K, "--color-registration"); !checked) {
+    return fail(checked.error().what, kRegistrationAdvice);
+  }
+  const Eigen::Vector3d offset_m(at(4), at(5), at(6));
+  if (offset_m.norm() > kFarthest_m) {
+    return fail("'" + text + "': a colour camera more than 1 m away from the depth camera.",
+                kRegistrationAdvice);
+  }
+  const Eigen::Vector3d turn = Eigen::Vector3d(at(7), at(8), at(9)) * std::numbers::pi / 180;
+  camera.T_color_depth.translation() = offset_m;
+  if (turn.norm() > 0) {
+    camera.T_color_depth.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  }
+  return ColorRegistration{camera};
+}
+
+Result<std::optional<ColorCamera>> colorCameraFor(const ColorRegistration& registration, const cv::Size& size,
+                                                  const Intrinsics& depth_K, const std::string& source) {
+  const std::string images = "the colour images are " + sizeText(size.width, size.height);
+  if (!registration.camera) {
+    // Registered images of one camera have one shape; a smaller colour or depth image is the same view
+    // resized.
+    if (haveOneShape(size, depth_K)) return std::optional<ColorCamera>();
+    return fail(source + ": " + images + ", the depth images " + sizeText(depth_K.width, depth_K.height) +
+                    ", so they cannot be registered.",
+                kRegistrationAdvice);
+  }
+  ColorCamera camera = *registration.camera;
+  if (camera.K.width > 0 && camera.K.height > 0 && !haveOneShape(size, camera.K)) {
+    return fail(source + ": " + images + "; its colour camera is known for " +
+                    sizeText(camera.K.width, camera.K.height) + " only.",
+                kRegistrationAdvice);
+  }
+  camera.K = fitToImages({camera.K, std::nullopt}, size.width, size.height);
+  if (const auto checked = checkIntrinsics(camera.K, "colour camera of " + source); !checked) {
+    return fail(checked.error().what, kRegistrationAdvice);
+  }
+  return std::optional(camera);
 }
 
 }  // namespace scantrove

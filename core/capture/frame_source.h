@@ -53,9 +53,8 @@ struct SourceOptions {
   std::optional<int> frames;  ///< at most so many
   std::optional<Intrinsics>
       intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
-  std::optional<double> depth_scale;        ///< units per metre; overrides the source's
-  std::optional<ColorCamera> color_camera;  ///< of folders whose colour was not registered to depth;
-                                            ///< overrides what the layout implies
+  std::optional<double> depth_scale;                    ///< units per metre; overrides the source's
+  std::optional<ColorRegistration> color_registration;  ///< overrides the source's
 };
 
 }  // namespace scantrove

@@ -1,8 +1,8 @@
 #include "core/capture/image_sequence.h"
 
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "core/capture/color_registration.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_file.h"
@@ -51,11 +51,12 @@ Result<Images> readImages(const ImageSequenceEntry& entry, bool has_color) {
 class ImageSequenceSource final : public FrameSource {
  public:
   ImageSequenceSource(ImageSequence sequence, std::vector<std::size_t> selected, SourceInfo info,
-                      cv::Size color_size, double metres_per_unit)
+                      cv::Size color_size, std::optional<ColorCamera> color_camera, double metres_per_unit)
       : sequence_(std::move(sequence)),
         selected_(std::move(selected)),
         info_(std::move(info)),
         color_size_(color_size),
+        color_camera_(std::move(color_camera)),
         metres_per_unit_(static_cast<float>(metres_per_unit)) {}
 
   const SourceInfo& info() const override { return info_; }
@@ -80,17 +81,9 @@ class ImageSequenceSource final : public FrameSource {
                   : problem.error();
       return read;
     }
-    const cv::Size frame_size(info_.intrinsics.width, info_.intrinsics.height);
-    if (sequence_.has_color && sequence_.color_camera) {
-      images->color = registerColor(images->color, *sequence_.color_camera, images->depth, metres_per_unit_,
-                                    info_.intrinsics);
-    } else if (sequence_.has_color && images->color.size() != frame_size) {
-      cv::Mat resized;
-      cv::resize(images->color, resized, frame_size, 0, 0, cv::INTER_AREA);
-      images->color = resized;
-    }
     read.status = FrameRead::Status::frame;
     read.frame.color = std::move(images->color);
+    read.frame.color_camera = color_camera_;
     read.frame.depth = std::move(images->depth);
     read.frame.T_world_camera = poseOf(entry);
     return read;
@@ -122,6 +115,7 @@ class ImageSequenceSource final : public FrameSource {
   std::vector<std::size_t> selected_;
   SourceInfo info_;
   cv::Size color_size_;
+  std::optional<ColorCamera> color_camera_;
   float metres_per_unit_;
   std::size_t position_ = 0;
 };
@@ -157,16 +151,6 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   }
   const cv::Size size = first->depth.size();
   const cv::Size color_size = sequence.has_color ? first->color.size() : size;
-  if (options.color_camera) {
-    const bool is_registered = *options.color_camera == ColorCamera{};
-    sequence.color_camera = is_registered ? std::nullopt : options.color_camera;
-  }
-  // Registered images of one camera have one shape; a smaller colour or depth image is the same view resized.
-  if (!sequence.color_camera && color_size.width * size.height != color_size.height * size.width) {
-    return fail(sequence.folder.string() + ": the colour images are " + sizeText(color_size) +
-                    ", the depth images " + sizeText(size) + ".",
-                "They must show the same view: register and crop them to one shape, or give --color-camera.");
-  }
   if (options.intrinsics) {
     sequence.camera.K = *options.intrinsics;
     sequence.camera.K.width = sequence.camera.K.height = 0;
@@ -179,6 +163,13 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   info.frame_count = static_cast<int>(selected->size());
   info.has_poses = sequence.has_poses;
   SCANTROVE_TRY(checkIntrinsics(info.intrinsics, sequence.camera_origin));
+  std::optional<ColorCamera> color_camera;
+  if (sequence.has_color) {
+    const ColorRegistration color =
+        options.color_registration.value_or(sequence.camera.color.value_or(sequence.color));
+    SCANTROVE_TRY(
+        moveInto(color_camera, colorCameraFor(color, color_size, info.intrinsics, sequence.folder.string())));
+  }
 
   const double units_per_metre =
       options.depth_scale.value_or(sequence.camera.units_per_metre.value_or(sequence.units_per_metre));
@@ -186,7 +177,7 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
       checkDepthScale(units_per_metre, options.depth_scale ? "--depth-scale" : sequence.camera_origin));
   warnOfImplausibleDepth(first->depth, 1.0 / units_per_metre, info.name);
   return std::make_unique<ImageSequenceSource>(std::move(sequence), std::move(*selected), std::move(info),
-                                               color_size, 1.0 / units_per_metre);
+                                               color_size, std::move(color_camera), 1.0 / units_per_metre);
 }
 
 }  // namespace scantrove

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/capture/camera_intrinsics.h"
-#include "core/capture/color_registration.h"
 #include "core/capture/frame_source.h"
 
 namespace scantrove {
@@ -30,13 +29,13 @@ struct ImageSequence {
   double units_per_metre = 1000;            ///< SourceOptions override it
   bool has_color = true;                    ///< false: depth only; else a frame without colour is skipped
   bool has_poses = false;
-  std::optional<ColorCamera> color_camera;  ///< where colour was recorded by another camera, unregistered
+  ColorRegistration color;  ///< of the layout; `camera` and SourceOptions override it
 };
 
 /// Makes a source of it: selects the frames, and decodes the first usable one to learn the image size, which
 /// decides the intrinsics. Per frame: skipped if an image is missing, damaged, of a wrong type or of another
 /// size than the first frame's; a pose that cannot be used leaves the frame without one. Failed once the
-/// folder is gone. Error: bad options, no frame can be used, colour and depth of different shape.
+/// folder is gone. Error: bad options, no frame can be used, colour that does not fit its registration.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence,
                                                                      const SourceOptions& options);
 

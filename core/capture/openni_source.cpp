@@ -3,11 +3,11 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "core/capture/camera_intrinsics.h"
 #include "core/capture/cameras.h"
+#include "core/capture/color_registration.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/oni_file.h"
 #include "core/capture/openni_streams.h"
@@ -27,10 +27,12 @@ constexpr double kColorLag_s = 0.020;       // a little more than half a frame a
 
 class OpenNiSource final : public FrameSource {
  public:
-  OpenNiSource(std::unique_ptr<OpenNiStreams> streams, SourceInfo info, double metres_per_unit,
+  OpenNiSource(std::unique_ptr<OpenNiStreams> streams, SourceInfo info,
+               Result<std::optional<ColorCamera>> color_camera, double metres_per_unit,
                const SourceOptions& options, int available)
       : streams_(std::move(streams)),
         info_(std::move(info)),
+        color_camera_(std::move(color_camera)),
         metres_per_unit_(metres_per_unit),
         options_(options),
         available_(available) {}
@@ -112,14 +114,17 @@ class OpenNiSource final : public FrameSource {
     read.frame.timestamp_s = depth.timestamp_s;
     read.frame.metres_per_unit = static_cast<float>(metres_per_unit_);
     read.frame.depth = depth.image;
-    read.frame.color = colorFor(depth);
+    if (color_camera_) {
+      read.frame.color = colorFor(depth);
+      read.frame.color_camera = *color_camera_;
+    }
     if (!info_.is_live && read.frame.index == options_.start) {
       warnOfImplausibleDepth(read.frame.depth, metres_per_unit_, info_.name);
     }
     return read;
   }
 
-  /// The nearer of the last two, at the depth's size; empty if none has its shape.
+  /// The nearer of the last two; empty if there is none, or it is damaged.
   [[nodiscard]] cv::Mat colorFor(const OpenNiImage& depth) const {
     const auto distance = [&](const std::optional<OpenNiImage>& color) {
       return color ? std::abs(color->timestamp_s - depth.timestamp_s) : INFINITY;
@@ -128,16 +133,7 @@ class OpenNiSource final : public FrameSource {
       return {};
     }
     const cv::Mat& color = (distance(older_color_) < distance(color_) ? older_color_ : color_)->image;
-    const cv::Size size = depth.image.size();
-    if (color.empty() || color.size() == size) {
-      return color;
-    }
-    if (color.cols * size.height != color.rows * size.width) {
-      return {};
-    }
-    cv::Mat resized;
-    cv::resize(color, resized, size, 0, 0, cv::INTER_AREA);
-    return resized;
+    return color.size() == streams_->colorSize() ? color : cv::Mat();
   }
 
   FrameRead nothingInTime() {
@@ -159,6 +155,7 @@ class OpenNiSource final : public FrameSource {
 
   std::unique_ptr<OpenNiStreams> streams_;
   SourceInfo info_;
+  Result<std::optional<ColorCamera>> color_camera_;  // error: colour is of no use
   double metres_per_unit_;
   SourceOptions options_;
   int available_;  // depth frames of a recording; 0: live, or unknown
@@ -199,8 +196,15 @@ Result<std::unique_ptr<FrameSource>> makeSource(std::unique_ptr<OpenNiStreams> s
     info.frame_count = static_cast<int>(selected->size());
   }
   const double metres_per_unit = options.depth_scale ? 1.0 / *options.depth_scale : streams->metresPerUnit();
-  return std::make_unique<OpenNiSource>(std::move(streams), std::move(info), metres_per_unit, options,
-                                        available);
+  Result<std::optional<ColorCamera>> color_camera;
+  if (streams->hasColor()) {
+    const ColorRegistration color = options.color_registration.value_or(ColorRegistration{});
+    color_camera = colorCameraFor(color, streams->colorSize(), info.intrinsics, name);
+    if (!color_camera && options.color_registration) return fail(color_camera.error());
+    if (!color_camera) spdlog::warn("{} Going on without colour.", color_camera.error().message());
+  }
+  return std::make_unique<OpenNiSource>(std::move(streams), std::move(info), std::move(color_camera),
+                                        metres_per_unit, options, available);
 }
 
 }  // namespace
@@ -222,7 +226,8 @@ Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri, const So
     SCANTROVE_TRY(checkOniFile(chosen));
   }
   auto streams = std::make_unique<OpenNiStreams>();
-  if (const auto opened = streams->open(chosen); !opened) {
+  const bool is_to_register = !options.color_registration || !options.color_registration->camera;
+  if (const auto opened = streams->open(chosen, is_to_register); !opened) {
     return fail(opened.error().what, opened.error().advice.empty() ? cameraAdvice() : opened.error().advice);
   }
   const std::string name = streams->name();
@@ -233,7 +238,7 @@ Result<std::unique_ptr<FrameSource>> openOniRecording(const std::filesystem::pat
                                                       const SourceOptions& options) {
   SCANTROVE_TRY(checkOniFile(file));
   auto streams = std::make_unique<OpenNiStreams>();
-  if (const auto opened = streams->open(file.string()); !opened) {
+  if (const auto opened = streams->open(file.string(), true); !opened) {
     return fail(opened.error().what, opened.error().advice.empty()
                                          ? "Is the file a complete OpenNI recording?"
                                          : opened.error().advice);

@@ -8,8 +8,9 @@
 namespace scantrove {
 
 /// Opens a live camera by its OpenNI2 URI; empty: the first that is plugged in. Depth registered to colour
-/// and the two synchronised where the camera can, mirroring off. next() waits a second at most (timeout); an
-/// unplugged camera is `failed`. Error: no camera found, or it cannot be opened; says what to check.
+/// (unless `options` name a colour camera) and the two synchronised where the camera can, mirroring off.
+/// next() waits a second at most (timeout); an unplugged camera is `failed`. Error: no camera found, or it
+/// cannot be opened; says what to check.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri,
                                                               const SourceOptions& options);
 

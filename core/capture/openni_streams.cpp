@@ -78,6 +78,11 @@ void unmirror(cv::Mat& image, bool is_mirrored) {
   }
 }
 
+cv::Size sizeOf(const openni::VideoStream& stream) {
+  const openni::VideoMode mode = stream.getVideoMode();
+  return {mode.getResolutionX(), mode.getResolutionY()};
+}
+
 double seconds(const openni::VideoFrameRef& frame) {
   return static_cast<double>(frame.getTimestamp()) * 1e-6;
 }
@@ -112,7 +117,7 @@ OpenNiStreams::~OpenNiStreams() {
   handles_->device.close();
 }
 
-Result<void> OpenNiStreams::open(const std::string& uri) {
+Result<void> OpenNiStreams::open(const std::string& uri, bool is_to_register) {
   SCANTROVE_TRY(initialiseOpenNi());
   if (handles_->device.open(uri.c_str()) != openni::STATUS_OK) {
     return fail("OpenNI2 cannot open " + uri + ": " + openNiError() + ".");
@@ -133,7 +138,7 @@ Result<void> OpenNiStreams::open(const std::string& uri) {
     handles_->device.getPlaybackControl()->setRepeatEnabled(false);
     handles_->device.getPlaybackControl()->setSpeed(-1.0F);  // as fast as frames are read
   } else {
-    configureCamera();
+    configureCamera(is_to_register);
   }
   if (handles_->depth.start() != openni::STATUS_OK ||
       (hasColor() && handles_->color.start() != openni::STATUS_OK)) {
@@ -148,7 +153,7 @@ Result<void> OpenNiStreams::open(const std::string& uri) {
   return {};
 }
 
-void OpenNiStreams::configureCamera() {
+void OpenNiStreams::configureCamera(bool is_to_register) {
   chooseMode(handles_->depth, openni::PIXEL_FORMAT_DEPTH_1_MM);
   handles_->depth.setMirroringEnabled(false);
   if (!hasColor()) {
@@ -156,8 +161,10 @@ void OpenNiStreams::configureCamera() {
   }
   chooseMode(handles_->color, openni::PIXEL_FORMAT_RGB888);
   handles_->color.setMirroringEnabled(false);
-  if (handles_->device.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR)) {
-    handles_->device.setImageRegistrationMode(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR);
+  const auto mode =
+      is_to_register ? openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR : openni::IMAGE_REGISTRATION_OFF;
+  if (handles_->device.isImageRegistrationModeSupported(mode)) {
+    handles_->device.setImageRegistrationMode(mode);
   }
   handles_->device.setDepthColorSyncEnabled(
       true);  // a camera that cannot says so; frames are paired by time anyway
@@ -172,10 +179,9 @@ double OpenNiStreams::metresPerUnit() const {
   return handles_->depth.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
 }
 
-cv::Size OpenNiStreams::size() const {
-  const openni::VideoMode mode = handles_->depth.getVideoMode();
-  return {mode.getResolutionX(), mode.getResolutionY()};
-}
+cv::Size OpenNiStreams::size() const { return sizeOf(handles_->depth); }
+
+cv::Size OpenNiStreams::colorSize() const { return sizeOf(handles_->color); }
 
 std::optional<Intrinsics> OpenNiStreams::intrinsics() const {
   const auto width = static_cast<float>(size().width);

@@ -26,8 +26,9 @@ class OpenNiStreams {
   OpenNiStreams& operator=(const OpenNiStreams&) = delete;
   ~OpenNiStreams();
 
-  /// Opens and starts the device `uri`. A camera is set to 640x480 where it can. Error: OpenNI2's words.
-  [[nodiscard]] Result<void> open(const std::string& uri);
+  /// Opens and starts the device `uri`. A camera is set to 640x480 where it can, and registers depth to
+  /// colour if it is to and can. Error: OpenNI2's words.
+  [[nodiscard]] Result<void> open(const std::string& uri, bool is_to_register);
 
   [[nodiscard]] bool isRecording() const { return handles_->device.isFile(); }
   [[nodiscard]] std::string name() const { return handles_->device.getDeviceInfo().getName(); }
@@ -36,7 +37,8 @@ class OpenNiStreams {
   [[nodiscard]] double metresPerUnit() const;
   /// From the field of view and the depth stream's size; empty if the device does not say.
   [[nodiscard]] std::optional<Intrinsics> intrinsics() const;
-  [[nodiscard]] cv::Size size() const;  ///< of the depth images
+  [[nodiscard]] cv::Size size() const;       ///< of the depth images
+  [[nodiscard]] cv::Size colorSize() const;  ///< of the colour images; only with hasColor()
 
   /// What wait() gave: one of both, or nothing in time.
   struct Arrival {
@@ -47,7 +49,7 @@ class OpenNiStreams {
   [[nodiscard]] Result<Arrival> wait(std::chrono::milliseconds timeout);
 
  private:
-  void configureCamera();
+  void configureCamera(bool is_to_register);
 
   /// OpenNI2's own objects, apart so that they can outlive this one (see the destructor).
   struct Handles {

@@ -50,6 +50,19 @@ Json instancesToJson(const std::vector<InstanceName>& instances) {
   return all;
 }
 
+Json toJson(const Intrinsics& K) {
+  return {{"width", K.width},
+          {"height", K.height},
+          {"intrinsic_matrix", {K.fx, 0, 0, 0, K.fy, 0, K.cx, K.cy, 1}}};  // column by column
+}
+
+Json toJson(const ColorCamera& camera) {
+  Json json = toJson(camera.K);
+  const Eigen::Matrix4d by_columns = camera.T_color_depth.matrix().transpose();
+  json["T_color_depth"] = std::vector<double>(by_columns.data(), by_columns.data() + 16);
+  return json;
+}
+
 }  // namespace
 
 Result<RecordingWriter> RecordingWriter::create(const fs::path& folder, const SourceInfo& info) {
@@ -78,13 +91,11 @@ Result<void> RecordingWriter::add(const RgbdFrame& frame) {
 }
 
 Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) const {
-  const Intrinsics& K = info_.intrinsics;
+  Json camera = toJson(info_.intrinsics);
   const double units_per_metre = 1.0 / double{frame.metres_per_unit};
-  const Json camera{{"width", K.width},
-                    {"height", K.height},
-                    {"intrinsic_matrix", {K.fx, 0, 0, 0, K.fy, 0, K.cx, K.cy, 1}},  // column by column
-                    {"depth_scale", std::round(units_per_metre * 1e3) / 1e3},
-                    {"color_registered", true}};
+  camera["depth_scale"] = std::round(units_per_metre * 1e3) / 1e3;
+  camera["color_registered"] = !frame.color_camera;
+  if (frame.color_camera) camera["color_camera"] = toJson(*frame.color_camera);
   return write(folder_ / "intrinsic.json", camera.dump(1) + '\n');
 }
 

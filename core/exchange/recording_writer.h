@@ -10,9 +10,8 @@ namespace scantrove {
 ///
 ///     frame-NNNNNN.color.png .depth.png .pose.txt   what of these the frames have; NNNNNN is their index
 ///     frame-NNNNNN.instance.png                     16 bit, 0 = nothing; where the frames carry truth
-///     intrinsic.json                                camera, depth units a metre; colour is registered to
-///     depth instances.json                                [{id, name, object, extent_m}]; where the frames
-///     carry truth
+///     intrinsic.json                                camera, depth units a metre, how colour lies over depth
+///     instances.json                                [{id, name, object, extent_m}]; likewise
 ///
 /// A frame is there whole or not at all. The layout has no times: a reader takes NNNNNN / 30.
 class RecordingWriter {

@@ -1,7 +1,8 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <optional>
 
-#include "core/capture/intrinsics.h"
+#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_record.h"
 #include "core/discovery/candidate.h"
@@ -12,10 +13,15 @@ namespace scantrove {
 [[nodiscard]] Eigen::Vector3f directionOf(const Candidate& candidate,
                                           const Eigen::Isometry3d& T_world_camera);
 
-/// The view of a candidate in one frame: colour of full resolution, mask, depth in millimetres, pose,
-/// direction (thesis 5.1.1). The crop is the candidate's box, brought from the working to the colour image's
-/// resolution.
-[[nodiscard]] ObjectView cutView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
-                                 const Intrinsics& working_K, const Candidate& candidate);
+/// The box of a candidate in fractions of the colour image's width and height; may reach beyond it.
+[[nodiscard]] cv::Rect2f boxInColor(const SurfaceInColor& in_color, const Candidate& candidate);
+
+/// The view of a candidate in one frame: colour and mask at the colour image's own resolution, depth in
+/// millimetres (as the depth camera measured it, laid over colour), pose, direction (thesis 5.1.1). What
+/// something else hides from the colour camera is no part of it. None: the colour image does not show the
+/// candidate at all. `in_color`: of the frame, at the working resolution.
+[[nodiscard]] std::optional<ObjectView> cutView(const RgbdFrame& frame,
+                                                const Eigen::Isometry3d& T_world_camera,
+                                                const SurfaceInColor& in_color, const Candidate& candidate);
 
 }  // namespace scantrove

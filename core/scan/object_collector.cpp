@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/base/log.h"
 #include "core/discovery/candidate_finder.h"
@@ -16,13 +17,6 @@ constexpr float kAlikeFraction = 0.7F;
 constexpr int kFramesToReturn = 10;
 /// An object that was seen elsewhere so few frames ago is not here.
 constexpr int kFramesToMove = 90;
-
-cv::Rect2f inFractions(const cv::Rect& box, const Intrinsics& K) {
-  const auto width = static_cast<float>(K.width);
-  const auto height = static_cast<float>(K.height);
-  return {static_cast<float>(box.x) / width, static_cast<float>(box.y) / height,
-          static_cast<float>(box.width) / width, static_cast<float>(box.height) / height};
-}
 
 /// A look that is worth a view: the outline is the thing's own, and little of it is hidden.
 bool isClear(const Candidate& candidate) {
@@ -59,7 +53,8 @@ void ObjectCollector::setParams(const DetectionParams& params) {
 }
 
 FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
-                                      const Intrinsics& working_K, const std::vector<Candidate>& candidates) {
+                                      const SurfaceInColor& in_color,
+                                      const std::vector<Candidate>& candidates) {
   FrameObjects objects;
   ++frame_;
   if (frames_until_retry_ > 0) --frames_until_retry_;
@@ -67,7 +62,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
     if (const Result<void> followed = followCatalogue(); !followed) noteFailure(followed.error(), objects);
   }
   mergeJoined(objects);
-  const Look look{frame, pose.T_world_camera, working_K, objects};
+  const Look look{frame, pose.T_world_camera, in_color, objects};
   identify(candidates, look);
   const std::vector<const Candidate*> chosen = choose(candidates);
   for (const Candidate* candidate : chosen) collectOne(*candidate, look);
@@ -76,7 +71,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   for (const Candidate* candidate : chosen) {
     SeenObject seen;
     seen.regions = candidate->regions;
-    seen.box = inFractions(candidate->box_px, working_K);
+    seen.box = boxInColor(in_color, *candidate);
     describeObject(seen);
     objects.seen.push_back(std::move(seen));
   }
@@ -120,8 +115,8 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   if (candidates.empty()) return;
   std::vector<DetectionQuery> queries;
   for (const Candidate* candidate : candidates) {
-    const ObjectView view = viewOf(*candidate, look);
-    queries.push_back({view.color, view.mask, candidate->size_m});
+    const std::optional<ObjectView> view = viewOf(*candidate, look);
+    queries.push_back(view ? DetectionQuery{view->color, view->mask, candidate->size_m} : DetectionQuery{});
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i)
@@ -203,7 +198,9 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
 
 void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look) {
   if (!mayUseCatalogue() || look.frame.color.empty()) return;
-  const Result<ObjectRecord> added = database_.addObject(viewOf(candidate, look));
+  const std::optional<ObjectView> view = viewOf(candidate, look);
+  if (!view) return;
+  const Result<ObjectRecord> added = database_.addObject(*view);
   if (!added) return noteFailure(added.error(), look.objects);
   is_failure_said_ = false;
   look.objects.added.push_back(*added);
@@ -225,9 +222,10 @@ void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candida
            met.second.views.isNew(direction, params_.new_view_angle_deg);
   });
   if (!is_new) return;
-  ObjectView view = viewOf(candidate, look);
-  view.object = object;
-  if (const Result<std::int64_t> stored = database_.addView(view); !stored)
+  std::optional<ObjectView> view = viewOf(candidate, look);
+  if (!view) return;
+  view->object = object;
+  if (const Result<std::int64_t> stored = database_.addView(*view); !stored)
     return noteFailure(stored.error(), look.objects);
   is_failure_said_ = false;
   met_.met(object).views.keep(direction);
@@ -235,9 +233,9 @@ void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candida
   look.objects.new_views.push_back(holder->id);
 }
 
-ObjectView ObjectCollector::viewOf(const Candidate& candidate, const Look& look) const {
-  ObjectView view = cutView(look.frame, look.T_world_camera, look.working_K, candidate);
-  view.session = session_;
+std::optional<ObjectView> ObjectCollector::viewOf(const Candidate& candidate, const Look& look) const {
+  std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+  if (view) view->session = session_;
   return view;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_database.h"
 #include "core/discovery/candidate.h"
@@ -39,10 +41,11 @@ class ObjectCollector {
                                                                        std::int64_t session,
                                                                        const DetectionParams& params);
 
-  /// Candidates of one frame, which may share regions. That the catalogue fails is part of the outcome; it
-  /// ends nothing.
+  /// Candidates of one frame, which may share regions; `in_color` at their resolution. That the catalogue
+  /// fails is part of the outcome; it ends nothing.
   [[nodiscard]] FrameObjects collect(const RgbdFrame& frame, const PoseEstimate& pose,
-                                     const Intrinsics& working_K, const std::vector<Candidate>& candidates);
+                                     const SurfaceInColor& in_color,
+                                     const std::vector<Candidate>& candidates);
 
   /// The region `from` is now part of `into`. When they were two objects, collect() makes them one in the
   /// catalogue, unless persons said what each is, or took such a merge back.
@@ -72,7 +75,7 @@ class ObjectCollector {
   struct Look {
     const RgbdFrame& frame;
     const Eigen::Isometry3d& T_world_camera;
-    const Intrinsics& working_K;
+    const SurfaceInColor& in_color;
     FrameObjects& objects;
   };
 
@@ -93,7 +96,8 @@ class ObjectCollector {
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;
   void addToCatalogue(const Candidate& candidate, const Look& look);
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
-  [[nodiscard]] ObjectView viewOf(const Candidate& candidate, const Look& look) const;
+  /// None: the colour image does not show it.
+  [[nodiscard]] std::optional<ObjectView> viewOf(const Candidate& candidate, const Look& look) const;
   [[nodiscard]] bool isMet(ObjectId holder) const;
 
   ObjectDatabase& database_;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/capture/camera_intrinsics.h"
+#include "core/capture/color_registration.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/numbered_folder.h"
 #include "core/capture/openni_source.h"
@@ -28,7 +29,11 @@ OpenedSource openDemo(const std::string& source, const SourceOptions& options) {
   if (!demo) {
     return fail(demo.error());
   }
-  SCANTROVE_TRY(checkIntrinsics((*demo)->info().intrinsics, "--intrinsics"));
+  const Intrinsics& K = (*demo)->info().intrinsics;
+  SCANTROVE_TRY(checkIntrinsics(K, "--intrinsics"));
+  if (options.color_registration) {
+    SCANTROVE_TRY(colorCameraFor(*options.color_registration, {K.width, K.height}, K, "the demo"));
+  }
   return std::move(*demo);
 }
 

@@ -99,10 +99,14 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     readSurface(result);
     return cloud_->project(surface_, map_->bricks());
   });
+  const SurfaceInColor in_color = stage("color", [&] {
+    return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+  });
   RegionMerger::Outcome merged = stage("merge", [&] {
-    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world,
-                           labColors(frame.color), working_K_, T_world_camera, cloud_->voxelsOfFragments()},
-                          table_, params_.labeling);
+    return merger_->merge(
+        {result.segments, projected, result.vertices_world, result.normals_world, labColors(frame, in_color),
+         working_K_, T_world_camera, cloud_->voxelsOfFragments()},
+        table_, params_.labeling);
   });
   result.regions = std::move(merged.map);
   touched_ = stage("update", [&] {
@@ -122,7 +126,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   });
   if (collector_) {
     result.objects =
-        stage("detect", [&] { return collector_->collect(frame, result.pose, working_K_, candidates); });
+        stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
     keepKnown(result.objects);
   }
   return result;
@@ -157,11 +161,18 @@ void ScanPipeline::readSurface(FrameResult& result) {
   read(surface_.normals_world, result.normals_world);
 }
 
-std::span<const Eigen::Vector3f> ScanPipeline::labColors(const cv::Mat& color) {
+std::span<const Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame,
+                                                         const SurfaceInColor& in_color) {
   color_lab_.clear();
-  if (color.empty()) return color_lab_;
+  if (frame.color.empty()) return color_lab_;
   cv::Mat small, soft, lab;
-  cv::resize(color, small, {working_K_.width, working_K_.height}, 0, 0, cv::INTER_AREA);
+  const cv::Size working(working_K_.width, working_K_.height);
+  cv::resize(frame.color, small, working, 0, 0, cv::INTER_AREA);
+  if (frame.color_camera) {
+    cv::Mat seen;
+    cv::remap(small, seen, pixelsOf(in_color.places, working), {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    small = seen;
+  }
   cv::blur(small, soft, {3, 3});
   soft.convertTo(soft, CV_32F, 1.0 / 255);
   cv::cvtColor(soft, lab, cv::COLOR_BGR2Lab);

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/base/stage_timer.h"
+#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
@@ -105,8 +106,9 @@ class ScanPipeline {
   /// one.
   void keepKnown(const FrameObjects& objects);
   void readSurface(FrameResult& result);
-  /// The colour image in CIE L*a*b* at the working resolution, a little blurred.
-  [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const cv::Mat& color);
+  /// Colours of the surface in CIE L*a*b* by working pixel, a little blurred.
+  [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const RgbdFrame& frame,
+                                                           const SurfaceInColor& in_color);
   /// Fragments that no voxel holds any more go; their numbers are used again.
   void forgetFragments();
   [[nodiscard]] PoseEstimate estimatePose(const RgbdFrame& frame, const DepthPyramid& depth);

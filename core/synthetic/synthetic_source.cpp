@@ -74,8 +74,16 @@ class RenderedSource final : public SyntheticSource {
     frame.timestamp_s = index / kFramesPerSecond;
     frame.metres_per_unit = options_.metres_per_unit;
     frame.T_world_camera = pose(index);
-    synthetic::RenderedFrame image =
-        synthetic::renderFrame(set_.scene, lighting_.get(), options_.K, *frame.T_world_camera);
+    const bool is_registered = !options_.color_camera;
+    synthetic::RenderedFrame image = synthetic::renderFrame(
+        set_.scene, is_registered ? lighting_.get() : nullptr, options_.K, *frame.T_world_camera);
+    if (options_.color && !is_registered) {
+      const Eigen::Isometry3d T_world_color =
+          *frame.T_world_camera * options_.color_camera->T_color_depth.inverse();
+      image.color =
+          synthetic::renderFrame(set_.scene, lighting_.get(), options_.color_camera->K, T_world_color).color;
+      frame.color_camera = options_.color_camera;
+    }
     const auto number = static_cast<std::uint32_t>(index);
     if (options_.noise) {
       image.z_m = synthetic::measureDepth(image.z_m, image.incidence, options_.K, {}, options_.seed, number);
@@ -174,6 +182,11 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.K = *given.intrinsics;
     options.K.width = size.width;
     options.K.height = size.height;
+  }
+  if (given.color_registration && given.color_registration->camera) {
+    options.color_camera = given.color_registration->camera;
+    options.color_camera->K.width = options.K.width;
+    options.color_camera->K.height = options.K.height;
   }
   if (given.depth_scale) {
     options.metres_per_unit = static_cast<float>(1.0 / *given.depth_scale);

@@ -15,6 +15,7 @@ namespace scantrove {
 struct SyntheticOptions {
   std::function<synthetic::FilmSet()> set = synthetic::makeTabletopSet;  ///< makes what is filmed
   Intrinsics K{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
+  std::optional<ColorCamera> color_camera;  ///< none: colour is registered, of the depth images' size
   int frames = 0;  ///< length of the recording; 0 = the set's own; the camera goes on as long as asked
   int start = 0;   ///< first frame of the recording that is given ...
   int stride = 1;  ///< ... and then every stride-th
@@ -41,7 +42,8 @@ class SyntheticSource : public FrameSource {
 
 /// `scene`: "tabletop" (also "") or "room". With ":7" appended, the random scene of that seed; with ":exact",
 /// without noise; with ":uneven", with bumps on its surfaces; in any order. Intrinsics given in `options` are
-/// those the scene is filmed with (640 x 480 stays). Error: names the scene and those there are.
+/// those the scene is filmed with (640 x 480 stays, of colour too). Error: names the scene and those there
+/// are.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 

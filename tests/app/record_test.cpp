@@ -92,6 +92,25 @@ TEST(Record, ColourStaysWhereItWasRegisteredTo) {
   EXPECT_EQ(cv::norm(color("room"), color("again"), cv::NORM_INF), 0);
 }
 
+TEST(Record, ColourOfACameraOfItsOwnKeepsIt) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      scantrove({"record", "demo:tabletop:exact", "--color-registration",
+                 "530,531,310,250,-0.03,0.01,0.002,1,-2,0.5", "--frames", "1", "--out", folder / "table"})
+          .exit_code,
+      0);
+  ASSERT_EQ(scantrove({"record", folder / "table", "--out", folder / "again"}).exit_code, 0);
+  const auto camera = nlohmann::json::parse(readText(folder / "again/intrinsic.json"));
+  const auto once = nlohmann::json::parse(readText(folder / "table/intrinsic.json"))["color_camera"];
+  EXPECT_EQ(camera["color_camera"]["intrinsic_matrix"], once["intrinsic_matrix"]);
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_NEAR(camera["color_camera"]["T_color_depth"][i], once["T_color_depth"][i].get<double>(), 1e-12);
+  EXPECT_EQ(camera["color_registered"], false);
+  EXPECT_EQ(camera["color_camera"]["intrinsic_matrix"][4], 531);
+  EXPECT_NEAR(camera["color_camera"]["T_color_depth"][3], -0.03, 1e-12);
+  EXPECT_NEAR(camera["color_camera"]["T_color_depth"][7], 0.01, 1e-12);
+}
+
 TEST(Record, KeepsUnitsOfDepth) {
   const TemporaryFolder folder;
   ASSERT_EQ(scantrove({"record", "demo:tabletop:exact", "--depth-scale", "5000", "--frames", "1", "--out",

@@ -227,6 +227,31 @@ TEST(ScanFails, BeforeItStartsWhenAResultsPlaceIsTaken) {
   EXPECT_FALSE(fs::exists(folder / "out/catalogue.sqlite"));
 }
 
+// The ball before the corner, filmed in colour by a finer camera 25 mm beside the one for depth.
+TEST(Scan, ViewsAreAsFineAsTheColourImages) {
+  const TemporaryFolder folder;
+  writeRecording(folder / "recording", 30);
+  const cv::Mat color(1024, 1280, CV_8UC3, cv::Scalar(90, 120, 150));
+  cv::imwrite((folder / "color.png").string(), color);
+  for (int i = 0; i < 30; ++i) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame-%06d.color.png", i);
+    fs::copy_file(folder / "color.png", folder / "recording" / name, fs::copy_options::overwrite_existing);
+  }
+  expectJobFailure(scan(folder / "recording", folder / "out"),
+                   {"1280x1024", "320x240", "--color-registration"});
+  const Finished run = scan(folder / "recording", folder / "out",
+                            {"--color-registration", "1050,1050,640,512,-0.025", "--poses", "given"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto objects = reportIn(folder / "out")["objects"];
+  ASSERT_EQ(objects.size(), 1U) << "the ball";
+  const auto ball = jsonOf(scantrove({"objects", "show", std::to_string(objects[0]["id"].get<int>()),
+                                      "--json", "--database", folder / "out/catalogue.sqlite"}));
+  // 0.4 m across at 1.2 m, of which what touches nothing else is found.
+  EXPECT_GT(ball["views"][0]["width"], 200);
+  EXPECT_GT(ball["views"][0]["height"], 200);
+}
+
 TEST(Scan, PrintsOneMessageForADamagedImage) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 3);

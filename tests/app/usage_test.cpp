@@ -60,8 +60,11 @@ TEST(Usage, ValuesAreChecked) {
   expectWrongUsage(scan({"--depth-scale", "0"}), {"--depth-scale"});
   expectWrongUsage(scan({"--intrinsics", "525,525"}), {"--intrinsics", "4 numbers"});
   expectWrongUsage(scan({"--intrinsics", "a,b,c,d"}), {"--intrinsics", "fx,fy,cx,cy"});
-  expectWrongUsage(scan({"--color-camera", "nearby"}), {"--color-camera", "registered"});
-  expectWrongUsage(scan({"--color-camera", "525,0,320,240,0.025"}), {"--color-camera"});
+  expectWrongUsage(scan({"--color-registration", "nearby"}),
+                   {"--color-registration", "'nearby'", "registered, kinect", "fx,fy,cx,cy"});
+  expectWrongUsage(scan({"--color-registration", "525,0,320,240,0.025"}),
+                   {"--color-registration", "positive"});
+  expectWrongUsage(scan({"--color-registration", "525,525,320,240,25"}), {"more than 1 m away"});
   expectWrongUsage(scan({"--intrinsics", "0,525,319.5,239.5"}), {"--intrinsics", "positive"});
   expectWrongUsage(scan({"--intrinsics", "525,nan,319.5,239.5"}), {"--intrinsics"});
   expectWrongUsage(scan({"--config", "missing.toml"}), {"missing.toml"});

@@ -5,6 +5,7 @@
 
 #include <QSqlDatabase>
 #include <QSqlQuery>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -31,7 +32,9 @@ struct Thing {
   [[nodiscard]] Eigen::Vector3f centroid() const { return {0.5F * static_cast<float>(place), 0, 1}; }
   [[nodiscard]] Candidate candidate() const {
     Candidate candidate;
-    candidate.region = region;
+    candidate.regions = {region};
+    candidate.outline = 1;
+    candidate.is_whole = true;
     candidate.box_px = box();
     candidate.mask = cv::Mat(box().size(), CV_8UC1, cv::Scalar(0));
     cv::ellipse(candidate.mask, {20, 25}, {19, 24}, 0, 0, 360, 255, cv::FILLED);
@@ -64,28 +67,54 @@ class ObjectCollectorTest : public testing::Test {
   }
   [[nodiscard]] std::string file() const { return (folder_ / "catalogue.sqlite").string(); }
 
+  [[nodiscard]] static DetectionParams params() {
+    DetectionParams params;
+    params.new_view_angle_deg = 20;
+    return params;
+  }
+
   void beginScan() {
     std::int64_t session = 0;
     moveIn(session, database_->beginSession("table"));
-    moveIn(collector_, ObjectCollector::create(*compute_, *database_, session, {}));
+    moveIn(collector_, ObjectCollector::create(*compute_, *database_, session, params()));
+  }
+
+  static SurfaceInColor inColor() {
+    return locateInColor(std::nullopt, kWorking, Eigen::Isometry3d::Identity(), {});
   }
 
   /// One frame that shows `things` from a direction about the vertical.
   FrameObjects look(const std::vector<Thing>& things, double degrees = 0) {
+    std::vector<Candidate> candidates;
+    for (const Thing& thing : things) candidates.push_back(thing.candidate());
+    return lookAt(candidates, things, degrees);
+  }
+  FrameObjects lookAt(const std::vector<Candidate>& candidates, const std::vector<Thing>& things,
+                      double degrees = 0) {
     RgbdFrame frame;
     frame.index = frame_++;
     frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 50, 60));
     frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
-    std::vector<Candidate> candidates;
-    for (const Thing& thing : things) {
-      thing.paint(frame.color);
-      candidates.push_back(thing.candidate());
-    }
+    for (const Thing& thing : things) thing.paint(frame.color);
     PoseEstimate pose;
     pose.state = TrackingState::tracking;
     const double angle = degrees * 3.14159265 / 180;
     pose.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
-    return collector_->collect(frame, pose, kWorking, candidates);
+    return collector_->collect(frame, pose, inColor(), candidates);
+  }
+
+  /// So many such frames that what is unknown counts as unknown; all that they gave, seen as in the last.
+  FrameObjects study(const std::vector<Thing>& things, double degrees = 0) {
+    FrameObjects all;
+    for (int i = 0; i <= RecognitionHistory::kLooksToGiveUp * RecognitionHistory::kFramesApart; ++i) {
+      FrameObjects one = look(things, degrees);
+      std::ranges::move(one.added, std::back_inserter(all.added));
+      std::ranges::move(one.recognised, std::back_inserter(all.recognised));
+      std::ranges::move(one.new_views, std::back_inserter(all.new_views));
+      std::ranges::move(one.merged, std::back_inserter(all.merged));
+      all.seen = std::move(one.seen);
+    }
+    return all;
   }
 
   std::vector<ObjectRecord> objects() {
@@ -108,7 +137,7 @@ class ObjectCollectorTest : public testing::Test {
 };
 
 TEST_F(ObjectCollectorTest, AddsTheUnknownOnceAndKeepsNewDirections) {
-  FrameObjects first = look({mug_, box_});
+  FrameObjects first = study({mug_, box_});
   ASSERT_EQ(first.added.size(), 2U);
   EXPECT_TRUE(first.recognised.empty());
   EXPECT_EQ(first.seen[0].object, first.added[0].id);
@@ -125,17 +154,18 @@ TEST_F(ObjectCollectorTest, AddsTheUnknownOnceAndKeepsNewDirections) {
 }
 
 TEST_F(ObjectCollectorTest, AnObjectHasSoManyViewsAndNoMore) {
-  DetectionParams params;
-  params.max_views = 3;
-  collector_->setParams(params);
+  DetectionParams few = params();
+  few.max_views = 3;
+  collector_->setParams(few);
+  static_cast<void>(study({mug_}));
   for (int i = 0; i < 6; ++i) static_cast<void>(look({mug_}, 25 * i));
   EXPECT_EQ(objects().at(0).views, 3);
 }
 
 TEST_F(ObjectCollectorTest, RecognisesWhatAnEarlierScanAddedAndSaysSoOnce) {
-  const ObjectId mug = look({mug_}).added.at(0).id;
+  const ObjectId mug = study({mug_}).added.at(0).id;
   beginScan();
-  const FrameObjects first = look({mug_, box_});
+  const FrameObjects first = study({mug_, box_});
   ASSERT_EQ(first.recognised.size(), 1U);
   EXPECT_EQ(first.recognised[0].id, mug);
   EXPECT_TRUE(first.seen[0].recognised);
@@ -148,14 +178,15 @@ TEST_F(ObjectCollectorTest, RecognisesWhatAnEarlierScanAddedAndSaysSoOnce) {
 }
 
 TEST_F(ObjectCollectorTest, TheSameThingUnderANewRegionIsTheSameObject) {
-  const ObjectId mug = look({mug_}).added.at(0).id;
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
   const Thing again{7, mug_.place, RegionId{77}};  // even when it looks like another
-  EXPECT_TRUE(look({again}).added.empty());
+  EXPECT_TRUE(study({again}).added.empty());
   EXPECT_EQ(collector_->objectOf(again.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUndo) {
-  const ObjectId mug = look({mug_, box_}).added.at(0).id;
+  const ObjectId mug = study({mug_, box_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
   const Thing under_a_new_region{mug_.seed, mug_.place, RegionId{77}};
   for (int frame = 0; frame < 20; ++frame) {
@@ -163,8 +194,10 @@ TEST_F(ObjectCollectorTest, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUnd
     EXPECT_TRUE(seen.added.empty() && seen.recognised.empty());
     EXPECT_FALSE(seen.seen[0].object);
     EXPECT_EQ(seen.seen[0].name, "");
-    EXPECT_TRUE(look({under_a_new_region}, 25 * frame).added.empty());
   }
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
+  for (int frame = 0; frame < 40; ++frame)
+    EXPECT_TRUE(look({under_a_new_region, box_}, 25 * frame).added.empty());
   EXPECT_EQ(objects().size(), 1U);
   EXPECT_EQ(collector_->metObjects().size(), 1U);
   ASSERT_TRUE(person_->restore(std::array{mug}));
@@ -176,7 +209,7 @@ TEST_F(ObjectCollectorTest, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUnd
 }
 
 TEST_F(ObjectCollectorTest, NamesAndConfirmationsOfAPersonAreSeenInTheNextFrame) {
-  const ObjectId mug = look({mug_}).added.at(0).id;
+  const ObjectId mug = study({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->rename(mug, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
   const FrameObjects seen = look({mug_});
@@ -185,7 +218,7 @@ TEST_F(ObjectCollectorTest, NamesAndConfirmationsOfAPersonAreSeenInTheNextFrame)
 }
 
 TEST_F(ObjectCollectorTest, AMergeByAPersonIsFollowedAndSoIsItsUndo) {
-  const FrameObjects first = look({mug_, box_});
+  const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   const Result<ObjectMerge> merge = person_->merge(std::array{mug, box});
   ASSERT_TRUE(merge);
@@ -203,9 +236,9 @@ TEST_F(ObjectCollectorTest, AMergeByAPersonIsFollowedAndSoIsItsUndo) {
 }
 
 TEST_F(ObjectCollectorTest, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBack) {
-  const FrameObjects first = look({mug_, box_});
+  const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
-  collector_->regionsMerged(mug_.region, box_.region);
+  collector_->regionsJoined(mug_.region, box_.region);
   const FrameObjects joined = look({mug_});
   ASSERT_EQ(joined.merged.size(), 1U);
   EXPECT_EQ(joined.merged[0].into, mug) << "the older of equals";
@@ -213,53 +246,54 @@ TEST_F(ObjectCollectorTest, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBac
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].views, 2);
   ASSERT_TRUE(person_->unmerge(joined.merged[0]));
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({mug_}));
   const Thing box_again{box_.seed, box_.place, RegionId{99}};
   EXPECT_EQ(look({mug_, box_again}).seen[1].object, box);
-  collector_->regionsMerged(mug_.region, box_again.region);
+  collector_->regionsJoined(mug_.region, box_again.region);
   EXPECT_TRUE(look({mug_}).merged.empty());
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorTest, ObjectsThatAPersonSettledStayTwoWhenTheirRegionsJoin) {
-  const FrameObjects first = look({mug_, box_, cup_});
+  const FrameObjects first = study({mug_, box_, cup_});
   ASSERT_TRUE(person_->rename(first.added.at(0).id, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{first.added.at(1).id}, true));
   static_cast<void>(look({mug_, box_, cup_}));
-  collector_->regionsMerged(mug_.region, box_.region);
+  collector_->regionsJoined(mug_.region, box_.region);
   EXPECT_TRUE(look({mug_, cup_}).merged.empty());
   // With one that nobody said anything of, the name stays.
-  collector_->regionsMerged(cup_.region, mug_.region);
+  collector_->regionsJoined(cup_.region, mug_.region);
   ASSERT_EQ(look({cup_}).merged.size(), 1U);
   EXPECT_EQ(collector_->record(collector_->objectOf(cup_.region))->name, "my mug");
 }
 
 TEST_F(ObjectCollectorTest, AJoinedRegionOfADeletedObjectIsTheOtherOne) {
-  const FrameObjects first = look({mug_, box_});
+  const FrameObjects first = study({mug_, box_});
   ASSERT_TRUE(person_->remove(std::array{first.added.at(0).id}));
   static_cast<void>(look({}));
-  collector_->regionsMerged(mug_.region, box_.region);
+  collector_->regionsJoined(mug_.region, box_.region);
   EXPECT_TRUE(look({mug_}).merged.empty());
   EXPECT_EQ(collector_->objectOf(mug_.region), first.added.at(1).id);
 }
 
 TEST_F(ObjectCollectorTest, WhatAnotherProgramAddsIsRecognised) {
-  static_cast<void>(look({box_}));
+  static_cast<void>(study({box_}));
   const Candidate candidate = mug_.candidate();
   RgbdFrame frame;
   frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 20, 10));
   frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
   mug_.paint(frame.color);
   const Result<ObjectRecord> other =
-      person_->addObject(cutView(frame, Eigen::Isometry3d::Identity(), kWorking, candidate));
+      person_->addObject(*cutView(frame, Eigen::Isometry3d::Identity(), inColor(), candidate));
   ASSERT_TRUE(other);
-  const FrameObjects seen = look({mug_});
+  const FrameObjects seen = study({mug_});
   ASSERT_EQ(seen.recognised.size(), 1U);
   EXPECT_EQ(seen.recognised[0].id, other->id);
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorTest, ALockedCatalogueIsSaidOnceAndWhatIsMetAgainIsAddedLater) {
-  static_cast<void>(look({box_}));
+  static_cast<void>(study({box_}));
   {
     QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "lock");
     other.setDatabaseName(QString::fromStdString(file()));
@@ -289,7 +323,7 @@ TEST_F(ObjectCollectorTest, ALockedCatalogueIsSaidOnceAndWhatIsMetAgainIsAddedLa
 }
 
 TEST_F(ObjectCollectorTest, ACatalogueThatCannotBeReadEndsNothing) {
-  static_cast<void>(look({box_}));
+  static_cast<void>(study({box_}));
   {
     QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "damage");
     other.setDatabaseName(QString::fromStdString(file()));
@@ -304,6 +338,84 @@ TEST_F(ObjectCollectorTest, ACatalogueThatCannotBeReadEndsNothing) {
   for (int frame = 0; frame < ObjectCollector::kFramesUntilRetry; ++frame)
     added += look({box_, mug_}).added.size();
   EXPECT_EQ(added, 1U);
+}
+
+TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
+  Candidate part = mug_.candidate();
+  part.is_whole = false;
+  FrameObjects seen;
+  for (int frame = 0; frame < 40; ++frame) {
+    seen = lookAt({part}, {mug_});
+    EXPECT_TRUE(seen.added.empty());
+  }
+  ASSERT_EQ(seen.seen.size(), 1U);
+  EXPECT_FALSE(seen.seen[0].object);
+  collector_->addByPerson(mug_.region);
+  seen = lookAt({part}, {mug_});
+  ASSERT_EQ(seen.added.size(), 1U);
+  EXPECT_EQ(seen.seen[0].object, seen.added[0].id);
+  EXPECT_TRUE(lookAt({part}, {mug_}).added.empty()) << "once";
+}
+
+TEST_F(ObjectCollectorTest, SaysUnknownOnlyAfterSeveralLooks) {
+  int frames = 0;
+  while (look({mug_}).added.empty()) ASSERT_LT(++frames, 100);
+  EXPECT_GE(frames, (RecognitionHistory::kLooksToGiveUp - 1) * RecognitionHistory::kFramesApart);
+}
+
+TEST_F(ObjectCollectorTest, OfCandidatesThatShareRegionsTheKnownOneIsTaken) {
+  Candidate both = mug_.candidate();
+  both.regions.add(box_.region);
+  both.odds = 1;  // likelier than its parts
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  static_cast<void>(lookAt({both, mug_.candidate()}, {mug_}));
+  ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
+  const FrameObjects seen = lookAt({mug_.candidate(), both, box_.candidate()}, {mug_, box_});
+  EXPECT_EQ(std::ranges::count(seen.seen, mug, &SeenObject::object), 1);
+}
+
+TEST_F(ObjectCollectorTest, TwoEntriesThatAreOnePlaceBecomeOne) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  // Met again after a long time under another region, and 0.3 of its size away: a second entry.
+  Candidate beside = mug_.candidate();
+  beside.regions = {RegionId{77}};
+  beside.centroid_world.x() += 0.3F * kSize.norm();
+  const Thing other{9, mug_.place, RegionId{77}};
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
+  ObjectId second;
+  for (int frame = 0; frame < 40 && !second; ++frame) {
+    const FrameObjects seen = lookAt({beside}, {other});
+    if (!seen.added.empty()) second = seen.added[0].id;
+  }
+  ASSERT_TRUE(second);
+  ASSERT_NE(second, mug);
+  // Seen better it stands where the first stood.
+  beside.centroid_world = mug_.centroid();
+  std::vector<ObjectMerge> merged;
+  for (int frame = 0; frame < 5; ++frame)
+    std::ranges::copy(lookAt({beside}, {other}).merged, std::back_inserter(merged));
+  ASSERT_EQ(merged.size(), 1U);
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(ObjectCollectorTest, ThingsThatWereSeenSideBySideStayTwo) {
+  const FrameObjects first = study({mug_, box_});
+  ASSERT_EQ(first.added.size(), 2U);
+  Candidate moved = box_.candidate();
+  moved.centroid_world = mug_.centroid();
+  for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(lookAt({moved}, {box_}).merged.empty());
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorTest, PartsOfADeletedObjectAreNotAdded) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  ASSERT_TRUE(person_->remove(std::array{mug}));
+  static_cast<void>(look({mug_}));
+  Thing handle{4, 2, RegionId{78}};
+  collector_->regionsParted(mug_.region, handle.region);
+  EXPECT_TRUE(study({handle}).added.empty());
+  handle.region = RegionId{79};
+  EXPECT_EQ(study({{5, 1, RegionId{80}}}).added.size(), 1U) << "what is nobody's part is";
 }
 
 }  // namespace

@@ -299,18 +299,5 @@ TEST(OniFile, NamesAndLengthsThatCrashOpenNiAreRefused) {
   }
 }
 
-TEST(BadInput, ALayoutsColourCameraCanBeGiven) {
-  const TemporaryFolder folder;
-  writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
-  writeImage(folder / "depth/0.png", tinyDepth(1000));
-  SourceOptions options;
-  options.color_camera = ColorCamera{100, 100, 64, 36, -0.02F};
-  const auto source = openSource(folder.path().string(), options);
-  ASSERT_TRUE(source) << source.error().message();
-  const FrameRead read = (*source)->next();
-  ASSERT_EQ(read.status, Status::frame);
-  EXPECT_EQ(read.frame.color.size(), read.frame.depth.size());
-}
-
 }  // namespace
 }  // namespace scantrove

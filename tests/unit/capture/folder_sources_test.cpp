@@ -256,15 +256,34 @@ TEST(NumberedFolder, WorksWithoutColour) {
   EXPECT_TRUE(read.frame.color.empty());
 }
 
-TEST(NumberedFolder, ResizesColourOfTheSameShape) {
+TEST(NumberedFolder, KeepsColourAtItsOwnSize) {
   const TemporaryFolder folder;
   writeImage(folder / "depth" / "00000.png", tinyDepth(1000));
   writeImage(folder / "rgb" / "00000.png", tinyColor(7, {2 * kTinyWidth, 2 * kTinyHeight}));
   const auto source = openSource(folder.path().string(), {});
   ASSERT_TRUE(source);
   const FrameRead read = (*source)->next();
-  EXPECT_EQ(read.frame.color.size(), read.frame.depth.size());
+  EXPECT_EQ(read.frame.color.size(), cv::Size(2 * kTinyWidth, 2 * kTinyHeight));
   EXPECT_EQ(read.frame.color.at<cv::Vec3b>(4, 4), cv::Vec3b(7, 20, 30));
+  EXPECT_FALSE(read.frame.color_camera) << "registered";
+}
+
+TEST(NumberedFolder, TakesColourOfAnotherShapeWithItsCamera) {
+  const TemporaryFolder folder;
+  writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
+  writeImage(folder / "depth/0.png", tinyDepth(1000));
+  ColorCamera camera{{100, 100, 64, 36, 0, 0}};
+  camera.T_color_depth.translation().x() = -0.02;
+  SourceOptions options;
+  options.color_registration = ColorRegistration{camera};
+  const auto source = openSource(folder.path().string(), options);
+  ASSERT_TRUE(source) << source.error().message();
+  const FrameRead read = (*source)->next();
+  ASSERT_EQ(read.status, Status::frame);
+  EXPECT_EQ(read.frame.color.size(), cv::Size(128, 72));
+  ASSERT_TRUE(read.frame.color_camera);
+  EXPECT_EQ(read.frame.color_camera->K, (Intrinsics{100, 100, 64, 36, 128, 72}));
+  EXPECT_TRUE(read.frame.color_camera->T_color_depth.isApprox(camera.T_color_depth));
 }
 
 TEST(NumberedFolder, TakesPosesFromATrajectoryLog) {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/capture/cameras.h"
+#include "core/capture/color_registration.h"
 #include "core/capture/depth_plausibility.h"
 #include "tests/support/recordings.h"
 #include "tests/unit/capture/tiny_recordings.h"
@@ -45,6 +46,23 @@ TEST(VirtualCamera, GivesLiveFrames) {
     ++frames;
   }
   EXPECT_GE(last_index, 4);
+}
+
+TEST(VirtualCamera, ItsColourCameraCanBeGiven) {
+  SourceOptions options;
+  options.color_registration = ColorRegistration{kinectColorCamera()};
+  const auto source = openSource("camera:Dummy", options);
+  ASSERT_TRUE(source) << source.error().message();
+  FrameRead read = (*source)->next();
+  for (int waits = 0; read.status == Status::timeout && waits < 10; ++waits) read = (*source)->next();
+  ASSERT_EQ(read.status, Status::frame) << read.error.message();
+  ASSERT_TRUE(read.frame.color_camera);
+  EXPECT_EQ(read.frame.color_camera->K.width, read.frame.color.cols);
+  EXPECT_FLOAT_EQ(read.frame.color_camera->K.fx, 528.0F * static_cast<float>(read.frame.color.cols) / 640.0F);
+  options.color_registration = ColorRegistration{ColorCamera{{500, 500, 4000, 240, 0, 0}}};
+  const auto refused = openSource("camera:Dummy", options);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("--color-registration"));
 }
 
 TEST(VirtualCamera, EndsAfterTheFramesAskedForHoweverManyWereDropped) {

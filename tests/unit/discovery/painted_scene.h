@@ -15,6 +15,8 @@ struct PaintedScene {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   RegionMap map;
   std::vector<Eigen::Vector4f> vertices;
+  mutable std::vector<Eigen::Vector4f> normals;
+  std::function<float(RegionId, RegionId)> joining_odds;
 
   PaintedScene() {
     map.width = K.width;
@@ -47,7 +49,20 @@ struct PaintedScene {
     });
   }
 
-  [[nodiscard]] DiscoveryInput input() const { return {map, vertices, K, T_world_camera}; }
+  /// Normals follow from the vertices, by differences to the right and down.
+  [[nodiscard]] DiscoveryInput input() const {
+    normals.assign(vertices.size(), Eigen::Vector4f::Zero());
+    for (int v = 0; v + 1 < K.height; ++v) {
+      for (int u = 0; u + 1 < K.width; ++u) {
+        const auto pixel = static_cast<std::size_t>(v * K.width + u);
+        const Eigen::Vector3f right = (vertices[pixel + 1] - vertices[pixel]).head<3>();
+        const Eigen::Vector3f down =
+            (vertices[pixel + static_cast<std::size_t>(K.width)] - vertices[pixel]).head<3>();
+        normals[pixel] << down.cross(right).normalized(), 1;
+      }
+    }
+    return {map, vertices, normals, K, T_world_camera, joining_odds};
+  }
 };
 
 }  // namespace scantrove::test

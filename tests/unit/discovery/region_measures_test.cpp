@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/discovery/look_history.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/region_census.h"
 #include "core/discovery/size_history.h"
@@ -87,13 +88,95 @@ TEST(OrientedBox, OfAPlaneAndOfNothing) {
 
 TEST(SizeHistory, HoldsOnlyWhatWasSeenLast) {
   SizeHistory history;
+  const RegionSet always{RegionId{1000}};
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
-    const SizeHistory::Sighting sightings[] = {{RegionId{frame + 1}, 1.0F}, {RegionId{1000}, 1.0F}};
+    const SizeHistory::Sighting sightings[] = {{{RegionId{frame + 1}}, 1.0F}, {always, 1.0F}};
     history.add(sightings, 5);
-    EXPECT_EQ(history.regionCount(), 2U);
+    EXPECT_EQ(history.setCount(), 2U);
   }
-  EXPECT_TRUE(history.isPersistent(RegionId{1000}, 5, 0.1F));
-  EXPECT_FALSE(history.isPersistent(RegionId{100}, 5, 0.1F));
+  EXPECT_TRUE(history.isPersistent(always, 5, 0.1F));
+  EXPECT_FALSE(history.isPersistent({RegionId{100}}, 5, 0.1F));
+}
+
+TEST(SizeHistory, FollowsRegionsThatJoinInEverySet) {
+  SizeHistory history;
+  const RegionSet both{RegionId{1}, RegionId{2}}, with_third{RegionId{2}, RegionId{3}};
+  const SizeHistory::Sighting sightings[] = {{both, 1.0F}, {with_third, 2.0F}};
+  history.add(sightings, 5);
+  history.follow(RegionId{1}, RegionId{2});
+  EXPECT_TRUE(history.isPersistent({RegionId{1}}, 1, 0.1F));
+  EXPECT_TRUE(history.isPersistent({RegionId{1}, RegionId{3}}, 1, 0.1F));
+  EXPECT_FALSE(history.isPersistent(both, 1, 0.1F));
+}
+
+DiscoveryParams paramsOfLooks() {
+  DiscoveryParams params;
+  params.whole_looks = 4;
+  params.whole_outline = 0.8F;
+  params.whole_hidden = 0.3F;
+  params.whole_angle_deg = 10;
+  params.still_frames = 50;
+  return params;
+}
+
+LookHistory::Look lookFrom(float degrees, float outline = 0.9F, float hidden = 0, float size_m = 0.2F) {
+  const float radians = degrees * 3.14159265F / 180;
+  return {outline, hidden, Eigen::Vector3f(size_m, 0, 0),
+          Eigen::Vector3f(std::sin(radians), 0, std::cos(radians))};
+}
+
+TEST(LookHistory, WholeNeedsLooksDirectionsAndAnOutlineOfItsOwn) {
+  const RegionSet thing{RegionId{5}};
+  const auto is_whole = [&](int looks, float degrees, float outline, float hidden) {
+    LookHistory history;
+    for (int i = 0; i < looks; ++i) {
+      history.nextFrame();
+      history.add(thing, lookFrom(i == 0 ? 0 : degrees, outline, hidden));
+    }
+    return history.isWhole(thing, paramsOfLooks());
+  };
+  EXPECT_TRUE(is_whole(4, 11, 0.9F, 0.1F));
+  EXPECT_FALSE(is_whole(3, 11, 0.9F, 0.1F));
+  EXPECT_FALSE(is_whole(4, 9, 0.9F, 0.1F));
+  EXPECT_TRUE(is_whole(51, 0, 0.9F, 0.1F)) << "two directions, or long enough";
+  EXPECT_FALSE(is_whole(4, 11, 0.7F, 0.1F));
+  EXPECT_FALSE(is_whole(4, 11, 0.9F, 0.4F));
+  EXPECT_FALSE(LookHistory().isWhole(thing, paramsOfLooks()));
+}
+
+TEST(LookHistory, AThingOfAnotherSizeStartsAnew) {
+  const RegionSet thing{RegionId{5}};
+  LookHistory history;
+  for (int i = 0; i < 4; ++i) {
+    history.nextFrame();
+    history.add(thing, lookFrom(4.0F * static_cast<float>(i)));
+  }
+  ASSERT_TRUE(history.isWhole(thing, paramsOfLooks()));
+  history.nextFrame();
+  history.add(thing, lookFrom(20, 0.9F, 0, 0.5F));  // it parted, or something joined it
+  EXPECT_FALSE(history.isWhole(thing, paramsOfLooks()));
+}
+
+TEST(LookHistory, ForgetsWhatWasNotSeenForLong) {
+  LookHistory history;
+  history.nextFrame();
+  history.add({RegionId{5}}, lookFrom(0));
+  for (int i = 0; i < LookHistory::kMemory; ++i) history.nextFrame();
+  EXPECT_EQ(history.setCount(), 1U);
+  history.nextFrame();
+  EXPECT_EQ(history.setCount(), 0U);
+}
+
+TEST(LookHistory, FollowsRegionsThatJoin) {
+  LookHistory history;
+  for (int i = 0; i < 4; ++i) {
+    history.nextFrame();
+    history.add({RegionId{5}}, lookFrom(4.0F * static_cast<float>(i)));
+    if (i == 0) history.add({RegionId{6}}, lookFrom(0));
+  }
+  history.follow(RegionId{6}, RegionId{5});
+  EXPECT_FALSE(history.isWhole({RegionId{5}}, paramsOfLooks()));
+  EXPECT_TRUE(history.isWhole({RegionId{6}}, paramsOfLooks())) << "the one with more looks";
 }
 
 }  // namespace

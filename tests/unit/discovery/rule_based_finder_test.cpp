@@ -3,6 +3,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/discovery/region_hypotheses.h"
+#include "core/discovery/region_outlines.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
 #include "tests/unit/discovery/painted_scene.h"
@@ -23,7 +25,7 @@ DiscoveryParams testParams() {
 
 std::vector<std::uint32_t> idsOf(const std::vector<Candidate>& candidates) {
   std::vector<std::uint32_t> ids;
-  for (const Candidate& candidate : candidates) ids.push_back(candidate.region.value);
+  for (const Candidate& candidate : candidates) ids.push_back(candidate.regions.begin()->value);
   return ids;
 }
 
@@ -43,7 +45,7 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
       std::ranges::find_if(census.extents, [&](const auto& e) { return e.region.value == id; });
   if (extent == census.extents.end()) return {"there is no such region"};
   const DiscoveryInput input = scene.input();
-  const OrientedBox box = fitOrientedBox(pointsOf(*extent, input));
+  const OrientedBox box = fitOrientedBox(pointsOf({extent->region}, extent->box_px, input));
   const cv::Rect visible = visibleFrame(census, scene.K.width, scene.K.height, params);
   std::vector<std::string> rules;
   const auto ask = [&](const char* rule, bool holds) {
@@ -55,7 +57,7 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
   ask("not eccentric", isNotEccentric(*extent, params));
   ask("size in range", isSizeInRange(box, params));
   ask("not flat", isNotFlat(box, params));
-  ask("not background", isNotBackground(hiddenFraction(*extent, input, params), params));
+  ask("not background", isNotBackground(RegionOutlines(input, params).of({extent->region}), params));
   return rules;
 }
 
@@ -68,7 +70,7 @@ TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
   for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
   ASSERT_EQ(found.size(), 1U);
   const Candidate& candidate = found[0];
-  EXPECT_EQ(candidate.region.value, 7U);
+  EXPECT_EQ(candidate.regions.begin()->value, 7U);
   EXPECT_EQ(candidate.box_px, cv::Rect(60, 50, 40, 30));
   EXPECT_EQ(candidate.pixels, 40 * 30 - 1);
   EXPECT_EQ(cv::countNonZero(candidate.mask), 40 * 30 - 1);
@@ -232,7 +234,7 @@ TEST(RuleBasedFinder, HistoryFollowsAMerge) {
   after.paintBump(9, {60, 50, 40, 30}, 1.0F);
   const auto finder = makeRuleBasedFinder(testParams());
   for (int i = 0; i < 4; ++i) EXPECT_THAT(finder->find(before.input()), IsEmpty());
-  finder->regionsMerged(RegionId{9}, RegionId{7});
+  finder->regionsJoined(RegionId{9}, RegionId{7});
   EXPECT_THAT(idsOf(finder->find(after.input())), ElementsAre(9U));
 }
 
@@ -247,6 +249,94 @@ TEST(RuleBasedFinder, RefusesBackgroundSeenThroughAGap) {
   scene.paint(2, {0, 45, 60, 75}, [](int, int) { return 1.3F; });
   scene.paint(2, {100, 45, 60, 75}, [](int, int) { return 1.3F; });
   EXPECT_THAT(findAfter(scene, testParams(), 6), ElementsAre(7U));
+}
+
+TEST(RuleBasedFinder, WholeIsWhatWasSeenFromTwoSidesOrForLong) {
+  DiscoveryParams params = testParams();
+  params.whole_looks = 3;
+  params.still_frames = 20;
+  const auto is_whole_after = [&](int frames, double degrees_a_frame) {
+    const auto finder = makeRuleBasedFinder(params);
+    std::vector<Candidate> found;
+    for (int i = 0; i < frames; ++i) {
+      PaintedScene scene;
+      // The camera goes round the thing, which lies 1 m ahead.
+      const Eigen::Vector3d centre = scene.T_world_camera * Eigen::Vector3d(0, 0, 1);
+      const double radians = degrees_a_frame * i * 3.14159265 / 180;
+      scene.T_world_camera = Eigen::Translation3d(centre) *
+                             Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitY()) *
+                             Eigen::Translation3d(-centre) * scene.T_world_camera;
+      scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 2.0F; });
+      scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+      found = finder->find(scene.input());
+    }
+    return !found.empty() && found[0].is_whole;
+  };
+  EXPECT_FALSE(is_whole_after(10, 0)) << "from one side";
+  EXPECT_TRUE(is_whole_after(26, 0)) << "for long";
+  EXPECT_TRUE(is_whole_after(10, 2)) << "from two sides";
+  EXPECT_FALSE(is_whole_after(6, 10)) << "seldom";
+}
+
+TEST(RuleBasedFinder, APatchOfALargerPlaneIsNeverWhole) {
+  PaintedScene scene;
+  scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 2.0F; });  // of the wall
+  DiscoveryParams params = testParams();
+  params.max_flat_size_m = 1;
+  const auto finder = makeRuleBasedFinder(params);
+  std::vector<Candidate> found;
+  for (int i = 0; i < 60; ++i) found = finder->find(scene.input());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_LT(found[0].outline, 0.05F);
+  EXPECT_FALSE(found[0].is_whole);
+}
+
+TEST(RuleBasedFinder, NeighboursThatAreNearToJoiningAreAHypothesisTogether) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 50, 20, 30}, 1.0F);
+  scene.paintBump(9, {80, 50, 20, 30}, 1.0F);
+  const auto sets = [&] {
+    const auto finder = makeRuleBasedFinder(testParams());
+    std::vector<Candidate> found;
+    for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
+    std::vector<RegionSet> of_found;
+    for (const Candidate& candidate : found) of_found.push_back(candidate.regions);
+    return of_found;
+  };
+  const RegionSet one{RegionId{7}}, other{RegionId{9}}, both{RegionId{7}, RegionId{9}};
+  EXPECT_THAT(sets(), ElementsAre(one, other)) << "nothing is known of the two";
+  scene.joining_odds = [](RegionId, RegionId) { return -0.6F; };
+  EXPECT_THAT(sets(), ElementsAre(one, both, other));
+  scene.joining_odds = [](RegionId, RegionId) { return -kNearOdds - 1; };
+  EXPECT_THAT(sets(), ElementsAre(one, other)) << "clearly two";
+}
+
+TEST(ChooseDisjoint, TakesTheBestOfThoseThatShareRegions) {
+  const auto candidate = [](const RegionSet& regions, float outline, bool is_whole, float odds = 0) {
+    Candidate made;
+    made.regions = regions;
+    made.outline = outline;
+    made.is_whole = is_whole;
+    made.odds = odds;
+    return made;
+  };
+  const RegionId a{1}, b{2}, c{3};
+  const std::vector<float> nothing(3, 0.0F);
+  // A box whose front and top end at one another, and are one whole together.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.6F, false), candidate({a, b}, 0.95F, true, -1),
+                                         candidate({b}, 0.6F, false)},
+                             nothing),
+              ElementsAre(1U));
+  // Two things that touch.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.9F, true), candidate({a, b}, 0.9F, true, -3),
+                                         candidate({b}, 0.9F, true)},
+                             nothing),
+              ElementsAre(0U, 2U));
+  // What the catalogue knows comes first.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.9F, true), candidate({a, b}, 0.8F, true, -3),
+                                         candidate({c}, 0.5F, false)},
+                             std::vector{0.0F, 1.0F, 0.0F}),
+              ElementsAre(1U, 2U));
 }
 
 TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {

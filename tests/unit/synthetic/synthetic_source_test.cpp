@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "core/capture/color_projection.h"
 #include "core/synthetic/synthetic_source.h"
 #include "core/synthetic/uneven_shape.h"
 #include "tests/support/film_sets.h"
@@ -248,6 +249,45 @@ TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
   EXPECT_TRUE(a.T_world_camera->matrix() == b.T_world_camera->matrix());
   EXPECT_GT(cv::countNonZero(a.depth != c.depth), 1000);
   EXPECT_FALSE(a.T_world_camera->matrix() == c.T_world_camera->matrix());
+}
+
+// Colour from beside, looked up where the surface is seen in it, is the colour that depth's camera would see.
+TEST(SyntheticSource, ColourOfACameraOfItsOwnIsSeenFromThere) {
+  SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
+  options.color = true;
+  const RgbdFrame straight = frameAt(options, 30);
+  EXPECT_FALSE(straight.color_camera);
+  options.color_camera = ColorCamera{{270, 270, 160, 128, 320, 256}};
+  options.color_camera->T_color_depth = Eigen::Translation3d(-0.08, 0.02, 0.01) *
+                                        Eigen::AngleAxisd(0.03, Eigen::Vector3d(1, 2, 3).normalized());
+  const RgbdFrame frame = frameAt(options, 30);
+  ASSERT_TRUE(frame.color_camera);
+  ASSERT_EQ(frame.color.size(), cv::Size(320, 256));
+  EXPECT_EQ(cv::countNonZero(frame.depth != straight.depth), 0);
+  std::vector<Eigen::Vector4f> vertices;
+  for (int v = 0; v < options.K.height; ++v) {
+    for (int u = 0; u < options.K.width; ++u) {
+      const float z = static_cast<float>(frame.depth.at<std::uint16_t>(v, u)) * frame.metres_per_unit;
+      vertices.emplace_back(Eigen::Vector4f::Zero());
+      if (z > 0)
+        vertices.back() =
+            options.K.backProject(static_cast<float>(u), static_cast<float>(v), z).homogeneous();
+    }
+  }
+  const SurfaceInColor seen =
+      locateInColor(frame.color_camera, options.K, Eigen::Isometry3d::Identity(), vertices);
+  cv::Mat looked_up, shown, off;
+  cv::remap(frame.color, looked_up, pixelsOf(seen.places, frame.color.size()), {}, cv::INTER_LINEAR);
+  cv::absdiff(looked_up, straight.color, off);
+  cv::transform(off, off, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
+  const int visible = cv::countNonZero(seen.hidden == 0);
+  EXPECT_GT(visible, 0.8 * static_cast<double>(seen.hidden.total()));
+  EXPECT_LT(visible, 0.995 * static_cast<double>(seen.hidden.total())) << "0.08 m aside, things hide others";
+  EXPECT_LT(cv::countNonZero((off > 20) & (seen.hidden == 0)), 0.04 * visible);
+  cv::resize(frame.color, shown, straight.color.size(), 0, 0, cv::INTER_AREA);
+  cv::absdiff(shown, straight.color, off);
+  cv::transform(off, off, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
+  EXPECT_GT(cv::countNonZero(off > 20), 0.12 * static_cast<double>(seen.hidden.total())) << "it matters here";
 }
 
 TEST(SyntheticSource, ANumberAfterTheNameIsTheSeed) {

@@ -1,0 +1,63 @@
+#include "core/scan/recognition_history.h"
+
+#include <gtest/gtest.h>
+
+namespace scantrove {
+namespace {
+
+const RegionSet kThing{RegionId{3}};
+constexpr float kMost = 0.5F;
+
+/// The verdict after looks that named these objects, 0 = none, each at the given distance.
+std::optional<ObjectId> after(const std::vector<std::uint32_t>& named, float distance = 0.4F) {
+  RecognitionHistory history;
+  int frame = 0;
+  for (const std::uint32_t object : named)
+    history.add(kThing, {ObjectId{object}, object == 0 ? 2 : distance}, kMost, frame += 5);
+  return history.verdict(kThing);
+}
+
+TEST(RecognitionHistory, TwoLooksThatNameTheSameKnow) {
+  EXPECT_FALSE(after({}).has_value());
+  EXPECT_FALSE(after({7}).has_value());
+  EXPECT_EQ(after({7, 7}), ObjectId{7});
+  EXPECT_FALSE(after({7, 8}).has_value());
+  EXPECT_EQ(after({7, 0, 8, 0, 7}), ObjectId{7});
+}
+
+TEST(RecognitionHistory, OneVeryGoodLookKnows) {
+  EXPECT_EQ(after({7}, 0.2F), ObjectId{7});
+  EXPECT_EQ(after({7}, 0.26F), std::nullopt) << "half of what counts";
+}
+
+TEST(RecognitionHistory, GivesUpAfterSeveralLooksOnly) {
+  EXPECT_FALSE(after({0, 0, 0}).has_value());
+  EXPECT_EQ(after({0, 0, 0, 0}), ObjectId{});
+  EXPECT_FALSE(after({0, 7, 0, 0, 0}).has_value()) << "one look named it: it may be the side that is unknown";
+  EXPECT_EQ(after({0, 7, 0, 0, 0, 0, 0, 0}), ObjectId{});
+}
+
+TEST(RecognitionHistory, LooksAgainAfterAFewFrames) {
+  RecognitionHistory history;
+  EXPECT_TRUE(history.isLookDue(kThing, 10));
+  history.add(kThing, {}, kMost, 10);
+  EXPECT_FALSE(history.isLookDue(kThing, 10 + RecognitionHistory::kFramesApart - 1));
+  EXPECT_TRUE(history.isLookDue(kThing, 10 + RecognitionHistory::kFramesApart));
+}
+
+TEST(RecognitionHistory, ForgetsWhatIsNoMore) {
+  RecognitionHistory history;
+  history.add(kThing, {}, kMost, 10);
+  history.forgetBefore(10);
+  EXPECT_EQ(history.looks(kThing), 1);
+  history.forgetRegion(RegionId{4});
+  EXPECT_EQ(history.looks(kThing), 1);
+  history.forgetRegion(RegionId{3});
+  EXPECT_EQ(history.looks(kThing), 0);
+  history.add(kThing, {}, kMost, 10);
+  history.forgetBefore(11);
+  EXPECT_EQ(history.looks(kThing), 0);
+}
+
+}  // namespace
+}  // namespace scantrove
