@@ -21,7 +21,12 @@ struct WindowPlane {
 class NormalReference {
  public:
   NormalReference(const Intrinsics& K, std::vector<double> z, int radius, double gate_m)
-      : K_(K), z_(std::move(z)), radius_(radius), gate_m_(gate_m) {}
+      : K_(K), z_(std::move(z)), radius_(radius), gate_m_(gate_m) {
+    planes_.reserve(z_.size());  // once each: every pixel looks at those of its neighbours
+    for (int y = 0; y < K_.height; ++y) {
+      for (int x = 0; x < K_.width; ++x) planes_.push_back(fit(x, y));
+    }
+  }
 
   [[nodiscard]] bool sameSurface(int x, int y, int x2, int y2, double* margin = nullptr) const {
     if (x2 < 0 || y2 < 0 || x2 >= K_.width || y2 >= K_.height || !(at(x2, y2) > 0)) return false;
@@ -32,7 +37,10 @@ class NormalReference {
     return step <= reach;
   }
 
-  [[nodiscard]] WindowPlane plane(int x, int y) const {
+  [[nodiscard]] const WindowPlane& plane(int x, int y) const { return planes_[index(x, y)]; }
+
+ private:
+  [[nodiscard]] WindowPlane fit(int x, int y) const {
     WindowPlane result;
     if (!(at(x, y) > 0)) return result;
     std::vector<Eigen::Vector3d> rows;  // (dx, dy, 1)
@@ -70,13 +78,14 @@ class NormalReference {
     return result;
   }
 
- private:
-  double at(int x, int y) const { return z_[static_cast<std::size_t>(y * K_.width + x)]; }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * K_.width + x); }
+  double at(int x, int y) const { return z_[index(x, y)]; }
 
   Intrinsics K_;
   std::vector<double> z_;
   int radius_;
   double gate_m_;
+  std::vector<WindowPlane> planes_;
 };
 
 }  // namespace scantrove::reference

@@ -93,7 +93,7 @@ TEST(RefineNormals, EqualsTheFormula) {
           ASSERT_EQ(normals[i].s[3], 0.0F);
           continue;
         }
-        const reference::WindowPlane centre = reference.plane(x, y);
+        const reference::WindowPlane& centre = reference.plane(x, y);
         std::vector<reference::WindowPlane> windows;
         double margin = centre.margin, best = 1e9;
         for (int dy = -kRadius_px; dy <= kRadius_px; ++dy) {
