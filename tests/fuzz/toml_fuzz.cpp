@@ -19,7 +19,11 @@ void checkRanges(const ScanParams& params) {
 std::vector<std::string> seeds() {
   return {"[segmentation]\nk = 0.5\nneighbours = 4\nrefine_normals = false\n[labeling]\nrule = \"thesis\"\n",
           "# all kinds\n[fusion]\nvoxel_size_m = 4e-3\nworking_width = 0x140\n[detection]\nmax_views = 12\n",
-          "fusion.max_depth_m = 4.0\n", "segmentation.k=0.25", "labeling.rule=thesis"};
+          "[!labeling]\n",
+          "[segmentation]\nkä = 1 # für Möbel\n",
+          "fusion.max_depth_m = 4.0\n",
+          "segmentation.k=0.25",
+          "labeling.rule=thesis"};
 }
 
 }  // namespace scantrove::test

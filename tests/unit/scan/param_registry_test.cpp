@@ -91,7 +91,8 @@ TEST(ParamRegistry, ConfigurationFilesAreAppliedWholeOrNotAtAll) {
   const test::TemporaryFolder folder;
   ScanParams params;
   ASSERT_TRUE(loadConfig(params, folder.write("good.toml",
-                                              "[segmentation]\nk = 0.5\n[labeling]\nrule = \"thesis\"\n"
+                                              "\xEF\xBB\xBF[segmentation]\nk = 0.5 # für Möbel\n"
+                                              "[labeling]\nrule = \"thesis\"\n"
                                               "voxel_confidence = false\n")));
   EXPECT_FLOAT_EQ(params.segmentation.k, 0.5F);
   EXPECT_EQ(params.labeling.rule, LabelingParams::Rule::thesis);
@@ -101,9 +102,12 @@ TEST(ParamRegistry, ConfigurationFilesAreAppliedWholeOrNotAtAll) {
   ASSERT_FALSE(bad);
   EXPECT_THAT(bad.error().message(), HasSubstr("line 3"));
   EXPECT_FLOAT_EQ(params.segmentation.k, 0.5F);
-  const Result<void> broken = loadConfig(params, folder.write("broken.toml", "[segmentation\n"));
-  ASSERT_FALSE(broken);
-  EXPECT_THAT(broken.error().message(), HasSubstr("broken.toml"));
+  for (const char* text :
+       {"[segmentation\n", "[!segmentation]\n", "[[!segmentation]]\n", "[segmentation]\nkä = 1\n"}) {
+    const Result<void> broken = loadConfig(params, folder.write("broken.toml", text));
+    ASSERT_FALSE(broken) << text;
+    EXPECT_THAT(broken.error().message(), HasSubstr("broken.toml"));
+  }
 }
 
 }  // namespace
