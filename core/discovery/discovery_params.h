@@ -28,7 +28,7 @@ struct DiscoveryParams {
   float whole_outline =
       0.8F;  ///< and this part of its outline was its own, on the average (OutlineSteps::own)
   float whole_hidden = 0.35F;  ///< with no more of it behind nearer things,
-  float whole_angle_deg = 5;  ///< from directions so far apart,
+  float whole_angle_deg = 5;   ///< from directions so far apart,
   int still_frames = 30;       ///< or over so many frames, where the camera stands still
   int border_px = 2;           ///< a region that comes this close to the image border is no candidate
 };
