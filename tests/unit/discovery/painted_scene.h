@@ -49,19 +49,29 @@ struct PaintedScene {
     });
   }
 
-  /// Normals follow from the vertices, by differences to the right and down.
+  /// Normals follow from the vertices, by differences within a region.
   [[nodiscard]] DiscoveryInput input() const {
     normals.assign(vertices.size(), Eigen::Vector4f::Zero());
-    for (int v = 0; v + 1 < K.height; ++v) {
-      for (int u = 0; u + 1 < K.width; ++u) {
-        const auto pixel = static_cast<std::size_t>(v * K.width + u);
-        const Eigen::Vector3f right = (vertices[pixel + 1] - vertices[pixel]).head<3>();
-        const Eigen::Vector3f down =
-            (vertices[pixel + static_cast<std::size_t>(K.width)] - vertices[pixel]).head<3>();
-        normals[pixel] << down.cross(right).normalized(), 1;
+    for (int v = 0; v < K.height; ++v) {
+      for (int u = 0; u < K.width; ++u) {
+        const Eigen::Vector3f normal = difference(u, v, 0, 1).cross(difference(u, v, 1, 0));
+        if (normal.norm() > 0) normals[static_cast<std::size_t>(v * K.width + u)] << normal.normalized(), 1;
       }
     }
     return {map, vertices, normals, K, T_world_camera, joining_odds};
+  }
+
+ private:
+  /// From the pixel to the next, or from the one before to it; zero where it is alone.
+  [[nodiscard]] Eigen::Vector3f difference(int u, int v, int du, int dv) const {
+    const auto at = [this](int x, int y) { return static_cast<std::size_t>(y * K.width + x); };
+    const auto isOne = [&](int x, int y) {
+      return x >= 0 && y >= 0 && x < K.width && y < K.height &&
+             map.regions[at(x, y)] == map.regions[at(u, v)];
+    };
+    if (isOne(u + du, v + dv)) return (vertices[at(u + du, v + dv)] - vertices[at(u, v)]).head<3>();
+    if (isOne(u - du, v - dv)) return (vertices[at(u, v)] - vertices[at(u - du, v - dv)]).head<3>();
+    return Eigen::Vector3f::Zero();
   }
 };
 
