@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <tuple>
+#include <utility>
 
 #include "core/base/check.h"
 
@@ -23,12 +24,12 @@ FragmentId RegionTable::newFragment() {
 }
 
 void RegionTable::free(FragmentId fragment) {
-  RegionId& region = regions_.at(fragment.value);
+  const RegionId region = regions_.at(fragment.value);
   if (!fragment || !region) return;
   std::vector<FragmentId>& members = members_.at(region).fragments;
   std::erase(members, fragment);
   if (members.empty()) members_.erase(region);
-  region = {};
+  setRegion(fragment, {});
   free_.insert(std::lower_bound(free_.begin(), free_.end(), fragment, std::greater<>()), fragment);
   ++version_;
 }
@@ -55,8 +56,22 @@ RegionId RegionTable::newRegion() {
 }
 
 void RegionTable::assign(RegionId region, std::vector<FragmentId> fragments) {
-  for (const FragmentId fragment : fragments) regions_[fragment.value] = region;
+  for (const FragmentId fragment : fragments) setRegion(fragment, region);
   members_[region].fragments = std::move(fragments);
+}
+
+void RegionTable::setRegion(FragmentId fragment, RegionId region) {
+  if (regions_[fragment.value] == region) return;
+  regions_[fragment.value] = region;
+  is_changed_.resize(regions_.size(), false);
+  if (is_changed_[fragment.value]) return;
+  is_changed_[fragment.value] = true;
+  changed_.push_back(fragment);
+}
+
+std::vector<FragmentId> RegionTable::takeChanged() {
+  for (const FragmentId fragment : changed_) is_changed_[fragment.value] = false;
+  return std::exchange(changed_, {});
 }
 
 bool RegionTable::join(RegionId into, RegionId from) {

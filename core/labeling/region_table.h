@@ -46,8 +46,10 @@ class RegionTable {
   void divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
               RegionEvents& events);
 
-  /// Grows with each change, for those who keep a copy.
+  /// Grows with each change.
   [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// Fragments whose region changed since the last call, each once: for one who keeps a copy.
+  [[nodiscard]] std::vector<FragmentId> takeChanged();
 
  private:
   struct Region {
@@ -56,10 +58,13 @@ class RegionTable {
   };
   RegionId newRegion();
   void assign(RegionId region, std::vector<FragmentId> fragments);
+  void setRegion(FragmentId fragment, RegionId region);
 
   std::vector<RegionId> regions_{RegionId{}};
   std::vector<FragmentId> free_;  // to be used again, lowest last
   std::map<RegionId, Region> members_;
+  std::vector<FragmentId> changed_;  // not taken yet
+  std::vector<bool> is_changed_;     // by fragment
   std::uint32_t last_region_ = 0;
   std::uint64_t version_ = 0;
 };

@@ -151,6 +151,13 @@ void ScanPipeline::keepKnown(const FrameObjects& objects) {
   }
 }
 
+std::vector<RegionChange> ScanPipeline::takeRegionChanges() {
+  std::vector<RegionChange> changes;
+  for (const FragmentId fragment : table_.takeChanged())
+    changes.push_back({fragment, table_.regionOf(fragment)});
+  return changes;
+}
+
 void ScanPipeline::readSurface(FrameResult& result) {
   static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
   const auto read = [&](const Buffer<cl_float4>& from, std::vector<Eigen::Vector4f>& to) {

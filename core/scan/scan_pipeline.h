@@ -71,6 +71,12 @@ class ScanPipeline {
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
   [[nodiscard]] const RegionTable& regionTable() const { return table_; }
+  /// Fragments whose region changed since the last call.
+  [[nodiscard]] std::vector<RegionChange> takeRegionChanges();
+  /// A person says that the candidate with this region is an object.
+  void addCandidate(RegionId region) {
+    if (collector_) collector_->addByPerson(region);
+  }
   /// How many voxels hold each fragment, by fragment number.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
   [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }

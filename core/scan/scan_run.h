@@ -43,6 +43,7 @@ class ScanRun {
   /// Learns what became of the catalogue meanwhile; frames do so by themselves.
   void followCatalogue();
   void setParams(const ScanParams& params) { pipeline_->setParams(params); }
+  void addCandidate(RegionId region) { pipeline_->addCandidate(region); }
 
   /// Wall time that must not count, because a person paused.
   void startClock();

@@ -48,6 +48,9 @@ class ScanSession::Worker {
       commands_.request.reset();
     });
   }
+  void addCandidate(RegionId region) {
+    command([&] { commands_.wanted.push_back(region); });
+  }
   void catalogueChanged() {
     command([this] { commands_.follow_catalogue = true; });
   }
@@ -70,6 +73,7 @@ class ScanSession::Worker {
     bool paused = false;
     int steps = 0;
     bool follow_catalogue = false;
+    std::vector<RegionId> wanted;
     std::optional<ScanParams> params;
   };
 
@@ -132,6 +136,7 @@ class ScanSession::Worker {
       SCANTROVE_TRY(awaitTurn(run, commands));
       if (commands.stop) return {};
       if (commands.params) run.setParams(*commands.params);
+      for (const RegionId region : commands.wanted) run.addCandidate(region);
       if (commands.paused && commands.steps == 0) {
         if (commands.follow_catalogue && run.hasFrames()) {
           run.followCatalogue();
@@ -177,6 +182,7 @@ class ScanSession::Worker {
     taken.steps = commands_.steps;
     if (commands_.steps > 0) --commands_.steps;
     taken.follow_catalogue = std::exchange(commands_.follow_catalogue, false);
+    taken.wanted = std::exchange(commands_.wanted, {});
     taken.params = std::exchange(commands_.params, std::nullopt);
     return {};
   }
@@ -197,6 +203,7 @@ void ScanSession::resume() { worker_->resume(); }
 void ScanSession::step() { worker_->step(); }
 void ScanSession::stop() { worker_->stop(); }
 void ScanSession::wait() { worker_->wait(); }
+void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region); }
 void ScanSession::catalogueChanged() { worker_->catalogueChanged(); }
 void ScanSession::setParams(const ScanParams& params) { worker_->setParams(params); }
 ScanState ScanSession::state() const { return worker_->state; }

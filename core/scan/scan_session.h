@@ -88,6 +88,9 @@ class ScanSession {
   void stop();  ///< ends the scan cleanly: results are written, ScanFinished follows
   void wait();  ///< until the scan that runs has ended
 
+  /// A person says that the candidate with this region is an object: it is added when it is seen next.
+  void addCandidate(RegionId region);
+
   /// The catalogue was edited. Frames see that by themselves; this is for a scan that is paused.
   void catalogueChanged();
 

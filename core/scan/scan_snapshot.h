@@ -32,15 +32,22 @@ struct SeenObject {
 struct CloudBrick {
   struct Point {
     float x, y, z;        ///< world, metres
-    FragmentId fragment;  ///< resolve through ScanSnapshot::region_of_fragment
+    FragmentId fragment;  ///< its region: by all ScanSnapshot::changed_regions so far
   };
   Eigen::Vector3i position;  ///< in units of bricks
   std::uint64_t version = 0;
   std::vector<Point> points;  ///< replaces all earlier points of this brick
 };
 
+/// A fragment is part of another region than before; of none: no voxel holds it any more.
+struct RegionChange {
+  FragmentId fragment;
+  RegionId region;
+};
+
 /// What the window shows: one immutable value, made by the worker, collected from the mailbox by the window.
-/// Snapshots may be skipped: `changed_bricks` of a skipped one are carried over into the next.
+/// Snapshots may be skipped: `changed_bricks` and `changed_regions` of a skipped one are carried over into
+/// the next.
 struct ScanSnapshot {
   ScanState state = ScanState::idle;
   int frame_index = -1;  ///< of the source
@@ -59,7 +66,7 @@ struct ScanSnapshot {
   std::vector<SeenObject> objects;
 
   std::vector<CloudBrick> changed_bricks;
-  std::shared_ptr<const std::vector<RegionId>> region_of_fragment;  ///< index = fragment
+  std::vector<RegionChange> changed_regions;  ///< of several for one fragment the last holds
 
   struct StageTime {
     std::string name;

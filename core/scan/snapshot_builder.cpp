@@ -115,8 +115,11 @@ Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size
   const Result<LabelCloud::Extract> extract = pipeline.extractCloud(slots);
   if (!extract) return fail(extract.error());
   waiting_slots_.erase(waiting_slots_.begin(), waiting_slots_.begin() + count);
-  // Bricks of a snapshot that was never collected go with this one.
-  if (const auto uncollected = mailbox_.collect()) snapshot.changed_bricks = uncollected->changed_bricks;
+  // What a snapshot that was never collected held goes with this one.
+  if (const auto uncollected = mailbox_.collect()) {
+    snapshot.changed_bricks = uncollected->changed_bricks;
+    snapshot.changed_regions = uncollected->changed_regions;
+  }
   ++version_;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     is_waiting_[static_cast<std::size_t>(slots[i])] = false;
@@ -129,11 +132,7 @@ Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size
     }
     snapshot.changed_bricks.push_back(std::move(brick));
   }
-  if (const RegionTable& table = pipeline.regionTable(); table.version() != table_version_) {
-    table_version_ = table.version();
-    table_ = std::make_shared<const std::vector<RegionId>>(table.regions());
-  }
-  snapshot.region_of_fragment = table_;
+  std::ranges::move(pipeline.takeRegionChanges(), std::back_inserter(snapshot.changed_regions));
   return {};
 }
 

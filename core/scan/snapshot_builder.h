@@ -50,10 +50,8 @@ class SnapshotBuilder {
   FrameResult result_;
   std::vector<Eigen::Vector3f> trail_;
   std::deque<cl_int> waiting_slots_;
-  std::vector<bool> is_waiting_;  // by slot
-  std::uint64_t version_ = 0;     // of the bricks that are sent
-  std::shared_ptr<const std::vector<RegionId>> table_;
-  std::uint64_t table_version_ = 0;
+  std::vector<bool> is_waiting_;                                   // by slot
+  std::uint64_t version_ = 0;                                      // of the bricks that are sent
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
   std::chrono::steady_clock::time_point last_post_;
   double fps_ = 0;

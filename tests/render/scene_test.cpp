@@ -53,7 +53,8 @@ class SceneTest : public testing::Test {
   void show(const std::vector<CloudBrick>& bricks, const std::vector<RegionId>& region_of_fragment) {
     ScanSnapshot snapshot;
     snapshot.changed_bricks = bricks;
-    snapshot.region_of_fragment = std::make_shared<const std::vector<RegionId>>(region_of_fragment);
+    for (std::uint32_t fragment = 1; fragment < region_of_fragment.size(); ++fragment)
+      snapshot.changed_regions.push_back({FragmentId{fragment}, region_of_fragment[fragment]});
     scene_.update(snapshot);
   }
 
@@ -172,8 +173,7 @@ TEST_F(SceneTest, WhatArrivesDoesNotTurnAViewThatAPersonTook) {
   snapshot.pose.state = TrackingState::tracking;
   snapshot.pose.T_world_camera.linear() =
       Eigen::AngleAxisd(50 * std::numbers::pi / 180, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  snapshot.region_of_fragment =
-      std::make_shared<const std::vector<RegionId>>(std::vector<RegionId>{{0}, {1}});
+  snapshot.changed_regions = {{FragmentId{1}, RegionId{1}}};
   scene_.update(snapshot);
   const Eigen::Vector3f eye = scene_.viewpoint().eye();
   const Eigen::Vector3f up = scene_.viewpoint().up();

@@ -31,6 +31,7 @@ class ScriptedSession final : public SessionPort {
     commands.push_back("stop");
     finish();
   }
+  void addCandidate(RegionId region) override { added_candidates.push_back(region); }
   void catalogueChanged() override { ++catalogue_changes; }
   void setParams(const ScanParams& params) override { last_params = params; }
   [[nodiscard]] ScanState state() const override { return state_; }
@@ -49,6 +50,7 @@ class ScriptedSession final : public SessionPort {
   ScanRequest last_request;
   ScanParams last_params;
   int catalogue_changes = 0;
+  std::vector<RegionId> added_candidates;
 
  private:
   void enter(ScanState state) {

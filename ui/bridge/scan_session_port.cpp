@@ -13,6 +13,7 @@ class ScanSessionPort final : public SessionPort {
   void resume() override { session_.resume(); }
   void step() override { session_.step(); }
   void stop() override { session_.stop(); }
+  void addCandidate(RegionId region) override { session_.addCandidate(region); }
   void catalogueChanged() override { session_.catalogueChanged(); }
   void setParams(const ScanParams& params) override { session_.setParams(params); }
   [[nodiscard]] ScanState state() const override { return session_.state(); }

@@ -25,6 +25,7 @@ class SessionBridge : public QObject {
   void resume() { session_->resume(); }
   void step() { session_->step(); }
   void stop() { session_->stop(); }
+  void addCandidate(RegionId region) { session_->addCandidate(region); }
   void catalogueChanged() { session_->catalogueChanged(); }
   void setParams(const ScanParams& params) { session_->setParams(params); }
 

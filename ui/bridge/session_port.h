@@ -19,6 +19,7 @@ class SessionPort {
   virtual void resume() = 0;
   virtual void step() = 0;
   virtual void stop() = 0;
+  virtual void addCandidate(RegionId region) = 0;
   virtual void catalogueChanged() = 0;
   virtual void setParams(const ScanParams& params) = 0;
   [[nodiscard]] virtual ScanState state() const = 0;

@@ -137,6 +137,7 @@ void MainWindow::connectSession() {
   connect(controller_, &ScanController::opening, this, &MainWindow::beginScan);
   connect(&bridge, &SessionBridge::snapshotArrived, this,
           [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(*snapshot); });
+  connect(frames_->colorPanel(), &ColorPanel::candidateClicked, &bridge, &SessionBridge::addCandidate);
   connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
   connect(&bridge, &SessionBridge::preparingDevice, status_, &StatusStrip::showPreparing);
   connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
@@ -158,6 +159,7 @@ void MainWindow::connectCatalogue() {
   connect(&bridge, &SessionBridge::objectAdded, this, soon);
   connect(&bridge, &SessionBridge::viewAdded, this, soon);
   connect(&bridge, &SessionBridge::objectsMerged, this, soon);
+  connect(frames_->colorPanel(), &ColorPanel::candidateClicked, &bridge, &SessionBridge::addCandidate);
   connect(&bridge, &SessionBridge::stateChanged, this, soon);
   connect(&editor_, &CatalogueEditor::edited, &bridge, &SessionBridge::catalogueChanged);
   connect(&editor_, &CatalogueEditor::failed, this,

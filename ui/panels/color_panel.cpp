@@ -1,5 +1,6 @@
 #include "ui/panels/color_panel.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <tuple>
@@ -12,6 +13,14 @@ namespace {
 const QColor kFound(255, 255, 255);
 const QColor kRecognised(0, 255, 255);
 const QColor kSelected(255, 208, 0);
+
+void paintCandidate(QPainter& painter, const QRectF& box) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 110), 2.4));
+  painter.drawRect(box);
+  painter.setPen(QPen(kFound, 1.0, Qt::DashLine));
+  painter.drawRect(box);
+}
 
 void paintBox(QPainter& painter, const QRectF& box, bool selected) {
   QColor glow = kSelected;
@@ -30,8 +39,8 @@ ColorPanel::ColorPanel(QWidget* parent)
     : ImagePanel(
           tr("Colour and objects"),
           tr("The camera's picture. White rectangles: objects found. Cyan names: objects known from the "
-             "catalogue. White names: objects new in this scan; “?”: still being watched. Yellow: selected "
-             "in the list of objects. The rectangles themselves cannot be clicked yet: select in the list."),
+             "catalogue. White names: objects new in this scan. Yellow: selected in the list of objects. "
+             "Dashed: may be an object, but has not been seen well enough; click it to add it."),
           parent) {}
 
 void ColorPanel::setFrame(const QImage& picture, const std::vector<SeenObject>& objects) {
@@ -63,8 +72,24 @@ QRectF ColorPanel::objectRect(const SeenObject& object) const {
           static_cast<double>(box.width) * frame.width(), static_cast<double>(box.height) * frame.height()};
 }
 
+const SeenObject* ColorPanel::candidateAt(const QPointF& place) const {
+  const SeenObject* smallest = nullptr;
+  for (const SeenObject& object : objects_) {
+    if (object.object || !objectRect(object).contains(place)) continue;
+    if (smallest == nullptr || object.box.area() < smallest->box.area()) smallest = &object;
+  }
+  return smallest;
+}
+
+void ColorPanel::mouseReleaseEvent(QMouseEvent* event) {
+  // As a small picture among others a click shows it large.
+  const bool adds = event->button() == Qt::LeftButton && !hasClickMeaning();
+  const SeenObject* const candidate = adds ? candidateAt(event->position()) : nullptr;
+  if (candidate == nullptr) return ImagePanel::mouseReleaseEvent(event);
+  emit candidateClicked(*candidate->regions.begin());
+}
+
 QString ColorPanel::nameOf(const SeenObject& object) const {
-  if (!object.object) return QStringLiteral("?");
   const QString now = name_of_ ? name_of_(object.object) : QString();
   return now.isEmpty() ? QString::fromStdString(object.name) : now;
 }
@@ -79,17 +104,22 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   std::vector<QString> names;
   std::vector<LabelRequest> requests;
   for (const SeenObject& object : objects_) {
+    if (!object.object) continue;
     names.push_back(QFontMetricsF(font).elidedText(nameOf(object), Qt::ElideRight, rect.width() / 2));
     requests.push_back({objectRect(object), chipSize(painter, names.back())});
   }
   // Backwards, so that the selected ones lie on top.
   for (auto object = objects_.rbegin(); object != objects_.rend(); ++object) {
-    paintBox(painter, objectRect(*object), isSelected(*object));
+    if (object->object) {
+      paintBox(painter, objectRect(*object), isSelected(*object));
+    } else {
+      paintCandidate(painter, objectRect(*object));
+    }
   }
   // The bottom line is the title's.
   const std::vector<QRectF> places =
       placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
+  for (std::size_t i = 0; i < places.size(); ++i) {  // candidates come last and have no name
     const SeenObject& object = objects_[i];
     const QColor color = isSelected(object) ? kSelected : (object.recognised ? kRecognised : kFound);
     paintChip(painter, places[i].topLeft(), names[i], color);

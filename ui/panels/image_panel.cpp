@@ -36,6 +36,7 @@ ImagePanel::ImagePanel(const QString& title, const QString& explanation, QWidget
 }
 
 void ImagePanel::setClickMeaning(const QString& meaning) {
+  has_click_meaning_ = !meaning.isEmpty();
   setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(title_, accessibleDescription()) +
              (meaning.isEmpty() ? QString() : QStringLiteral("<br><i>%1</i>").arg(meaning)));
   setCursor(meaning.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);

@@ -15,6 +15,7 @@ class ImagePanel : public QWidget {
   void setPicture(const QImage& picture);
   /// What a click does, for the tooltip and the cursor; empty: nothing.
   void setClickMeaning(const QString& meaning);
+  [[nodiscard]] bool hasClickMeaning() const { return has_click_meaning_; }
   [[nodiscard]] const QImage& picture() const { return picture_; }
   [[nodiscard]] const QString& title() const { return title_; }
   /// Where the picture is drawn, in widget coordinates; empty when there is none.
@@ -36,6 +37,7 @@ class ImagePanel : public QWidget {
 
   QString title_;
   QImage picture_;
+  bool has_click_meaning_ = false;
 };
 
 /// Text on a dark translucent chip, readable on any picture.

@@ -120,7 +120,7 @@ void CloudChunk::show(bool visible) {
   actor_->SetVisibility(visible && shown());
 }
 
-void CloudChunk::rebuild(const RegionOfFragment* region_of_fragment, float voxel_size_m) {
+void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, float voxel_size_m) {
   const auto count = static_cast<vtkIdType>(pointCount(wanted_level_));
   const auto positions = vtkSmartPointer<vtkFloatArray>::New();
   positions->SetNumberOfComponents(3);
@@ -138,8 +138,8 @@ void CloudChunk::rebuild(const RegionOfFragment* region_of_fragment, float voxel
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
     for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[wanted_level_])) {
       for (const float coordinate : {p.x, p.y, p.z}) *position++ = coordinate;
-      const bool known = region_of_fragment != nullptr && p.fragment.value < region_of_fragment->size();
-      const RegionId region = known ? (*region_of_fragment)[p.fragment.value] : RegionId{};
+      const bool known = p.fragment.value < region_of_fragment.size();
+      const RegionId region = known ? region_of_fragment[p.fragment.value] : RegionId{};
       const float shade = lightAt(*brick.light, Eigen::Vector3f(p.x, p.y, p.z) / brick_m - corner);
       for (const std::uint8_t channel : regionColor(region)) {
         *color++ = static_cast<unsigned char>(shade * static_cast<float>(channel));

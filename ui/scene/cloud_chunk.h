@@ -52,7 +52,7 @@ class CloudChunk {
   [[nodiscard]] bool inView() const { return in_view_; }
 
   /// Sends points and colours of the wanted level to VTK.
-  void rebuild(const RegionOfFragment* region_of_fragment, float voxel_size_m);
+  void rebuild(const RegionOfFragment& region_of_fragment, float voxel_size_m);
 
   /// Sets the drawn size: `pixels_at_1m` is the edge of a voxel in pixels at one metre from the camera.
   void setPointScale(float pixels_at_1m);

@@ -31,14 +31,15 @@ CloudChunks::~CloudChunks() = default;
 
 void CloudChunks::clear() {
   chunks_.clear();
-  region_of_fragment_.reset();
+  region_of_fragment_.clear();
   bounds_.setEmpty();
   point_count_ = 0;
   drawn_point_count_ = 0;
 }
 
-void CloudChunks::update(const std::vector<CloudBrick>& changed, const RegionOfFragment& region_of_fragment) {
-  if (region_of_fragment != nullptr && region_of_fragment != region_of_fragment_) recolor(region_of_fragment);
+void CloudChunks::update(const std::vector<CloudBrick>& changed,
+                         const std::vector<RegionChange>& changed_regions) {
+  recolor(changed_regions);
   std::ptrdiff_t growth = 0;
   for (const CloudBrick& brick : changed) {
     const ChunkKey key{floorDivide(brick.position.x(), kChunkBricks),
@@ -52,17 +53,19 @@ void CloudChunks::update(const std::vector<CloudBrick>& changed, const RegionOfF
   point_count_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(point_count_) + growth);
 }
 
-void CloudChunks::recolor(const RegionOfFragment& newer) {
-  std::vector<bool> changed(newer->size(), false);
-  bool any = false;
-  for (std::size_t fragment = 0; fragment < newer->size(); ++fragment) {
-    // Fragments that were not in the older table were drawn as unlabelled.
-    const bool known = region_of_fragment_ != nullptr && fragment < region_of_fragment_->size();
-    const RegionId old_region = known ? (*region_of_fragment_)[fragment] : RegionId{};
-    if ((*newer)[fragment] != old_region) any = changed[fragment] = true;
+void CloudChunks::recolor(const std::vector<RegionChange>& changes) {
+  std::vector<bool> changed;
+  for (const auto& [fragment, region] : changes) {
+    if (fragment.value >= region_of_fragment_.size())
+      region_of_fragment_.resize(fragment.value + std::size_t{1});
+    RegionId& known = region_of_fragment_[fragment.value];
+    if (known == region) continue;
+    known = region;
+    changed.resize(region_of_fragment_.size(), false);
+    changed[fragment.value] = true;
   }
-  region_of_fragment_ = newer;
-  if (!any) return;
+  if (changed.empty()) return;
+  changed.resize(region_of_fragment_.size(), false);
   for (auto& [key, chunk] : chunks_) chunk->markIfUses(changed);
 }
 
@@ -121,7 +124,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   std::size_t spent = 0;
   for (CloudChunk* chunk : dirty) {
     if (spent > 0 && spent + chunk->pointCount(chunk->level()) > rebuild_budget) return false;
-    chunk->rebuild(region_of_fragment_.get(), voxel_size_m_);
+    chunk->rebuild(region_of_fragment_, voxel_size_m_);
     chunk->waiting_rounds = 0;
     spent += chunk->pointCount(chunk->level());
   }

@@ -20,8 +20,6 @@ namespace scantrove {
 /// looks closed from where the camera stands. One thread (the one of the OpenGL context).
 class CloudChunks {
  public:
-  using RegionOfFragment = std::shared_ptr<const std::vector<RegionId>>;
-
   explicit CloudChunks(vtkRenderer* renderer);
   ~CloudChunks();
   CloudChunks(const CloudChunks&) = delete;
@@ -32,9 +30,9 @@ class CloudChunks {
   /// Edge of a voxel in metres: the distance of neighbouring points, for closing gaps between them.
   void setVoxelSize(float metres) { voxel_size_m_ = metres; }
 
-  /// Takes over the changed bricks (older versions than the stored are ignored) and the region of each
-  /// fragment; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
-  void update(const std::vector<CloudBrick>& changed, const RegionOfFragment& region_of_fragment);
+  /// Takes over the changed bricks (older versions than the stored are ignored) and the fragments that are of
+  /// other regions now; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
+  void update(const std::vector<CloudBrick>& changed, const std::vector<RegionChange>& changed_regions);
 
   /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
   /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed. Returns true
@@ -59,12 +57,12 @@ class CloudChunks {
     int x, y, z;
     auto operator<=>(const ChunkKey&) const = default;
   };
-  void recolor(const RegionOfFragment& newer);
+  void recolor(const std::vector<RegionChange>& changes);
   void chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget);
 
   vtkRenderer* renderer_;
   std::map<ChunkKey, std::unique_ptr<CloudChunk>> chunks_;
-  RegionOfFragment region_of_fragment_;
+  std::vector<RegionId> region_of_fragment_;
   Eigen::AlignedBox3f bounds_;
   std::size_t point_count_ = 0;
   std::size_t drawn_point_count_ = 0;

@@ -57,7 +57,7 @@ void LabelCloudScene::clear() {
 }
 
 void LabelCloudScene::update(const ScanSnapshot& snapshot) {
-  cloud_.update(snapshot.changed_bricks, snapshot.region_of_fragment);
+  cloud_.update(snapshot.changed_bricks, snapshot.changed_regions);
   sensor_.setPose(snapshot.pose, snapshot.K);
   sensor_.setTrail(snapshot.trail);
   if (snapshot.frame_index < 0) return;

@@ -112,10 +112,21 @@ TEST_F(SnapshotBuilderTest, AFlushCarriesWhatWasNotCollectedAndAllThatWaits) {
   ASSERT_TRUE(snapshot);
   EXPECT_EQ(bricksOf(*snapshot), changed);
   EXPECT_EQ(snapshot->frames.done(), 2);
+  std::set<FragmentId> with_region;
+  for (const RegionChange& change : snapshot->changed_regions) with_region.insert(change.fragment);
   for (const CloudBrick& brick : snapshot->changed_bricks) {
-    for (const CloudBrick::Point& point : brick.points)
-      ASSERT_LT(point.fragment.value, snapshot->region_of_fragment->size());
+    for (const CloudBrick::Point& point : brick.points) ASSERT_TRUE(with_region.contains(point.fragment));
   }
+}
+
+// Fragments that did not change region are not sent again.
+TEST_F(SnapshotBuilderTest, OnlyChangedRegionsAreSent) {
+  static_cast<void>(addFrame());
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  const auto first = mailbox_.collect();
+  ASSERT_FALSE(first->changed_regions.empty());
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  EXPECT_TRUE(mailbox_.collect()->changed_regions.empty());
 }
 
 // Newer points of a brick have a greater version than those that went before them.

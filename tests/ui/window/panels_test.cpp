@@ -105,6 +105,33 @@ TEST_F(ColorPanelTest, SelectedObjectIsLitUp) {
   EXPECT_NE(image.pixelColor(150, 190), QColor(60, 60, 60));
 }
 
+TEST_F(ColorPanelTest, ACandidateIsDashedHasNoNameAndIsAddedByAClick) {
+  SeenObject candidate = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
+  candidate.object = {};
+  candidate.name.clear();
+  candidate.regions = {RegionId{7}, RegionId{9}};
+  const QImage image = paint(candidate);
+  int bright = 0, dark = 0;
+  for (int x = 105; x < 195; ++x) {
+    int brightest = 0;
+    for (int d = -2; d <= 2; ++d) brightest = std::max(brightest, image.pixelColor(x, 150 + d).lightness());
+    ++(brightest > 150 ? bright : dark);
+  }
+  EXPECT_GT(bright, 20);
+  EXPECT_GT(dark, 10) << "gaps between the dashes";
+  EXPECT_EQ(countPixels(image, QRect(100, 122, 90, 21), QColor(60, 60, 60)), 90 * 21) << "no name above";
+
+  QSignalSpy clicks(&panel_, &ColorPanel::candidateClicked);
+  QTest::mouseClick(&panel_, Qt::LeftButton, {}, QPoint(20, 20));
+  EXPECT_EQ(clicks.count(), 0);
+  QTest::mouseClick(&panel_, Qt::LeftButton, {}, QPoint(150, 190));
+  ASSERT_EQ(clicks.count(), 1);
+  EXPECT_EQ(clicks[0][0].value<RegionId>(), RegionId{7});
+  panel_.setClickMeaning(QStringLiteral("Click: show it large"));
+  QTest::mouseClick(&panel_, Qt::LeftButton, {}, QPoint(150, 190));
+  EXPECT_EQ(clicks.count(), 1) << "a small picture becomes large first";
+}
+
 TEST(FramePanels, RegionsBesideASelectedObjectAreDark) {
   FramePanels panels;
   ScanSnapshot snapshot;
@@ -112,7 +139,7 @@ TEST(FramePanels, RegionsBesideASelectedObjectAreDark) {
   snapshot.regions = cv::Mat(48, 64, CV_32SC1, cv::Scalar(5));
   snapshot.regions.colRange(32, 64).setTo(7);
   SeenObject object = seenAt(0.5F, 0, 0.5F, 1);
-  object.region = RegionId{7};
+  object.regions = {RegionId{7}};
   snapshot.objects = {object};
   panels.showSnapshot(snapshot);
   const ImagePanel* regions = panels.panels()[4];

@@ -199,5 +199,20 @@ TEST(RegionTable, EventsTellTheFateOfEveryRegion) {
   }
 }
 
+TEST(RegionTable, SaysOfWhichFragmentsTheRegionChanged) {
+  RegionTable table;
+  const FragmentId a = table.newFragment(), b = table.newFragment(), c = table.newFragment();
+  EXPECT_EQ(table.takeChanged(), (std::vector{a, b, c}));
+  EXPECT_TRUE(table.takeChanged().empty());
+  table.join(table.regionOf(a), table.regionOf(b));
+  EXPECT_EQ(table.takeChanged(), std::vector{b}) << "a and c are what they were";
+  table.free(b);
+  table.free(c);
+  static_cast<void>(table.newFragment());  // takes one of the numbers again
+  const std::vector<FragmentId> changed = table.takeChanged();
+  EXPECT_EQ(std::set<FragmentId>(changed.begin(), changed.end()), (std::set{b, c})) << "each once";
+  EXPECT_EQ(changed.size(), 2U);
+}
+
 }  // namespace
 }  // namespace scantrove
