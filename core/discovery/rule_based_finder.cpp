@@ -132,7 +132,7 @@ std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& para
 std::vector<std::size_t> chooseDisjoint(std::span<const Candidate> candidates, std::span<const float> known) {
   SCANTROVE_CHECK(candidates.size() == known.size());
   // Where odds are even a set and its regions are equally likely; regions join later than that.
-  constexpr float kEvenOdds = -1.5F, kOfOdds = 0.1F, kMostGain = 0.15F;
+  constexpr float kEvenOdds = -1, kOfOdds = 0.1F, kMostGain = 0.15F;
   const auto score = [&](std::size_t i) {
     const Candidate& candidate = candidates[i];
     const float together =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/labeling/greedy_contraction.h"
@@ -71,10 +72,14 @@ class Divider {
     for (const auto& [a, b] : constraints.apart()) {
       edges.push_back({constraints.groupOf(a), constraints.groupOf(b), -kCertain});
     }
+    const std::map<RegionPair, float> lengths_m = lengthsBetween(table);
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
       if (isSliver(members_[a]) || isSliver(members_[b])) return;
-      const bool are_one = table.regionOf(members_[a]) == table.regionOf(members_[b]);
-      const float bias = params.joining_bias + (are_one ? params.hysteresis : -params.hysteresis);
+      // Two regions must pass the hysteresis once, however many fragments they meet with.
+      const auto between = regionPair(a, b, table);
+      const bool are_one = between.first == between.second;
+      const float share = are_one ? 1 : border.length_m / std::max(lengths_m.at(between), 1e-6F);
+      const float bias = params.joining_bias + (are_one ? params.hysteresis : -params.hysteresis * share);
       edges.push_back({constraints.groupOf(a), constraints.groupOf(b),
                        border.weight(voxelsOf(members_[a]), voxelsOf(members_[b]), bias)});
     });
@@ -105,6 +110,20 @@ class Divider {
            std::ranges::all_of(graph_.linksOf(fragment), [this](const EvidenceGraph::Link& link) {
              return graph_.border(link.border).constraint == Constraint::none;
            });
+  }
+
+  using RegionPair = std::pair<RegionId, RegionId>;
+  [[nodiscard]] RegionPair regionPair(std::uint32_t a, std::uint32_t b, const RegionTable& table) const {
+    return std::minmax(table.regionOf(members_[a]), table.regionOf(members_[b]));
+  }
+  /// Of the borders between two regions, all together.
+  [[nodiscard]] std::map<RegionPair, float> lengthsBetween(const RegionTable& table) const {
+    std::map<RegionPair, float> lengths_m;
+    forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
+      if (!isSliver(members_[a]) && !isSliver(members_[b]))
+        lengths_m[regionPair(a, b, table)] += border.length_m;
+    });
+    return lengths_m;
   }
 
   /// Borders between members, each once: visit(index, index, border).

@@ -14,7 +14,9 @@ const QColor kFound(255, 255, 255);
 const QColor kRecognised(0, 255, 255);
 const QColor kSelected(255, 208, 0);
 
-void paintCandidate(QPainter& painter, const QRectF& box) {
+void paintCandidate(QPainter& painter, const QRectF& place) {
+  // On whole pixels, or a line this thin is grey.
+  const QRectF box = QRectF(place.toAlignedRect()).translated(0.5, 0.5);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 110), 2.4));
   painter.drawRect(box);
