@@ -159,7 +159,6 @@ void MainWindow::connectCatalogue() {
   connect(&bridge, &SessionBridge::objectAdded, this, soon);
   connect(&bridge, &SessionBridge::viewAdded, this, soon);
   connect(&bridge, &SessionBridge::objectsMerged, this, soon);
-  connect(frames_->colorPanel(), &ColorPanel::candidateClicked, &bridge, &SessionBridge::addCandidate);
   connect(&bridge, &SessionBridge::stateChanged, this, soon);
   connect(&editor_, &CatalogueEditor::edited, &bridge, &SessionBridge::catalogueChanged);
   connect(&editor_, &CatalogueEditor::failed, this,
