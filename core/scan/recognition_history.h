@@ -26,7 +26,7 @@ class RecognitionHistory {
   /// The object that they are; none: no object that is known. Empty: more looks are needed.
   [[nodiscard]] std::optional<ObjectId> verdict(const RegionSet& regions) const;
 
-  /// `from` is now part of `into`: what was seen of it is not what is to be seen.
+  /// The region was joined into another: what was seen of it is not what is to be seen.
   void forgetRegion(RegionId region);
   void forgetBefore(int frame);
 

@@ -142,6 +142,35 @@ TEST(GraphMerger, TheNewerConstraintWins) {
   }
 }
 
+TEST(GraphMerger, JoiningOddsAreWhatIsKnownOfTheBordersOfTwoRegions) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 20);
+  const auto odds = [&] {
+    return scan.merger.joiningOdds(scan.regionAt(kX, kY), scan.regionAt(kOtherX, kY), scan.table, {},
+                                   scan.params);
+  };
+  ASSERT_TRUE(odds());
+  EXPECT_LT(*odds(), 0) << "two faces that were always seen as two";
+  const float before = *odds();
+  scan.look(kLeak, 3);
+  ASSERT_FALSE(areOne(scan));
+  EXPECT_GT(*odds(), before) << "some frames saw one";
+  EXPECT_FALSE(scan.merger.joiningOdds(scan.regionAt(kX, kY), RegionId{999}, scan.table, {}, scan.params));
+  scan.merger.constrain(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY), Constraint::cannot_link);
+  EXPECT_FALSE(odds());
+}
+
+TEST(GraphMerger, RegionsThatMustBeOneBecomeOneWithTheNextFrame) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 20);
+  scan.merger.mustBeOne(scan.regionAt(kX, kY), scan.regionAt(kOtherX, kY), scan.table);
+  EXPECT_FALSE(areOne(scan));
+  for (int i = 0; i < 40; ++i) {
+    scan.look(kClear);
+    EXPECT_TRUE(areOne(scan)) << "frame " << i;
+  }
+}
+
 TEST(GraphMerger, WhatIsSeenRightHealsAnOutline) {
   // The right face's fragment reaches eight pixels on to the left face; clear looks take that back.
   PaintedScan scan(fold());
