@@ -16,33 +16,8 @@ constexpr float kClearBend_rad = 0.35F;  // 20 degrees
 constexpr float kLeastStep_m = 0.005F;   // up to 1.2 m; beyond it grows as the sensor's noise does
 constexpr float kStepGrowsFrom_m = 1.2F;
 
-enum class End { open, folded, smooth, ridged, hidden, cut, unseen };
-
-void count(End end, OutlineSteps& steps) {
-  switch (end) {
-    case End::open:
-      ++steps.open;
-      return;
-    case End::folded:
-      ++steps.folded;
-      return;
-    case End::smooth:
-      ++steps.smooth;
-      return;
-    case End::ridged:
-      ++steps.ridged;
-      return;
-    case End::hidden:
-      ++steps.hidden;
-      return;
-    case End::cut:
-      ++steps.cut;
-      return;
-    case End::unseen:
-      ++steps.unseen;
-      return;
-  }
-}
+/// What a step is counted as.
+using End = int OutlineSteps::*;
 
 /// Says how a region ends at one step.
 class StepJudge {
@@ -56,15 +31,15 @@ class StepJudge {
   /// From (u, v) in direction (du, dv), where the next pixel is another region's.
   [[nodiscard]] End judge(int u, int v, int du, int dv) const {
     const RegionId region = regionAt(u, v);
-    if (!isInside(u + kBeyond_px * du, v + kBeyond_px * dv)) return End::cut;
+    if (!isInside(u + kBeyond_px * du, v + kBeyond_px * dv)) return &OutlineSteps::cut;
     const Eigen::Vector4f& here = vertexAt(u, v);
     const Eigen::Vector4f& there = vertexAt(u + kBeyond_px * du, v + kBeyond_px * dv);
-    if (!isSurface(here) || !isSurface(there)) return End::unseen;
-    if (regionAt(u + kBeyond_px * du, v + kBeyond_px * dv) == region) return End::unseen;  // a slit
+    if (!isSurface(here) || !isSurface(there)) return &OutlineSteps::unseen;
+    if (regionAt(u + kBeyond_px * du, v + kBeyond_px * dv) == region) return &OutlineSteps::unseen;  // a slit
     const float z = depthOf(here), z_beyond = depthOf(there);
     const float hides_from_m = params_.hiding_step_m * std::max(1.0F, z / kGrowsFrom_m);
-    if (z_beyond < z - hides_from_m) return End::hidden;
-    if (z_beyond > z + hides_from_m) return End::open;
+    if (z_beyond < z - hides_from_m) return &OutlineSteps::hidden;
+    if (z_beyond > z + hides_from_m) return &OutlineSteps::open;
     return judgeContact(u, v, du, dv, z);
   }
 
@@ -84,17 +59,17 @@ class StepJudge {
     const std::size_t a = at(u - back * du, v - back * dv), b = at(u + on * du, v + on * dv);
     const Eigen::Vector4f& n_a = input_.normals_world[a];
     const Eigen::Vector4f& n_b = input_.normals_world[b];
-    if (!isSurface(n_a) || !isSurface(n_b)) return End::unseen;
+    if (!isSurface(n_a) || !isSurface(n_b)) return &OutlineSteps::unseen;
     const Eigen::Vector3f across = (input_.vertices_world[b] - input_.vertices_world[a]).head<3>();
     const Eigen::Vector3f turn = (n_b - n_a).head<3>();
     const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));
-    if (angle > kClearBend_rad) return across.dot(turn) > 0 ? End::ridged : End::folded;
+    if (angle > kClearBend_rad) return across.dot(turn) > 0 ? &OutlineSteps::ridged : &OutlineSteps::folded;
     // Two surfaces that face one way: on one level, or one above the other.
     const float grown = std::max(1.0F, z / kStepGrowsFrom_m);
     const float rise_m = across.dot((n_a + n_b).head<3>()) / 2;
-    if (rise_m < -kLeastStep_m * grown * grown) return End::open;
-    if (rise_m > kLeastStep_m * grown * grown) return End::hidden;
-    return End::smooth;
+    if (rise_m < -kLeastStep_m * grown * grown) return &OutlineSteps::open;
+    if (rise_m > kLeastStep_m * grown * grown) return &OutlineSteps::hidden;
+    return &OutlineSteps::smooth;
   }
 
   [[nodiscard]] bool isInside(int u, int v) const {
@@ -149,7 +124,7 @@ RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParam
     std::vector<Beyond>& outline = outlines_[from];
     auto beyond = std::ranges::find(outline, to, &Beyond::region);
     if (beyond == outline.end()) beyond = outline.insert(outline.end(), {to, {}});
-    count(end, beyond->steps);
+    ++(beyond->steps.*end);
   };
   const std::vector<RegionId>& regions = input.regions.regions;
   for (int v = 0; v < height; ++v) {
@@ -157,8 +132,8 @@ RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParam
       const std::size_t here =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
       const RegionId region = regions[here];
-      if (u == 0 || u + 1 == width) add(region, {}, End::cut);
-      if (v == 0 || v + 1 == height) add(region, {}, End::cut);
+      if (u == 0 || u + 1 == width) add(region, {}, &OutlineSteps::cut);
+      if (v == 0 || v + 1 == height) add(region, {}, &OutlineSteps::cut);
       if (u + 1 < width && regions[here + 1] != region) {
         add(region, regions[here + 1], judge.judge(u, v, 1, 0));
         add(regions[here + 1], region, judge.judge(u + 1, v, -1, 0));
