@@ -158,8 +158,9 @@ void ObjectCollector::collectOne(const Candidate& candidate, const Look& look) {
     const bool is_alike =
         known == nullptr || known->size_m.isZero() ||
         std::min(size_m, known->size_m.norm()) >= kAlikeFraction * std::max(size_m, known->size_m.norm());
-    met_.bind(candidate.regions, object);
+    // A set that is much larger than the object holds more than it: its other regions stay free.
     if (!is_alike) return;
+    met_.bind(candidate.regions, object);
     met_.meet(object, candidate, frame_);
     if (isClear(candidate)) keepNewDirection(object, candidate, look);
     return;

@@ -374,6 +374,16 @@ TEST_F(ObjectCollectorTest, OfCandidatesThatShareRegionsTheKnownOneIsTaken) {
   EXPECT_EQ(std::ranges::count(seen.seen, mug, &SeenObject::object), 1);
 }
 
+TEST_F(ObjectCollectorTest, WhatStandsWithAnObjectInALargerSetStaysFree) {
+  ASSERT_EQ(study({mug_}).added.size(), 1U);
+  Candidate both = mug_.candidate();
+  both.regions.add(box_.region);
+  both.size_m *= 2;
+  static_cast<void>(lookAt({both}, {mug_, box_}));
+  EXPECT_FALSE(collector_->objectOf(box_.region));
+  EXPECT_EQ(study({mug_, box_}).added.size(), 1U) << "the box is an object of its own";
+}
+
 TEST_F(ObjectCollectorTest, TwoEntriesThatAreOnePlaceBecomeOne) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   // Met again after a long time under another region, and 0.3 of its size away: a second entry.
