@@ -63,9 +63,14 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   }
   mergeJoined(objects);
   const Look look{frame, pose.T_world_camera, in_color, objects};
-  identify(candidates, look);
-  const std::vector<const Candidate*> chosen = choose(candidates);
-  for (const Candidate* candidate : chosen) collectOne(*candidate, look);
+  lookUpDue(candidates, look);
+  std::vector<ObjectId> identities;
+  for (const Candidate& candidate : candidates) identities.push_back(identityOf(candidate));
+  std::vector<const Candidate*> chosen;
+  for (const std::size_t i : choose(candidates, identities)) {
+    chosen.push_back(&candidates[i]);
+    collectOne(candidates[i], identities[i], look);
+  }
   joinDoubles(chosen);
   recognition_.forgetBefore(frame_ - RecognitionHistory::kMemory);
   for (const Candidate* candidate : chosen) {
@@ -88,27 +93,19 @@ void ObjectCollector::noteFailure(const Error& error, FrameObjects& objects) {
   }
 }
 
-void ObjectCollector::identify(const std::vector<Candidate>& candidates, const Look& look) {
+void ObjectCollector::lookUpDue(const std::vector<Candidate>& candidates, const Look& look) {
+  if (look.frame.color.empty()) return;
   std::vector<const Candidate*> due;
   for (const Candidate& candidate : candidates) {
-    if (met_.objectOf(candidate.regions)) continue;
-    // The same thing under a new region: no need to look at it.
-    if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) {
-      met_.bind(candidate.regions, object);
-    } else if (!look.frame.color.empty() && recognition_.isLookDue(candidate.regions, frame_)) {
+    if (!met_.objectOf(candidate.regions) && !met_.nearby(candidate, frame_ - kFramesToReturn) &&
+        recognition_.isLookDue(candidate.regions, frame_))
       due.push_back(&candidate);
-    }
   }
   std::ranges::stable_sort(due, {}, [this](const Candidate* candidate) {
     return std::pair(!candidate->is_whole, recognition_.looks(candidate->regions));
   });
   due.resize(std::min(due.size(), kMostLooks));
   lookUp(due, look);
-  for (const Candidate& candidate : candidates) {
-    if (met_.objectOf(candidate.regions)) continue;
-    if (const auto verdict = recognition_.verdict(candidate.regions); verdict && *verdict)
-      recognise(candidate, *verdict, look.objects);
-  }
 }
 
 void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, const Look& look) {
@@ -123,51 +120,51 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
     recognition_.add(candidates[i]->regions, matches[i], params_.max_distance, frame_);
 }
 
-void ObjectCollector::recognise(const Candidate& candidate, ObjectId object, FrameObjects& objects) {
-  const ObjectRecord* known = record(catalogue_.holderOf(object));
-  if (known == nullptr) return;
+ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
+  if (const ObjectId object = met_.objectOf(candidate.regions)) return object;
+  // The same thing under a new region.
+  if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) return object;
+  const std::optional<ObjectId> verdict = recognition_.verdict(candidate.regions);
+  const ObjectRecord* known = verdict ? record(catalogue_.holderOf(*verdict)) : nullptr;
+  if (known == nullptr) return {};
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
     if (catalogue_.holderOf(met_object) == known->id && frame_ - met.last_frame < kFramesToMove &&
         !met_.isAt(met_object, candidate))
-      return;
+      return {};
   }
-  if (!isMet(known->id)) objects.recognised.push_back(*known);
-  met_.bind(candidate.regions, known->id);
-  met_.meet(known->id, candidate, frame_);
+  return known->id;
 }
 
-std::vector<const Candidate*> ObjectCollector::choose(const std::vector<Candidate>& candidates) const {
+std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& candidates,
+                                                 const std::vector<ObjectId>& identities) const {
   constexpr float kKnown = 0.3F, kConfirmed = 1;
   std::vector<float> known;
-  for (const Candidate& candidate : candidates) {
-    const ObjectId object = met_.objectOf(candidate.regions);
+  for (const ObjectId object : identities) {
     const ObjectRecord* is_record = record(catalogue_.holderOf(object));
     const bool is_confirmed = is_record != nullptr && is_record->confirmed;
     known.push_back(!object ? 0 : (is_confirmed ? kConfirmed : kKnown));
   }
-  std::vector<const Candidate*> chosen;
-  for (const std::size_t i : chooseDisjoint(candidates, known)) chosen.push_back(&candidates[i]);
-  return chosen;
+  return chooseDisjoint(candidates, known);
 }
 
-void ObjectCollector::collectOne(const Candidate& candidate, const Look& look) {
-  if (const ObjectId object = met_.objectOf(candidate.regions)) {
-    const ObjectRecord* known = record(catalogue_.holderOf(object));
-    const float size_m = candidate.size_m.norm();
-    const bool is_alike =
-        known == nullptr || known->size_m.isZero() ||
-        std::min(size_m, known->size_m.norm()) >= kAlikeFraction * std::max(size_m, known->size_m.norm());
-    // A set that is much larger than the object holds more than it: its other regions stay free.
-    if (!is_alike) return;
-    met_.bind(candidate.regions, object);
-    met_.meet(object, candidate, frame_);
-    if (isClear(candidate)) keepNewDirection(object, candidate, look);
+void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, const Look& look) {
+  if (!identity) {
+    const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
+    if (isWanted(candidate) || (isClear(candidate) && is_unknown)) addToCatalogue(candidate, look);
     return;
   }
-  const auto verdict = recognition_.verdict(candidate.regions);
-  const bool is_unknown = verdict.has_value();  // or one that stands elsewhere
-  if (isWanted(candidate) || (isClear(candidate) && is_unknown)) addToCatalogue(candidate, look);
+  const ObjectRecord* known = record(catalogue_.holderOf(identity));
+  const float size_m = candidate.size_m.norm();
+  const bool is_alike =
+      known == nullptr || known->size_m.isZero() || !isMet(known->id) ||
+      std::min(size_m, known->size_m.norm()) >= kAlikeFraction * std::max(size_m, known->size_m.norm());
+  // A set that is much larger than the object holds more than it: its other regions stay free.
+  if (!is_alike) return;
+  if (known != nullptr && !isMet(known->id)) look.objects.recognised.push_back(*known);
+  met_.bind(candidate.regions, identity);
+  met_.meet(identity, candidate, frame_);
+  if (isClear(candidate)) keepNewDirection(identity, candidate, look);
 }
 
 bool ObjectCollector::isWanted(const Candidate& candidate) const {

@@ -87,11 +87,13 @@ class ObjectCollector {
 
   void mergeJoined(FrameObjects& objects);
   [[nodiscard]] bool shouldMerge(ObjectId a, ObjectId b) const;
-  void identify(const std::vector<Candidate>& candidates, const Look& look);
+  void lookUpDue(const std::vector<Candidate>& candidates, const Look& look);
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
-  void recognise(const Candidate& candidate, ObjectId object, FrameObjects& objects);
-  [[nodiscard]] std::vector<const Candidate*> choose(const std::vector<Candidate>& candidates) const;
-  void collectOne(const Candidate& candidate, const Look& look);
+  /// The object that this candidate is, as far as is known; nothing is bound to it yet.
+  [[nodiscard]] ObjectId identityOf(const Candidate& candidate) const;
+  [[nodiscard]] std::vector<std::size_t> choose(const std::vector<Candidate>& candidates,
+                                                const std::vector<ObjectId>& identities) const;
+  void collectOne(const Candidate& candidate, ObjectId identity, const Look& look);
   void joinDoubles(const std::vector<const Candidate*>& chosen);
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;
   void addToCatalogue(const Candidate& candidate, const Look& look);
