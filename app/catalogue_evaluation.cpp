@@ -148,6 +148,8 @@ Result<Json> evaluateCatalogueOf(const std::string& scan, const std::string& tru
   const CatalogueMetrics metrics = evaluateCatalogue(judgements, scene->objects);
   return Json{{"purity", metrics.purity},
               {"completeness", metrics.completeness},
+              {"seen_entirely", metrics.seen_entirely},
+              {"completeness_of_entire", metrics.completeness_of_entire},
               {"entries", metrics.entries},
               {"whole", metrics.whole},
               {"duplicates", metrics.duplicates},

@@ -138,6 +138,7 @@ void addCatalogue(CLI::App& parent, const std::shared_ptr<EvaluateCommand>& comm
       "completeness: share of the true objects of 5 to 60 cm (longest side), seen in 30 frames or more with "
       "at\n"
       "least 400 pixels at 640 x 480, that have such an entry.\n"
+      "completeness_of_entire: the same, of those that were in the image uncut for 30 frames or more.\n"
       "Verdicts: whole, part (of one object), merger (of several), background (mostly what is no object).\n"
       "Entries are judged by the views that the newest scan stored.",
       command, outcome, evaluateCatalogue);

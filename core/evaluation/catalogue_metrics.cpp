@@ -113,21 +113,33 @@ bool shouldBeFound(const TrueObject& object) {
   return object.frames >= kVisibleFrames && object.extent_m >= kSmallest_m && object.extent_m <= kLargest_m;
 }
 
+bool wasSeenEntirely(const TrueObject& object) {
+  return shouldBeFound(object) && object.entire_frames >= kVisibleFrames;
+}
+
 void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects) {
   const cv::Mat1i instances = toLabelGrid(truth);
   const double enough = kVisible_px * static_cast<double>(instances.total()) / kVgaPixels;
-  std::map<int, int> areas;
+  struct Extent {
+    int pixels = 0;
+    bool is_cut = false;
+  };
+  std::map<int, Extent> extents;
   for (int y = 0; y < instances.rows; ++y) {
     for (int x = 0; x < instances.cols;) {
       const int from = x;
       const int instance = instances(y, x);
       while (x < instances.cols && instances(y, x) == instance) ++x;
-      areas[instance] += x - from;
+      Extent& extent = extents[instance];
+      extent.pixels += x - from;
+      extent.is_cut = extent.is_cut || y == 0 || y == instances.rows - 1 || from == 0 || x == instances.cols;
     }
   }
-  for (const auto& [instance, area] : areas) {
+  for (const auto& [instance, extent] : extents) {
     const auto object = objects.find(instance);
-    if (object != objects.end() && area >= enough) ++object->second.frames;
+    if (object == objects.end() || extent.pixels < enough) continue;
+    ++object->second.frames;
+    if (!extent.is_cut) ++object->second.entire_frames;
   }
 }
 
@@ -141,14 +153,19 @@ CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgement> entries,
     ++metrics.whole;
     if (!found.insert(entry.instances.front()).second) ++metrics.duplicates;
   }
+  double found_entirely = 0;
   for (const auto& [instance, object] : objects) {
     if (!shouldBeFound(object)) continue;
     ++metrics.expected;
     if (!found.contains(instance)) metrics.missing.push_back(instance);
+    if (!wasSeenEntirely(object)) continue;
+    ++metrics.seen_entirely;
+    if (found.contains(instance)) ++found_entirely;
   }
   metrics.purity = metrics.entries > 0 ? static_cast<double>(metrics.whole) / metrics.entries : 0;
   const double missing = static_cast<double>(metrics.missing.size());
   metrics.completeness = metrics.expected > 0 ? 1 - missing / metrics.expected : 0;
+  metrics.completeness_of_entire = metrics.seen_entirely > 0 ? found_entirely / metrics.seen_entirely : 0;
   return metrics;
 }
 

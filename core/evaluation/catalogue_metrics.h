@@ -43,12 +43,16 @@ struct EntryJudgement {
 
 /// What a catalogue could have found.
 struct TrueObject {
-  int frames = 0;       ///< that show at least 400 pixels of it at 640 x 480, in proportion at other sizes
-  double extent_m = 0;  ///< its longest side; 0 = not known
+  int frames = 0;         ///< that show at least 400 pixels of it at 640 x 480, in proportion at other sizes
+  double extent_m = 0;    ///< its longest side; 0 = not known
+  int entire_frames = 0;  ///< of those, in which the image's border does not cut it
 };
 
 /// An object of 5 to 60 cm, seen in 30 frames or more.
 [[nodiscard]] bool shouldBeFound(const TrueObject& object);
+
+/// One that should be found and was entirely in the image for 30 frames or more.
+[[nodiscard]] bool wasSeenEntirely(const TrueObject& object);
 
 /// Counts the frame for the instances that it shows enough of.
 void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects);
@@ -58,9 +62,11 @@ struct CatalogueMetrics {
   double completeness = 0;  ///< share of the objects that should be found and are; 0 where there are none
   int entries = 0;
   int whole = 0;
-  int expected = 0;          ///< objects that should be found
-  std::vector<int> missing;  ///< those that were not
-  int duplicates = 0;        ///< whole entries beyond the first of their object
+  int expected = 0;                   ///< objects that should be found
+  std::vector<int> missing;           ///< those that were not
+  int seen_entirely = 0;              ///< expected objects that were in the image as a whole for long enough
+  double completeness_of_entire = 0;  ///< share of those that are found; 0 where there are none
+  int duplicates = 0;                 ///< whole entries beyond the first of their object
 };
 
 [[nodiscard]] CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgement> entries,

@@ -106,6 +106,8 @@ TEST(EvaluateCatalogue, OfAHandMadeScan) {
   EXPECT_EQ(json["completeness"], 0.5);
   EXPECT_EQ(json["entries"], 4);
   EXPECT_EQ(json["expected"], 2) << "mug and bowl; the pencil was seen in 24 frames";
+  EXPECT_EQ(json["seen_entirely"], 2);
+  EXPECT_EQ(json["completeness_of_entire"], 0.5);
   EXPECT_EQ(json["missing"], (nlohmann::json{"bowl"}));
   EXPECT_EQ(json["frames"], 40);
   ASSERT_EQ(json["each"].size(), 4U);

@@ -102,23 +102,47 @@ TEST(TrueObjects, AreVisibleWithFourHundredPixelsOfAUsualImage) {
   countVisible(truth, objects);
   countVisible(truth, objects);
   EXPECT_EQ(objects[2].frames, 2);
+  EXPECT_EQ(objects[2].entire_frames, 0) << "the border may hide some of it";
   EXPECT_EQ(objects[3].frames, 0);
   EXPECT_EQ(objects[4].frames, 0);
   EXPECT_EQ(objects.size(), 3U) << "the table is none of them";
 }
 
+TEST(TrueObjects, AreEntireAwayFromAllFourBorders) {
+  const std::map<int, cv::Rect> places{{2, {100, 100, 12, 12}}, {3, {0, 50, 12, 12}},
+                                       {4, {308, 50, 12, 12}},  {5, {150, 0, 12, 12}},
+                                       {6, {150, 228, 12, 12}}, {7, {1, 1, 12, 12}}};
+  cv::Mat1i truth(240, 320, 1);
+  std::map<int, TrueObject> objects;
+  for (const auto& [instance, place] : places) {
+    truth(place) = instance;
+    objects[instance] = {};
+  }
+  countVisible(truth, objects);
+  for (const auto& [instance, object] : objects) {
+    EXPECT_EQ(object.frames, 1) << instance;
+    EXPECT_EQ(object.entire_frames, instance == 2 || instance == 7 ? 1 : 0) << instance;
+  }
+  EXPECT_TRUE(wasSeenEntirely({40, 0.1, 30}));
+  EXPECT_FALSE(wasSeenEntirely({40, 0.1, 29}));
+  EXPECT_FALSE(wasSeenEntirely({40, 0.7, 30}));
+}
+
 TEST(CatalogueMetrics, PurityAndCompletenessByHand) {
   const std::vector<EntryJudgement> entries{
       {whole, {2}, 5, 5}, {whole, {2}, 1, 1}, {part, {3}, 2, 0}, {background, {1}, 1, 0}};
-  // 2 and 3 are expected; 4 is too small, 5 was seen too shortly.
-  const std::map<int, TrueObject> objects{{2, {100, 0.1}}, {3, {40, 0.3}}, {4, {100, 0.03}}, {5, {10, 0.2}}};
+  // 2, 3 and 6 are expected; 4 is too small, 5 was seen too shortly, 6 entirely too shortly.
+  const std::map<int, TrueObject> objects{
+      {2, {100, 0.1, 60}}, {3, {40, 0.3, 30}}, {4, {100, 0.03, 90}}, {5, {10, 0.2, 10}}, {6, {50, 0.3, 2}}};
   const CatalogueMetrics metrics = evaluateCatalogue(entries, objects);
   EXPECT_EQ(metrics.entries, 4);
   EXPECT_EQ(metrics.whole, 2);
   EXPECT_EQ(metrics.purity, 0.5);
-  EXPECT_EQ(metrics.expected, 2);
-  EXPECT_EQ(metrics.completeness, 0.5);
-  EXPECT_THAT(metrics.missing, ElementsAre(3));
+  EXPECT_EQ(metrics.expected, 3);
+  EXPECT_DOUBLE_EQ(metrics.completeness, 1.0 / 3);
+  EXPECT_EQ(metrics.seen_entirely, 2);
+  EXPECT_EQ(metrics.completeness_of_entire, 0.5);
+  EXPECT_THAT(metrics.missing, ElementsAre(3, 6));
   EXPECT_EQ(metrics.duplicates, 1);
   EXPECT_EQ(evaluateCatalogue({}, {}).purity, 0);
 }
