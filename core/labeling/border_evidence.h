@@ -37,7 +37,8 @@ struct BorderEvidence {
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 
   /// What looks add to the balance between two regions: logOdds() + bias; 0 while too little was seen to join
-  /// by, less for a border of a few centimetres.
+  /// by, what speaks for joining less as long as there are few looks, all less for a border of a few
+  /// centimetres.
   [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias) const;
 };
 

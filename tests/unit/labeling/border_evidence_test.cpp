@@ -112,12 +112,23 @@ TEST(BorderEvidence, SegmentsOnBothSpeakForAFoldSpeaksAgainst) {
   EXPECT_GT(oddsOf(alike, 0.5F), oddsOf(unlike, 0.5F));
 }
 
+TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
+  for (const int looks : {5, 10, 20}) {
+    const BorderEvidence border = after(nearLook(1), 1, looks);
+    const float odds = border.logOdds(kVoxels, kVoxels);
+    ASSERT_GT(odds, 0);
+    const auto counted = static_cast<float>(border.looks);
+    EXPECT_NEAR(border.weight(kVoxels, kVoxels, 0), odds * counted / (counted + 20), 1e-4F) << looks;
+    EXPECT_FLOAT_EQ(border.weight(kVoxels, kVoxels, -2 * odds), -odds)
+        << "what speaks against it does not wait";
+  }
+}
+
 TEST(BorderEvidence, AShortBorderWeighsLessThanItsOdds) {
   FragmentContact contact = nearLook(1);
   contact.length_m = 0.02F;
   const BorderEvidence border = after(contact, 1, 10);
-  const float odds = border.logOdds(kVoxels, kVoxels);
-  EXPECT_NEAR(border.weight(kVoxels, kVoxels, 1), 0.2F * (odds + 1), 1e-4F);
+  EXPECT_NEAR(border.weight(kVoxels, kVoxels, -20), 0.2F * (border.logOdds(kVoxels, kVoxels) - 20), 1e-3F);
 }
 
 TEST(BorderEvidence, DoesNotMatterWhichFragmentIsWhich) {
