@@ -5,10 +5,10 @@ namespace scantrove {
 /// When a region is a candidate object (thesis 5.1).
 struct DiscoveryParams {
   float central_fraction =
-      0.8F;  ///< the centroid lies in the middle part of the view, this fraction of width and height
+      0.95F;  ///< the centroid lies in the middle part of the view, this fraction of width and height
   float min_size_m = 0.02F;  ///< longest side of the oriented box
   float max_size_m = 1.0F;
-  int min_points = 500;               ///< pixels at 640x480 equivalent
+  int min_points = 400;               ///< pixels at 640x480 equivalent
   int persistent_frames = 10;         ///< consecutive sightings with a stable size
   float size_tolerance = 0.25F;       ///< relative change of area * z^2 that still counts as stable
   float min_thickness_ratio = 0.02F;  ///< sqrt of smallest / largest eigenvalue of the points: below = flat

@@ -23,7 +23,8 @@ struct Model {
 constexpr Model kWithColor{4.85F,
                            {-0.24F, -0.90F, 2.42F, -0.21F, 3.85F, 0.72F, -0.19F, 0.08F, -1.14F, -1.79F}};
 constexpr Model kWithoutColor{0.41F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0}};
-constexpr float kEnoughLooks = 2;  // before these nothing speaks for joining
+constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
+constexpr float kHolds = 0.01F;
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
 constexpr float kHalfSureLooks = 20;
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
@@ -85,9 +86,10 @@ float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
   return std::inner_product(x.begin(), x.end(), model.coefficients.begin(), model.intercept);
 }
 
-float BorderEvidence::weight(int voxels_a, int voxels_b, float bias) const {
+float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
   const float odds = logOdds(voxels_a, voxels_b) + bias;
-  if (odds > 0 && looks < kEnoughLooks) return 0;
+  if (joined && looks < kEnoughLooks) return kHolds;
+  if (!joined && odds > 0 && looks < kEnoughLooks) return 0;
   const float sure = odds > 0 ? looks / (looks + kHalfSureLooks) : 1;
   return odds * sure * std::min(1.0F, length_m / kEnoughLength_m);
 }

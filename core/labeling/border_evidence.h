@@ -36,10 +36,10 @@ struct BorderEvidence {
   /// synthetic scenes.
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 
-  /// What looks add to the balance between two regions: logOdds() + bias; 0 while too little was seen to join
-  /// by, what speaks for joining less as long as there are few looks, all less for a border of a few
-  /// centimetres.
-  [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias) const;
+  /// What looks add to the balance between two regions: logOdds() + bias; what speaks for joining less as
+  /// long as there are few looks, all less for a border of a few centimetres. While too little was seen to
+  /// say, what is apart stays so (0) and what is `joined` holds together (a little above 0).
+  [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias, bool joined = false) const;
 };
 
 }  // namespace scantrove

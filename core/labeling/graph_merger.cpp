@@ -135,11 +135,11 @@ void GraphMerger::carve(const MergeInput& input, const Overlaps& overlaps, std::
   carved_from_.assign(owner.size(), {});
   carved_.assign(owner.size(), {});
   for (const FragmentCutter::Cut& cut : cutter_.find(input, overlaps, owner)) {
-    const FragmentId carved = table.newFragment();
+    // Whether it is a region of its own is for the next partition to say.
+    const FragmentId carved = table.newFragmentBeside(cut.fragment);
     carved_from_[cut.segment] = cut.fragment;
     carved_[cut.segment] = carved;
     outcome.carved.push_back(carved);
-    outcome.events.parted.emplace_back(table.regionOf(cut.fragment), table.regionOf(carved));
     for (int look = 0; look < FragmentCutter::kLooks; ++look) {
       graph_.between(cut.fragment, carved).add(cut.contact, 0);
     }

@@ -81,7 +81,7 @@ class Divider {
       const float share = are_one ? 1 : border.length_m / std::max(lengths_m.at(between), 1e-6F);
       const float bias = params.joining_bias + (are_one ? params.hysteresis : -params.hysteresis * share);
       edges.push_back({constraints.groupOf(a), constraints.groupOf(b),
-                       border.weight(voxelsOf(members_[a]), voxelsOf(members_[b]), bias)});
+                       border.weight(voxelsOf(members_[a]), voxelsOf(members_[b]), bias, are_one)});
     });
     const std::vector<std::uint32_t> part_of_group = contractGreedily(members_.size(), edges);
     std::vector<std::uint32_t> part(members_.size());

@@ -10,6 +10,23 @@
 namespace scantrove {
 
 FragmentId RegionTable::newFragment() {
+  const FragmentId fragment = takeNumber();
+  assign(newRegion(), {fragment});
+  ++version_;
+  return fragment;
+}
+
+FragmentId RegionTable::newFragmentBeside(FragmentId fragment) {
+  const FragmentId cut = takeNumber();
+  const RegionId region = regionOf(fragment);
+  std::vector<FragmentId> members = members_.at(region).fragments;
+  members.insert(std::ranges::upper_bound(members, cut), cut);
+  assign(region, std::move(members));
+  ++version_;
+  return cut;
+}
+
+FragmentId RegionTable::takeNumber() {
   FragmentId fragment;
   if (free_.empty()) {
     fragment.value = static_cast<std::uint32_t>(regions_.size());
@@ -18,8 +35,6 @@ FragmentId RegionTable::newFragment() {
     fragment = free_.back();
     free_.pop_back();
   }
-  assign(newRegion(), {fragment});
-  ++version_;
   return fragment;
 }
 

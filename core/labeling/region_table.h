@@ -23,6 +23,8 @@ class RegionTable {
  public:
   /// A fragment that no voxel holds yet: a region of its own.
   FragmentId newFragment();
+  /// A fragment that no voxel holds yet, cut out of `fragment`: of the same region.
+  FragmentId newFragmentBeside(FragmentId fragment);
   /// A fragment that no voxel holds any more.
   void free(FragmentId fragment);
 
@@ -56,6 +58,7 @@ class RegionTable {
     std::vector<FragmentId> fragments;  // rising
     bool known = false;
   };
+  FragmentId takeNumber();
   RegionId newRegion();
   void assign(RegionId region, std::vector<FragmentId> fragments);
   void setRegion(FragmentId fragment, RegionId region);

@@ -20,6 +20,7 @@ DiscoveryParams testParams() {
   DiscoveryParams params;
   params.persistent_frames = 5;
   params.min_points = 1600;  // at 640x480; 100 at 160x120
+  params.central_fraction = 0.8F;
   return params;
 }
 

@@ -124,6 +124,17 @@ TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
   }
 }
 
+TEST(BorderEvidence, TooFewLooksChangeNothing) {
+  for (const float bridged : {0.0F, 1.0F}) {
+    const BorderEvidence border = after(nearLook(bridged), bridged, 1);
+    ASSERT_LT(border.looks, 2);
+    for (const float bias : {-10.0F, 10.0F}) {
+      EXPECT_LE(border.weight(kVoxels, kVoxels, bias, false), 0) << "what is apart stays so";
+      EXPECT_GT(border.weight(kVoxels, kVoxels, bias, true), 0) << "what is one stays so";
+    }
+  }
+}
+
 TEST(BorderEvidence, AShortBorderWeighsLessThanItsOdds) {
   FragmentContact contact = nearLook(1);
   contact.length_m = 0.02F;

@@ -103,6 +103,9 @@ TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
   for (int i = 0; i < 30 && outcome.carved.empty(); ++i) outcome = scan.look(smaller_right);
   ASSERT_EQ(outcome.carved.size(), 1U);
   EXPECT_EQ(scan.fragmentAt(kOtherX, kY), outcome.carved.front()) << "its voxels change at once";
+  EXPECT_THAT(outcome.events.parted, testing::IsEmpty()) << "a cut alone parts nothing";
+  EXPECT_EQ(scan.regionAt(kOtherX, kY), whole);
+  for (int i = 0; i < 10 && outcome.events.parted.empty(); ++i) outcome = scan.look(smaller_right);
   EXPECT_EQ(outcome.events.parted,
             (std::vector<std::pair<RegionId, RegionId>>{{whole, scan.regionAt(kOtherX, kY)}}));
   scan.look(smaller_right, 30);

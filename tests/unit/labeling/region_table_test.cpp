@@ -33,6 +33,17 @@ TEST(RegionTable, NewFragmentsAreRegionsOfTheirOwn) {
   EXPECT_THAT(table.regions(), ElementsAre(RegionId{}, table.regionOf(a), table.regionOf(b)));
 }
 
+TEST(RegionTable, AFragmentCutOutOfAnotherIsOfItsRegion) {
+  RegionTable table;
+  const FragmentId a = table.newFragment();
+  const FragmentId b = table.newFragment();
+  table.free(a);
+  const FragmentId cut = table.newFragmentBeside(b);
+  EXPECT_EQ(cut, a) << "the lowest free number";
+  EXPECT_EQ(table.regionOf(cut), table.regionOf(b));
+  EXPECT_THAT(table.fragmentsOf(table.regionOf(b)), testing::ElementsAre(a, b)) << "rising";
+}
+
 TEST(RegionTable, JoinReachesAllFragmentsOfBoth) {
   RegionTable table = tableWith(3);
   const RegionId a = table.regionOf(kA), b = table.regionOf(kB), c = table.regionOf(kC);
