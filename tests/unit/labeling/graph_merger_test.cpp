@@ -113,6 +113,22 @@ TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
   EXPECT_EQ(scan.regionAt(kX, kY), whole) << "the larger side goes on";
 }
 
+TEST(GraphMerger, AWallThatSegmentsNowAndThenCutStaysOneRegion) {
+  PaintedScan scan(PaintedFrame::corner(0));
+  scan.look(kLeak, 20);
+  for (const int cut : {12, 20, 28, 36, 44, 52}) {
+    const std::vector<Rectangle> in_two{{0, 0, cut, PaintedFrame::kHeight - 1},
+                                        {cut + 1, 0, PaintedFrame::kWidth - 1, PaintedFrame::kHeight - 1}};
+    // As many looks as cut a fragment, then a few that see the whole.
+    for (int i = 0; i < 10; ++i) {
+      const RegionEvents events = scan.look(i < FragmentCutter::kLooks ? in_two : kLeak).events;
+      EXPECT_THAT(events.parted, testing::IsEmpty()) << "cut at " << cut << ", look " << i;
+      EXPECT_THAT(events.joined, testing::IsEmpty()) << "cut at " << cut << ", look " << i;
+    }
+  }
+  EXPECT_TRUE(areOne(scan));
+}
+
 TEST(GraphMerger, MustLinkHoldsWhateverIsSeen) {
   PaintedScan scan(fold());
   scan.look(kClear, 20);
