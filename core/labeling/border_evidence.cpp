@@ -26,7 +26,7 @@ constexpr Model kWithoutColor{0.41F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
 constexpr float kHolds = 0.01F;
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
-constexpr float kHalfSureLooks = 20;
+constexpr float kHalfSureLooks = 8;
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
 constexpr float kFarFrom_m = 2.5F;       // noise grows with z^2: beyond this a look counts for less than half
 

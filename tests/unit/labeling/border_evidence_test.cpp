@@ -118,7 +118,7 @@ TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
     const float odds = border.logOdds(kVoxels, kVoxels);
     ASSERT_GT(odds, 0);
     const auto counted = static_cast<float>(border.looks);
-    EXPECT_NEAR(border.weight(kVoxels, kVoxels, 0), odds * counted / (counted + 20), 1e-4F) << looks;
+    EXPECT_NEAR(border.weight(kVoxels, kVoxels, 0), odds * counted / (counted + 8), 1e-4F) << looks;
     EXPECT_FLOAT_EQ(border.weight(kVoxels, kVoxels, -2 * odds), -odds)
         << "what speaks against it does not wait";
   }
