@@ -24,7 +24,7 @@ constexpr Model kWithColor{4.85F,
                            {-0.24F, -0.90F, 2.42F, -0.21F, 3.85F, 0.72F, -0.19F, 0.08F, -1.14F, -1.79F}};
 constexpr Model kWithoutColor{0.41F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0}};
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
-constexpr float kHolds = 0.01F;
+constexpr float kHolds = 0.01F;    // any other border outweighs it
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
 constexpr float kHalfSureLooks = 8;
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion

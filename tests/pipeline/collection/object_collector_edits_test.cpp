@@ -1,0 +1,183 @@
+#include <gmock/gmock.h>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <array>
+
+#include "core/scan/candidate_crop.h"
+#include "tests/pipeline/collection/object_collector_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using test::Thing;
+using testing::HasSubstr;
+using ObjectCollectorEdits = test::ObjectCollectorFixture;
+
+TEST_F(ObjectCollectorEdits, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUndo) {
+  const ObjectId mug = study({mug_, box_}).added.at(0).id;
+  ASSERT_TRUE(person_->remove(std::array{mug}));
+  const Thing under_a_new_region{mug_.seed, mug_.place, RegionId{77}};
+  for (int frame = 0; frame < 20; ++frame) {
+    const FrameObjects seen = look({mug_, box_}, 25 * frame);
+    EXPECT_TRUE(seen.added.empty() && seen.recognised.empty());
+    EXPECT_FALSE(seen.seen[0].object);
+    EXPECT_EQ(seen.seen[0].name, "");
+  }
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
+  for (int frame = 0; frame < 40; ++frame)
+    EXPECT_TRUE(look({under_a_new_region, box_}, 25 * frame).added.empty());
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->metObjects().size(), 1U);
+  ASSERT_TRUE(person_->restore(std::array{mug}));
+  const FrameObjects restored = look({mug_});
+  EXPECT_EQ(restored.seen[0].object, mug);
+  EXPECT_TRUE(restored.added.empty());
+  EXPECT_EQ(collector_->objectOf(under_a_new_region.region), mug);
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorEdits, NamesAndConfirmationsOfAPersonAreSeenInTheNextFrame) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  ASSERT_TRUE(person_->rename(mug, "my mug"));
+  ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
+  const FrameObjects seen = look({mug_});
+  EXPECT_EQ(seen.seen[0].name, "my mug");
+  EXPECT_TRUE(seen.seen[0].confirmed);
+}
+
+TEST_F(ObjectCollectorEdits, AMergeByAPersonIsFollowedAndSoIsItsUndo) {
+  const FrameObjects first = study({mug_, box_});
+  const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
+  const Result<ObjectMerge> merge = person_->merge(std::array{mug, box});
+  ASSERT_TRUE(merge);
+  FrameObjects seen = look({mug_, box_});
+  EXPECT_EQ(seen.seen[0].object, merge->into);
+  EXPECT_EQ(seen.seen[1].object, merge->into);
+  EXPECT_EQ(collector_->metObjects().size(), 1U);
+  // A view of the part that was merged in goes with it when the merge is taken back.
+  EXPECT_EQ(look({mug_, box_}, 30).new_views.size(), 1U) << "the same direction of one object";
+  ASSERT_TRUE(person_->unmerge(*merge));
+  seen = look({mug_, box_}, 60);
+  EXPECT_EQ(seen.seen[0].object, mug);
+  EXPECT_EQ(seen.seen[1].object, box);
+  EXPECT_EQ(collector_->metObjects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorEdits, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBack) {
+  const FrameObjects first = study({mug_, box_});
+  const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
+  collector_->regionsJoined(mug_.region, box_.region);
+  const FrameObjects joined = look({mug_});
+  ASSERT_EQ(joined.merged.size(), 1U);
+  EXPECT_EQ(joined.merged[0].into, mug) << "the older of equals";
+  EXPECT_EQ(joined.seen[0].object, mug);
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].views, 2);
+  ASSERT_TRUE(person_->unmerge(joined.merged[0]));
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({mug_}));
+  const Thing box_again{box_.seed, box_.place, RegionId{99}};
+  EXPECT_EQ(look({mug_, box_again}).seen[1].object, box);
+  collector_->regionsJoined(mug_.region, box_again.region);
+  EXPECT_TRUE(look({mug_}).merged.empty());
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorEdits, ObjectsThatAPersonSettledStayTwoWhenTheirRegionsJoin) {
+  const FrameObjects first = study({mug_, box_, cup_});
+  ASSERT_TRUE(person_->rename(first.added.at(0).id, "my mug"));
+  ASSERT_TRUE(person_->setConfirmed(std::array{first.added.at(1).id}, true));
+  static_cast<void>(look({mug_, box_, cup_}));
+  collector_->regionsJoined(mug_.region, box_.region);
+  EXPECT_TRUE(look({mug_, cup_}).merged.empty());
+  // With one that nobody said anything of, the name stays.
+  collector_->regionsJoined(cup_.region, mug_.region);
+  ASSERT_EQ(look({cup_}).merged.size(), 1U);
+  EXPECT_EQ(collector_->record(collector_->objectOf(cup_.region))->name, "my mug");
+}
+
+TEST_F(ObjectCollectorEdits, AJoinedRegionOfADeletedObjectIsTheOtherOne) {
+  const FrameObjects first = study({mug_, box_});
+  ASSERT_TRUE(person_->remove(std::array{first.added.at(0).id}));
+  static_cast<void>(look({}));
+  collector_->regionsJoined(mug_.region, box_.region);
+  EXPECT_TRUE(look({mug_}).merged.empty());
+  EXPECT_EQ(collector_->objectOf(mug_.region), first.added.at(1).id);
+}
+
+TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognised) {
+  static_cast<void>(study({box_}));
+  const Candidate candidate = mug_.candidate();
+  RgbdFrame frame;
+  frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 20, 10));
+  frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
+  mug_.paint(frame.color);
+  const Result<ObjectRecord> other =
+      person_->addObject(*cutView(frame, Eigen::Isometry3d::Identity(), inColor(), candidate));
+  ASSERT_TRUE(other);
+  const FrameObjects seen = study({mug_});
+  ASSERT_EQ(seen.recognised.size(), 1U);
+  EXPECT_EQ(seen.recognised[0].id, other->id);
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorEdits, ALockedCatalogueIsSaidOnceAndWhatIsMetAgainIsAddedLater) {
+  static_cast<void>(study({box_}));
+  {
+    QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "lock");
+    other.setDatabaseName(QString::fromStdString(file()));
+    ASSERT_TRUE(other.open());
+    ASSERT_TRUE(QSqlQuery(other).exec("BEGIN IMMEDIATE"));
+    const FrameObjects locked = look({box_, mug_, cup_}, 60);
+    ASSERT_TRUE(locked.catalogue_failure);
+    EXPECT_THAT(locked.catalogue_failure->message(), HasSubstr(file()));
+    EXPECT_THAT(locked.catalogue_failure->message(), HasSubstr("locked"));
+    EXPECT_TRUE(locked.added.empty());
+    EXPECT_EQ(locked.seen.size(), 3U);
+    EXPECT_TRUE(locked.seen[0].object) << "what is known stays known";
+    const FrameObjects next = look({box_, mug_});
+    EXPECT_FALSE(next.catalogue_failure);
+    EXPECT_TRUE(next.added.empty());
+    ASSERT_TRUE(QSqlQuery(other).exec("ROLLBACK"));
+  }
+  QSqlDatabase::removeDatabase("lock");
+  std::size_t added = 0;
+  for (int frame = 0; frame < ObjectCollector::kFramesUntilRetry; ++frame) {
+    const FrameObjects seen = look({box_, mug_, cup_}, 60);
+    EXPECT_FALSE(seen.catalogue_failure);
+    added += seen.added.size();
+  }
+  EXPECT_EQ(added, 2U);
+  EXPECT_EQ(objects().size(), 3U);
+}
+
+TEST_F(ObjectCollectorEdits, ACatalogueThatCannotBeReadEndsNothing) {
+  static_cast<void>(study({box_}));
+  {
+    QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "damage");
+    other.setDatabaseName(QString::fromStdString(file()));
+    ASSERT_TRUE(other.open());
+    ASSERT_TRUE(QSqlQuery(other).exec("ALTER TABLE events RENAME TO gone"));
+    EXPECT_TRUE(look({box_}).catalogue_failure);
+    EXPECT_FALSE(look({box_, mug_}).catalogue_failure);
+    ASSERT_TRUE(QSqlQuery(other).exec("ALTER TABLE gone RENAME TO events"));
+  }
+  QSqlDatabase::removeDatabase("damage");
+  std::size_t added = 0;
+  for (int frame = 0; frame < ObjectCollector::kFramesUntilRetry; ++frame)
+    added += look({box_, mug_}).added.size();
+  EXPECT_EQ(added, 1U);
+}
+
+TEST_F(ObjectCollectorEdits, PartsOfADeletedObjectAreNotAdded) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  ASSERT_TRUE(person_->remove(std::array{mug}));
+  static_cast<void>(look({mug_}));
+  Thing handle{4, 2, RegionId{78}};
+  collector_->regionsParted(mug_.region, handle.region);
+  EXPECT_TRUE(study({handle}).added.empty());
+  handle.region = RegionId{79};
+  EXPECT_EQ(study({{5, 1, RegionId{80}}}).added.size(), 1U) << "what is nobody's part is";
+}
+
+}  // namespace
+}  // namespace scantrove

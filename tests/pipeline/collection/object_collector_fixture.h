@@ -1,0 +1,133 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/scan/object_collector.h"
+#include "tests/support/qt_main_thread.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+
+inline const Intrinsics kWorking{150, 150, 80, 60, 160, 120};
+inline const Eigen::Vector3f kSize(0.2F, 0.15F, 0.1F);
+
+/// A thing on a table as discovery finds it: of another look for each seed, at a place of its own.
+struct Thing {
+  int seed = 0;
+  int place = 0;
+  RegionId region;
+
+  [[nodiscard]] cv::Rect box() const { return {5 + 50 * place, 30, 40, 50}; }
+  [[nodiscard]] Eigen::Vector3f centroid() const { return {0.5F * static_cast<float>(place), 0, 1}; }
+  [[nodiscard]] Candidate candidate() const {
+    Candidate candidate;
+    candidate.regions = {region};
+    candidate.outline = 1;
+    candidate.is_whole = true;
+    candidate.box_px = box();
+    candidate.mask = cv::Mat(box().size(), CV_8UC1, cv::Scalar(0));
+    cv::ellipse(candidate.mask, {20, 25}, {19, 24}, 0, 0, 360, 255, cv::FILLED);
+    candidate.centroid_world = centroid();
+    candidate.size_m = kSize;
+    return candidate;
+  }
+  void paint(cv::Mat& color) const {
+    cv::RNG random(static_cast<std::uint64_t>(seed) * 7919 + 1);
+    cv::Mat patches(4, 4, CV_8UC3), picture;
+    random.fill(patches, cv::RNG::UNIFORM, 20, 236);
+    const cv::Rect in_color(2 * box().x, 2 * box().y, 2 * box().width, 2 * box().height);
+    cv::resize(patches, picture, in_color.size(), 0, 0, cv::INTER_CUBIC);
+    picture.copyTo(color(in_color));
+  }
+};
+
+/// Shows an ObjectCollector things on a table, with a catalogue that another program has open too.
+class ObjectCollectorFixture : public testing::Test {
+ protected:
+  void SetUp() override {
+    moveIn(compute_, ComputeContext::create({}));
+    moveIn(database_, ObjectDatabase::open(file()));
+    moveIn(person_, ObjectDatabase::open(file()));
+    beginScan();
+  }
+  template <class T>
+  static void moveIn(T& target, Result<T> result) {
+    ASSERT_TRUE(result) << result.error().message();
+    target = std::move(*result);
+  }
+  [[nodiscard]] std::string file() const { return (folder_ / "catalogue.sqlite").string(); }
+
+  [[nodiscard]] static DetectionParams params() {
+    DetectionParams params;
+    params.new_view_angle_deg = 20;
+    return params;
+  }
+
+  void beginScan() {
+    std::int64_t session = 0;
+    moveIn(session, database_->beginSession("table"));
+    moveIn(collector_, ObjectCollector::create(*compute_, *database_, session, params()));
+  }
+
+  static SurfaceInColor inColor() {
+    return locateInColor(std::nullopt, kWorking, Eigen::Isometry3d::Identity(), {});
+  }
+
+  /// One frame that shows `things` from a direction about the vertical.
+  FrameObjects look(const std::vector<Thing>& things, double degrees = 0) {
+    std::vector<Candidate> candidates;
+    for (const Thing& thing : things) candidates.push_back(thing.candidate());
+    return lookAt(candidates, things, degrees);
+  }
+  FrameObjects lookAt(const std::vector<Candidate>& candidates, const std::vector<Thing>& things,
+                      double degrees = 0) {
+    RgbdFrame frame;
+    frame.index = frame_++;
+    frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 50, 60));
+    frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
+    for (const Thing& thing : things) thing.paint(frame.color);
+    PoseEstimate pose;
+    pose.state = TrackingState::tracking;
+    const double angle = degrees * 3.14159265 / 180;
+    pose.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
+    return collector_->collect(frame, pose, inColor(), candidates);
+  }
+
+  /// So many such frames that what is unknown counts as unknown; all that they gave, seen as in the last.
+  FrameObjects study(const std::vector<Thing>& things, double degrees = 0) {
+    FrameObjects all;
+    for (int i = 0; i <= RecognitionHistory::kLooksToGiveUp * RecognitionHistory::kFramesApart; ++i) {
+      FrameObjects one = look(things, degrees);
+      std::ranges::move(one.added, std::back_inserter(all.added));
+      std::ranges::move(one.recognised, std::back_inserter(all.recognised));
+      std::ranges::move(one.new_views, std::back_inserter(all.new_views));
+      std::ranges::move(one.merged, std::back_inserter(all.merged));
+      all.seen = std::move(one.seen);
+    }
+    return all;
+  }
+
+  std::vector<ObjectRecord> objects() {
+    const Result<std::vector<ObjectRecord>> objects = person_->objects();
+    EXPECT_TRUE(objects);
+    return objects.value_or(std::vector<ObjectRecord>());
+  }
+
+  QtMainThread qt_;
+  TemporaryFolder folder_;
+  std::unique_ptr<ComputeContext> compute_;
+  std::unique_ptr<ObjectDatabase> database_;
+  std::unique_ptr<ObjectDatabase> person_;  // the window, or another program
+  std::unique_ptr<ObjectCollector> collector_;
+  int frame_ = 0;
+
+  const Thing mug_{1, 0, RegionId{11}};
+  const Thing box_{2, 1, RegionId{12}};
+  const Thing cup_{3, 2, RegionId{13}};
+};
+
+}  // namespace scantrove::test
