@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/capture/color_camera.h"
 #include "core/capture/intrinsics.h"
+#include "core/capture/lens_distortion.h"
 
 namespace scantrove {
 
@@ -13,6 +14,7 @@ struct CameraModel {
   Intrinsics K;  ///< width and height 0: the values hold for the recording's images, whatever their size
   std::optional<double> units_per_metre;        ///< of the depth images, where the file says so
   std::optional<ColorRegistration> color = {};  ///< where the file says it
+  std::optional<LensDistortion> lens = {};  ///< of both cameras, registered to each other; none: a pinhole
 };
 
 /// 525 525 319.5 239.5 at 640x480: the usual guess for a PrimeSense camera (Kinect, Xtion).

@@ -48,6 +48,13 @@ Result<Images> readImages(const ImageSequenceEntry& entry, bool has_color) {
   return images;
 }
 
+/// Whether two cameras may be one, measured twice.
+bool isNear(const Intrinsics& a, const Intrinsics& b) {
+  constexpr float kAgree_px = 3;
+  return std::abs(a.fx - b.fx) < kAgree_px && std::abs(a.fy - b.fy) < kAgree_px &&
+         std::abs(a.cx - b.cx) < kAgree_px && std::abs(a.cy - b.cy) < kAgree_px;
+}
+
 class ImageSequenceSource final : public FrameSource {
  public:
   ImageSequenceSource(ImageSequence sequence, std::vector<std::size_t> selected, SourceInfo info,
@@ -57,6 +64,9 @@ class ImageSequenceSource final : public FrameSource {
         info_(std::move(info)),
         color_size_(color_size),
         color_camera_(std::move(color_camera)),
+        undistorter_(sequence_.camera.lens
+                         ? std::optional(Undistorter(*sequence_.camera.lens, info_.intrinsics))
+                         : std::nullopt),
         metres_per_unit_(static_cast<float>(metres_per_unit)) {}
 
   const SourceInfo& info() const override { return info_; }
@@ -86,10 +96,16 @@ class ImageSequenceSource final : public FrameSource {
     read.frame.color_camera = color_camera_;
     read.frame.depth = std::move(images->depth);
     read.frame.T_world_camera = poseOf(entry);
+    if (undistorter_) straighten(read.frame);
     return read;
   }
 
  private:
+  void straighten(RgbdFrame& frame) const {
+    frame.depth = undistorter_->ofDepth(frame.depth);
+    if (frame.color.size() == frame.depth.size()) frame.color = undistorter_->ofColor(frame.color);
+  }
+
   Result<void> checkSizes(const ImageSequenceEntry& entry, const Images& images) const {
     const cv::Size depth_size(info_.intrinsics.width, info_.intrinsics.height);
     if (images.depth.size() != depth_size) {
@@ -116,6 +132,7 @@ class ImageSequenceSource final : public FrameSource {
   SourceInfo info_;
   cv::Size color_size_;
   std::optional<ColorCamera> color_camera_;
+  std::optional<Undistorter> undistorter_;
   float metres_per_unit_;
   std::size_t position_ = 0;
 };
@@ -152,6 +169,7 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   const cv::Size size = first->depth.size();
   const cv::Size color_size = sequence.has_color ? first->color.size() : size;
   if (options.intrinsics) {
+    if (!isNear(sequence.camera.K, *options.intrinsics)) sequence.camera.lens.reset();  // of another camera
     sequence.camera.K = *options.intrinsics;
     sequence.camera.K.width = sequence.camera.K.height = 0;
     sequence.camera_origin = "--intrinsics";

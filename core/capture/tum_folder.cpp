@@ -19,9 +19,15 @@ namespace {
 
 constexpr double kPairTolerance_s = 0.02;
 constexpr double kTumUnitsPerMetre = 5000;
-constexpr std::array<Intrinsics, 3> kFreiburg = {{{517.3F, 516.5F, 318.6F, 255.3F, 640, 480},
-                                                  {520.9F, 521.0F, 325.1F, 249.7F, 640, 480},
-                                                  {535.4F, 539.2F, 320.1F, 247.6F, 640, 480}}};
+/// The cameras as TUM calibrated them; the third recordings are already free of distortion.
+struct FreiburgCamera {
+  Intrinsics K;
+  std::optional<LensDistortion> lens;
+};
+constexpr std::array<FreiburgCamera, 3> kFreiburg = {
+    {{{517.3F, 516.5F, 318.6F, 255.3F, 640, 480}, LensDistortion{0.2624, -0.9531, -0.0054, 0.0026, 1.1633}},
+     {{520.9F, 521.0F, 325.1F, 249.7F, 640, 480}, LensDistortion{0.2312, -0.7849, -0.0033, -0.0001, 0.9172}},
+     {{535.4F, 539.2F, 320.1F, 247.6F, 640, 480}, std::nullopt}}};
 
 /// `rgb.txt` or `depth.txt`.
 struct ImageList {
@@ -88,7 +94,8 @@ void chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_
         folderName(sequence.folder));
   }
   const std::size_t chosen = camera.value_or(0);
-  sequence.camera = CameraModel{kFreiburg[chosen], std::nullopt};
+  sequence.camera = CameraModel{
+      .K = kFreiburg[chosen].K, .units_per_metre = {}, .color = {}, .lens = kFreiburg[chosen].lens};
   sequence.camera_origin = "TUM freiburg" + std::to_string(chosen + 1);
 }
 
