@@ -13,15 +13,26 @@ namespace {
 constexpr double kSpeed = 0.30;                          // m/s
 constexpr double kTurn = 20.0 / 180 * std::numbers::pi;  // rad/s
 constexpr double kClearance_m = 0.3;
+constexpr double kSweepClearance_m = 0.2;
+constexpr double kNearOnAverage = 0.12;  // of the image
 
-bool isFree(const Layout& layout, const Vec3& eye) {
+bool isFree(const Layout& layout, const Vec3& eye, double clearance_m) {
   return std::all_of(layout.filled().begin(), layout.filled().end(), [&](const Layout::Filled& filled) {
-    return distance(eye, filled.volume) > kClearance_m;
+    return distance(eye, filled.volume) > clearance_m;
   });
 }
 
-/// 48 x 36 rays through the view of a 640 x 480 camera.
-bool showsEnough(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_camera) {
+/// What a 640 x 480 camera sees, by 48 x 36 rays.
+struct ViewSummary {
+  double readings = 0;  ///< part of the image with depth
+  double too_near = 0;  ///< part nearer than 0.55 m
+  double near = 0;      ///< part nearer than 0.9 m
+  double middle_m = 0;  ///< depth of the middle, 0 = none
+  double spread = 0;    ///< smallest mean squared cosine between the normals and any direction
+  std::ptrdiff_t things = 0;
+};
+
+ViewSummary lookAt(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_camera) {
   View view;
   view.T_world_view = T_world_camera;
   view.width = 48;
@@ -30,9 +41,8 @@ bool showsEnough(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_c
   view.cx = (view.width - 1) / 2.0;
   view.cy = (view.height - 1) / 2.0;
   const ViewCaster caster(scene, view);
-  const int rays = view.width * view.height;
-  int readings = 0;
-  int near = 0;
+  const double rays = view.width * view.height;
+  ViewSummary summary;
   std::map<std::uint16_t, int> seen;
   Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
   std::vector<double> middle;
@@ -41,8 +51,9 @@ bool showsEnough(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_c
       const ViewCaster::Hit hit = caster.cast(u, v);
       if (!hit || hit.z > 4.5) continue;
       const SyntheticScene::Part& part = scene.parts()[static_cast<std::size_t>(hit.part)];
-      ++readings;
-      near += hit.z < 0.55 ? 1 : 0;
+      summary.readings += 1 / rays;
+      summary.too_near += hit.z < 0.55 ? 1 / rays : 0;
+      summary.near += hit.z < 0.9 ? 1 / rays : 0;
       ++seen[part.instance];
       const Vec3 n =
           part.T_world_part.linear() * part.shape->describe(caster.localPoint(hit, u, v), hit.piece).normal;
@@ -50,12 +61,22 @@ bool showsEnough(const SyntheticScene& scene, const Eigen::Isometry3d& T_world_c
       if (std::abs(u - view.cx) < 5 && std::abs(v - view.cy) < 5) middle.push_back(hit.z);
     }
   }
-  const auto things = std::count_if(seen.begin(), seen.end(), [&](const auto& s) { return s.second >= 6; });
-  if (readings < 0.85 * rays || near > 0.02 * rays || things < 7 || middle.size() < 50) return false;
-  std::nth_element(middle.begin(), middle.begin() + 25, middle.end());
-  const double depth = middle[25];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(normals / readings, Eigen::EigenvaluesOnly);
-  return depth > 0.6 && depth < 2.5 && spread.eigenvalues()[0] > 0.04;
+  summary.things = std::count_if(seen.begin(), seen.end(), [&](const auto& s) { return s.second >= 6; });
+  if (middle.size() >= 50) {
+    std::nth_element(middle.begin(), middle.begin() + 25, middle.end());
+    summary.middle_m = middle[25];
+  }
+  if (summary.readings > 0) {
+    normals /= summary.readings * rays;
+    summary.spread =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normals, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  }
+  return summary;
+}
+
+bool showsEnough(const ViewSummary& seen) {
+  return seen.readings >= 0.85 && seen.too_near <= 0.02 && seen.things >= 7 && seen.middle_m > 0.6 &&
+         seen.middle_m < 2.5 && seen.spread > 0.04;
 }
 
 }  // namespace
@@ -78,14 +99,30 @@ CameraPath alongAtHandsPace(std::vector<Gaze> points) {
   return path(std::max(slowest, 0.1));
 }
 
+bool passesNear(const Layout& layout, const CameraPath& path, double seconds) {
+  const Trajectory trajectory(path, false, 0);
+  for (double t = 0; t < seconds; t += 0.1) {
+    if (!isFree(layout, path(t).eye, kSweepClearance_m)) return false;
+  }
+  double near = 0;
+  int views = 0;
+  for (double t = 0; t < seconds; t += 0.25) {
+    const ViewSummary seen = lookAt(layout.scene, trajectory.pose(t));
+    if (seen.readings < 0.6 || seen.too_near > 0.5 || seen.spread < 0.012) return false;
+    near += seen.near;
+    ++views;
+  }
+  return near > kNearOnAverage * views;
+}
+
 int countBadViews(const Layout& layout, const CameraPath& path, double seconds, int enough) {
   const Trajectory trajectory(path, false, 0);
   int bad = 0;
   for (double t = 0; t < seconds && bad < enough; t += 0.1) {
-    if (!isFree(layout, path(t).eye)) ++bad;
+    if (!isFree(layout, path(t).eye, kClearance_m)) ++bad;
   }
   for (double t = 0; t < seconds && bad < enough; t += 0.5) {
-    if (!showsEnough(layout.scene, trajectory.pose(t))) ++bad;
+    if (!showsEnough(lookAt(layout.scene, trajectory.pose(t)))) ++bad;
   }
   return bad;
 }

@@ -25,9 +25,17 @@ struct FilmSet {
 /// table.
 [[nodiscard]] FilmSet makeRoomSet();
 
+/// A bare wall with what is painted on it: depth does not say where along it the camera is. 300 frames forth
+/// and back.
+[[nodiscard]] FilmSet makeWallSet();
+
 /// A room of its own for every seed: 2 - 4 walls with furniture, doors, curtains and pillars, rugs, clutter
 /// on the floor, on tables and in shelves, stacked, leaning and touching; 300 frames along the walls.
 [[nodiscard]] FilmSet makeRandomRoomSet(std::uint32_t seed);
+
+/// Such a room, whose furniture the camera passes as near as 20 cm at a hand's pace: much of what it sees is
+/// new, some is too near for a reading; 400 frames. The hard case of tracking.
+[[nodiscard]] FilmSet makeRandomSweepSet(std::uint32_t seed);
 
 /// A table with things of 5 - 40 cm for every seed; 240 frames around it.
 [[nodiscard]] FilmSet makeRandomTabletopSet(std::uint32_t seed);

@@ -12,6 +12,8 @@ namespace {
 constexpr double kRoomSeconds = 10;  // 300 frames
 constexpr int kRooms = 12;           // tried until one can be filmed well
 constexpr int kPathsInRoom = 40;     // tried in each
+constexpr int kSweepFrames = 400;
+constexpr double kSweepSeconds = kSweepFrames / 30.0;
 
 /// A table of any height in the middle of things, what is on it, and chairs around and under it.
 void addIsland(HashStream& random, Layout& layout, const Stand& floor) {
@@ -75,6 +77,31 @@ CameraPath makePath(HashStream& random, const Shell& shell) {
   return alongAtHandsPace(std::move(points));
 }
 
+/// The eye goes along the walls as near to the furniture as `inset` (from the walls) has it, and looks aslant
+/// ahead: what is near passes on one side of the image, the far end of the room stands on the other.
+CameraPath makeSweep(HashStream& random, const Shell& shell, double inset) {
+  const double first = random.uniform(0, 2 * std::numbers::pi);
+  const double way = random.sign();
+  const double sweep = random.uniform(1.5, 3.0);
+  const double height = random.uniform(0.85, 1.35);
+  constexpr int kPoints = 10;
+  std::vector<Gaze> points;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = first + way * sweep * i / (kPoints - 1);
+    const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+    const double to_inset = std::min((shell.width / 2 - inset) / std::max(std::abs(out.x()), 1e-6),
+                                     (shell.depth / 2 - inset) / std::max(std::abs(out.y()), 1e-6));
+    const Eigen::Vector2d eye = out * (to_inset + random.uniform(-0.1, 0.1));
+    const double aslant = random.uniform(0.1, 1.2);  // from straight ahead to the wall
+    const Eigen::Vector2d ahead = way * Eigen::Vector2d(-out.y(), out.x());
+    const Eigen::Vector2d target = eye + 0.8 * (std::cos(aslant) * ahead + std::sin(aslant) * out);
+    const double eye_height = height + random.uniform(-0.1, 0.1);
+    points.push_back(
+        {{eye.x(), eye.y(), eye_height}, {target.x(), target.y(), eye_height - random.uniform(0.1, 0.45)}});
+  }
+  return alongAtHandsPace(std::move(points));
+}
+
 Shell buildRoom(HashStream& random, Layout& layout) {
   const Shell shell{random.uniform(3.2, 4.6), random.uniform(3.2, 4.4)};
   addRandomFloor(random, layout, shell);
@@ -120,6 +147,23 @@ FilmSet makeRandomRoomSet(std::uint32_t seed) {
   best.lit_centre = {0, 0, 0.4};
   best.lit_radius_m = 2.6;
   return best;
+}
+
+FilmSet makeRandomSweepSet(std::uint32_t seed) {
+  FilmSet set{.name = "sweep " + std::to_string(seed), .scene = {}, .path = {}, .frames = kSweepFrames};
+  for (std::uint32_t room = 0; !set.path; ++room) {
+    HashStream random(seed, 2000 + room);
+    Layout layout;
+    const Shell shell = buildRoom(random, layout);
+    for (int attempt = 0; attempt < kPathsInRoom && !set.path; ++attempt) {
+      const CameraPath candidate = makeSweep(random, shell, random.uniform(0.8, 1.6));
+      if (passesNear(layout, candidate, kSweepSeconds)) set.path = candidate;
+    }
+    if (set.path) set.scene = std::move(layout.scene);
+  }
+  set.lit_centre = {0, 0, 0.4};
+  set.lit_radius_m = 2.6;
+  return set;
 }
 
 }  // namespace scantrove::synthetic

@@ -24,8 +24,11 @@ struct Demo {
   synthetic::FilmSet (*set)();
   synthetic::FilmSet (*random_set)(std::uint32_t seed);
 };
-constexpr Demo kDemos[] = {{"tabletop", synthetic::makeTabletopSet, synthetic::makeRandomTabletopSet},
-                           {"room", synthetic::makeRoomSet, synthetic::makeRandomRoomSet}};
+constexpr Demo kDemos[] = {
+    {"tabletop", synthetic::makeTabletopSet, synthetic::makeRandomTabletopSet},
+    {"room", synthetic::makeRoomSet, synthetic::makeRandomRoomSet},
+    {"sweep", [] { return synthetic::makeRandomSweepSet(1); }, synthetic::makeRandomSweepSet},
+    {"wall", synthetic::makeWallSet, nullptr}};
 
 /// Metres to 16-bit units; 0 where there is no reading or it does not fit.
 cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
@@ -118,7 +121,7 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
     } else {
       const char* end = mode.data() + mode.size();
       const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
-      if (failure != std::errc{} || stop != end) return false;
+      if (failure != std::errc{} || stop != end || demo.random_set == nullptr) return false;
       options.set = [random_set = demo.random_set, seed = options.seed] { return random_set(seed); };
     }
   }
@@ -171,7 +174,8 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
   }
   if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
     return fail(fmt::format("There is no demo scene '{}'.", scene),
-                "Choose tabletop or room; add :7 for the random scene of that seed, :uneven for bumps on its "
+                "Choose tabletop, room, sweep or wall; add :7 for the random scene of that seed (not of "
+                "wall), :uneven for bumps on its "
                 "surfaces, :exact for depth without noise.");
   }
   options.start = given.start;

@@ -363,11 +363,11 @@ TEST(SyntheticSource, LengthsAreThoseOfTheScenes) {
 
 TEST(SyntheticSource, RefusesWhatItCannotFilm) {
   using testing::HasSubstr;
-  for (const std::string scene : {"kitchen", "l_block", "room:sharp", "room:3x"}) {
+  for (const std::string scene : {"kitchen", "l_block", "room:sharp", "room:3x", "wall:3"}) {
     const auto unknown = makeSyntheticSource(scene, {});
     ASSERT_FALSE(unknown) << scene;
     EXPECT_THAT(unknown.error().message(), HasSubstr("'" + scene + "'"));
-    EXPECT_THAT(unknown.error().message(), HasSubstr("tabletop or room"));
+    EXPECT_THAT(unknown.error().message(), HasSubstr("tabletop, room"));
   }
   SourceOptions late;
   late.start = 300;
