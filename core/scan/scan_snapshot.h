@@ -10,8 +10,8 @@
 #include "core/base/ids.h"
 #include "core/capture/intrinsics.h"
 #include "core/discovery/region_set.h"
-#include "core/fusion/pose_estimate.h"
 #include "core/scan/frame_counts.h"
+#include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
 
@@ -59,6 +59,7 @@ struct ScanSnapshot {
 
   // Panels. Shared images that nobody writes any more; any may be empty.
   cv::Mat color;          ///< CV_8UC3 BGR, as recorded
+  cv::Mat last_seen;      ///< the same of the last frame with a pose, while there is none; else empty
   cv::Mat depth_raw_m;    ///< CV_32FC1 metres, 0 = none, working resolution
   cv::Mat depth_fused_m;  ///< CV_32FC1 metres, 0 = none, working resolution: V_t's camera depth
   cv::Mat segments;       ///< CV_32SC1, S_t ids, working resolution

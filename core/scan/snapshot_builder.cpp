@@ -53,7 +53,10 @@ void SnapshotBuilder::measureRate() {
 
 void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result) {
   measureRate();
-  if (result.pose.usable()) trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
+  if (result.pose.usable()) {
+    trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
+    last_seen_ = frame.color;
+  }
   is_waiting_.resize(static_cast<std::size_t>(pipeline.bricks().brickCount()), false);
   for (const cl_int slot : pipeline.touchedSlots()) {
     if (is_waiting_[static_cast<std::size_t>(slot)]) continue;
@@ -85,6 +88,7 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   snapshot->K = K;
   snapshot->trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
   snapshot->color = frame_.color;
+  if (!result_.pose.usable()) snapshot->last_seen = last_seen_;
   snapshot->depth_raw_m = rawDepth(frame_, K);
   snapshot->depth_fused_m = fusedDepth(result_, K);
   snapshot->segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);

@@ -48,6 +48,7 @@ class SnapshotBuilder {
   LatestValue<ScanSnapshot>& mailbox_;
   RgbdFrame frame_;
   FrameResult result_;
+  cv::Mat last_seen_;  // colour image of the last frame with a pose
   std::vector<Eigen::Vector3f> trail_;
   std::deque<cl_int> waiting_slots_;
   std::vector<bool> is_waiting_;                                   // by slot

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/exchange/region_palette.h"
-#include "core/fusion/pose_estimate.h"
+#include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
 

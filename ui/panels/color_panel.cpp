@@ -13,6 +13,7 @@ namespace {
 const QColor kFound(255, 255, 255);
 const QColor kRecognised(0, 255, 255);
 const QColor kSelected(255, 208, 0);
+constexpr double kGhostOpacity = 0.55;
 
 void paintCandidate(QPainter& painter, const QRectF& place) {
   // On whole pixels, or a line this thin is grey.
@@ -49,6 +50,11 @@ void ColorPanel::setFrame(const QImage& picture, const std::vector<SeenObject>& 
   objects_ = objects;
   sortObjects();
   setPicture(picture);
+}
+
+void ColorPanel::setGhost(const QImage& ghost) {
+  ghost_ = ghost;
+  update();
 }
 
 void ColorPanel::setSelected(const std::set<ObjectId>& selected) {
@@ -98,7 +104,24 @@ QString ColorPanel::nameOf(const SeenObject& object) const {
 
 bool ColorPanel::isSelected(const SeenObject& object) const { return selected_.contains(object.object); }
 
+void ColorPanel::paintGhost(QPainter& painter, const QRectF& rect) const {
+  painter.save();
+  painter.setOpacity(kGhostOpacity);
+  painter.drawImage(rect, ghost_);
+  painter.setOpacity(1);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kSelected, 2.0, Qt::DashLine));
+  painter.drawRect(rect.adjusted(1, 1, -1, -1));
+  const QString wish =
+      painter.fontMetrics().elidedText(tr("Lost. Point the camera at this, or at anything it has seen"),
+                                       Qt::ElideRight, static_cast<int>(rect.width()) - 24);
+  const QSizeF chip = chipSize(painter, wish);
+  paintChip(painter, {rect.center().x() - chip.width() / 2, rect.top() + 8}, wish, kSelected);
+  painter.restore();
+}
+
 void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
+  if (!ghost_.isNull()) paintGhost(painter, rect);
   QFont font = painter.font();
   font.setPointSizeF(font.pointSizeF() * (rect.width() > 300 ? 0.92 : 0.78));
   font.setBold(true);

@@ -22,6 +22,10 @@ class ColorPanel : public ImagePanel {
   void setNameOf(NameOf name_of) { name_of_ = std::move(name_of); }
 
   void setFrame(const QImage& picture, const std::vector<SeenObject>& objects);
+  /// While the camera is lost: a view that it would be found by, drawn over the picture like a ghost; null:
+  /// none.
+  void setGhost(const QImage& ghost);
+  [[nodiscard]] const QImage& ghost() const { return ghost_; }
   void setSelected(const std::set<ObjectId>& selected);
 
   /// The rectangle of an object as drawn, in widget coordinates.
@@ -40,9 +44,11 @@ class ColorPanel : public ImagePanel {
   [[nodiscard]] const SeenObject* candidateAt(const QPointF& place) const;
   [[nodiscard]] bool isSelected(const SeenObject& object) const;
   void sortObjects();
+  void paintGhost(QPainter& painter, const QRectF& rect) const;
 
   std::vector<SeenObject> objects_;  ///< the selected ones first
   std::set<ObjectId> selected_;
+  QImage ghost_;
   NameOf name_of_;
 };
 

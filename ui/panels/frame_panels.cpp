@@ -41,6 +41,7 @@ FramePanels::FramePanels(QWidget* parent)
 
 void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   color_->setFrame(colorPicture(snapshot.color), snapshot.objects);
+  color_->setGhost(colorPicture(snapshot.last_seen));
   const DepthRange now = usualRange(snapshot.depth_raw_m, range_);
   const float follow = has_range_ ? kRangeFollowing : 1.0F;
   range_.near_m += follow * (now.near_m - range_.near_m);
@@ -74,6 +75,7 @@ void FramePanels::clear() {
   objects_.clear();
   for (ImagePanel* panel : panels_) panel->setPicture({});
   color_->setFrame({}, {});
+  color_->setGhost({});
   has_range_ = false;
 }
 

@@ -22,7 +22,7 @@ QString trackingInWords(TrackingState state) {
     case TrackingState::uncertain:
       return StatusStrip::tr("Uncertain");
     case TrackingState::lost:
-      return StatusStrip::tr("Lost: turn back to where it was just before");
+      return StatusStrip::tr("Lost: point it at something it has seen");
     case TrackingState::relocalised:
       return StatusStrip::tr("Found again");
   }

@@ -10,7 +10,7 @@
 
 #include "core/capture/intrinsics.h"
 #include "core/exchange/region_palette.h"
-#include "core/fusion/pose_estimate.h"
+#include "core/tracking/pose_estimate.h"
 
 class vtkRenderer;
 

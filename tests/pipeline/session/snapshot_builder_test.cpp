@@ -40,9 +40,10 @@ class SnapshotBuilderTest : public testing::Test {
     pipeline_ = std::move(*pipeline);
   }
 
-  /// Processes a frame; its bricks.
-  Bricks addFrame() {
+  /// Processes a frame, with its pose or without; its bricks.
+  Bricks addFrame(bool with_pose = true) {
     FrameRead read = source_->next();
+    if (!with_pose) read.frame.T_world_camera.reset();
     Result<FrameResult> result = pipeline_->processFrame(read.frame);
     EXPECT_TRUE(result) << result.error().message();
     ++progress_.frames.read;
@@ -88,6 +89,19 @@ TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
   EXPECT_EQ(idle->frames.done(), 1);
   EXPECT_EQ(idle->frames_total, 10);
   EXPECT_EQ(idle->trail->size(), 1U);
+}
+
+TEST_F(SnapshotBuilderTest, WhileTheCameraIsLostShowsWhatItSawLast) {
+  addFrame();
+  const auto tracked = nextWhenDue();
+  ASSERT_TRUE(tracked);
+  EXPECT_TRUE(tracked->last_seen.empty());
+  addFrame(false);
+  const auto lost = nextWhenDue();
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(lost->pose.usable());
+  ASSERT_FALSE(lost->last_seen.empty());
+  EXPECT_EQ(cv::norm(lost->last_seen, tracked->color, cv::NORM_INF), 0);
 }
 
 TEST_F(SnapshotBuilderTest, MakesNoneBeforeTheLastWasCollected) {

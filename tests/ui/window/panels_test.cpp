@@ -68,6 +68,19 @@ TEST_F(ColorPanelTest, DiscoveredObjectHasAWhiteRectangleThere) {
   EXPECT_EQ(image.pixelColor(150, 190), QColor(60, 60, 60));
 }
 
+TEST_F(ColorPanelTest, WhileTheCameraIsLostAGhostShowsWhereToPointIt) {
+  const auto picture = [&] {
+    panel_.resize(400, 300);
+    return panel_.grab().toImage();
+  };
+  panel_.setFrame(colorPicture(cv::Mat(480, 640, CV_8UC3, cv::Scalar(60, 60, 60))), {});
+  panel_.setGhost(colorPicture(cv::Mat(480, 640, CV_8UC3, cv::Scalar(0, 200, 0))));
+  EXPECT_GT(picture().pixelColor(200, 150).green(), 120);
+  EXPECT_GT(picture().pixelColor(200, 150).red(), 15) << "what the camera sees now shines through";
+  panel_.setGhost({});
+  EXPECT_EQ(picture().pixelColor(200, 150), QColor(60, 60, 60));
+}
+
 TEST_F(ColorPanelTest, RecognisedNameIsCyanAtTheTopLeftAndANewOneIsWhite) {
   const QColor cyan(0, 255, 255);
   SeenObject object = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
