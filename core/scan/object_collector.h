@@ -10,12 +10,12 @@
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_database.h"
 #include "core/discovery/candidate.h"
-#include "core/fusion/pose_estimate.h"
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/met_objects.h"
 #include "core/scan/recognition_history.h"
 #include "core/scan/scan_report.h"
+#include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
 

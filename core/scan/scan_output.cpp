@@ -1,5 +1,6 @@
 #include "core/scan/scan_output.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
@@ -32,6 +33,8 @@ Result<std::unique_ptr<ScanOutput>> ScanOutput::create(const std::filesystem::pa
 Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   if (!result.pose.usable()) return {};
   trajectory_.push_back({frame.timestamp_s, result.pose.T_world_camera});
+  for (const LateFrame& late : result.late)
+    trajectory_.push_back({late.timestamp_s, late.pose.T_world_camera});
   if (!label_images_) return {};
   return label_images_->add({frame.index, frame.depth, frame.metres_per_unit, result.segments,
                              result.regions.regions, result.pose.T_world_camera});
@@ -39,6 +42,7 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
 
 Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report) {
   FirstError outcome;
+  std::ranges::stable_sort(trajectory_, {}, &StampedPose::timestamp_s);
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
   };

@@ -7,17 +7,24 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "core/fusion/motion_prediction.h"
 #include "core/labeling/region_partition.h"
 #include "core/scan/guarded.h"
 #include "core/scan/map_memory.h"
 
 namespace scantrove {
 namespace {
-/// A map is begun with a frame that has depth in at least this part of its pixels.
-constexpr double kLeastDepthToBegin = 0.05;
 /// Bricks that are read out at a time: bounds what the whole cloud takes on the device.
 constexpr int kBricksAtATime = 1024;
+
+PoseEstimate givenPose(const RgbdFrame& frame) {
+  PoseEstimate pose;
+  if (!frame.T_world_camera) return pose;
+  pose.state = TrackingState::tracking;
+  pose.T_world_camera = *frame.T_world_camera;
+  pose.inlier_fraction = 1;
+  return pose;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compute, const Setup& setup) {
@@ -25,8 +32,13 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
   SCANTROVE_TRY(
       moveInto(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
-  SCANTROVE_TRY(moveInto(pipeline->tracker_, Tracker::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
+  if (!setup.poses_given) {
+    const auto view_map = [&self = *pipeline](const Eigen::Isometry3d& T_world_camera, SurfaceMaps& surface) {
+      self.map_->raycast(T_world_camera, self.working_K_, surface);
+    };
+    SCANTROVE_TRY(moveInto(pipeline->tracker_, PoseTracker::create(compute, setup.params.fusion, view_map)));
+  }
   SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
   SCANTROVE_TRY(moveInto(pipeline->cloud_, LabelCloud::create(compute)));
   pipeline->merger_ = makeRegionMerger(setup.params.labeling.rule);
@@ -86,13 +98,15 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   stage("filter", [&] { depth = &preprocessor_->process(frame); });
   working_K_ = depth->levels.front().K;
 
-  result.pose = stage("track", [&] { return estimatePose(frame, *depth); });
+  result.pose =
+      stage("track", [&] { return tracker_ ? tracker_->track(frame, *depth, surface_) : givenPose(frame); });
   touched_ = {};
   if (!result.pose.usable()) return result;
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
 
   stage("integrate", [&] { map_->integrate(*depth, T_world_camera); });
   stage("raycast", [&] { map_->raycast(T_world_camera, working_K_, surface_); });
+  if (tracker_) stage("track", [&] { tracker_->learn(frame, depth->K, surface_); });
 
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
   const std::vector<FragmentId> projected = stage("project", [&] {
@@ -129,7 +143,23 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
     keepKnown(result.objects);
   }
+  if (tracker_) result.late = integrateLate();
   return result;
+}
+
+std::vector<LateFrame> ScanPipeline::integrateLate() {
+  std::vector<LateFrame> late;
+  for (const PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
+    const RgbdFrame& frame = uncertain.frame;
+    const DepthPyramid* depth = nullptr;
+    stage("filter", [&] { depth = &preprocessor_->process(frame); });
+    const PoseEstimate pose =
+        stage("track", [&] { return tracker_->reconsider(uncertain, *depth, surface_); });
+    if (!pose.usable()) continue;
+    stage("integrate", [&] { map_->integrate(*depth, pose.T_world_camera); });
+    late.push_back({frame.index, frame.timestamp_s, pose});
+  }
+  return late;
 }
 
 void ScanPipeline::tellOf(const RegionEvents& events) {
@@ -196,40 +226,6 @@ void ScanPipeline::forgetFragments() {
     merger_->forget(FragmentId{fragment});
     table_.free(FragmentId{fragment});
   }
-}
-
-PoseEstimate ScanPipeline::estimatePose(const RgbdFrame& frame, const DepthPyramid& depth) {
-  PoseEstimate pose;
-  if (poses_given_) {
-    if (!frame.T_world_camera) return pose;
-    pose.state = TrackingState::tracking;
-    pose.T_world_camera = *frame.T_world_camera;
-    pose.inlier_fraction = 1;
-    return pose;
-  }
-  if (!last_pose_) {
-    pose = firstPose(depth);
-  } else {
-    const Eigen::Isometry3d prediction =
-        before_last_pose_ ? predictPose(*last_pose_, *before_last_pose_) : *last_pose_;
-    pose = tracker_->track(depth, surface_, prediction);
-  }
-  before_last_pose_ = pose.usable() ? last_pose_ : std::nullopt;
-  if (pose.usable()) last_pose_ = pose.T_world_camera;
-  return pose;
-}
-
-PoseEstimate ScanPipeline::firstPose(const DepthPyramid& depth) {
-  const std::vector<cl_float4> vertices = depth.levels.front().vertices_camera.read(compute_.queue());
-  const auto pixels = static_cast<std::size_t>(depth.levels.front().K.pixels());
-  std::size_t valid = 0;
-  for (std::size_t i = 0; i < pixels; ++i) valid += vertices[i].s[3] > 0 ? 1U : 0U;
-  PoseEstimate pose;
-  if (static_cast<double>(valid) >= kLeastDepthToBegin * static_cast<double>(pixels)) {
-    pose.state = TrackingState::tracking;
-    pose.inlier_fraction = 1;
-  }
-  return pose;
 }
 
 void ScanPipeline::setParams(const ScanParams& params) {

@@ -13,8 +13,6 @@
 #include "core/discovery/candidate_finder.h"
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
-#include "core/fusion/pose_estimate.h"
-#include "core/fusion/tracker.h"
 #include "core/labeling/label_cloud.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
@@ -24,8 +22,17 @@
 #include "core/scan/object_collector.h"
 #include "core/scan/scan_params.h"
 #include "core/segmentation/graph_segmenter.h"
+#include "core/tracking/pose_estimate.h"
+#include "core/tracking/pose_tracker.h"
 
 namespace scantrove {
+
+/// A frame that could not be used when it came, and went into the map later.
+struct LateFrame {
+  int index = 0;  ///< of the source
+  double timestamp_s = 0;
+  PoseEstimate pose;
+};
 
 /// What one frame gave. Maps are empty when the pose was not usable.
 struct FrameResult {
@@ -35,6 +42,7 @@ struct FrameResult {
   std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
   std::vector<Eigen::Vector4f> normals_world;   ///< N_t likewise
   FrameObjects objects;
+  std::vector<LateFrame> late;  ///< earlier ones that were understood with this one
 };
 
 /// One frame through every stage of the thesis. Owns map, label cloud and region table; cost per frame does
@@ -100,10 +108,7 @@ class ScanPipeline {
 
  private:
   ScanPipeline(ComputeContext& compute, const Setup& setup)
-      : compute_(compute),
-        params_(setup.params),
-        poses_given_(setup.poses_given),
-        frame_count_(setup.frame_count) {}
+      : compute_(compute), params_(setup.params), frame_count_(setup.frame_count) {}
 
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
   /// Discovery and collection learn what became of regions.
@@ -115,10 +120,10 @@ class ScanPipeline {
   /// Colours of the surface in CIE L*a*b* by working pixel, a little blurred.
   [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const RgbdFrame& frame,
                                                            const SurfaceInColor& in_color);
+  /// Earlier frames whose poses were uncertain, and are certain now, go into the map.
+  [[nodiscard]] std::vector<LateFrame> integrateLate();
   /// Fragments that no voxel holds any more go; their numbers are used again.
   void forgetFragments();
-  [[nodiscard]] PoseEstimate estimatePose(const RgbdFrame& frame, const DepthPyramid& depth);
-  [[nodiscard]] PoseEstimate firstPose(const DepthPyramid& depth);
   [[nodiscard]] Error outOfMemory(int frame_index) const;
 
   /// Times `work` as a stage, waiting for the device so that each stage pays for itself.
@@ -127,13 +132,12 @@ class ScanPipeline {
 
   ComputeContext& compute_;
   ScanParams params_;
-  bool poses_given_ = false;
   std::optional<int> frame_count_;
   Intrinsics working_K_;
   StageTimer timer_;
 
   std::unique_ptr<DepthPreprocessor> preprocessor_;
-  std::unique_ptr<Tracker> tracker_;
+  std::unique_ptr<PoseTracker> tracker_;  // null: poses are given
   std::unique_ptr<DenseMap> map_;
   std::unique_ptr<GraphSegmenter> segmenter_;
   std::unique_ptr<LabelCloud> cloud_;
@@ -142,9 +146,7 @@ class ScanPipeline {
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<ObjectCollector> collector_;
 
-  SurfaceMaps surface_;                                // V_t, N_t of the last usable frame
-  std::optional<Eigen::Isometry3d> last_pose_;         // of the last usable frame
-  std::optional<Eigen::Isometry3d> before_last_pose_;  // of the frame before it, if that was usable too
+  SurfaceMaps surface_;  // V_t, N_t of the last usable frame
   std::span<const cl_int> touched_;
   std::vector<Eigen::Vector3f> color_lab_;
   int frames_ = 0;  // given to processFrame

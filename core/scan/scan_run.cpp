@@ -95,6 +95,11 @@ void ScanRun::skip(const FrameRead& read) {
 
 void ScanRun::count(const FrameResult& result, int frame_index) {
   ++frames_.read;
+  for (const LateFrame& late : result.late) {
+    --frames_.lost;
+    ++frames_.tracked;
+    std::erase(lost_frames_, late.index);
+  }
   if (!result.pose.usable()) {
     ++frames_.lost;
     lost_frames_.push_back(frame_index);

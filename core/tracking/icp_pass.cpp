@@ -1,10 +1,10 @@
-#include "core/fusion/icp_pass.h"
+#include "core/tracking/icp_pass.h"
 
 #include <string>
 
 #include "core/compute/kernel_types.h"
-#include "core/fusion/kernels/icp_layout.h"
-#include "embedded/fusion_kernels.h"
+#include "core/tracking/kernels/icp_layout.h"
+#include "embedded/tracking_kernels.h"
 
 namespace scantrove {
 namespace {

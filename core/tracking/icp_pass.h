@@ -4,8 +4,8 @@
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/depth_pyramid.h"
-#include "core/fusion/icp_system.h"
 #include "core/fusion/surface_maps.h"
+#include "core/tracking/icp_system.h"
 
 namespace scantrove {
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <span>
 
+#include "core/tracking/landmark_term.h"
+
 namespace scantrove {
 
 /// The normal equations of one pass of point-to-plane ICP, J x = r, for the twist x = (rotation, translation)
@@ -35,6 +37,7 @@ struct IcpStep {
       Eigen::Isometry3d::Identity();  ///< to be applied from the left: T_new = motion * T_old
   double rotation_rad = 0;
   double translation_m = 0;  ///< of the centre
+  bool is_firm = false;      ///< the surface by itself determines all directions well
   int free_directions = 0;   ///< directions left at zero because the geometry does not determine them
   bool finite =
       false;  ///< false: nothing was associated or the sums are not finite; `motion` is the identity
@@ -43,7 +46,9 @@ struct IcpStep {
 /// Solves by eigen-decomposition of JtJ / weight with rotations measured in units of radius_m: along
 /// eigenvectors whose eigenvalue lies under `smallest_eigenvalue` (mean squared cosine between normals and
 /// direction) the solution is zero, so the pose keeps what it was predicted to be (solution remapping, Zhang,
-/// Kaess and Singh 2016). Never fails: see IcpStep::finite.
-[[nodiscard]] IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue);
+/// Kaess and Singh 2016). Landmarks (about the same centre; may be null) decide where the surface says
+/// little. Never fails: see IcpStep::finite.
+[[nodiscard]] IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue,
+                               const LandmarkTerm* landmarks = nullptr);
 
 }  // namespace scantrove

@@ -1,4 +1,4 @@
-#include "core/fusion/pose_judgement.h"
+#include "core/tracking/pose_judgement.h"
 
 #include <cmath>
 
@@ -28,12 +28,21 @@ struct Evidence {
 constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 7.6};
 constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
+constexpr Evidence kAtLandmarks{.inlier_fraction = 0.40, .residual = 20};
+// Landmarks that are seen so near to where the pose has them agree with it.
+constexpr double kLandmarksAgree_px = 3;
 constexpr double kFar_rad = 0.07;
 constexpr double kFar_m = 0.08;
 
+const Evidence& wantedEvidence(PoseOrigin origin, double angle_rad, double distance_m) {
+  if (origin == PoseOrigin::search) return kAfterSearch;
+  if (origin == PoseOrigin::landmarks) return kAtLandmarks;
+  return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
+}
+
 }  // namespace
 
-PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion, bool searched,
+PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin, PoseOrigin origin,
                        double depth_noise_m) {
   const IcpSystem& system = outcome.system;
   PoseEstimate pose;
@@ -49,13 +58,15 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motio
     pose.state = TrackingState::lost;
     return pose;
   }
+  const Eigen::Isometry3d motion = begin.inverse() * outcome.T_world_camera;
   const double angle_rad = Eigen::AngleAxisd(motion.linear()).angle();
   const double distance_m = motion.translation().norm();
-  const bool is_far = angle_rad > kFar_rad || distance_m > kFar_m;
-  const Evidence& wanted = searched ? kAfterSearch : is_far ? kAfterFarMotion : kAfterSmallMotion;
+  const bool by_landmarks = origin == PoseOrigin::landmarks;
+  const Evidence& wanted = wantedEvidence(origin, angle_rad, distance_m);
   const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
-  const bool within_reach = angle_rad < kReach_rad && distance_m < kReach_m;
-  const bool trusted = pose.free_directions == 0 && at_rest && within_reach &&
+  const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
+                                         : angle_rad < kReach_rad && distance_m < kReach_m;
+  const bool trusted = (pose.free_directions == 0 || by_landmarks) && at_rest && within_reach &&
                        system.fit_residual_m <= wanted.residual * depth_noise_m &&
                        pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
                        overlap_of_readings >= kTrustedOverlapOfReadings;

@@ -1,22 +1,31 @@
 #pragma once
-#include "core/fusion/icp_system.h"
-#include "core/fusion/pose_estimate.h"
+#include "core/tracking/icp_system.h"
+#include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
 
 /// What is known when ICP has ended.
 struct IcpOutcome {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  IcpSystem system;  ///< of the last pass, at the finest level
-  IcpStep step;      ///< of the last pass
-  int pixels = 0;    ///< of the finest level
+  IcpSystem system;              ///< of the last pass, at the finest level
+  IcpStep step;                  ///< of the last pass
+  int pixels = 0;                ///< of the finest level
+  double landmark_error_px = 0;  ///< SeenLandmarks::error_px, where there are landmarks
 };
 
-/// Whether the pose may be trusted, with its figures. `motion`: from the pose of the model, in the camera's
-/// frame. `searched`: the pose was found by trying many guesses. `depth_noise_m`: FusionParams. A far motion
-/// and a search leave more room for a false minimum and so need more evidence: no pose is called `tracking`
+/// Where ICP began: the less is known beforehand, the more room there is for a false minimum.
+enum class PoseOrigin {
+  prediction,  ///< the camera's motion so far
+  search,      ///< the best of many guesses
+  landmarks    ///< where the colour image, by itself, has the camera
+};
+
+/// Whether the pose may be trusted, with its figures. `begin`: where ICP began (for a prediction: the pose of
+/// the model). `depth_noise_m`: FusionParams. A pose rests on the surface that it explains: it lies still,
+/// its residual is the camera's noise, enough of what meets known surface fits it, and the geometry
+/// determines it or landmarks do. How much of the image is new does not matter. No pose is called `tracking`
 /// that might corrupt the map.
-[[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& motion,
-                                     bool searched, double depth_noise_m);
+[[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
+                                     PoseOrigin origin, double depth_noise_m);
 
 }  // namespace scantrove

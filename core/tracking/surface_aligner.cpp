@@ -1,4 +1,4 @@
-#include "core/fusion/tracker.h"
+#include "core/tracking/surface_aligner.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,6 @@ constexpr double kSmallestEigenvalue = 0.004;
 // Predictions closer to each other than this lead to the same pose.
 constexpr double kSameGuess_rad = 0.005;
 constexpr double kSameGuess_m = 0.005;
-// An uncertain pose with so many inliers is worth a start for the next frame.
-constexpr double kWorthFollowing = 0.4;
 // The search after a failure turns the camera this far about each axis.
 constexpr double kSearch_rad = 0.10;
 
@@ -47,81 +45,38 @@ double costOf(const IcpSystem& system, double gate_m) {
   return (system.squared_error + (contradicting + 0.5 * unmet) * gate_m * gate_m) / system.readings;
 }
 
+std::size_t coarsestOf(const DepthPyramid& frame) {
+  SCANTROVE_CHECK(!frame.levels.empty());
+  return std::min(frame.levels.size(), kPasses.size()) - 1;
+}
+
 }  // namespace
 
-Result<std::unique_ptr<Tracker>> Tracker::create(ComputeContext& compute, const FusionParams& params) {
+Result<std::unique_ptr<SurfaceAligner>> SurfaceAligner::create(ComputeContext& compute, float depth_noise_m) {
   Result<IcpPass> pass = IcpPass::create(compute);
   if (!pass) return fail(pass.error());
-  return std::unique_ptr<Tracker>(new Tracker(std::move(*pass), params.depth_noise_m));
+  return std::unique_ptr<SurfaceAligner>(new SurfaceAligner(std::move(*pass), depth_noise_m));
 }
 
-PoseEstimate Tracker::track(const DepthPyramid& frame, const SurfaceMaps& model,
-                            const Eigen::Isometry3d& prediction) {
-  SCANTROVE_CHECK(!frame.levels.empty());
-  if (model.vertices_world.size() == 0) return {.T_world_camera = prediction};
-  const std::size_t coarsest = std::min(frame.levels.size(), kPasses.size()) - 1;
-  const IcpOutcome coarse = descendFromBestGuess(frame, model, prediction, coarsest);
-  PoseEstimate pose = finish(frame, model, coarse, coarsest, false);
-  if (pose.state != TrackingState::tracking && pose.free_directions == 0 && coarse.system.readings > 0) {
-    const PoseEstimate found = finish(frame, model, search(frame, model, coarsest), coarsest, true);
-    if (found.state == TrackingState::tracking) pose = found;
-  }
-  last_uncertain_.reset();
-  if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing) {
-    last_uncertain_ = pose.T_world_camera;
-  }
-  if (pose.state == TrackingState::lost) pose.T_world_camera = prediction;
-  return pose;
-}
-
-IcpOutcome Tracker::descend(const DepthPyramid& frame, const SurfaceMaps& model,
-                            const Eigen::Isometry3d& guess, std::size_t level) {
-  IcpOutcome outcome{
-      .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
-  const IcpGates gates = IcpGates::of(kDistance_m[level], depth_noise_m_);
-  for (int i = 0; i < kPasses[level]; ++i) {
-    outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
-    outcome.step = solveIcp(outcome.system, kSmallestEigenvalue);
-    if (!outcome.step.finite) break;
-    outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
-    if (std::max(outcome.step.rotation_rad, outcome.step.translation_m) < kSmallStep[level]) break;
-  }
-  return outcome;
-}
-
-IcpOutcome Tracker::descendFromBestGuess(const DepthPyramid& frame, const SurfaceMaps& model,
-                                         const Eigen::Isometry3d& prediction, std::size_t coarsest) {
+IcpOutcome SurfaceAligner::align(const DepthPyramid& frame, const SurfaceMaps& model,
+                                 std::span<const Eigen::Isometry3d> guesses, const SeenLandmarks* landmarks) {
+  SCANTROVE_CHECK(!guesses.empty());
+  const std::size_t coarsest = coarsestOf(frame);
   const auto gate = static_cast<double>(kDistance_m[coarsest]);
-  IcpOutcome best = descend(frame, model, prediction, coarsest);
-  // Where the surface fits and yet is silent about the motion, all guesses fit alike, and the prediction
-  // stands.
-  if (best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap) return best;
-  std::vector<Eigen::Isometry3d> guesses{prediction};
-  const auto tryGuess = [&](const Eigen::Isometry3d& guess) {
-    if (std::any_of(guesses.begin(), guesses.end(),
-                    [&](const auto& tried) { return isSameGuess(tried, guess); }))
-      return;
-    guesses.push_back(guess);
-    IcpOutcome outcome = descend(frame, model, guess, coarsest);
+  IcpOutcome best = descend(frame, model, guesses.front(), coarsest, landmarks);
+  // Where the surface fits and yet is silent about the motion, all guesses fit alike, and the first stands.
+  const bool is_silent = best.step.free_directions > 0 && 2 * best.system.inliers > best.system.overlap;
+  for (std::size_t i = 1; i < guesses.size() && !is_silent; ++i) {
+    const auto is_tried = [&](const Eigen::Isometry3d& tried) { return isSameGuess(tried, guesses[i]); };
+    if (std::ranges::any_of(guesses.first(i), is_tried)) continue;
+    IcpOutcome outcome = descend(frame, model, guesses[i], coarsest, landmarks);
     if (costOf(outcome.system, gate) < costOf(best.system, gate)) best = std::move(outcome);
-  };
-  tryGuess(model.T_world_camera);
-  if (last_uncertain_) tryGuess(*last_uncertain_);
-  return best;
-}
-
-PoseEstimate Tracker::finish(const DepthPyramid& frame, const SurfaceMaps& model, const IcpOutcome& coarse,
-                             std::size_t coarsest, bool searched) {
-  IcpOutcome outcome = coarse;
-  for (std::size_t level = coarsest; level > 0; --level) {
-    outcome = descend(frame, model, outcome.T_world_camera, level - 1);
   }
-  outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
-  return judgePose(outcome, model.T_world_camera.inverse() * outcome.T_world_camera, searched,
-                   double{depth_noise_m_});
+  return refine(frame, model, std::move(best), coarsest, landmarks);
 }
 
-IcpOutcome Tracker::search(const DepthPyramid& frame, const SurfaceMaps& model, std::size_t coarsest) {
+IcpOutcome SurfaceAligner::alignTurned(const DepthPyramid& frame, const SurfaceMaps& model) {
+  const std::size_t coarsest = coarsestOf(frame);
   const auto gate = static_cast<double>(kDistance_m[coarsest]);
   IcpOutcome best;
   double best_cost = std::numeric_limits<double>::max();
@@ -135,7 +90,37 @@ IcpOutcome Tracker::search(const DepthPyramid& frame, const SurfaceMaps& model, 
       best = std::move(outcome);
     }
   }
-  return best;
+  return refine(frame, model, std::move(best), coarsest);
+}
+
+IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps& model,
+                                   const Eigen::Isometry3d& guess, std::size_t level,
+                                   const SeenLandmarks* landmarks) {
+  IcpOutcome outcome{
+      .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
+  const IcpGates gates = IcpGates::of(kDistance_m[level], depth_noise_m_);
+  for (int i = 0; i < kPasses[level]; ++i) {
+    outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
+    LandmarkTerm term;
+    if (landmarks != nullptr)
+      term = LandmarkTerm::of(*landmarks, outcome.T_world_camera, outcome.system.centre);
+    outcome.step = solveIcp(outcome.system, kSmallestEigenvalue, landmarks != nullptr ? &term : nullptr);
+    if (!outcome.step.finite) break;
+    outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
+    if (std::max(outcome.step.rotation_rad, outcome.step.translation_m) < kSmallStep[level]) break;
+  }
+  return outcome;
+}
+
+IcpOutcome SurfaceAligner::refine(const DepthPyramid& frame, const SurfaceMaps& model, IcpOutcome coarse,
+                                  std::size_t coarsest, const SeenLandmarks* landmarks) {
+  IcpOutcome outcome = std::move(coarse);
+  for (std::size_t level = coarsest; level > 0; --level) {
+    outcome = descend(frame, model, outcome.T_world_camera, level - 1, landmarks);
+  }
+  outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
+  if (landmarks != nullptr) outcome.landmark_error_px = landmarks->error_px(outcome.T_world_camera);
+  return outcome;
 }
 
 }  // namespace scantrove

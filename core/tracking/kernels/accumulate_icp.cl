@@ -9,7 +9,7 @@
 // vertices, normals: pixel_count, camera frame; model_vertices, model_normals: model_width * model_height,
 // world; sums: ICP_SUMS per group.
 #include "core/compute/kernels/common.clh"
-#include "core/fusion/kernels/icp_layout.h"
+#include "core/tracking/kernels/icp_layout.h"
 
 kernel void accumulate_icp(global const float4* restrict vertices, global const float4* restrict normals,
                            const int pixel_count, const int run, const float16 T_world_frame,

@@ -5,6 +5,7 @@
 #include "core/compute/compute_context.h"
 #include "core/fusion/surface_maps.h"
 #include "tests/support/analytic_scene.h"
+#include "tests/support/poses.h"
 
 namespace scantrove::test {
 
@@ -56,17 +57,6 @@ inline AnalyticScene roomCorner() {
   scene.plane({0, 0, 2.5}, {0.3, 0, -1}).plane({-1.2, 0, 0}, {1, 0, 0}).plane({0, 0.9, 0}, {0, -1, 0.1});
   scene.sphere({0.3, 0.5, 1.6}, 0.3).sphere({-0.5, -0.2, 2.0}, 0.25);
   return scene;
-}
-
-inline Eigen::Isometry3d pose(double rx_deg, double ry_deg, double rz_deg, double x, double y, double z) {
-  constexpr double kDegree = 3.14159265358979323846 / 180;
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = (Eigen::AngleAxisd(rz_deg * kDegree, Eigen::Vector3d::UnitZ()) *
-                Eigen::AngleAxisd(ry_deg * kDegree, Eigen::Vector3d::UnitY()) *
-                Eigen::AngleAxisd(rx_deg * kDegree, Eigen::Vector3d::UnitX()))
-                   .toRotationMatrix();
-  T.translation() << x, y, z;
-  return T;
 }
 
 }  // namespace scantrove::test

@@ -37,13 +37,13 @@ TEST(LayerRules, ModulesStandInTheirOrder) {
               ElementsAre(HasSubstr("base alone")));
   EXPECT_THAT(LayerRules::broken({{"core/catalog/a.h", {"core/scan/scan_params.h"}}}),
               ElementsAre(HasSubstr("no module knows scan")));
-  EXPECT_THAT(LayerRules::broken({{"core/scan/a.cpp", {"core/fusion/tracker.h", "core/catalog/detector.h"}},
+  EXPECT_THAT(LayerRules::broken({{"core/scan/a.cpp", {"core/fusion/raycaster.h", "core/catalog/detector.h"}},
                                   {"core/fusion/b.cpp", {"core/compute/buffer.h", "core/base/result.h"}}}),
               IsEmpty());
 }
 
 TEST(LayerRules, ModulesKnowPlainDataOnly) {
-  EXPECT_THAT(LayerRules::broken({{"core/labeling/a.cpp", {"core/fusion/tracker.h"}}}),
+  EXPECT_THAT(LayerRules::broken({{"core/labeling/a.cpp", {"core/fusion/raycaster.h"}}}),
               ElementsAre(HasSubstr("not each other's machinery")));
   EXPECT_THAT(LayerRules::broken({{"core/labeling/kernels/a.cl", {"core/segmentation/kernels/b.clh"}}}),
               ElementsAre(HasSubstr("not each other's machinery")));

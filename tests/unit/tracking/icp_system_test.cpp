@@ -1,4 +1,4 @@
-#include "core/fusion/icp_system.h"
+#include "core/tracking/icp_system.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/fusion/kernels/icp_layout.h"
-#include "core/fusion/pose_judgement.h"
+#include "core/tracking/kernels/icp_layout.h"
 
 namespace scantrove::test {
 namespace {
@@ -88,55 +87,6 @@ TEST(IcpSystem, NothingAndNonsenseGiveNoMotion) {
   EXPECT_FALSE(solveIcp(IcpSystem::fromSums(sums, Eigen::Vector3d::Zero()), 0.004).finite);
   sums[9] = std::numeric_limits<float>::infinity();
   EXPECT_FALSE(solveIcp(IcpSystem::fromSums(sums, Eigen::Vector3d::Zero()), 0.004).finite);
-}
-
-/// What a good pose of a 320 x 240 image leaves behind.
-IcpOutcome goodOutcome() {
-  IcpOutcome outcome;
-  outcome.pixels = 76800;
-  outcome.system.readings = 60000;
-  outcome.system.overlap = 55000;
-  outcome.system.inliers = 50000;
-  outcome.system.weight = 10000;
-  outcome.system.fit_residual_m = 0.004;
-  outcome.system.squared_error = 50000 * 0.006 * 0.006;
-  outcome.step.finite = true;
-  return outcome;
-}
-
-constexpr double kDepthNoise_m = 0.0015;
-
-TEST(PoseJudgement, TrustsWhatIsWellFoundedOnly) {
-  const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d far = still;
-  far.translation().x() = 0.1;
-  EXPECT_EQ(judgePose(goodOutcome(), still, false, kDepthNoise_m).state, TrackingState::tracking);
-  EXPECT_NEAR(judgePose(goodOutcome(), still, false, kDepthNoise_m).inlier_fraction, 50.0 / 55.0, 1e-12);
-  EXPECT_NEAR(judgePose(goodOutcome(), still, false, kDepthNoise_m).rmse_m, 0.006, 1e-12);
-  EXPECT_EQ(judgePose(goodOutcome(), far, true, kDepthNoise_m).state, TrackingState::tracking);
-
-  const auto expectState = [](TrackingState state, const Eigen::Isometry3d& motion, auto&& change) {
-    IcpOutcome outcome = goodOutcome();
-    change(outcome);
-    EXPECT_EQ(judgePose(outcome, motion, false, kDepthNoise_m).state, state);
-  };
-  using enum TrackingState;
-  IcpOutcome noisy = goodOutcome();
-  noisy.system.fit_residual_m = 0.02;
-  EXPECT_EQ(judgePose(noisy, still, false, kDepthNoise_m).state, uncertain);
-  EXPECT_EQ(judgePose(noisy, still, false, 3 * kDepthNoise_m).state, tracking) << "so noisy a camera";
-  expectState(uncertain, still, [](IcpOutcome& o) { o.step.free_directions = 1; });
-  expectState(uncertain, still, [](IcpOutcome& o) { o.step.rotation_rad = 0.01; });
-  expectState(uncertain, still, [](IcpOutcome& o) { o.system.inliers = 20000; });
-  expectState(uncertain, still, [](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
-  expectState(tracking, still, [](IcpOutcome& o) { o.system.inliers = 34000; });
-  expectState(uncertain, far, [](IcpOutcome& o) { o.system.inliers = 34000; });
-  expectState(uncertain, still, [](IcpOutcome& o) { o.system.overlap = 4000, o.system.inliers = 3900; });
-  far.translation().x() = 0.5;
-  expectState(uncertain, far, [](IcpOutcome&) {});
-  expectState(lost, still, [](IcpOutcome& o) { o.system.inliers = 5000; });
-  expectState(lost, still, [](IcpOutcome& o) { o.system.overlap = 1000, o.system.inliers = 1000; });
-  expectState(lost, still, [](IcpOutcome& o) { o.step.finite = false; });
 }
 
 }  // namespace

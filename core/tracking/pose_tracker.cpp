@@ -1,0 +1,209 @@
+#include "core/tracking/pose_tracker.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "core/tracking/motion_prediction.h"
+
+namespace scantrove {
+namespace {
+
+/// A map is begun with a frame that has depth in at least this part of its pixels.
+constexpr double kLeastDepthToBegin = 0.05;
+/// An uncertain pose with so many inliers is worth a start for the next frame.
+constexpr double kWorthFollowing = 0.4;
+/// Key frames that a lost camera is compared with at a time.
+constexpr std::size_t kPlacesToTry = 3;
+/// Uncertain frames that are kept, the newest.
+constexpr std::size_t kMostUncertain = 10;
+/// A key frame is made of a frame that sees so much of what it should.
+constexpr double kWorthKeeping = 0.6;
+
+constexpr std::size_t kManyLandmarks = 100;
+/// Landmarks by which a pose may be believed, if the map agrees.
+bool isWellFounded(const LandmarkPose& pose) {
+  return pose.seen.pixels.size() >= 20 && pose.seen.cells() >= 5;
+}
+/// Corners by which a camera can be followed from one frame to the next.
+constexpr std::size_t kFewestCorners = 10;
+constexpr int kFewestCells = 4;
+
+}  // namespace
+
+Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute, const FusionParams& params,
+                                                         ModelView view_model) {
+  std::unique_ptr<PoseTracker> tracker(new PoseTracker(compute, params, std::move(view_model)));
+  SCANTROVE_TRY(moveInto(tracker->aligner_, SurfaceAligner::create(compute, params.depth_noise_m)));
+  return tracker;
+}
+
+PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
+  PoseEstimate pose;
+  if (!last_) {
+    pose = begin(depth);
+  } else {
+    Search search{frame, depth, model};
+    pose = registerAndJudge(search);
+    if (!pose.usable() || !search.is_firm) pose = recover(search, pose);
+  }
+  remember(frame, pose);
+  return pose;
+}
+
+PoseEstimate PoseTracker::begin(const DepthPyramid& depth) const {
+  const int pixels = depth.levels.front().K.pixels();
+  std::vector<cl_float4> vertices(static_cast<std::size_t>(pixels));
+  depth.levels.front().vertices_camera.read(compute_.queue(), std::span(vertices));
+  const auto readings = std::ranges::count_if(vertices, [](const cl_float4& v) { return v.s[3] > 0; });
+  PoseEstimate pose;
+  if (static_cast<double>(readings) >= kLeastDepthToBegin * pixels) {
+    pose.state = TrackingState::tracking;
+    pose.inlier_fraction = 1;
+  }
+  return pose;
+}
+
+std::vector<Eigen::Isometry3d> PoseTracker::predict(const SurfaceMaps& model) const {
+  std::vector<Eigen::Isometry3d> guesses{before_last_ ? predictPose(*last_, *before_last_) : *last_};
+  guesses.push_back(model.T_world_camera);                   // a camera that stopped
+  if (last_uncertain_) guesses.push_back(*last_uncertain_);  // a camera on its way back
+  return guesses;
+}
+
+PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
+                                PoseOrigin origin) const {
+  return judgePose(outcome, begin, origin, static_cast<double>(params_.depth_noise_m));
+}
+
+PoseEstimate PoseTracker::registerAndJudge(Search& search) const {
+  const std::vector<Eigen::Isometry3d> guesses = predict(search.model);
+  const IcpOutcome outcome = aligner_->align(search.depth, search.model, guesses);
+  PoseEstimate pose = judge(outcome, search.model.T_world_camera, PoseOrigin::prediction);
+  search.is_firm = outcome.step.is_firm;
+  if (pose.state == TrackingState::lost) pose.T_world_camera = guesses.front();
+  return pose;
+}
+
+PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
+  if (const auto found = followLandmarks(search)) return *found;
+  if (!is_lost_) {
+    if (const auto found = followFlow(search, by_surface.T_world_camera)) return *found;
+  }
+  if (by_surface.usable()) return by_surface;
+  if (by_surface.free_directions == 0) {
+    const PoseEstimate found = judge(aligner_->alignTurned(search.depth, search.model),
+                                     search.model.T_world_camera, PoseOrigin::search);
+    if (found.usable()) return found;
+  }
+  if (is_lost_) {
+    if (const auto found = relocalise(search)) return *found;
+  }
+  return by_surface;
+}
+
+SeenLandmarks PoseTracker::cornersNear(const Search& search, const Eigen::Isometry3d& guess) {
+  const GrayView now = grayViewOf(search.frame, search.depth.K);
+  const GrayView last = grayViewOf(last_frame_, K_depth_);
+  if (now.image.empty() || last.image.empty()) return {};
+  const SurfaceInView surface(last.K, search.model.T_world_camera * last.T_color_depth.inverse(),
+                              search.model.vertices_world.read(compute_.queue()));
+  return followCorners(last, surface, now, guess * now.T_color_depth.inverse());
+}
+
+std::optional<PoseEstimate> PoseTracker::followFlow(const Search& search, const Eigen::Isometry3d& guess) {
+  const SeenLandmarks seen = cornersNear(search, guess);
+  if (seen.pixels.size() < kFewestCorners || seen.cells() < kFewestCells) return std::nullopt;
+  const PoseEstimate pose = judge(aligner_->align(search.depth, search.model, std::span(&guess, 1), &seen),
+                                  guess, PoseOrigin::landmarks);
+  return pose.usable() ? std::optional(pose) : std::nullopt;
+}
+
+std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search) {
+  const ColorView& view = viewOf(search);
+  if (view.pixels.empty()) return std::nullopt;
+  std::optional<LandmarkPose> seen;
+  // A key frame rather than the last one: poses that are measured by the same landmarks do not drift.
+  if (const KeyFrame* near = key_frames_.nearest(*last_)) seen = locate(view, near->landmarks);
+  if (!seen || seen->seen.pixels.size() < kManyLandmarks) {
+    const auto by_last = locate(view, lastLandmarks(search.model));
+    if (by_last && (!seen || by_last->seen.pixels.size() > 2 * seen->seen.pixels.size())) seen = by_last;
+  }
+  if (!seen || !isWellFounded(*seen)) return std::nullopt;
+  if (!is_lost_) seen->seen.append(cornersNear(search, seen->T_world_camera));
+  const PoseEstimate pose = verify(search, seen->T_world_camera, &seen->seen);
+  return pose.usable() ? std::optional(pose) : std::nullopt;
+}
+
+std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
+  const ColorView& view = viewOf(search);
+  for (const KeyFrame* place : key_frames_.alike(thumbnailOf(search.frame), view, kPlacesToTry)) {
+    PoseEstimate pose;
+    if (view.pixels.empty()) {
+      pose = verify(search, place->T_world_camera, nullptr);
+    } else if (const auto seen = locate(view, place->landmarks); seen && isWellFounded(*seen)) {
+      pose = verify(search, seen->T_world_camera, &seen->seen);
+    }
+    if (!pose.usable()) continue;
+    pose.state = TrackingState::relocalised;
+    return pose;
+  }
+  return std::nullopt;
+}
+
+PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& guess,
+                                 const SeenLandmarks* landmarks) {
+  view_model_(guess, verified_);
+  return judge(aligner_->align(search.depth, verified_, std::span(&guess, 1), landmarks), guess,
+               landmarks != nullptr ? PoseOrigin::landmarks : PoseOrigin::search);
+}
+
+void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
+  before_last_ = pose.usable() && !is_lost_ ? last_ : std::nullopt;
+  if (pose.usable()) last_ = pose.T_world_camera;
+  is_lost_ = !pose.usable();
+  last_uncertain_.reset();
+  if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing)
+    last_uncertain_ = pose.T_world_camera;
+  if (!last_uncertain_) return;
+  uncertain_.push_back({frame, pose.T_world_camera});
+  if (uncertain_.size() > kMostUncertain) uncertain_.pop_front();
+}
+
+std::vector<PoseTracker::UncertainFrame> PoseTracker::takeUncertain() {
+  if (is_lost_) return {};
+  std::vector<UncertainFrame> taken(std::make_move_iterator(uncertain_.begin()),
+                                    std::make_move_iterator(uncertain_.end()));
+  uncertain_.clear();
+  return taken;
+}
+
+PoseEstimate PoseTracker::reconsider(const UncertainFrame& uncertain, const DepthPyramid& depth,
+                                     const SurfaceMaps& model) const {
+  const std::array guesses{uncertain.T_world_camera, model.T_world_camera};
+  return judge(aligner_->align(depth, model, guesses), model.T_world_camera, PoseOrigin::prediction);
+}
+
+void PoseTracker::learn(const RgbdFrame& frame, const Intrinsics& K_depth, const SurfaceMaps& model) {
+  last_frame_ = frame;
+  K_depth_ = K_depth;
+  last_landmarks_.reset();
+  if (!key_frames_.isDue(model.T_world_camera)) return;
+  cv::Mat thumbnail = thumbnailOf(frame);
+  if (!thumbnail.empty()) key_frames_.add({model.T_world_camera, lastLandmarks(model), std::move(thumbnail)});
+}
+
+const ColorView& PoseTracker::viewOf(Search& search) {
+  if (!search.view) search.view = finder_.find(grayViewOf(search.frame, search.depth.K));
+  return *search.view;
+}
+
+const Landmarks& PoseTracker::lastLandmarks(const SurfaceMaps& model) {
+  if (!last_landmarks_) {
+    const ColorView view = finder_.find(grayViewOf(last_frame_, K_depth_));
+    last_landmarks_ = landmarksOf(view, model.T_world_camera, model.vertices_world.read(compute_.queue()));
+  }
+  return *last_landmarks_;
+}
+
+}  // namespace scantrove

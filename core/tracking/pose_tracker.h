@@ -1,0 +1,109 @@
+#pragma once
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/capture/rgbd_frame.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/depth_pyramid.h"
+#include "core/fusion/fusion_params.h"
+#include "core/fusion/surface_maps.h"
+#include "core/tracking/color_view.h"
+#include "core/tracking/followed_corners.h"
+#include "core/tracking/key_frames.h"
+#include "core/tracking/landmark_pose.h"
+#include "core/tracking/pose_estimate.h"
+#include "core/tracking/surface_aligner.h"
+
+namespace scantrove {
+
+/// Where the camera is, frame by frame. Owns all that is known about poses. A frame's pose is predicted from
+/// the motion so far, registered by ICP against the map's surface and judged; what is not trusted is
+/// recovered: from landmarks of the last view and of key frames, which find the camera anywhere that it has
+/// been. One thread, the context's; may throw cl::Error.
+class PoseTracker {
+ public:
+  /// Fills the map's surface as seen from a pose.
+  using ModelView = std::function<void(const Eigen::Isometry3d& T_world_camera, SurfaceMaps& surface)>;
+
+  [[nodiscard]] static Result<std::unique_ptr<PoseTracker>> create(ComputeContext& compute,
+                                                                   const FusionParams& params,
+                                                                   ModelView view_model);
+
+  /// The pose of the next frame. `model`: as given to learn() last; of the first frame it is not read.
+  [[nodiscard]] PoseEstimate track(const RgbdFrame& frame, const DepthPyramid& depth,
+                                   const SurfaceMaps& model);
+  /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
+  void learn(const RgbdFrame& frame, const Intrinsics& K_depth, const SurfaceMaps& model);
+
+  /// A frame that was not trusted when it came.
+  struct UncertainFrame {
+    RgbdFrame frame;
+    Eigen::Isometry3d T_world_camera;
+  };
+  /// Those since the last usable frame that may be certain by the map as it is now, the oldest first. Each is
+  /// given once, after a frame was usable again.
+  [[nodiscard]] std::vector<UncertainFrame> takeUncertain();
+  /// The pose of such a frame, prepared as `depth`, by the map as `model` shows it.
+  [[nodiscard]] PoseEstimate reconsider(const UncertainFrame& uncertain, const DepthPyramid& depth,
+                                        const SurfaceMaps& model) const;
+
+ private:
+  /// The frame whose pose is looked for, and what was found out about it so far.
+  struct Search {
+    const RgbdFrame& frame;
+    const DepthPyramid& depth;
+    const SurfaceMaps& model;
+    std::optional<ColorView> view = {};
+    bool is_firm = false;  ///< the surface determines the pose well
+  };
+
+  PoseTracker(ComputeContext& compute, const FusionParams& params, ModelView view_model)
+      : compute_(compute), params_(params), view_model_(std::move(view_model)) {}
+
+  [[nodiscard]] PoseEstimate begin(const DepthPyramid& depth) const;
+  /// Guesses at the pose, the best first.
+  [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
+  [[nodiscard]] PoseEstimate registerAndJudge(Search& search) const;
+  [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
+  /// Corners of the last image found again in this one.
+  [[nodiscard]] SeenLandmarks cornersNear(const Search& search, const Eigen::Isometry3d& guess);
+  /// By such corners alone, from a guess nearby.
+  [[nodiscard]] std::optional<PoseEstimate> followFlow(const Search& search, const Eigen::Isometry3d& guess);
+  /// By features of the nearest key frame or the last image.
+  [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search);
+  [[nodiscard]] std::optional<PoseEstimate> relocalise(Search& search);
+  /// Registers against the map as seen from `guess`, with the landmarks, if any, that led there.
+  [[nodiscard]] PoseEstimate verify(const Search& search, const Eigen::Isometry3d& guess,
+                                    const SeenLandmarks* landmarks);
+  void remember(const RgbdFrame& frame, const PoseEstimate& pose);
+
+  [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
+                                   PoseOrigin origin) const;
+  [[nodiscard]] const ColorView& viewOf(Search& search);
+  [[nodiscard]] const Landmarks& lastLandmarks(const SurfaceMaps& model);
+
+  ComputeContext& compute_;
+  FusionParams params_;
+  ModelView view_model_;
+  std::unique_ptr<SurfaceAligner> aligner_;
+  FeatureFinder finder_;
+  SurfaceMaps verified_;  // the map from where a pose was verified
+
+  std::optional<Eigen::Isometry3d> last_;         // pose of the last usable frame
+  std::optional<Eigen::Isometry3d> before_last_;  // of the frame before it, if that was usable too
+  std::optional<Eigen::Isometry3d>
+      last_uncertain_;    // of the frame before, when it was neither trusted nor lost
+  bool is_lost_ = false;  // the frame before was not usable
+
+  RgbdFrame last_frame_;                     // the last usable one
+  Intrinsics K_depth_;                       // of its depth images
+  std::optional<Landmarks> last_landmarks_;  // its own, once asked for
+  KeyFrames key_frames_;
+  std::deque<UncertainFrame> uncertain_;  // since the last usable one, the oldest first
+};
+
+}  // namespace scantrove

@@ -1,0 +1,110 @@
+#include "core/tracking/pose_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include "core/synthetic/synthetic_source.h"
+#include "tests/support/each_device.h"
+#include "tests/support/tracking_rig.h"
+
+namespace scantrove::test {
+namespace {
+
+std::vector<RgbdFrame> filmed(synthetic::FilmSet (*set)(), int frames, int stride, bool color = true) {
+  SyntheticOptions options;
+  options.set = set;
+  options.frames = frames;
+  options.stride = stride;
+  options.color = color;
+  const auto source = makeSyntheticSource(options).value();
+  std::vector<RgbdFrame> result;
+  for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next())
+    result.push_back(std::move(read.frame));
+  return result;
+}
+
+const Intrinsics kCamera = SyntheticOptions{}.K;
+
+RgbdFrame covered(const RgbdFrame& like) {
+  RgbdFrame frame = like;
+  frame.depth = cv::Mat::zeros(like.depth.size(), like.depth.type());
+  if (!like.color.empty()) frame.color = cv::Mat::zeros(like.color.size(), like.color.type());
+  return frame;
+}
+
+/// How far off a pose is, in the world of `first`, the frame that the map began with.
+double errorOf_m(const PoseEstimate& pose, const RgbdFrame& frame, const RgbdFrame& first) {
+  const Eigen::Isometry3d truth = first.T_world_camera->inverse() * *frame.T_world_camera;
+  return (pose.T_world_camera.translation() - truth.translation()).norm();
+}
+
+// Depth leaves three directions open there.
+TEST(PoseTracker, FollowsAlongABareWallByWhatIsPaintedOnIt) {
+  const std::vector<RgbdFrame> frames = filmed(synthetic::makeWallSet, 100, 3);
+  onEachDevice([&](ComputeContext& compute) {
+    TrackingRig rig(compute, kCamera);
+    for (const RgbdFrame& frame : frames) {
+      const PoseEstimate pose = rig.show(frame);
+      ASSERT_EQ(pose.state, TrackingState::tracking) << frame.index;
+      EXPECT_LT(errorOf_m(pose, frame, frames.front()), 0.020) << frame.index;
+    }
+  });
+}
+
+TEST(PoseTracker, ABareWallWithoutColourIsNotGuessedAt) {
+  const std::vector<RgbdFrame> frames = filmed(synthetic::makeWallSet, 60, 4, false);
+  onEachDevice([&](ComputeContext& compute) {
+    TrackingRig rig(compute, kCamera);
+    for (const RgbdFrame& frame : frames) {
+      const PoseEstimate pose = rig.show(frame);
+      if (!pose.usable()) continue;
+      EXPECT_LT(errorOf_m(pose, frame, frames.front()), 0.010) << frame.index;
+    }
+  });
+}
+
+// 20 frames of a hand's pace are too much for a guess from the motion so far.
+TEST(PoseTracker, FollowsWideSteps) {
+  const std::vector<RgbdFrame> frames = filmed(synthetic::makeTabletopSet, 300, 20);
+  onEachDevice([&](ComputeContext& compute) {
+    TrackingRig rig(compute, kCamera);
+    for (const RgbdFrame& frame : frames) {
+      const PoseEstimate pose = rig.show(frame);
+      EXPECT_TRUE(pose.usable()) << frame.index;
+      EXPECT_LT(errorOf_m(pose, frame, frames.front()), 0.020) << frame.index;
+    }
+  });
+}
+
+TEST(PoseTracker, FindsTheCameraAgainWhereverItHasBeen) {
+  for (const bool color : {true, false}) {
+    const std::vector<RgbdFrame> frames = filmed(synthetic::makeTabletopSet, 240, 6, color);
+    onEachDevice([&](ComputeContext& compute) {
+      SCOPED_TRACE(color ? "with colour" : "without colour");
+      TrackingRig rig(compute, kCamera);
+      for (const RgbdFrame& frame : frames) ASSERT_TRUE(rig.show(frame).usable()) << frame.index;
+      for (const std::size_t elsewhere : {5UL, 20UL, 30UL}) {
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(rig.show(covered(frames.front())).state, TrackingState::lost);
+        PoseEstimate pose;
+        std::size_t tries = 0;
+        for (; tries < 5 && !pose.usable(); ++tries) pose = rig.show(frames[elsewhere + tries]);
+        ASSERT_EQ(pose.state, TrackingState::relocalised) << elsewhere;
+        EXPECT_LT(errorOf_m(pose, frames[elsewhere + tries - 1], frames.front()), 0.010) << elsewhere;
+      }
+    });
+  }
+}
+
+TEST(PoseTracker, AnotherPlaceIsNotTakenForThisOne) {
+  for (const bool color : {true, false}) {
+    const std::vector<RgbdFrame> here = filmed(synthetic::makeTabletopSet, 120, 6, color);
+    const std::vector<RgbdFrame> elsewhere = filmed(synthetic::makeRoomSet, 400, 40, color);
+    onEachDevice([&](ComputeContext& compute) {
+      TrackingRig rig(compute, kCamera);
+      for (const RgbdFrame& frame : here) ASSERT_TRUE(rig.show(frame).usable()) << frame.index;
+      for (const RgbdFrame& frame : elsewhere) EXPECT_FALSE(rig.show(frame).usable()) << frame.index;
+    });
+  }
+}
+
+}  // namespace
+}  // namespace scantrove::test

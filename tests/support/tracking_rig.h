@@ -1,0 +1,66 @@
+#pragma once
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/base/stage_timer.h"
+#include "core/fusion/dense_map.h"
+#include "core/fusion/depth_preprocessor.h"
+#include "core/tracking/pose_tracker.h"
+
+namespace scantrove::test {
+
+/// Depth filter, tracker and map without the rest of a scan.
+class TrackingRig {
+ public:
+  /// `K`: of the frames' depth images. Throws on what create() refuses.
+  TrackingRig(ComputeContext& compute, const Intrinsics& K)
+      : preprocessor_(std::move(DepthPreprocessor::create(compute, K, params_).value())),
+        map_(std::move(DenseMap::create(compute, params_).value())),
+        tracker_(std::move(
+            PoseTracker::create(compute, params_, [this](const Eigen::Isometry3d& T, SurfaceMaps& surface) {
+              map_->raycast(T, working_K_, surface);
+            }).value())) {}
+  TrackingRig(const TrackingRig&) = delete;
+  TrackingRig& operator=(const TrackingRig&) = delete;
+
+  /// Tracks the frame; it goes into the map when its pose is usable.
+  PoseEstimate show(const RgbdFrame& frame) {
+    const DepthPyramid& depth = preprocessor_->process(frame);
+    working_K_ = depth.levels.front().K;
+    const PoseEstimate pose = timer_.time("track", [&] { return tracker_->track(frame, depth, model_); });
+    timer_.endFrame();
+    if (!pose.usable()) return pose;
+    map_->integrate(depth, pose.T_world_camera);
+    map_->raycast(pose.T_world_camera, working_K_, model_);
+    tracker_->learn(frame, depth.K, model_);
+    return pose;
+  }
+
+  /// Frames, by index, that could be used only after the last one was; they go into the map.
+  std::vector<std::pair<int, PoseEstimate>> understoodLate() {
+    std::vector<std::pair<int, PoseEstimate>> late;
+    for (const PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
+      const DepthPyramid& depth = preprocessor_->process(uncertain.frame);
+      const PoseEstimate pose = tracker_->reconsider(uncertain, depth, model_);
+      if (!pose.usable()) continue;
+      map_->integrate(depth, pose.T_world_camera);
+      late.emplace_back(uncertain.frame.index, pose);
+    }
+    return late;
+  }
+
+  /// Of track(), frame by frame.
+  [[nodiscard]] std::vector<double> trackTimes_ms() const { return timer_.stages().front().all_ms; }
+
+ private:
+  FusionParams params_;
+  Intrinsics working_K_;
+  std::unique_ptr<DepthPreprocessor> preprocessor_;
+  std::unique_ptr<DenseMap> map_;
+  std::unique_ptr<PoseTracker> tracker_;
+  SurfaceMaps model_;
+  StageTimer timer_;
+};
+
+}  // namespace scantrove::test

@@ -1,0 +1,78 @@
+#include "core/tracking/pose_judgement.h"
+
+#include <gtest/gtest.h>
+
+namespace scantrove::test {
+namespace {
+
+using enum TrackingState;
+
+constexpr double kDepthNoise_m = 0.0015;
+
+/// What a good pose of a 320 x 240 image leaves behind.
+IcpOutcome goodOutcome() {
+  IcpOutcome outcome;
+  outcome.pixels = 76800;
+  outcome.system.readings = 60000;
+  outcome.system.overlap = 55000;
+  outcome.system.inliers = 50000;
+  outcome.system.weight = 10000;
+  outcome.system.fit_residual_m = 0.004;
+  outcome.system.squared_error = 50000 * 0.006 * 0.006;
+  outcome.step.finite = true;
+  return outcome;
+}
+
+/// Where ICP began when it moved so far.
+Eigen::Isometry3d movedBy(double x_m) { return Eigen::Isometry3d(Eigen::Translation3d(-x_m, 0, 0)); }
+
+TrackingState judged(const IcpOutcome& outcome, PoseOrigin origin, double moved_m = 0,
+                     double noise_m = kDepthNoise_m) {
+  return judgePose(outcome, movedBy(moved_m), origin, noise_m).state;
+}
+
+template <class Change>
+IcpOutcome changed(Change change) {
+  IcpOutcome outcome = goodOutcome();
+  change(outcome);
+  return outcome;
+}
+
+TEST(PoseJudgement, SaysOnWhatItRests) {
+  const PoseEstimate pose = judgePose(goodOutcome(), movedBy(0), PoseOrigin::prediction, kDepthNoise_m);
+  EXPECT_EQ(pose.state, tracking);
+  EXPECT_NEAR(pose.inlier_fraction, 50.0 / 55.0, 1e-12);
+  EXPECT_NEAR(pose.rmse_m, 0.006, 1e-12);
+}
+
+TEST(PoseJudgement, TrustsWhatIsWellFoundedOnly) {
+  constexpr PoseOrigin kOrigin = PoseOrigin::prediction;
+  const IcpOutcome noisy = changed([](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
+  EXPECT_EQ(judged(noisy, kOrigin), uncertain);
+  EXPECT_EQ(judged(noisy, kOrigin, 0, 3 * kDepthNoise_m), tracking) << "so noisy a camera";
+  EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.free_directions = 1; }), kOrigin), uncertain);
+  EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.rotation_rad = 0.01; }), kOrigin), uncertain);
+  EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.system.inliers = 20000; }), kOrigin), uncertain);
+  EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.system.inliers = 5000; }), kOrigin), lost);
+  EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.finite = false; }), kOrigin), lost);
+}
+
+TEST(PoseJudgement, MoreMustBeShownWhereMoreCouldBeWrong) {
+  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::search, 0.1), tracking);
+  const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 34000; });
+  EXPECT_EQ(judged(half, PoseOrigin::prediction), tracking);
+  EXPECT_EQ(judged(half, PoseOrigin::prediction, 0.1), uncertain);
+  EXPECT_EQ(judged(half, PoseOrigin::search), uncertain);
+  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::prediction, 0.5), uncertain) << "out of a hand's reach";
+}
+
+TEST(PoseJudgement, LandmarksDetermineWhatGeometryDoesNot) {
+  const IcpOutcome wall = changed([](IcpOutcome& o) { o.step.free_directions = 3; });
+  EXPECT_EQ(judged(wall, PoseOrigin::prediction), uncertain);
+  EXPECT_EQ(judged(wall, PoseOrigin::landmarks), tracking);
+  const IcpOutcome elsewhere = changed([](IcpOutcome& o) { o.landmark_error_px = 8; });
+  EXPECT_EQ(judged(elsewhere, PoseOrigin::landmarks), uncertain) << "depth and colour say different things";
+}
+
+}  // namespace
+}  // namespace scantrove::test
