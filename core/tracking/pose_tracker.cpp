@@ -17,8 +17,6 @@ constexpr double kWorthFollowing = 0.4;
 constexpr std::size_t kPlacesToTry = 3;
 /// Uncertain frames that are kept, the newest.
 constexpr std::size_t kMostUncertain = 10;
-/// A key frame is made of a frame that sees so much of what it should.
-constexpr double kWorthKeeping = 0.6;
 
 constexpr std::size_t kManyLandmarks = 100;
 /// Landmarks by which a pose may be believed, if the map agrees.
@@ -86,7 +84,10 @@ PoseEstimate PoseTracker::registerAndJudge(Search& search) const {
 }
 
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
-  if (const auto found = followLandmarks(search)) return *found;
+  if (auto found = followLandmarks(search)) {
+    if (is_lost_) found->state = TrackingState::relocalised;
+    return *found;
+  }
   if (!is_lost_) {
     if (const auto found = followFlow(search, by_surface.T_world_camera)) return *found;
   }

@@ -119,9 +119,9 @@ TEST(SourceOptions, StartStrideAndFramesSelect) {
 }
 
 /// Two cameras whose clocks differ by 5 ms, one colour image lost.
-void writeTum(const TemporaryFolder& folder) {
+void writeTum(const TemporaryFolder& folder, const std::string& camera = "freiburg2") {
   std::ostringstream rgb, depth, truth;
-  rgb << "# color images\n# file: 'rgbd_dataset_freiburg2_desk.bag'\n";
+  rgb << "# color images\n# file: 'rgbd_dataset_" << camera << "_desk.bag'\n";
   depth << "# depth maps\n";
   truth << "# ground truth trajectory\n# timestamp tx ty tz qx qy qz qw\n";
   for (int i = 0; i < 5; ++i) {
@@ -159,8 +159,9 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
     const RgbdFrame& frame = reads[i].frame;
     EXPECT_EQ(frame.index, static_cast<int>(i));
     EXPECT_NEAR(frame.timestamp_s, 1305031229.0 + original[i] * 0.033333, 1e-6);
-    EXPECT_EQ(frame.depth.at<std::uint16_t>(0, 0), 5000 + original[i]);
-    EXPECT_EQ(frame.color.at<cv::Vec3b>(0, 0)[0], original[i]);
+    const cv::Point middle(kTinyWidth / 2, kTinyHeight / 2);
+    EXPECT_EQ(frame.depth.at<std::uint16_t>(middle), 5000 + original[i]);
+    EXPECT_EQ(frame.color.at<cv::Vec3b>(middle)[0], original[i]);
     EXPECT_FLOAT_EQ(frame.metres_per_unit, 1.0F / 5000);
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -168,6 +169,30 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
     EXPECT_NEAR(reads[i].frame.T_world_camera->translation().x(), original[i] * 0.033333, 1e-5) << i;
   }
   EXPECT_FALSE(reads[3].frame.T_world_camera);  // 21 ms after the last pose
+}
+
+// The lenses of the first two cameras show less in the corners than a pinhole would.
+TEST(TumFolder, IsFreedOfTheDistortionOfItsLens) {
+  for (const auto& [camera, is_bent] : {std::pair("freiburg1", true), {"freiburg2", true}, {"freiburg3", false}}) {
+    SCOPED_TRACE(camera);
+    const TemporaryFolder folder;
+    writeTum(folder, camera);
+    const auto source = openSource(folder.path().string(), {});
+    ASSERT_TRUE(source) << source.error().message();
+    const RgbdFrame frame = (*source)->next().frame;
+    EXPECT_EQ(frame.depth.at<std::uint16_t>(0, 0) == 0, is_bent);
+    EXPECT_EQ(frame.depth.at<std::uint16_t>(kTinyHeight / 2, kTinyWidth / 2), 5000);
+  }
+}
+
+TEST(TumFolder, IntrinsicsOfAnotherCameraBringNoLens) {
+  const TemporaryFolder folder;
+  writeTum(folder);
+  SourceOptions options;
+  options.intrinsics = Intrinsics{60, 60, 32, 24, 0, 0};
+  const auto source = openSource(folder.path().string(), options);
+  ASSERT_TRUE(source) << source.error().message();
+  EXPECT_EQ((*source)->next().frame.depth.at<std::uint16_t>(0, 0), 5000);
 }
 
 TEST(TumFolder, WarnsWhenTheCameraIsUnknown) {
