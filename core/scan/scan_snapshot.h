@@ -58,9 +58,10 @@ struct ScanSnapshot {
   std::shared_ptr<const std::vector<Eigen::Vector3f>> trail;  ///< camera centres so far, world
 
   // Panels. Shared images that nobody writes any more; any may be empty.
-  cv::Mat color;          ///< CV_8UC3 BGR, as recorded
-  cv::Mat last_seen;      ///< the same of the last frame with a pose, while there is none; else empty
-  cv::Mat depth_raw_m;    ///< CV_32FC1 metres, 0 = none, working resolution
+  cv::Mat color;        ///< CV_8UC3 BGR, as recorded
+  cv::Mat last_seen;    ///< the same of the last frame with a pose, while there is none and the scan goes on;
+                        ///< else empty
+  cv::Mat depth_raw_m;  ///< CV_32FC1 metres, 0 = none, working resolution
   cv::Mat depth_fused_m;  ///< CV_32FC1 metres, 0 = none, working resolution: V_t's camera depth
   cv::Mat segments;       ///< CV_32SC1, S_t ids, working resolution
   cv::Mat regions;        ///< CV_32SC1, S_cloud,t region ids, working resolution

@@ -88,7 +88,8 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   snapshot->K = K;
   snapshot->trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
   snapshot->color = frame_.color;
-  if (!result_.pose.usable()) snapshot->last_seen = last_seen_;
+  const bool goes_on = progress.state == ScanState::scanning || progress.state == ScanState::paused;
+  if (goes_on && !result_.pose.usable()) snapshot->last_seen = last_seen_;
   snapshot->depth_raw_m = rawDepth(frame_, K);
   snapshot->depth_fused_m = fusedDepth(result_, K);
   snapshot->segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);

@@ -102,6 +102,9 @@ TEST_F(SnapshotBuilderTest, WhileTheCameraIsLostShowsWhatItSawLast) {
   EXPECT_FALSE(lost->pose.usable());
   ASSERT_FALSE(lost->last_seen.empty());
   EXPECT_EQ(cv::norm(lost->last_seen, tracked->color, cv::NORM_INF), 0);
+  progress_.state = ScanState::finished;
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  EXPECT_TRUE(mailbox_.collect()->last_seen.empty()) << "nobody looks for it any more";
 }
 
 TEST_F(SnapshotBuilderTest, MakesNoneBeforeTheLastWasCollected) {
