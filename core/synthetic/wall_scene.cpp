@@ -7,18 +7,18 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr double kWall_y = 1.5;
+constexpr double kWallY = 1.5;
 constexpr double kPaint_m = 0.001;  // thinner than any camera sees
 
 void paint(SyntheticScene& scene, const std::string& name, double x, double z, const Vec3& size,
            const Material& material) {
-  addBox(scene, scene.addInstance(name, false), {x, kWall_y - kPaint_m / 2, z},
-         {size.x(), kPaint_m, size.z()}, 0, material);
+  addBox(scene, scene.addInstance(name, false), {x, kWallY - kPaint_m / 2, z}, {size.x(), kPaint_m, size.z()},
+         0, material);
 }
 
 SyntheticScene makeWall() {
   SyntheticScene scene;
-  addWall(scene, "wall", {0, kWall_y + 0.05, 0, 0}, 6, 0xe6e1d6);
+  addWall(scene, "wall", {0, kWallY + 0.05, 0, 0}, 6, 0xe6e1d6);
   const auto picture = [](std::uint32_t frame, std::uint32_t near, std::uint32_t far, std::uint32_t seed) {
     return Material{Pattern::picture, rgb(frame), rgb(near), rgb(far), 0.03F, 0, true, seed};
   };
@@ -36,7 +36,7 @@ Gaze alongWall(double t) {
   const double way = 2 * std::numbers::pi * t / 10;
   const double x = -0.75 * std::cos(way);
   return {{x, 0.1 + 0.15 * std::sin(2 * way), 1.2 + 0.1 * std::sin(way)},
-          {x + 0.2 * std::sin(way), kWall_y, 1.2 + 0.1 * std::cos(way)}};
+          {x + 0.2 * std::sin(way), kWallY, 1.2 + 0.1 * std::cos(way)}};
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ FilmSet makeWallSet() {
           .scene = makeWall(),
           .path = alongWall,
           .frames = 300,
-          .lit_centre = {0, kWall_y, 1.2},
+          .lit_centre = {0, kWallY, 1.2},
           .lit_radius_m = 2};
 }
 

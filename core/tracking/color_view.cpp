@@ -1,6 +1,7 @@
 #include "core/tracking/color_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
@@ -52,8 +53,8 @@ SurfaceInView::SurfaceInView(const Intrinsics& K, const Eigen::Isometry3d& T_wor
 }
 
 float SurfaceInView::depthAt(const cv::Point2f& pixel) const {
-  const int column = static_cast<int>(pixel.x + 0.5F) / kCell_px;
-  const int row = static_cast<int>(pixel.y + 0.5F) / kCell_px;
+  const int column = static_cast<int>(std::lround(pixel.x)) / kCell_px;
+  const int row = static_cast<int>(std::lround(pixel.y)) / kCell_px;
   if (row < 0 || column < 0 || row >= depths_.rows || column >= depths_.cols) return 0;
   float nearest = std::numeric_limits<float>::max();
   float farthest = 0;

@@ -12,7 +12,7 @@ constexpr double kNear = 3;  // times the distance between key frames
 const cv::Size kThumbnail(40, 30);
 constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
 constexpr int kProbes = 200;              // features that are compared
-constexpr float kAlike_bits = 50;
+constexpr float kAlikeBits = 50;
 
 /// 1 where a key frame becomes due.
 double distanceBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
@@ -28,7 +28,7 @@ int sharedFeatures(const ColorView& view, const Landmarks& landmarks) {
   const cv::Mat probes = view.descriptors.rowRange(0, std::min(kProbes, view.descriptors.rows));
   cv::BFMatcher(cv::NORM_HAMMING, true).match(probes, landmarks.descriptors, matches);
   return static_cast<int>(
-      std::ranges::count_if(matches, [](const cv::DMatch& match) { return match.distance <= kAlike_bits; }));
+      std::ranges::count_if(matches, [](const cv::DMatch& match) { return match.distance <= kAlikeBits; }));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kFarthest_bits = 64;  // of 256 that may differ between descriptors of one point
+constexpr int kFarthestBits = 64;  // of 256 that may differ between descriptors of one point
 constexpr float kReprojection_px = 3.0F;
 constexpr int kTries = 300;
 constexpr double kConfidence = 0.999;
@@ -30,7 +30,7 @@ std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landm
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
   for (const cv::DMatch& match : matches) {
-    if (match.distance > kFarthest_bits) continue;
+    if (match.distance > kFarthestBits) continue;
     points.push_back(landmarks.points_world[static_cast<std::size_t>(match.trainIdx)]);
     pixels.push_back(view.pixels[static_cast<std::size_t>(match.queryIdx)]);
   }

@@ -26,7 +26,7 @@ int SeenLandmarks::cells() const {
   return static_cast<int>(held.size());
 }
 
-double SeenLandmarks::error_px(const Eigen::Isometry3d& T_world_depth) const {
+double SeenLandmarks::errorPx(const Eigen::Isometry3d& T_world_depth) const {
   const Eigen::Isometry3d T_color_world = T_color_depth * T_world_depth.inverse();
   const Eigen::Vector2d f(static_cast<double>(K.fx), static_cast<double>(K.fy));
   const Eigen::Vector2d c(static_cast<double>(K.cx), static_cast<double>(K.cy));

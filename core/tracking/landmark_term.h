@@ -19,7 +19,7 @@ struct SeenLandmarks {
   /// How much of the image they are spread over: how many of its 8 x 6 cells hold one.
   [[nodiscard]] int cells() const;
   /// Median distance of the pixels from where a depth camera at `T_world_depth` would see the landmarks.
-  [[nodiscard]] double error_px(const Eigen::Isometry3d& T_world_depth) const;
+  [[nodiscard]] double errorPx(const Eigen::Isometry3d& T_world_depth) const;
 };
 
 /// The normal equations of their reprojection, J x = r, for the same twist as IcpSystem's. Rows are the two

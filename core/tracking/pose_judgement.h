@@ -10,7 +10,7 @@ struct IcpOutcome {
   IcpSystem system;              ///< of the last pass, at the finest level
   IcpStep step;                  ///< of the last pass
   int pixels = 0;                ///< of the finest level
-  double landmark_error_px = 0;  ///< SeenLandmarks::error_px, where there are landmarks
+  double landmark_error_px = 0;  ///< SeenLandmarks::errorPx, where there are landmarks
 };
 
 /// Where ICP began: the less is known beforehand, the more room there is for a false minimum.

@@ -93,8 +93,8 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
   }
   if (by_surface.usable()) return by_surface;
   if (by_surface.free_directions == 0) {
-    const PoseEstimate found = judge(aligner_->alignTurned(search.depth, search.model),
-                                     search.model.T_world_camera, PoseOrigin::search);
+    PoseEstimate found = judge(aligner_->alignTurned(search.depth, search.model), search.model.T_world_camera,
+                               PoseOrigin::search);
     if (found.usable()) return found;
   }
   if (is_lost_) {

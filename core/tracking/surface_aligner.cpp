@@ -119,7 +119,7 @@ IcpOutcome SurfaceAligner::refine(const DepthPyramid& frame, const SurfaceMaps& 
     outcome = descend(frame, model, outcome.T_world_camera, level - 1, landmarks);
   }
   outcome.T_world_camera = withExactRotation(outcome.T_world_camera);
-  if (landmarks != nullptr) outcome.landmark_error_px = landmarks->error_px(outcome.T_world_camera);
+  if (landmarks != nullptr) outcome.landmark_error_px = landmarks->errorPx(outcome.T_world_camera);
   return outcome;
 }
 

@@ -173,7 +173,8 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
 
 // The lenses of the first two cameras show less in the corners than a pinhole would.
 TEST(TumFolder, IsFreedOfTheDistortionOfItsLens) {
-  for (const auto& [camera, is_bent] : {std::pair("freiburg1", true), {"freiburg2", true}, {"freiburg3", false}}) {
+  for (const auto& [camera, is_bent] :
+       {std::pair("freiburg1", true), {"freiburg2", true}, {"freiburg3", false}}) {
     SCOPED_TRACE(camera);
     const TemporaryFolder folder;
     writeTum(folder, camera);

@@ -33,7 +33,8 @@ TEST(Undistorter, StraightensByBrownsEquations) {
   const cv::Mat from_row = undistorter.ofColor(rows);
   for (const auto& [u, v] : {std::pair(319, 255), {100, 100}, {560, 80}, {40, 400}, {600, 440}}) {
     const cv::Point2d at = bent(u, v);
-    EXPECT_NEAR(double{from_column.at<float>(v, u)}, at.x, 0.05) << u << ' ' << v;  // 1/32 pixel in the tables
+    EXPECT_NEAR(double{from_column.at<float>(v, u)}, at.x, 0.05)
+        << u << ' ' << v;  // 1/32 pixel in the tables
     EXPECT_NEAR(double{from_row.at<float>(v, u)}, at.y, 0.05) << u << ' ' << v;
   }
 }

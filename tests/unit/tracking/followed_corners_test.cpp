@@ -65,8 +65,8 @@ TEST(FollowedCorners, AreFoundToAFractionOfAPixelOnAFaintPattern) {
   const SeenLandmarks seen = followCorners(last, surface, wallFrom(after, 8), before);
   EXPECT_GT(seen.pixels.size(), 100U);
   EXPECT_GT(seen.cells(), 35);
-  EXPECT_LT(seen.error_px(after), 0.3);
-  EXPECT_GT(seen.error_px(before), 4);
+  EXPECT_LT(seen.errorPx(after), 0.3);
+  EXPECT_GT(seen.errorPx(before), 4);
 }
 
 TEST(FollowedCorners, AnotherPictureHasNone) {

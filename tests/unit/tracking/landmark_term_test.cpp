@@ -28,12 +28,12 @@ SeenLandmarks seenFrom(const Eigen::Isometry3d& T_world_depth) {
 TEST(SeenLandmarks, SayHowFarOffAPoseIs) {
   const Eigen::Isometry3d truth = pose(5, 10, -3, 0.1, 0.2, -0.3);
   SeenLandmarks seen = seenFrom(truth);
-  EXPECT_NEAR(seen.error_px(truth), 0, 1e-9);
+  EXPECT_NEAR(seen.errorPx(truth), 0, 1e-9);
   // A turn of 1 degree moves what is straight ahead by f tan(1 degree).
-  EXPECT_NEAR(seen.error_px(truth * pose(0, 1, 0, 0, 0, 0)), 520 * std::tan(kDegree), 1.5);
+  EXPECT_NEAR(seen.errorPx(truth * pose(0, 1, 0, 0, 0, 0)), 520 * std::tan(kDegree), 1.5);
   for (std::size_t i = 0; i < 20; ++i) seen.pixels[i].x() += 100;  // a third is wrong
-  EXPECT_LT(seen.error_px(truth), 1e-9);
-  EXPECT_FALSE(SeenLandmarks{}.error_px(truth) < 1e6);
+  EXPECT_LT(seen.errorPx(truth), 1e-9);
+  EXPECT_FALSE(SeenLandmarks{}.errorPx(truth) < 1e6);
 }
 
 TEST(SeenLandmarks, CellsAreThoseThatHoldOne) {
