@@ -29,6 +29,7 @@ constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 7.6};
 constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
 constexpr Evidence kAtLandmarks{.inlier_fraction = 0.40, .residual = 20};
+constexpr Evidence kAtPlace{.inlier_fraction = 0.70, .residual = 6.0};
 // Landmarks that are seen so near to where the pose has them agree with it.
 constexpr double kLandmarksAgree_px = 3;
 constexpr double kFar_rad = 0.07;
@@ -37,6 +38,7 @@ constexpr double kFar_m = 0.08;
 const Evidence& wantedEvidence(PoseOrigin origin, double angle_rad, double distance_m) {
   if (origin == PoseOrigin::search) return kAfterSearch;
   if (origin == PoseOrigin::landmarks) return kAtLandmarks;
+  if (origin == PoseOrigin::place) return kAtPlace;
   return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
 }
 
@@ -61,7 +63,7 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const Eigen::Isometry3d motion = begin.inverse() * outcome.T_world_camera;
   const double angle_rad = Eigen::AngleAxisd(motion.linear()).angle();
   const double distance_m = motion.translation().norm();
-  const bool by_landmarks = origin == PoseOrigin::landmarks;
+  const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::place;
   const Evidence& wanted = wantedEvidence(origin, angle_rad, distance_m);
   const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px

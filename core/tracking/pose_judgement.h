@@ -17,7 +17,8 @@ struct IcpOutcome {
 enum class PoseOrigin {
   prediction,  ///< the camera's motion so far
   search,      ///< the best of many guesses
-  landmarks    ///< where the colour image, by itself, has the camera
+  landmarks,   ///< where the colour image, by itself, has a camera that was followed until now
+  place        ///< where it has a camera that was lost: by chance it may look like somewhere else
 };
 
 /// Whether the pose may be trusted, with its figures. `begin`: where ICP began (for a prediction: the pose of

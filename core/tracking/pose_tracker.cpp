@@ -155,8 +155,10 @@ std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
 PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& guess,
                                  const SeenLandmarks* landmarks) {
   view_model_(guess, verified_);
-  return judge(aligner_->align(search.depth, verified_, std::span(&guess, 1), landmarks), guess,
-               landmarks != nullptr ? PoseOrigin::landmarks : PoseOrigin::search);
+  const PoseOrigin origin = landmarks == nullptr ? PoseOrigin::search
+                            : is_lost_           ? PoseOrigin::place
+                                                 : PoseOrigin::landmarks;
+  return judge(aligner_->align(search.depth, verified_, std::span(&guess, 1), landmarks), guess, origin);
 }
 
 void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {

@@ -77,18 +77,19 @@ TEST(PoseTracker, FollowsWideSteps) {
 
 TEST(PoseTracker, FindsTheCameraAgainWhereverItHasBeen) {
   for (const bool color : {true, false}) {
-    const std::vector<RgbdFrame> frames = filmed(synthetic::makeTabletopSet, 240, 6, color);
+    const std::vector<RgbdFrame> frames = filmed(synthetic::makeTabletopSet, 180, 9, color);
     onEachDevice([&](ComputeContext& compute) {
       SCOPED_TRACE(color ? "with colour" : "without colour");
       TrackingRig rig(compute, kCamera);
       for (const RgbdFrame& frame : frames) ASSERT_TRUE(rig.show(frame).usable()) << frame.index;
-      for (const std::size_t elsewhere : {5UL, 20UL, 30UL}) {
+      for (const std::size_t elsewhere : {4UL, 14UL, 9UL}) {
         for (int i = 0; i < 3; ++i) EXPECT_EQ(rig.show(covered(frames.front())).state, TrackingState::lost);
         PoseEstimate pose;
         std::size_t tries = 0;
         for (; tries < 5 && !pose.usable(); ++tries) pose = rig.show(frames[elsewhere + tries]);
         ASSERT_EQ(pose.state, TrackingState::relocalised) << elsewhere;
-        EXPECT_LT(errorOf_m(pose, frames[elsewhere + tries - 1], frames.front()), 0.010) << elsewhere;
+        EXPECT_LT(errorOf_m(pose, frames[elsewhere + tries - 1], frames.front()), 0.010)
+            << elsewhere << ": inliers " << pose.inlier_fraction << ", rmse " << pose.rmse_m;
       }
     });
   }

@@ -74,5 +74,12 @@ TEST(PoseJudgement, LandmarksDetermineWhatGeometryDoesNot) {
   EXPECT_EQ(judged(elsewhere, PoseOrigin::landmarks), uncertain) << "depth and colour say different things";
 }
 
+TEST(PoseJudgement, APlaceMustBeRecognisedBetterThanACameraIsFollowed) {
+  const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 30000; });
+  EXPECT_EQ(judged(half, PoseOrigin::landmarks), tracking);
+  EXPECT_EQ(judged(half, PoseOrigin::place), uncertain);
+  EXPECT_EQ(judged(goodOutcome(), PoseOrigin::place), tracking);
+}
+
 }  // namespace
 }  // namespace scantrove::test
