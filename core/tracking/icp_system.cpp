@@ -10,13 +10,13 @@
 namespace scantrove {
 namespace {
 
-/// Landmarks speak where the surface determines some direction no better than this: there the pose begins to
-/// slide along with errors that all readings share (lens, calibration, voxels). Rooms show 0.024 and more; on
-/// a desk seen from afar the pose began to drift at 0.012.
+/// Landmarks are asked for where the surface determines some direction no better than this: there the pose
+/// begins to slide along with errors that all readings share (lens, calibration, voxels). Rooms show 0.024
+/// and more; on a desk seen from afar the pose began to drift at 0.012.
 constexpr double kFirm = 0.015;
-/// What they weigh then beside the surface. They do not determine that direction well either (turning looks
-/// like moving), but without bias: with 0.15 the pose on that desk was 150 mm off after 20 frames, with 6 it
-/// was 20.
+/// What they weigh beside the surface, wherever they are given. They do not determine that direction well
+/// either (turning looks like moving), but without bias: with 0.15 the pose on that desk was 150 mm off after
+/// 20 frames, with 6 it was 20.
 constexpr double kLandmarkWeight = 6;
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& d) {

@@ -46,8 +46,8 @@ struct IcpStep {
 /// Solves by eigen-decomposition of JtJ / weight with rotations measured in units of radius_m: along
 /// eigenvectors whose eigenvalue lies under `smallest_eigenvalue` (mean squared cosine between normals and
 /// direction) the solution is zero, so the pose keeps what it was predicted to be (solution remapping, Zhang,
-/// Kaess and Singh 2016). Landmarks (about the same centre; may be null) decide where the surface says
-/// little. Never fails: see IcpStep::finite.
+/// Kaess and Singh 2016). Landmarks (about the same centre; may be null) are minimised with it, and
+/// outweigh it. Never fails: see IcpStep::finite.
 [[nodiscard]] IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue,
                                const LandmarkTerm* landmarks = nullptr);
 
