@@ -1,11 +1,21 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "core/synthetic/scene.h"
 #include "core/synthetic/trajectory.h"
 
 namespace scantrove::synthetic {
+
+/// Parts of a scene that do not stay where they were put.
+struct Mover {
+  std::size_t first_part = 0;
+  std::size_t part_count = 0;
+  /// From where the scene has them to where they are, in the world.
+  std::function<Eigen::Isometry3d(double time_s)> motion;
+};
 
 /// A scene and how it is filmed.
 struct FilmSet {
@@ -15,6 +25,7 @@ struct FilmSet {
   int frames = 0;                                        ///< length of the recording where none is asked for
   Eigen::Vector3d lit_centre = Eigen::Vector3d::Zero();  ///< shadows reach `lit_radius_m` around it
   double lit_radius_m = 1.5;
+  std::vector<Mover> movers = {};
 };
 
 /// A table with 17 things, 0.8 - 1.1 m away; the camera walks around it (300 frames: nearly half the way).
@@ -36,6 +47,11 @@ struct FilmSet {
 /// Such a room, whose furniture the camera passes as near as 20 cm at a hand's pace: much of what it sees is
 /// new, some is too near for a reading; 400 frames. The hard case of tracking.
 [[nodiscard]] FilmSet makeRandomSweepSet(std::uint32_t seed);
+
+/// A room in which somebody walks past, a hand takes the mug ("mug") from the table and puts it down
+/// elsewhere, and the chair ("chair") is pushed away; 420 frames. Another room, and other ways, for every
+/// seed.
+[[nodiscard]] FilmSet makeRandomMovingSet(std::uint32_t seed);
 
 /// A table with things of 5 - 40 cm for every seed; 240 frames around it.
 [[nodiscard]] FilmSet makeRandomTabletopSet(std::uint32_t seed);

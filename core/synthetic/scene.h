@@ -19,8 +19,8 @@ struct RayHit {
   [[nodiscard]] bool hit() const { return instance != 0; }
 };
 
-/// Solids with colours, put together in a world frame: metres, z up, floor at z = 0. Immutable once built;
-/// any thread.
+/// Solids with colours, put together in a world frame: metres, z up, floor at z = 0. Any thread, as long as
+/// nobody builds or moves.
 class SyntheticScene {
  public:
   struct Part {
@@ -47,6 +47,11 @@ class SyntheticScene {
   std::uint16_t addInstance(std::string name, bool is_object, bool non_convex = false);
   void add(std::uint16_t instance, std::unique_ptr<synthetic::Shape> shape,
            const Eigen::Isometry3d& T_world_part, const synthetic::Material& material);
+
+  /// Moves a part, by its place in parts().
+  void setPose(std::size_t part, const Eigen::Isometry3d& T_world_part) {
+    parts_[part].T_world_part = T_world_part;
+  }
 
   /// Gives the parts away: to be put somewhere else, or into another skin.
   [[nodiscard]] std::vector<Part> takeParts() && { return std::move(parts_); }

@@ -28,7 +28,8 @@ constexpr Demo kDemos[] = {
     {"tabletop", synthetic::makeTabletopSet, synthetic::makeRandomTabletopSet},
     {"room", synthetic::makeRoomSet, synthetic::makeRandomRoomSet},
     {"sweep", [] { return synthetic::makeRandomSweepSet(1); }, synthetic::makeRandomSweepSet},
-    {"wall", synthetic::makeWallSet, nullptr}};
+    {"wall", synthetic::makeWallSet, nullptr},
+    {"moving", [] { return synthetic::makeRandomMovingSet(1); }, synthetic::makeRandomMovingSet}};
 
 /// Metres to 16-bit units; 0 where there is no reading or it does not fit.
 cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
@@ -54,6 +55,7 @@ class RenderedSource final : public SyntheticSource {
     info_.frame_count = (options.frames - options.start + options.stride - 1) / options.stride;
     info_.has_poses = true;
     info_.instances = set_.scene.instances();
+    for (const SyntheticScene::Part& part : set_.scene.parts()) T_world_rest_.push_back(part.T_world_part);
     for (InstanceName& who : info_.instances) who.extent_m = set_.scene.boundsOf(who.id).sizes().maxCoeff();
   }
 
@@ -72,6 +74,7 @@ class RenderedSource final : public SyntheticSource {
     if (options_.color && !lighting_) {
       lighting_ = std::make_unique<synthetic::Lighting>(set_.scene, set_.lit_centre, set_.lit_radius_m);
     }
+    moveTo(index / kFramesPerSecond);
     RgbdFrame& frame = read.frame;
     frame.index = index;
     frame.timestamp_s = index / kFramesPerSecond;
@@ -100,8 +103,17 @@ class RenderedSource final : public SyntheticSource {
   }
 
  private:
+  void moveTo(double time_s) {
+    for (const synthetic::Mover& mover : set_.movers) {
+      const Eigen::Isometry3d motion = mover.motion(time_s);
+      for (std::size_t part = mover.first_part; part < mover.first_part + mover.part_count; ++part)
+        set_.scene.setPose(part, motion * T_world_rest_[part]);
+    }
+  }
+
   SyntheticOptions options_;
   synthetic::FilmSet set_;
+  std::vector<Eigen::Isometry3d> T_world_rest_;  // of the parts before anything moved
   synthetic::Trajectory trajectory_;
   std::unique_ptr<synthetic::Lighting> lighting_;  // baked when the first colour image is asked for
   SourceInfo info_;
@@ -174,8 +186,8 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
   }
   if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
     return fail(fmt::format("There is no demo scene '{}'.", scene),
-                "Choose tabletop, room, sweep or wall; add :7 for the random scene of that seed (not of "
-                "wall), :uneven for bumps on its "
+                "Choose tabletop, room, sweep, wall or moving; add :7 for the random scene of that seed "
+                "(not of wall), :uneven for bumps on its "
                 "surfaces, :exact for depth without noise.");
   }
   options.start = given.start;

@@ -32,6 +32,7 @@ struct SyntheticOptions {
 /// masks.
 class SyntheticSource : public FrameSource {
  public:
+  /// As the last frame given shows it; before the first, as it was put together.
   [[nodiscard]] virtual const SyntheticScene& scene() const = 0;
   /// Exact T_world_camera of a frame, by its `RgbdFrame::index`.
   [[nodiscard]] virtual Eigen::Isometry3d pose(int index) const = 0;
@@ -40,7 +41,7 @@ class SyntheticSource : public FrameSource {
 /// Error: no frame is left, or the intrinsics are not those of a camera.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
-/// `scene`: "tabletop" (also "") or "room". With ":7" appended, the random scene of that seed; with ":exact",
+/// `scene`: "tabletop" (also ""), "room", "sweep", "wall" or "moving". With ":7" appended, the random scene of that seed; with ":exact",
 /// without noise; with ":uneven", with bumps on its surfaces; in any order. Intrinsics given in `options` are
 /// those the scene is filmed with (640 x 480 stays, of colour too). Error: names the scene and those there
 /// are.
