@@ -32,6 +32,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
   SCANTROVE_TRY(
       moveInto(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
+  SCANTROVE_TRY(moveInto(pipeline->motion_, MotionFilter::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
   if (!setup.poses_given) {
     const auto view_map = [&self = *pipeline](const Eigen::Isometry3d& T_world_camera, SurfaceMaps& surface) {
@@ -99,13 +100,19 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   working_K_ = depth->levels.front().K;
 
   result.pose =
-      stage("track", [&] { return tracker_ ? tracker_->track(frame, *depth, surface_) : givenPose(frame); });
+      stage("track", [&] { return tracker_ ? tracker_->track(frame, *depth, followed_) : givenPose(frame); });
   touched_ = {};
   if (!result.pose.usable()) return result;
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
 
-  stage("integrate", [&] { map_->integrate(*depth, T_world_camera); });
-  stage("raycast", [&] { map_->raycast(T_world_camera, working_K_, surface_); });
+  const DepthPyramid* still = nullptr;
+  stage("filter", [&] { still = &motion_->still(*depth, T_world_camera, surface_); });
+  stage("integrate", [&] { map_->integrate(*still, T_world_camera); });
+  stage("raycast", [&] {
+    map_->raycast(T_world_camera, working_K_, surface_);
+    motion_->apply(*depth, map_->bricks(), surface_);
+    followed_ = motion_->settled(surface_, map_->bricks());
+  });
   if (tracker_) stage("track", [&] { tracker_->learn(frame, depth->K, surface_); });
 
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
@@ -149,15 +156,16 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
 
 std::vector<LateFrame> ScanPipeline::integrateLate() {
   std::vector<LateFrame> late;
-  for (const PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
-    const RgbdFrame& frame = uncertain.frame;
+  for (PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
+    LateFrame frame{uncertain.frame.index, uncertain.frame.timestamp_s, {}};
     const DepthPyramid* depth = nullptr;
-    stage("filter", [&] { depth = &preprocessor_->process(frame); });
-    const PoseEstimate pose =
-        stage("track", [&] { return tracker_->reconsider(uncertain, *depth, surface_); });
-    if (!pose.usable()) continue;
-    stage("integrate", [&] { map_->integrate(*depth, pose.T_world_camera); });
-    late.push_back({frame.index, frame.timestamp_s, pose});
+    stage("filter", [&] { depth = &preprocessor_->process(uncertain.frame); });
+    frame.pose = stage("track", [&] { return tracker_->reconsider(std::move(uncertain), *depth); });
+    if (!frame.pose.usable()) continue;
+    stage("integrate", [&] {
+      map_->integrate(motion_->still(*depth, frame.pose.T_world_camera, surface_), frame.pose.T_world_camera);
+    });
+    late.push_back(frame);
   }
   return late;
 }

@@ -13,6 +13,7 @@
 #include "core/discovery/candidate_finder.h"
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
+#include "core/fusion/motion_filter.h"
 #include "core/labeling/label_cloud.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
@@ -138,6 +139,7 @@ class ScanPipeline {
 
   std::unique_ptr<DepthPreprocessor> preprocessor_;
   std::unique_ptr<PoseTracker> tracker_;  // null: poses are given
+  std::unique_ptr<MotionFilter> motion_;
   std::unique_ptr<DenseMap> map_;
   std::unique_ptr<GraphSegmenter> segmenter_;
   std::unique_ptr<LabelCloud> cloud_;
@@ -146,7 +148,8 @@ class ScanPipeline {
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<ObjectCollector> collector_;
 
-  SurfaceMaps surface_;  // V_t, N_t of the last usable frame
+  SurfaceMaps surface_;   // V_t, N_t of the last usable frame
+  SurfaceMaps followed_;  // what of it the camera is followed by
   std::span<const cl_int> touched_;
   std::vector<Eigen::Vector3f> color_lab_;
   int frames_ = 0;  // given to processFrame

@@ -42,6 +42,8 @@ IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d
   IcpSystem system;
   system.inliers = static_cast<int>(total[ICP_INLIERS]);
   system.overlap = static_cast<int>(total[ICP_OVERLAP]);
+  system.before = static_cast<int>(total[ICP_BEFORE]);
+  system.behind = static_cast<int>(total[ICP_BEHIND]);
   system.readings = static_cast<int>(total[ICP_READINGS]);
   system.squared_error = total[ICP_ERROR];
   if (total[ICP_FIT_WEIGHT] > 0)
@@ -70,6 +72,16 @@ IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d
   system.radius_m = std::sqrt(std::max(0.0, total[ICP_POINT_2] / count - shift.squaredNorm()));
   system.weight = JtJ.bottomRightCorner<3, 3>().trace();
   return system;
+}
+
+IcpStep IcpStep::part(double share, const Eigen::Vector3d& centre) const {
+  IcpStep result = *this;
+  const Eigen::Quaterniond turn(motion.linear());
+  result.motion.linear() = Eigen::Quaterniond::Identity().slerp(share, turn).toRotationMatrix();
+  result.motion.translation() = centre + share * (motion * centre - centre) - result.motion.linear() * centre;
+  result.rotation_rad *= share;
+  result.translation_m *= share;
+  return result;
 }
 
 IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue, const LandmarkTerm* landmarks) {

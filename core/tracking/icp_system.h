@@ -24,6 +24,8 @@ struct IcpSystem {
   double squared_error = 0;  ///< sum r^2, m^2
   int inliers = 0;           ///< pixels associated
   int overlap = 0;           ///< pixels with depth that meet a surface of the model
+  int before = 0;            ///< of these, pixels far before it: something new may have come
+  int behind = 0;            ///< pixels far behind it: nothing that is there can be seen through
   int readings = 0;          ///< pixels with depth
 
   /// Adds the groups' sums (ICP_SUMS floats each, icp_layout.h) in double and in order, and moves the
@@ -41,6 +43,9 @@ struct IcpStep {
   int free_directions = 0;   ///< directions left at zero because the geometry does not determine them
   bool finite =
       false;  ///< false: nothing was associated or the sums are not finite; `motion` is the identity
+
+  /// `share` (0..1) of this step, which moved `centre`.
+  [[nodiscard]] IcpStep part(double share, const Eigen::Vector3d& centre) const;
 };
 
 /// Solves by eigen-decomposition of JtJ / weight with rotations measured in units of radius_m: along

@@ -24,7 +24,7 @@ enum class TrackingState { tracking, uncertain, lost, relocalised };
 struct PoseEstimate {
   TrackingState state = TrackingState::lost;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  double inlier_fraction = 0;  ///< associated pixels / pixels with depth that project into the model
+  double inlier_fraction = 0;  ///< associated pixels / pixels that meet known surface (judgePose)
   double rmse_m = 0;           ///< point-to-plane, over the inliers
   int free_directions = 0;     ///< directions of motion that the geometry does not determine (0 = well posed)
 

@@ -1,5 +1,6 @@
 #include "core/tracking/pose_judgement.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scantrove {
@@ -10,7 +11,11 @@ constexpr double kLostInlierFraction = 0.10;
 constexpr double kLostOverlap = 0.02;  // pixels that meet the model / pixels of the image
 // Over these it may be trusted.
 constexpr double kTrustedOverlap = 0.06;
-constexpr double kTrustedOverlapOfReadings = 0.20;  // pixels that meet the model / pixels with depth
+// Known surface is most of what is seen above this, as pixels that meet the model / pixels with depth.
+constexpr double kMuchIsKnown = 0.20;
+// A wrong pose has readings before and behind the surface; so many of those behind speak against as many
+// before.
+constexpr double kBeforePerBehind = 2;
 // A trusted pose has come to rest and lies within a hand's reach of the last one.
 constexpr double kRest_rad = 0.001;
 constexpr double kRest_m = 0.002;
@@ -28,6 +33,7 @@ struct Evidence {
 constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 7.6};
 constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
+constexpr Evidence kOnLittle{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAtLandmarks{.inlier_fraction = 0.40, .residual = 20};
 constexpr Evidence kAtPlace{.inlier_fraction = 0.70, .residual = 6.0};
 // Landmarks that are seen so near to where the pose has them agree with it.
@@ -35,11 +41,18 @@ constexpr double kLandmarksAgree_px = 3;
 constexpr double kFar_rad = 0.07;
 constexpr double kFar_m = 0.08;
 
-const Evidence& wantedEvidence(PoseOrigin origin, double angle_rad, double distance_m) {
+const Evidence& wantedEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {
   if (origin == PoseOrigin::search) return kAfterSearch;
   if (origin == PoseOrigin::landmarks) return kAtLandmarks;
   if (origin == PoseOrigin::place) return kAtPlace;
+  if (on_little) return kOnLittle;
   return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
+}
+
+/// Pixels that meet known surface, but for those that something new may be seen in.
+double overlapOf(const IcpSystem& system, PoseOrigin origin) {
+  if (origin == PoseOrigin::search || origin == PoseOrigin::place) return system.overlap;
+  return system.overlap - std::max(0.0, system.before - kBeforePerBehind * system.behind);
 }
 
 }  // namespace
@@ -50,12 +63,12 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   PoseEstimate pose;
   pose.T_world_camera = outcome.T_world_camera;
   pose.free_directions = outcome.step.free_directions;
-  if (system.overlap > 0) pose.inlier_fraction = static_cast<double>(system.inliers) / system.overlap;
+  const double met = overlapOf(system, origin);
+  if (met > 0) pose.inlier_fraction = system.inliers / met;
   if (system.inliers > 0) pose.rmse_m = std::sqrt(system.squared_error / system.inliers);
 
-  const double overlap = outcome.pixels > 0 ? static_cast<double>(system.overlap) / outcome.pixels : 0;
-  const double overlap_of_readings =
-      system.readings > 0 ? static_cast<double>(system.overlap) / system.readings : 0;
+  const double overlap = outcome.pixels > 0 ? met / outcome.pixels : 0;
+  const bool on_little = met < kMuchIsKnown * system.readings;
   if (!outcome.step.finite || pose.inlier_fraction < kLostInlierFraction || overlap < kLostOverlap) {
     pose.state = TrackingState::lost;
     return pose;
@@ -64,14 +77,14 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const double angle_rad = Eigen::AngleAxisd(motion.linear()).angle();
   const double distance_m = motion.translation().norm();
   const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::place;
-  const Evidence& wanted = wantedEvidence(origin, angle_rad, distance_m);
+  const Evidence& wanted = wantedEvidence(origin, on_little, angle_rad, distance_m);
   const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
                                          : angle_rad < kReach_rad && distance_m < kReach_m;
   const bool trusted = (pose.free_directions == 0 || by_landmarks) && at_rest && within_reach &&
                        system.fit_residual_m <= wanted.residual * depth_noise_m &&
                        pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
-                       overlap_of_readings >= kTrustedOverlapOfReadings;
+                       (!on_little || outcome.step.is_firm);
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;
   return pose;
 }

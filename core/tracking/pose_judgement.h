@@ -24,8 +24,10 @@ enum class PoseOrigin {
 /// Whether the pose may be trusted, with its figures. `begin`: where ICP began (for a prediction: the pose of
 /// the model). `depth_noise_m`: FusionParams. A pose rests on the surface that it explains: it lies still,
 /// its residual is the camera's noise, enough of what meets known surface fits it, and the geometry
-/// determines it or landmarks do. A fifth of the readings must meet known surface. No pose is called
-/// `tracking` that might corrupt the map.
+/// determines it or landmarks do. Where the camera is followed, readings before known surface are not held
+/// against it, as far as they outnumber those behind: things come into view, but nothing is seen through.
+/// When less than a fifth of the readings meets known surface, that must determine the pose well and fit
+/// better. No pose is called `tracking` that might corrupt the map.
 [[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                      PoseOrigin origin, double depth_noise_m);
 

@@ -15,8 +15,11 @@ constexpr double kLeastDepthToBegin = 0.05;
 constexpr double kWorthFollowing = 0.4;
 /// Key frames that a lost camera is compared with at a time.
 constexpr std::size_t kPlacesToTry = 3;
-/// Uncertain frames that are kept, the newest.
+/// Uncertain frames that are kept, the newest; so many of them are looked at again with each usable frame,
+/// each so often.
 constexpr std::size_t kMostUncertain = 10;
+constexpr std::ptrdiff_t kUncertainAtATime = 2;
+constexpr int kChances = 10;
 
 constexpr std::size_t kManyLandmarks = 100;
 /// Landmarks by which a pose may be believed, if the map agrees.
@@ -169,22 +172,26 @@ void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
   if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing)
     last_uncertain_ = pose.T_world_camera;
   if (!last_uncertain_) return;
-  uncertain_.push_back({frame, pose.T_world_camera});
+  uncertain_.push_back({frame, pose.T_world_camera, kChances});
   if (uncertain_.size() > kMostUncertain) uncertain_.pop_front();
 }
 
 std::vector<PoseTracker::UncertainFrame> PoseTracker::takeUncertain() {
   if (is_lost_) return {};
+  const auto last = uncertain_.begin() + std::min<std::ptrdiff_t>(std::ssize(uncertain_), kUncertainAtATime);
   std::vector<UncertainFrame> taken(std::make_move_iterator(uncertain_.begin()),
-                                    std::make_move_iterator(uncertain_.end()));
-  uncertain_.clear();
+                                    std::make_move_iterator(last));
+  uncertain_.erase(uncertain_.begin(), last);
   return taken;
 }
 
-PoseEstimate PoseTracker::reconsider(const UncertainFrame& uncertain, const DepthPyramid& depth,
-                                     const SurfaceMaps& model) const {
-  const std::array guesses{uncertain.T_world_camera, model.T_world_camera};
-  return judge(aligner_->align(depth, model, guesses), model.T_world_camera, PoseOrigin::prediction);
+PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyramid& depth) {
+  const Eigen::Isometry3d guess = uncertain.T_world_camera;
+  view_model_(guess, verified_);
+  const PoseEstimate pose =
+      judge(aligner_->align(depth, verified_, std::span(&guess, 1)), guess, PoseOrigin::prediction);
+  if (!pose.usable() && --uncertain.chances > 0) uncertain_.push_back(std::move(uncertain));
+  return pose;
 }
 
 void PoseTracker::learn(const RgbdFrame& frame, const Intrinsics& K_depth, const SurfaceMaps& model) {

@@ -43,13 +43,13 @@ class PoseTracker {
   struct UncertainFrame {
     RgbdFrame frame;
     Eigen::Isometry3d T_world_camera;
+    int chances;  ///< how often it may still be looked at again
   };
-  /// Those since the last usable frame that may be certain by the map as it is now, the oldest first. Each is
-  /// given once, after a frame was usable again.
+  /// A few that may be certain by the map as it is now, the oldest first: none while the camera is lost.
   [[nodiscard]] std::vector<UncertainFrame> takeUncertain();
-  /// The pose of such a frame, prepared as `depth`, by the map as `model` shows it.
-  [[nodiscard]] PoseEstimate reconsider(const UncertainFrame& uncertain, const DepthPyramid& depth,
-                                        const SurfaceMaps& model) const;
+  /// The pose of such a frame, prepared as `depth`, by the map as it is now. One that is not usable even now
+  /// is kept for as many later frames as it has chances, and then dropped.
+  [[nodiscard]] PoseEstimate reconsider(UncertainFrame uncertain, const DepthPyramid& depth);
 
  private:
   /// The frame whose pose is looked for, and what was found out about it so far.
@@ -103,7 +103,7 @@ class PoseTracker {
   Intrinsics K_depth_;                       // of its depth images
   std::optional<Landmarks> last_landmarks_;  // its own, once asked for
   KeyFrames key_frames_;
-  std::deque<UncertainFrame> uncertain_;  // since the last usable one, the oldest first
+  std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
 };
 
 }  // namespace scantrove

@@ -19,6 +19,10 @@ constexpr std::array<double, 3> kSmallStep{1e-4, 2e-4, 4e-4};
 // as free. Rooms show 0.01 and more; on a desk seen from afar the pose began to drift at 0.003; on one plane
 // what is left is the noise of the model's normals (0.0012 at 2 degrees).
 constexpr double kSmallestEigenvalue = 0.004;
+// Readings whose partner changes with every pass throw the pose to and fro between two places. When steps no
+// longer shrink to this part of the one before, the rest of them is taken by half, and by half again.
+constexpr double kShrinking = 0.7;
+constexpr double kSmallestShare = 0.25;
 // Predictions closer to each other than this lead to the same pose.
 constexpr double kSameGuess_rad = 0.005;
 constexpr double kSameGuess_m = 0.005;
@@ -99,6 +103,8 @@ IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps&
   IcpOutcome outcome{
       .T_world_camera = guess, .system = {}, .step = {}, .pixels = frame.levels[level].K.pixels()};
   const IcpGates gates = IcpGates::of(kDistance_m[level], depth_noise_m_);
+  double share = 1;
+  double last_step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kPasses[level]; ++i) {
     outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
     LandmarkTerm term;
@@ -106,8 +112,12 @@ IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps&
       term = LandmarkTerm::of(*landmarks, outcome.T_world_camera, outcome.system.centre);
     outcome.step = solveIcp(outcome.system, kSmallestEigenvalue, landmarks != nullptr ? &term : nullptr);
     if (!outcome.step.finite) break;
+    const double step = std::max(outcome.step.rotation_rad, outcome.step.translation_m);
+    if (step > kShrinking * last_step) share = std::max(share / 2, kSmallestShare);
+    last_step = step;
+    if (share < 1) outcome.step = outcome.step.part(share, outcome.system.centre);
     outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
-    if (std::max(outcome.step.rotation_rad, outcome.step.translation_m) < kSmallStep[level]) break;
+    if (share * step < kSmallStep[level]) break;
   }
   return outcome;
 }

@@ -11,7 +11,7 @@ namespace scantrove::reference {
 struct IcpSums {
   Eigen::Matrix<double, 6, 6> JtJ = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> Jtr = Eigen::Matrix<double, 6, 1>::Zero();
-  int inliers = 0, overlap = 0, readings = 0;
+  int inliers = 0, overlap = 0, readings = 0, before = 0, behind = 0;
   double squared_error = 0, fit_weight = 0, fit_error = 0;
 };
 
@@ -43,7 +43,11 @@ inline IcpSums accumulateIcp(const std::vector<Eigen::Vector4d>& vertices,
     ++sums.overlap;
     const Eigen::Vector3d n = model_normals[m].head<3>(), e = model_vertices[m].head<3>() - p;
     const double z2 = vertices[i].z() * vertices[i].z();
-    if (e.norm() >= settings.distance_m + settings.distance_per_z2 * z2) continue;
+    const double reach = settings.distance_m + settings.distance_per_z2 * z2;
+    const double model_z = (T_world_model.inverse() * model_vertices[m].head<3>()).z();
+    sums.before += q.z() < model_z - reach;
+    sums.behind += q.z() > model_z + reach;
+    if (e.norm() >= reach) continue;
     if ((T_world_frame.linear() * normals[i].head<3>()).dot(n) <= settings.normal_cosine) continue;
     const double r = n.dot(e), noise = 1 + settings.noise_per_z2 * z2, delta = settings.huber_m * noise;
     const double w = (std::abs(r) <= delta ? 1.0 : delta / std::abs(r)) / (noise * noise);

@@ -6,16 +6,18 @@
 #include "core/base/stage_timer.h"
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
+#include "core/fusion/motion_filter.h"
 #include "core/tracking/pose_tracker.h"
 
 namespace scantrove::test {
 
-/// Depth filter, tracker and map without the rest of a scan.
+/// Depth filter, tracker, motion filter and map without the rest of a scan.
 class TrackingRig {
  public:
   /// `K`: of the frames' depth images. Throws on what create() refuses.
   TrackingRig(ComputeContext& compute, const Intrinsics& K)
       : preprocessor_(std::move(DepthPreprocessor::create(compute, K, params_).value())),
+        motion_(std::move(MotionFilter::create(compute, params_).value())),
         map_(std::move(DenseMap::create(compute, params_).value())),
         tracker_(std::move(
             PoseTracker::create(compute, params_, [this](const Eigen::Isometry3d& T, SurfaceMaps& surface) {
@@ -28,11 +30,13 @@ class TrackingRig {
   PoseEstimate show(const RgbdFrame& frame) {
     const DepthPyramid& depth = preprocessor_->process(frame);
     working_K_ = depth.levels.front().K;
-    const PoseEstimate pose = timer_.time("track", [&] { return tracker_->track(frame, depth, model_); });
+    const PoseEstimate pose = timer_.time("track", [&] { return tracker_->track(frame, depth, followed_); });
     timer_.endFrame();
     if (!pose.usable()) return pose;
-    map_->integrate(depth, pose.T_world_camera);
+    map_->integrate(motion_->still(depth, pose.T_world_camera, model_), pose.T_world_camera);
     map_->raycast(pose.T_world_camera, working_K_, model_);
+    motion_->apply(depth, map_->bricks(), model_);
+    followed_ = motion_->settled(model_, map_->bricks());
     tracker_->learn(frame, depth.K, model_);
     return pose;
   }
@@ -40,12 +44,13 @@ class TrackingRig {
   /// Frames, by index, that could be used only after the last one was; they go into the map.
   std::vector<std::pair<int, PoseEstimate>> understoodLate() {
     std::vector<std::pair<int, PoseEstimate>> late;
-    for (const PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
+    for (PoseTracker::UncertainFrame& uncertain : tracker_->takeUncertain()) {
+      const int index = uncertain.frame.index;
       const DepthPyramid& depth = preprocessor_->process(uncertain.frame);
-      const PoseEstimate pose = tracker_->reconsider(uncertain, depth, model_);
+      const PoseEstimate pose = tracker_->reconsider(std::move(uncertain), depth);
       if (!pose.usable()) continue;
-      map_->integrate(depth, pose.T_world_camera);
-      late.emplace_back(uncertain.frame.index, pose);
+      map_->integrate(motion_->still(depth, pose.T_world_camera, model_), pose.T_world_camera);
+      late.emplace_back(index, pose);
     }
     return late;
   }
@@ -57,9 +62,10 @@ class TrackingRig {
   FusionParams params_;
   Intrinsics working_K_;
   std::unique_ptr<DepthPreprocessor> preprocessor_;
+  std::unique_ptr<MotionFilter> motion_;
   std::unique_ptr<DenseMap> map_;
   std::unique_ptr<PoseTracker> tracker_;
-  SurfaceMaps model_;
+  SurfaceMaps model_, followed_;
   StageTimer timer_;
 };
 

@@ -4,6 +4,8 @@
 //   r = n . (v - p),  J = ((p - centre) x n, n),  Huber: w = s(z)^-2 min(1, delta / |r|), delta = gate.s3 s(z),
 //   s(z) = 1 + gate.s4 z^2 (depth noise grows with z^2), z the depth in the frame.
 // The same form with gate.s5 and gate.s6 instead of s3 and s4 gives h, the weight in the residual that judges the fit.
+// A pixel of the overlap that lies farther from the camera than the model's surface there, by more than that distance, is
+// behind it; nearer, before it.
 // Sums of icp_layout.h; no NaN is converted: bounds are tested positively.
 // One work-item: `run` pixels, GROUP (build option) apart; the group's sums are added in a fixed order.
 // vertices, normals: pixel_count, camera frame; model_vertices, model_normals: model_width * model_height,
@@ -20,7 +22,7 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
   const int begin = (int)get_group_id(0) * GROUP * run + (int)get_local_id(0);
   float8 row0 = 0.0f, row1 = 0.0f, row2 = 0.0f, row3 = 0.0f, row4 = 0.0f, row5 = 0.0f, row6 = 0.0f, counts = 0.0f;
 
-  float fit_weight = 0.0f, fit_error = 0.0f;
+  float fit_weight = 0.0f, fit_error = 0.0f, before = 0.0f, behind = 0.0f;
   for (int k = 0; k < run; ++k) {
     const int i = begin + k * GROUP;
     if (i >= pixel_count) break;
@@ -38,9 +40,13 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
     if (!(n4.w > 0.0f)) continue;
     counts.s1 += 1.0f;
     const float3 n = n4.xyz;
-    const float3 difference = model_vertices[m].xyz - p;
+    const float3 model_vertex = model_vertices[m].xyz;
+    const float3 difference = model_vertex - p;
     const float z2 = vertex.z * vertex.z;
     const float reach = gate.s0 + gate.s1 * z2;
+    const float farther = q.z - transform_point(T_model_world, model_vertex).z;
+    before += farther < -reach ? 1.0f : 0.0f;
+    behind += farther > reach ? 1.0f : 0.0f;
     if (!(dot(difference, difference) < reach * reach)) continue;
     if (!(dot(rotate_vector(T_world_frame, normals[i].xyz), n) > gate.s2)) continue;
 
@@ -74,6 +80,8 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
 #endif
   row0.s7 = fit_weight;
   row1.s7 = fit_error;
+  row2.s7 = before;
+  row3.s7 = behind;
   vstore8(row0, 0, out);
   vstore8(row1, 1, out);
   vstore8(row2, 2, out);

@@ -7,6 +7,8 @@
 #define ICP_SUMS 64
 #define ICP_FIT_WEIGHT 7 /* sum h */
 #define ICP_FIT_ERROR 15 /* sum h r^2 */
+#define ICP_BEFORE 23    /* pixels of the overlap that lie before the model's surface, by more than the gate */
+#define ICP_BEHIND 31    /* pixels of the overlap that lie behind it likewise */
 #define ICP_INLIERS 56   /* pixels associated */
 #define ICP_OVERLAP 57   /* pixels with depth that project onto a pixel of the model that has a surface */
 #define ICP_READINGS 58  /* pixels with depth */

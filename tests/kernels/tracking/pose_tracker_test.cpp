@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/synthetic/synthetic_source.h"
+#include "tests/kernels/tracking/tracking_test_support.h"
 #include "tests/support/each_device.h"
 #include "tests/support/tracking_rig.h"
 
@@ -93,6 +94,51 @@ TEST(PoseTracker, FindsTheCameraAgainWhereverItHasBeen) {
       }
     });
   }
+}
+
+/// A corner of a room through a keyhole.
+RgbdFrame through(const cv::Rect& keyhole, int index) {
+  AnalyticScene scene = roomCorner();
+  scene.sphere({0.8, -0.4, 1.9}, 0.25).sphere({0.7, 0.1, 1.5}, 0.2).sphere({-0.6, 0.4, 1.7}, 0.2);
+  RgbdFrame frame = frameOf(scene, kKinect, pose(0.2 * index, 0, 0, 0.002 * index, 0, 0));
+  frame.index = index;
+  cv::Mat seen = cv::Mat::zeros(frame.depth.size(), frame.depth.type());
+  frame.depth(keyhole).copyTo(seen(keyhole));
+  frame.depth = seen;
+  return frame;
+}
+const cv::Rect kFirstLook(0, 0, 330, 480);
+// A twentieth of the image meets what the first look has shown: too little to be sure.
+const cv::Rect kGlimpse(295, 0, 345, 480);
+
+TEST(PoseTracker, WhatWasUncertainIsConfirmedByLaterFrames) {
+  onEachDevice([](ComputeContext& compute) {
+    TrackingRig rig(compute, kKinect);
+    ASSERT_TRUE(rig.show(through(kFirstLook, 0)).usable());
+    ASSERT_EQ(rig.show(through(kGlimpse, 1)).state, TrackingState::uncertain);
+    EXPECT_TRUE(rig.understoodLate().empty());
+    ASSERT_TRUE(rig.show(through({0, 0, 640, 480}, 2)).usable());
+    const std::vector<std::pair<int, PoseEstimate>> late = rig.understoodLate();
+    ASSERT_EQ(late.size(), 1U);
+    EXPECT_EQ(late.front().first, 1);
+    const Eigen::Isometry3d truth = pose(0.2, 0, 0, 0.002, 0, 0);
+    EXPECT_LT((late.front().second.T_world_camera.translation() - truth.translation()).norm(), 0.002);
+    EXPECT_TRUE(rig.understoodLate().empty()) << "once";
+  });
+}
+
+TEST(PoseTracker, WhatIsNeverConfirmedIsDropped) {
+  onEachDevice([](ComputeContext& compute) {
+    TrackingRig rig(compute, kKinect);
+    ASSERT_TRUE(rig.show(through(kFirstLook, 0)).usable());
+    ASSERT_EQ(rig.show(through(kGlimpse, 1)).state, TrackingState::uncertain);
+    for (int i = 0; i < 12; ++i) {
+      ASSERT_TRUE(rig.show(through(kFirstLook, 0)).usable()) << i;
+      EXPECT_TRUE(rig.understoodLate().empty()) << "nothing more was learnt about the glimpse";
+    }
+    ASSERT_TRUE(rig.show(through({0, 0, 640, 480}, 2)).usable());
+    EXPECT_TRUE(rig.understoodLate().empty()) << "it is forgotten by now";
+  });
 }
 
 TEST(PoseTracker, AnotherPlaceIsNotTakenForThisOne) {

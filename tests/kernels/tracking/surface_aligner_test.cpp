@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/fusion/depth_preprocessor.h"
@@ -81,6 +83,8 @@ TEST(IcpPass, SumsMatchTheFormula) {
       EXPECT_EQ(system.readings, expected.readings);
       // Pixels whose projection or gate lies on the border within float rounding may fall to either side.
       EXPECT_NEAR(system.overlap, expected.overlap, 1 + level.K.pixels() / 5000);
+      EXPECT_NEAR(system.before, expected.before, 1 + level.K.pixels() / 5000);
+      EXPECT_NEAR(system.behind, expected.behind, 1 + level.K.pixels() / 5000);
       EXPECT_NEAR(system.inliers, expected.inliers, 1 + level.K.pixels() / 2000);
       EXPECT_GT(system.inliers, level.K.pixels() / 2);
       // They, and sums of 600 floats of 24 bits, leave this much of the whole.
@@ -89,6 +93,30 @@ TEST(IcpPass, SumsMatchTheFormula) {
       EXPECT_NEAR(system.fit_residual_m, std::sqrt(expected.fit_error / expected.fit_weight), 1e-5);
       EXPECT_NEAR(system.squared_error / expected.squared_error, 1, 1e-2);
     }
+  });
+}
+
+TEST(IcpPass, TellsWhatCameFromWhatIsSeenThrough) {
+  onEachDevice([](ComputeContext& compute) {
+    const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    const AnalyticScene known = roomCorner();
+    AnalyticScene with_ball = roomCorner();
+    with_ball.sphere({0, 0, 1.2}, 0.2);
+    const auto counts = [&](const AnalyticScene& model, const AnalyticScene& seen) {
+      Rig rig(compute);
+      const SurfaceMaps maps = mapsOf(compute, model, kWorking, T);
+      auto pass = IcpPass::create(compute);
+      const DepthPyramid& frame = rig.preprocessor->process(frameOf(seen, kKinect, T));
+      return pass.value().run(frame.levels.front(), maps, T,
+                              IcpGates::of(0.05F, FusionParams{}.depth_noise_m));
+    };
+    // The ball's disc in the image: radius f r / sqrt(d^2 - r^2).
+    const double radius = 292.5 * 0.2 / std::sqrt(1.2 * 1.2 - 0.2 * 0.2);
+    const double disc = std::numbers::pi * radius * radius;
+    EXPECT_NEAR(counts(known, with_ball).before / disc, 1, 0.05);
+    EXPECT_LT(counts(known, with_ball).behind, 0.02 * disc);
+    EXPECT_NEAR(counts(with_ball, known).behind / disc, 1, 0.05);
+    EXPECT_LT(counts(with_ball, known).before, 0.02 * disc);
   });
 }
 

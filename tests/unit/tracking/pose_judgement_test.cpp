@@ -74,6 +74,34 @@ TEST(PoseJudgement, LandmarksDetermineWhatGeometryDoesNot) {
   EXPECT_EQ(judged(elsewhere, PoseOrigin::landmarks), uncertain) << "depth and colour say different things";
 }
 
+// A near thing comes into view: half the image lies before the wall that is known there.
+TEST(PoseJudgement, NewThingsBeforeKnownOnesAreNoContradiction) {
+  const auto half = [](int before, int behind) {
+    return changed([&](IcpOutcome& o) {
+      o.system.inliers = 20000;
+      o.system.before = before;
+      o.system.behind = behind;
+    });
+  };
+  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::prediction), tracking);
+  EXPECT_EQ(judged(half(17000, 16000), PoseOrigin::prediction), uncertain) << "so does a wrong pose";
+  EXPECT_EQ(judged(half(0, 30000), PoseOrigin::prediction), uncertain) << "nobody sees through walls";
+  EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::place), uncertain) << "nobody knows that it was followed";
+}
+
+TEST(PoseJudgement, LittleKnownSurfaceIsEnoughWhenItDeterminesThePose) {
+  const auto known = [](bool is_firm, int inliers) {
+    return changed([&](IcpOutcome& o) {
+      o.system.overlap = 9000;
+      o.system.inliers = inliers;
+      o.step.is_firm = is_firm;
+    });
+  };
+  EXPECT_EQ(judged(known(true, 7500), PoseOrigin::prediction), tracking);
+  EXPECT_EQ(judged(known(false, 7500), PoseOrigin::prediction), uncertain);
+  EXPECT_EQ(judged(known(true, 5500), PoseOrigin::prediction), uncertain) << "little must fit better";
+}
+
 TEST(PoseJudgement, APlaceMustBeRecognisedBetterThanACameraIsFollowed) {
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 30000; });
   EXPECT_EQ(judged(half, PoseOrigin::landmarks), tracking);

@@ -1,0 +1,57 @@
+#include "core/fusion/free_space.h"
+
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kViewsPerWitness = 4;
+constexpr std::size_t kWitnesses = 7;
+constexpr int kWitnessesNeeded = 2;
+constexpr float kNoReading_m = 1e6F;
+
+}  // namespace
+
+cv::Mat FreeSpace::contradicting(const DepthView& now) const {
+  SCANTROVE_CHECK(now.z_m.type() == CV_32FC1 && now.z_m.cols == now.K.width && now.z_m.rows == now.K.height);
+  cv::Mat votes = cv::Mat::zeros(now.z_m.size(), CV_8UC1);
+  for (const Witness& witness : witnesses_) {
+    const Eigen::Affine3f T((witness.T_camera_world * now.T_world_camera).cast<float>());
+    const Intrinsics& K = witness.K;
+    for (int v = 0; v < now.z_m.rows; ++v) {
+      const auto* z = now.z_m.ptr<float>(v);
+      auto* vote = votes.ptr<std::uint8_t>(v);
+      for (int u = 0; u < now.z_m.cols; ++u) {
+        if (!(z[u] > 0)) continue;
+        const Eigen::Vector3f q =
+            T * Eigen::Vector3f((static_cast<float>(u) - now.K.cx) / now.K.fx * z[u],
+                                (static_cast<float>(v) - now.K.cy) / now.K.fy * z[u], z[u]);
+        if (!(q.z() > 0)) continue;
+        const float x = K.fx * q.x() / q.z() + K.cx + 0.5F;
+        const float y = K.fy * q.y() / q.z() + K.cy + 0.5F;
+        if (!(x >= 0 && y >= 0 && x < static_cast<float>(K.width) && y < static_cast<float>(K.height)))
+          continue;
+        const float seen = witness.nearest_m.at<float>(static_cast<int>(y), static_cast<int>(x));
+        if (seen > q.z() + contradiction_m(q.z(), depth_noise_m_)) ++vote[u];
+      }
+    }
+  }
+  return votes >= kWitnessesNeeded;
+}
+
+void FreeSpace::add(const DepthView& view) {
+  if (views_++ % kViewsPerWitness != 0) return;
+  cv::Mat readings = view.z_m.clone();
+  const cv::Mat none = readings <= 0;
+  readings.setTo(kNoReading_m, none);
+  cv::Mat nearest;
+  cv::erode(readings, nearest, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+  nearest.setTo(0, none);
+  witnesses_.push_back({view.K, view.T_world_camera.inverse(), nearest});
+  if (witnesses_.size() > kWitnesses) witnesses_.pop_front();
+}
+
+}  // namespace scantrove

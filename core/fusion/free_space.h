@@ -1,0 +1,34 @@
+#pragma once
+#include <deque>
+#include <opencv2/core/mat.hpp>
+
+#include "core/fusion/depth_view.h"
+
+namespace scantrove {
+
+/// Where there was nothing a moment ago: a few of the last views. A reading there is of something that came.
+/// One thread at a time; the cost does not depend on how much was seen.
+class FreeSpace {
+ public:
+  /// `depth_noise_m`: FusionParams.
+  explicit FreeSpace(float depth_noise_m) : depth_noise_m_(depth_noise_m) {}
+
+  /// The readings of `now` that lie where at least two of the last views looked through, beyond noise and
+  /// edges: CV_8UC1, 255 for such a reading, else 0.
+  [[nodiscard]] cv::Mat contradicting(const DepthView& now) const;
+
+  /// The next view. Every fourth is kept, the last seven of them: about a second of a recording.
+  void add(const DepthView& view);
+
+ private:
+  struct Witness {
+    Intrinsics K;
+    Eigen::Isometry3d T_camera_world;
+    cv::Mat nearest_m;  ///< CV_32FC1: the nearest of the readings around each reading; 0 where there is none
+  };
+  std::deque<Witness> witnesses_;
+  int views_ = 0;
+  float depth_noise_m_;
+};
+
+}  // namespace scantrove
