@@ -41,7 +41,7 @@ void printCameras(const Result<std::vector<CameraInfo>>& cameras) {
     std::cout << "  camera:" << camera.uri << "  " << camera.vendor << ' ' << camera.name << " ("
               << camera.driver << ")\n";
   }
-  if (cameras->empty()) std::cout << "  none. " << cameraAdvice() << '\n';
+  if (cameras->empty()) std::cout << "  none. Without a camera: `camera:Dummy` or `demo`.\n";
 }
 
 /// "045e:02ae Kinect v1 (Xbox 360), bus 1 device 5, 480 Mbit/s, serial number A00..."
@@ -65,7 +65,9 @@ void printUsb(const std::vector<CameraDiagnosis>& usb) {
     for (const Error& problem : found.problems) std::cout << "    PROBLEM: " << problem.message() << '\n';
     for (const Error& remark : found.remarks) std::cout << "    note: " << remark.message() << '\n';
   }
-  if (usb.empty()) std::cout << "  none that is known.\n";
+  if (usb.empty()) {
+    std::cout << "  none that is known. Plug the camera in, its power supply too; does `lsusb` show it?\n";
+  }
 }
 
 Json toJson(const std::vector<Error>& errors) {

@@ -198,9 +198,9 @@ DepthColorStreams::Arrival FreenectCamera::nextReceived() {
   received_.images.pop_front();
   Arrival arrival;
   if (next.is_depth) {
-    arrival.depth = StreamImage{std::move(next.image), clock_.depthTime_s(next.ticks)};
+    arrival.depth = StreamImage{std::move(next.image), clock_.depthSeconds(next.ticks)};
   } else {
-    arrival.color = StreamImage{std::move(next.image), clock_.colorTime_s(next.ticks)};
+    arrival.color = StreamImage{std::move(next.image), clock_.colorSeconds(next.ticks)};
   }
   return arrival;
 }

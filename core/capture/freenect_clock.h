@@ -8,12 +8,12 @@ namespace scantrove {
 class FreenectClock {
  public:
   /// Of a depth image; goes on from the depth image before, however often the ticks began anew.
-  [[nodiscard]] double depthTime_s(std::uint32_t ticks) {
+  [[nodiscard]] double depthSeconds(std::uint32_t ticks) {
     depth_ticks_ = unwrapped(ticks);
     return seconds(depth_ticks_);
   }
   /// Of a colour image: the time nearest to that of the last depth image.
-  [[nodiscard]] double colorTime_s(std::uint32_t ticks) const { return seconds(unwrapped(ticks)); }
+  [[nodiscard]] double colorSeconds(std::uint32_t ticks) const { return seconds(unwrapped(ticks)); }
 
  private:
   static constexpr double kTicksPerSecond = 60e6;

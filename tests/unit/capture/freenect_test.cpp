@@ -102,12 +102,12 @@ TEST(Freenect, TimeGoesOnWhereTheTicksBeginAnew) {
 TEST(Freenect, TimeGoesOnForHours) {
   FreenectClock clock;
   std::uint32_t ticks = 4'000'000'000U;
-  const double first = clock.depthTime_s(ticks);
+  const double first = clock.depthSeconds(ticks);
   double last = first;
   for (int i = 0; i < 600; ++i) {  // an image every 30 s
     ticks += 30U * FakeFreenect::kTicksPerSecond;
-    last = clock.depthTime_s(ticks);
-    EXPECT_NEAR(clock.colorTime_s(ticks - 600'000U), last - 0.01, 1e-6);
+    last = clock.depthSeconds(ticks);
+    EXPECT_NEAR(clock.colorSeconds(ticks - 600'000U), last - 0.01, 1e-6);
   }
   EXPECT_NEAR(last - first, 600 * 30.0, 1e-3);
 }
