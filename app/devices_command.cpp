@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "core/capture/camera_doctor.h"
 #include "core/capture/cameras.h"
 #include "core/compute/device_choice.h"
 
@@ -10,7 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void printText(const std::vector<DeviceInfo>& devices, const Result<std::vector<CameraInfo>>& cameras) {
+/// All that is listed.
+struct Found {
+  std::vector<DeviceInfo> devices;
+  Result<std::vector<CameraInfo>> cameras;
+  std::vector<CameraDiagnosis> usb;
+};
+
+void printDevices(const std::vector<DeviceInfo>& devices) {
   std::cout << "OpenCL devices (--device INDEX|NAME):\n";
   for (const DeviceInfo& device : devices) {
     std::cout << "  [" << device.index << "] " << device.name << " (" << device.platform << ", "
@@ -21,20 +29,75 @@ void printText(const std::vector<DeviceInfo>& devices, const Result<std::vector<
     std::cout
         << "  none. Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver.\n";
   }
+}
+
+void printCameras(const Result<std::vector<CameraInfo>>& cameras) {
   std::cout << "Cameras (as SOURCE):\n";
   if (!cameras) {
     std::cout << "  " << cameras.error().message() << '\n';
     return;
   }
   for (const CameraInfo& camera : *cameras) {
-    std::cout << "  camera:" << camera.uri << "  " << camera.vendor << ' ' << camera.name << '\n';
+    std::cout << "  camera:" << camera.uri << "  " << camera.vendor << ' ' << camera.name << " ("
+              << camera.driver << ")\n";
   }
-  if (cameras->empty()) std::cout << "  none. " << cameraAdvice() << '\n';
+  if (cameras->empty()) std::cout << "  none. Without a camera: `camera:Dummy` or `demo`.\n";
 }
 
-void printJson(const std::vector<DeviceInfo>& devices, const Result<std::vector<CameraInfo>>& cameras) {
-  Json json = {{"opencl", Json::array()}, {"cameras", Json::array()}};
-  for (const DeviceInfo& device : devices) {
+/// "045e:02ae Kinect v1 (Xbox 360), bus 1 device 5, 480 Mbit/s, serial number A00..."
+void printUsbDevice(const UsbDevice& device, std::string_view name) {
+  std::cout << "  " << device.id() << ' ' << name;
+  if (device.bus > 0) std::cout << ", bus " << device.bus << " device " << device.number;
+  if (device.speed_mbps > 0) std::cout << ", " << device.speed_mbps << " Mbit/s";
+  if (!device.serial.empty()) std::cout << ", serial number " << device.serial;
+  std::cout << '\n';
+}
+
+void printUsb(const std::vector<CameraDiagnosis>& usb) {
+  std::cout << "Depth cameras on USB:\n";
+  for (const CameraDiagnosis& found : usb) {
+    printUsbDevice(found.device, found.camera.name);
+    if (found.isWell()) {
+      std::cout << "    driver: " << driverName(found.camera.driver) << "; your user may open it\n";
+    } else if (found.is_served) {
+      std::cout << "    driver: " << driverName(found.camera.driver) << '\n';
+    }
+    for (const Error& problem : found.problems) std::cout << "    PROBLEM: " << problem.message() << '\n';
+    for (const Error& remark : found.remarks) std::cout << "    note: " << remark.message() << '\n';
+  }
+  if (usb.empty()) {
+    std::cout << "  none that is known. Plug the camera in, its power supply too; does `lsusb` show it?\n";
+  }
+}
+
+Json toJson(const std::vector<Error>& errors) {
+  Json json = Json::array();
+  for (const Error& error : errors) json.push_back({{"what", error.what}, {"advice", error.advice}});
+  return json;
+}
+
+Json toJson(const CameraDiagnosis& found) {
+  return {{"id", found.device.id()},
+          {"name", found.camera.name},
+          {"manufacturer", found.device.manufacturer},
+          {"product", found.device.name},
+          {"serial", found.device.serial},
+          {"port", found.device.port},
+          {"bus", found.device.bus},
+          {"device", found.device.number},
+          {"speed_mbps", found.device.speed_mbps},
+          {"node", found.node.string()},
+          {"driver", driverName(found.camera.driver)},
+          {"served", found.is_served},
+          {"may_open", found.may_be_opened},
+          {"modules", found.device.modules},
+          {"problems", toJson(found.problems)},
+          {"remarks", toJson(found.remarks)}};
+}
+
+void printJson(const Found& found) {
+  Json json = {{"opencl", Json::array()}, {"cameras", Json::array()}, {"usb", Json::array()}};
+  for (const DeviceInfo& device : found.devices) {
     json["opencl"].push_back({{"index", device.index},
                               {"name", device.name},
                               {"platform", device.platform},
@@ -43,24 +106,35 @@ void printJson(const std::vector<DeviceInfo>& devices, const Result<std::vector<
                               {"compute_units", device.compute_units},
                               {"memory_mb", device.memory_mb}});
   }
-  if (cameras) {
-    for (const CameraInfo& camera : *cameras) {
-      json["cameras"].push_back({{"uri", camera.uri}, {"name", camera.name}, {"vendor", camera.vendor}});
+  if (found.cameras) {
+    for (const CameraInfo& camera : *found.cameras) {
+      json["cameras"].push_back(
+          {{"uri", camera.uri}, {"name", camera.name}, {"vendor", camera.vendor}, {"driver", camera.driver}});
     }
   }
+  for (const CameraDiagnosis& diagnosis : found.usb) json["usb"].push_back(toJson(diagnosis));
   std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+void printText(const Found& found) {
+  printDevices(found.devices);
+  printCameras(found.cameras);
+  printUsb(found.usb);
 }
 
 }  // namespace
 
 void addDevicesCommand(CLI::App& app, CommandOutcome&) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* sub = app.add_subcommand("devices", "List OpenCL devices and cameras");
+  auto root = std::make_shared<std::string>("/");
+  CLI::App* sub =
+      app.add_subcommand("devices", "List OpenCL devices and cameras; say what keeps a camera from working");
   sub->add_flag("--json", *json, "as JSON");
-  sub->callback([json] {
-    const auto devices = listDevices();
-    const auto cameras = listCameras();
-    *json ? printJson(devices, cameras) : printText(devices, cameras);
+  sub->add_option("--root", *root, "look at USB in DIR/sys and DIR/dev (a host's, mounted in a container)")
+      ->type_name("DIR");
+  sub->callback([json, root] {
+    const Found found{listDevices(), listCameras(), examineCameras(*root)};
+    *json ? printJson(found) : printText(found);
   });
 }
 

@@ -33,8 +33,10 @@ struct ScanOptions {
 };
 
 inline constexpr const char* kSourceHelp =
-    "a folder, an .oni file, 'camera', 'camera:URI', 'demo', 'demo:room'; a random scene: 'demo:room:SEED',\n"
-    "'demo:tabletop:SEED'; ':uneven' gives a demo's surfaces bumps, ':exact' takes the noise away";
+    "a folder, an .oni file, 'camera', 'camera:URI', 'freenect' (a Kinect v1), 'demo', 'demo:room'; a "
+    "random\n"
+    "scene: 'demo:room:SEED', 'demo:tabletop:SEED'; ':uneven' gives a demo's surfaces bumps, ':exact' takes "
+    "the noise away";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.
 [[nodiscard]] ScanParams paramsFrom(const std::string& config, const std::vector<std::string>& settings);

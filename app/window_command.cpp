@@ -12,8 +12,11 @@ std::string checkSource(const std::string& source) {
     return source == kind || source.starts_with(kind + ":");
   };
   std::error_code error;  // of a link that leads nowhere: opening it says so
-  if (names("demo") || names("camera") || std::filesystem::exists(source, error) || error) return {};
-  return "'" + source + "' is neither a command nor something to open (a folder, an .oni file, demo, camera)";
+  if (names("demo") || names("camera") || names("freenect") || std::filesystem::exists(source, error) ||
+      error)
+    return {};
+  return "'" + source +
+         "' is neither a command nor something to open (a folder, an .oni file, demo, camera, freenect)";
 }
 
 /// "1400x900"

@@ -4,11 +4,15 @@
 
 #include <filesystem>
 
+#include "core/capture/freenect_source.h"
 #include "core/capture/openni_library.h"
+#include "core/capture/openni_source.h"
 
 namespace scantrove {
 
-Result<std::vector<CameraInfo>> listCameras() {
+namespace {
+
+Result<std::vector<CameraInfo>> listOpenNiCameras() {
   SCANTROVE_TRY(initialiseOpenNi());
   openni::Array<openni::DeviceInfo> devices;
   openni::OpenNI::enumerateDevices(&devices);
@@ -25,12 +29,41 @@ Result<std::vector<CameraInfo>> listCameras() {
   return cameras;
 }
 
+}  // namespace
+
+Result<std::vector<CameraInfo>> listCameras() {
+  auto cameras = listOpenNiCameras();
+  auto kinects = listFreenectCameras();
+  if (!kinects || kinects->empty()) {
+    return cameras;
+  }
+  if (!cameras) {
+    return kinects;
+  }
+  cameras->insert(cameras->end(), kinects->begin(), kinects->end());
+  return cameras;
+}
+
+Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri, const SourceOptions& options) {
+  std::string chosen = uri;
+  if (chosen.empty()) {
+    const auto cameras = listCameras();
+    if (!cameras) {
+      return fail(cameras.error());
+    }
+    if (cameras->empty()) {
+      return fail("No depth camera was found.", cameraAdvice());
+    }
+    chosen = cameras->front().uri;
+  }
+  return isFreenectUri(chosen) ? openFreenectCamera(chosen, options) : openOpenNiCamera(chosen, options);
+}
+
 std::string cameraAdvice() {
-  return "Plug the camera in (its power supply too) and check that `lsusb` shows it, that your user may open "
-         "it (a udev rule "
-         "for its USB vendor; see README), and that libopenni2-0 with its drivers is installed. OpenNI2's "
-         "Linux drivers do not "
-         "know the first Kinect (USB 045e:02ae). Without a camera: `camera:Dummy` or `demo`.";
+  return "Plug the camera in, its power supply too; `scantrove devices` then says what is plugged in, which "
+         "driver serves it, and the line that helps where your user may not open it (a udev rule). OpenNI2 "
+         "serves PrimeSense cameras (Asus Xtion, Carmine), libfreenect the first Kinect (USB 045e:02ae). "
+         "Without a camera: `camera:Dummy` or `demo`.";
 }
 
 }  // namespace scantrove

@@ -15,7 +15,7 @@ namespace scantrove {
 struct SourceInfo {
   std::string name;  ///< for people: the folder's name, the camera's name
   std::string kind;  ///< "7-Scenes", "TUM RGB-D", "numbered images", "OpenNI2 camera", "OpenNI2 recording",
-                     ///< "synthetic"
+                     ///< "libfreenect camera", "synthetic"
   Intrinsics intrinsics;
   std::optional<int> frame_count;  ///< frames that next() will give in all; empty for a live camera
   bool is_live = false;

@@ -7,12 +7,12 @@
 
 namespace scantrove {
 
-/// Opens a live camera by its OpenNI2 URI; empty: the first that is plugged in. Depth registered to colour
+/// Opens a live camera by its OpenNI2 URI. Depth registered to colour
 /// (unless `options` name a colour camera) and the two synchronised where the camera can, mirroring off.
-/// next() waits a second at most (timeout); an unplugged camera is `failed`. Error: no camera found, or it
-/// cannot be opened; says what to check.
-[[nodiscard]] Result<std::unique_ptr<FrameSource>> openCamera(const std::string& uri,
-                                                              const SourceOptions& options);
+/// next() waits a second at most (timeout); an unplugged camera is `failed`. Error: it cannot be
+/// opened; says what to check.
+[[nodiscard]] Result<std::unique_ptr<FrameSource>> openOpenNiCamera(const std::string& uri,
+                                                                    const SourceOptions& options);
 
 /// Opens an .oni file as a recording: every depth frame as fast as it is read, with the colour frame nearest
 /// in time. Index = position, timestamp = the recording's. Error: cannot be opened, or holds no depth.

@@ -215,10 +215,10 @@ Result<OpenNiStreams::Arrival> OpenNiStreams::wait(std::chrono::milliseconds tim
   }
   Arrival arrival;
   if (ready == 0) {
-    arrival.depth = OpenNiImage{viewOf(frame, CV_16UC1).clone(), seconds(frame)};
+    arrival.depth = StreamImage{viewOf(frame, CV_16UC1).clone(), seconds(frame)};
     unmirror(arrival.depth->image, is_depth_mirrored_);
   } else {
-    arrival.color = OpenNiImage{copyColor(frame), seconds(frame)};
+    arrival.color = StreamImage{copyColor(frame), seconds(frame)};
     unmirror(arrival.color->image, is_color_mirrored_);
   }
   return arrival;

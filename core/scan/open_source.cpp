@@ -3,8 +3,10 @@
 #include <filesystem>
 
 #include "core/capture/camera_intrinsics.h"
+#include "core/capture/cameras.h"
 #include "core/capture/color_registration.h"
 #include "core/capture/folder_listing.h"
+#include "core/capture/freenect_source.h"
 #include "core/capture/numbered_folder.h"
 #include "core/capture/openni_source.h"
 #include "core/capture/read_ahead.h"
@@ -78,7 +80,8 @@ OpenedSource openPath(const std::filesystem::path& path, const SourceOptions& op
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
     return fail("There is no " + path.string() + ".",
-                "Give a recording's folder, an .oni file, `camera`, `camera:URI`, `demo` or `demo:room`.");
+                "Give a recording's folder, an .oni file, `camera`, `camera:URI`, `freenect`, `demo` or "
+                "`demo:room`.");
   }
   if (error) {
     return fail("Cannot open " + path.string() + ": " + error.message() + ".",
@@ -101,6 +104,9 @@ OpenedSource open(const std::string& source, const SourceOptions& options) {
   if (source == "camera" || source.starts_with("camera:")) {
     return openCamera(source == "camera" ? "" : source.substr(source.find(':') + 1), options);
   }
+  if (isFreenectUri(source)) {
+    return openCamera(source, options);
+  }
   return openPath(source, options);
 }
 
@@ -109,7 +115,7 @@ OpenedSource open(const std::string& source, const SourceOptions& options) {
 Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const SourceOptions& options) {
   if (source.empty()) {
     return fail("No source given.",
-                "Give a recording's folder, an .oni file, `camera`, `camera:URI` or `demo`.");
+                "Give a recording's folder, an .oni file, `camera`, `camera:URI`, `freenect` or `demo`.");
   }
   SCANTROVE_TRY(checkSourceOptions(options));
   return open(source, options).map([&](std::unique_ptr<FrameSource> opened) -> std::unique_ptr<FrameSource> {

@@ -8,8 +8,9 @@
 namespace scantrove {
 
 /// Opens what `source` names, recognising it by looking: `demo` (tabletop), `demo:room`, `demo:room:SEED`,
-/// `camera`, `camera:URI`, an .oni file, a 7-Scenes, TUM or numbered-images folder. Recorded sources decode
-/// ahead on their own thread. Error: names the path, what was looked for in it, and what to do.
+/// `camera`, `camera:URI`, `freenect`, `freenect:INDEX`, `freenect:SERIAL` (a Kinect v1), an .oni file, a
+/// 7-Scenes, TUM or numbered-images folder. Recorded sources decode ahead on their own thread. Error: names
+/// the path, what was looked for in it, and what to do.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openSource(const std::string& source,
                                                               const SourceOptions& options);
 

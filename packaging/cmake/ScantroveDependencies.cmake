@@ -24,6 +24,17 @@ add_library(scantrove_openni2 INTERFACE)
 target_include_directories(scantrove_openni2 SYSTEM INTERFACE ${OPENNI2_INCLUDE_DIR})
 target_link_libraries(scantrove_openni2 INTERFACE ${OPENNI2_LIBRARY})
 
+# Kinect v1; without it Scantrove builds and says that it cannot open one.
+find_path(FREENECT_INCLUDE_DIR libfreenect.h PATH_SUFFIXES libfreenect)
+find_library(FREENECT_LIBRARY freenect)
+add_library(scantrove_freenect INTERFACE)
+if(FREENECT_LIBRARY AND FREENECT_INCLUDE_DIR)
+  target_include_directories(scantrove_freenect SYSTEM INTERFACE ${FREENECT_INCLUDE_DIR})
+  target_link_libraries(scantrove_freenect INTERFACE ${FREENECT_LIBRARY})
+else()
+  message(STATUS "libfreenect was not found: no Kinect v1")
+endif()
+
 find_path(PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.12 REQUIRED)
 find_library(PCL_COMMON_LIBRARY pcl_common REQUIRED)
 find_library(PCL_IO_LIBRARY pcl_io REQUIRED)

@@ -1,3 +1,4 @@
+#include "core/capture/freenect_source.h"
 #include "tests/app/scantrove_program.h"
 
 namespace scantrove::test {
@@ -22,6 +23,8 @@ TEST(Usage, HelpOfACommandNamesItsOptions) {
         "--config", "--set", "--device", "--label-maps"}) {
     EXPECT_THAT(run.out, HasSubstr(name));
   }
+  EXPECT_THAT(run.out, HasSubstr("'freenect' (a Kinect v1)"));
+  EXPECT_THAT(scantrove({"devices", "--help"}).out, HasSubstr("--root DIR"));
   EXPECT_EQ(scantrove({"objects", "rename", "--help"}).exit_code, 0);
 }
 
@@ -143,6 +146,57 @@ TEST(Devices, AreListed) {
   const auto json = jsonOf(scantrove({"devices", "--json"}));
   EXPECT_FALSE(json["opencl"].empty());
   EXPECT_TRUE(json["cameras"].is_array());
+  EXPECT_TRUE(json["usb"].is_array());
+}
+
+/// A computer with an Asus Xtion at a port of USB 1.
+TEST(Devices, SayWhatKeepsACameraFromWorking) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(scantrove({"devices", "--root", folder.path()}).out, HasSubstr("none that is known"));
+  for (const auto& [name, text] : {std::pair{"idVendor", "1d27"},
+                                   {"idProduct", "0601"},
+                                   {"busnum", "3"},
+                                   {"devnum", "12"},
+                                   {"speed", "12"}}) {
+    folder.write(std::string("sys/bus/usb/devices/3-1/") + name, std::string(text) + "\n");
+  }
+  const Finished run = scantrove({"devices", "--root", folder.path()});
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* words : {"1d27:0601 Asus Xtion Pro Live, bus 3 device 12, 12 Mbit/s", "driver: OpenNI2",
+                            "PROBLEM: There is no /dev/bus/usb/003/012", "PROBLEM: It is connected at 12"}) {
+    EXPECT_THAT(run.out, HasSubstr(words));
+  }
+  folder.write("dev/bus/usb/003/012", "");
+  const auto json = jsonOf(scantrove({"devices", "--json", "--root", folder.path()}));
+  ASSERT_EQ(json["usb"].size(), 1U);
+  const auto& xtion = json["usb"][0];
+  EXPECT_EQ(xtion["id"], "1d27:0601");
+  EXPECT_EQ(xtion["driver"], "OpenNI2");
+  EXPECT_EQ(xtion["node"], "/dev/bus/usb/003/012");
+  EXPECT_EQ(xtion["may_open"], true);
+  ASSERT_EQ(xtion["problems"].size(), 1U);
+  EXPECT_NE(xtion["problems"][0]["advice"], "");
+}
+
+/// Debian's fakenect takes libfreenect's place and counts one camera; it cannot give depth in mm.
+TEST(Devices, ListAKinect) {
+  const std::filesystem::path fakenect = "/usr/lib/x86_64-linux-gnu/fakenect";
+  if (!hasFreenect() || !std::filesystem::exists(fakenect)) GTEST_SKIP() << "there is no " << fakenect;
+  const std::map<std::string, std::string> environment{{"LD_LIBRARY_PATH", fakenect}};
+  EXPECT_THAT(scantrove({"devices"}, environment).out,
+              HasSubstr("camera:freenect:0  Microsoft Kinect v1 (libfreenect)"));
+  const auto json = jsonOf(scantrove({"devices", "--json"}, environment));
+  ASSERT_FALSE(json["cameras"].empty());
+  EXPECT_EQ(json["cameras"].back()["uri"], "freenect:0");
+  EXPECT_EQ(json["cameras"].back()["driver"], "libfreenect");
+}
+
+TEST(Devices, AKinectThatIsNotThereIsAFailure) {
+  if (const auto kinects = listFreenectCameras(); kinects && !kinects->empty())
+    GTEST_SKIP() << "one is there";
+  const TemporaryFolder folder;
+  expectJobFailure(scantrove({"scan", "freenect", "--out", folder / "out"}),
+                   {hasFreenect() ? "No Kinect v1" : "libfreenect"});
 }
 
 TEST(Devices, WithoutADriverSayWhatToInstall) {

@@ -11,6 +11,7 @@ constexpr int kMost = 8;
 bool stillThere(const QString& source) {
   return source == QLatin1String("demo") || source.startsWith(QLatin1String("demo:")) ||
          source == QLatin1String("camera") || source.startsWith(QLatin1String("camera:")) ||
+         source == QLatin1String("freenect") || source.startsWith(QLatin1String("freenect:")) ||
          QFileInfo::exists(source);
 }
 }  // namespace

@@ -70,6 +70,8 @@ QString sourceTitle(const QString& source) {
   if (source == QLatin1String("camera")) return StartPage::tr("Camera");
   if (source == QLatin1String("camera:Dummy")) return StartPage::tr("Virtual test camera");
   if (source.startsWith(QLatin1String("camera:"))) return StartPage::tr("Camera %1").arg(source.mid(7));
+  if (source == QLatin1String("freenect")) return StartPage::tr("Kinect");
+  if (source.startsWith(QLatin1String("freenect:"))) return StartPage::tr("Kinect %1").arg(source.mid(9));
   const QString name = QFileInfo(source).fileName();
   return name.isEmpty() ? source : name;
 }

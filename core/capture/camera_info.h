@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+namespace scantrove {
+
+/// A camera that a driver sees now.
+struct CameraInfo {
+  std::string uri;  ///< opens it: `camera:URI`
+  std::string name;
+  std::string vendor;
+  std::string driver = "OpenNI2";  ///< or "libfreenect"
+};
+
+}  // namespace scantrove
