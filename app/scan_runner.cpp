@@ -63,6 +63,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
         progress.say("Preparing the processor (first time only).");
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
       if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
+      if (const auto* failure = std::get_if<MapFailed>(&*event)) progress.say(failure->error.message());
     }
     showLatest();
     if (stopRequested() && !is_stopping) {

@@ -2,29 +2,51 @@
 
 #include <utility>
 
+#include "core/base/check.h"
+
 namespace scantrove {
 namespace {
-constexpr std::size_t kFirstCapacity = 1U << 15U;
+constexpr std::size_t kFirstCapacity = 1U << 12U;
 constexpr BrickEntry kFree{0, 0, 0, BRICK_NONE};
 }  // namespace
 
 BrickIndex::BrickIndex() : entries_(kFirstCapacity, kFree) {}
 
-int BrickIndex::slotOf(const Eigen::Vector3i& brick) const {
+std::size_t BrickIndex::find(const Eigen::Vector3i& brick) const {
   const std::size_t mask = entries_.size() - 1;
   std::size_t i = brick_hash(brick.x(), brick.y(), brick.z()) & mask;
   while (entries_[i].slot != BRICK_NONE) {
     const BrickEntry& entry = entries_[i];
-    if (entry.x == brick.x() && entry.y == brick.y() && entry.z == brick.z()) return entry.slot;
+    if (entry.x == brick.x() && entry.y == brick.y() && entry.z == brick.z()) break;
     i = (i + 1) & mask;
   }
-  return BRICK_NONE;
+  return i;
 }
+
+int BrickIndex::slotOf(const Eigen::Vector3i& brick) const { return entries_[find(brick)].slot; }
 
 std::size_t BrickIndex::insert(const Eigen::Vector3i& brick, int slot) {
   if (2 * (count_ + 1) > entries_.size()) grow();
   ++count_;
   return place({brick.x(), brick.y(), brick.z(), slot});
+}
+
+void BrickIndex::erase(const Eigen::Vector3i& brick, std::vector<std::size_t>& changed) {
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t hole = find(brick);
+  SCANTROVE_CHECK(entries_[hole].slot != BRICK_NONE);
+  --count_;
+  for (std::size_t i = (hole + 1) & mask; entries_[i].slot != BRICK_NONE; i = (i + 1) & mask) {
+    const BrickEntry& entry = entries_[i];
+    const std::size_t home = brick_hash(entry.x, entry.y, entry.z) & mask;
+    // Where the search for it starts at or before the hole, counted along the ring, it may move there.
+    if (((i - home) & mask) < ((i - hole) & mask)) continue;
+    entries_[hole] = entry;
+    changed.push_back(hole);
+    hole = i;
+  }
+  entries_[hole] = kFree;
+  changed.push_back(hole);
 }
 
 std::size_t BrickIndex::place(const BrickEntry& entry) {

@@ -7,6 +7,13 @@
 
 namespace scantrove {
 
+/// For unordered containers of bricks.
+struct BrickHash {
+  std::size_t operator()(const Eigen::Vector3i& brick) const {
+    return brick_hash(brick.x(), brick.y(), brick.z());
+  }
+};
+
 /// The hash table brick -> slot on the host, laid out entry by entry as kernels read it (brick_layout.h).
 /// Load at most one half.
 class BrickIndex {
@@ -20,10 +27,16 @@ class BrickIndex {
   /// (`entries().size()` changed).
   std::size_t insert(const Eigen::Vector3i& brick, int slot);
 
+  /// Takes out a brick that is there. Appends the entries that changed to `changed`: those behind it move up,
+  /// so that a search still ends at the first free entry.
+  void erase(const Eigen::Vector3i& brick, std::vector<std::size_t>& changed);
+
   /// The table; its size is a power of two.
   [[nodiscard]] std::span<const BrickEntry> entries() const { return entries_; }
 
  private:
+  /// Entry of the brick, or the free one where a search for it ends.
+  [[nodiscard]] std::size_t find(const Eigen::Vector3i& brick) const;
   std::size_t place(const BrickEntry& entry);
   void grow();
 

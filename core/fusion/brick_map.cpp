@@ -2,98 +2,145 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_set>
+#include <utility>
 
 #include "core/base/check.h"
 
 namespace scantrove {
 namespace {
+
 constexpr int kFirstSlots = 1 << 14;
 constexpr std::size_t kVoxels = BRICK_VOXELS;
+
+bool comesBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
 }  // namespace
 
-void sortBricks(std::vector<Eigen::Vector3i>& bricks) {
-  std::sort(bricks.begin(), bricks.end(), [](const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
-}
+void sortBricks(std::vector<Eigen::Vector3i>& bricks) { std::ranges::sort(bricks, comesBefore); }
 
-BrickMap::BrickMap(ComputeContext& compute, float voxel_size_m)
-    : compute_(compute), voxel_size_m_(voxel_size_m) {
+BrickMap::BrickMap(ComputeContext& compute, float voxel_size_m, const BrickBudget& budget)
+    : compute_(compute),
+      voxel_size_m_(voxel_size_m),
+      budget_(budget),
+      pools_(compute),
+      store_(budget.folder),
+      may_store_(!budget.folder.empty()) {
   SCANTROVE_CHECK(voxel_size_m > 0.0F);
-  reserve(kFirstSlots);
-  table_.update(compute, index_.entries(), {});
-  page_slots_.update(compute, pages_.pageSlots(), {});
+  if (!budget_.at_once || !pools_.makeAtOnce(budget_.bricks)) {
+    budget_.at_once = false;
+    reserve(std::min(kFirstSlots, budget_.bricks));
+  }
+  updateDevice();
 }
 
-// Voxels of slots that are not handed out yet are never read and need no value.
 void BrickMap::reserve(int slots) {
-  if (slots <= slot_capacity_) return;
-  int capacity = std::max(slot_capacity_, kFirstSlots);
-  while (capacity < slots) capacity *= 2;
-  Buffer<TsdfVoxel> larger(compute_.context(), static_cast<std::size_t>(capacity) * kVoxels);
-  const std::size_t used = positions_.size() * kVoxels * sizeof(TsdfVoxel);
-  if (used > 0) {
-    compute_.queue().enqueueCopyBuffer(voxels_.cl(), larger.cl(), 0, 0, used);
-    compute_.finish();
-  }
-  voxels_ = larger;
-  slot_capacity_ = capacity;
+  const int capacity = pools_.capacity();
+  if (slots <= capacity) return;
+  // Up to the budget by doubling; beyond it no more than is called for, and a little.
+  const int beyond = capacity + capacity / 8;
+  pools_.grow(
+      std::max(slots, 2 * capacity <= budget_.bricks ? 2 * capacity : std::max(budget_.bricks, beyond)),
+      slotEnd());
+  budget_.at_once = false;
 }
 
 std::size_t BrickMap::deviceBytes() const {
-  return voxels_.size() * sizeof(TsdfVoxel) + table_.buffer().size() * sizeof(BrickEntry) +
-         page_slots_.buffer().size() * sizeof(cl_int);
+  const auto slots = static_cast<std::size_t>(budget_.at_once ? slotEnd() : slotCapacity());
+  return slots * kVoxels * (sizeof(TsdfVoxel) + sizeof(cl_uint)) +
+         table_.buffer().size() * sizeof(BrickEntry) + page_slots_.buffer().size() * sizeof(cl_int);
 }
 
 const Eigen::Vector3i& BrickMap::positionOf(int slot) const {
-  SCANTROVE_CHECK(slot >= 0 && slot < brickCount());
+  SCANTROVE_CHECK(slot >= 0 && slot < slotEnd());
   return positions_[static_cast<std::size_t>(slot)];
 }
 
-int BrickMap::allocate(std::span<const Eigen::Vector3i> bricks) {
-  const int old_count = brickCount();
-  std::vector<std::size_t> changed_entries;
-  std::vector<std::size_t> changed_page_slots;
-  std::vector<Eigen::Vector3i> fresh;
-  int woken = 0;
-  for (const Eigen::Vector3i& brick : bricks) {
-    if (const int known = index_.slotOf(brick); known != BRICK_NONE) {
-      if (known < old_count && dormant_[static_cast<std::size_t>(known)]) {
-        dormant_[static_cast<std::size_t>(known)] = false;
-        pages_.insert(brick, known, changed_page_slots);
-        ++woken;
-      }
-      continue;
-    }
-    const int slot = old_count + static_cast<int>(fresh.size());
-    changed_entries.push_back(index_.insert(brick, slot));
-    pages_.insert(brick, slot, changed_page_slots);
-    fresh.push_back(brick);
-  }
-  dormant_count_ -= woken;
-  if (fresh.empty() && woken == 0) return 0;
-  const int count = static_cast<int>(fresh.size());
-  reserve(old_count + count);
-  positions_.insert(positions_.end(), fresh.begin(), fresh.end());
-  dormant_.resize(positions_.size(), false);
-  if (count > 0)
-    voxels_.fill(compute_.queue(), TsdfVoxel{0, 0}, static_cast<std::size_t>(old_count) * kVoxels,
-                 static_cast<std::size_t>(count) * kVoxels);
-  table_.update(compute_, index_.entries(), changed_entries);
-  page_slots_.update(compute_, pages_.pageSlots(), changed_page_slots);
-  return count + woken;
+void BrickMap::lookAt(std::span<const int> pages) {
+  ++view_;
+  for (const int page : pages) pages_.page(page).last_view = view_;
+  bringBack(pages);
+  updateDevice();
 }
 
-void BrickMap::makeDormant(std::span<const cl_int> slots) {
-  if (slots.empty()) return;
-  std::vector<std::size_t> changed;
-  for (const cl_int slot : slots) {
-    SCANTROVE_CHECK(slot >= 0 && slot < brickCount() && !dormant_[static_cast<std::size_t>(slot)]);
-    dormant_[static_cast<std::size_t>(slot)] = true;
-    pages_.remove(positionOf(slot), slot, changed);
+void BrickMap::holdPagesOf(std::span<const Eigen::Vector3i> bricks) {
+  std::vector<int> held;
+  for (const Eigen::Vector3i& brick : bricks) {
+    const int page = pages_.pageWith(brick);
+    if (page == BRICK_NONE) continue;
+    pages_.page(page).last_view = view_;
+    if (pages_.page(page).record) held.push_back(page);
   }
-  dormant_count_ += static_cast<int>(slots.size());
-  page_slots_.update(compute_, pages_.pageSlots(), changed);
+  bringBack(held);
+}
+
+int BrickMap::allocate(std::span<const Eigen::Vector3i> bricks) {
+  holdPagesOf(bricks);
+  std::vector<Eigen::Vector3i> fresh;
+  std::unordered_set<Eigen::Vector3i, BrickHash> is_fresh;
+  int woken = 0;
+  for (const Eigen::Vector3i& brick : bricks) {
+    const int known = index_.slotOf(brick);
+    if (known == BRICK_NONE) {
+      if (is_fresh.insert(brick).second) fresh.push_back(brick);
+    } else if (dormant_[static_cast<std::size_t>(known)]) {
+      dormant_[static_cast<std::size_t>(known)] = false;
+      pages_.insert(brick, known, changed_page_slots_);
+      ++woken;
+    }
+  }
+  dormant_count_ -= woken;
+  makeRoom(static_cast<int>(fresh.size()));
+  std::vector<int> slots;
+  for (const Eigen::Vector3i& brick : fresh) {
+    slots.push_back(takeSlot(brick));
+    pages_.insert(brick, slots.back(), changed_page_slots_);
+    pages_.page(pages_.pageWith(brick)).last_view = view_;
+  }
+  pools_.clear(slots);
+  updateDevice();
+  return static_cast<int>(fresh.size()) + woken;
+}
+
+void BrickMap::makeDormant(std::span<const Eigen::Vector3i> bricks) {
+  holdPagesOf(bricks);
+  for (const Eigen::Vector3i& brick : bricks) {
+    const int slot = index_.slotOf(brick);
+    if (slot == BRICK_NONE) continue;  // of a page that could not be read back
+    SCANTROVE_CHECK(!dormant_[static_cast<std::size_t>(slot)]);
+    dormant_[static_cast<std::size_t>(slot)] = true;
+    pages_.layAside(brick, slot, changed_page_slots_);
+    ++dormant_count_;
+  }
+  updateDevice();
+}
+
+int BrickMap::takeSlot(const Eigen::Vector3i& brick) {
+  int slot = slotEnd();
+  if (free_slots_.empty()) {
+    positions_.push_back(brick);
+    dormant_.push_back(false);
+  } else {
+    slot = free_slots_.top();
+    free_slots_.pop();
+    positions_[static_cast<std::size_t>(slot)] = brick;
+    dormant_[static_cast<std::size_t>(slot)] = false;
+  }
+  changed_entries_.push_back(index_.insert(brick, slot));
+  return slot;
+}
+
+void BrickMap::freeBrick(int slot) {
+  index_.erase(positions_[static_cast<std::size_t>(slot)], changed_entries_);
+  free_slots_.push(slot);
+}
+
+void BrickMap::updateDevice() {
+  table_.update(compute_, index_.entries(), std::exchange(changed_entries_, {}));
+  page_slots_.update(compute_, pages_.pageSlots(), std::exchange(changed_page_slots_, {}));
 }
 
 std::vector<cl_int> BrickMap::slotsInPages(std::span<const int> pages, const ViewFrustum& frustum) const {
@@ -111,6 +158,26 @@ std::vector<cl_int> BrickMap::slotsInPages(std::span<const int> pages, const Vie
       const Eigen::Vector3d brick = (positionOf(slot).cast<double>().array() + 0.5) * size_m;
       if (frustum.meetsSphere(brick, radius_m)) result.push_back(slot);
     }
+  }
+  return result;
+}
+
+std::vector<int> BrickMap::pagesByPosition() const {
+  std::vector<int> pages(static_cast<std::size_t>(pages_.count() - 1));
+  std::iota(pages.begin(), pages.end(), 1);
+  std::ranges::sort(pages, comesBefore, [&](int page) { return pages_.page(page).position; });
+  return pages;
+}
+
+std::vector<Eigen::Vector3i> BrickMap::bricksOfPage(int index) const {
+  const BrickPages::Page& page = pages_.page(index);
+  std::bitset<PAGE_BRICKS> bricks = page.stored;
+  for (const std::vector<int>& slots : {page.slots, page.dormant}) {
+    for (const int slot : slots) bricks.set(localBrick(positionOf(slot)));
+  }
+  std::vector<Eigen::Vector3i> result;
+  for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
+    if (bricks[i]) result.push_back(brickOfPage(page, i));
   }
   return result;
 }

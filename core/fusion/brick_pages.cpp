@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check.h"
 
@@ -26,7 +27,28 @@ Eigen::Vector3i clampedPage(const Eigen::Vector3d& position) {
 
 }  // namespace
 
+std::size_t localBrick(const Eigen::Vector3i& brick) { return localIndex(brick - PAGE_SIDE * pageOf(brick)); }
+
+Eigen::Vector3i brickOfPage(const BrickPages::Page& page, std::size_t local) {
+  const int i = static_cast<int>(local);
+  return PAGE_SIDE * page.position +
+         Eigen::Vector3i(i % PAGE_SIDE, i / PAGE_SIDE % PAGE_SIDE, i / (PAGE_SIDE * PAGE_SIDE));
+}
+
 BrickPages::BrickPages() : pages_(1), page_slots_(PAGE_BRICKS, PAGE_EMPTY_CUBE(PAGE_SHIFT)) {}
+
+int BrickPages::takeBlock() {
+  if (!free_blocks_.empty()) {
+    const int block = free_blocks_.back();
+    free_blocks_.pop_back();
+    return block;
+  }
+  const std::size_t old_size = page_slots_.size();
+  page_slots_.resize(old_size + PAGE_BRICKS);
+  return static_cast<int>(old_size / PAGE_BRICKS);
+}
+
+int BrickPages::pageWith(const Eigen::Vector3i& brick) const { return index_.slotOf(pageOf(brick)); }
 
 void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
   const Eigen::Vector3i position = pageOf(brick);
@@ -34,41 +56,76 @@ void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std:
   if (index == BRICK_NONE) {
     index = static_cast<int>(pages_.size());
     index_.insert(position, index);
-    pages_.push_back({position, {}});
-    page_slots_.resize(page_slots_.size() + PAGE_BRICKS, PAGE_EMPTY_CUBE(PAGE_SHIFT - 1));
+    pages_.emplace_back().position = position;
+  }
+  Page& page = pages_[static_cast<std::size_t>(index)];
+  SCANTROVE_CHECK(!page.record);
+  if (page.block == PAGE_EMPTY) {
+    Cells empty;
+    empty.fill(PAGE_EMPTY_CUBE(PAGE_SHIFT - 1));
+    putBack(index, empty, {}, changed);
   }
   const Eigen::Vector3i local = brick - PAGE_SIDE * position;
-  const std::size_t page_start = static_cast<std::size_t>(index) * PAGE_BRICKS;
-  for (int level = PAGE_SHIFT - 1; level > 0; --level) keepEmptyBelow(level, page_start, local, changed);
-  const std::size_t element = page_start + localIndex(local);
+  const std::size_t block_start = static_cast<std::size_t>(page.block) * PAGE_BRICKS;
+  for (int level = PAGE_SHIFT - 1; level > 0; --level) keepEmptyBelow(level, block_start, local, changed);
+  const std::size_t element = block_start + localIndex(local);
   page_slots_[element] = slot;
   changed.push_back(element);
-  std::vector<int>& slots = pages_[static_cast<std::size_t>(index)].slots;
-  slots.insert(std::upper_bound(slots.begin(), slots.end(), slot), slot);
+  page.slots.insert(std::upper_bound(page.slots.begin(), page.slots.end(), slot), slot);
+  std::erase(page.dormant, slot);
 }
 
-void BrickPages::remove(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
-  const Eigen::Vector3i position = pageOf(brick);
-  const int index = index_.slotOf(position);
+void BrickPages::layAside(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
+  const int index = pageWith(brick);
   SCANTROVE_CHECK(index != BRICK_NONE);
-  std::erase(pages_[static_cast<std::size_t>(index)].slots, slot);
+  Page& page = pages_[static_cast<std::size_t>(index)];
+  std::erase(page.slots, slot);
+  page.dormant.push_back(slot);
   // The bricks around may know of a larger empty cube, but a smaller one is never wrong.
-  const std::size_t element =
-      static_cast<std::size_t>(index) * PAGE_BRICKS + localIndex(brick - PAGE_SIDE * position);
+  const std::size_t element = static_cast<std::size_t>(page.block) * PAGE_BRICKS + localBrick(brick);
   page_slots_[element] = PAGE_EMPTY_CUBE(0);
   changed.push_back(element);
 }
 
+BrickPages::Cells BrickPages::takeOut(int index) {
+  Page& page = pages_[static_cast<std::size_t>(index)];
+  SCANTROVE_CHECK(page.block != PAGE_EMPTY);
+  Cells cells;
+  std::copy_n(page_slots_.begin() + static_cast<std::ptrdiff_t>(page.block) * PAGE_BRICKS, PAGE_BRICKS,
+              cells.begin());
+  free_blocks_.push_back(page.block);
+  page.block = PAGE_EMPTY;
+  page.slots.clear();
+  page.dormant.clear();
+  return cells;
+}
+
+void BrickPages::putBack(int index, const Cells& cells, std::vector<int> dormant,
+                         std::vector<std::size_t>& changed) {
+  Page& page = pages_[static_cast<std::size_t>(index)];
+  SCANTROVE_CHECK(page.block == PAGE_EMPTY);
+  const std::size_t old_size = page_slots_.size();
+  page.block = takeBlock();
+  const std::size_t block_start = static_cast<std::size_t>(page.block) * PAGE_BRICKS;
+  for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
+    page_slots_[block_start + i] = cells[i];
+    if (block_start < old_size) changed.push_back(block_start + i);
+    if (cells[i] >= 0) page.slots.push_back(cells[i]);
+  }
+  std::ranges::sort(page.slots);
+  page.dormant = std::move(dormant);
+}
+
 // The cube of (2^level)^3 bricks around `local` is no longer empty: its empty bricks may claim smaller cubes
 // only.
-void BrickPages::keepEmptyBelow(int level, std::size_t page_start, const Eigen::Vector3i& local,
+void BrickPages::keepEmptyBelow(int level, std::size_t block_start, const Eigen::Vector3i& local,
                                 std::vector<std::size_t>& changed) {
   const int side = 1 << level;
   const Eigen::Vector3i first(local.x() & -side, local.y() & -side, local.z() & -side);
-  if (page_slots_[page_start + localIndex(local)] > PAGE_EMPTY_CUBE(level)) return;
+  if (page_slots_[block_start + localIndex(local)] > PAGE_EMPTY_CUBE(level)) return;
   for (int i = 0; i < side * side * side; ++i) {
     const Eigen::Vector3i offset(i % side, i / side % side, i / (side * side));
-    const std::size_t element = page_start + localIndex(first + offset);
+    const std::size_t element = block_start + localIndex(first + offset);
     page_slots_[element] = PAGE_EMPTY_CUBE(level - 1);
     changed.push_back(element);
   }

@@ -16,7 +16,7 @@ void BrickWindow::set(ComputeContext& compute, const BrickPages& all, std::span<
   host_cells_.assign(cells, PAGE_EMPTY);
   for (const int page : pages) {
     const Eigen::Matrix<std::size_t, 3, 1> p = (all.page(page).position - first).cast<std::size_t>();
-    host_cells_[p.x() + sides.x() * (p.y() + sides.y() * p.z())] = page;
+    host_cells_[p.x() + sides.x() * (p.y() + sides.y() * p.z())] = all.page(page).block;
   }
   if (cells_.size() < cells) cells_ = Buffer<cl_int>(compute.context(), 2 * cells);
   cells_.write(compute.queue(), host_cells_);

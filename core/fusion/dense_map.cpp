@@ -10,7 +10,7 @@ DenseMap::DenseMap(ComputeContext& compute, const FusionParams& params, BrickAll
                    Integrator integrator, Raycaster raycaster)
     : compute_(compute),
       params_(params),
-      bricks_(compute, params.voxel_size_m),
+      bricks_(compute, params.voxel_size_m, brickBudget(params, compute)),
       allocator_(std::move(allocator)),
       integrator_(std::move(integrator)),
       raycaster_(std::move(raycaster)) {}
@@ -30,7 +30,7 @@ void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_w
   const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
   const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
   // What the last frame found empty: by now the device has long answered.
-  bricks_.makeDormant(integrator_.emptySlots());
+  bricks_.makeDormant(integrator_.takeEmptyBricks());
   lookAt(frustum);
   if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum);
   integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
@@ -49,6 +49,7 @@ void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics
 
 void DenseMap::lookAt(const ViewFrustum& frustum) {
   pages_ = bricks_.pages().pagesInView(frustum, BRICK_SIDE * static_cast<double>(bricks_.voxelSize()));
+  bricks_.lookAt(pages_);
   window_.set(compute_, bricks_.pages(), pages_);
 }
 

@@ -17,7 +17,8 @@
 namespace scantrove {
 
 /// The dense map: a truncated signed distance in sparse bricks (Curless and Levoy; thesis 2.2, 3.1). Cost per
-/// frame follows the view, never what was scanned. One thread, the context's.
+/// frame follows the view, never what was scanned. What has no room in the memory budget waits in a file
+/// until a view meets it (BrickMap). One thread, the context's.
 class DenseMap {
  public:
   [[nodiscard]] static Result<std::unique_ptr<DenseMap>> create(ComputeContext& compute,
@@ -37,7 +38,7 @@ class DenseMap {
   DenseMap(ComputeContext& compute, const FusionParams& params, BrickAllocator allocator,
            Integrator integrator, Raycaster raycaster);
 
-  /// Makes `pages_` and `window_` those of a view.
+  /// Makes `pages_` and `window_` those of a view, and its bricks those on the device.
   void lookAt(const ViewFrustum& frustum);
 
   ComputeContext& compute_;

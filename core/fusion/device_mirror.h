@@ -18,14 +18,12 @@ class DeviceMirror {
     if (host.size() > buffer_.size()) {
       buffer_ = Buffer<T>(compute.context(), std::max(host.size(), 2 * buffer_.size()));
       sent_ = 0;
-    } else if (changed.size() > kFewChanges) {
+    } else if (compute.isCpu() ? changed.size() > host.size() / 2 : runsIn(changed) > kFewRuns) {
       sent_ = 0;
     } else if (compute.isCpu()) {
       writeInPlace(compute, host, changed);
     } else {
-      for (const std::size_t i : changed) {
-        compute.queue().enqueueWriteBuffer(buffer_.cl(), CL_FALSE, i * sizeof(T), sizeof(T), &host[i]);
-      }
+      writeRuns(compute, host, changed);
     }
     buffer_.write(compute.queue(), host.subspan(sent_), sent_);
     sent_ = host.size();
@@ -35,7 +33,28 @@ class DeviceMirror {
   [[nodiscard]] const Buffer<T>& buffer() const { return buffer_; }
 
  private:
-  static constexpr std::size_t kFewChanges = 4096;
+  static constexpr std::size_t kFewRuns = 4096;
+
+  /// Where the run of neighbours that starts with changed[first] ends.
+  static std::size_t endOfRun(std::span<const std::size_t> changed, std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < changed.size() && changed[end] == changed[end - 1] + 1) ++end;
+    return end;
+  }
+  static std::size_t runsIn(std::span<const std::size_t> changed) {
+    std::size_t runs = 0;
+    for (std::size_t first = 0; first < changed.size(); first = endOfRun(changed, first)) ++runs;
+    return runs;
+  }
+
+  void writeRuns(ComputeContext& compute, std::span<const T> host, std::span<const std::size_t> changed) {
+    for (std::size_t first = 0, end = 0; first < changed.size(); first = end) {
+      end = endOfRun(changed, first);
+      const std::size_t i = changed[first];
+      compute.queue().enqueueWriteBuffer(buffer_.cl(), CL_FALSE, i * sizeof(T), (end - first) * sizeof(T),
+                                         &host[i]);
+    }
+  }
 
   // The memory is the host's: no copy is made of a mapped buffer.
   void writeInPlace(ComputeContext& compute, std::span<const T> host, std::span<const std::size_t> changed) {

@@ -13,6 +13,9 @@ struct FusionParams {
   /// (Khoshelham and Elberink 2012 measured 0.0014 on a Kinect). Depth filter, tracker and the judgement of
   /// its poses follow from it.
   float depth_noise_m = 0.0015F;
+  /// Device memory of the map, in MiB; beyond it, what is out of view goes to disk. 0: a quarter of the
+  /// machine's memory.
+  int memory_budget_mb = 0;
   int working_width = 320;  ///< width of V_t and N_t, and of tracking and segmentation
 };
 

@@ -32,9 +32,9 @@ Result<Integrator> Integrator::create(ComputeContext& compute, const FusionParam
 
 void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
                            const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera) {
-  slots_.assign(slots.begin(), slots.end());
-  if (slots.empty()) return;
   host_bricks_.clear();
+  first_brick_ = window.firstBrick();
+  if (slots.empty()) return;
   for (const cl_int slot : slots) {
     const Eigen::Vector3i brick = map.positionOf(slot) - window.firstBrick();
     host_bricks_.push_back({{brick.x(), brick.y(), brick.z(), slot}});
@@ -68,13 +68,15 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
                            max_weight, map.voxels(), empty_);
 }
 
-std::vector<cl_int> Integrator::emptySlots() {
-  std::vector<cl_uchar> empty(slots_.size());
+std::vector<Eigen::Vector3i> Integrator::takeEmptyBricks() {
+  std::vector<cl_uchar> empty(host_bricks_.size());
   empty_.read(compute_->queue(), std::span<cl_uchar>(empty));
-  std::vector<cl_int> result;
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (empty[i] != 0) result.push_back(slots_[i]);
+  std::vector<Eigen::Vector3i> result;
+  for (std::size_t i = 0; i < host_bricks_.size(); ++i) {
+    const cl_int4& brick = host_bricks_[i];
+    if (empty[i] != 0) result.push_back(first_brick_ + Eigen::Vector3i(brick.s[0], brick.s[1], brick.s[2]));
   }
+  host_bricks_.clear();
   return result;
 }
 

@@ -21,9 +21,9 @@ class Integrator {
   void integrate(BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
                  const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
 
-  /// Those of the slots of the last call that hold nothing but free space, by what its frame showed and by
-  /// what was there before.
-  [[nodiscard]] std::vector<cl_int> emptySlots();
+  /// Those of the bricks of the last call that hold nothing but free space, by what its frame showed and by
+  /// what was there before. Said once.
+  [[nodiscard]] std::vector<Eigen::Vector3i> takeEmptyBricks();
 
  private:
   Integrator(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}
@@ -36,7 +36,7 @@ class Integrator {
   Buffer<cl_int4> bricks_;
   Buffer<cl_float2> readings_;
   Buffer<cl_uchar> empty_;
-  std::vector<cl_int> slots_;
+  Eigen::Vector3i first_brick_ = Eigen::Vector3i::Zero();  // of the window; host_bricks_ count from there
   std::vector<cl_int4> host_bricks_;
 };
 

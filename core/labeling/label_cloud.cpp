@@ -1,7 +1,8 @@
 #include "core/labeling/label_cloud.h"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "core/compute/kernel_types.h"
@@ -30,12 +31,11 @@ Result<void> LabelCloud::buildKernels() {
 }
 
 std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
-  fitPools(bricks);
   const int pixels = surface.K.pixels();
   fit(projected_, static_cast<std::size_t>(pixels));
   project_labels_.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
-                         surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(), labels_,
-                         1.0F / bricks.voxelSize(), projected_);
+                         surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(),
+                         bricks.labels(), 1.0F / bricks.voxelSize(), projected_);
   std::vector<FragmentId> result(static_cast<std::size_t>(pixels));
   static_assert(sizeof(FragmentId) == sizeof(cl_uint));
   projected_.read(compute_.queue(), {reinterpret_cast<cl_uint*>(result.data()), result.size()});
@@ -53,12 +53,16 @@ void LabelCloud::fitFragments(std::uint32_t highest) {
   if (fragment_voxels_host_.size() < needed) fragment_voxels_host_.resize(needed, 0);
 }
 
-std::span<const cl_int> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
-                                           std::span<const FragmentId> carved, const LabelingParams& params,
-                                           BrickMap& bricks) {
-  const float reach = params.update_distance_vox * bricks.voxelSize();
-  makeMissingBricks(surface, reach, bricks);
-  fitPools(bricks);
+std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
+                                                    std::span<const FragmentId> carved,
+                                                    const LabelingParams& params, BrickMap& map) {
+  const float reach = params.update_distance_vox * map.voxelSize();
+  makeMissingBricks(surface, reach, map);
+  if (const auto slots = static_cast<std::size_t>(std::max(1, map.slotEnd())); stamps_.size() < slots) {
+    fit(stamps_, slots);
+    fit(touched_, slots);
+    stamps_.fill(compute_.queue(), -1);
+  }
   new_labels_host_.resize(merged.fragments.size());
   std::uint32_t highest = 0;
   std::ranges::transform(merged.fragments, new_labels_host_.begin(), [&](FragmentId fragment) {
@@ -73,91 +77,111 @@ std::span<const cl_int> LabelCloud::update(const SurfaceMaps& surface, const Reg
   ++stamp_;
   const Intrinsics& K = surface.K;
   update_labels_.launch(cl::NDRange(static_cast<std::size_t>(K.pixels())), cl::NDRange(64),
-                        surface.vertices_world, new_labels_, bricks.table(), bricks.tableMask(),
+                        surface.vertices_world, new_labels_, map.table(), map.tableMask(),
                         toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
-                        cl_int{K.width}, cl_int{K.height}, bricks.voxelSize(), reach,
-                        static_cast<cl_int>(params.voxel_confidence ? 1 : 0), cl_int{stamp_}, labels_,
+                        cl_int{K.width}, cl_int{K.height}, map.voxelSize(), reach,
+                        static_cast<cl_int>(params.voxel_confidence ? 1 : 0), cl_int{stamp_}, map.labels(),
                         fragment_voxels_, stamps_, count_, touched_);
   cl_int count = 0;
   count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
-  touched_host_.resize(static_cast<std::size_t>(count));
-  touched_.read(compute_.queue(), std::span<cl_int>(touched_host_));
+  touched_slots_.resize(static_cast<std::size_t>(count));
+  touched_.read(compute_.queue(), std::span<cl_int>(touched_slots_));
+  // Slots may be others' by the time that somebody asks.
+  touched_bricks_.clear();
+  for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.positionOf(slot));
   fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
-  return touched_host_;
+  return touched_bricks_;
 }
 
-LabelCloud::Extract LabelCloud::extract(std::span<const cl_int> slots, const BrickMap& bricks,
+LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map,
                                         float truncation_vox) {
-  // Bricks that no update has reached have no labels; that may be so for good when memory ran out.
-  std::vector<cl_int> labelled;
-  std::ranges::copy_if(slots, std::back_inserter(labelled),
-                       [this](cl_int slot) { return slot < positions_known_; });
-  Extract result;
-  if (labelled.empty()) {
-    result.first.assign(slots.size() + 1, 0);
-    return result;
-  }
-  fit(listed_, labelled.size());
-  fit(offsets_, labelled.size());
-  fit(points_, 1);
-  listed_.write(compute_.queue(), labelled);
-  const auto run = [&](int write) {
-    const auto band = static_cast<cl_int>(32767.0F / truncation_vox);
-    extract_points_.launch(cl::NDRange(labelled.size()), cl::NDRange(8), listed_,
-                           static_cast<cl_int>(labelled.size()), positions_, bricks.voxels(), labels_,
-                           bricks.voxelSize(), band, cl_int{write}, offsets_, points_);
+  // First all that are here; then, page by page, those in the file, through pools of their own.
+  Extract found;
+  std::vector<cl_int4> listed;
+  std::vector<std::size_t> order;  // brick of `found`, as it was asked for
+  std::map<int, std::vector<std::size_t>> in_file;
+  const auto list = [&](std::size_t i, int slot) {
+    listed.push_back({{bricks[i].x(), bricks[i].y(), bricks[i].z(), slot}});
+    order.push_back(i);
   };
-  run(0);
-  std::vector<cl_int> offsets(labelled.size());
-  offsets_.read(compute_.queue(), std::span<cl_int>(offsets));
-  cl_int total = 0;
-  for (cl_int& entry : offsets) total += std::exchange(entry, total);
-  auto next = offsets.begin();
-  for (const cl_int slot : slots) {
-    result.first.push_back(static_cast<std::uint32_t>(next == offsets.end() ? total : *next));
-    if (slot < positions_known_) ++next;
+  for (std::size_t i = 0; i < bricks.size(); ++i) {
+    if (const int slot = map.slotOf(bricks[i]); slot != BRICK_NONE) {
+      list(i, slot);
+    } else if (const int page = map.pages().pageWith(bricks[i]); page != BRICK_NONE) {
+      in_file[page].push_back(i);
+    }
   }
-  result.first.push_back(static_cast<std::uint32_t>(total));
-  result.points.resize(static_cast<std::size_t>(total));
-  if (total == 0) return result;
-  fit(points_, result.points.size());
-  offsets_.write(compute_.queue(), offsets);
-  run(1);
-  points_.read(compute_.queue(), std::span<LabelPoint>(result.points));
+  extractListed(listed, map.voxels(), map.labels(), map.voxelSize(), truncation_vox, found);
+  for (const auto& [page, asked] : in_file) {
+    const std::vector<Eigen::Vector3i> in_page = map.bricksOfPage(page);
+    const std::optional<StoredPage> stored = map.readStored(page);
+    if (!stored) continue;
+    listed.clear();
+    for (const std::size_t i : asked) {
+      const auto place = std::ranges::find(in_page, bricks[i]);
+      if (place != in_page.end()) list(i, static_cast<int>(place - in_page.begin()));
+    }
+    fit(stored_voxels_, stored->voxels.size());
+    fit(stored_labels_, stored->labels.size());
+    stored_voxels_.write(compute_.queue(), stored->voxels);
+    stored_labels_.write(compute_.queue(), stored->labels);
+    extractListed(listed, stored_voxels_, stored_labels_, map.voxelSize(), truncation_vox, found);
+  }
+  found.first.push_back(static_cast<std::uint32_t>(found.points.size()));
+  if (in_file.empty() && order.size() == bricks.size()) return found;
+
+  std::vector<std::size_t> place(bricks.size(), order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = k;
+  Extract result;
+  result.points.reserve(found.points.size());
+  for (const std::size_t k : place) {
+    result.first.push_back(static_cast<std::uint32_t>(result.points.size()));
+    if (k == order.size()) continue;  // there is no such brick
+    result.points.insert(result.points.end(), found.points.begin() + found.first[k],
+                         found.points.begin() + found.first[k + 1]);
+  }
+  result.first.push_back(static_cast<std::uint32_t>(result.points.size()));
   return result;
 }
 
-void LabelCloud::fitPools(const BrickMap& bricks) {
-  const auto capacity = static_cast<std::size_t>(bricks.slotCapacity());
-  if (stamps_.size() < capacity) {
-    Buffer<cl_uint> labels(compute_.context(), capacity * BRICK_VOXELS);
-    if (labels_.size() > 0) {
-      compute_.queue().enqueueCopyBuffer(labels_.cl(), labels.cl(), 0, 0, labels_.size() * sizeof(cl_uint));
-    }
-    labels.fill(compute_.queue(), 0U, labels_.size(), labels.size() - labels_.size());
-    labels_ = labels;
-    stamps_ = Buffer<cl_int>(compute_.context(), capacity);
-    stamps_.fill(compute_.queue(), -1);
-    touched_ = Buffer<cl_int>(compute_.context(), capacity);
-    positions_ = Buffer<cl_int4>(compute_.context(), capacity);
-    positions_known_ = 0;
+void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<TsdfVoxel>& voxels,
+                               const Buffer<cl_uint>& labels, float voxel_size_m, float truncation_vox,
+                               Extract& extract) {
+  if (listed.empty()) return;
+  fit(listed_, listed.size());
+  fit(offsets_, listed.size());
+  fit(points_, 1);
+  listed_.write(compute_.queue(), listed);
+  const auto run = [&](int write) {
+    const auto band = static_cast<cl_int>(32767.0F / truncation_vox);
+    extract_points_.launch(cl::NDRange(listed.size()), cl::NDRange(8), listed_,
+                           static_cast<cl_int>(listed.size()), voxels, labels, voxel_size_m, band,
+                           cl_int{write}, offsets_, points_);
+  };
+  run(0);
+  std::vector<cl_int> offsets(listed.size());
+  offsets_.read(compute_.queue(), std::span<cl_int>(offsets));
+  const auto before = static_cast<std::uint32_t>(extract.points.size());
+  cl_int total = 0;
+  for (cl_int& entry : offsets) {
+    extract.first.push_back(before + static_cast<std::uint32_t>(total));
+    total += std::exchange(entry, total);
   }
-  std::vector<cl_int4> fresh;
-  for (int slot = positions_known_; slot < bricks.brickCount(); ++slot) {
-    const Eigen::Vector3i& position = bricks.positionOf(slot);
-    fresh.push_back({{position.x(), position.y(), position.z(), 0}});
-  }
-  positions_.write(compute_.queue(), fresh, static_cast<std::size_t>(positions_known_));
-  positions_known_ = bricks.brickCount();
+  if (total == 0) return;
+  fit(points_, static_cast<std::size_t>(total));
+  offsets_.write(compute_.queue(), offsets);
+  run(1);
+  extract.points.resize(before + static_cast<std::size_t>(total));
+  points_.read(compute_.queue(), std::span<LabelPoint>(extract.points).subspan(before));
 }
 
-void LabelCloud::makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& bricks) {
+void LabelCloud::makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& map) {
   const int pixels = surface.K.pixels();
   for (;;) {
     count_.fill(compute_.queue(), 0);
     list_uncovered_bricks_.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
-                                  surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(),
-                                  reach, 1.0F / (bricks.voxelSize() * BRICK_SIDE), count_, missing_,
+                                  surface.vertices_world, cl_int{pixels}, map.table(), map.tableMask(), reach,
+                                  1.0F / (map.voxelSize() * BRICK_SIDE), count_, missing_,
                                   cl_int{kMissingCapacity});
     cl_int count = 0;
     count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
@@ -167,7 +191,7 @@ void LabelCloud::makeMissingBricks(const SurfaceMaps& surface, float reach, Bric
     std::vector<Eigen::Vector3i> wanted;
     for (const cl_int4& m : missing) wanted.emplace_back(m.s[0], m.s[1], m.s[2]);
     sortBricks(wanted);
-    bricks.allocate(wanted);
+    map.allocate(wanted);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "core/fusion/brick_budget.h"
 #include "core/fusion/kernels/brick_layout.h"
 
 namespace scantrove {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr double kPoolBytes =
     BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // of a brick, as its labels
-constexpr double kGrowingPools = 2.5;  // two pools, and half of one beside it while it doubles
-constexpr double kFirstBricks = 1 << 14;
 constexpr double kGigabyte = 1e9;
 
 template <class... Parts>
@@ -27,16 +26,6 @@ std::string text(int decimals, const Parts&... parts) {
 double tenthsUp(double value) { return std::ceil(10 * value - 1e-9) / 10; }
 
 }  // namespace
-
-double bricksThatFit(const DeviceMemory& memory) {
-  double bricks = kFirstBricks;
-  const auto fits = [&](double count) {
-    return count * kPoolBytes <= static_cast<double>(memory.largest_buffer_bytes) &&
-           kGrowingPools * count * kPoolBytes <= static_cast<double>(memory.total_bytes);
-  };
-  while (fits(2 * bricks)) bricks *= 2;
-  return bricks;
-}
 
 double bricksOfOneView(const FusionParams& params, const Intrinsics& K) {
   const double depth_m = params.max_depth_m;

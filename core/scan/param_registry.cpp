@@ -85,6 +85,9 @@ std::vector<ParamInfo> makeRegistry() {
       number("fusion.max_depth_m", f, &F::max_depth_m, "m", 0.2, 20, "farther readings are ignored"),
       number("fusion.depth_noise_m", f, &F::depth_noise_m, "m", 0.0001, 0.02,
              "standard deviation of the camera's depth at 1 m (it grows with the depth squared)"),
+      number("fusion.memory_budget_mb", f, &F::memory_budget_mb, "MiB", 0, 1000000,
+             "device memory of the map; beyond it, what is out of view goes to disk (0: a quarter of the "
+             "machine's)"),
       number("fusion.working_width", f, &F::working_width, "px", 40, 1920,
              "width of V_t and N_t: tracking and segmentation run at this size"),
       number("segmentation.k", s, &S::k, "", 1e-6, 10, "larger k, larger segments (eq. 3.4)"),

@@ -58,7 +58,10 @@ Json reportToJson(const ScanReport& report) {
           {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
           {"stages", stagesToJson(report.stages)},
           {"peak_memory_mb", report.peak_memory_mb},
-          {"map", {{"bricks", report.map_bricks}, {"megabytes", report.map_megabytes}}},
+          {"map",
+           {{"bricks", report.map_bricks},
+            {"megabytes", report.map_megabytes},
+            {"disk_megabytes", report.map_disk_megabytes}}},
           {"regions", report.regions},
           {"slivers", report.slivers},
           {"objects", objectsToJson(report.objects)}};

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <unordered_map>
+#include <utility>
 
 #include "core/labeling/region_partition.h"
 #include "core/scan/guarded.h"
@@ -13,8 +13,9 @@
 
 namespace scantrove {
 namespace {
-/// Bricks that are read out at a time: bounds what the whole cloud takes on the device.
-constexpr int kBricksAtATime = 1024;
+/// Bricks that are read out at a time, and at most a page more: bounds what the whole cloud takes on the
+/// device.
+constexpr std::size_t kBricksAtATime = 1024;
 
 PoseEstimate givenPose(const RgbdFrame& frame) {
   PoseEstimate pose;
@@ -86,7 +87,7 @@ Error ScanPipeline::outOfMemory(int frame_index) const {
   std::ostringstream voxels;
   voxels << voxelSizeFor(times, params_.fusion.voxel_size_m);
   return {"The OpenCL device " + compute_.deviceName() + " ran out of memory in frame " +
-              std::to_string(frame_index) + ", with " + std::to_string(bricks().brickCount()) +
+              std::to_string(frame_index) + ", with " + std::to_string(bricks().bricksHere()) +
               " bricks of map.",
           "What was scanned until then is kept. Scan " +
               std::string(frame_count_ ? "the whole recording" : "twice as much") +
@@ -246,7 +247,7 @@ void ScanPipeline::setParams(const ScanParams& params) {
   if (collector_) collector_->setParams(params_.detection);
 }
 
-std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes() + cloud_->deviceBytes(); }
+std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes(); }
 
 Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera) {
   return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
@@ -280,22 +281,26 @@ ScanPipeline::RegionCount ScanPipeline::regionCount() const {
   return count;
 }
 
-Result<LabelCloud::Extract> ScanPipeline::extractCloud(std::span<const cl_int> slots) {
+Result<LabelCloud::Extract> ScanPipeline::extractCloud(std::span<const Eigen::Vector3i> bricks) {
   return guarded("reading out the label cloud", [&]() -> Result<LabelCloud::Extract> {
-    return cloud_->extract(slots, map_->bricks(), params_.fusion.truncation_vox);
+    return cloud_->extract(bricks, map_->bricks(), params_.fusion.truncation_vox);
   });
 }
 
 Result<void> ScanPipeline::forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit) {
-  const int count = bricks().brickCount();
-  for (int first = 0; first < count; first += kBricksAtATime) {
-    std::vector<cl_int> slots(static_cast<std::size_t>(std::min(kBricksAtATime, count - first)));
-    std::iota(slots.begin(), slots.end(), first);
-    const Result<LabelCloud::Extract> extract = extractCloud(slots);
+  std::vector<Eigen::Vector3i> batch;
+  const auto visitBatch = [&]() -> Result<void> {
+    const Result<LabelCloud::Extract> extract = extractCloud(std::exchange(batch, {}));
     if (!extract) return fail(extract.error());
     for (const LabelPoint& point : extract->points) visit(point);
+    return {};
+  };
+  for (const int page : bricks().pagesByPosition()) {
+    const std::vector<Eigen::Vector3i> in_page = bricks().bricksOfPage(page);
+    batch.insert(batch.end(), in_page.begin(), in_page.end());
+    if (batch.size() >= kBricksAtATime) SCANTROVE_TRY(visitBatch());
   }
-  return {};
+  return visitBatch();
 }
 
 }  // namespace scantrove

@@ -79,6 +79,8 @@ class ScanPipeline {
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
   [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
+  /// Why a part of the map could not be written to disk, or not be read back, since the last call.
+  [[nodiscard]] std::optional<Error> takeMapFailure() { return map_->bricks().takeFailure(); }
   [[nodiscard]] const RegionTable& regionTable() const { return table_; }
   /// Fragments whose region changed since the last call.
   [[nodiscard]] std::vector<RegionChange> takeRegionChanges();
@@ -101,10 +103,10 @@ class ScanPipeline {
   [[nodiscard]] RegionCount regionCount() const;
 
   /// Bricks whose labels the last frame may have changed.
-  [[nodiscard]] std::span<const cl_int> touchedSlots() const { return touched_; }
-  /// Labelled voxels near the surface in some bricks. Error: the device failed.
-  [[nodiscard]] Result<LabelCloud::Extract> extractCloud(std::span<const cl_int> slots);
-  /// The same of the whole map, point by point, in the order of the bricks.
+  [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }
+  /// Labelled voxels near the surface in some bricks, wherever they are. Error: the device failed.
+  [[nodiscard]] Result<LabelCloud::Extract> extractCloud(std::span<const Eigen::Vector3i> bricks);
+  /// The same of the whole map, point by point, in an order that only depends on where they are.
   [[nodiscard]] Result<void> forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit);
 
  private:
@@ -150,7 +152,7 @@ class ScanPipeline {
 
   SurfaceMaps surface_;   // V_t, N_t of the last usable frame
   SurfaceMaps followed_;  // what of it the camera is followed by
-  std::span<const cl_int> touched_;
+  std::span<const Eigen::Vector3i> touched_;
   std::vector<Eigen::Vector3f> color_lab_;
   int frames_ = 0;  // given to processFrame
 };

@@ -31,9 +31,10 @@ struct ScanReport {
   std::vector<Kernel> kernels;  ///< the dearest first; empty unless profiled
   double peak_memory_mb = 0;
   int map_bricks = 0;
-  double map_megabytes = 0;
-  int regions = 0;  ///< of at least kSliverVoxels voxels
-  int slivers = 0;  ///< smaller ones
+  double map_megabytes = 0;       ///< device memory, MiB
+  double map_disk_megabytes = 0;  ///< of the part that is on disk, compressed, MiB
+  int regions = 0;                ///< of at least kSliverVoxels voxels
+  int slivers = 0;                ///< smaller ones
   struct Object {
     ObjectId id;
     std::string name;

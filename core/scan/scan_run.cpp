@@ -83,6 +83,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   frame_ms_.push_back(millisecondsSince(start));
   count(*result, frame.index);
   announce(result->objects);
+  announceMapFailure();
   if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
   snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
   return {};
@@ -117,6 +118,10 @@ void ScanRun::announce(const FrameObjects& objects) {
   if (objects.catalogue_failure) listener_(CatalogueFailed{*objects.catalogue_failure});
 }
 
+void ScanRun::announceMapFailure() {
+  if (const std::optional<Error> failure = pipeline_->takeMapFailure()) listener_(MapFailed{*failure});
+}
+
 void ScanRun::followCatalogue() {
   if (const Result<void> followed = pipeline_->followCatalogue(); !followed) {
     listener_(CatalogueFailed{followed.error()});
@@ -147,6 +152,7 @@ Result<ScanReport> ScanRun::finish() {
   FirstError outcome;
   ScanReport report = makeReport();
   if (output_) outcome.note(output_->finish(*pipeline_, report));
+  announceMapFailure();
   outcome.note(database_->endSession(session_));
   SCANTROVE_TRY(outcome.result());
   return report;
@@ -175,6 +181,7 @@ ScanReport ScanRun::makeReport() {
   report.peak_memory_mb = peakMemoryMegabytes();
   report.map_bricks = pipeline_->bricks().brickCount();
   report.map_megabytes = static_cast<double>(pipeline_->deviceBytes()) / (1 << 20);
+  report.map_disk_megabytes = static_cast<double>(pipeline_->bricks().storedBytes()) / (1 << 20);
   const ScanPipeline::RegionCount regions = pipeline_->regionCount();
   report.regions = regions.regions;
   report.slivers = regions.slivers;

@@ -61,6 +61,7 @@ class ScanRun {
   void skip(const FrameRead& read);
   void count(const FrameResult& result, int frame_index);
   void announce(const FrameObjects& objects);
+  void announceMapFailure();
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   [[nodiscard]] ScanReport makeReport();
 

@@ -55,6 +55,9 @@ struct ObjectsMerged {
 struct CatalogueFailed {
   Error error;
 };  ///< the catalogue cannot be read or written for now; the scan goes on
+struct MapFailed {
+  Error error;
+};  ///< a part of the map cannot be written to disk for now, or not be read back; the scan goes on
 struct FrameSkipped {
   int frame_index;
   Error error;
@@ -65,8 +68,9 @@ struct ScanFailed {
 struct ScanFinished {
   ScanReport report;
 };
-using ScanEvent = std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
-                               ObjectsMerged, CatalogueFailed, FrameSkipped, ScanFailed, ScanFinished>;
+using ScanEvent =
+    std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
+                 CatalogueFailed, MapFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device, pipeline and its database connection.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.

@@ -57,11 +57,8 @@ void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, Fr
     trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
     last_seen_ = frame.color;
   }
-  is_waiting_.resize(static_cast<std::size_t>(pipeline.bricks().brickCount()), false);
-  for (const cl_int slot : pipeline.touchedSlots()) {
-    if (is_waiting_[static_cast<std::size_t>(slot)]) continue;
-    is_waiting_[static_cast<std::size_t>(slot)] = true;
-    waiting_slots_.push_back(slot);
+  for (const Eigen::Vector3i& brick : pipeline.touchedBricks()) {
+    if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
   }
   frame_ = std::move(frame);
   result_ = std::move(result);
@@ -115,21 +112,21 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
 
 Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
                                                ScanSnapshot& snapshot) {
-  const auto count = static_cast<std::ptrdiff_t>(std::min(most_bricks, waiting_slots_.size()));
-  const std::vector<cl_int> slots(waiting_slots_.begin(), waiting_slots_.begin() + count);
-  const Result<LabelCloud::Extract> extract = pipeline.extractCloud(slots);
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most_bricks, waiting_.size()));
+  const std::vector<Eigen::Vector3i> bricks(waiting_.begin(), waiting_.begin() + count);
+  const Result<LabelCloud::Extract> extract = pipeline.extractCloud(bricks);
   if (!extract) return fail(extract.error());
-  waiting_slots_.erase(waiting_slots_.begin(), waiting_slots_.begin() + count);
+  waiting_.erase(waiting_.begin(), waiting_.begin() + count);
   // What a snapshot that was never collected held goes with this one.
   if (const auto uncollected = mailbox_.collect()) {
     snapshot.changed_bricks = uncollected->changed_bricks;
     snapshot.changed_regions = uncollected->changed_regions;
   }
   ++version_;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    is_waiting_[static_cast<std::size_t>(slots[i])] = false;
+  for (std::size_t i = 0; i < bricks.size(); ++i) {
+    is_waiting_.erase(bricks[i]);
     CloudBrick brick;
-    brick.position = pipeline.bricks().positionOf(slots[i]);
+    brick.position = bricks[i];
     brick.version = version_;
     for (std::uint32_t p = extract->first[i]; p < extract->first[i + 1]; ++p) {
       const LabelPoint& point = extract->points[p];

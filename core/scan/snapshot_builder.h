@@ -2,6 +2,7 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/latest_value.h"
@@ -50,8 +51,8 @@ class SnapshotBuilder {
   FrameResult result_;
   cv::Mat last_seen_;  // colour image of the last frame with a pose
   std::vector<Eigen::Vector3f> trail_;
-  std::deque<cl_int> waiting_slots_;
-  std::vector<bool> is_waiting_;                                   // by slot
+  std::deque<Eigen::Vector3i> waiting_;                            // bricks, by position: slots change hands
+  std::unordered_set<Eigen::Vector3i, BrickHash> is_waiting_;      // the same
   std::uint64_t version_ = 0;                                      // of the bricks that are sent
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
   std::chrono::steady_clock::time_point last_post_;

@@ -40,6 +40,10 @@ struct FilmSet {
 /// and back.
 [[nodiscard]] FilmSet makeWallSet();
 
+/// A corridor with doors, pillars, pictures, cupboards and parcels, along which the camera walks 60 m at 0.75
+/// m/s; 2400 frames. Much more than is in view at any time.
+[[nodiscard]] FilmSet makeCorridorSet();
+
 /// A room of its own for every seed: 2 - 4 walls with furniture, doors, curtains and pillars, rugs, clutter
 /// on the floor, on tables and in shelves, stacked, leaning and touching; 300 frames along the walls.
 [[nodiscard]] FilmSet makeRandomRoomSet(std::uint32_t seed);

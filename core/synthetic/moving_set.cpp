@@ -11,8 +11,8 @@
 namespace scantrove::synthetic {
 namespace {
 
-constexpr int kFrames = 420;
-constexpr int kRooms = 30;        // tried until everything finds its place
+constexpr int kMovingFrames = 420;
+constexpr int kRoomsToTry = 30;   // tried until everything finds its place
 constexpr double kLane_m = -0.5;  // where the walker walks, along x
 constexpr double kOutOfSight_m = 2.0;
 constexpr double kMugHeld_m = 0.05;  // above the mug's foot
@@ -28,27 +28,27 @@ struct Stage {
   std::size_t chair = 0, chair_parts = 0;
 };
 
-Thing noShadow(Thing thing) {
+Thing withoutShadow(Thing thing) {
   for (SyntheticScene::Part& part : thing.parts) part.material.casts_shadow = false;
   return thing;
 }
 
-Thing makeMug(HashStream& random) {
+Thing makePlainMug(HashStream& random) {
   SyntheticScene scene;
   addMug(scene, "mug", {}, randomGlaze(random));
-  return noShadow(Thing(std::move(scene), true));
+  return withoutShadow(Thing(std::move(scene), true));
 }
 
-Thing makeChair(HashStream& random) {
+Thing makePlainChair(HashStream& random) {
   SyntheticScene scene;
   const Material frame = randomWood(random);
   const Material cushion = randomFabric(random);
   addChair(scene, "chair", {}, frame, cushion);
-  return noShadow(Thing(std::move(scene)));
+  return withoutShadow(Thing(std::move(scene)));
 }
 
 /// Back wall, table with things and the mug, and the chair beside it. False: something found no place.
-bool build(HashStream& random, Stage& stage) {
+bool buildStage(HashStream& random, Stage& stage) {
   Layout& layout = stage.layout;
   stage.side = random.sign();
   const Shell shell{5.2, random.uniform(2.6, 2.9)};
@@ -68,14 +68,14 @@ bool build(HashStream& random, Stage& stage) {
   const double second = first + stage.side * random.uniform(0.35, 0.5);
   stage.mug_from = {first, front + random.uniform(0, 0.04), top.z};
   stage.mug_to = {second, front + random.uniform(0, 0.04), top.z};
-  Thing mug = makeMug(random);
+  Thing mug = makePlainMug(random);
   stage.mug = layout.scene.parts().size();
   if (!layout.put(mug, stage.mug_from.x(), stage.mug_from.y(), top.z, random.uniform(0, 360))) return false;
   stage.mug_parts = layout.scene.parts().size() - stage.mug;
   const double middle = (first + second) / 2;
   layout.fill({{{middle, front + 0.02}, {std::abs(second - first) / 2 + 0.08, 0.1}, 0, 0}, top.z, 2}, 0);
 
-  Thing chair = makeChair(random);
+  Thing chair = makePlainChair(random);
   stage.chair_at = {stage.side * (size.x() / 2 + random.uniform(0.33, 0.42)), kLane_m + 0.6, 0};
   stage.chair = layout.scene.parts().size();
   if (!layout.put(chair, stage.chair_at.x(), stage.chair_at.y(), 0, random.uniform(-20, 20))) return false;
@@ -94,7 +94,7 @@ bool build(HashStream& random, Stage& stage) {
   return true;
 }
 
-void move(HashStream& random, const Stage& stage, FilmSet& set) {
+void setInMotion(HashStream& random, const Stage& stage, FilmSet& set) {
   // Past the table, and later back again.
   const double speed = random.uniform(0.6, 0.75);
   const double way_s = 2 * kOutOfSight_m / speed;
@@ -135,7 +135,7 @@ void move(HashStream& random, const Stage& stage, FilmSet& set) {
 }
 
 /// Before the walker's lane, looking over the table: from the chair to the other side and back.
-CameraPath makePath(HashStream& random, double side) {
+CameraPath makePathOverTable(HashStream& random, double side) {
   const double away = random.uniform(-1.4, -1.3);
   const double height = random.uniform(1.2, 1.35);
   std::vector<Gaze> points;
@@ -151,14 +151,14 @@ CameraPath makePath(HashStream& random, double side) {
 }  // namespace
 
 FilmSet makeRandomMovingSet(std::uint32_t seed) {
-  FilmSet set{.name = "moving " + std::to_string(seed), .scene = {}, .path = {}, .frames = kFrames};
-  for (std::uint32_t room = 0; room < kRooms; ++room) {
+  FilmSet set{.name = "moving " + std::to_string(seed), .scene = {}, .path = {}, .frames = kMovingFrames};
+  for (std::uint32_t room = 0; room < kRoomsToTry; ++room) {
     HashStream random(seed, 3000 + room);
     Stage stage;
-    if (!build(random, stage)) continue;
+    if (!buildStage(random, stage)) continue;
     set.scene = std::move(stage.layout.scene);
-    move(random, stage, set);
-    set.path = makePath(random, stage.side);
+    setInMotion(random, stage, set);
+    set.path = makePathOverTable(random, stage.side);
     break;
   }
   set.lit_centre = {0, 0.3, 0.4};

@@ -29,6 +29,7 @@ constexpr Demo kDemos[] = {
     {"room", synthetic::makeRoomSet, synthetic::makeRandomRoomSet},
     {"sweep", [] { return synthetic::makeRandomSweepSet(1); }, synthetic::makeRandomSweepSet},
     {"wall", synthetic::makeWallSet, nullptr},
+    {"corridor", synthetic::makeCorridorSet, nullptr},
     {"moving", [] { return synthetic::makeRandomMovingSet(1); }, synthetic::makeRandomMovingSet}};
 
 /// Metres to 16-bit units; 0 where there is no reading or it does not fit.
@@ -185,10 +186,11 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.set = demo->set;
   }
   if (demo == std::end(kDemos) || !applyModes(options, *demo, modes)) {
-    return fail(fmt::format("There is no demo scene '{}'.", scene),
-                "Choose tabletop, room, sweep, wall or moving; add :7 for the random scene of that seed "
-                "(not of wall), :uneven for bumps on its "
-                "surfaces, :exact for depth without noise.");
+    return fail(
+        fmt::format("There is no demo scene '{}'.", scene),
+        "Choose tabletop, room, sweep, moving, wall or corridor; add :7 for the random scene of that "
+        "seed (not of wall and corridor), :uneven for bumps on its surfaces, :exact for depth without "
+        "noise.");
   }
   options.start = given.start;
   options.stride = given.stride;

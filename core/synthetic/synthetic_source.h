@@ -41,10 +41,10 @@ class SyntheticSource : public FrameSource {
 /// Error: no frame is left, or the intrinsics are not those of a camera.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
-/// `scene`: "tabletop" (also ""), "room", "sweep", "wall" or "moving". With ":7" appended, the random scene of that seed; with ":exact",
-/// without noise; with ":uneven", with bumps on its surfaces; in any order. Intrinsics given in `options` are
-/// those the scene is filmed with (640 x 480 stays, of colour too). Error: names the scene and those there
-/// are.
+/// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "wall" or "corridor". With ":7" appended, the
+/// random scene of that seed; with ":exact", without noise; with ":uneven", with bumps on its surfaces; in
+/// any order. Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays, of colour
+/// too). Error: names the scene and those there are.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 

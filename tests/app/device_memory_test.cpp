@@ -23,13 +23,32 @@ TEST(DeviceMemory, AMapThatCannotFitIsRefusedWithWhatWouldFit) {
   EXPECT_FALSE(fs::exists(folder / "out/report.json"));
 }
 
+/// More map than the device has room for.
+std::vector<std::string> largeScan(const fs::path& out) {
+  return {"scan",    "demo:room", "--stride", "10", "--frames", "40",
+          "--poses", "given",     "--out",    out,  "--set",    "fusion.voxel_size_m=0.0027"};
+}
+
+TEST(DeviceMemory, WhatTheDeviceHasNoRoomForGoesToDisk) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "out";
+  const Finished run = scantrove(largeScan(out), kSmallDevice);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto report = nlohmann::json::parse(readText(out / "report.json"), nullptr, false);
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(report["frames"]["read"], 40);
+  EXPECT_LT(report["map"]["megabytes"], 1024);
+  EXPECT_GT(report["map"]["disk_megabytes"], 1);
+}
+
 TEST(DeviceMemory, RunningOutInTheMiddleKeepsWhatWasScanned) {
   const TemporaryFolder folder;
   const fs::path out = folder / "out";
-  const Finished run = scantrove({"scan", "demo:room", "--stride", "10", "--frames", "40", "--poses", "given",
-                                  "--out", out, "--set", "fusion.voxel_size_m=0.0027"},
-                                 kSmallDevice);
+  ChildProcess::Environment no_disk = kSmallDevice;
+  no_disk["TMPDIR"] = (folder / "nowhere").string();
+  const Finished run = scantrove(largeScan(out), no_disk);
   EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("No part of the map can be kept in a temporary file in "));
   EXPECT_THAT(run.err, HasSubstr("ran out of memory in frame "));
   EXPECT_THAT(run.err, HasSubstr("--set fusion.voxel_size_m=0.00"));
   const auto report = nlohmann::json::parse(readText(out / "report.json"), nullptr, false);

@@ -73,6 +73,7 @@ void SessionBridge::announce(const ScanEvent& event) {
                  [this](const CatalogueFailed& e) {
                    emit catalogueFailed(QString::fromStdString(e.error.message()));
                  },
+                 [this](const MapFailed& e) { emit mapFailed(QString::fromStdString(e.error.message())); },
                  [this](const FrameSkipped& e) {
                    emit frameSkipped(e.frame_index, QString::fromStdString(e.error.message()));
                  },

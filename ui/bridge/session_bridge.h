@@ -44,6 +44,8 @@ class SessionBridge : public QObject {
   void objectsMerged(scantrove::ObjectId into);
   /// The catalogue cannot be read or written for now; the scan goes on.
   void catalogueFailed(const QString& message);
+  /// A part of the map cannot be written to disk for now, or not be read back; the scan goes on.
+  void mapFailed(const QString& message);
   void frameSkipped(int frame_index, const QString& message);
   void scanFailed(const QString& message);
   void scanFinished(const scantrove::ScanReport& report);

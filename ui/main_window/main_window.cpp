@@ -144,8 +144,9 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::frameSkipped, this, [this](int /*frame_index*/, const QString& message) {
     messages_->show(MessageBar::Kind::warning, message);
   });
-  connect(&bridge, &SessionBridge::catalogueFailed, this,
-          [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
+  const auto warn = [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); };
+  connect(&bridge, &SessionBridge::catalogueFailed, this, warn);
+  connect(&bridge, &SessionBridge::mapFailed, this, warn);
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
   connect(&bridge, &SessionBridge::objectRecognised, this,
           [this](ObjectId object) { model_.markRecognised(object); });

@@ -1,8 +1,7 @@
 // Labelled voxels near the surface of the listed bricks, for display and export: those that were seen and whose signed distance is
 // at most `band` (in 1/32767 of the truncation). Run twice: first with write = 0 to count, then, with the counts summed up to
 // offsets, with write = 1. One work-item: one brick, so that its points lie together.
-//   listed    slots to visit
-//   positions slots x int4
+//   listed    bricks to visit: position x, y, z and slot
 //   voxels    slots x 512 signed distances
 //   labels    slots x 512 label voxels
 //   offsets   listed_count; write = 0, out: points of the brick; write = 1, in: where its points go
@@ -10,13 +9,13 @@
 #include "core/fusion/kernels/brick_layout.h"
 #include "core/labeling/kernels/label_voxel.h"
 
-kernel void extract_points(global const int* listed, const int listed_count, global const int4* positions,
+kernel void extract_points(global const int4* listed, const int listed_count,
                            global const TsdfVoxel* voxels, global const uint* labels, const float voxel_size,
                            const int band, const int write, global int* offsets, global LabelPoint* points) {
   const int item = get_global_id(0);
   if (item >= listed_count) return;
-  const int slot = listed[item];
-  const int4 brick = positions[slot];
+  const int4 brick = listed[item];
+  const int slot = brick.w;
   global LabelPoint* out = points + (write ? offsets[item] : 0);
   int count = 0;
   for (int i = 0; i < BRICK_VOXELS; ++i) {

@@ -93,7 +93,8 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
     EXPECT_GT(map.brickCount(), 48000);
     EXPECT_GE(map.slotCapacity(), map.brickCount());
     EXPECT_EQ(map.voxels().size(), static_cast<std::size_t>(map.slotCapacity()) * BRICK_VOXELS);
-    EXPECT_GT(map.deviceBytes(), map.voxels().size() * sizeof(TsdfVoxel));
+    EXPECT_EQ(map.labels().size(), map.voxels().size());
+    EXPECT_GT(map.deviceBytes(), map.voxels().size() * (sizeof(TsdfVoxel) + sizeof(cl_uint)));
     expectDeviceTableIsTheHosts(compute, map, all);
 
     std::vector<TsdfVoxel> voxels(static_cast<std::size_t>(map.brickCount()) * BRICK_VOXELS);
@@ -181,7 +182,7 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
     ASSERT_THAT(inView(), testing::ElementsAre(0, 1, 2));
     ASSERT_EQ(slotOnDevice({1, 0, 10}), 1);
 
-    map.makeDormant(std::vector<cl_int>{1});
+    map.makeDormant(std::vector<Brick>{{1, 0, 10}});
     EXPECT_EQ(map.dormantCount(), 1);
     EXPECT_THAT(inView(), testing::ElementsAre(0, 2));
     EXPECT_LT(slotOnDevice({1, 0, 10}), 0);

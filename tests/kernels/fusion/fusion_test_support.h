@@ -8,6 +8,7 @@
 #include "core/fusion/dense_map.h"
 #include "tests/reference/ray_march_reference.h"
 #include "tests/support/analytic_scene.h"
+#include "tests/support/brick_contents.h"
 #include "tests/support/each_device.h"
 
 namespace scantrove::test {
@@ -35,7 +36,7 @@ namespace scantrove::test {
 class HostVoxels {
  public:
   HostVoxels(ComputeContext& compute, const BrickMap& map)
-      : map_(map), voxels_(map.voxels().read(compute.queue())) {}
+      : map_(map), voxels_(usedPart(compute, map, map.voxels())) {}
 
   /// The voxel as stored, or null where there is no brick.
   [[nodiscard]] const TsdfVoxel* find(const Eigen::Vector3i& voxel) const {

@@ -10,6 +10,7 @@
 #include "core/compute/device_choice.h"
 #include "core/labeling/kernels/label_voxel.h"
 #include "tests/reference/dense_label_cloud.h"
+#include "tests/support/brick_contents.h"
 
 namespace scantrove {
 namespace {
@@ -71,7 +72,7 @@ class LabelCloudTest : public testing::TestWithParam<int> {
   /// Label of every voxel of the dense volume; counts labelled voxels anywhere.
   std::vector<std::uint32_t> denseLabels(const reference::DenseLabelCloud& shape, std::size_t& labelled) {
     std::vector<std::uint32_t> dense(shape.labels.size(), 0);
-    const std::vector<cl_uint> voxels = cloud_->voxels().read(compute_->queue());
+    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
     labelled = 0;
     for (int slot = 0; slot < bricks_->brickCount(); ++slot) {
       for (int i = 0; i < BRICK_VOXELS; ++i) {
@@ -266,7 +267,7 @@ TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
         *bricks_);
   }
   std::vector<cl_int> counted(cloud_->voxelsOfFragments().size(), 0);
-  for (const cl_uint voxel : cloud_->voxels().read(compute_->queue())) {
+  for (const cl_uint voxel : test::usedPart(*compute_, *bricks_, bricks_->labels())) {
     if (LABEL_OF(voxel) == 0) continue;
     ASSERT_LT(LABEL_OF(voxel), counted.size());
     ++counted[LABEL_OF(voxel)];
@@ -287,27 +288,28 @@ TEST_P(LabelCloudTest, ExtractGivesEachBrickItsOwnNearSurfaceVoxels) {
   const Eigen::Isometry3d T = cameraAt(0, 0, 0);
   const SurfaceMaps surface = toSurface(renderScene(T), T);
   const auto touched = cloud_->update(surface, randomPatches(1, 1), {}, {}, *bricks_);
-  const std::vector<cl_int> slots(touched.begin(), touched.end());
-  EXPECT_TRUE(cloud_->extract(slots, *bricks_, 4).points.empty())
+  const std::vector<Eigen::Vector3i> bricks(touched.begin(), touched.end());
+  EXPECT_TRUE(cloud_->extract(bricks, *bricks_, 4).points.empty())
       << "nothing was fused, so nothing has a surface";
   // Every second voxel lies on the surface, the others half a truncation away.
-  std::vector<TsdfVoxel> voxels(bricks_->voxels().size());
+  std::vector<TsdfVoxel> voxels = test::usedPart(*compute_, *bricks_, bricks_->voxels());
   for (std::size_t i = 0; i < voxels.size(); ++i)
     voxels[i] = {static_cast<cl_short>(i % 2 == 0 ? 0 : 16000), 256};
   bricks_->voxels().write(compute_->queue(), voxels);
-  const LabelCloud::Extract extract = cloud_->extract(slots, *bricks_, 4);
-  ASSERT_EQ(extract.first.size(), slots.size() + 1);
-  const std::vector<cl_uint> labels = cloud_->voxels().read(compute_->queue());
-  for (std::size_t b = 0; b < slots.size(); ++b) {
+  const LabelCloud::Extract extract = cloud_->extract(bricks, *bricks_, 4);
+  ASSERT_EQ(extract.first.size(), bricks.size() + 1);
+  const std::vector<cl_uint> labels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+  for (std::size_t b = 0; b < bricks.size(); ++b) {
+    const auto slot = static_cast<std::size_t>(bricks_->slotOf(bricks[b]));
     std::size_t expected = 0;
     for (std::size_t i = 0; i < BRICK_VOXELS; i += 2) {
-      expected += LABEL_OF(labels[static_cast<std::size_t>(slots[b]) * BRICK_VOXELS + i]) != 0 ? 1U : 0U;
+      expected += LABEL_OF(labels[slot * BRICK_VOXELS + i]) != 0 ? 1U : 0U;
     }
     ASSERT_EQ(extract.first[b + 1] - extract.first[b], expected);
     for (std::uint32_t p = extract.first[b]; p < extract.first[b + 1]; ++p) {
       const LabelPoint& point = extract.points[p];
       const Eigen::Vector3f in_bricks = Eigen::Vector3f(point.x, point.y, point.z) / (8 * kVoxel);
-      EXPECT_EQ(Eigen::Vector3i(in_bricks.array().floor().cast<int>()), bricks_->positionOf(slots[b]));
+      EXPECT_EQ(Eigen::Vector3i(in_bricks.array().floor().cast<int>()), bricks[b]);
       EXPECT_NE(point.fragment, 0U);
     }
   }

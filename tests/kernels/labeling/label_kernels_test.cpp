@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -8,6 +9,7 @@
 #include "embedded/labeling_kernels.h"
 #include "tests/reference/label_reference.h"
 #include "tests/support/each_device.h"
+#include "tests/support/temporary_folder.h"
 
 namespace scantrove {
 namespace {
@@ -201,16 +203,11 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     bricks.allocate(bricksAroundOrigin(1));
     auto cloud = LabelCloud::create(compute);
     ASSERT_TRUE(cloud) << cloud.error().message();
-    SurfaceMaps nothing;
-    nothing.K = {1, 1, 0, 0, 1, 1};
-    nothing.vertices_world = Buffer<cl_float4>(compute.context(), 1);
-    nothing.vertices_world.fill(compute.queue(), cl_float4{});
-    (void)(*cloud)->project(nothing, bricks);  // makes the cloud's voxels
     // Distances on both sides of the limit, to the last digit, for a truncation of 4 voxels.
     const std::vector<int> distances{0, 1, -1, 8191, -8191, 8192, -8192, 16000, 32767, -32767};
     std::mt19937 random(2);
     std::vector<TsdfVoxel> voxels(bricks.voxels().size(), TsdfVoxel{0, 0});
-    std::vector<cl_uint> labels((*cloud)->voxels().size(), 0);
+    std::vector<cl_uint> labels(voxels.size(), 0);
     const auto used = static_cast<std::size_t>(bricks.brickCount()) * BRICK_VOXELS;
     for (std::size_t i = 0; i < used; ++i) {
       const int weight = random() % 5 == 0 ? 0 : 256;
@@ -222,12 +219,13 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     // One brick holds no label at all.
     std::fill_n(labels.begin() + 3 * BRICK_VOXELS, BRICK_VOXELS, 0U);
     bricks.voxels().write(compute.queue(), voxels);
-    Buffer<cl_uint> label_voxels = (*cloud)->voxels();
-    label_voxels.write(compute.queue(), labels);
+    bricks.labels().write(compute.queue(), labels);
 
     const std::vector<cl_int> slots{6, 3, 0, 7, 1};
+    std::vector<Eigen::Vector3i> listed;
+    for (const cl_int slot : slots) listed.push_back(bricks.positionOf(slot));
     for (const float truncation_vox : {4.0F, 3.3F}) {
-      const LabelCloud::Extract extract = (*cloud)->extract(slots, bricks, truncation_vox);
+      const LabelCloud::Extract extract = (*cloud)->extract(listed, bricks, truncation_vox);
       ASSERT_EQ(extract.first.size(), slots.size() + 1);
       for (std::size_t b = 0; b < slots.size(); ++b) {
         const auto start = static_cast<std::size_t>(slots[b]) * BRICK_VOXELS;
@@ -252,6 +250,53 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     }
     EXPECT_TRUE((*cloud)->extract({}, bricks, 4).points.empty());
     EXPECT_EQ((*cloud)->extract({}, bricks, 4).first, std::vector<std::uint32_t>{0});
+    const LabelCloud::Extract of_no_brick =
+        (*cloud)->extract(std::vector<Eigen::Vector3i>{{50, 0, 0}}, bricks, 4);
+    EXPECT_EQ(of_no_brick.first, (std::vector<std::uint32_t>{0, 0}));
+  });
+}
+
+TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
+  onEachDevice([](ComputeContext& compute) {
+    const test::TemporaryFolder folder;
+    BrickMap bricks(compute, 0.006F, {64, compute.isCpu(), folder.path()});
+    auto cloud = LabelCloud::create(compute);
+    ASSERT_TRUE(cloud) << cloud.error().message();
+    const std::vector<Eigen::Vector3i> all = bricksAroundOrigin(2);  // in eight pages
+    bricks.allocate(all);
+    const auto used = static_cast<std::size_t>(bricks.slotEnd()) * BRICK_VOXELS;
+    std::mt19937 random(4);
+    std::vector<TsdfVoxel> voxels(used);
+    std::vector<cl_uint> labels(used);
+    for (TsdfVoxel& voxel : voxels) voxel = {static_cast<cl_short>(random() % 12000), 256};
+    for (cl_uint& label : labels) label = LABEL_VOXEL(static_cast<cl_uint>(random() % 40), 1U);
+    bricks.voxels().write(compute.queue(), voxels);
+    bricks.labels().write(compute.queue(), labels);
+    // Of several pages, all mixed up.
+    std::vector<Eigen::Vector3i> listed = all;
+    std::ranges::shuffle(listed, random);
+    listed.resize(40);
+    const LabelCloud::Extract before = (*cloud)->extract(listed, bricks, 4);
+
+    bricks.lookAt({});
+    std::vector<Eigen::Vector3i> elsewhere;
+    for (int x = 100; x < 120; ++x) elsewhere.emplace_back(x, 0, 0);
+    bricks.allocate(elsewhere);  // takes the place of three of the pages
+    ASSERT_NE(bricks.slotOf({0, 0, 0}), BRICK_NONE);
+    ASSERT_EQ(bricks.slotOf({-1, -1, -1}), BRICK_NONE);
+    const int here = bricks.bricksHere();
+    ASSERT_EQ(here, 60);
+    const LabelCloud::Extract after = (*cloud)->extract(listed, bricks, 4);
+    EXPECT_EQ(after.first, before.first);
+    ASSERT_EQ(after.points.size(), before.points.size());
+    EXPECT_GT(after.points.size(), 1000U);
+    for (std::size_t i = 0; i < after.points.size(); ++i) {
+      ASSERT_EQ(after.points[i].fragment, before.points[i].fragment);
+      ASSERT_EQ(after.points[i].x, before.points[i].x);
+      ASSERT_EQ(after.points[i].y, before.points[i].y);
+      ASSERT_EQ(after.points[i].z, before.points[i].z);
+    }
+    EXPECT_EQ(bricks.bricksHere(), here) << "reading is not bringing back";
   });
 }
 

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <map>
 #include <set>
 #include <thread>
 #include <tuple>
 
+#include "core/synthetic/film_set.h"
 #include "core/synthetic/synthetic_source.h"
 
 namespace scantrove {
@@ -35,7 +38,11 @@ class SnapshotBuilderTest : public testing::Test {
     auto compute = ComputeContext::create({});
     ASSERT_TRUE(compute) << compute.error().message();
     compute_ = std::move(*compute);
-    auto pipeline = ScanPipeline::create(*compute_, {options.K, {}, true, nullptr, 0});
+    makePipeline(options.K, {});
+  }
+
+  void makePipeline(const Intrinsics& K, const ScanParams& params) {
+    auto pipeline = ScanPipeline::create(*compute_, {K, params, true, nullptr, 0});
     ASSERT_TRUE(pipeline) << pipeline.error().message();
     pipeline_ = std::move(*pipeline);
   }
@@ -49,9 +56,8 @@ class SnapshotBuilderTest : public testing::Test {
     ++progress_.frames.read;
     builder_.addFrame(*pipeline_, std::move(read.frame), std::move(*result));
     Bricks bricks;
-    for (const cl_int slot : pipeline_->touchedSlots()) {
-      const Eigen::Vector3i& position = pipeline_->bricks().positionOf(slot);
-      bricks.emplace(position.x(), position.y(), position.z());
+    for (const Eigen::Vector3i& brick : pipeline_->touchedBricks()) {
+      bricks.emplace(brick.x(), brick.y(), brick.z());
     }
     return bricks;
   }
@@ -157,6 +163,58 @@ TEST_F(SnapshotBuilderTest, VersionsGrow) {
   ASSERT_TRUE(first && second);
   ASSERT_FALSE(first->changed_bricks.empty() || second->changed_bricks.empty());
   EXPECT_GT(second->changed_bricks.front().version, first->changed_bricks.back().version);
+}
+
+/// Brick -> its points.
+using Shown =
+    std::map<std::tuple<int, int, int>, std::vector<std::tuple<float, float, float, std::uint32_t>>>;
+
+void show(const ScanSnapshot& snapshot, Shown& shown) {
+  for (const CloudBrick& brick : snapshot.changed_bricks) {
+    auto& points = shown[{brick.position.x(), brick.position.y(), brick.position.z()}];
+    points.clear();
+    for (const auto& p : brick.points) points.emplace_back(p.x, p.y, p.z, p.fragment.value);
+  }
+}
+
+// Bricks that went to disk before they were sent are sent, and those that were keep what is shown of them
+// when others take their slots.
+TEST_F(SnapshotBuilderTest, ShowsTheSameWhenMostOfTheMapIsOnDisk) {
+  SyntheticOptions options;
+  options.set = synthetic::makeCorridorSet;
+  options.K = Intrinsics{131, 131, 79.5F, 59.5F, 160, 120};
+  options.noise = false;
+  options.color = false;
+  options.stride = 60;  // 1.5 m
+  options.at_most = 14;
+  std::array<Shown, 2> shown;
+  for (const int budget_mb : {0, 6}) {
+    ScanParams params;
+    params.fusion.voxel_size_m = 0.02F;
+    params.fusion.max_depth_m = 3;
+    params.fusion.memory_budget_mb = budget_mb;
+    makePipeline(options.K, params);
+    source_ = std::move(*makeSyntheticSource(options));
+    SnapshotBuilder builder(mailbox_);
+    std::uint64_t stored = 0;
+    Shown& of_run = shown[budget_mb == 0 ? 0 : 1];
+    for (FrameRead read = source_->next(); read.status == FrameRead::Status::frame; read = source_->next()) {
+      Result<FrameResult> result = pipeline_->processFrame(read.frame);
+      ASSERT_TRUE(result) << result.error().message();
+      const int index = read.frame.index;
+      builder.addFrame(*pipeline_, std::move(read.frame), std::move(*result));
+      stored = std::max(stored, pipeline_->bricks().storedBytes());
+      if (index / options.stride % 5 != 4) continue;
+      ASSERT_TRUE(builder.flush(*pipeline_, progress_));
+      show(*mailbox_.collect(), of_run);
+    }
+    ASSERT_TRUE(builder.flush(*pipeline_, progress_));
+    show(*mailbox_.collect(), of_run);
+    EXPECT_EQ(stored > 0, budget_mb > 0);
+    EXPECT_FALSE(pipeline_->takeMapFailure());
+  }
+  EXPECT_GT(shown[0].size(), 3000U);
+  EXPECT_EQ(shown[1], shown[0]);
 }
 
 }  // namespace

@@ -13,12 +13,6 @@ using testing::HasSubstr;
 const Intrinsics kKinect{525, 525, 319.5F, 239.5F, 640, 480};
 constexpr std::size_t kGiB = std::size_t{1} << 30;
 
-TEST(MapMemory, PoolsOfTwoKilobytesABrickDoubleAsLongAsTheyFit) {
-  EXPECT_EQ(bricksThatFit({64 * kGiB, kGiB}), 524288);  // 1 GiB in one buffer
-  EXPECT_EQ(bricksThatFit({64 * kGiB, kGiB - 1}), 262144);
-  EXPECT_EQ(bricksThatFit({kGiB, kGiB}), 131072);  // two pools and the old half of one: 640 MiB
-}
-
 TEST(MapMemory, AViewNeedsBricksAsTheSquareOfRangeAndFineness) {
   FusionParams params;
   const double usual = bricksOfOneView(params, kKinect);

@@ -1,0 +1,36 @@
+#include "core/fusion/brick_budget.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fusion/brick_store.h"
+#include "core/fusion/kernels/brick_layout.h"
+
+namespace scantrove {
+namespace {
+
+constexpr double kPoolBytes = BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // of a brick
+constexpr double kGrowingPools = 2.5;
+constexpr double kMebibyte = 1 << 20;
+
+double machineBytes() {
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+}
+
+}  // namespace
+
+double bricksThatFit(const DeviceMemory& memory) {
+  const double in_one_buffer = static_cast<double>(memory.largest_buffer_bytes) / kPoolBytes;
+  const double in_all = static_cast<double>(memory.total_bytes) / (kGrowingPools * kPoolBytes);
+  return std::floor(std::min({in_one_buffer, in_all, static_cast<double>(kMostBricks)}));
+}
+
+BrickBudget brickBudget(const FusionParams& params, const ComputeContext& compute) {
+  const double bytes = params.memory_budget_mb > 0 ? params.memory_budget_mb * kMebibyte : machineBytes() / 4;
+  const double bricks = std::min(bytes / kBrickBytes, bricksThatFit(compute.memory()));
+  return {std::max(1, static_cast<int>(bricks)), compute.isCpu(), folderForBricks()};
+}
+
+}  // namespace scantrove

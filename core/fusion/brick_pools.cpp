@@ -1,0 +1,141 @@
+#include "core/fusion/brick_pools.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kBrickVoxels = BRICK_VOXELS;
+
+std::size_t voxelsOf(int slots) { return static_cast<std::size_t>(slots) * kBrickVoxels; }
+
+template <class T>
+void growPool(ComputeContext& compute, Buffer<T>& pool, int slots, int used) {
+  Buffer<T> larger(compute.context(), voxelsOf(slots));
+  if (used > 0) {
+    compute.queue().enqueueCopyBuffer(pool.cl(), larger.cl(), 0, 0, voxelsOf(used) * sizeof(T));
+  }
+  compute.finish();
+  pool = larger;
+}
+
+/// Calls `visit(first slot, how many, place in slots)` for each run of neighbours.
+template <class Visit>
+void forEachRun(std::span<const int> slots, const Visit& visit) {
+  for (std::size_t first = 0, last = 0; first < slots.size(); first = last) {
+    last = first + 1;
+    while (last < slots.size() && slots[last] == slots[last - 1] + 1) ++last;
+    visit(slots[first], static_cast<int>(last - first), first);
+  }
+}
+
+/// Calls `visit(voxels, how many, place in slots)` for each run, with the memory of a device that has the
+/// host's.
+template <class T, class Visit>
+void onHost(ComputeContext& compute, const Buffer<T>& pool, std::span<const int> slots, cl_map_flags access,
+            const Visit& visit) {
+  if (slots.empty()) return;
+  const auto [lowest, highest] = std::ranges::minmax_element(slots);
+  const int first = *lowest;
+  void* mapped = compute.queue().enqueueMapBuffer(pool.cl(), CL_TRUE, access, voxelsOf(first) * sizeof(T),
+                                                  voxelsOf(*highest - first + 1) * sizeof(T));
+  T* const voxels = static_cast<T*>(mapped);
+  forEachRun(slots, [&](int slot, int count, std::size_t place) {
+    visit(voxels + voxelsOf(slot - first), voxelsOf(count), place * kBrickVoxels);
+  });
+  compute.queue().enqueueUnmapMemObject(pool.cl(), mapped);
+}
+
+template <class T>
+void clearPool(ComputeContext& compute, Buffer<T>& pool, std::span<const int> slots) {
+  if (compute.isCpu()) {
+    onHost(compute, pool, slots, CL_MAP_WRITE,
+           [](T* to, std::size_t count, std::size_t) { std::fill_n(to, count, T{}); });
+    return;
+  }
+  forEachRun(slots, [&](int slot, int count, std::size_t) {
+    pool.fill(compute.queue(), T{}, voxelsOf(slot), voxelsOf(count));
+  });
+}
+
+template <class T>
+void readPool(ComputeContext& compute, const Buffer<T>& pool, std::span<const int> slots,
+              std::span<T> values) {
+  SCANTROVE_CHECK(values.size() == slots.size() * kBrickVoxels);
+  if (compute.isCpu()) {
+    onHost(compute, pool, slots, CL_MAP_READ, [&](const T* from, std::size_t count, std::size_t place) {
+      std::copy_n(from, count, values.data() + place);
+    });
+    return;
+  }
+  forEachRun(slots, [&](int slot, int count, std::size_t place) {
+    compute.queue().enqueueReadBuffer(pool.cl(), CL_FALSE, voxelsOf(slot) * sizeof(T),
+                                      voxelsOf(count) * sizeof(T), values.data() + place * kBrickVoxels);
+  });
+}
+
+template <class T>
+void writePool(ComputeContext& compute, Buffer<T>& pool, std::span<const int> slots,
+               std::span<const T> values) {
+  SCANTROVE_CHECK(values.size() == slots.size() * kBrickVoxels);
+  if (compute.isCpu()) {
+    onHost(compute, pool, slots, CL_MAP_WRITE, [&](T* to, std::size_t count, std::size_t place) {
+      std::copy_n(values.data() + place, count, to);
+    });
+    return;
+  }
+  forEachRun(slots, [&](int slot, int count, std::size_t place) {
+    compute.queue().enqueueWriteBuffer(pool.cl(), CL_FALSE, voxelsOf(slot) * sizeof(T),
+                                       voxelsOf(count) * sizeof(T), values.data() + place * kBrickVoxels);
+  });
+}
+
+}  // namespace
+
+bool BrickPools::makeAtOnce(int slots) {
+  try {
+    Buffer<TsdfVoxel> voxels(compute_.context(), voxelsOf(slots));
+    Buffer<cl_uint> labels(compute_.context(), voxelsOf(slots));
+    // A driver may put off what it was asked for until it is used.
+    voxels.fill(compute_.queue(), TsdfVoxel{}, 0, 1);
+    labels.fill(compute_.queue(), 0U, 0, 1);
+    compute_.finish();
+    voxels_ = voxels;
+    labels_ = labels;
+    capacity_ = slots;
+    return true;
+  } catch (const cl::Error&) {
+    return false;
+  }
+}
+
+// Voxels of slots that are not handed out yet are never read and need no value.
+void BrickPools::grow(int slots, int used) {
+  if (slots <= capacity_) return;
+  growPool(compute_, voxels_, slots, used);
+  growPool(compute_, labels_, slots, used);
+  capacity_ = slots;
+}
+
+void BrickPools::clear(std::span<const int> slots) {
+  clearPool(compute_, voxels_, slots);
+  clearPool(compute_, labels_, slots);
+}
+
+void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels,
+                      std::span<cl_uint> labels) const {
+  readPool(compute_, voxels_, slots, voxels);
+  readPool(compute_, labels_, slots, labels);
+  compute_.finish();
+}
+
+void BrickPools::write(std::span<const int> slots, std::span<const TsdfVoxel> voxels,
+                       std::span<const cl_uint> labels) {
+  writePool(compute_, voxels_, slots, voxels);
+  writePool(compute_, labels_, slots, labels);
+  compute_.finish();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,45 @@
+#pragma once
+#include <span>
+
+#include "core/compute/buffer.h"
+#include "core/compute/compute_context.h"
+#include "core/fusion/kernels/brick_layout.h"
+
+namespace scantrove {
+
+/// What the bricks of a map hold, on the device, by slot: a distance and a label voxel for each of their 512
+/// places. All may throw cl::Error (no memory left, device lost). One thread, the context's.
+class BrickPools {
+ public:
+  explicit BrickPools(ComputeContext& compute) : compute_(compute) {}
+
+  [[nodiscard]] int capacity() const { return capacity_; }
+
+  /// Tries to make empty pools for `slots` bricks. Where device memory is the host's, that which is not
+  /// touched costs nothing. False: the device has no room for them.
+  [[nodiscard]] bool makeAtOnce(int slots);
+
+  /// Room for `slots` bricks; the first `used` keep what they hold. One pool grows after the other, so that
+  /// beside them there is never more than one old pool.
+  void grow(int slots, int used);
+
+  /// Voxels never seen and without label.
+  void clear(std::span<const int> slots);
+
+  /// Slot after slot, BRICK_VOXELS each.
+  void read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels) const;
+  void write(std::span<const int> slots, std::span<const TsdfVoxel> voxels, std::span<const cl_uint> labels);
+
+  [[nodiscard]] Buffer<TsdfVoxel>& voxels() { return voxels_; }
+  [[nodiscard]] const Buffer<TsdfVoxel>& voxels() const { return voxels_; }
+  [[nodiscard]] Buffer<cl_uint>& labels() { return labels_; }
+  [[nodiscard]] const Buffer<cl_uint>& labels() const { return labels_; }
+
+ private:
+  ComputeContext& compute_;
+  Buffer<TsdfVoxel> voxels_;
+  Buffer<cl_uint> labels_;
+  int capacity_ = 0;
+};
+
+}  // namespace scantrove

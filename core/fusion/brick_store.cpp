@@ -1,0 +1,205 @@
+#include "core/fusion/brick_store.h"
+
+#include <fcntl.h>
+#include <lz4.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::uint64_t kUnit_bytes = 4096;  // of records in the file: small holes would stay for ever
+constexpr std::uint64_t kStep_bytes = 16ULL << 20U;  // by which the file grows
+constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
+
+std::uint64_t wholeUnits(std::uint64_t bytes) {
+  return (bytes + kUnit_bytes - 1) / kUnit_bytes * kUnit_bytes;
+}
+
+/// Bytes of like meaning lie together and so compress: the first byte of every word, then the second, ...
+void toPlanes(std::span<const std::uint32_t> words, std::vector<char>& planes) {
+  const std::size_t count = words.size();
+  planes.resize(count * kWordBytes);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t word = words[i];
+    planes[i] = static_cast<char>(word & 255U);
+    planes[count + i] = static_cast<char>((word >> 8U) & 255U);
+    planes[2 * count + i] = static_cast<char>((word >> 16U) & 255U);
+    planes[3 * count + i] = static_cast<char>(word >> 24U);
+  }
+}
+
+std::vector<std::uint32_t> fromPlanes(const std::vector<char>& planes) {
+  const std::size_t count = planes.size() / kWordBytes;
+  const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(planes[i])}; };
+  std::vector<std::uint32_t> words(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    words[i] = byte(i) | byte(count + i) << 8U | byte(2 * count + i) << 16U | byte(3 * count + i) << 24U;
+  }
+  return words;
+}
+
+std::uint64_t checksumOf(std::span<const char> bytes) {
+  std::uint64_t sum = bytes.size();
+  while (!bytes.empty()) {
+    std::uint64_t word = 0;
+    const std::size_t count = std::min(bytes.size(), sizeof(word));
+    std::memcpy(&word, bytes.data(), count);
+    sum = (sum ^ word) * 0x9e3779b97f4a7c15ULL;
+    sum ^= sum >> 29U;
+    bytes = bytes.subspan(count);
+  }
+  return sum;
+}
+
+bool writeAt(int file, std::span<const char> bytes, std::uint64_t offset) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+  return true;
+}
+
+bool readAt(int file, std::span<char> bytes, std::uint64_t offset) {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::uint64_t>(got);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path folderForBricks() {
+  // Read before any thread that might set it: the program sets none.
+  if (const char* chosen = std::getenv("TMPDIR"); chosen != nullptr && *chosen != '\0') return chosen;
+  return ::access("/var/tmp", W_OK) == 0 ? "/var/tmp" : "/tmp";
+}
+
+BrickStore::BrickStore(std::filesystem::path folder, std::uint64_t most_bytes)
+    : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+
+BrickStore::~BrickStore() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Error BrickStore::writeFailure(int code) const {
+  return {"No part of the map can be kept in a temporary file in " + folder_.string() + ": " +
+              std::generic_category().message(code) + ".",
+          "Make room there or name another folder in TMPDIR."};
+}
+
+Result<void> BrickStore::open() {
+  if (file_ >= 0) return {};
+  std::string name = (folder_ / "scantrove-map-XXXXXX").string();
+  file_ = ::mkostemp(name.data(), O_CLOEXEC);
+  if (file_ < 0) return fail(writeFailure(errno));
+  ::unlink(name.c_str());
+  return {};
+}
+
+Result<std::uint64_t> BrickStore::take(std::uint64_t bytes) {
+  auto best = holes_.end();
+  for (auto hole = holes_.begin(); hole != holes_.end(); ++hole) {
+    if (hole->second >= bytes && (best == holes_.end() || hole->second < best->second)) best = hole;
+  }
+  if (best != holes_.end()) {
+    const auto [offset, size] = *best;
+    holes_.erase(best);
+    if (size > bytes) holes_.emplace(offset + bytes, size - bytes);
+    return offset;
+  }
+  if (end_ + bytes > most_bytes_) return fail(writeFailure(ENOSPC));
+  if (end_ + bytes > allocated_) {
+    // Space that the file system only promised would be found missing after the bricks have gone.
+    int failure = 0;
+    for (const std::uint64_t step : {std::max(bytes, kStep_bytes), bytes}) {
+      failure = ::fallocate(file_, 0, static_cast<off_t>(end_), static_cast<off_t>(step)) == 0 ? 0 : errno;
+      if (failure == 0) allocated_ = end_ + step;
+      if (failure == 0 || failure == EOPNOTSUPP) break;
+    }
+    if (failure != 0 && failure != EOPNOTSUPP) return fail(writeFailure(failure));
+  }
+  return std::exchange(end_, end_ + bytes);
+}
+
+void BrickStore::giveBack(std::uint64_t offset, std::uint64_t bytes) {
+  auto next = holes_.upper_bound(offset);
+  if (next != holes_.end() && offset + bytes == next->first) {
+    bytes += next->second;
+    next = holes_.erase(next);
+  }
+  if (next != holes_.begin()) {
+    const auto before = std::prev(next);
+    if (before->first + before->second == offset) {
+      offset = before->first;
+      bytes += before->second;
+      holes_.erase(before);
+    }
+  }
+  if (offset + bytes == end_) {
+    end_ = offset;
+  } else {
+    holes_.emplace(offset, bytes);
+  }
+}
+
+Result<BrickStore::Record> BrickStore::put(std::span<const std::uint32_t> words) {
+  SCANTROVE_CHECK(!words.empty() && words.size_bytes() < (1U << 30U));
+  SCANTROVE_TRY(open());
+  toPlanes(words, planes_);
+  const int size = static_cast<int>(planes_.size());
+  packed_.resize(static_cast<std::size_t>(LZ4_compressBound(size)));
+  const int packed =
+      LZ4_compress_default(planes_.data(), packed_.data(), size, static_cast<int>(packed_.size()));
+  SCANTROVE_CHECK(packed > 0);
+  const std::span<const char> bytes = std::span<const char>(packed_).first(static_cast<std::size_t>(packed));
+  Result<std::uint64_t> offset = take(wholeUnits(bytes.size()));
+  if (!offset) return fail(offset.error());
+  if (!writeAt(file_, bytes, *offset)) {
+    const int code = errno;
+    giveBack(*offset, wholeUnits(bytes.size()));
+    return fail(writeFailure(code));
+  }
+  used_bytes_ += wholeUnits(bytes.size());
+  return Record{*offset, static_cast<std::uint32_t>(bytes.size()), static_cast<std::uint32_t>(size),
+                checksumOf(bytes)};
+}
+
+Result<std::vector<std::uint32_t>> BrickStore::get(const Record& record) const {
+  std::vector<char> packed(record.stored_bytes);
+  std::vector<char> planes(record.bytes);
+  const bool is_whole =
+      file_ >= 0 && readAt(file_, packed, record.offset) && checksumOf(packed) == record.checksum &&
+      LZ4_decompress_safe(packed.data(), planes.data(), static_cast<int>(packed.size()),
+                          static_cast<int>(planes.size())) == static_cast<int>(planes.size());
+  if (!is_whole) {
+    return fail("A part of the map cannot be read back from its temporary file in " + folder_.string() + ".",
+                "That part is missing from now on. Check the disk, or name another folder in TMPDIR.");
+  }
+  return fromPlanes(planes);
+}
+
+void BrickStore::erase(const Record& record) {
+  used_bytes_ -= wholeUnits(record.stored_bytes);
+  giveBack(record.offset, wholeUnits(record.stored_bytes));
+}
+
+}  // namespace scantrove

@@ -1,0 +1,114 @@
+// The part of BrickMap that sends pages of bricks to the file and brings them back.
+#include <algorithm>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/fusion/brick_map.h"
+
+namespace scantrove {
+
+void BrickMap::makeRoom(int count) {
+  const auto roomLeft = [&] {
+    return static_cast<int>(free_slots_.size()) + std::max(0, budget_.bricks - slotEnd());
+  };
+  if (roomLeft() < count && may_store_) {
+    std::vector<int> away;
+    for (int page = 1; page < pages_.count(); ++page) {
+      if (pages_.page(page).bricksHere() > 0 && pages_.page(page).last_view < view_) away.push_back(page);
+    }
+    // Of those that left together the older ones first: whichever, but always the same.
+    std::ranges::stable_sort(away, {}, [&](int page) { return pages_.page(page).last_view; });
+    for (const int page : away) {
+      if (roomLeft() >= count || !sendAway(page)) break;
+    }
+  }
+  reserve(slotEnd() + std::max(0, count - static_cast<int>(free_slots_.size())));
+}
+
+bool BrickMap::sendAway(int index) {
+  BrickPages::Page& page = pages_.page(index);
+  std::vector<int> slots(page.slots);
+  slots.insert(slots.end(), page.dormant.begin(), page.dormant.end());
+  const auto localOf = [&](int slot) { return localBrick(positionOf(slot)); };
+  std::ranges::sort(slots, {}, localOf);
+
+  StoredPage stored;
+  for (const int slot : slots) stored.bricks.set(localOf(slot));
+  for (const int slot : page.dormant) stored.dormant.set(localOf(slot));
+  stored.voxels.resize(slots.size() * BRICK_VOXELS);
+  stored.labels.resize(slots.size() * BRICK_VOXELS);
+  pools_.read(slots, stored.voxels, stored.labels);
+  const auto block =
+      pages_.pageSlots().subspan(static_cast<std::size_t>(page.block) * PAGE_BRICKS, PAGE_BRICKS);
+  std::ranges::transform(block, stored.cells.begin(),
+                         [](int cell) { return static_cast<std::int8_t>(std::min(cell, 0)); });
+
+  Result<BrickStore::Record> record = store_.put(stored.toWords());
+  if (!record) {
+    failure_ = record.error();
+    failure_->advice += " The scan goes on with all of its map in memory, beyond fusion.memory_budget_mb.";
+    may_store_ = false;
+    return false;
+  }
+  page.record = *record;
+  page.stored = stored.bricks;
+  page.stored_dormant = static_cast<int>(page.dormant.size());
+  for (const int slot : slots) freeBrick(slot);
+  stored_count_ += static_cast<int>(slots.size());
+  pages_.takeOut(index);
+  return true;
+}
+
+void BrickMap::bringBack(std::span<const int> pages) {
+  std::size_t count = 0;
+  for (const int page : pages) count += pages_.page(page).stored.count();
+  if (count == 0) return;
+  makeRoom(static_cast<int>(count));
+  for (const int page : pages) {
+    if (const std::optional<StoredPage> stored = readStored(page)) restore(page, *stored);
+  }
+}
+
+std::optional<StoredPage> BrickMap::readStored(int index) {
+  const BrickPages::Page& page = pages_.page(index);
+  if (!page.record) return std::nullopt;
+  const Result<std::vector<std::uint32_t>> words = store_.get(*page.record);
+  if (words) return StoredPage::fromWords(*words);
+  failure_ = words.error();
+  dormant_count_ -= page.stored_dormant;
+  forgetStored(index);
+  return std::nullopt;
+}
+
+void BrickMap::forgetStored(int index) {
+  BrickPages::Page& page = pages_.page(index);
+  store_.erase(*page.record);
+  stored_count_ -= static_cast<int>(page.stored.count());
+  page.record.reset();
+  page.stored.reset();
+  page.stored_dormant = 0;
+}
+
+void BrickMap::restore(int index, const StoredPage& stored) {
+  forgetStored(index);
+  const BrickPages::Page& page = pages_.page(index);
+  BrickPages::Cells cells{};
+  std::ranges::copy(stored.cells, cells.begin());
+  std::vector<int> slots;
+  std::vector<int> dormant;
+  for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
+    if (!stored.bricks[i]) continue;
+    const int slot = takeSlot(brickOfPage(page, i));
+    slots.push_back(slot);
+    if (stored.dormant[i]) {
+      dormant_[static_cast<std::size_t>(slot)] = true;
+      dormant.push_back(slot);
+    } else {
+      cells[i] = slot;
+    }
+  }
+  pools_.write(slots, stored.voxels, stored.labels);
+  pages_.putBack(index, cells, std::move(dormant), changed_page_slots_);
+}
+
+}  // namespace scantrove

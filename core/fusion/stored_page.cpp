@@ -1,0 +1,50 @@
+#include "core/fusion/stored_page.h"
+
+#include <cstring>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+namespace {
+
+static_assert(sizeof(TsdfVoxel) == sizeof(std::uint32_t));
+
+// Of a place, in one word.
+constexpr std::uint32_t kCellBits = 0xffU;
+constexpr std::uint32_t kIsBrick = 0x100U;
+constexpr std::uint32_t kIsDormant = 0x200U;
+
+}  // namespace
+
+std::vector<std::uint32_t> StoredPage::toWords() const {
+  SCANTROVE_CHECK(voxels.size() == bricks.count() * BRICK_VOXELS && labels.size() == voxels.size());
+  std::vector<std::uint32_t> words(PAGE_BRICKS + 2 * voxels.size());
+  for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
+    words[i] =
+        static_cast<std::uint8_t>(cells[i]) | (bricks[i] ? kIsBrick : 0U) | (dormant[i] ? kIsDormant : 0U);
+  }
+  if (voxels.empty()) return words;
+  std::memcpy(words.data() + PAGE_BRICKS, voxels.data(), voxels.size() * sizeof(TsdfVoxel));
+  std::memcpy(words.data() + PAGE_BRICKS + voxels.size(), labels.data(), labels.size() * sizeof(cl_uint));
+  return words;
+}
+
+StoredPage StoredPage::fromWords(std::span<const std::uint32_t> words) {
+  SCANTROVE_CHECK(words.size() >= PAGE_BRICKS);
+  StoredPage page;
+  for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
+    page.cells[i] = static_cast<std::int8_t>(words[i] & kCellBits);
+    page.bricks[i] = (words[i] & kIsBrick) != 0;
+    page.dormant[i] = (words[i] & kIsDormant) != 0;
+  }
+  const std::size_t count = page.bricks.count() * BRICK_VOXELS;
+  SCANTROVE_CHECK(words.size() == PAGE_BRICKS + 2 * count);
+  page.voxels.resize(count);
+  page.labels.resize(count);
+  if (count == 0) return page;
+  std::memcpy(page.voxels.data(), words.data() + PAGE_BRICKS, count * sizeof(TsdfVoxel));
+  std::memcpy(page.labels.data(), words.data() + PAGE_BRICKS + count, count * sizeof(cl_uint));
+  return page;
+}
+
+}  // namespace scantrove

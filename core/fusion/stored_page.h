@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/compute/opencl.h"
+#include "core/fusion/kernels/brick_layout.h"
+#include "core/fusion/kernels/brick_page.h"
+
+namespace scantrove {
+
+/// A page of bricks with all that they hold, off the device. Brought back, it is what it was to the last bit.
+struct StoredPage {
+  /// By local index: an empty place as kernels see it (PAGE_EMPTY_CUBE), 0 where a brick is awake.
+  std::array<std::int8_t, PAGE_BRICKS> cells{};
+  std::bitset<PAGE_BRICKS> bricks;   ///< which there are, dormant ones too
+  std::bitset<PAGE_BRICKS> dormant;  ///< those of them that are laid aside
+  std::vector<TsdfVoxel> voxels;     ///< BRICK_VOXELS a brick, in the order of the local indices
+  std::vector<cl_uint> labels;       ///< likewise
+
+  [[nodiscard]] std::vector<std::uint32_t> toWords() const;
+  /// Of words that toWords made.
+  [[nodiscard]] static StoredPage fromWords(std::span<const std::uint32_t> words);
+};
+
+}  // namespace scantrove

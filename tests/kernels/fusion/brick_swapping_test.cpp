@@ -1,0 +1,309 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <tuple>
+
+#include "core/fusion/brick_map.h"
+#include "tests/support/each_device.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using Brick = Eigen::Vector3i;
+using testing::HasSubstr;
+
+constexpr int kBudget = 600;  // bricks
+constexpr std::size_t kVoxels = BRICK_VOXELS;
+
+struct Contents {
+  std::vector<cl_uint> voxels, labels;  // bits
+  bool dormant = false;
+};
+
+struct Before {
+  bool operator()(const Brick& a, const Brick& b) const {
+    return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
+  }
+};
+
+/// A map with a small budget beside one with memory for all, and beside both what they should hold.
+class TwoMaps {
+ public:
+  TwoMaps(ComputeContext& compute, const std::filesystem::path& folder, unsigned seed)
+      : compute_(compute),
+        small(compute, 0.01F, {kBudget, seed % 2 == 0, folder}),
+        large(compute, 0.01F),
+        random_(seed) {}
+
+  /// Both look at the pages of a box of 2^3 pages somewhere.
+  void lookSomewhere() {
+    const auto coordinate = [&] { return static_cast<int>(random_() % 7) - 3; };
+    first_page_ = {coordinate(), coordinate(), coordinate()};
+    small.lookAt(inView(small));
+    large.lookAt(inView(large));
+  }
+
+  void change() {
+    std::vector<Brick> wanted;
+    for (int i = 0; i < 30; ++i) {
+      const auto offset = [&] { return static_cast<int>(random_() % (2 * PAGE_SIDE)); };
+      wanted.push_back(PAGE_SIDE * first_page_ + Brick(offset(), offset(), offset()));
+      if (i % 5 == 0) wanted.push_back(wanted.back());
+    }
+    ASSERT_EQ(small.allocate(wanted), large.allocate(wanted));
+    for (const Brick& brick : wanted) {
+      Contents& expected = model[brick];
+      expected.dormant = false;
+      if (expected.voxels.empty()) expected.voxels.assign(kVoxels, 0);
+      if (expected.labels.empty()) expected.labels.assign(kVoxels, 0);
+    }
+    std::vector<Brick> aside;
+    for (auto& [brick, expected] : model) {
+      if (!isInView(brick)) continue;
+      if (random_() % 3 == 0) write(brick, expected);
+      if (!expected.dormant && random_() % 6 == 0) {
+        expected.dormant = true;
+        aside.push_back(brick);
+      }
+    }
+    small.makeDormant(aside);
+    large.makeDormant(aside);
+  }
+
+  /// What lies in view, as kernels find it.
+  void expectSameInView() {
+    const std::vector<BrickEntry> table = small.table().read(compute_.queue());
+    const std::vector<cl_int> page_slots = small.pageSlots().read(compute_.queue());
+    const std::vector<cl_int> all_page_slots = large.pageSlots().read(compute_.queue());
+    for (const auto& [brick, expected] : model) {
+      if (!isInView(brick)) continue;
+      const int slot = small.slotOf(brick);
+      ASSERT_NE(slot, BRICK_NONE) << brick.transpose();
+      ASSERT_EQ(lookUp(table, brick), slot);
+      ASSERT_EQ(read(small.voxels(), slot), expected.voxels);
+      ASSERT_EQ(read(small.labels(), slot), expected.labels);
+    }
+    for (const int page : inView(small)) {
+      const int block = small.pages().page(page).block;
+      const int block_of_all = large.pages().page(page).block;
+      ASSERT_EQ(block == PAGE_EMPTY, block_of_all == PAGE_EMPTY);
+      for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
+        const int here = page_slots[static_cast<std::size_t>(block) * PAGE_BRICKS + i];
+        const int there = all_page_slots[static_cast<std::size_t>(block_of_all) * PAGE_BRICKS + i];
+        ASSERT_EQ(std::min(here, 0), std::min(there, 0)) << "empty space looks different to rays";
+        if (here >= 0) {
+          ASSERT_EQ(small.positionOf(here), large.positionOf(there));
+        }
+      }
+    }
+  }
+
+  /// What there is anywhere.
+  void expectAllThere() {
+    EXPECT_EQ(small.brickCount(), static_cast<int>(model.size()));
+    EXPECT_EQ(small.dormantCount(), large.dormantCount());
+    std::size_t found = 0;
+    for (const int page : small.pagesByPosition()) {
+      const std::vector<Brick> bricks = small.bricksOfPage(page);
+      const auto stored = small.readStored(page);
+      ASSERT_EQ(stored.has_value(), small.pages().page(page).bricksHere() == 0);
+      for (std::size_t i = 0; i < bricks.size(); ++i, ++found) {
+        const Contents& expected = model.at(bricks[i]);
+        if (!stored) {
+          ASSERT_EQ(read(small.voxels(), small.slotOf(bricks[i])), expected.voxels);
+          continue;
+        }
+        ASSERT_EQ(small.slotOf(bricks[i]), BRICK_NONE);
+        ASSERT_EQ(std::memcmp(&stored->voxels[i * kVoxels], expected.voxels.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(std::memcmp(&stored->labels[i * kVoxels], expected.labels.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(stored->dormant[localBrick(bricks[i])], expected.dormant);
+      }
+    }
+    EXPECT_EQ(found, model.size());
+  }
+
+ private:
+  ComputeContext& compute_;
+
+ public:
+  BrickMap small;
+  BrickMap large;
+  std::map<Brick, Contents, Before> model;
+
+ private:
+  [[nodiscard]] bool isInView(const Brick& brick) const {
+    const Brick local = brick - PAGE_SIDE * first_page_;
+    return local.minCoeff() >= 0 && local.maxCoeff() < 2 * PAGE_SIDE;
+  }
+
+  [[nodiscard]] std::vector<int> inView(const BrickMap& map) const {
+    std::vector<int> pages;
+    for (int page = 1; page < map.pages().count(); ++page) {
+      if (isInView(PAGE_SIDE * map.pages().page(page).position)) pages.push_back(page);
+    }
+    return pages;
+  }
+
+  void write(const Brick& brick, Contents& expected) {
+    for (std::vector<cl_uint>* words : {&expected.voxels, &expected.labels}) {
+      for (cl_uint& word : *words) word = random_() % 2 == 0 ? 0 : static_cast<cl_uint>(random_());
+    }
+    std::vector<TsdfVoxel> voxels(kVoxels);
+    std::memcpy(voxels.data(), expected.voxels.data(), 4 * kVoxels);
+    for (BrickMap* map : {&small, &large}) {
+      const auto start = static_cast<std::size_t>(map->slotOf(brick)) * kVoxels;
+      map->voxels().write(compute_.queue(), voxels, start);
+      map->labels().write(compute_.queue(), expected.labels, start);
+    }
+  }
+
+  template <class T>
+  [[nodiscard]] std::vector<cl_uint> read(const Buffer<T>& pool, int slot) const {
+    std::vector<T> values(kVoxels);
+    pool.read(compute_.queue(), std::span<T>(values), static_cast<std::size_t>(slot) * kVoxels);
+    std::vector<cl_uint> words(kVoxels);
+    std::memcpy(words.data(), values.data(), 4 * kVoxels);
+    return words;
+  }
+
+  [[nodiscard]] int lookUp(const std::vector<BrickEntry>& table, const Brick& brick) const {
+    const cl_uint mask = small.tableMask();
+    cl_uint i = brick_hash(brick.x(), brick.y(), brick.z()) & mask;
+    while (table[i].slot != BRICK_NONE && Brick(table[i].x, table[i].y, table[i].z) != brick)
+      i = (i + 1) & mask;
+    return table[i].slot;
+  }
+
+  std::mt19937 random_;
+  Brick first_page_ = Brick::Zero();
+};
+
+TEST(BrickSwapping, WhatIsInViewIsWhatAMapWithMemoryForAllWouldHold) {
+  test::onEachDevice([](ComputeContext& compute) {
+    for (const unsigned seed : {1U, 2U}) {
+      const test::TemporaryFolder folder;
+      TwoMaps maps(compute, folder.path(), seed);
+      std::uint64_t most_on_disk = 0;
+      for (int view = 0; view < 150; ++view) {
+        maps.lookSomewhere();
+        ASSERT_NO_FATAL_FAILURE(maps.expectSameInView());
+        ASSERT_NO_FATAL_FAILURE(maps.change());
+        ASSERT_NO_FATAL_FAILURE(maps.expectSameInView());
+        if (view % 30 == 0) {
+          ASSERT_NO_FATAL_FAILURE(maps.expectAllThere());
+        }
+        most_on_disk = std::max(most_on_disk, maps.small.storedBytes());
+      }
+      maps.expectAllThere();
+      EXPECT_FALSE(maps.small.takeFailure());
+      EXPECT_GT(maps.small.brickCount(), 4 * kBudget) << "all would have fitted";
+      EXPECT_GT(most_on_disk, 1000000U);
+      // A view of 8 pages holds fewer bricks than there is room for.
+      EXPECT_LE(maps.small.slotEnd(), kBudget);
+      EXPECT_LT(maps.small.deviceBytes(), maps.large.deviceBytes() / 4);
+    }
+  });
+}
+
+/// Some 500 bricks along x, in 20 pages.
+std::vector<Brick> row(int first, int last) {
+  std::vector<Brick> bricks;
+  for (int x = first; x < last; ++x) {
+    for (int i = 0; i < 4; ++i) bricks.emplace_back(x, i % 2, i / 2);
+  }
+  return bricks;
+}
+
+void lookAtNothing(BrickMap& map) { map.lookAt({}); }
+
+TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const test::TemporaryFolder folder;
+    for (const bool at_once : {false, true}) {
+      BrickMap map(compute, 0.01F, {kBudget, at_once, folder.path() / "nowhere"});
+      map.allocate(row(0, 150));
+      map.labels().fill(compute.queue(), 77U, 0, static_cast<std::size_t>(kBudget) * kVoxels);
+      EXPECT_FALSE(map.takeFailure());
+      lookAtNothing(map);
+      EXPECT_EQ(map.allocate(row(150, 400)), 1000);
+      const auto failure = map.takeFailure();
+      ASSERT_TRUE(failure);
+      EXPECT_THAT(failure->message(), HasSubstr("nowhere"));
+      EXPECT_THAT(failure->message(), HasSubstr("The scan goes on"));
+      lookAtNothing(map);
+      map.allocate(row(400, 600));
+      EXPECT_FALSE(map.takeFailure());
+      EXPECT_EQ(map.brickCount(), 2400);
+      EXPECT_EQ(map.bricksHere(), 2400);
+      std::vector<cl_uint> labels(2400 * kVoxels);
+      map.labels().read(compute.queue(), std::span<cl_uint>(labels));
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        ASSERT_EQ(labels[i], i < kBudget * kVoxels ? 77U : 0U) << i;
+    }
+  });
+}
+
+TEST(BrickSwapping, AViewThatNeedsMoreThanTheBudgetGetsIt) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const test::TemporaryFolder folder;
+    BrickMap map(compute, 0.01F, {kBudget, compute.isCpu(), folder.path()});
+    map.allocate(row(0, 400));
+    EXPECT_EQ(map.bricksHere(), 1600);
+    EXPECT_GE(map.slotCapacity(), 1600);
+    EXPECT_FALSE(map.takeFailure());
+    EXPECT_EQ(map.storedBytes(), 0U);
+    // Out of view, some make room for what is new.
+    lookAtNothing(map);
+    map.allocate(row(1000, 1010));
+    EXPECT_EQ(map.slotEnd(), 1600);
+    EXPECT_GT(map.storedBytes(), 0U);
+    EXPECT_EQ(map.brickCount(), 1640);
+  });
+}
+
+/// The file without a name that lies in `folder`, opened once more.
+int openStoreIn(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code ignored;
+    const std::filesystem::path target = std::filesystem::read_symlink(entry.path(), ignored);
+    if (target.string().starts_with((folder / "scantrove-map-").string())) {
+      return ::open(entry.path().c_str(), O_RDWR | O_CLOEXEC);
+    }
+  }
+  return -1;
+}
+
+TEST(BrickSwapping, AnUnreadablePageIsMissingAndSaysSo) {
+  test::onEachDevice([](ComputeContext& compute) {
+    const test::TemporaryFolder folder;
+    BrickMap map(compute, 0.01F, {kBudget, compute.isCpu(), folder.path()});
+    map.allocate(row(0, 100));
+    lookAtNothing(map);
+    map.allocate(row(200, 260));
+    ASSERT_EQ(map.slotOf({0, 0, 0}), BRICK_NONE);
+    const int count = map.brickCount();
+    const int file = openStoreIn(folder.path());
+    ASSERT_GE(file, 0);
+    ASSERT_EQ(::pwrite(file, "damaged", 7, 0), 7);
+    ::close(file);
+
+    map.lookAt(std::vector<int>{map.pages().pageWith({0, 0, 0})});
+    const auto failure = map.takeFailure();
+    ASSERT_TRUE(failure);
+    EXPECT_THAT(failure->message(), HasSubstr("cannot be read back"));
+    EXPECT_EQ(map.brickCount(), count - 4 * PAGE_SIDE);
+    EXPECT_EQ(map.slotOf({0, 0, 0}), BRICK_NONE);
+    EXPECT_EQ(map.allocate(std::vector<Brick>{{0, 0, 0}}), 1) << "its place can be used again";
+    EXPECT_NE(map.slotOf({0, 0, 0}), BRICK_NONE);
+  });
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/synthetic/film_set.h"
+#include "tests/support/synthetic_scan.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::SyntheticScan;
+using testing::HasSubstr;
+
+/// Some metres of the corridor, coarse: some ten times as much as the budget of 6 MiB holds.
+SyntheticOptions walk() {
+  SyntheticOptions options;
+  options.set = synthetic::makeCorridorSet;
+  options.K = Intrinsics{131, 131, 79.5F, 59.5F, 160, 120};
+  options.noise = false;
+  options.stride = 20;  // 0.5 m
+  options.at_most = 40;
+  return options;
+}
+
+ScanParams paramsWith(int budget_mb) {
+  ScanParams params;
+  params.fusion.voxel_size_m = 0.02F;
+  params.fusion.max_depth_m = 3;
+  params.fusion.memory_budget_mb = budget_mb;
+  return params;
+}
+
+using Point = std::tuple<float, float, float, std::uint32_t>;
+
+std::vector<Point> cloudOf(ScanPipeline& pipeline) {
+  std::vector<Point> cloud;
+  const Result<void> read = pipeline.forEachCloudPoint([&](const LabelPoint& point) {
+    const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
+    cloud.emplace_back(point.x, point.y, point.z, region.value);
+  });
+  EXPECT_TRUE(read) << (read ? "" : read.error().message());
+  return cloud;
+}
+
+/// TMPDIR while it lives.
+class TemporaryFilesIn {
+ public:
+  explicit TemporaryFilesIn(const std::string& folder) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  TemporaryFilesIn(const TemporaryFilesIn&) = delete;
+  TemporaryFilesIn& operator=(const TemporaryFilesIn&) = delete;
+  ~TemporaryFilesIn() {
+    if (before_.empty()) {
+      unsetenv("TMPDIR");
+    } else {
+      setenv("TMPDIR", before_.c_str(), 1);
+    }
+  }
+
+ private:
+  std::string before_;
+};
+
+class MemoryBudget : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    with_all_ = std::make_unique<SyntheticScan>(walk(), paramsWith(0), true);
+    with_all_->run();
+    cloud_ = cloudOf(with_all_->pipeline());
+  }
+  static void TearDownTestSuite() { with_all_.reset(); }
+
+  static std::unique_ptr<SyntheticScan> with_all_;
+  static std::vector<Point> cloud_;
+};
+
+std::unique_ptr<SyntheticScan> MemoryBudget::with_all_;
+std::vector<Point> MemoryBudget::cloud_;
+
+TEST_F(MemoryBudget, ChangesNoPointLabelOrViewOfTheMap) {
+  ASSERT_EQ(with_all_->pipeline().bricks().storedBytes(), 0U);
+  SyntheticScan scan(walk(), paramsWith(6), true);
+  scan.run();
+  EXPECT_FALSE(scan.pipeline().takeMapFailure());
+  const BrickMap& bricks = scan.pipeline().bricks();
+  EXPECT_EQ(bricks.brickCount(), with_all_->pipeline().bricks().brickCount());
+  EXPECT_LT(3 * bricks.bricksHere(), bricks.brickCount()) << "most of the map had room";
+  EXPECT_LE(bricks.deviceBytes(), std::size_t{6} << 20U);
+  EXPECT_EQ(scan.pipeline().voxelsOfFragments(), with_all_->pipeline().voxelsOfFragments());
+  EXPECT_GT(cloud_.size(), 100000U);
+  EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
+  // What was left behind long ago, seen once more.
+  for (const std::size_t i : {std::size_t{0}, scan.frames.size() / 2}) {
+    const cv::Mat view = scan.finalRegions(scan.frames[i]);
+    EXPECT_GT(cv::countNonZero(view), view.rows * view.cols / 2);
+    EXPECT_EQ(cv::norm(view, with_all_->finalRegions(with_all_->frames[i]), cv::NORM_INF), 0);
+  }
+  EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_) << "after the views have moved bricks about";
+}
+
+TEST_F(MemoryBudget, WithoutADiskTheScanSaysSoAndGoesOn) {
+  const test::TemporaryFolder folder;
+  const TemporaryFilesIn nowhere((folder.path() / "nowhere").string());
+  SyntheticScan scan(walk(), paramsWith(6), true);
+  scan.run();
+  const auto failure = scan.pipeline().takeMapFailure();
+  ASSERT_TRUE(failure);
+  EXPECT_THAT(failure->message(), HasSubstr("nowhere"));
+  EXPECT_FALSE(scan.pipeline().takeMapFailure());
+  EXPECT_EQ(scan.pipeline().bricks().storedBytes(), 0U);
+  EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
+}
+
+}  // namespace
+}  // namespace scantrove
