@@ -15,10 +15,16 @@ struct DepthView {
 
 /// So far apart two depths contradict each other, whatever noise, edges, slant and poses do: metres, for a
 /// reading at `z_m`. `depth_noise_m`: FusionParams.
-[[nodiscard]] inline float contradiction_m(float z_m, float depth_noise_m) {
-  constexpr float kAnyway_m = 0.05F;
-  constexpr float kInNoise = 6;  // standard deviations
-  return kAnyway_m + kInNoise * depth_noise_m * z_m * z_m;
-}
+struct DepthContradiction {
+  float anyway_m;
+  [[nodiscard]] float at(float z_m, float depth_noise_m) const {
+    constexpr float kInNoise = 6;  // standard deviations
+    return anyway_m + kInNoise * depth_noise_m * z_m * z_m;
+  }
+};
+/// Of a reading before a surface.
+inline constexpr DepthContradiction kBefore{0.05F};
+/// Of a reading behind one: a mug that was taken from a table uncovers what is a few centimetres behind it.
+inline constexpr DepthContradiction kBehind{0.025F};
 
 }  // namespace scantrove

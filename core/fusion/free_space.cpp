@@ -35,7 +35,7 @@ cv::Mat FreeSpace::contradicting(const DepthView& now) const {
         if (!(x >= 0 && y >= 0 && x < static_cast<float>(K.width) && y < static_cast<float>(K.height)))
           continue;
         const float seen = witness.nearest_m.at<float>(static_cast<int>(y), static_cast<int>(x));
-        if (seen > q.z() + contradiction_m(q.z(), depth_noise_m_)) ++vote[u];
+        if (seen > q.z() + kBefore.at(q.z(), depth_noise_m_)) ++vote[u];
       }
     }
   }

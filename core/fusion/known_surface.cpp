@@ -28,9 +28,8 @@ cv::Mat KnownSurface::standings(const DepthView& now, float depth_noise_m) const
       return Standing::unknown;
     const float known = view_.z_m.at<float>(static_cast<int>(y), static_cast<int>(x));
     if (!(known > 0)) return Standing::unknown;
-    const float apart = contradiction_m(q.z(), depth_noise_m);
-    if (q.z() < known - apart) return Standing::before;
-    return q.z() > known + apart ? Standing::behind : Standing::fits;
+    if (q.z() < known - kBefore.at(q.z(), depth_noise_m)) return Standing::before;
+    return q.z() > known + kBehind.at(q.z(), depth_noise_m) ? Standing::behind : Standing::fits;
   };
   for (int v = 0; v < now.z_m.rows; ++v) {
     const auto* z = now.z_m.ptr<float>(v);

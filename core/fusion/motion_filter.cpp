@@ -82,8 +82,8 @@ void MotionFilter::apply(const DepthPyramid& frame, BrickMap& bricks, SurfaceMap
 
 void MotionFilter::doubt(const DepthPyramid& frame, BrickMap& bricks, const SurfaceMaps& surface) {
   const Eigen::Vector3f eye = surface.T_world_camera.translation().cast<float>();
-  const float at_0_m = contradiction_m(0, params_.depth_noise_m);
-  const cl_float2 apart{{at_0_m, contradiction_m(1, params_.depth_noise_m) - at_0_m}};
+  const float at_0_m = kBehind.at(0, params_.depth_noise_m);
+  const cl_float2 apart{{at_0_m, kBehind.at(1, params_.depth_noise_m) - at_0_m}};
   doubt_surface_.launch(pixelsOf(surface.K), cl::NullRange, sent(vacated_), cl_int{vacated_.cols},
                         cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
                         toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),

@@ -1,7 +1,9 @@
 #include "core/scan/met_objects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <opencv2/core.hpp>
 #include <optional>
 
 namespace scantrove {
@@ -12,8 +14,12 @@ constexpr float kSamePlaceFraction = 0.25F;
 /// and the smaller diagonal is at least this fraction of the larger.
 constexpr float kAlikeFraction = 0.6F;
 
+/// The place is looked at in so many pixels to each side.
+constexpr int kAroundMiddle_px = 2;
+
 /// Between the centroids, where both are at one place.
 std::optional<float> distanceAtOnePlace(const MetObjects::Met& met, const Candidate& candidate) {
+  if (MetObjects::hasLeft(met)) return std::nullopt;
   const float diagonal = std::max(met.size_m.norm(), candidate.size_m.norm());
   if (std::min(met.size_m.norm(), candidate.size_m.norm()) < kAlikeFraction * diagonal) return std::nullopt;
   const float distance_m = (met.centroid_world - candidate.centroid_world).norm();
@@ -58,6 +64,24 @@ void MetObjects::meet(ObjectId object, const Candidate& candidate, int frame) {
   met.centroid_world = candidate.centroid_world;
   met.size_m = candidate.size_m;
   met.last_frame = frame;
+  met.times_empty = 0;
+}
+
+void MetObjects::lookAtPlaces(const DepthView& now, float depth_noise_m, int frame) {
+  const Eigen::Isometry3f T_camera_world = now.T_world_camera.inverse().cast<float>();
+  const cv::Rect image({}, now.z_m.size());
+  for (auto& [object, met] : met_) {
+    if (met.last_frame >= frame) continue;
+    const Eigen::Vector3f middle = T_camera_world * met.centroid_world;
+    if (!(middle.z() > 0)) continue;
+    const cv::Point pixel(static_cast<int>(std::lround(now.K.fx * middle.x() / middle.z() + now.K.cx)),
+                          static_cast<int>(std::lround(now.K.fy * middle.y() / middle.z() + now.K.cy)));
+    const cv::Rect around(pixel - cv::Point(kAroundMiddle_px, kAroundMiddle_px),
+                          cv::Size(2 * kAroundMiddle_px + 1, 2 * kAroundMiddle_px + 1));
+    if ((around & image) != around) continue;
+    const float through_m = middle.z() + kBehind.at(middle.z(), depth_noise_m);
+    if (cv::countNonZero(now.z_m(around) > through_m) == around.area()) ++met.times_empty;
+  }
 }
 
 ObjectId MetObjects::nearby(const Candidate& candidate, int frame) const {

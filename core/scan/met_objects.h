@@ -7,6 +7,7 @@
 
 #include "core/catalog/view_sphere.h"
 #include "core/discovery/candidate.h"
+#include "core/fusion/depth_view.h"
 
 namespace scantrove {
 
@@ -19,6 +20,7 @@ class MetObjects {
     Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();  ///< newest sighting
     Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
     int last_frame = 0;
+    int times_empty = 0;  ///< frames since then that saw through its place
     ViewSphere views;
   };
 
@@ -33,6 +35,11 @@ class MetObjects {
 
   /// Another sighting.
   void meet(ObjectId object, const Candidate& candidate, int frame);
+  /// Looks at the places of all objects that are in view but were not met in this frame: from where does a
+  /// reading come that goes through the middle of one? `depth_noise_m`: FusionParams.
+  void lookAtPlaces(const DepthView& now, float depth_noise_m, int frame);
+  /// Its place was seen empty several times: it has been taken away.
+  [[nodiscard]] static bool hasLeft(const Met& met) { return met.times_empty >= kTimesEmpty; }
   [[nodiscard]] Met& met(ObjectId object) { return met_[object]; }
   [[nodiscard]] const std::map<ObjectId, Met>& all() const { return met_; }
 
@@ -43,6 +50,8 @@ class MetObjects {
   [[nodiscard]] bool isAt(ObjectId object, const Candidate& candidate) const;
 
  private:
+  static constexpr int kTimesEmpty = 3;
+
   std::map<ObjectId, Met> met_;
   std::unordered_map<RegionId, ObjectId> object_of_region_;  // stays when the object is deleted
 };

@@ -130,7 +130,7 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
     if (catalogue_.holderOf(met_object) == known->id && frame_ - met.last_frame < kFramesToMove &&
-        !met_.isAt(met_object, candidate))
+        !MetObjects::hasLeft(met) && !met_.isAt(met_object, candidate))
       return {};
   }
   return known->id;

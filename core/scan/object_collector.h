@@ -10,6 +10,7 @@
 #include "core/capture/rgbd_frame.h"
 #include "core/catalog/object_database.h"
 #include "core/discovery/candidate.h"
+#include "core/fusion/depth_view.h"
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/met_objects.h"
@@ -52,6 +53,12 @@ class ObjectCollector {
   void regionsJoined(RegionId into, RegionId from);
   /// `part` was a part of `from` until now. What a person deleted stays so in its parts.
   void regionsParted(RegionId from, RegionId part);
+
+  /// Objects whose place this frame, the last one given to collect(), shows empty may be met elsewhere from
+  /// now on. `depth_noise_m`: FusionParams.
+  void lookForThoseMet(const DepthView& now, float depth_noise_m) {
+    met_.lookAtPlaces(now, depth_noise_m, frame_);
+  }
 
   /// A person says that the candidate with this region is an object: it is added when it is seen next, whole
   /// or not.

@@ -26,6 +26,12 @@ PoseEstimate givenPose(const RgbdFrame& frame) {
   return pose;
 }
 
+DepthView depthViewOf(const RgbdFrame& frame, const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
+  DepthView view{K, T_world_camera, {}};
+  frame.depth.convertTo(view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
+  return view;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compute, const Setup& setup) {
@@ -150,6 +156,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
     keepKnown(result.objects);
+    collector_->lookForThoseMet(depthViewOf(frame, depth->K, T_world_camera), params_.fusion.depth_noise_m);
   }
   if (tracker_) result.late = integrateLate();
   return result;

@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
-#include "core/synthetic/camera_work.h"
 #include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
 #include "core/synthetic/palette.h"
@@ -138,14 +139,15 @@ void setInMotion(HashStream& random, const Stage& stage, FilmSet& set) {
 CameraPath makePathOverTable(HashStream& random, double side) {
   const double away = random.uniform(-1.4, -1.3);
   const double height = random.uniform(1.2, 1.35);
-  std::vector<Gaze> points;
-  for (int i = 0; i < 6; ++i) {
-    const double along = side * (0.5 - 0.2 * i) + random.uniform(-0.06, 0.06);
-    const double eye_y = away + random.uniform(-0.08, 0.08);
-    const double eye_z = height + random.uniform(-0.06, 0.06);
-    points.push_back({{along, eye_y, eye_z}, {0.75 * along, 0.2, random.uniform(0.55, 0.68)}});
-  }
-  return alongAtHandsPace(std::move(points));
+  const double look = random.uniform(0.55, 0.68);
+  const double phase = random.uniform(0, 2 * std::numbers::pi);
+  return [=](double time_s) -> Gaze {
+    const double turn = 2 * std::numbers::pi * time_s * 30 / kMovingFrames;
+    const double along = side * 0.5 * std::cos(turn);
+    const double wave = std::sin(2 * turn + phase);
+    return {{along, away + 0.05 * wave, height + 0.05 * std::cos(2 * turn + phase)},
+            {0.75 * along, 0.2, look + 0.03 * wave}};
+  };
 }
 
 }  // namespace

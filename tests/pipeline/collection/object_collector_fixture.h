@@ -111,6 +111,14 @@ class ObjectCollectorFixture : public testing::Test {
     return all;
   }
 
+  /// A frame in which the thing is not found, seen from the origin; all readings are at `z_m`.
+  void lookAtPlaceOf(const Thing& thing, float z_m) {
+    static_cast<void>(look({}));
+    const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(thing.centroid().x(), 0, 0));
+    const Intrinsics K{160, 160, 159.5F, 119.5F, 320, 240};
+    collector_->lookForThoseMet({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, 0.0015F);
+  }
+
   std::vector<ObjectRecord> objects() {
     const Result<std::vector<ObjectRecord>> objects = person_->objects();
     EXPECT_TRUE(objects);

@@ -60,6 +60,32 @@ TEST_F(ObjectCollectorTest, TheSameThingUnderANewRegionIsTheSameObject) {
   EXPECT_EQ(collector_->objectOf(again.region), mug);
 }
 
+TEST_F(ObjectCollectorTest, WhatIsOnlyHiddenHasNotLeft) {
+  static_cast<void>(study({mug_}));
+  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 0.3F);   // somebody before it
+  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 1.01F);  // a reading of itself
+  for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 0);
+  const Thing other{mug_.seed, 2, RegionId{77}};
+  EXPECT_EQ(study({other}).added.size(), 1U) << "another of the kind";
+}
+
+TEST_F(ObjectCollectorTest, WhatWasTakenAwayIsTheSameWhereItIsPut) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
+  const Thing put{mug_.seed, 2, RegionId{77}};
+  EXPECT_TRUE(study({put}).added.empty());
+  EXPECT_EQ(collector_->objectOf(put.region), mug);
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing other{mug_.seed, 2, RegionId{77}};
+  const FrameObjects seen = study({mug_, other});
+  ASSERT_EQ(seen.added.size(), 1U);
+  EXPECT_NE(seen.added[0].id, mug);
+}
+
 TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
   Candidate part = mug_.candidate();
   part.is_whole = false;
