@@ -118,7 +118,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   stage("raycast", [&] {
     map_->raycast(T_world_camera, working_K_, surface_);
     motion_->apply(*depth, map_->bricks(), surface_);
-    followed_ = motion_->settled(surface_, map_->bricks());
+    if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
   if (tracker_) stage("track", [&] { tracker_->learn(frame, depth->K, surface_); });
 
