@@ -188,7 +188,7 @@ std::vector<PoseTracker::UncertainFrame> PoseTracker::takeUncertain() {
 PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyramid& depth) {
   const Eigen::Isometry3d guess = uncertain.T_world_camera;
   view_model_(guess, verified_);
-  const PoseEstimate pose =
+  PoseEstimate pose =
       judge(aligner_->align(depth, verified_, std::span(&guess, 1)), guess, PoseOrigin::prediction);
   if (!pose.usable() && --uncertain.chances > 0) uncertain_.push_back(std::move(uncertain));
   return pose;
