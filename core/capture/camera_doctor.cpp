@@ -17,8 +17,8 @@ namespace {
 
 using Part = KnownCamera::Part;
 
-bool isServed(CameraDriver driver) {
-  return driver == CameraDriver::openni2 || (driver == CameraDriver::libfreenect && hasFreenect());
+bool isServed(CameraDriver driver, bool with_libfreenect) {
+  return driver == CameraDriver::openni2 || (driver == CameraDriver::libfreenect && with_libfreenect);
 }
 
 Error withoutDriver(const KnownCamera& camera) {
@@ -101,15 +101,15 @@ std::optional<Error> isHeldByModule(const UsbDevice& device, const KnownCamera& 
       "sudo tee /etc/modprobe.d/blacklist-gspca-kinect.conf`"};
 }
 
-CameraDiagnosis examine(const UsbDevice& device, const KnownCamera& camera,
-                        const std::filesystem::path& root) {
+CameraDiagnosis examine(const UsbDevice& device, const KnownCamera& camera, const std::filesystem::path& root,
+                        bool with_libfreenect) {
   CameraDiagnosis diagnosis{.device = device, .camera = camera, .node = device.node("/")};
   const auto add = [](std::vector<Error>& to, std::optional<Error> found) {
     if (found) {
       to.push_back(std::move(*found));
     }
   };
-  diagnosis.is_served = isServed(camera.driver);
+  diagnosis.is_served = isServed(camera.driver, with_libfreenect);
   std::optional<Error> permission = lacksPermission(device, device.node(root), diagnosis.node.string());
   diagnosis.may_be_opened = !permission;
   if (diagnosis.is_served) {
@@ -125,6 +125,10 @@ CameraDiagnosis examine(const UsbDevice& device, const KnownCamera& camera,
 }  // namespace
 
 std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root) {
+  return examineCameras(root, hasFreenect());
+}
+
+std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root, bool with_libfreenect) {
   std::vector<CameraDiagnosis> diagnoses;
   int kinects = 0;
   std::vector<std::pair<UsbDevice, KnownCamera>> motors;
@@ -138,7 +142,7 @@ std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root) {
       continue;
     }
     kinects += camera->driver == CameraDriver::libfreenect ? 1 : 0;
-    diagnoses.push_back(examine(device, *camera, root));
+    diagnoses.push_back(examine(device, *camera, root, with_libfreenect));
   }
   if (kinects == 0) {
     for (const auto& [device, motor] : motors) {

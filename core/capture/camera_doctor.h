@@ -26,6 +26,9 @@ struct CameraDiagnosis {
 /// driver, permission, kernel module, USB speed, power supply. Opens nothing. Ends after milliseconds; any
 /// thread.
 [[nodiscard]] std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root = "/");
+/// The same for a build with or without libfreenect, whatever this one is.
+[[nodiscard]] std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root,
+                                                          bool with_libfreenect);
 
 /// "OpenNI2", "libfreenect", "none".
 [[nodiscard]] std::string driverName(CameraDriver driver);

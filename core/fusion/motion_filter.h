@@ -38,8 +38,6 @@ class MotionFilter {
   /// Pixels of the last frame that move: CV_8UC1, 255 or 0, smaller than the frame; empty when there are
   /// none.
   [[nodiscard]] const cv::Mat& moving() const { return moving_; }
-  /// Pixels in which the last frame saw through known surface, likewise.
-  [[nodiscard]] const cv::Mat& vacated() const { return vacated_; }
 
  private:
   MotionFilter(ComputeContext& compute, const FusionParams& params)
@@ -59,7 +57,8 @@ class MotionFilter {
   SurfaceMaps settled_;
   Buffer<cl_float4> settled_normals_;
   Buffer<cl_int> fresh_counts_;
-  cv::Mat moving_, vacated_;
+  cv::Mat moving_;
+  cv::Mat vacated_;  // pixels in which the last frame saw through known surface, likewise
 };
 
 }  // namespace scantrove

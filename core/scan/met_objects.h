@@ -35,8 +35,8 @@ class MetObjects {
 
   /// Another sighting.
   void meet(ObjectId object, const Candidate& candidate, int frame);
-  /// Looks at the places of all objects that are in view but were not met in this frame: from where does a
-  /// reading come that goes through the middle of one? `depth_noise_m`: FusionParams.
+  /// Looks at the places of all objects that are in view but were not met in this frame. A place is empty
+  /// when the readings around the object's middle lie behind it. `depth_noise_m`: FusionParams.
   void lookAtPlaces(const DepthView& now, float depth_noise_m, int frame);
   /// Its place was seen empty several times: it has been taken away.
   [[nodiscard]] static bool hasLeft(const Met& met) { return met.times_empty >= kTimesEmpty; }

@@ -181,7 +181,8 @@ TEST(Devices, SayWhatKeepsACameraFromWorking) {
 /// Debian's fakenect takes libfreenect's place and counts one camera; it cannot give depth in mm.
 TEST(Devices, ListAKinect) {
   const std::filesystem::path fakenect = "/usr/lib/x86_64-linux-gnu/fakenect";
-  if (!hasFreenect() || !std::filesystem::exists(fakenect)) GTEST_SKIP() << "there is no " << fakenect;
+  if (!hasFreenect()) GTEST_SKIP() << "This build is without libfreenect.";
+  if (!std::filesystem::exists(fakenect)) GTEST_SKIP() << "There is no " << fakenect;
   const std::map<std::string, std::string> environment{{"LD_LIBRARY_PATH", fakenect}};
   EXPECT_THAT(scantrove({"devices"}, environment).out,
               HasSubstr("camera:freenect:0  Microsoft Kinect v1 (libfreenect)"));
@@ -193,7 +194,7 @@ TEST(Devices, ListAKinect) {
 
 TEST(Devices, AKinectThatIsNotThereIsAFailure) {
   if (const auto kinects = listFreenectCameras(); kinects && !kinects->empty())
-    GTEST_SKIP() << "one is there";
+    GTEST_SKIP() << "A Kinect is plugged in here.";
   const TemporaryFolder folder;
   expectJobFailure(scantrove({"scan", "freenect", "--out", folder / "out"}),
                    {hasFreenect() ? "No Kinect v1" : "libfreenect"});
