@@ -26,6 +26,8 @@ struct CommandOutcome {
 
 /// Each adds one subcommand with its options; its callback does the work and fills `outcome`.
 void addScanCommand(CLI::App& app, CommandOutcome& outcome);
+void addSessionCommand(CLI::App& app, CommandOutcome& outcome);
+void addExportCommand(CLI::App& app, CommandOutcome& outcome);
 void addRecordCommand(CLI::App& app, CommandOutcome& outcome);
 void addEvaluateCommand(CLI::App& app, CommandOutcome& outcome);
 void addDevicesCommand(CLI::App& app, CommandOutcome& outcome);

@@ -44,6 +44,8 @@ int run(int argc, char** argv) {
   });
   app.require_subcommand(0, 1);
   addScanCommand(app, outcome);
+  addSessionCommand(app, outcome);
+  addExportCommand(app, outcome);
   addRecordCommand(app, outcome);
   addEvaluateCommand(app, outcome);
   addObjectsCommand(app, outcome);

@@ -96,7 +96,11 @@ class ImageSequenceSource final : public FrameSource {
     read.frame.color_camera = color_camera_;
     read.frame.depth = std::move(images->depth);
     read.frame.T_world_camera = poseOf(entry);
-    if (undistorter_) straighten(read.frame);
+    if (undistorter_) {
+      straighten(read.frame);
+    } else if (sequence_.has_color) {
+      read.frame.color_file = entry.color;
+    }
     return read;
   }
 

@@ -2,9 +2,9 @@
 #include <QJsonDocument>
 #include <optional>
 
-#include "core/catalog/database_connection.h"
 #include "core/catalog/object_database.h"
 #include "core/catalog/object_rows.h"
+#include "core/database/database_connection.h"
 
 namespace scantrove {
 namespace {

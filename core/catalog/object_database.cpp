@@ -1,10 +1,10 @@
 #include "core/catalog/object_database.h"
 
-#include "core/catalog/database_connection.h"
-#include "core/catalog/migrations.h"
+#include "core/catalog/catalogue_schema.h"
 #include "core/catalog/object_name.h"
 #include "core/catalog/object_rows.h"
-#include "core/catalog/transaction.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
 
 namespace scantrove {
 namespace {
@@ -48,7 +48,7 @@ Result<int> nextNumber(DatabaseConnection& connection) {
 Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::open(const std::string& database) {
   Result<std::unique_ptr<DatabaseConnection>> connection = DatabaseConnection::open(database);
   if (!connection) return fail(connection.error());
-  SCANTROVE_TRY(schema::migrate(**connection));
+  SCANTROVE_TRY(schema::migrate(**connection, schema::kCatalogue, schema::catalogSteps()));
   std::unique_ptr<ObjectDatabase> result(new ObjectDatabase);
   result->connection_ = std::move(*connection);
   return result;

@@ -5,11 +5,11 @@
 #include <set>
 #include <tuple>
 
-#include "core/catalog/database_connection.h"
 #include "core/catalog/object_database.h"
 #include "core/catalog/object_rows.h"
-#include "core/catalog/transaction.h"
 #include "core/catalog/view_rows.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
 
 namespace scantrove {
 namespace {

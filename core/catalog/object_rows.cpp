@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "core/catalog/database_connection.h"
+#include "core/database/database_connection.h"
 
 namespace scantrove {
 namespace {

@@ -3,12 +3,12 @@
 #include <array>
 #include <optional>
 
-#include "core/catalog/database_connection.h"
 #include "core/catalog/image_blob.h"
 #include "core/catalog/object_database.h"
 #include "core/catalog/object_rows.h"
-#include "core/catalog/transaction.h"
 #include "core/catalog/view_rows.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
 
 namespace scantrove {
 namespace {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <set>
 
-#include "core/catalog/database_connection.h"
 #include "core/catalog/image_blob.h"
 #include "core/catalog/object_database.h"
-#include "core/catalog/transaction.h"
 #include "core/catalog/view_rows.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
 
 namespace scantrove {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
-#include "core/catalog/database_connection.h"
 #include "core/catalog/image_blob.h"
+#include "core/database/database_connection.h"
 
 namespace scantrove {
 namespace {

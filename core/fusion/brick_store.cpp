@@ -1,66 +1,26 @@
 #include "core/fusion/brick_store.h"
 
 #include <fcntl.h>
-#include <lz4.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
 
-#include "core/base/check.h"
+#include "core/fusion/packed_words.h"
 
 namespace scantrove {
 namespace {
 
 constexpr std::uint64_t kUnit_bytes = 4096;  // of records in the file: small holes would stay for ever
 constexpr std::uint64_t kStep_bytes = 16ULL << 20U;  // by which the file grows
-constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
 
 std::uint64_t wholeUnits(std::uint64_t bytes) {
   return (bytes + kUnit_bytes - 1) / kUnit_bytes * kUnit_bytes;
-}
-
-/// Bytes of like meaning lie together and so compress: the first byte of every word, then the second, ...
-void toPlanes(std::span<const std::uint32_t> words, std::vector<char>& planes) {
-  const std::size_t count = words.size();
-  planes.resize(count * kWordBytes);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t word = words[i];
-    planes[i] = static_cast<char>(word & 255U);
-    planes[count + i] = static_cast<char>((word >> 8U) & 255U);
-    planes[2 * count + i] = static_cast<char>((word >> 16U) & 255U);
-    planes[3 * count + i] = static_cast<char>(word >> 24U);
-  }
-}
-
-std::vector<std::uint32_t> fromPlanes(const std::vector<char>& planes) {
-  const std::size_t count = planes.size() / kWordBytes;
-  const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(planes[i])}; };
-  std::vector<std::uint32_t> words(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    words[i] = byte(i) | byte(count + i) << 8U | byte(2 * count + i) << 16U | byte(3 * count + i) << 24U;
-  }
-  return words;
-}
-
-std::uint64_t checksumOf(std::span<const char> bytes) {
-  std::uint64_t sum = bytes.size();
-  while (!bytes.empty()) {
-    std::uint64_t word = 0;
-    const std::size_t count = std::min(bytes.size(), sizeof(word));
-    std::memcpy(&word, bytes.data(), count);
-    sum = (sum ^ word) * 0x9e3779b97f4a7c15ULL;
-    sum ^= sum >> 29U;
-    bytes = bytes.subspan(count);
-  }
-  return sum;
 }
 
 bool writeAt(int file, std::span<const char> bytes, std::uint64_t offset) {
@@ -162,39 +122,28 @@ void BrickStore::giveBack(std::uint64_t offset, std::uint64_t bytes) {
 }
 
 Result<BrickStore::Record> BrickStore::put(std::span<const std::uint32_t> words) {
-  SCANTROVE_CHECK(!words.empty() && words.size_bytes() < (1U << 30U));
   SCANTROVE_TRY(open());
-  toPlanes(words, planes_);
-  const int size = static_cast<int>(planes_.size());
-  packed_.resize(static_cast<std::size_t>(LZ4_compressBound(size)));
-  const int packed =
-      LZ4_compress_default(planes_.data(), packed_.data(), size, static_cast<int>(packed_.size()));
-  SCANTROVE_CHECK(packed > 0);
-  const std::span<const char> bytes = std::span<const char>(packed_).first(static_cast<std::size_t>(packed));
-  Result<std::uint64_t> offset = take(wholeUnits(bytes.size()));
+  const PackedWords packed = packWords(words);
+  const std::uint64_t size = wholeUnits(packed.bytes.size());
+  Result<std::uint64_t> offset = take(size);
   if (!offset) return fail(offset.error());
-  if (!writeAt(file_, bytes, *offset)) {
+  if (!writeAt(file_, packed.bytes, *offset)) {
     const int code = errno;
-    giveBack(*offset, wholeUnits(bytes.size()));
+    giveBack(*offset, size);
     return fail(writeFailure(code));
   }
-  used_bytes_ += wholeUnits(bytes.size());
-  return Record{*offset, static_cast<std::uint32_t>(bytes.size()), static_cast<std::uint32_t>(size),
-                checksumOf(bytes)};
+  used_bytes_ += size;
+  return Record{*offset, static_cast<std::uint32_t>(packed.bytes.size()), packed.unpacked_bytes,
+                packed.checksum};
 }
 
 Result<std::vector<std::uint32_t>> BrickStore::get(const Record& record) const {
-  std::vector<char> packed(record.stored_bytes);
-  std::vector<char> planes(record.bytes);
-  const bool is_whole =
-      file_ >= 0 && readAt(file_, packed, record.offset) && checksumOf(packed) == record.checksum &&
-      LZ4_decompress_safe(packed.data(), planes.data(), static_cast<int>(packed.size()),
-                          static_cast<int>(planes.size())) == static_cast<int>(planes.size());
-  if (!is_whole) {
-    return fail("A part of the map cannot be read back from its temporary file in " + folder_.string() + ".",
-                "That part is missing from now on. Check the disk, or name another folder in TMPDIR.");
+  PackedWords packed{std::vector<char>(record.stored_bytes), record.bytes, record.checksum};
+  if (file_ >= 0 && readAt(file_, packed.bytes, record.offset)) {
+    if (auto words = unpackWords(packed)) return std::move(*words);
   }
-  return fromPlanes(planes);
+  return fail("A part of the map cannot be read back from its temporary file in " + folder_.string() + ".",
+              "That part is missing from now on. Check the disk, or name another folder in TMPDIR.");
 }
 
 void BrickStore::erase(const Record& record) {

@@ -60,8 +60,6 @@ class BrickStore {
   std::uint64_t end_ = 0;
   std::uint64_t allocated_ = 0;  ///< of the file, on the disk
   std::uint64_t used_bytes_ = 0;
-  std::vector<char> planes_;  ///< for put, so that it is not made each time
-  std::vector<char> packed_;
 };
 
 /// Where such files go: TMPDIR if it is set, else /var/tmp (a disk where /tmp may be memory), else /tmp.

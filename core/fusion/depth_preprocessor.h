@@ -19,6 +19,9 @@ class DepthPreprocessor {
                                                                          const Intrinsics& K,
                                                                          const FusionParams& params);
 
+  /// Of the finest level of what process() gives.
+  [[nodiscard]] const Intrinsics& workingCamera() const { return pyramid_.levels.front().K; }
+
   /// Depth of 0 or outside [min_depth, max_depth] becomes 0. The result stays valid until the next call.
   [[nodiscard]] const DepthPyramid& process(const RgbdFrame& frame);
 

@@ -3,12 +3,13 @@
 #include <optional>
 
 #include "core/labeling/fragment_contacts.h"
+#include "core/labeling/link_constraint.h"
 
 namespace scantrove {
 
 /// What all looks together say of the border between two fragments.
 struct BorderEvidence {
-  enum class Constraint { none, must_link, cannot_link };
+  using Constraint = LinkConstraint;
 
   float looks = 0;                   ///< weighed, at most kMostLooks
   float bridged = 0;                 ///< of the looks: one segment on both sides of the border
@@ -20,6 +21,7 @@ struct BorderEvidence {
   std::optional<float> color_shift;  ///< as in FragmentContact, mean
   float length_m = 0;                ///< of the border, longest look
   Constraint constraint = Constraint::none;
+  bool by_person = false;    ///< the constraint: stronger than any that the program found
   int constraint_order = 0;  ///< higher: said later
 
   /// Older looks fade as newer come: what was seen wrongly is overruled by so many that see it right.

@@ -165,7 +165,7 @@ std::optional<float> GraphMerger::joiningOdds(RegionId a, RegionId b, const Regi
     for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) {
       if (table.regionOf(link.other) != b) continue;
       const BorderEvidence& border = graph_.border(link.border);
-      if (border.constraint == BorderEvidence::Constraint::cannot_link) return std::nullopt;
+      if (border.constraint == LinkConstraint::cannot_link) return std::nullopt;
       odds = odds.value_or(0) + border.weight(voxelsOf(fragment), voxelsOf(link.other), params.joining_bias);
     }
   }
@@ -179,16 +179,35 @@ void GraphMerger::mustBeOne(RegionId a, RegionId b, const RegionTable& table) {
   for (const FragmentId fragment : of_a) {
     for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) {
       if (table.regionOf(link.other) == b)
-        return constrain(fragment, link.other, BorderEvidence::Constraint::must_link);
+        return constrain(fragment, link.other, LinkConstraint::must_link, false);
     }
   }
-  constrain(of_a.front(), of_b.front(), BorderEvidence::Constraint::must_link);
+  constrain(of_a.front(), of_b.front(), LinkConstraint::must_link, false);
 }
 
-void GraphMerger::constrain(FragmentId a, FragmentId b, BorderEvidence::Constraint constraint) {
-  graph_.constrain(a, b, constraint);
+void GraphMerger::constrain(FragmentId a, FragmentId b, LinkConstraint constraint) {
+  constrain(a, b, constraint, true);
+}
+
+void GraphMerger::constrain(FragmentId a, FragmentId b, LinkConstraint constraint, bool by_person) {
+  graph_.constrain(a, b, constraint, by_person);
   touched_.push_back(a);
   touched_.push_back(b);
+}
+
+std::vector<FragmentId> GraphMerger::neighboursOf(FragmentId fragment) const {
+  std::vector<FragmentId> neighbours;
+  for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) neighbours.push_back(link.other);
+  return neighbours;
+}
+
+std::vector<std::vector<FragmentId>> GraphMerger::partsOf(RegionId region, float less,
+                                                          const RegionTable& table,
+                                                          std::span<const int> voxels,
+                                                          const LabelingParams& params) const {
+  LabelingParams stricter = params;
+  stricter.joining_bias -= less;
+  return partsOfRegion(region, graph_, voxels, stricter, table);
 }
 
 }  // namespace scantrove

@@ -23,15 +23,26 @@ class GraphMerger final : public RegionMerger {
                                                  const LabelingParams& params) const override;
   void mustBeOne(RegionId a, RegionId b, const RegionTable& table) override;
 
+  void constrain(FragmentId a, FragmentId b, LinkConstraint constraint) override;
+  [[nodiscard]] LinkConstraint constraintBetween(FragmentId a, FragmentId b) const override {
+    return graph_.constraintBetween(a, b);
+  }
+  [[nodiscard]] std::vector<FragmentId> neighboursOf(FragmentId fragment) const override;
+  [[nodiscard]] std::vector<std::vector<FragmentId>> partsOf(RegionId region, float less,
+                                                             const RegionTable& table,
+                                                             std::span<const int> voxels,
+                                                             const LabelingParams& params) const override;
+
+  [[nodiscard]] EvidenceGraph* evidence() override { return &graph_; }
   [[nodiscard]] const EvidenceGraph& graph() const { return graph_; }
-  /// Says what two fragments are to each other, whatever is seen; takes effect with the next frame.
-  void constrain(FragmentId a, FragmentId b, BorderEvidence::Constraint constraint);
 
  private:
   using Overlaps = OverlapGraph<FragmentId>;
   void look(const MergeInput& input, const Overlaps& overlaps);
   void carve(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
              RegionTable& table, Outcome& outcome);
+
+  void constrain(FragmentId a, FragmentId b, LinkConstraint constraint, bool by_person);
 
   EvidenceGraph graph_;
   FragmentCutter cutter_;

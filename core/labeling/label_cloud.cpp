@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/compute/kernel_types.h"
@@ -27,7 +28,8 @@ Result<void> LabelCloud::buildKernels() {
   SCANTROVE_TRY(moveInto(list_uncovered_bricks_,
                          compute_.kernel(kernels::list_uncovered_bricks, "list_uncovered_bricks")));
   SCANTROVE_TRY(moveInto(update_labels_, compute_.kernel(kernels::update_labels, "update_labels")));
-  return moveInto(extract_points_, compute_.kernel(kernels::extract_points, "extract_points"));
+  SCANTROVE_TRY(moveInto(extract_points_, compute_.kernel(kernels::extract_points, "extract_points")));
+  return moveInto(relabel_voxels_, compute_.kernel(kernels::relabel_voxels, "relabel_voxels"));
 }
 
 std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
@@ -91,6 +93,31 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, 
   for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.positionOf(slot));
   fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
   return touched_bricks_;
+}
+
+void LabelCloud::relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map) {
+  if (voxels.empty()) return;
+  std::vector<cl_int4> listed;
+  std::set<int> pages;
+  for (const Eigen::Vector3i& v : voxels) {
+    listed.push_back({{v.x(), v.y(), v.z(), 0}});
+    const int page = map.pages().pageWith({v.x() >> BRICK_SHIFT, v.y() >> BRICK_SHIFT, v.z() >> BRICK_SHIFT});
+    if (page != BRICK_NONE) pages.insert(page);
+  }
+  map.lookAt(std::vector<int>(pages.begin(), pages.end()));
+  fitFragments(fragment.value);
+  fit(listed_, listed.size());
+  listed_.write(compute_.queue(), listed);
+  relabel_voxels_.launch(cl::NDRange(listed.size()), cl::NDRange(64), listed_,
+                         static_cast<cl_int>(listed.size()), fragment.value, map.table(), map.tableMask(),
+                         map.labels(), fragment_voxels_);
+  fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
+}
+
+void LabelCloud::restoreVoxelCounts(std::vector<cl_int> voxels) {
+  fitFragments(voxels.empty() ? 0 : static_cast<std::uint32_t>(voxels.size() - 1));
+  std::ranges::copy(voxels, fragment_voxels_host_.begin());
+  fragment_voxels_.write(compute_.queue(), fragment_voxels_host_);
 }
 
 LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map,

@@ -31,6 +31,12 @@ class LabelCloud {
                                           std::span<const FragmentId> carved, const LabelingParams& params,
                                           BrickMap& map);
 
+  /// These voxels (brick_layout.h, each once) hold `fragment` from now on, but for those without label.
+  /// Bricks that are in the map's file are brought back.
+  void relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map);
+  /// As they were when the map was kept.
+  void restoreVoxelCounts(std::vector<cl_int> voxels);
+
   /// How many voxels hold each fragment, by fragment number; shorter than the highest number where none does.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
 
@@ -62,7 +68,7 @@ class LabelCloud {
   }
 
   ComputeContext& compute_;
-  Kernel project_labels_, list_uncovered_bricks_, update_labels_, extract_points_;
+  Kernel project_labels_, list_uncovered_bricks_, update_labels_, extract_points_, relabel_voxels_;
   Buffer<cl_int> stamps_, touched_, count_, offsets_;
   Buffer<cl_int4> listed_, missing_;
   Buffer<TsdfVoxel> stored_voxels_;

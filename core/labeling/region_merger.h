@@ -3,14 +3,18 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/capture/intrinsics.h"
 #include "core/labeling/labeling_params.h"
+#include "core/labeling/link_constraint.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_table.h"
 #include "core/segmentation/segment_map.h"
 
 namespace scantrove {
+
+class EvidenceGraph;
 
 /// What merging looks at in one frame. All images K.width x K.height, row by row.
 struct MergeInput {
@@ -46,6 +50,21 @@ class RegionMerger {
                                                          const LabelingParams& params) const = 0;
   /// The regions are one thing whatever is seen; takes effect with the next frame.
   virtual void mustBeOne(RegionId a, RegionId b, const RegionTable& table) = 0;
+
+  /// What is known of borders, for one who keeps it; null: the rule keeps nothing.
+  [[nodiscard]] virtual EvidenceGraph* evidence() = 0;
+
+  /// A person says what two fragments are to each other, whatever is seen; takes effect with the next frame.
+  virtual void constrain(FragmentId a, FragmentId b, LinkConstraint constraint) = 0;
+  /// What was said of two fragments.
+  [[nodiscard]] virtual LinkConstraint constraintBetween(FragmentId a, FragmentId b) const = 0;
+  /// Fragments that were seen to touch this one, rising.
+  [[nodiscard]] virtual std::vector<FragmentId> neighboursOf(FragmentId fragment) const = 0;
+  /// What a region would part into if every border spoke `less` (log-odds) less for joining.
+  [[nodiscard]] virtual std::vector<std::vector<FragmentId>> partsOf(RegionId region, float less,
+                                                                     const RegionTable& table,
+                                                                     std::span<const int> voxels,
+                                                                     const LabelingParams& params) const = 0;
 };
 
 [[nodiscard]] std::unique_ptr<RegionMerger> makeRegionMerger(LabelingParams::Rule rule);

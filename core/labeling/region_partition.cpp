@@ -67,7 +67,7 @@ class Divider {
 
   [[nodiscard]] std::vector<std::vector<FragmentId>> divide(const RegionTable& table,
                                                             const LabelingParams& params) {
-    const Constraints constraints = findConstraints();
+    const Constraints constraints = findConstraints(table);
     std::vector<WeightedEdge> edges;
     for (const auto& [a, b] : constraints.apart()) {
       edges.push_back({constraints.groupOf(a), constraints.groupOf(b), -kCertain});
@@ -137,21 +137,40 @@ class Divider {
     }
   }
 
-  [[nodiscard]] Constraints findConstraints() const {
+  [[nodiscard]] Constraints findConstraints(const RegionTable& table) const {
     struct Said {
-      int order;
+      std::pair<bool, int> order;
       std::uint32_t a, b;
       Constraint constraint;
     };
     std::vector<Said> said;
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
       if (border.constraint != Constraint::none)
-        said.push_back({border.constraint_order, a, b, border.constraint});
+        said.push_back({{border.by_person, border.constraint_order}, a, b, border.constraint});
     });
     std::ranges::sort(said, std::greater<>(), &Said::order);
     Constraints constraints(members_.size());
     for (const Said& entry : said) constraints.add(entry.a, entry.b, entry.constraint);
+    keepApart(table, constraints);
     return constraints;
+  }
+
+  /// By its largest fragment, each region that a person said to be a thing, from all others that a person
+  /// said something of.
+  void keepApart(const RegionTable& table, Constraints& constraints) const {
+    std::map<RegionId, std::uint32_t> largest;
+    for (std::uint32_t i = 0; i < members_.size(); ++i) {
+      const RegionId region = table.regionOf(members_[i]);
+      if (table.said(region) == RegionSaid::nothing) continue;
+      const auto [found, is_first] = largest.try_emplace(region, i);
+      if (!is_first && voxelsOf(members_[i]) > voxelsOf(members_[found->second])) found->second = i;
+    }
+    for (auto one = largest.begin(); one != largest.end(); ++one) {
+      for (auto other = std::next(one); other != largest.end(); ++other) {
+        if (table.said(one->first) == RegionSaid::thing || table.said(other->first) == RegionSaid::thing)
+          constraints.add(one->second, other->second, Constraint::cannot_link);
+      }
+    }
   }
 
   /// Slivers beside something take its part; those beside slivers only stay what they are.
@@ -175,6 +194,13 @@ class Divider {
 };
 
 }  // namespace
+
+std::vector<std::vector<FragmentId>> partsOfRegion(RegionId region, const EvidenceGraph& graph,
+                                                   std::span<const int> voxels, const LabelingParams& params,
+                                                   const RegionTable& table) {
+  const auto fragments = table.fragmentsOf(region);
+  return Divider({fragments.begin(), fragments.end()}, graph, voxels).divide(table, params);
+}
 
 void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph,
                      std::span<const int> voxels, const LabelingParams& params, RegionTable& table,

@@ -64,6 +64,15 @@ bool RegionTable::isKnown(RegionId region) const {
   return found != members_.end() && found->second.known;
 }
 
+void RegionTable::say(RegionId region, RegionSaid said) {
+  if (const auto found = members_.find(region); found != members_.end()) found->second.said = said;
+}
+
+RegionSaid RegionTable::said(RegionId region) const {
+  const auto found = members_.find(region);
+  return found == members_.end() ? RegionSaid::nothing : found->second.said;
+}
+
 RegionId RegionTable::newRegion() {
   const RegionId region{++last_region_};
   members_[region];
@@ -78,15 +87,37 @@ void RegionTable::assign(RegionId region, std::vector<FragmentId> fragments) {
 void RegionTable::setRegion(FragmentId fragment, RegionId region) {
   if (regions_[fragment.value] == region) return;
   regions_[fragment.value] = region;
-  is_changed_.resize(regions_.size(), false);
-  if (is_changed_[fragment.value]) return;
-  is_changed_[fragment.value] = true;
-  changed_.push_back(fragment);
+  for (Changes& changes : changes_) {
+    changes.is_listed.resize(regions_.size(), false);
+    if (changes.is_listed[fragment.value]) continue;
+    changes.is_listed[fragment.value] = true;
+    changes.fragments.push_back(fragment);
+  }
 }
 
-std::vector<FragmentId> RegionTable::takeChanged() {
-  for (const FragmentId fragment : changed_) is_changed_[fragment.value] = false;
-  return std::exchange(changed_, {});
+std::vector<FragmentId> RegionTable::takeChanged(Follower follower) {
+  Changes& changes = changes_[static_cast<std::size_t>(follower)];
+  for (const FragmentId fragment : changes.fragments) changes.is_listed[fragment.value] = false;
+  return std::exchange(changes.fragments, {});
+}
+
+void RegionTable::restore(std::vector<RegionId> regions, RegionId last_region) {
+  if (regions.empty()) regions.emplace_back();
+  *this = RegionTable();
+  regions_.resize(regions.size());
+  last_region_ = last_region.value;
+  for (auto number = static_cast<std::uint32_t>(regions.size()); number-- > 1;) {
+    const FragmentId fragment{number};
+    if (!regions[number]) {
+      free_.push_back(fragment);  // the lowest last
+      continue;
+    }
+    setRegion(fragment, regions[number]);
+    std::vector<FragmentId>& members = members_[regions[number]].fragments;
+    members.insert(members.begin(), fragment);
+    last_region_ = std::max(last_region_, regions[number].value);
+  }
+  ++version_;
 }
 
 bool RegionTable::join(RegionId into, RegionId from) {
@@ -101,14 +132,38 @@ bool RegionTable::join(RegionId into, RegionId from) {
   return true;
 }
 
+void RegionTable::move(std::span<const RegionMove> moves, RegionEvents& events) {
+  std::map<RegionId, RegionId> emptied;  // into
+  for (const auto& [fragment, before, after] : moves) {
+    if (fragment.value >= regions_.size() || !before || !after || regionOf(fragment) != before) continue;
+    std::vector<FragmentId>& from = members_.at(before).fragments;
+    std::erase(from, fragment);
+    if (from.empty()) emptied[before] = after;
+    const auto [into, is_back] = members_.try_emplace(after);
+    if (is_back) events.parted.emplace_back(before, after);
+    std::vector<FragmentId>& to = into->second.fragments;
+    to.insert(std::ranges::upper_bound(to, fragment), fragment);
+    emptied.erase(after);
+    setRegion(fragment, after);
+    ++version_;
+  }
+  for (const auto& [region, into] : emptied) {
+    members_.erase(region);
+    events.joined.emplace_back(into, region);
+  }
+}
+
 void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
                          RegionEvents& events) {
   // Claims of parts on identities, the strongest first; ties in the order of parts and regions.
   struct Claim {
-    bool known;
+    int strength;
     std::int64_t voxels;
     std::size_t part;
     RegionId region;
+  };
+  const auto strengthOf = [this](RegionId region) {
+    return said(region) != RegionSaid::nothing ? 2 : isKnown(region) ? 1 : 0;
   };
   std::vector<Claim> claims;
   for (std::size_t part = 0; part < parts.size(); ++part) {
@@ -117,10 +172,10 @@ void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std:
       const bool counted = fragment.value < voxels.size();
       given[regionOf(fragment)] += counted ? std::max(voxels[fragment.value], 1) : 1;
     }
-    for (const auto& [region, count] : given) claims.push_back({isKnown(region), count, part, region});
+    for (const auto& [region, count] : given) claims.push_back({strengthOf(region), count, part, region});
   }
   std::ranges::stable_sort(claims, [](const Claim& a, const Claim& b) {
-    return std::tie(a.known, a.voxels) > std::tie(b.known, b.voxels);
+    return std::tie(a.strength, a.voxels) > std::tie(b.strength, b.voxels);
   });
   std::vector<RegionId> identity(parts.size());
   std::map<RegionId, std::size_t> keeper;  // of each region: the part that goes on as it

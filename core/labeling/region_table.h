@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -13,6 +14,20 @@ namespace scantrove {
 struct RegionEvents {
   std::vector<std::pair<RegionId, RegionId>> joined;  ///< (into, from): `from` is no more
   std::vector<std::pair<RegionId, RegionId>> parted;  ///< (from, part): `part` is new, `from` goes on
+};
+
+/// A fragment goes from one region to another.
+struct RegionMove {
+  FragmentId fragment;
+  RegionId before, after;
+  bool operator==(const RegionMove&) const = default;
+};
+
+/// What a person said that a region is.
+enum class RegionSaid {
+  nothing,
+  background,  ///< nothing by itself; it may be joined with others of that kind
+  thing        ///< a thing of its own
 };
 
 /// Fragment -> region. Voxels hold fragments; joining or parting regions changes entries here and reaches
@@ -38,25 +53,42 @@ class RegionTable {
   /// A region that a person or the catalogue knows: it keeps its identity when it is joined with others.
   void setKnown(RegionId region, bool known);
   [[nodiscard]] bool isKnown(RegionId region) const;
+  /// What a person says of a region gives it an identity stronger than any other.
+  void say(RegionId region, RegionSaid said);
+  [[nodiscard]] RegionSaid said(RegionId region) const;
 
   /// All fragments of `from` become fragments of `into`. False when they are one already, or one is none.
   bool join(RegionId into, RegionId from);
 
   /// Divides the fragments of some whole regions anew: `parts` hold each of their fragments once. Of the
   /// parts of a region the one with most voxels keeps its identity; a part made of several regions takes that
-  /// of a known one, else of the one that gives it most voxels. `voxels`: by fragment number.
+  /// of one that a person said something of, else of a known one, else of the one that gives it most voxels.
+  /// `voxels`: by fragment number.
   void divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
               RegionEvents& events);
 
+  /// Moves those fragments that are still where `moves` has them before. Regions that were no more may come
+  /// back by that, as the same.
+  void move(std::span<const RegionMove> moves, RegionEvents& events);
+
+  /// As it was when it was kept: region of each fragment, by fragment number, [0] = none; the highest region
+  /// that ever was. Nothing is known or said of any.
+  void restore(std::vector<RegionId> regions, RegionId last_region);
+  /// The highest region that ever was.
+  [[nodiscard]] RegionId lastRegion() const { return RegionId{last_region_}; }
+
   /// Grows with each change.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Fragments whose region changed since the last call, each once: for one who keeps a copy.
-  [[nodiscard]] std::vector<FragmentId> takeChanged();
+  /// Those who keep a copy.
+  enum class Follower { window, session };
+  /// Fragments whose region changed since the follower's last call, each once.
+  [[nodiscard]] std::vector<FragmentId> takeChanged(Follower follower = Follower::window);
 
  private:
   struct Region {
     std::vector<FragmentId> fragments;  // rising
     bool known = false;
+    RegionSaid said = RegionSaid::nothing;
   };
   FragmentId takeNumber();
   RegionId newRegion();
@@ -66,8 +98,12 @@ class RegionTable {
   std::vector<RegionId> regions_{RegionId{}};
   std::vector<FragmentId> free_;  // to be used again, lowest last
   std::map<RegionId, Region> members_;
-  std::vector<FragmentId> changed_;  // not taken yet
-  std::vector<bool> is_changed_;     // by fragment
+  /// What a follower has not taken yet.
+  struct Changes {
+    std::vector<FragmentId> fragments;
+    std::vector<bool> is_listed;  // by fragment
+  };
+  std::array<Changes, 2> changes_;  // by follower
   std::uint32_t last_region_ = 0;
   std::uint64_t version_ = 0;
 };

@@ -19,6 +19,17 @@ class ThesisMerger final : public RegionMerger {
     return std::nullopt;
   }
   void mustBeOne(RegionId, RegionId, const RegionTable&) override {}
+  [[nodiscard]] EvidenceGraph* evidence() override { return nullptr; }
+  void constrain(FragmentId, FragmentId, LinkConstraint) override {}
+  [[nodiscard]] LinkConstraint constraintBetween(FragmentId, FragmentId) const override {
+    return LinkConstraint::none;
+  }
+  [[nodiscard]] std::vector<FragmentId> neighboursOf(FragmentId) const override { return {}; }
+  [[nodiscard]] std::vector<std::vector<FragmentId>> partsOf(RegionId, float, const RegionTable&,
+                                                             std::span<const int>,
+                                                             const LabelingParams&) const override {
+    return {};
+  }
 };
 
 }  // namespace scantrove

@@ -12,7 +12,7 @@ namespace {
 /// Two sightings of one scan are of one object when their centroids lie within this fraction of its diagonal,
 constexpr float kSamePlaceFraction = 0.25F;
 /// and the smaller diagonal is at least this fraction of the larger.
-constexpr float kAlikeFraction = 0.6F;
+constexpr float kAsLargeFraction = 0.6F;
 
 /// The place is looked at in so many pixels to each side.
 constexpr int kAroundMiddle_px = 2;
@@ -21,7 +21,7 @@ constexpr int kAroundMiddle_px = 2;
 std::optional<float> distanceAtOnePlace(const MetObjects::Met& met, const Candidate& candidate) {
   if (MetObjects::hasLeft(met)) return std::nullopt;
   const float diagonal = std::max(met.size_m.norm(), candidate.size_m.norm());
-  if (std::min(met.size_m.norm(), candidate.size_m.norm()) < kAlikeFraction * diagonal) return std::nullopt;
+  if (std::min(met.size_m.norm(), candidate.size_m.norm()) < kAsLargeFraction * diagonal) return std::nullopt;
   const float distance_m = (met.centroid_world - candidate.centroid_world).norm();
   if (distance_m >= kSamePlaceFraction * diagonal) return std::nullopt;
   return distance_m;

@@ -64,6 +64,9 @@ class ObjectCollector {
   /// or not.
   void addByPerson(RegionId region) { wanted_.insert(region); }
 
+  /// The region is that object, as an earlier scan of this map found out.
+  void bind(RegionId region, ObjectId object) { met_.bind({region}, object); }
+
   /// Learns what happened to the catalogue since the last call; collect() does so by itself.
   [[nodiscard]] Result<void> followCatalogue() { return catalogue_.follow(); }
   void setParams(const DetectionParams& params);

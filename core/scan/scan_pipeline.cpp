@@ -39,6 +39,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   std::unique_ptr<ScanPipeline> pipeline(new ScanPipeline(compute, setup));
   SCANTROVE_TRY(
       moveInto(pipeline->preprocessor_, DepthPreprocessor::create(compute, setup.K, setup.params.fusion)));
+  pipeline->working_K_ = pipeline->preprocessor_->workingCamera();
   SCANTROVE_TRY(moveInto(pipeline->motion_, MotionFilter::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
   if (!setup.poses_given) {
@@ -50,6 +51,9 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
   SCANTROVE_TRY(moveInto(pipeline->cloud_, LabelCloud::create(compute)));
   pipeline->merger_ = makeRegionMerger(setup.params.labeling.rule);
+  pipeline->editable_.emplace(*pipeline->cloud_, pipeline->map_->bricks(),
+                              setup.params.fusion.truncation_vox);
+  pipeline->editor_.emplace(pipeline->table_, *pipeline->merger_, *pipeline->editable_);
   pipeline->finder_ = makeRuleBasedFinder(setup.params.discovery);
   if (setup.database != nullptr) {
     SCANTROVE_TRY(
@@ -120,7 +124,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     motion_->apply(*depth, map_->bricks(), surface_);
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
-  if (tracker_) stage("track", [&] { tracker_->learn(frame, depth->K, surface_); });
+  if (tracker_) stage("track", [&] { tracker_->learn(frame, *depth, surface_); });
 
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
   const std::vector<FragmentId> projected = stage("project", [&] {
@@ -144,13 +148,15 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
 
   tellOf(merged.events);
   const std::vector<Candidate> candidates = stage("discover", [&] {
-    return finder_->find({result.regions, result.vertices_world, result.normals_world, working_K_,
-                          T_world_camera, [this](RegionId a, RegionId b) {
-                            constexpr float kNever = -std::numeric_limits<float>::infinity();
-                            return merger_
-                                ->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling)
-                                .value_or(kNever);
-                          }});
+    std::vector<Candidate> found = finder_->find(
+        {result.regions, result.vertices_world, result.normals_world, working_K_, T_world_camera,
+         [this](RegionId a, RegionId b) {
+           constexpr float kNever = -std::numeric_limits<float>::infinity();
+           return merger_->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling)
+               .value_or(kNever);
+         }});
+    leaveOutBackground(found);
+    return found;
   });
   if (collector_) {
     result.objects =
@@ -185,6 +191,56 @@ void ScanPipeline::tellOf(const RegionEvents& events) {
   }
   if (!collector_) return;
   for (const auto& [from, part] : events.parted) collector_->regionsParted(from, part);
+}
+
+void ScanPipeline::leaveOutBackground(std::vector<Candidate>& candidates) const {
+  const RegionNotes& notes = editor_->notes();
+  if (notes.all().empty()) return;
+  std::erase_if(candidates, [&](const Candidate& candidate) {
+    return std::ranges::any_of(candidate.regions, [&](RegionId region) {
+      const RegionNote& note = notes.of(region);
+      return note.background || note.rejected;
+    });
+  });
+}
+
+Result<RegionEditor::Outcome> ScanPipeline::edit(const Operation& operation) {
+  Operation said = operation;
+  said.frame = frames_;
+  auto outcome =
+      guarded("editing the regions", [&] { return finishEdit(editor_->apply(said, params_.labeling)); });
+  if (outcome && said.kind == OperationKind::object && said.on) {
+    for (const RegionId region : said.regions) addCandidate(region);
+  }
+  return outcome;
+}
+
+Result<RegionEditor::Outcome> ScanPipeline::undo() {
+  return guarded("undoing", [&] { return finishEdit(editor_->undo()); });
+}
+
+Result<RegionEditor::Outcome> ScanPipeline::redo() {
+  return guarded("doing it again", [&] { return finishEdit(editor_->redo()); });
+}
+
+Result<RegionEditor::Outcome> ScanPipeline::finishEdit(Result<RegionEditor::Outcome> outcome) {
+  if (outcome) tellOf(outcome->events);
+  return outcome;
+}
+
+void ScanPipeline::recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+  if (!tracker_) return;
+  const DepthPyramid& depth = preprocessor_->process(frame);
+  working_K_ = depth.levels.front().K;
+  map_->raycast(T_world_camera, working_K_, surface_);
+  tracker_->learn(frame, depth, surface_);
+}
+
+void ScanPipeline::resumeAt(const Eigen::Isometry3d& T_world_camera) {
+  if (!tracker_) return;
+  map_->raycast(T_world_camera, working_K_, surface_);
+  followed_ = surface_;
+  tracker_->resumeAt(T_world_camera);
 }
 
 void ScanPipeline::keepKnown(const FrameObjects& objects) {
@@ -240,6 +296,7 @@ void ScanPipeline::forgetFragments() {
   for (std::uint32_t fragment = 1; fragment < table_.regions().size(); ++fragment) {
     if (!table_.regions()[fragment] || (fragment < voxels.size() && voxels[fragment] > 0)) continue;
     merger_->forget(FragmentId{fragment});
+    editor_->forget(FragmentId{fragment});
     table_.free(FragmentId{fragment});
   }
 }
@@ -249,20 +306,24 @@ void ScanPipeline::setParams(const ScanParams& params) {
   const LabelingParams::Rule rule = params_.labeling.rule;
   params_ = params;
   params_.fusion = fusion;
-  if (params.labeling.rule != rule) merger_ = makeRegionMerger(params.labeling.rule);
+  if (params.labeling.rule != rule) {
+    merger_ = makeRegionMerger(params.labeling.rule);
+    editor_->useMerger(*merger_);
+  }
   finder_->setParams(params_.discovery);
   if (collector_) collector_->setParams(params_.detection);
 }
 
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes(); }
 
-Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera) {
+Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera,
+                                                                const Intrinsics& K) {
   return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
     FrameLabelWriter::FinalView view;
-    view.width = working_K_.width;
-    view.height = working_K_.height;
+    view.width = K.width;
+    view.height = K.height;
     SurfaceMaps surface;
-    map_->raycast(T_world_camera, working_K_, surface);
+    map_->raycast(T_world_camera, K, surface);
     const std::vector<FragmentId> fragments = cloud_->project(surface, map_->bricks());
     const std::vector<cl_float4> vertices = surface.vertices_world.read(compute_.queue());
     const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();

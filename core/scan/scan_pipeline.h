@@ -11,6 +11,7 @@
 #include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/discovery/candidate_finder.h"
+#include "core/editing/region_editor.h"
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/motion_filter.h"
@@ -18,6 +19,7 @@
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
+#include "core/scan/editable_cloud.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
@@ -71,6 +73,34 @@ class ScanPipeline {
   void setParams(const ScanParams& params);
   [[nodiscard]] const ScanParams& params() const { return params_; }
 
+  /// Does to the regions what a person says; it holds for the frames that follow. Error: see RegionEditor; or
+  /// the device failed.
+  [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
+  /// Takes the newest operation back, or does it again. Error: there is none.
+  [[nodiscard]] Result<RegionEditor::Outcome> undo();
+  [[nodiscard]] Result<RegionEditor::Outcome> redo();
+  [[nodiscard]] const RegionEditor& editor() const { return *editor_; }
+  /// Bricks whose labels operations changed since the last call.
+  [[nodiscard]] std::vector<Eigen::Vector3i> takeEditedBricks() { return editable_->takeChanged(); }
+
+  /// What a session keeps, and gives back to a fresh pipeline.
+  struct Kept {
+    BrickMap& bricks;
+    LabelCloud& cloud;
+    RegionTable& table;
+    RegionMerger& merger;
+    RegionEditor& editor;
+  };
+  [[nodiscard]] Kept kept() { return {map_->bricks(), *cloud_, table_, *merger_, *editor_}; }
+  /// An earlier frame of this map, taken from there: by it a camera finds its way back. May throw cl::Error.
+  void recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  /// The camera is somewhere on the map, perhaps there. May throw cl::Error.
+  void resumeAt(const Eigen::Isometry3d& T_world_camera);
+  /// The region is that object of the catalogue.
+  void bindObject(RegionId region, ObjectId object) {
+    if (collector_) collector_->bind(region, object);
+  }
+
   /// Learns what became of the catalogue; processFrame does so by itself. Error: it cannot be read for now.
   [[nodiscard]] Result<void> followCatalogue() {
     return collector_ ? collector_->followCatalogue() : Result<void>{};
@@ -94,7 +124,11 @@ class ScanPipeline {
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
   /// What the map shows from `T_world_camera`, with the regions as they are now. Error: the device failed.
-  [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera) {
+    return lookAtMap(T_world_camera, working_K_);
+  }
+  [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera,
+                                                              const Intrinsics& K);
   struct RegionCount {
     int regions = 0;  ///< of at least kSliverVoxels voxels
     int slivers = 0;  ///< smaller ones
@@ -116,6 +150,9 @@ class ScanPipeline {
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events);
+  /// A person said that these are none.
+  void leaveOutBackground(std::vector<Candidate>& candidates) const;
+  [[nodiscard]] Result<RegionEditor::Outcome> finishEdit(Result<RegionEditor::Outcome> outcome);
   /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
   /// one.
   void keepKnown(const FrameObjects& objects);
@@ -147,6 +184,8 @@ class ScanPipeline {
   std::unique_ptr<LabelCloud> cloud_;
   RegionTable table_;
   std::unique_ptr<RegionMerger> merger_;
+  std::optional<EditableCloud> editable_;
+  std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<ObjectCollector> collector_;
 

@@ -8,7 +8,11 @@ namespace {
 
 constexpr double kNewDirection_rad = 0.22;
 constexpr double kNewPlace_m = 0.20;
-constexpr double kNear = 3;  // times the distance between key frames
+// Times the distance between key frames: near enough to have much in common, so near that it is much the same
+// view, and so far that the camera is somewhere else.
+constexpr double kNear = 3;
+constexpr double kSamePlace = 1;
+constexpr double kAway = 2.5;
 const cv::Size kThumbnail(40, 30);
 constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
 constexpr int kProbes = 200;              // features that are compared
@@ -63,6 +67,25 @@ const KeyFrame* KeyFrames::nearest(const Eigen::Isometry3d& T_world_camera) cons
   const KeyFrame* best = nullptr;
   double least = kNear;
   for (const KeyFrame& key_frame : key_frames_) {
+    const double distance = distanceBetween(key_frame.T_world_camera, T_world_camera);
+    if (distance >= least) continue;
+    least = distance;
+    best = &key_frame;
+  }
+  return best;
+}
+
+void KeyFrames::leaveAllBut(const Eigen::Isometry3d& T_world_camera) {
+  for (KeyFrame& key_frame : key_frames_) {
+    if (distanceBetween(key_frame.T_world_camera, T_world_camera) > kAway) key_frame.is_left = true;
+  }
+}
+
+const KeyFrame* KeyFrames::nearestSeenAgain(const Eigen::Isometry3d& T_world_camera) const {
+  const KeyFrame* best = nullptr;
+  double least = kSamePlace;
+  for (const KeyFrame& key_frame : key_frames_) {
+    if (!key_frame.is_left) continue;
     const double distance = distanceBetween(key_frame.T_world_camera, T_world_camera);
     if (distance >= least) continue;
     least = distance;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <optional>
 
 namespace scantrove {
 
@@ -26,7 +27,10 @@ struct PoseEstimate {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   double inlier_fraction = 0;  ///< associated pixels / pixels that meet known surface (judgePose)
   double rmse_m = 0;           ///< point-to-plane, over the inliers
-  int free_directions = 0;     ///< directions of motion that the geometry does not determine (0 = well posed)
+  /// Where the camera has come back to a place: how far off the map, which has drifted since, had it. The
+  /// pose is free of that.
+  std::optional<double> drift_m = {};
+  int free_directions = 0;  ///< directions of motion that the geometry does not determine (0 = well posed)
 
   [[nodiscard]] bool usable() const {
     return state == TrackingState::tracking || state == TrackingState::relocalised;

@@ -55,7 +55,24 @@ double overlapOf(const IcpSystem& system, PoseOrigin origin) {
   return system.overlap - std::max(0.0, system.before - kBeforePerBehind * system.behind);
 }
 
+// The same view again.
+constexpr double kSeenAgain = 0.5;       // part of the readings that meets what was seen then
+constexpr double kFitsAgain = 0.75;      // and of these, part that fits
+constexpr double kMostDrift_rad = 0.05;  // a map's, over a loop in a room
+constexpr double kMostDrift_m = 0.10;
+
+bool isAtRest(const IcpStep& step) { return step.rotation_rad < kRest_rad && step.translation_m < kRest_m; }
+
 }  // namespace
+
+bool isSeenAgain(const IcpOutcome& outcome, const Eigen::Isometry3d& by_map) {
+  const IcpSystem& system = outcome.system;
+  const Eigen::Isometry3d drift = by_map.inverse() * outcome.T_world_camera;
+  return outcome.step.finite && outcome.step.is_firm && isAtRest(outcome.step) &&
+         system.overlap >= kSeenAgain * system.readings && system.inliers >= kFitsAgain * system.overlap &&
+         Eigen::AngleAxisd(drift.linear()).angle() < kMostDrift_rad &&
+         drift.translation().norm() < kMostDrift_m;
+}
 
 PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin, PoseOrigin origin,
                        double depth_noise_m) {
@@ -78,11 +95,10 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const double distance_m = motion.translation().norm();
   const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::place;
   const Evidence& wanted = wantedEvidence(origin, on_little, angle_rad, distance_m);
-  const bool at_rest = outcome.step.rotation_rad < kRest_rad && outcome.step.translation_m < kRest_m;
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
                                          : angle_rad < kReach_rad && distance_m < kReach_m;
-  const bool trusted = (pose.free_directions == 0 || by_landmarks) && at_rest && within_reach &&
-                       system.fit_residual_m <= wanted.residual * depth_noise_m &&
+  const bool trusted = (pose.free_directions == 0 || by_landmarks) && isAtRest(outcome.step) &&
+                       within_reach && system.fit_residual_m <= wanted.residual * depth_noise_m &&
                        pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
                        (!on_little || outcome.step.is_firm);
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;

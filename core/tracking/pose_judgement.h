@@ -31,4 +31,8 @@ enum class PoseOrigin {
 [[nodiscard]] PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                      PoseOrigin origin, double depth_noise_m);
 
+/// Whether ICP against what a key frame saw, from the pose `by_map`, shows the same view again: half of what
+/// is seen meets it, fits it and determines the pose firmly, within what a map may have drifted.
+[[nodiscard]] bool isSeenAgain(const IcpOutcome& outcome, const Eigen::Isometry3d& by_map);
+
 }  // namespace scantrove

@@ -21,6 +21,9 @@ constexpr std::size_t kMostUncertain = 10;
 constexpr std::ptrdiff_t kUncertainAtATime = 2;
 constexpr int kChances = 10;
 
+/// Level of the pyramid that is kept of a key frame.
+constexpr std::size_t kKeptLevel = 1;
+
 constexpr std::size_t kManyLandmarks = 100;
 /// Landmarks by which a pose may be believed, if the map agrees.
 bool isWellFounded(const LandmarkPose& pose) {
@@ -47,6 +50,7 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
     Search search{frame, depth, model};
     pose = registerAndJudge(search);
     if (!pose.usable() || !search.is_firm) pose = recover(search, pose);
+    if (pose.usable()) pose = withoutDrift(depth, pose);
   }
   remember(frame, pose);
   return pose;
@@ -164,6 +168,18 @@ PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& 
   return judge(aligner_->align(search.depth, verified_, std::span(&guess, 1), landmarks), guess, origin);
 }
 
+PoseEstimate PoseTracker::withoutDrift(const DepthPyramid& depth, PoseEstimate pose) {
+  const KeyFrame* place = key_frames_.nearestSeenAgain(pose.T_world_camera);
+  if (place == nullptr || place->surface.empty()) return pose;
+  if (place != place_) place->surface.toDevice(place->T_world_camera, compute_, place_surface_);
+  place_ = place;
+  const IcpOutcome outcome = aligner_->align(depth, place_surface_, std::span(&pose.T_world_camera, 1));
+  if (!isSeenAgain(outcome, pose.T_world_camera)) return pose;
+  pose.drift_m = (outcome.T_world_camera.translation() - pose.T_world_camera.translation()).norm();
+  pose.T_world_camera = outcome.T_world_camera;
+  return pose;
+}
+
 void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
   before_last_ = pose.usable() && !is_lost_ ? last_ : std::nullopt;
   if (pose.usable()) last_ = pose.T_world_camera;
@@ -194,13 +210,22 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
   return pose;
 }
 
-void PoseTracker::learn(const RgbdFrame& frame, const Intrinsics& K_depth, const SurfaceMaps& model) {
+void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
+  last_ = T_world_camera;
+  is_lost_ = true;
+}
+
+void PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
   last_frame_ = frame;
-  K_depth_ = K_depth;
+  K_depth_ = depth.K;
   last_landmarks_.reset();
+  key_frames_.leaveAllBut(model.T_world_camera);
   if (!key_frames_.isDue(model.T_world_camera)) return;
   cv::Mat thumbnail = thumbnailOf(frame);
-  if (!thumbnail.empty()) key_frames_.add({model.T_world_camera, lastLandmarks(model), std::move(thumbnail)});
+  if (thumbnail.empty()) return;
+  const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
+  key_frames_.add({model.T_world_camera, lastLandmarks(model), std::move(thumbnail),
+                   KeptSurface(level.K, level.vertices_camera.read(compute_.queue()))});
 }
 
 const ColorView& PoseTracker::viewOf(Search& search) {

@@ -37,7 +37,11 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate track(const RgbdFrame& frame, const DepthPyramid& depth,
                                    const SurfaceMaps& model);
   /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
-  void learn(const RgbdFrame& frame, const Intrinsics& K_depth, const SurfaceMaps& model);
+  void learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
+
+  /// The camera is somewhere on a map that was made earlier, perhaps there. Its places are made known by
+  /// learn(), for frames of that time.
+  void resumeAt(const Eigen::Isometry3d& T_world_camera);
 
   /// A frame that was not trusted when it came.
   struct UncertainFrame {
@@ -79,6 +83,8 @@ class PoseTracker {
   /// Registers against the map as seen from `guess`, with the landmarks, if any, that led there.
   [[nodiscard]] PoseEstimate verify(const Search& search, const Eigen::Isometry3d& guess,
                                     const SeenLandmarks* landmarks);
+  /// Where the camera has come back to: by what it saw there then, without the drift of the map since.
+  [[nodiscard]] PoseEstimate withoutDrift(const DepthPyramid& depth, PoseEstimate pose);
   void remember(const RgbdFrame& frame, const PoseEstimate& pose);
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
@@ -103,6 +109,8 @@ class PoseTracker {
   Intrinsics K_depth_;                       // of its depth images
   std::optional<Landmarks> last_landmarks_;  // its own, once asked for
   KeyFrames key_frames_;
+  const KeyFrame* place_ = nullptr;  // the one whose surface place_surface_ holds
+  SurfaceMaps place_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
 };
 

@@ -1,7 +1,7 @@
 # Texts that become part of the program, byte for byte:
 #  * scantrove_embed_kernels(<module> <file.cl>...): OpenCL sources, see core/compute/kernel_source.h;
-#  * scantrove_embed_migrations(<target> <NNN_name.sql>...): the catalogue's schema, see core/catalog/migrations.h.
-# Run as a script (cmake -P) with KIND, ROOT, INPUTS and OUTPUT this file is also what writes the C++ source.
+#  * scantrove_embed_migrations(<module> <NNN_name.sql>...): a schema, see core/database/migrations.h.
+# Run as a script (cmake -P) with KIND, ROOT, INPUTS, OUTPUT and MODULE this file is also what writes the C++ source.
 if(CMAKE_SCRIPT_MODE_FILE)
   # The bytes of a text as the elements of an array.
   function(bytes_of text out)
@@ -68,14 +68,15 @@ const KernelSource ${identifier}{\"${path}\", {reinterpret_cast<const char*>(kTe
     string(APPEND rows
       "    {${version}, \"${name}\", {reinterpret_cast<const char*>(kText${version}), sizeof(kText${version}) - 1}},\n")
   endforeach()
-  file(WRITE "${OUTPUT}" "// Made from core/catalog/schema; do not edit.
-#include \"core/catalog/migrations.h\"
+  file(WRITE "${OUTPUT}" "// Made from core/${MODULE}/schema; do not edit.
+#include \"core/database/migrations.h\"
 namespace scantrove::schema {
 namespace {
 ${texts}const Migration kRows[] = {
 ${rows}};
 }  // namespace
-std::span<const Migration> migrations() { return kRows; }
+std::span<const Migration> ${MODULE}Steps();
+std::span<const Migration> ${MODULE}Steps() { return kRows; }
 }  // namespace scantrove::schema
 ")
   return()
@@ -89,7 +90,7 @@ function(scantrove_embed target kind output inputs)
   add_custom_command(
     OUTPUT "${output}"
     COMMAND ${CMAKE_COMMAND} "-DKIND=${kind}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DINPUTS=${inputs}"
-            "-DOUTPUT=${output}" -P "${SCANTROVE_EMBED_SCRIPT}"
+            "-DOUTPUT=${output}" "-DMODULE=${SCANTROVE_EMBED_MODULE}" -P "${SCANTROVE_EMBED_SCRIPT}"
     DEPENDS ${inputs} ${ARGN} "${SCANTROVE_EMBED_SCRIPT}"
     COMMENT "Embedding into ${target}" VERBATIM)
   set_source_files_properties("${output}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
@@ -124,8 +125,10 @@ ${declarations}}  // namespace scantrove::kernels
   target_include_directories(scantrove_${module} PUBLIC "${CMAKE_CURRENT_BINARY_DIR}/generated")
 endfunction()
 
-function(scantrove_embed_migrations target)
+# Reachable as scantrove::schema::<module>Steps().
+function(scantrove_embed_migrations module)
   set(inputs ${ARGN})
   list(SORT inputs)
-  scantrove_embed(${target} migrations "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded/migrations.cpp" "${inputs}")
+  set(SCANTROVE_EMBED_MODULE ${module})
+  scantrove_embed(scantrove_${module} migrations "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded/migrations.cpp" "${inputs}")
 endfunction()

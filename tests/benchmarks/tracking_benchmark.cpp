@@ -125,7 +125,7 @@ void reportKidnappings(const std::vector<Shown>& shown, int kidnappings) {
                            kidnappings, after);
 }
 
-void reportWayBack(const std::vector<Shown>& shown) {
+void reportWayBack(const std::vector<Shown>& shown, bool verbose) {
   double sum = 0, farthest = 0;
   int both = 0;
   for (std::size_t i = 0; i < shown.size() / 2; ++i) {
@@ -137,6 +137,9 @@ void reportWayBack(const std::vector<Shown>& shown) {
     sum += apart;
     farthest = std::max(farthest, apart);
     ++both;
+    if (verbose)
+      std::cout << fmt::format("  {}: back {:.1f} mm off, drift {:.1f} mm\n", i, 1000 * apart,
+                               1000 * back.pose.drift_m.value_or(0));
   }
   std::cout << fmt::format("  the same frame on the way back: {:.1f} mm off on average, {:.1f} at most\n",
                            1000 * sum / std::max(both, 1), 1000 * farthest);
@@ -170,7 +173,7 @@ void report(const std::string& name, const std::vector<Shown>& shown, const std:
       1000 * farthest_m, wrong, time.median_ms, time.p95_ms);
   if (!lost.empty()) std::cout << "  lost:" << lost << '\n';
   if (options.kidnap > 0) reportKidnappings(shown, options.kidnap);
-  if (options.there_and_back) reportWayBack(shown);
+  if (options.there_and_back) reportWayBack(shown, options.verbose);
 }
 
 void run(const std::string& recording, const Options& options) {

@@ -37,7 +37,7 @@ class TrackingRig {
     map_->raycast(pose.T_world_camera, working_K_, model_);
     motion_->apply(depth, map_->bricks(), model_);
     followed_ = motion_->settled(model_, map_->bricks());
-    tracker_->learn(frame, depth.K, model_);
+    tracker_->learn(frame, depth, model_);
     return pose;
   }
 

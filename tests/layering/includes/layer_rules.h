@@ -128,8 +128,10 @@ class LayerRules {
     const Toolkit toolkit = toolkitOf(header);
     if (toolkit == Toolkit::none) return {};
     if (layer == "core") {
-      const bool allowed = part == "catalog" && (toolkit == Toolkit::qt_core || toolkit == Toolkit::qt_sql);
-      return allowed ? "" : "core knows no Qt (but QtCore and QtSql in catalog) and no VTK";
+      static const std::set<std::string> kWithSql{"database", "catalog", "session"};
+      const bool allowed =
+          kWithSql.contains(part) && (toolkit == Toolkit::qt_core || toolkit == Toolkit::qt_sql);
+      return allowed ? "" : "core knows no Qt (but QtCore and QtSql where data are kept) and no VTK";
     }
     if (layer == "ui" && (part == "scene" || part == "common") && toolkit != Toolkit::vtk) {
       return "ui/" + part + " is without Qt";
@@ -150,6 +152,13 @@ class LayerRules {
     if (part == "base") return "base stands on nothing";
     if (to_part == "compute") return {};
     if (part == "compute") return "compute stands on base alone";
+    // Modules that are built on others.
+    static const std::map<std::string, std::set<std::string>> kStandsOn{
+        {"editing", {"labeling"}},
+        {"catalog", {"database"}},
+        {"session", {"database", "editing", "labeling", "fusion"}}};
+    if (const auto found = kStandsOn.find(part); found != kStandsOn.end() && found->second.contains(to_part))
+      return {};
     return isPlainData(header) ? "" : "modules know each other's plain data, not each other's machinery";
   }
 

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "catalog_test_support.h"
-#include "core/catalog/database_connection.h"
-#include "core/catalog/migrations.h"
-#include "core/catalog/transaction.h"
+#include "core/catalog/catalogue_schema.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
 
 namespace scantrove {
 namespace {
@@ -218,14 +218,14 @@ TEST_F(DatabaseFailures, ANewerSchema) {
 TEST_F(DatabaseFailures, MigrationsRunInOrderAndOnce) {
   auto connection = DatabaseConnection::open(file());
   ASSERT_TRUE(connection);
-  std::vector<schema::Migration> steps(schema::migrations().begin(), schema::migrations().end());
-  EXPECT_TRUE(schema::migrate(**connection, steps));
+  std::vector<schema::Migration> steps(schema::catalogSteps().begin(), schema::catalogSteps().end());
+  EXPECT_TRUE(schema::migrate(**connection, schema::kCatalogue, steps));
   const int first = static_cast<int>(steps.size());
   steps.push_back(
       {first + 1, "a.sql", "-- a comment; with a semicolon\nALTER TABLE objects ADD COLUMN note TEXT;"});
   steps.push_back({first + 2, "b.sql", "UPDATE objects SET note = 'x'; CREATE TABLE extra (id INTEGER);"});
-  EXPECT_TRUE(schema::migrate(**connection, steps));
-  EXPECT_TRUE(schema::migrate(**connection, steps));
+  EXPECT_TRUE(schema::migrate(**connection, schema::kCatalogue, steps));
+  EXPECT_TRUE(schema::migrate(**connection, schema::kCatalogue, steps));
   EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), std::to_string(first + 2));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM schema_migrations"), std::to_string(first + 2));
 }
@@ -234,11 +234,11 @@ TEST_F(DatabaseFailures, AFailedMigrationChangesNothing) {
   openOrFail(file());
   auto connection = DatabaseConnection::open(file());
   ASSERT_TRUE(connection);
-  std::vector<schema::Migration> steps(schema::migrations().begin(), schema::migrations().end());
+  std::vector<schema::Migration> steps(schema::catalogSteps().begin(), schema::catalogSteps().end());
   const int first = static_cast<int>(steps.size());
   steps.push_back({first + 1, "good.sql", "CREATE TABLE extra (id INTEGER);"});
   steps.push_back({first + 2, "bad.sql", "CREATE TABLE more (id INTEGER); SELECT nonsense FROM nowhere;"});
-  const Result<void> done = schema::migrate(**connection, steps);
+  const Result<void> done = schema::migrate(**connection, schema::kCatalogue, steps);
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message(), HasSubstr(file()));
   EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), std::to_string(first));

@@ -61,5 +61,32 @@ TEST(EvidenceGraph, LaterConstraintsAreMarkedAsSuch) {
   EXPECT_GT(border.constraint_order, graph.between(FragmentId{2}, FragmentId{3}).constraint_order);
 }
 
+TEST(EvidenceGraph, TheProgramNeverReplacesWhatAPersonSaid) {
+  EvidenceGraph graph;
+  graph.constrain(FragmentId{1}, FragmentId{2}, LinkConstraint::cannot_link, true);
+  graph.constrain(FragmentId{2}, FragmentId{1}, LinkConstraint::must_link, false);
+  EXPECT_EQ(graph.constraintBetween(FragmentId{1}, FragmentId{2}), LinkConstraint::cannot_link);
+  graph.constrain(FragmentId{1}, FragmentId{2}, LinkConstraint::none, true);
+  graph.constrain(FragmentId{1}, FragmentId{2}, LinkConstraint::must_link, false);
+  EXPECT_EQ(graph.constraintBetween(FragmentId{1}, FragmentId{2}), LinkConstraint::must_link);
+  EXPECT_EQ(graph.constraintBetween(FragmentId{1}, FragmentId{3}), LinkConstraint::none);
+}
+
+TEST(EvidenceGraph, TellsWhichBordersChangedOrWent) {
+  using Pairs = std::vector<EvidenceGraph::Pair>;
+  EvidenceGraph graph;
+  graph.between(FragmentId{3}, FragmentId{1}).looks = 2;
+  graph.between(FragmentId{3}, FragmentId{4}).looks = 1;
+  EXPECT_EQ(graph.takeChanged(), (Pairs{{FragmentId{1}, FragmentId{3}}, {FragmentId{3}, FragmentId{4}}}));
+  EXPECT_TRUE(graph.takeChanged().empty());
+  graph.remove(FragmentId{4});
+  EXPECT_EQ(graph.takeChanged(), (Pairs{{FragmentId{3}, FragmentId{4}}}));
+  EXPECT_EQ(graph.find(FragmentId{3}, FragmentId{4}), nullptr);
+  EvidenceGraph again;
+  again.restore(FragmentId{1}, FragmentId{3}, *graph.find(FragmentId{1}, FragmentId{3}));
+  EXPECT_EQ(again.find(FragmentId{3}, FragmentId{1})->looks, 2);
+  EXPECT_TRUE(again.takeChanged().empty());
+}
+
 }  // namespace
 }  // namespace scantrove

@@ -225,5 +225,58 @@ TEST(RegionTable, SaysOfWhichFragmentsTheRegionChanged) {
   EXPECT_EQ(changed.size(), 2U);
 }
 
+TEST(RegionTable, MovesWhatIsStillThereAndBringsRegionsBack) {
+  RegionTable table;
+  const FragmentId a = table.newFragment(), b = table.newFragment(), c = table.newFragment();
+  const RegionId of_a = table.regionOf(a), of_b = table.regionOf(b), of_c = table.regionOf(c);
+  ASSERT_TRUE(table.join(of_a, of_b));
+  ASSERT_TRUE(table.join(of_a, of_c));
+  RegionEvents events;
+  const std::vector<RegionMove> moves{{b, of_a, of_b}, {c, of_b, of_c}};  // c is not in b's region
+  table.move(moves, events);
+  EXPECT_EQ(table.regionOf(b), of_b);
+  EXPECT_EQ(table.regionOf(c), of_a);
+  EXPECT_EQ(events.parted, (std::vector{std::pair(of_a, of_b)}));
+  EXPECT_TRUE(events.joined.empty());
+  events = {};
+  table.move(std::vector<RegionMove>{{b, of_b, of_a}}, events);
+  EXPECT_EQ(events.joined, (std::vector{std::pair(of_a, of_b)}));
+  EXPECT_TRUE(table.fragmentsOf(of_b).empty());
+}
+
+TEST(RegionTable, WhatAPersonSaidIsTheStrongestClaimOnAnIdentity) {
+  RegionTable table;
+  const FragmentId large = table.newFragment(), small = table.newFragment();
+  const RegionId said = table.regionOf(small);
+  table.setKnown(table.regionOf(large), true);
+  table.say(said, RegionSaid::thing);
+  RegionEvents events;
+  const std::vector<int> voxels{0, 1000, 10};
+  table.divide({{large, small}}, voxels, events);
+  EXPECT_EQ(table.regionOf(large), said);
+}
+
+TEST(RegionTable, IsRestoredWithItsFreeNumbers) {
+  RegionTable table;
+  for (int i = 0; i < 5; ++i) table.newFragment();
+  table.free(FragmentId{2});
+  table.free(FragmentId{4});
+  RegionTable again;
+  again.restore(table.regions(), table.lastRegion());
+  EXPECT_EQ(again.regions(), table.regions());
+  EXPECT_EQ(again.newFragment(), FragmentId{2}) << "the lowest first, as before";
+  EXPECT_EQ(again.regionOf(FragmentId{2}), RegionId{6}) << "never one that was";
+  EXPECT_EQ(again.newFragment(), FragmentId{4});
+  EXPECT_EQ(again.newFragment(), FragmentId{6});
+}
+
+TEST(RegionTable, EachFollowerLearnsOfEveryChange) {
+  RegionTable table;
+  const FragmentId fragment = table.newFragment();
+  EXPECT_EQ(table.takeChanged(RegionTable::Follower::window), std::vector{fragment});
+  EXPECT_TRUE(table.takeChanged(RegionTable::Follower::window).empty());
+  EXPECT_EQ(table.takeChanged(RegionTable::Follower::session), std::vector{fragment});
+}
+
 }  // namespace
 }  // namespace scantrove

@@ -10,7 +10,8 @@ class DatabaseConnection;
 
 namespace schema {
 
-/// One step of the schema: schema/NNN_name.sql, embedded at build. Statements end in `;`, comments start with
+/// One step of a schema: a module's schema/NNN_name.sql, embedded at build, the steps of a module in order.
+/// Statements end in `;`, comments start with
 /// `--`; neither `;` nor `--` may stand inside a string of the SQL.
 struct Migration {
   int version;
@@ -18,13 +19,16 @@ struct Migration {
   std::string_view sql;
 };
 
-/// All steps, ascending, versions 1, 2, ...
-[[nodiscard]] std::span<const Migration> migrations();
+/// What a file is; its first step sets the same application id.
+struct FileKind {
+  int application_id;
+  std::string_view called;  ///< "catalogue"
+};
 
 /// Brings the file to the newest of `steps`, all missing ones in one transaction, and to WAL mode; the
 /// version is PRAGMA user_version (and, with dates, the table schema_migrations). Error: the file is newer
 /// than this program, belongs to another program, is damaged, or cannot be written; then nothing was changed.
-Result<void> migrate(DatabaseConnection& connection, std::span<const Migration> steps = migrations());
+Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::span<const Migration> steps);
 
 }  // namespace schema
 }  // namespace scantrove

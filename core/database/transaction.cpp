@@ -1,6 +1,6 @@
-#include "core/catalog/transaction.h"
+#include "core/database/transaction.h"
 
-#include "core/catalog/database_connection.h"
+#include "core/database/database_connection.h"
 
 namespace scantrove {
 

@@ -1,17 +1,15 @@
-#include "core/catalog/migrations.h"
+#include "core/database/migrations.h"
 
 #include <QString>
 #include <QVariant>
 #include <string>
 #include <vector>
 
-#include "core/catalog/database_connection.h"
-#include "core/catalog/transaction.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
 
 namespace scantrove::schema {
 namespace {
-
-constexpr int kApplicationId = 1399025268;  // "Scnt", as in 001_initial.sql
 
 std::vector<QString> statementsOf(std::string_view sql) {
   std::vector<QString> statements;
@@ -31,7 +29,7 @@ std::vector<QString> statementsOf(std::string_view sql) {
 
 /// The schema's version, 0 for an empty file; changes nothing. One statement, so that all numbers are of one
 /// moment while another process creates the catalogue.
-Result<int> ownVersion(DatabaseConnection& connection) {
+Result<int> ownVersion(DatabaseConnection& connection, const FileKind& kind) {
   Result<QSqlQuery> query = connection.execute(
       "SELECT (SELECT user_version FROM pragma_user_version),"
       " (SELECT application_id FROM pragma_application_id), (SELECT count(*) FROM sqlite_master)");
@@ -40,10 +38,11 @@ Result<int> ownVersion(DatabaseConnection& connection) {
   const int version = query->value(0).toInt(), application = query->value(1).toInt();
   const bool has_tables = query->value(2).toInt() > 0;
   if (version == 0 && application == 0 && !has_tables) return 0;
-  if (application != kApplicationId) {
-    return fail(
-        "The file " + connection.file() + " is a database of another program, not a Scantrove catalogue.",
-        "Give another file name; a new catalogue is created where there is no file.");
+  const std::string called(kind.called);
+  if (application != kind.application_id) {
+    return fail("The file " + connection.file() + " is a database of another program, not a Scantrove " +
+                    called + ".",
+                "Give another file name; a new " + called + " is created where there is no file.");
   }
   if (version < 1 || !has_tables) {
     return fail(damagedDatabase(connection.file(), "its schema is version " + std::to_string(version) +
@@ -66,12 +65,12 @@ Result<void> apply(DatabaseConnection& connection, const Migration& step) {
 
 }  // namespace
 
-Result<void> migrate(DatabaseConnection& connection, std::span<const Migration> steps) {
-  const Result<int> version = ownVersion(connection);
+Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::span<const Migration> steps) {
+  const Result<int> version = ownVersion(connection, kind);
   if (!version) return fail(version.error());
   const int newest = steps.empty() ? 0 : steps.back().version;
   if (*version > newest) {
-    return fail("The catalogue " + connection.file() +
+    return fail("The " + std::string(kind.called) + " " + connection.file() +
                     " was written by a newer Scantrove (its schema is version " + std::to_string(*version) +
                     ", this program knows " + std::to_string(newest) + ").",
                 "Update Scantrove, or give another file name.");
@@ -79,7 +78,7 @@ Result<void> migrate(DatabaseConnection& connection, std::span<const Migration> 
   SCANTROVE_TRY(connection.useWriteAheadLog());
   if (*version == newest) return {};
   return inTransaction(connection, [&]() -> Result<void> {
-    const Result<int> current = ownVersion(connection);  // another process may have been faster
+    const Result<int> current = ownVersion(connection, kind);  // another process may have been faster
     if (!current) return fail(current.error());
     for (const Migration& step : steps) {
       if (step.version > *current) SCANTROVE_TRY(apply(connection, step));

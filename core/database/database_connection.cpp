@@ -1,4 +1,4 @@
-#include "core/catalog/database_connection.h"
+#include "core/database/database_connection.h"
 
 #include <unistd.h>
 

@@ -1,0 +1,323 @@
+#include <charconv>
+#include <iomanip>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "app/command.h"
+#include "app/core_application.h"
+#include "core/base/text.h"
+#include "core/scan/open_session.h"
+#include "core/session/operation_json.h"
+
+namespace scantrove {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SessionCommand {
+  std::string folder;
+  std::string device;
+  bool json = false;
+  std::vector<std::uint32_t> regions;
+  std::string name, category;
+  bool undo = false;
+  int steps = 1;
+  int frame = 0;
+  std::string pixel;
+  std::vector<std::string> here, there;
+};
+
+void print(const Json& json) {
+  std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+Json toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+Json toJson(const RegionSummary& region) {
+  Json json{{"id", region.region.value},
+            {"voxels", region.voxels},
+            {"centroid_m", toJson(region.centroid_world)},
+            {"box_m", {toJson(region.box_world.min()), toJson(region.box_world.max())}},
+            {"name", region.note.name},
+            {"category", region.note.category},
+            {"object", nullptr},
+            {"is_object", region.note.object || static_cast<bool>(region.object)},
+            {"background", region.note.background},
+            {"rejected", region.note.rejected}};
+  if (region.object) json["object"] = region.object.value;
+  return json;
+}
+
+/// "N:x,y" or "x,y".
+struct PixelOfFrame {
+  int frame = 0, x = 0, y = 0;
+};
+
+std::optional<PixelOfFrame> parsePixel(const std::string& text, int frame) {
+  PixelOfFrame pixel{.frame = frame};
+  std::string rest = text;
+  if (const std::size_t colon = text.find(':'); colon != std::string::npos) {
+    const auto number = parseNumbers(text.substr(0, colon));
+    if (!number || number->size() != 1) return std::nullopt;
+    pixel.frame = static_cast<int>(number->front());
+    rest = text.substr(colon + 1);
+  }
+  const auto numbers = parseNumbers(rest);
+  if (!numbers || numbers->size() != 2) return std::nullopt;
+  pixel.x = static_cast<int>((*numbers)[0]);
+  pixel.y = static_cast<int>((*numbers)[1]);
+  return pixel;
+}
+
+Result<OpenSession::Place> placeOf(OpenSession& session, const std::string& text, int frame) {
+  const auto pixel = parsePixel(text, frame);
+  if (!pixel)
+    return fail("'" + text + "' is no pixel.", "Write N:x,y: frame, column, row, for example 120:320,200.");
+  return session.at(pixel->frame, pixel->x, pixel->y);
+}
+
+Result<void> show(OpenSession& session, const SessionCommand& command) {
+  const auto regions = session.regions();
+  if (!regions) return fail(regions.error());
+  std::size_t usable = 0, named = 0, objects = 0, done = 0;
+  for (const SavedFrame& frame : session.frames())
+    usable += frame.state == TrackingState::tracking || frame.state == TrackingState::relocalised ? 1U : 0U;
+  for (const RegionSummary& region : *regions) {
+    named += region.note.name.empty() ? 0U : 1U;
+    objects += region.object ? 1U : 0U;
+  }
+  for (const auto& entry : session.history().entries())
+    done += entry.state == OperationLog::State::done ? 1U : 0U;
+  const BrickMap& bricks = session.pipeline().bricks();
+  if (command.json) {
+    print({{"source", session.setup().source},
+           {"frames", session.frames().size()},
+           {"tracked", usable},
+           {"key_frames", session.keyFrames().size()},
+           {"bricks", bricks.brickCount()},
+           {"regions", regions->size()},
+           {"named", named},
+           {"objects", objects},
+           {"operations", done},
+           {"ended", session.hasEnded()},
+           {"damages", session.damages()}});
+    return {};
+  }
+  std::cout << "source      " << session.setup().source
+            << (session.hasEnded() ? "" : "  (recovered: the scan broke off)") << "\nframes      "
+            << session.frames().size() << ", " << usable << " tracked, " << session.keyFrames().size()
+            << " kept as key frames\nmap         " << bricks.brickCount() << " bricks\nregions     "
+            << regions->size() << ", " << named << " named, " << objects << " objects\noperations  " << done
+            << '\n';
+  return {};
+}
+
+Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
+  const auto regions = session.regions();
+  if (!regions) return fail(regions.error());
+  if (command.json) {
+    Json json = Json::array();
+    for (const RegionSummary& region : *regions) json.push_back(toJson(region));
+    print(json);
+    return {};
+  }
+  for (const RegionSummary& region : *regions) {
+    const Eigen::Vector3f size_cm = 100 * region.box_world.sizes();
+    std::cout << std::right << std::setw(6) << region.region.value << std::setw(9) << region.voxels
+              << " voxels " << std::fixed << std::setprecision(0) << std::setw(5) << size_cm.x() << " x "
+              << size_cm.y() << " x " << size_cm.z() << " cm  " << region.note.name
+              << (region.note.background ? "  background" : "") << (region.note.rejected ? "  rejected" : "")
+              << '\n';
+  }
+  return {};
+}
+
+Result<void> showAt(OpenSession& session, const SessionCommand& command) {
+  const auto place = placeOf(session, command.pixel, command.frame);
+  if (!place) return fail(place.error());
+  const RegionNote& note = session.pipeline().editor().notes().of(place->region);
+  if (command.json) {
+    print({{"region", place->region.value}, {"name", note.name}, {"point_m", toJson(place->point_world)}});
+  } else {
+    std::cout << place->region.value << (note.name.empty() ? "" : "  ") << note.name << '\n';
+  }
+  return {};
+}
+
+/// Says what an operation was about, by its regions as they are now.
+Result<void> report(const Result<RegionEditor::Outcome>& outcome, const SessionCommand& command) {
+  if (!outcome) return fail(outcome.error());
+  Json regions = Json::array();
+  for (const RegionId region : outcome->regions) regions.push_back(region.value);
+  if (command.json) {
+    print({{"regions", regions}});
+    return {};
+  }
+  const char* separator = "";
+  for (const RegionId region : outcome->regions) {
+    std::cout << separator << region.value;
+    separator = " ";
+  }
+  std::cout << '\n';
+  return {};
+}
+
+Operation operationOn(OperationKind kind, const SessionCommand& command) {
+  Operation operation{.kind = kind, .name = command.name, .category = command.category, .on = !command.undo};
+  for (const std::uint32_t region : command.regions) operation.regions.push_back(RegionId{region});
+  return operation;
+}
+
+template <OperationKind kKind>
+Result<void> edit(OpenSession& session, const SessionCommand& command) {
+  return report(session.edit(operationOn(kKind, command)), command);
+}
+
+Result<void> cut(OpenSession& session, const SessionCommand& command) {
+  Operation operation{.kind = OperationKind::cut};
+  for (const auto& [texts, places] :
+       {std::pair(&command.here, &operation.here_world), std::pair(&command.there, &operation.there_world)}) {
+    for (const std::string& text : *texts) {
+      const auto place = placeOf(session, text, command.frame);
+      if (!place) return fail(place.error());
+      if (!place->region)
+        return fail("At " + text + " there is no region.", "Point at something that has one.");
+      if (operation.regions.empty()) operation.regions = {place->region};
+      if (operation.regions.front() != place->region) {
+        return fail("At " + text + " there is region " + std::to_string(place->region.value) +
+                        ", not region " + std::to_string(operation.regions.front().value) +
+                        ": they are two already.",
+                    "Point at two places of one region.");
+      }
+      places->push_back(place->point_world);
+    }
+  }
+  return report(session.edit(operation), command);
+}
+
+Result<void> undo(OpenSession& session, const SessionCommand& command) {
+  Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
+  for (int i = 0; i < command.steps && outcome; ++i) outcome = session.undo();
+  return report(outcome, command);
+}
+
+Result<void> redo(OpenSession& session, const SessionCommand& command) {
+  Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
+  for (int i = 0; i < command.steps && outcome; ++i) outcome = session.redo();
+  return report(outcome, command);
+}
+
+const char* wordFor(OperationLog::State state) {
+  switch (state) {
+    case OperationLog::State::done:
+      return "done";
+    case OperationLog::State::undone:
+      return "undone";
+    case OperationLog::State::superseded:
+      return "superseded";
+  }
+  return "";
+}
+
+Result<void> history(OpenSession& session, const SessionCommand& command) {
+  Json json = Json::array();
+  for (const OperationLog::Entry& entry : session.history().entries()) {
+    Json one{{"number", entry.number}, {"state", wordFor(entry.state)}};
+    one.update(Json::parse(operationToJson(entry.operation)));
+    json.push_back(std::move(one));
+  }
+  if (command.json) {
+    print(json);
+    return {};
+  }
+  for (const OperationLog::Entry& entry : session.history().entries()) {
+    std::cout << std::right << std::setw(4) << entry.number << "  " << std::left << std::setw(11)
+              << wordFor(entry.state) << std::setw(11) << toString(entry.operation.kind);
+    for (const RegionId region : entry.operation.regions) std::cout << ' ' << region.value;
+    if (!entry.operation.name.empty()) std::cout << "  " << entry.operation.name;
+    std::cout << '\n';
+  }
+  return {};
+}
+
+using Action = Result<void> (*)(OpenSession&, const SessionCommand&);
+
+CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
+                    const std::shared_ptr<SessionCommand>& command, CommandOutcome& outcome, Action action) {
+  CLI::App* sub = parent.add_subcommand(name, help);
+  sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to")->required();
+  sub->add_flag("--json", command->json, "as JSON");
+  sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
+      ->type_name("INDEX|NAME");
+  sub->callback([command, &outcome, action] {
+    const CoreApplication qt;
+    auto session = OpenSession::open(command->folder, command->device);
+    if (!session) return outcome.failWith(session.error());
+    for (const std::string& damage : (*session)->damages()) std::cerr << "scantrove: " << damage << '\n';
+    if (const auto done = action(**session, *command); !done) outcome.failWith(done.error());
+  });
+  return sub;
+}
+
+}  // namespace
+
+void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
+  auto command = std::make_shared<SessionCommand>();
+  CLI::App* parent = app.add_subcommand("session", "Look at a scan and edit its regions");
+  parent->require_subcommand(1);
+  const auto add = [&](const char* name, const char* help, Action action) {
+    return addAction(*parent, name, help, command, outcome, action);
+  };
+  const auto takeRegions = [&](CLI::App* sub) {
+    sub->add_option("R", command->regions, "numbers of regions")->required();
+    return sub;
+  };
+  const auto takeRegion = [&](CLI::App* sub) {
+    sub->add_option("--region", command->regions, "number of the region")
+        ->required()
+        ->expected(1)
+        ->type_name("R");
+    return sub;
+  };
+  const auto takeOff = [&](CLI::App* sub) { sub->add_flag("--off", command->undo, "it is no longer"); };
+  add("show", "What there is: frames, map, regions, operations", show);
+  add("regions", "All regions", listRegions);
+  CLI::App* at = add("at", "The region that a pixel of a frame shows", showAt);
+  at->add_option("--frame", command->frame, "number of the frame in its recording")
+      ->required()
+      ->type_name("N");
+  at->add_option("--pixel", command->pixel, "column and row in the depth image")
+      ->required()
+      ->type_name("x,y");
+  CLI::App* name = takeRegion(add("name", "Give a region a name", edit<OperationKind::name>));
+  name->add_option("--name", command->name, "empty takes it away")->required()->type_name("N");
+  name->add_option("--category", command->category, "what kind of thing it is")->type_name("C");
+  takeRegions(
+      add("join", "The regions are one thing; the first keeps its number", edit<OperationKind::join>));
+  takeOff(
+      takeRegions(add("background", "Wall, floor, table: not an object", edit<OperationKind::background>)));
+  takeOff(takeRegions(add("object", "An object, whole or not", edit<OperationKind::object>)));
+  takeOff(takeRegions(add("reject", "Not an object", edit<OperationKind::reject>)));
+  takeRegions(add("finer", "Take a region apart", edit<OperationKind::finer>));
+  takeRegions(add("coarser", "Join a region with its likeliest neighbour", edit<OperationKind::coarser>));
+  CLI::App* cut_command = add("cut", "What lies here and what lies there are two things", cut);
+  for (const auto& [option, texts] :
+       {std::pair("--here", &command->here), std::pair("--there", &command->there)}) {
+    cut_command->add_option(option, *texts, "frame, column, row; may be given several times")
+        ->required()
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name("N:x,y");
+  }
+  for (const auto& [sub, help, action] : {std::tuple("undo", "Take the newest operation back", undo),
+                                          std::tuple("redo", "Do it again", redo)}) {
+    add(sub, help, action)
+        ->add_option("--steps", command->steps, "so many")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
+  }
+  add("history", "All operations", history);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,65 @@
+#include "core/editing/operation_log.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scantrove {
+
+void OperationLog::add(Operation operation, OperationEffect effect) {
+  for (std::size_t place = 0; place < entries_.size(); ++place) {
+    if (entries_[place].state != State::undone) continue;
+    entries_[place].state = State::superseded;
+    noteChange(place);
+  }
+  const int number = entries_.empty() ? 1 : entries_.back().number + 1;
+  entries_.push_back({number, std::move(operation), std::move(effect), State::done});
+  noteChange(entries_.size() - 1);
+}
+
+void OperationLog::restore(Entry entry) { entries_.push_back(std::move(entry)); }
+
+const OperationLog::Entry* OperationLog::undo() {
+  for (std::size_t place = entries_.size(); place-- > 0;) {
+    if (entries_[place].state != State::done) continue;
+    entries_[place].state = State::undone;
+    noteChange(place);
+    return &entries_[place];
+  }
+  return nullptr;
+}
+
+const OperationLog::Entry* OperationLog::redo() {
+  // Those that are undone were done after all that are done.
+  const auto found = std::ranges::find(entries_, State::undone, &Entry::state);
+  if (found == entries_.end()) return nullptr;
+  found->state = State::done;
+  noteChange(static_cast<std::size_t>(found - entries_.begin()));
+  return &*found;
+}
+
+bool OperationLog::canUndo() const {
+  return std::ranges::find(entries_, State::done, &Entry::state) != entries_.end();
+}
+
+bool OperationLog::canRedo() const {
+  return std::ranges::find(entries_, State::undone, &Entry::state) != entries_.end();
+}
+
+void OperationLog::forget(FragmentId fragment) {
+  for (std::size_t place = 0; place < entries_.size(); ++place) {
+    OperationEffect& effect = entries_[place].effect;
+    const auto gone =
+        std::erase_if(effect.moves, [=](const auto& move) { return move.fragment == fragment; }) +
+        std::erase_if(effect.sayings,
+                      [=](const auto& saying) { return saying.a == fragment || saying.b == fragment; });
+    if (gone > 0) noteChange(place);
+  }
+}
+
+void OperationLog::noteChange(std::size_t place) {
+  if (std::ranges::find(changed_, place) == changed_.end()) changed_.push_back(place);
+}
+
+std::vector<std::size_t> OperationLog::takeChanged() { return std::exchange(changed_, {}); }
+
+}  // namespace scantrove

@@ -1,0 +1,309 @@
+#include "core/editing/region_editor.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "core/editing/surface_cut.h"
+#include "core/labeling/region_partition.h"
+
+namespace scantrove {
+namespace {
+
+/// Of a place that is pointed at, so much around it is meant with it.
+constexpr float kPointed_m = 0.012F;
+/// finer: by how much less borders speak for joining, until the region parts; then k, halved so often.
+constexpr float kFirstLess = 0.5F;
+constexpr int kLessTimes = 6;
+constexpr float kFirst_k = 0.3F;
+constexpr int kHalvings = 10;
+
+std::string called(RegionId region) { return "region " + std::to_string(region.value); }
+
+RegionSaid saidBy(const RegionNote& note) {
+  if (!note.name.empty() || note.object) return RegionSaid::thing;
+  return note.background || note.rejected ? RegionSaid::background : RegionSaid::nothing;
+}
+
+}  // namespace
+
+Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& operation, const LabelingParams& params) {
+  if (operation.regions.empty()) return fail("An operation names no region.", "Say which region is meant.");
+  for (const RegionId region : operation.regions) {
+    if (!exists(region)) {
+      return fail("There is no " + called(region) + " (any more).",
+                  "List the regions anew: numbers change as regions join.");
+    }
+  }
+  Work work{operation, params, {}, {}, {}};
+  for (const RegionId region : operation.regions) remember(region, work);
+  SCANTROVE_TRY(run(work));
+  for (const auto& [fragment, before] : work.before) {
+    const RegionId after = table_.regionOf(fragment);
+    if (after != before) work.effect.moves.push_back({fragment, before, after});
+  }
+  log_.add(operation, std::move(work.effect));
+  return std::move(work.outcome);
+}
+
+Result<void> RegionEditor::run(Work& work) {
+  switch (work.operation.kind) {
+    case OperationKind::join:
+      return join(work, work.operation.regions);
+    case OperationKind::cut:
+      return cut(work);
+    case OperationKind::finer:
+      return finer(work);
+    case OperationKind::coarser:
+      return coarser(work);
+    case OperationKind::name:
+    case OperationKind::accept:
+    case OperationKind::background:
+    case OperationKind::object:
+    case OperationKind::reject:
+      break;
+  }
+  return note(work);
+}
+
+Result<void> RegionEditor::note(Work& work) {
+  const Operation& operation = work.operation;
+  for (const RegionId region : operation.regions) {
+    RegionNote note = notes_.of(region);
+    if (operation.kind == OperationKind::background) {
+      note.background = operation.on;
+    } else if (operation.kind == OperationKind::object) {
+      note.object = operation.on;
+      if (operation.on) note.background = note.rejected = false;
+    } else if (operation.kind == OperationKind::reject) {
+      note.rejected = operation.on;
+      if (operation.on) note.object = false;
+    } else {
+      note.name = operation.name;
+      note.category = operation.category;
+      note.rejected = false;
+    }
+    write(work, region, note);
+  }
+  work.outcome.regions = operation.regions;
+  return {};
+}
+
+Result<void> RegionEditor::join(Work& work, const std::vector<RegionId>& regions) {
+  std::vector<RegionId> different;
+  for (const RegionId region : regions) {
+    if (std::ranges::find(different, region) == different.end()) different.push_back(region);
+  }
+  if (different.size() < 2) return fail("A join takes two regions or more.", "Say which are one thing.");
+  const RegionId into = different.front();
+  for (const RegionId from : std::span(different).subspan(1)) {
+    const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
+    if (notes_.of(into) == RegionNote{}) write(work, into, notes_.of(from));
+    table_.join(into, from);
+    work.outcome.events.joined.emplace_back(into, from);
+    say(work, a, b, LinkConstraint::must_link);
+  }
+  work.outcome.regions = {into};
+  return {};
+}
+
+Result<void> RegionEditor::cut(Work& work) {
+  const RegionId region = work.operation.regions.front();
+  const auto fragments = table_.fragmentsOf(region);
+  std::vector<Eigen::Vector3f> places = work.operation.here_world;
+  places.insert(places.end(), work.operation.there_world.begin(), work.operation.there_world.end());
+  const SurfaceGraph graph = SurfaceGraph::of(map_.surfaceOf(fragments, places));
+  const auto voxelsAt = [&](const std::vector<Eigen::Vector3f>& at) {
+    std::set<std::uint32_t> voxels;
+    for (const Eigen::Vector3f& place : at) {
+      const auto around = graph.around(place, map_.voxelSize(), kPointed_m);
+      voxels.insert(around.begin(), around.end());
+    }
+    return std::vector<std::uint32_t>(voxels.begin(), voxels.end());
+  };
+  const std::vector<std::uint32_t> here = voxelsAt(work.operation.here_world);
+  std::vector<std::uint32_t> there = voxelsAt(work.operation.there_world);
+  std::erase_if(there, [&](std::uint32_t voxel) { return std::ranges::binary_search(here, voxel); });
+  if (here.empty() || there.empty()) {
+    return fail("The two places of the cut are one place of " + called(region) + ".",
+                "Point at two places that lie farther apart.");
+  }
+  const std::vector<std::uint8_t> side = cutSurface(graph, here, there);
+  const std::vector<Fragments> parts =
+      divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
+  divide(work, parts);
+  work.outcome.regions = {table_.regionOf(parts[0].front()), table_.regionOf(parts[1].front())};
+  return {};
+}
+
+Result<void> RegionEditor::finer(Work& work) {
+  const RegionId region = work.operation.regions.front();
+  const auto isPart = [this](const Fragments& fragments) {
+    int voxels = 0;
+    for (const FragmentId fragment : fragments) voxels += voxelsOf(fragment);
+    return voxels >= kSliverVoxels;
+  };
+  float less = kFirstLess;
+  for (int i = 0; i < kLessTimes; ++i, less *= 2) {
+    std::vector<Fragments> parts =
+        merger_->partsOf(region, less, table_, map_.voxelsOfFragments(), work.params);
+    if (std::ranges::count_if(parts, isPart) < 2) continue;
+    divide(work, parts);
+    return {};
+  }
+  const SurfaceGraph graph =
+      SurfaceGraph::of(map_.surfaceOf(table_.fragmentsOf(region), work.operation.here_world));
+  float k = kFirst_k;
+  for (int i = 0; i < kHalvings; ++i, k /= 2) {
+    const std::vector<std::uint32_t> part = segmentSurface(graph, k, kSliverVoxels);
+    const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};
+    if (parts < 2) continue;
+    divide(work, divideVoxels(region, graph, part, parts));
+    return {};
+  }
+  return fail("No finer parts of " + called(region) + " are to be seen.",
+              "Cut it: point at what lies here and at what lies there.");
+}
+
+Result<void> RegionEditor::coarser(Work& work) {
+  const RegionId region = work.operation.regions.front();
+  std::set<RegionId> neighbours;
+  for (const FragmentId fragment : table_.fragmentsOf(region)) {
+    for (const FragmentId other : merger_->neighboursOf(fragment)) neighbours.insert(table_.regionOf(other));
+  }
+  neighbours.erase(region);
+  neighbours.erase(RegionId{});
+  RegionId likeliest;
+  float best = 0;
+  for (const RegionId neighbour : neighbours) {
+    const auto odds = merger_->joiningOdds(region, neighbour, table_, map_.voxelsOfFragments(), work.params);
+    if (!odds || (likeliest && *odds <= best)) continue;
+    best = *odds;
+    likeliest = neighbour;
+  }
+  if (!likeliest) {
+    return fail("Nothing was seen to touch " + called(region) + ".", "Join it by naming the other region.");
+  }
+  remember(likeliest, work);
+  return join(work, {region, likeliest});
+}
+
+void RegionEditor::remember(RegionId region, Work& work) const {
+  for (const FragmentId fragment : table_.fragmentsOf(region)) work.before.emplace_back(fragment, region);
+}
+
+std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region, const SurfaceGraph& graph,
+                                                                std::span<const std::uint32_t> part,
+                                                                std::size_t parts) {
+  // What each fragment has in each part; the part that has most of it keeps it.
+  std::map<FragmentId, std::vector<std::vector<Eigen::Vector3i>>> voxels;
+  for (std::size_t i = 0; i < graph.voxels.size(); ++i) {
+    auto& of_fragment = voxels[graph.voxels[i].fragment];
+    of_fragment.resize(parts);
+    of_fragment[part[i]].push_back(graph.voxels[i].voxel);
+  }
+  std::vector<Fragments> fragments(parts);
+  const auto ofRegion = table_.fragmentsOf(region);
+  const Fragments members(ofRegion.begin(), ofRegion.end());
+  for (const FragmentId fragment : members) {
+    const auto found = voxels.find(fragment);
+    if (found == voxels.end()) {
+      fragments.front().push_back(fragment);  // not at the surface, or far from what was pointed at
+      continue;
+    }
+    const auto largest = std::ranges::max_element(found->second, {}, &std::vector<Eigen::Vector3i>::size);
+    const auto keeper = static_cast<std::size_t>(largest - found->second.begin());
+    for (std::size_t p = 0; p < parts; ++p) {
+      if (found->second[p].empty()) continue;
+      const FragmentId holder = p == keeper ? fragment : table_.newFragmentBeside(fragment);
+      if (p != keeper) map_.relabel(found->second[p], holder);
+      fragments[p].push_back(holder);
+    }
+  }
+  std::erase_if(fragments, [](const Fragments& of_part) { return of_part.empty(); });
+  return fragments;
+}
+
+void RegionEditor::divide(Work& work, const std::vector<Fragments>& parts) {
+  // Fragments that were cut out just now are to go back to where they came from.
+  const RegionId region = work.operation.regions.front();
+  for (const Fragments& part : parts) {
+    for (const FragmentId fragment : part) {
+      if (std::ranges::find(work.before, std::pair(fragment, region)) == work.before.end())
+        work.before.emplace_back(fragment, region);
+    }
+  }
+  table_.divide(parts, map_.voxelsOfFragments(), work.outcome.events);
+  for (const Fragments& part : parts) work.outcome.regions.push_back(table_.regionOf(part.front()));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t j = i + 1; j < parts.size(); ++j) keepApart(work, parts[i], parts[j]);
+  }
+}
+
+void RegionEditor::keepApart(Work& work, const Fragments& one, const Fragments& other) {
+  say(work, largestOf(one), largestOf(other), LinkConstraint::cannot_link);
+  for (const FragmentId a : one) {
+    for (const FragmentId b : merger_->neighboursOf(a)) {
+      if (std::ranges::find(other, b) != other.end()) say(work, a, b, LinkConstraint::cannot_link);
+    }
+  }
+}
+
+void RegionEditor::say(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint) {
+  const LinkConstraint before = merger_->constraintBetween(a, b);
+  merger_->constrain(a, b, constraint);
+  if (before != constraint) work.effect.sayings.push_back({a, b, before, constraint});
+}
+
+int RegionEditor::voxelsOf(FragmentId fragment) const {
+  const auto voxels = map_.voxelsOfFragments();
+  return fragment.value < voxels.size() ? voxels[fragment.value] : 0;
+}
+
+FragmentId RegionEditor::largestOf(std::span<const FragmentId> fragments) const {
+  return *std::ranges::max_element(fragments, {}, [this](FragmentId one) { return voxelsOf(one); });
+}
+
+void RegionEditor::write(Work& work, RegionId region, const RegionNote& note) {
+  const RegionNote before = notes_.of(region);
+  if (note == before) return;
+  work.effect.notes.push_back({region, before, note});
+  setNote(region, note);
+}
+
+void RegionEditor::setNote(RegionId region, const RegionNote& note) {
+  notes_.set(region, note);
+  table_.say(region, saidBy(note));
+}
+
+Result<RegionEditor::Outcome> RegionEditor::undo() {
+  const OperationLog::Entry* entry = log_.undo();
+  if (entry == nullptr) return fail("There is nothing to undo.", "");
+  const OperationEffect& effect = entry->effect;
+  Outcome outcome;
+  std::vector<RegionMove> back;
+  for (const RegionMove& move : effect.moves) back.push_back({move.fragment, move.after, move.before});
+  table_.move(back, outcome.events);
+  for (const auto& saying : effect.sayings) merger_->constrain(saying.a, saying.b, saying.before);
+  for (const auto& note : effect.notes) setNote(note.region, note.before);
+  // Regions that came back are what was said of them before they went.
+  for (const RegionMove& move : effect.moves) table_.say(move.before, saidBy(notes_.of(move.before)));
+  outcome.regions = entry->operation.regions;
+  return outcome;
+}
+
+Result<RegionEditor::Outcome> RegionEditor::redo() {
+  const OperationLog::Entry* entry = log_.redo();
+  if (entry == nullptr) return fail("There is nothing to do again.", "");
+  const OperationEffect& effect = entry->effect;
+  Outcome outcome;
+  table_.move(effect.moves, outcome.events);
+  for (const auto& saying : effect.sayings) merger_->constrain(saying.a, saying.b, saying.after);
+  for (const auto& note : effect.notes) setNote(note.region, note.after);
+  for (const RegionMove& move : effect.moves) table_.say(move.after, saidBy(notes_.of(move.after)));
+  outcome.regions = entry->operation.regions;
+  return outcome;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace scantrove {
+
+/// 32-bit words of the map, small: bytes of like meaning lie together, then LZ4. Any thread.
+struct PackedWords {
+  std::vector<char> bytes;
+  std::uint32_t unpacked_bytes = 0;
+  std::uint64_t checksum = 0;  ///< of `bytes`
+};
+
+/// `words`: less than 1 GiB, not empty.
+[[nodiscard]] PackedWords packWords(std::span<const std::uint32_t> words);
+
+/// None: the bytes are not those that were packed.
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> unpackWords(const PackedWords& packed);
+
+/// Finds a changed byte; no protection against intent.
+[[nodiscard]] std::uint64_t checksumOf(std::span<const char> bytes);
+
+}  // namespace scantrove

@@ -1,0 +1,97 @@
+#include "core/scan/key_frame_files.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/gray_png.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The extension of a file that is kept as it is, in small letters; empty: of none such.
+std::string extensionKept(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension == ".jpg" || extension == ".jpeg" || extension == ".png" ? extension : "";
+}
+
+std::string bytesOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Result<void> writeColor(const fs::path& session_folder, const RgbdFrame& frame, SavedKeyFrame& key) {
+  if (frame.color.empty()) return {};
+  const std::string kept = extensionKept(frame.color_file);
+  std::string bytes = kept.empty() ? "" : bytesOf(frame.color_file);
+  const std::string extension = bytes.empty() ? ".png" : kept;
+  if (bytes.empty()) {
+    std::vector<unsigned char> encoded;
+    cv::imencode(".png", frame.color, encoded, {cv::IMWRITE_PNG_COMPRESSION, 1});
+    bytes.assign(encoded.begin(), encoded.end());
+  }
+  key.color_file = fs::path("keyframes") / fmt::format("{:06}.color{}", key.frame, extension);
+  return writeFileAtomically(session_folder / key.color_file, bytes, Durability::process);
+}
+
+Result<cv::Mat> readImage(const fs::path& file, int flags) {
+  const std::string bytes = bytesOf(file);
+  cv::Mat image;
+  if (!bytes.empty())
+    image = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data())),
+                         flags);
+  if (image.empty()) {
+    return fail("The key frame image " + file.string() + " is missing or damaged.",
+                "That frame is left out; the rest can be used.");
+  }
+  return image;
+}
+
+}  // namespace
+
+Result<SavedKeyFrame> writeKeyFrame(const fs::path& session_folder, int number, const RgbdFrame& frame) {
+  SavedKeyFrame key;
+  key.frame = number;
+  key.metres_per_unit = frame.metres_per_unit;
+  key.color_camera = frame.color_camera;
+  key.color_width = frame.color.cols;
+  key.color_height = frame.color.rows;
+  SCANTROVE_TRY(writeColor(session_folder, frame, key));
+  key.depth_file = fs::path("keyframes") / fmt::format("{:06}.depth.png", number);
+  SCANTROVE_TRY(
+      writeFileAtomically(session_folder / key.depth_file, encodeGrayPng(frame.depth), Durability::process));
+  return key;
+}
+
+Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFrame& key_frame,
+                               const SavedFrame& frame) {
+  RgbdFrame read;
+  read.index = frame.source_index;
+  read.timestamp_s = frame.time_s;
+  read.metres_per_unit = key_frame.metres_per_unit;
+  read.color_camera = key_frame.color_camera;
+  SCANTROVE_TRY(moveInto(read.depth, readImage(session_folder / key_frame.depth_file, cv::IMREAD_UNCHANGED)));
+  if (read.depth.type() != CV_16UC1) {
+    return fail("The key frame image " + (session_folder / key_frame.depth_file).string() +
+                    " is no 16-bit depth image.",
+                "That frame is left out; the rest can be used.");
+  }
+  if (!key_frame.color_file.empty()) {
+    read.color_file = session_folder / key_frame.color_file;
+    SCANTROVE_TRY(
+        moveInto(read.color, readImage(read.color_file, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION)));
+  }
+  return read;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,104 @@
+#include "core/scan/open_session.h"
+
+#include <map>
+#include <utility>
+
+namespace scantrove {
+
+OpenSession::~OpenSession() = default;
+
+Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::path& folder,
+                                                       const std::string& device) {
+  std::unique_ptr<OpenSession> session(new OpenSession(folder));
+  std::unique_ptr<SessionWriter> writer;
+  SCANTROVE_TRY(moveInto(writer, SessionWriter::start(folder, SessionWriter::Way::open)));
+  SCANTROVE_TRY(moveInto(session->scan_, loadScan(*writer, session->damages_)));
+  SCANTROVE_TRY(moveInto(session->setup_, setupFrom(session->scan_.facts)));
+  SCANTROVE_TRY(moveInto(session->compute_, ComputeContext::create({.device = device})));
+  SCANTROVE_TRY(moveInto(
+      session->pipeline_,
+      ScanPipeline::create(*session->compute_, {.K = session->setup_.K, .params = session->setup_.params})));
+  SCANTROVE_TRY(restoreScan(*session->pipeline_, *writer, session->scan_, false, session->damages_));
+  session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
+  return session;
+}
+
+Result<std::vector<RegionSummary>> OpenSession::regions() {
+  std::map<RegionId, RegionSummary> regions;
+  std::map<RegionId, Eigen::Vector3d> sums;
+  const RegionTable& table = pipeline_->regionTable();
+  SCANTROVE_TRY(pipeline_->forEachCloudPoint([&](const LabelPoint& point) {
+    if (point.fragment >= table.regions().size()) return;
+    const RegionId region = table.regions()[point.fragment];
+    if (!region) return;
+    RegionSummary& summary = regions[region];
+    const Eigen::Vector3f place(point.x, point.y, point.z);
+    ++summary.voxels;
+    summary.box_world.extend(place);
+    sums.try_emplace(region, Eigen::Vector3d::Zero()).first->second += place.cast<double>();
+  }));
+  for (const SavedRegion& saved : scan_.regions) {
+    if (const auto found = regions.find(saved.region); found != regions.end())
+      found->second.object = saved.object;
+  }
+  std::vector<RegionSummary> list;
+  for (auto& [region, summary] : regions) {
+    summary.region = region;
+    summary.centroid_world = (sums.at(region) / static_cast<double>(summary.voxels)).cast<float>();
+    summary.note = pipeline_->editor().notes().of(region);
+    list.push_back(std::move(summary));
+  }
+  return list;
+}
+
+const SavedFrame* OpenSession::frameAt(int source_index) const {
+  // Of several recordings in one session the newest.
+  for (auto frame = scan_.frames.rbegin(); frame != scan_.frames.rend(); ++frame) {
+    if (frame->source_index == source_index) return &*frame;
+  }
+  return nullptr;
+}
+
+Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
+  const SavedFrame* saved = frameAt(frame);
+  const std::string called = "Frame " + std::to_string(frame) + " of " + folder_.string();
+  if (saved == nullptr)
+    return fail("There is no frame " + std::to_string(frame) + " in " + folder_.string() + ".",
+                "session show says which frames there are.");
+  if (saved->state != TrackingState::tracking && saved->state != TrackingState::relocalised)
+    return fail(called + " has no pose: the camera was lost.", "Name another frame.");
+  const Intrinsics& K = setup_.K;
+  if (x < 0 || y < 0 || x >= K.width || y >= K.height) {
+    return fail("The pixel " + std::to_string(x) + "," + std::to_string(y) + " lies outside of the " +
+                    std::to_string(K.width) + " x " + std::to_string(K.height) + " pixels of a frame.",
+                "Count from 0,0 at the top left.");
+  }
+  const auto view = pipeline_->lookAtMap(saved->T_world_camera);
+  if (!view) return fail(view.error());
+  const auto column = static_cast<std::size_t>(x * view->width / K.width);
+  const auto row = static_cast<std::size_t>(y * view->height / K.height);
+  const std::size_t pixel = row * static_cast<std::size_t>(view->width) + column;
+  const float z = view->depths_m[pixel];
+  if (!(z > 0))
+    return fail(
+        called + " shows no surface of the map at " + std::to_string(x) + "," + std::to_string(y) + ".",
+        "Point at something that was scanned.");
+  const Eigen::Vector3f seen = K.backProject(static_cast<float>(x), static_cast<float>(y), z);
+  return Place{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
+}
+
+Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome) {
+  if (!outcome) return outcome;
+  SCANTROVE_TRY(recorder_->save(*pipeline_));
+  return outcome;
+}
+
+Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
+  return keep(pipeline_->edit(operation));
+}
+
+Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo()); }
+
+Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo()); }
+
+}  // namespace scantrove

@@ -1,0 +1,80 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/scan/session_recorder.h"
+#include "core/scan/session_restorer.h"
+
+namespace scantrove {
+
+/// A region of a session, as a list shows it.
+struct RegionSummary {
+  RegionId region;
+  std::int64_t voxels = 0;  ///< near the surface
+  Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
+  Eigen::AlignedBox3f box_world;
+  RegionNote note;
+  ObjectId object;  ///< of the session's catalogue
+};
+
+/// A session that is looked at, edited and exported without a camera. What an operation changed is on disk
+/// when it returns. One thread.
+class OpenSession {
+ public:
+  /// `device`: as chooseDevice takes it. Error: there is none, another program has it, no device, ...
+  [[nodiscard]] static Result<std::unique_ptr<OpenSession>> open(const std::filesystem::path& folder,
+                                                                 const std::string& device = "");
+  ~OpenSession();
+
+  [[nodiscard]] const SessionSetup& setup() const { return setup_; }
+  [[nodiscard]] const std::vector<SavedFrame>& frames() const { return scan_.frames; }
+  [[nodiscard]] const std::vector<SavedKeyFrame>& keyFrames() const { return scan_.key_frames; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// What could not be read, in sentences.
+  [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
+  /// Whether the scan came to its end.
+  [[nodiscard]] bool hasEnded() const { return scan_.facts.contains("ended"); }
+
+  /// All regions, by id. Error: the device failed.
+  [[nodiscard]] Result<std::vector<RegionSummary>> regions();
+
+  /// What a pixel of a frame shows.
+  struct Place {
+    RegionId region;  ///< none: surface without a label
+    Eigen::Vector3f point_world = Eigen::Vector3f::Zero();
+  };
+  /// `frame`: index in its source; x, y: of the depth image, as in label images. Error: no such frame, it has
+  /// no pose, the pixel lies outside, or shows no surface.
+  [[nodiscard]] Result<Place> at(int frame, int x, int y);
+
+  /// Each is written before it returns. Error: see RegionEditor; or it could not be written: then it holds
+  /// until the program ends.
+  [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
+  [[nodiscard]] Result<RegionEditor::Outcome> undo();
+  [[nodiscard]] Result<RegionEditor::Outcome> redo();
+  [[nodiscard]] const OperationLog& history() const { return pipeline_->editor().log(); }
+
+  [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
+
+ private:
+  explicit OpenSession(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  [[nodiscard]] const SavedFrame* frameAt(int source_index) const;
+  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome);
+
+  std::filesystem::path folder_;
+  SessionSetup setup_;
+  SavedScan scan_;
+  std::vector<std::string> damages_;
+  std::unique_ptr<ComputeContext> compute_;
+  std::unique_ptr<ScanPipeline> pipeline_;
+  std::unique_ptr<SessionRecorder> recorder_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,158 @@
+#include "core/scan/session_recorder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/labeling/evidence_graph.h"
+#include "core/scan/key_frame_files.h"
+
+namespace scantrove {
+namespace {
+
+/// Frames that may still be understood late.
+constexpr std::size_t kRememberedFrames = 200;
+
+}  // namespace
+
+SessionRecorder::SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup)
+    : writer_(std::move(writer)), setup_(std::move(setup)), last_save_(std::chrono::steady_clock::now()) {}
+
+std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<SessionWriter> writer,
+                                                         ScanPipeline& pipeline, const SavedScan& scan,
+                                                         bool all_frames) {
+  Setup setup{.all_frames = all_frames};
+  if (!scan.frames.empty()) setup.frames = scan.frames.back().number + 1;
+  for (const SavedKeyFrame& key : scan.key_frames) {
+    const auto of = std::ranges::find(scan.frames, key.frame, &SavedFrame::number);
+    if (of != scan.frames.end()) setup.key_frames.takes(of->T_world_camera);
+  }
+  auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
+  // What was just read back is on disk.
+  static_cast<void>(pipeline.kept().table.takeChanged(RegionTable::Follower::session));
+  recorder->voxels_ = pipeline.voxelsOfFragments();
+  for (const SavedRegion& region : scan.regions) recorder->regions_[region.region] = region;
+  recorder->view_ = pipeline.kept().bricks.view();
+  return recorder;
+}
+
+void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result) {
+  const int number = setup_.frames++;
+  frames_.push_back({number, frame.index, frame.timestamp_s, result.pose.state, result.pose.T_world_camera});
+  number_of_frame_[frame.index] = number;
+  if (number_of_frame_.size() > kRememberedFrames) number_of_frame_.erase(number_of_frame_.begin());
+  for (const LateFrame& late : result.late) {
+    const auto known = number_of_frame_.find(late.index);
+    if (known == number_of_frame_.end()) continue;
+    frames_.push_back(
+        {known->second, late.index, late.timestamp_s, late.pose.state, late.pose.T_world_camera});
+  }
+  if (writer_->isFailing()) return;
+  const bool is_key = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
+  if (!is_key && !setup_.all_frames) return;
+  const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
+                         result.pose.T_world_camera};
+  writer_->post([frame, number, saved](SessionStore& store) -> Result<void> {
+    Result<SavedKeyFrame> key = writeKeyFrame(store.folder(), number, frame);
+    if (!key) return fail(key.error());
+    SavedDelta delta;
+    delta.frames.push_back(saved);
+    delta.key_frames.push_back(std::move(*key));
+    return store.save(delta);
+  });
+}
+
+void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) {
+  RegionTable& table = pipeline.kept().table;
+  const std::vector<cl_int>& voxels = pipeline.voxelsOfFragments();
+  std::vector<bool> is_changed(table.regions().size(), false);
+  for (const FragmentId fragment : table.takeChanged(RegionTable::Follower::session))
+    is_changed[fragment.value] = true;
+  voxels_.resize(table.regions().size(), 0);
+  for (std::uint32_t fragment = 1; fragment < table.regions().size(); ++fragment) {
+    const int now = fragment < voxels.size() ? voxels[fragment] : 0;
+    if (!is_changed[fragment] && now == voxels_[fragment]) continue;
+    voxels_[fragment] = now;
+    delta.fragments.push_back({FragmentId{fragment}, table.regions()[fragment], now});
+  }
+  std::map<RegionId, SavedRegion> regions;
+  for (const auto& [region, note] : pipeline.editor().notes().all()) regions[region] = {region, {}, note};
+  const ObjectCollector* collector = pipeline.collector();
+  if (collector == nullptr) {
+    // Without a catalogue regions are what they were.
+    for (const auto& [region, saved] : regions_) {
+      if (!saved.object || table.fragmentsOf(region).empty()) continue;
+      regions[region].region = region;
+      regions[region].object = saved.object;
+    }
+  } else {
+    for (const RegionId region : table.regions()) {
+      if (!region) continue;
+      const ObjectId object = collector->objectOf(region);
+      if (!object) continue;
+      SavedRegion& saved = regions[region];
+      saved.region = region;
+      saved.object = object;
+    }
+  }
+  for (const auto& [region, saved] : regions) {
+    const auto before = regions_.find(region);
+    if (before == regions_.end() || before->second != saved) delta.regions.push_back(saved);
+  }
+  for (const auto& [region, saved] : regions_) {
+    if (!regions.contains(region)) delta.regions.push_back({region, {}, {}});
+  }
+  regions_ = std::move(regions);
+}
+
+void SessionRecorder::collectPages(ScanPipeline& pipeline, SavedDelta& delta) {
+  BrickMap& bricks = pipeline.kept().bricks;
+  for (const int page : bricks.pagesByPosition()) {
+    if (bricks.pages().page(page).last_view <= view_) continue;
+    if (const std::optional<StoredPage> copy = bricks.copyOfPage(page); copy && copy->bricks.any())
+      delta.pages.push_back({bricks.pages().page(page).position, copy->toWords()});
+  }
+  view_ = bricks.view();
+}
+
+SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
+  SavedDelta delta;
+  delta.facts = std::exchange(setup_.facts, {});
+  delta.facts["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
+  delta.frames = std::exchange(frames_, {});
+  collectRegions(pipeline, delta);
+  if (EvidenceGraph* graph = pipeline.kept().merger.evidence()) {
+    for (const auto& [a, b] : graph->takeChanged()) {
+      const BorderEvidence* border = graph->find(a, b);
+      delta.borders.push_back({a, b, border != nullptr ? std::optional(*border) : std::nullopt});
+    }
+  }
+  OperationLog& log = pipeline.kept().editor.log();
+  for (const std::size_t place : log.takeChanged()) delta.operations.push_back(log.entries()[place]);
+  collectPages(pipeline, delta);
+  return delta;
+}
+
+void SessionRecorder::hand(SavedDelta delta) {
+  last_save_ = std::chrono::steady_clock::now();
+  writer_->post([delta = std::make_shared<const SavedDelta>(std::move(delta))](SessionStore& store) {
+    return store.save(*delta);
+  });
+}
+
+void SessionRecorder::saveWhenDue(ScanPipeline& pipeline) {
+  if (std::chrono::steady_clock::now() - last_save_ < kBetweenSaves) return;
+  // While the disk does not take it, what changed is kept where it is.
+  hand(writer_->isFailing() ? SavedDelta{} : collect(pipeline));
+}
+
+Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
+  hand(collect(pipeline));
+  return writer_->flush();
+}
+
+Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
+  setup_.facts["ended"] = "yes";
+  return save(pipeline);
+}
+
+}  // namespace scantrove

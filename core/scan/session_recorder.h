@@ -1,0 +1,62 @@
+#pragma once
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scan/key_frame_choice.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/session/session_writer.h"
+
+namespace scantrove {
+
+/// Keeps a scan in a session while it runs: every few seconds what changed since, and the frames that show
+/// something new. What the disk takes its time for, a thread of its own waits for. One thread, the worker's.
+class SessionRecorder {
+ public:
+  /// A killed program loses no more than this, and what the disk was slower.
+  static constexpr std::chrono::milliseconds kBetweenSaves{3000};
+
+  struct Setup {
+    bool all_frames = false;         ///< keep the images of every frame, not of key frames only
+    SavedFacts facts = {};           ///< of a new scan
+    int frames = 0;                  ///< that the session has already
+    KeyFrameChoice key_frames = {};  ///< that it has
+  };
+  SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup);
+  /// Goes on in a session that `pipeline` was just restored from.
+  [[nodiscard]] static std::unique_ptr<SessionRecorder> resume(std::unique_ptr<SessionWriter> writer,
+                                                               ScanPipeline& pipeline, const SavedScan& scan,
+                                                               bool all_frames);
+
+  /// After each frame, whether it was usable or not.
+  void addFrame(const RgbdFrame& frame, const FrameResult& result);
+  /// Hands over what changed if it is time. Device faults: cl::Error.
+  void saveWhenDue(ScanPipeline& pipeline);
+  /// Hands over what changed and waits until it is on disk. Error: it is not; what is there stays as it was.
+  [[nodiscard]] Result<void> save(ScanPipeline& pipeline);
+  /// The same at the end of the scan.
+  [[nodiscard]] Result<void> finish(ScanPipeline& pipeline);
+  /// Why the session could not be written, once each time that this begins.
+  [[nodiscard]] std::optional<Error> takeFailure() { return writer_->takeFailure(); }
+
+ private:
+  [[nodiscard]] SavedDelta collect(ScanPipeline& pipeline);
+  void collectRegions(ScanPipeline& pipeline, SavedDelta& delta);
+  void collectPages(ScanPipeline& pipeline, SavedDelta& delta);
+  void hand(SavedDelta delta);
+
+  std::unique_ptr<SessionWriter> writer_;
+  Setup setup_;
+  std::map<int, int> number_of_frame_;  // by index of the source, for those that may be understood late
+  std::vector<SavedFrame> frames_;      // not handed over yet
+  std::vector<int> voxels_;             // of each fragment, as handed over
+  std::map<RegionId, SavedRegion> regions_;
+  std::uint64_t view_ = 0;  // of the map, when its pages were handed over
+  std::chrono::steady_clock::time_point last_save_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,151 @@
+#include "core/scan/session_scan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/fusion/kernels/color_voxel.h"
+#include "core/scan/key_frame_choice.h"
+#include "core/scan/key_frame_files.h"
+
+namespace scantrove {
+namespace {
+
+bool isUsable(const SavedFrame& frame) {
+  return frame.state == TrackingState::tracking || frame.state == TrackingState::relocalised;
+}
+
+}  // namespace
+
+SessionScan::SessionScan(OpenSession& session) : session_(session) {
+  std::map<int, const SavedFrame*> frames;
+  for (const SavedFrame& frame : session.frames()) frames[frame.number] = &frame;
+  std::set<int> source_indices;
+  for (const SavedKeyFrame& key : session.keyFrames()) {
+    const auto found = frames.find(key.frame);
+    if (found == frames.end() || !isUsable(*found->second)) continue;
+    kept_.push_back({found->second->source_index, &key, found->second});
+    source_indices.insert(found->second->source_index);
+  }
+  if (source_indices.size() == kept_.size()) return;
+  // Of several recordings, frames may have one number: then they are counted through.
+  for (KeptFrame& kept : kept_) kept.index = kept.frame->number;
+}
+
+std::string SessionScan::name() const {
+  const std::string name =
+      std::filesystem::absolute(session_.folder()).lexically_normal().filename().string();
+  return name.empty() ? "scan" : name;
+}
+
+Result<std::vector<LabelledRegion>> SessionScan::regions() {
+  const auto summaries = session_.regions();
+  if (!summaries) return fail(summaries.error());
+  std::vector<LabelledRegion> regions;
+  for (const RegionSummary& summary : *summaries) {
+    LabelledRegion region;
+    region.id = summary.region.value;
+    region.name = summary.note.name;
+    region.category = summary.note.category;
+    if (summary.object) region.object = summary.object.value;
+    region.background = summary.note.background;
+    region.rejected = summary.note.rejected;
+    region.voxels = static_cast<int>(summary.voxels);
+    region.box_world_m = summary.box_world;
+    region.centroid_world_m = summary.centroid_world;
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
+  std::vector<KeyFrameInfo> list;
+  KeyFrameChoice choice;
+  for (const KeptFrame& kept : kept_) {
+    if (!choice.takes(kept.frame->T_world_camera) && !all_frames) continue;
+    KeyFrameInfo info;
+    info.index = kept.index;
+    info.timestamp_s = kept.frame->time_s;
+    info.T_world_depth = kept.frame->T_world_camera;
+    info.K_depth = session_.setup().K;
+    info.metres_per_unit = kept.images->metres_per_unit;
+    info.K_color = info.K_depth;
+    if (kept.images->color_camera) {
+      info.K_color = kept.images->color_camera->K;
+      info.T_color_depth = kept.images->color_camera->T_color_depth;
+    } else if (kept.images->color_width > 0) {
+      info.K_color = info.K_depth.resizedTo(kept.images->color_width, kept.images->color_height);
+    }
+    if (!kept.images->color_file.empty()) info.color_file = session_.folder() / kept.images->color_file;
+    list.push_back(std::move(info));
+  }
+  return list;
+}
+
+Result<RgbdFrame> SessionScan::read(int index) const {
+  const auto found = std::ranges::find(kept_, index, &KeptFrame::index);
+  if (found == kept_.end())
+    return fail(
+        "No images of frame " + std::to_string(index) + " were kept in " + session_.folder().string() + ".",
+        "");
+  return readKeyFrame(session_.folder(), *found->images, *found->frame);
+}
+
+Result<cv::Mat> SessionScan::color(int index) {
+  Result<RgbdFrame> frame = read(index);
+  if (!frame) return fail(frame.error());
+  return frame->color;
+}
+
+Result<cv::Mat> SessionScan::depth(int index) {
+  Result<RgbdFrame> frame = read(index);
+  if (!frame) return fail(frame.error());
+  return frame->depth;
+}
+
+Result<ViewOfMap> SessionScan::look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
+  const auto seen = session_.pipeline().lookAtMap(T_world_camera, K);
+  if (!seen) return fail(seen.error());
+  ViewOfMap view{cv::Mat(K.height, K.width, CV_32SC1), cv::Mat(K.height, K.width, CV_32FC1)};
+  std::ranges::transform(seen->regions, view.regions.begin<int>(),
+                         [](RegionId region) { return static_cast<int>(region.value); });
+  std::ranges::copy(seen->depths_m, view.depth_m.begin<float>());
+  return view;
+}
+
+std::uint32_t SessionScan::regionOf(std::uint32_t fragment) const {
+  const std::vector<RegionId>& regions = session_.pipeline().regionTable().regions();
+  return fragment < regions.size() ? regions[fragment].value : 0;
+}
+
+Result<LabelledMesh> SessionScan::mesh() {
+  auto surface = session_.pipeline().extractMesh();
+  if (!surface) return fail(surface.error());
+  LabelledMesh mesh;
+  if (!*surface) return mesh;
+  for (const SurfaceMesh::Vertex& vertex : (*surface)->vertices)
+    mesh.vertices.push_back({vertex.position, vertex.normal, vertex.color, regionOf(vertex.fragment.value)});
+  mesh.faces = std::move((*surface)->faces);
+  return mesh;
+}
+
+Result<void> SessionScan::forEachPoint(const std::function<void(const SurfacePoint&)>& give) {
+  return session_.pipeline().forEachCloudPoint([&](const LabelPoint& point) {
+    const auto byte = [](unsigned value) { return static_cast<std::uint8_t>(value); };
+    give({{point.x, point.y, point.z},
+          {point.normal_x, point.normal_y, point.normal_z},
+          {byte(COLOR_RED(point.color)), byte(COLOR_GREEN(point.color)), byte(COLOR_BLUE(point.color))},
+          regionOf(point.fragment)});
+  });
+}
+
+Result<Trajectory> SessionScan::trajectory() {
+  Trajectory trajectory;
+  for (const SavedFrame& frame : session_.frames()) {
+    if (isUsable(frame)) trajectory.push_back({frame.time_s, frame.T_world_camera});
+  }
+  return trajectory;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/dataset/labelled_scan.h"
+#include "core/scan/open_session.h"
+
+namespace scantrove {
+
+/// A session as data sets are made from it. The thread of the session, which outlives this.
+class SessionScan final : public LabelledScan {
+ public:
+  explicit SessionScan(OpenSession& session);
+
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] Result<std::vector<LabelledRegion>> regions() override;
+  [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override;
+  [[nodiscard]] Result<cv::Mat> color(int index) override;
+  [[nodiscard]] Result<cv::Mat> depth(int index) override;
+  [[nodiscard]] Result<ViewOfMap> look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) override;
+  [[nodiscard]] Result<LabelledMesh> mesh() override;
+  [[nodiscard]] Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) override;
+  [[nodiscard]] Result<Trajectory> trajectory() override;
+
+ private:
+  /// A frame whose images were kept, by the number that it is known by outside.
+  struct KeptFrame {
+    int index;
+    const SavedKeyFrame* images;
+    const SavedFrame* frame;
+  };
+  [[nodiscard]] Result<RgbdFrame> read(int index) const;
+  [[nodiscard]] std::uint32_t regionOf(std::uint32_t fragment) const;
+
+  OpenSession& session_;
+  std::vector<KeptFrame> kept_;  // with a pose, in order
+};
+
+}  // namespace scantrove

@@ -1,0 +1,114 @@
+#include "core/session/operation_json.h"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace scantrove {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Tag>
+Json numbersOf(const std::vector<Id<Tag>>& ids) {
+  Json numbers = Json::array();
+  for (const Id<Tag> id : ids) numbers.push_back(id.value);
+  return numbers;
+}
+
+Json placesOf(const std::vector<Eigen::Vector3f>& places) {
+  Json list = Json::array();
+  for (const Eigen::Vector3f& place : places) list.push_back({place.x(), place.y(), place.z()});
+  return list;
+}
+
+std::vector<Eigen::Vector3f> placesFrom(const Json& list) {
+  std::vector<Eigen::Vector3f> places;
+  for (const Json& place : list)
+    places.emplace_back(place.at(0).get<float>(), place.at(1).get<float>(), place.at(2).get<float>());
+  return places;
+}
+
+Json noteToJson(const RegionNote& note) {
+  return {note.name, note.category, note.background, note.object, note.rejected};
+}
+
+RegionNote noteFrom(const Json& list) {
+  return {list.at(0).get<std::string>(), list.at(1).get<std::string>(), list.at(2).get<bool>(),
+          list.at(3).get<bool>(), list.at(4).get<bool>()};
+}
+
+LinkConstraint constraintFrom(const Json& number) {
+  return static_cast<LinkConstraint>(std::min(number.get<unsigned>(), 2U));
+}
+
+/// Reads by `read` what may not be JSON, or not of that form.
+template <class Read>
+auto readJson(const std::string& text, Read&& read) -> std::optional<decltype(read(Json()))> {
+  try {
+    return read(Json::parse(text));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string operationToJson(const Operation& operation) {
+  Json json{{"kind", toString(operation.kind)}, {"regions", numbersOf(operation.regions)}};
+  if (!operation.name.empty()) json["name"] = operation.name;
+  if (!operation.category.empty()) json["category"] = operation.category;
+  if (!operation.on) json["on"] = false;
+  if (!operation.here_world.empty()) json["here"] = placesOf(operation.here_world);
+  if (!operation.there_world.empty()) json["there"] = placesOf(operation.there_world);
+  if (operation.frame >= 0) json["frame"] = operation.frame;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<Operation> operationFromJson(const std::string& text) {
+  return readJson(text, [](const Json& json) {
+    Operation operation;
+    const auto kind = operationKindOf(json.at("kind").get<std::string>());
+    if (!kind) throw Json::other_error::create(501, "no such operation", nullptr);
+    operation.kind = *kind;
+    for (const Json& number : json.at("regions"))
+      operation.regions.push_back(RegionId{number.get<std::uint32_t>()});
+    operation.name = json.value("name", "");
+    operation.category = json.value("category", "");
+    operation.on = json.value("on", true);
+    operation.here_world = placesFrom(json.value("here", Json::array()));
+    operation.there_world = placesFrom(json.value("there", Json::array()));
+    operation.frame = json.value("frame", -1);
+    return operation;
+  });
+}
+
+std::string effectToJson(const OperationEffect& effect) {
+  Json json{{"moves", Json::array()}, {"said", Json::array()}, {"notes", Json::array()}};
+  for (const RegionMove& move : effect.moves)
+    json["moves"].push_back({move.fragment.value, move.before.value, move.after.value});
+  for (const auto& saying : effect.sayings)
+    json["said"].push_back(
+        {saying.a.value, saying.b.value, static_cast<int>(saying.before), static_cast<int>(saying.after)});
+  for (const auto& note : effect.notes)
+    json["notes"].push_back({note.region.value, noteToJson(note.before), noteToJson(note.after)});
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<OperationEffect> effectFromJson(const std::string& text) {
+  return readJson(text, [](const Json& json) {
+    OperationEffect effect;
+    const auto number = [](const Json& value) { return value.get<std::uint32_t>(); };
+    for (const Json& move : json.at("moves"))
+      effect.moves.push_back(
+          {FragmentId{number(move.at(0))}, RegionId{number(move.at(1))}, RegionId{number(move.at(2))}});
+    for (const Json& saying : json.at("said"))
+      effect.sayings.push_back({FragmentId{number(saying.at(0))}, FragmentId{number(saying.at(1))},
+                                constraintFrom(saying.at(2)), constraintFrom(saying.at(3))});
+    for (const Json& note : json.at("notes"))
+      effect.notes.push_back({RegionId{number(note.at(0))}, noteFrom(note.at(1)), noteFrom(note.at(2))});
+    return effect;
+  });
+}
+
+}  // namespace scantrove

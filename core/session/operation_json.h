@@ -1,0 +1,16 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "core/editing/operation_log.h"
+
+namespace scantrove {
+
+/// Operations as text: {"kind": "join", "regions": [3, 7], ...}; what is empty is left out.
+[[nodiscard]] std::string operationToJson(const Operation& operation);
+[[nodiscard]] std::string effectToJson(const OperationEffect& effect);
+/// None: it is not what was written.
+[[nodiscard]] std::optional<Operation> operationFromJson(const std::string& text);
+[[nodiscard]] std::optional<OperationEffect> effectFromJson(const std::string& text);
+
+}  // namespace scantrove

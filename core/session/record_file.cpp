@@ -1,0 +1,80 @@
+#include "core/session/record_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <span>
+#include <system_error>
+#include <utility>
+
+namespace scantrove {
+namespace {
+
+Error fileFailure(const char* doing, const std::filesystem::path& path, int code) {
+  return {
+      std::string(doing) + " " + path.string() + " failed: " + std::generic_category().message(code) + ".",
+      "Check the disk, its free space and the folder's permissions."};
+}
+
+}  // namespace
+
+Result<RecordFile> RecordFile::open(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) return fail(fileFailure("Opening", path, errno));
+  const off_t end = ::lseek(file, 0, SEEK_END);
+  RecordFile opened(path, file, end < 0 ? 0 : static_cast<std::uint64_t>(end));
+  if (end < 0) return fail(fileFailure("Reading", path, errno));
+  return opened;
+}
+
+RecordFile::RecordFile(RecordFile&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), end_(other.end_) {}
+
+RecordFile& RecordFile::operator=(RecordFile&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(file_, other.file_);
+  std::swap(end_, other.end_);
+  return *this;
+}
+
+RecordFile::~RecordFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Result<std::uint64_t> RecordFile::append(const PackedWords& packed) {
+  std::span<const char> left = packed.bytes;
+  std::uint64_t at = end_;
+  while (!left.empty()) {
+    const ssize_t written = ::pwrite(file_, left.data(), left.size(), static_cast<off_t>(at));
+    if (written < 0 && errno == EINTR) continue;
+    // What was written of it lies behind the end and is written over.
+    if (written <= 0) return fail(fileFailure("Writing", path_, written < 0 ? errno : ENOSPC));
+    left = left.subspan(static_cast<std::size_t>(written));
+    at += static_cast<std::uint64_t>(written);
+  }
+  return std::exchange(end_, at);
+}
+
+Result<void> RecordFile::flush() {
+  if (::fdatasync(file_) != 0) return fail(fileFailure("Writing", path_, errno));
+  return {};
+}
+
+Result<std::vector<char>> RecordFile::read(std::uint64_t offset, std::uint64_t bytes) const {
+  if (offset + bytes > end_)
+    return fail("The file " + path_.string() + " is shorter than it was.",
+                "A part of the map is missing; restore the file from a copy if there is one.");
+  std::vector<char> result(bytes);
+  std::span<char> left = result;
+  while (!left.empty()) {
+    const ssize_t got = ::pread(file_, left.data(), left.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return fail(fileFailure("Reading", path_, got < 0 ? errno : EIO));
+    left = left.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::uint64_t>(got);
+  }
+  return result;
+}
+
+}  // namespace scantrove

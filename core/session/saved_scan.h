@@ -1,0 +1,87 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/capture/color_camera.h"
+#include "core/capture/intrinsics.h"
+#include "core/editing/operation_log.h"
+#include "core/labeling/border_evidence.h"
+#include "core/tracking/pose_estimate.h"
+
+namespace scantrove {
+
+/// What is kept of a scan: plain values, as they go to disk and come back.
+struct SavedFrame {
+  int number = 0;        ///< 0, 1, ... in the order in which the scan saw them
+  int source_index = 0;  ///< RgbdFrame::index
+  double time_s = 0;
+  TrackingState state = TrackingState::lost;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+
+struct SavedKeyFrame {
+  int frame = 0;                                 ///< SavedFrame::number
+  std::filesystem::path color_file, depth_file;  ///< in the session's folder; no colour: empty
+  float metres_per_unit = 0.001F;
+  int color_width = 0, color_height = 0;
+  std::optional<ColorCamera> color_camera;  ///< RgbdFrame::color_camera
+};
+
+struct SavedFragment {
+  FragmentId fragment;
+  RegionId region;  ///< none: the fragment is no more
+  int voxels = 0;
+};
+
+struct SavedRegion {
+  RegionId region;
+  ObjectId object;  ///< of the catalogue
+  RegionNote note;
+  bool operator==(const SavedRegion&) const = default;
+};
+
+struct SavedBorder {
+  FragmentId a, b;                         ///< a < b
+  std::optional<BorderEvidence> evidence;  ///< none: there is none any more
+};
+
+/// A page of bricks, as BrickMap gives and takes it.
+struct SavedPage {
+  Eigen::Vector3i position = Eigen::Vector3i::Zero();  ///< BrickPages::Page::position
+  std::vector<std::uint32_t> words;                    ///< StoredPage::toWords
+};
+
+/// What holds for the whole scan, by name.
+using SavedFacts = std::map<std::string, std::string>;
+
+/// All that changed since the delta before: one moment of the scan, between two frames.
+struct SavedDelta {
+  SavedFacts facts;
+  std::vector<SavedFrame> frames;  ///< new ones, or understood late
+  std::vector<SavedKeyFrame> key_frames;
+  std::vector<SavedFragment> fragments;
+  std::vector<SavedRegion> regions;  ///< of which something is to be said, or was
+  std::vector<SavedBorder> borders;
+  std::vector<OperationLog::Entry> operations;
+  std::vector<SavedPage> pages;
+};
+
+/// A scan as it was read back, but for its map, which is read page by page.
+struct SavedScan {
+  SavedFacts facts;
+  std::vector<SavedFrame> frames;  ///< by number
+  std::vector<SavedKeyFrame> key_frames;
+  std::vector<SavedFragment> fragments;
+  std::vector<SavedRegion> regions;
+  std::vector<SavedBorder> borders;
+  std::vector<OperationLog::Entry> operations;
+  std::vector<Eigen::Vector3i> pages;  ///< positions
+};
+
+}  // namespace scantrove

@@ -1,0 +1,275 @@
+#include "core/session/session_rows.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
+
+#include "core/session/operation_json.h"
+
+namespace scantrove::rows {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+QString text(const std::string& value) { return QString::fromStdString(value); }
+std::string text(const QSqlQuery& row, int column) { return row.value(column).toString().toStdString(); }
+
+constexpr std::size_t kEvidenceFloats = 10;
+static_assert(std::endian::native == std::endian::little);
+
+QByteArray toBytes(const BorderEvidence& e) {
+  const std::array<float, kEvidenceFloats> values{
+      e.looks,   e.bridged,       e.shared,
+      e.bends,   e.concavity_rad, e.turn_rad,
+      e.folded,  e.ridged,        e.color_shift.value_or(std::numeric_limits<float>::quiet_NaN()),
+      e.length_m};
+  return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
+}
+
+std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
+  std::array<float, kEvidenceFloats> values{};
+  if (bytes.size() != static_cast<qsizetype>(sizeof(values))) return std::nullopt;
+  std::memcpy(values.data(), bytes.constData(), sizeof(values));
+  if (!std::isfinite(values[0] + values[1] + values[2] + values[3] + values[4] + values[5] + values[6] +
+                     values[7] + values[9]))
+    return std::nullopt;
+  BorderEvidence e;
+  e.looks = values[0];
+  e.bridged = values[1];
+  e.shared = values[2];
+  e.bends = values[3];
+  e.concavity_rad = values[4];
+  e.turn_rad = values[5];
+  e.folded = values[6];
+  e.ridged = values[7];
+  if (std::isfinite(values[8])) e.color_shift = values[8];
+  e.length_m = values[9];
+  return e;
+}
+
+/// Size and, where colour has a camera of its own, that camera.
+std::string colorToJson(const SavedKeyFrame& key) {
+  Json json{{"size", {key.color_width, key.color_height}}};
+  if (!key.color_camera) return json.dump();
+  Json T = Json::array();
+  for (int i = 0; i < 12; ++i) T.push_back(key.color_camera->T_color_depth.matrix()(i / 4, i % 4));
+  const Intrinsics& K = key.color_camera->K;
+  json["K"] = {K.fx, K.fy, K.cx, K.cy};
+  json["K_size"] = {K.width, K.height};
+  json["T_color_depth"] = T;
+  return json.dump();
+}
+
+/// False: it is not what was written.
+bool readColor(const std::string& written, SavedKeyFrame& key) {
+  try {
+    const Json json = Json::parse(written);
+    const auto sizeOf = [&](const char* name) {
+      return std::pair(json.at(name).at(0).get<int>(), json.at(name).at(1).get<int>());
+    };
+    std::tie(key.color_width, key.color_height) = sizeOf("size");
+    if (!json.contains("K")) return true;
+    const auto [width, height] = sizeOf("K_size");
+    const auto number = [&](std::size_t i) { return json.at("K").at(i).get<float>(); };
+    ColorCamera camera;
+    camera.K = {number(0), number(1), number(2), number(3), width, height};
+    for (int i = 0; i < 12; ++i)
+      camera.T_color_depth.matrix()(i / 4, i % 4) =
+          json.at("T_color_depth").at(static_cast<std::size_t>(i)).get<double>();
+    key.color_camera = camera;
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+constexpr std::array kStates{TrackingState::tracking, TrackingState::uncertain, TrackingState::lost,
+                             TrackingState::relocalised};
+
+TrackingState stateFrom(const std::string& word) {
+  for (const TrackingState state : kStates) {
+    if (word == toString(state)) return state;
+  }
+  return TrackingState::lost;
+}
+
+using LogState = OperationLog::State;
+constexpr std::array<std::pair<LogState, const char*>, 3> kLogStates{
+    {{LogState::done, "done"}, {LogState::undone, "undone"}, {LogState::superseded, "superseded"}}};
+
+QString wordFor(LogState state) {
+  for (const auto& [one, word] : kLogStates) {
+    if (one == state) return word;
+  }
+  return "";
+}
+
+std::optional<LogState> logStateFrom(const std::string& word) {
+  for (const auto& [state, known] : kLogStates) {
+    if (word == known) return state;
+  }
+  return std::nullopt;
+}
+
+Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta) {
+  for (const SavedFrame& frame : delta.frames) {
+    const Eigen::Vector3d t = frame.T_world_camera.translation();
+    const Eigen::Quaterniond q(frame.T_world_camera.linear());
+    SCANTROVE_TRY(
+        database.execute("INSERT OR REPLACE INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                         {frame.number, frame.source_index, frame.time_s, QString(toString(frame.state)),
+                          t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}));
+  }
+  for (const SavedKeyFrame& key : delta.key_frames) {
+    SCANTROVE_TRY(database.execute(
+        "INSERT OR REPLACE INTO key_frames VALUES (?, ?, ?, ?, ?)",
+        {key.frame, text(key.color_file.generic_string()), text(key.depth_file.generic_string()),
+         static_cast<double>(key.metres_per_unit), text(colorToJson(key))}));
+  }
+  return {};
+}
+
+Result<void> writeRegions(DatabaseConnection& database, const SavedDelta& delta) {
+  for (const SavedFragment& one : delta.fragments) {
+    if (one.region) {
+      SCANTROVE_TRY(database.execute("INSERT OR REPLACE INTO fragments VALUES (?, ?, ?)",
+                                     {one.fragment.value, one.region.value, one.voxels}));
+    } else {
+      SCANTROVE_TRY(database.execute("DELETE FROM fragments WHERE fragment = ?", {one.fragment.value}));
+    }
+  }
+  for (const SavedRegion& one : delta.regions) {
+    SCANTROVE_TRY(
+        database.execute("INSERT OR REPLACE INTO regions VALUES (?, ?, ?, ?, ?, ?, ?)",
+                         {one.region.value, one.object.value, text(one.note.name), text(one.note.category),
+                          one.note.background, one.note.object, one.note.rejected}));
+  }
+  for (const SavedBorder& one : delta.borders) {
+    if (one.evidence) {
+      SCANTROVE_TRY(database.execute(
+          "INSERT OR REPLACE INTO borders VALUES (?, ?, ?, ?, ?, ?)",
+          {one.a.value, one.b.value, toBytes(*one.evidence), static_cast<int>(one.evidence->constraint),
+           one.evidence->by_person, one.evidence->constraint_order}));
+    } else {
+      SCANTROVE_TRY(
+          database.execute("DELETE FROM borders WHERE a = ? AND b = ?", {one.a.value, one.b.value}));
+    }
+  }
+  return {};
+}
+
+Result<void> writeOperations(DatabaseConnection& database, const SavedDelta& delta) {
+  for (const OperationLog::Entry& entry : delta.operations) {
+    // When it was done stays when it is undone.
+    SCANTROVE_TRY(database.execute(
+        "INSERT INTO operations VALUES (?, ?, ?, ?, ?) ON CONFLICT (number) DO UPDATE SET state = "
+        "excluded.state, effect = excluded.effect",
+        {entry.number, wordFor(entry.state), text(operationToJson(entry.operation)),
+         text(effectToJson(entry.effect)), DatabaseConnection::now()}));
+  }
+  return {};
+}
+
+/// Reads all rows of `sql`: take(row) gives false for one that is not what it should be.
+template <class Take>
+Result<void> readRows(DatabaseConnection& database, const char* sql, const char* called,
+                      std::vector<std::string>& damages, Take&& take) {
+  Result<QSqlQuery> rows = database.execute(sql);
+  if (!rows) return fail(rows.error());
+  int bad = 0;
+  while (rows->next()) bad += take(*rows) ? 0 : 1;
+  if (bad > 0)
+    damages.push_back(std::to_string(bad) + " " + called + " of the session in " + database.file() +
+                      " cannot be read and are left out.");
+  return {};
+}
+
+SavedFrame frameFrom(const QSqlQuery& row) {
+  SavedFrame frame;
+  frame.number = row.value(0).toInt();
+  frame.source_index = row.value(1).toInt();
+  frame.time_s = row.value(2).toDouble();
+  frame.state = stateFrom(text(row, 3));
+  const auto number = [&](int column) { return row.value(column).toDouble(); };
+  frame.T_world_camera = Eigen::Translation3d(number(4), number(5), number(6)) *
+                         Eigen::Quaterniond(number(10), number(7), number(8), number(9)).normalized();
+  return frame;
+}
+
+}  // namespace
+
+Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
+  for (const auto& [name, value] : delta.facts) {
+    SCANTROVE_TRY(database.execute("INSERT OR REPLACE INTO facts VALUES (?, ?)", {text(name), text(value)}));
+  }
+  SCANTROVE_TRY(writeFrames(database, delta));
+  SCANTROVE_TRY(writeRegions(database, delta));
+  return writeOperations(database, delta);
+}
+
+Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
+  SavedScan scan;
+  SCANTROVE_TRY(readRows(database, "SELECT name, value FROM facts", "facts", damages, [&](QSqlQuery& row) {
+    scan.facts[text(row, 0)] = text(row, 1);
+    return true;
+  }));
+  SCANTROVE_TRY(
+      readRows(database, "SELECT * FROM frames ORDER BY number", "frames", damages, [&](QSqlQuery& row) {
+        scan.frames.push_back(frameFrom(row));
+        return scan.frames.back().T_world_camera.matrix().allFinite() || (scan.frames.pop_back(), false);
+      }));
+  SCANTROVE_TRY(readRows(database, "SELECT * FROM key_frames ORDER BY number", "key frames", damages,
+                         [&](QSqlQuery& row) {
+                           SavedKeyFrame key;
+                           key.frame = row.value(0).toInt();
+                           key.color_file = text(row, 1);
+                           key.depth_file = text(row, 2);
+                           key.metres_per_unit = row.value(3).toFloat();
+                           if (!readColor(text(row, 4), key)) return false;
+                           scan.key_frames.push_back(std::move(key));
+                           return true;
+                         }));
+  SCANTROVE_TRY(readRows(
+      database, "SELECT * FROM fragments ORDER BY fragment", "fragments", damages, [&](QSqlQuery& row) {
+        scan.fragments.push_back(
+            {FragmentId{row.value(0).toUInt()}, RegionId{row.value(1).toUInt()}, row.value(2).toInt()});
+        return true;
+      }));
+  SCANTROVE_TRY(
+      readRows(database, "SELECT * FROM regions ORDER BY region", "regions", damages, [&](QSqlQuery& row) {
+        scan.regions.push_back({RegionId{row.value(0).toUInt()},
+                                ObjectId{row.value(1).toUInt()},
+                                {text(row, 2), text(row, 3), row.value(4).toBool(), row.value(5).toBool(),
+                                 row.value(6).toBool()}});
+        return true;
+      }));
+  SCANTROVE_TRY(
+      readRows(database, "SELECT * FROM borders ORDER BY a, b", "borders", damages, [&](QSqlQuery& row) {
+        std::optional<BorderEvidence> evidence = evidenceFrom(row.value(2).toByteArray());
+        if (!evidence || row.value(3).toUInt() > 2) return false;
+        evidence->constraint = static_cast<LinkConstraint>(row.value(3).toInt());
+        evidence->by_person = row.value(4).toBool();
+        evidence->constraint_order = row.value(5).toInt();
+        scan.borders.push_back(
+            {FragmentId{row.value(0).toUInt()}, FragmentId{row.value(1).toUInt()}, evidence});
+        return true;
+      }));
+  SCANTROVE_TRY(readRows(
+      database, "SELECT number, state, operation, effect FROM operations ORDER BY number", "operations",
+      damages, [&](QSqlQuery& row) {
+        const auto state = logStateFrom(text(row, 1));
+        auto operation = operationFromJson(text(row, 2));
+        auto effect = effectFromJson(text(row, 3));
+        if (!state || !operation || !effect) return false;
+        scan.operations.push_back({row.value(0).toInt(), std::move(*operation), std::move(*effect), *state});
+        return true;
+      }));
+  return scan;
+}
+
+}  // namespace scantrove::rows

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/database/database_connection.h"
+#include "core/session/saved_scan.h"
+
+/// The tables of a session but for `pages` (schema/001_session.sql).
+namespace scantrove::rows {
+
+/// To be called in a transaction.
+[[nodiscard]] Result<void> write(DatabaseConnection& database, const SavedDelta& delta);
+
+/// All rows; those that are not what they should be are left out, with a sentence for each kind.
+[[nodiscard]] Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages);
+
+}  // namespace scantrove::rows

@@ -1,0 +1,201 @@
+#include "core/session/session_store.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "core/database/transaction.h"
+#include "core/session/session_rows.h"
+#include "core/session/session_schema.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDatabase = "session.sqlite";
+/// A file of the map is followed by a new one from this size on.
+constexpr std::uint64_t kLargestFile_bytes = 256ULL << 20U;
+/// Outdated records are left alone up to this much, and up to as much as there is that is not.
+constexpr std::uint64_t kOutdated_bytes = 32ULL << 20U;
+
+Result<void> makeFolders(const fs::path& folder) {
+  std::error_code failure;
+  for (const fs::path& path : {folder, folder / "map", folder / "keyframes"}) {
+    fs::create_directories(path, failure);
+    if (failure) {
+      return fail("The folder " + path.string() + " cannot be made: " + failure.message() + ".",
+                  "Check the name and the permissions of the folder above.");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+SessionStore::~SessionStore() = default;
+
+bool SessionStore::isSession(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_regular_file(folder / kDatabase, ignored);
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::create(const fs::path& folder) {
+  if (isSession(folder)) {
+    return fail("There is a scan in " + folder.string() + " already.",
+                "Go on in it with --resume, or name another folder.");
+  }
+  SCANTROVE_TRY(makeFolders(folder));
+  return openLocked(folder);
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::open(const fs::path& folder) {
+  if (!isSession(folder)) {
+    return fail("There is no session in " + folder.string() + " (no session.sqlite).",
+                "Give the folder that a scan was written to (scan --out).");
+  }
+  return openLocked(folder);
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::openLocked(const fs::path& folder) {
+  Result<SessionLock> lock = SessionLock::take(folder);
+  if (!lock) return fail(lock.error());
+  std::unique_ptr<SessionStore> store(new SessionStore(folder, std::move(*lock)));
+  SCANTROVE_TRY(moveInto(store->database_, DatabaseConnection::open((folder / kDatabase).string())));
+  SCANTROVE_TRY(schema::migrate(*store->database_, schema::kSession, schema::sessionSteps()));
+  SCANTROVE_TRY(makeFolders(folder));
+  SCANTROVE_TRY(store->readPlaces());
+  return store;
+}
+
+fs::path SessionStore::fileName(std::int64_t number) const {
+  std::string digits = std::to_string(number);
+  digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
+  return folder_ / "map" / (digits + ".bricks");
+}
+
+Result<RecordFile*> SessionStore::file(std::int64_t number) {
+  auto found = files_.find(number);
+  if (found == files_.end()) {
+    Result<RecordFile> opened = RecordFile::open(fileName(number));
+    if (!opened) return fail(opened.error());
+    found = files_.emplace(number, std::move(*opened)).first;
+  }
+  return &found->second;
+}
+
+Result<void> SessionStore::readPlaces() {
+  Result<QSqlQuery> rows =
+      database_->execute("SELECT x, y, z, file, offset, bytes, unpacked_bytes, checksum FROM pages");
+  if (!rows) return fail(rows.error());
+  while (rows->next()) {
+    const auto number = [&](int column) { return rows->value(column).toLongLong(); };
+    const Eigen::Vector3i position(rows->value(0).toInt(), rows->value(1).toInt(), rows->value(2).toInt());
+    pages_[position] = {number(3), static_cast<std::uint64_t>(number(4)),
+                        static_cast<std::uint32_t>(number(5)), static_cast<std::uint32_t>(number(6)),
+                        static_cast<std::uint64_t>(number(7))};
+    current_ = std::max<std::int64_t>(current_, number(3));
+  }
+  return {};
+}
+
+Result<SessionStore::PagePlace> SessionStore::append(const PackedWords& packed) {
+  Result<RecordFile*> to = file(current_);
+  if (to && (*to)->size() > kLargestFile_bytes) to = file(++current_);
+  if (!to) return fail(to.error());
+  const Result<std::uint64_t> offset = (*to)->append(packed);
+  if (!offset) return fail(offset.error());
+  return PagePlace{current_, *offset, static_cast<std::uint32_t>(packed.bytes.size()), packed.unpacked_bytes,
+                   packed.checksum};
+}
+
+Result<void> SessionStore::save(const SavedDelta& delta) {
+  Pages written;
+  for (const SavedPage& page : delta.pages) {
+    const Result<PagePlace> place = append(packWords(page.words));
+    if (!place) return fail(place.error());
+    written[page.position] = *place;
+  }
+  SCANTROVE_TRY(inTransaction(*database_, [&] { return writeRows(delta, written); }));
+  for (const auto& [position, place] : written) pages_[position] = place;
+  return compact();
+}
+
+Result<void> SessionStore::writeRows(const SavedDelta& delta, const Pages& pages) {
+  SCANTROVE_TRY(rows::write(*database_, delta));
+  return writePlaces(pages);
+}
+
+Result<void> SessionStore::writePlaces(const Pages& pages) {
+  for (const auto& [position, place] : pages) {
+    SCANTROVE_TRY(
+        database_->execute("INSERT OR REPLACE INTO pages VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                           {position.x(), position.y(), position.z(), static_cast<qlonglong>(place.file),
+                            static_cast<qlonglong>(place.offset), place.bytes, place.unpacked_bytes,
+                            static_cast<qlonglong>(place.checksum)}));
+  }
+  return {};
+}
+
+Result<SavedScan> SessionStore::load() {
+  Result<SavedScan> scan = rows::read(*database_, damages_);
+  if (!scan) return scan;
+  for (const auto& [position, place] : pages_) scan->pages.push_back(position);
+  return scan;
+}
+
+Result<std::vector<std::uint32_t>> SessionStore::loadPage(const Eigen::Vector3i& position) {
+  const PagePlace& place = pages_.at(position);
+  const Result<RecordFile*> from = file(place.file);
+  if (!from) return fail(from.error());
+  Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
+  if (!bytes) return fail(bytes.error());
+  auto words = unpackWords({std::move(*bytes), place.unpacked_bytes, place.checksum});
+  if (!words) {
+    return fail("A part of the map in " + fileName(place.file).string() + " is damaged.",
+                "That part is left out; the rest can be used. Restore the file from a copy if there is one.");
+  }
+  return std::move(*words);
+}
+
+std::uint64_t SessionStore::liveBytes() const {
+  std::uint64_t bytes = 0;
+  for (const auto& [position, place] : pages_) bytes += place.bytes;
+  return bytes;
+}
+
+Result<void> SessionStore::compact() {
+  std::uint64_t all_bytes = 0;
+  for (std::int64_t number = 1; number <= current_; ++number) {
+    std::error_code missing;
+    const std::uintmax_t bytes = fs::file_size(fileName(number), missing);
+    if (!missing) all_bytes += bytes;
+  }
+  const std::uint64_t live_bytes = liveBytes();
+  if (all_bytes < live_bytes + std::max(kOutdated_bytes, live_bytes)) return {};
+
+  const std::int64_t last_old = current_++;
+  Pages moved;
+  for (const auto& [position, place] : pages_) {
+    const Result<RecordFile*> from = file(place.file);
+    if (!from) return fail(from.error());
+    Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
+    if (!bytes) continue;  // its place stays, and says that it is damaged
+    const Result<PagePlace> to = append({std::move(*bytes), place.unpacked_bytes, place.checksum});
+    if (!to) return fail(to.error());
+    moved[position] = *to;
+  }
+  SCANTROVE_TRY(inTransaction(*database_, [&] { return writePlaces(moved); }));
+  for (const auto& [position, place] : moved) pages_[position] = place;
+  for (std::int64_t number = 1; number <= last_old; ++number) {
+    const bool is_used =
+        std::ranges::any_of(pages_, [&](const auto& page) { return page.second.file == number; });
+    if (is_used) continue;
+    files_.erase(number);
+    std::error_code ignored;
+    fs::remove(fileName(number), ignored);
+  }
+  return {};
+}
+
+}  // namespace scantrove

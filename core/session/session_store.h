@@ -1,0 +1,85 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/database/database_connection.h"
+#include "core/session/record_file.h"
+#include "core/session/saved_scan.h"
+#include "core/session/session_lock.h"
+
+namespace scantrove {
+
+/// A scan on disk: DIR/session.sqlite, DIR/map/NNNNNN.bricks, DIR/keyframes/. Everything in it names files
+/// relative to the folder, so that it may be copied and moved. For one program at a time, and the thread that
+/// opened it.
+///
+/// What is saved at once is there as a whole or not at all, however the program ends: pages are appended to a
+/// file first, then one transaction says where they are, with all else.
+class SessionStore {
+ public:
+  /// Begins a session in `folder` (made if there is none). Error: there is one already, the folder cannot be
+  /// written, ...
+  [[nodiscard]] static Result<std::unique_ptr<SessionStore>> create(const std::filesystem::path& folder);
+  /// Error: there is none, it is of a newer version, another program has it, ...
+  [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::filesystem::path& folder);
+  /// Whether there is a session, of any version.
+  [[nodiscard]] static bool isSession(const std::filesystem::path& folder);
+  ~SessionStore();
+
+  /// All of it or nothing. Error: the disk is full, ...
+  [[nodiscard]] Result<void> save(const SavedDelta& delta);
+
+  /// All but the map. What is damaged is left out and named in `damages`.
+  [[nodiscard]] Result<SavedScan> load();
+  /// A page of the map. Error: it is damaged.
+  [[nodiscard]] Result<std::vector<std::uint32_t>> loadPage(const Eigen::Vector3i& position);
+  [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
+
+  /// Writes the map anew without what is outdated, if that is much.
+  [[nodiscard]] Result<void> compact();
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] std::filesystem::path keyFrameFolder() const { return folder_ / "keyframes"; }
+
+ private:
+  struct PagePlace {
+    std::int64_t file = 0;
+    std::uint64_t offset = 0;
+    std::uint32_t bytes = 0, unpacked_bytes = 0;
+    std::uint64_t checksum = 0;
+  };
+  struct ByPosition {
+    bool operator()(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const {
+      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    }
+  };
+  using Pages = std::map<Eigen::Vector3i, PagePlace, ByPosition>;
+
+  SessionStore(std::filesystem::path folder, SessionLock lock)
+      : folder_(std::move(folder)), lock_(std::move(lock)) {}
+
+  [[nodiscard]] static Result<std::unique_ptr<SessionStore>> openLocked(const std::filesystem::path& folder);
+  [[nodiscard]] Result<void> readPlaces();
+  [[nodiscard]] Result<RecordFile*> file(std::int64_t number);
+  [[nodiscard]] Result<PagePlace> append(const PackedWords& packed);
+  [[nodiscard]] Result<void> writeRows(const SavedDelta& delta, const Pages& pages);
+  [[nodiscard]] Result<void> writePlaces(const Pages& pages);
+  [[nodiscard]] std::filesystem::path fileName(std::int64_t number) const;
+  [[nodiscard]] std::uint64_t liveBytes() const;
+
+  std::filesystem::path folder_;
+  SessionLock lock_;
+  std::unique_ptr<DatabaseConnection> database_;
+  Pages pages_;
+  std::map<std::int64_t, RecordFile> files_;  // that are open
+  std::int64_t current_ = 1;                  // the file that is appended to
+  std::vector<std::string> damages_;
+};
+
+}  // namespace scantrove

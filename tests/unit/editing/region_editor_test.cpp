@@ -1,0 +1,233 @@
+#include "core/editing/region_editor.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/labeling/graph_merger.h"
+#include "core/labeling/region_partition.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A flat strip of voxels, z = 0, in a dictionary.
+class StripMap final : public EditableMap {
+ public:
+  void lay(FragmentId fragment, int from, int to) {
+    for (int x = from; x < to; ++x) {
+      for (int y = 0; y < 10; ++y) set(x, y, fragment);
+    }
+  }
+  float voxelSize() const override { return 0.01F; }
+  std::span<const int> voxelsOfFragments() const override { return counts_; }
+  std::vector<SurfaceVoxel> surfaceOf(std::span<const FragmentId> fragments,
+                                      std::span<const Eigen::Vector3f>) override {
+    std::vector<SurfaceVoxel> voxels;
+    for (const auto& [place, fragment] : labels_) {
+      if (std::ranges::find(fragments, fragment) != fragments.end())
+        voxels.push_back({{place.first, place.second, 0}, {0, 0, 1}, fragment});
+    }
+    return voxels;
+  }
+  void relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment) override {
+    for (const Eigen::Vector3i& voxel : voxels) set(voxel.x(), voxel.y(), fragment);
+  }
+  FragmentId at(int x) const { return labels_.at({x, 5}); }
+
+ private:
+  void set(int x, int y, FragmentId fragment) {
+    FragmentId& label = labels_[{x, y}];
+    counts_.resize(std::max<std::size_t>(counts_.size(), fragment.value + std::size_t{1}), 0);
+    if (label) --counts_[label.value];
+    ++counts_[fragment.value];
+    label = fragment;
+  }
+  std::map<std::pair<int, int>, FragmentId> labels_;
+  std::vector<int> counts_{0};
+};
+
+/// Four fragments in a row, each a region of its own: 0 - 20, 20 - 40, 40 - 60, 60 - 80.
+class RegionEditorTest : public testing::Test {
+ protected:
+  RegionEditorTest() {
+    for (int i = 0; i < 4; ++i) {
+      fragments_.push_back(table_.newFragment());
+      map_.lay(fragments_.back(), 20 * i, 20 * (i + 1));
+    }
+  }
+  RegionId regionAt(int x) const { return table_.regionOf(map_.at(x)); }
+  Result<RegionEditor::Outcome> apply(Operation operation) { return editor_.apply(operation, params_); }
+  /// What frames do after an operation.
+  void partition() {
+    RegionEvents events;
+    updatePartition(fragments_, merger_.graph(), map_.voxelsOfFragments(), params_, table_, events);
+  }
+  /// Looks that speak for one thing, or for two.
+  void see(FragmentId a, FragmentId b, bool one) {
+    FragmentContact contact{.a = a,
+                            .b = b,
+                            .length_px = 100,
+                            .bridged_px = one ? 100 : 0,
+                            .length_m = 0.3F,
+                            .depth_m = 1,
+                            .bends = 80,
+                            .concavity_rad = one ? 0.F : 0.9F,
+                            .turn_rad = one ? 0.02F : 0.9F,
+                            .color_shift = one ? 1.F : 40.F,
+                            .folded = one ? 0.F : 1.F};
+    auto& graph = const_cast<EvidenceGraph&>(merger_.graph());
+    for (int look = 0; look < 20; ++look) graph.between(a, b).add(contact, one ? 1 : 0);
+  }
+  std::vector<RegionId> all() const {
+    std::vector<RegionId> regions;
+    for (int x = 10; x < 80; x += 20) regions.push_back(regionAt(x));
+    return regions;
+  }
+
+  RegionTable table_;
+  GraphMerger merger_;
+  StripMap map_;
+  LabelingParams params_;
+  RegionEditor editor_{table_, merger_, map_};
+  std::vector<FragmentId> fragments_;
+};
+
+TEST_F(RegionEditorTest, AJoinHoldsAgainstWhateverIsSeen) {
+  const RegionId first = regionAt(10), second = regionAt(30);
+  const auto outcome = apply({.kind = OperationKind::join, .regions = {first, second}});
+  ASSERT_TRUE(outcome);
+  EXPECT_THAT(outcome->regions, ElementsAre(first));
+  EXPECT_THAT(outcome->events.joined, ElementsAre(std::pair(first, second)));
+  EXPECT_EQ(regionAt(30), first);
+  see(fragments_[0], fragments_[1], false);
+  partition();
+  EXPECT_EQ(regionAt(30), regionAt(10));
+}
+
+TEST_F(RegionEditorTest, UndoAndRedoOfAllGiveTheSameTables) {
+  ASSERT_TRUE(apply({.kind = OperationKind::name, .regions = {regionAt(10)}, .name = "mug"}));
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
+  ASSERT_TRUE(apply({.kind = OperationKind::cut,
+                     .regions = {regionAt(50)},
+                     .here_world = {{0.42F, 0.05F, 0.005F}},
+                     .there_world = {{0.58F, 0.05F, 0.005F}}}));
+  ASSERT_TRUE(apply({.kind = OperationKind::background, .regions = {regionAt(70)}}));
+  const std::vector<RegionId> done = table_.regions();
+  const auto notes = editor_.notes().all();
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(editor_.undo());
+  EXPECT_FALSE(editor_.undo());
+  EXPECT_EQ(all(), (std::vector{RegionId{1}, RegionId{2}, RegionId{3}, RegionId{4}}));
+  EXPECT_EQ(regionAt(42), regionAt(58)) << "one thing again";
+  EXPECT_TRUE(editor_.notes().all().empty());
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(editor_.redo());
+  EXPECT_FALSE(editor_.redo());
+  EXPECT_EQ(table_.regions(), done);
+  EXPECT_EQ(editor_.notes().all(), notes);
+}
+
+TEST_F(RegionEditorTest, ACutGoesThroughAFragmentAndHolds) {
+  const RegionId region = regionAt(50);
+  const auto outcome = apply({.kind = OperationKind::cut,
+                              .regions = {region},
+                              .here_world = {{0.42F, 0.05F, 0.005F}},
+                              .there_world = {{0.58F, 0.05F, 0.005F}}});
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  ASSERT_EQ(outcome->regions.size(), 2U);
+  EXPECT_EQ(regionAt(41), outcome->regions[0]);
+  EXPECT_EQ(regionAt(58), outcome->regions[1]);
+  EXPECT_NE(outcome->regions[0], outcome->regions[1]);
+  EXPECT_TRUE(outcome->regions[0] == region || outcome->regions[1] == region);
+  fragments_.push_back(map_.at(41) == fragments_[2] ? map_.at(58) : map_.at(41));
+  see(fragments_[2], fragments_.back(), true);
+  partition();
+  EXPECT_NE(regionAt(41), regionAt(58));
+  // Taken back, what is seen decides again.
+  ASSERT_TRUE(editor_.undo());
+  EXPECT_EQ(regionAt(41), regionAt(58));
+  partition();
+  EXPECT_EQ(regionAt(41), regionAt(58));
+}
+
+TEST_F(RegionEditorTest, ACutAtOnePlaceIsRefusedAndChangesNothing) {
+  const auto before = table_.regions();
+  const auto refused = apply({.kind = OperationKind::cut,
+                              .regions = {regionAt(50)},
+                              .here_world = {{0.5F, 0.05F, 0.005F}},
+                              .there_world = {{0.5F, 0.05F, 0.005F}}});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("one place"));
+  EXPECT_EQ(table_.regions(), before);
+  EXPECT_TRUE(editor_.log().entries().empty());
+}
+
+TEST_F(RegionEditorTest, UndoTakesBackNoMoreThanThePersonDid) {
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
+  see(fragments_[1], fragments_[2], true);  // what frames find out meanwhile
+  params_.joining_bias = 5;
+  partition();
+  params_.joining_bias = 0;
+  ASSERT_EQ(regionAt(50), regionAt(30));
+  ASSERT_TRUE(editor_.undo());
+  EXPECT_NE(regionAt(10), regionAt(30));
+}
+
+TEST_F(RegionEditorTest, NamedThingsAreNotJoinedByWhatIsSeen) {
+  ASSERT_TRUE(apply({.kind = OperationKind::name, .regions = {regionAt(10)}, .name = "book"}));
+  ASSERT_TRUE(apply({.kind = OperationKind::name, .regions = {regionAt(30)}, .name = "book"}));
+  ASSERT_TRUE(apply({.kind = OperationKind::background, .regions = {regionAt(50)}}));
+  ASSERT_TRUE(apply({.kind = OperationKind::background, .regions = {regionAt(70)}}));
+  for (std::size_t i = 0; i + 1 < 4; ++i) see(fragments_[i], fragments_[i + 1], true);
+  params_.joining_bias = 5;
+  partition();
+  EXPECT_NE(regionAt(10), regionAt(30)) << "two of one kind side by side";
+  EXPECT_NE(regionAt(30), regionAt(50)) << "a thing and background";
+  EXPECT_EQ(regionAt(50), regionAt(70)) << "background is background";
+  // A person may.
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
+  partition();
+  EXPECT_EQ(regionAt(10), regionAt(30));
+}
+
+TEST_F(RegionEditorTest, FinerAndCoarserAreOppositeWays) {
+  const RegionId region = regionAt(10);
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {region, regionAt(30)}}));
+  ASSERT_TRUE(editor_.undo());
+  see(fragments_[0], fragments_[1], true);
+  see(fragments_[1], fragments_[2], false);
+  const auto coarser = apply({.kind = OperationKind::coarser, .regions = {regionAt(30)}});
+  ASSERT_TRUE(coarser) << coarser.error().message();
+  EXPECT_EQ(regionAt(10), regionAt(30)) << "with the likelier neighbour";
+  EXPECT_NE(regionAt(50), regionAt(30));
+}
+
+TEST_F(RegionEditorTest, WhatIsNoMoreIsSaid) {
+  const auto refused = apply({.kind = OperationKind::name, .regions = {RegionId{77}}, .name = "x"});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("77"));
+  EXPECT_FALSE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(10)}}));
+  EXPECT_FALSE(apply({.kind = OperationKind::coarser, .regions = {regionAt(10)}}));
+}
+
+TEST(OperationLog, WhatWasUndoneStaysInTheLogWhenSomethingElseIsDone) {
+  OperationLog log;
+  log.add({.kind = OperationKind::reject, .regions = {RegionId{1}}}, {});
+  log.add({.kind = OperationKind::object, .regions = {RegionId{2}}}, {});
+  EXPECT_EQ(log.undo()->number, 2);
+  EXPECT_EQ(log.undo()->number, 1);
+  EXPECT_EQ(log.undo(), nullptr);
+  EXPECT_EQ(log.redo()->number, 1);
+  log.add({.kind = OperationKind::object, .regions = {RegionId{3}}}, {});
+  EXPECT_EQ(log.redo(), nullptr);
+  ASSERT_EQ(log.entries().size(), 3U);
+  EXPECT_EQ(log.entries()[1].state, OperationLog::State::superseded);
+  EXPECT_EQ(log.entries()[2].number, 3);
+  EXPECT_THAT(log.takeChanged(), ElementsAre(0, 1, 2));
+  EXPECT_TRUE(log.takeChanged().empty());
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,209 @@
+#include "core/session/session_store.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/session/operation_json.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::HasSubstr;
+
+SavedDelta someDelta(int seed) {
+  SavedDelta delta;
+  delta.facts["source"] = "demo:\"\xC3\xA4\n";
+  SavedFrame frame;
+  frame.number = seed;
+  frame.source_index = 500 + seed;
+  frame.time_s = 0.5 * seed;
+  frame.state = TrackingState::relocalised;
+  frame.T_world_camera = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY());
+  delta.frames.push_back(frame);
+  delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed});
+  delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
+  BorderEvidence evidence;
+  evidence.looks = 3.25F;
+  evidence.color_shift = 12;
+  evidence.constraint = LinkConstraint::cannot_link;
+  evidence.by_person = true;
+  evidence.constraint_order = 4;
+  delta.borders.push_back({FragmentId{7}, FragmentId{9}, evidence});
+  delta.operations.push_back(
+      {seed,
+       {.kind = OperationKind::cut,
+        .regions = {RegionId{3}},
+        .here_world = {{1, 2, 3}},
+        .there_world = {{4, 5, 6}},
+        .frame = 12},
+       {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}},
+       OperationLog::State::undone});
+  delta.pages.push_back({{seed, -2, 5}, std::vector<std::uint32_t>(5000, 17U + static_cast<unsigned>(seed))});
+  return delta;
+}
+
+std::unique_ptr<SessionStore> created(const std::filesystem::path& folder) {
+  auto store = SessionStore::create(folder);
+  EXPECT_TRUE(store) << store.error().message();
+  return std::move(*store);
+}
+
+TEST(SessionStore, GivesBackWhatWasSaved) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "scan";
+  {
+    const auto store = created(path);
+    ASSERT_TRUE(store->save(someDelta(1)));
+    ASSERT_TRUE(store->save(someDelta(2)));
+  }
+  const auto store = SessionStore::open(path);
+  ASSERT_TRUE(store) << store.error().message();
+  const Result<SavedScan> scan = (*store)->load();
+  ASSERT_TRUE(scan) << scan.error().message();
+  const SavedDelta last = someDelta(2);
+  EXPECT_EQ(scan->facts, last.facts);
+  ASSERT_EQ(scan->frames.size(), 2U);
+  EXPECT_EQ(scan->frames[1].source_index, 502);
+  EXPECT_EQ(scan->frames[1].state, TrackingState::relocalised);
+  EXPECT_TRUE(scan->frames[1].T_world_camera.isApprox(last.frames[0].T_world_camera, 1e-12));
+  ASSERT_EQ(scan->fragments.size(), 1U);
+  EXPECT_EQ(scan->fragments[0].voxels, 102);
+  ASSERT_EQ(scan->regions.size(), 1U);
+  EXPECT_EQ(scan->regions[0], last.regions[0]);
+  ASSERT_EQ(scan->borders.size(), 1U);
+  EXPECT_EQ(scan->borders[0].evidence->looks, 3.25F);
+  EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
+  EXPECT_EQ(scan->borders[0].evidence->constraint, LinkConstraint::cannot_link);
+  EXPECT_TRUE(scan->borders[0].evidence->by_person);
+  ASSERT_EQ(scan->operations.size(), 2U);
+  EXPECT_EQ(scan->operations[1].operation, last.operations[0].operation);
+  EXPECT_EQ(scan->operations[1].effect, last.operations[0].effect);
+  EXPECT_EQ(scan->operations[1].state, OperationLog::State::undone);
+  ASSERT_EQ(scan->pages.size(), 2U);
+  for (const Eigen::Vector3i& page : scan->pages) {
+    const auto words = (*store)->loadPage(page);
+    ASSERT_TRUE(words);
+    EXPECT_EQ(*words, someDelta(page.x()).pages[0].words);
+  }
+  EXPECT_TRUE((*store)->damages().empty());
+}
+
+TEST(SessionStore, ACopyElsewhereOpens) {
+  const TemporaryFolder folder;
+  { ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1))); }
+  std::filesystem::copy(folder.path() / "scan", folder.path() / "copy",
+                        std::filesystem::copy_options::recursive);
+  std::filesystem::remove_all(folder.path() / "scan");
+  const auto store = SessionStore::open(folder.path() / "copy");
+  ASSERT_TRUE(store);
+  EXPECT_TRUE((*store)->loadPage({1, -2, 5}));
+}
+
+TEST(SessionStore, OneProgramAtATime) {
+  const TemporaryFolder folder;
+  const auto store = created(folder.path() / "scan");
+  const auto second = SessionStore::open(folder.path() / "scan");
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message(), HasSubstr("in use"));
+}
+
+TEST(SessionStore, ADamagedPageCostsOnlyItself) {
+  const TemporaryFolder folder;
+  {
+    const auto store = created(folder.path() / "scan");
+    ASSERT_TRUE(store->save(someDelta(1)));
+    ASSERT_TRUE(store->save(someDelta(2)));
+  }
+  {
+    std::fstream file(folder.path() / "scan" / "map" / "000001.bricks",
+                      std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(20);
+    file.put('\x55');
+  }
+  const auto store = SessionStore::open(folder.path() / "scan");
+  ASSERT_TRUE(store);
+  const auto damaged = (*store)->loadPage({1, -2, 5});
+  ASSERT_FALSE(damaged);
+  EXPECT_THAT(damaged.error().message(), HasSubstr("000001.bricks"));
+  EXPECT_TRUE((*store)->loadPage({2, -2, 5}));
+}
+
+TEST(SessionStore, ATruncatedMapCostsOnlyWhatWasCutOff) {
+  const TemporaryFolder folder;
+  {
+    const auto store = created(folder.path() / "scan");
+    ASSERT_TRUE(store->save(someDelta(1)));
+    ASSERT_TRUE(store->save(someDelta(2)));
+  }
+  const std::filesystem::path file = folder.path() / "scan" / "map" / "000001.bricks";
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 3);
+  const auto store = SessionStore::open(folder.path() / "scan");
+  ASSERT_TRUE(store);
+  EXPECT_TRUE((*store)->loadPage({1, -2, 5}));
+  EXPECT_FALSE((*store)->loadPage({2, -2, 5}));
+}
+
+TEST(SessionStore, ARowThatIsNotOneIsLeftOutAndNamed) {
+  const TemporaryFolder folder;
+  { ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1))); }
+  {
+    auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
+    ASSERT_TRUE((*connection)->execute("UPDATE operations SET effect = '{'"));
+    ASSERT_TRUE((*connection)->execute("UPDATE borders SET evidence = x'00'"));
+  }
+  const auto store = SessionStore::open(folder.path() / "scan");
+  const auto scan = (*store)->load();
+  ASSERT_TRUE(scan);
+  EXPECT_TRUE(scan->operations.empty());
+  EXPECT_TRUE(scan->borders.empty());
+  EXPECT_EQ(scan->frames.size(), 1U);
+  EXPECT_EQ((*store)->damages().size(), 2U);
+}
+
+TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
+  const TemporaryFolder folder;
+  { created(folder.path() / "scan"); }
+  {
+    auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
+    ASSERT_TRUE((*connection)->execute("PRAGMA user_version = 99"));
+  }
+  const auto newer = SessionStore::open(folder.path() / "scan");
+  ASSERT_FALSE(newer);
+  EXPECT_THAT(newer.error().message(), HasSubstr("newer"));
+  const auto none = SessionStore::open(folder.path());
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message(), HasSubstr(folder.path().string()));
+  EXPECT_FALSE(SessionStore::create(folder.path() / "scan")) << "a scan is never written over";
+}
+
+TEST(SessionStore, OutdatedPagesGoWhenTheyAreMany) {
+  const TemporaryFolder folder;
+  const auto store = created(folder.path() / "scan");
+  // Words that do not compress: 4 MB a page.
+  SavedDelta delta;
+  delta.pages.push_back({{0, 0, 0}, std::vector<std::uint32_t>(1 << 20)});
+  std::uint32_t state = 1;
+  for (int save = 0; save < 14; ++save) {
+    for (std::uint32_t& word : delta.pages[0].words) word = state = state * 1664525U + 1013904223U;
+    ASSERT_TRUE(store->save(delta));
+  }
+  std::uintmax_t bytes = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "scan" / "map"))
+    bytes += file.file_size();
+  EXPECT_LT(bytes, 44U << 20U) << "of 56 MB that were written";
+  EXPECT_EQ(*store->loadPage({0, 0, 0}), delta.pages[0].words);
+}
+
+TEST(OperationJson, WhatIsNoneIsNothing) {
+  EXPECT_FALSE(operationFromJson("{"));
+  EXPECT_FALSE(operationFromJson("[]"));
+  EXPECT_FALSE(operationFromJson(R"({"kind": "explode", "regions": []})"));
+  EXPECT_FALSE(operationFromJson(R"({"kind": "join", "regions": "all"})"));
+  EXPECT_FALSE(effectFromJson(R"({"moves": [[1]], "said": [], "notes": []})"));
+}
+
+}  // namespace
+}  // namespace scantrove::test
