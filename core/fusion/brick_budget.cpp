@@ -12,7 +12,7 @@ namespace scantrove {
 namespace {
 
 constexpr double kPoolBytes = BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // of a brick
-constexpr double kGrowingPools = 2.5;
+constexpr double kGrowingPools = 3.5;
 constexpr double kMebibyte = 1 << 20;
 
 double machineBytes() {

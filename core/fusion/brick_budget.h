@@ -7,7 +7,7 @@
 namespace scantrove {
 
 /// Device memory of one brick: what it holds, and its share of the directory.
-constexpr double kBrickBytes = 4096 + 128;
+constexpr double kBrickBytes = 6144 + 128;
 
 /// Kernels count voxels with 31 bits.
 constexpr int kMostBricks = (1 << 22) - 1;
@@ -19,7 +19,7 @@ struct BrickBudget {
   std::filesystem::path folder;  ///< of the file that takes those for which there is no room; empty: no file
 };
 
-/// Bricks that the device has room for while their pools grow: two pools, and beside them half of one that
+/// Bricks that the device has room for while their pools grow: three pools, and beside them half of one that
 /// is being replaced.
 [[nodiscard]] double bricksThatFit(const DeviceMemory& memory);
 

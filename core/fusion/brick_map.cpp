@@ -50,7 +50,7 @@ void BrickMap::reserve(int slots) {
 
 std::size_t BrickMap::deviceBytes() const {
   const auto slots = static_cast<std::size_t>(budget_.at_once ? slotEnd() : slotCapacity());
-  return slots * kVoxels * (sizeof(TsdfVoxel) + sizeof(cl_uint)) +
+  return slots * kVoxels * (sizeof(TsdfVoxel) + 2 * sizeof(cl_uint)) +
          table_.buffer().size() * sizeof(BrickEntry) + page_slots_.buffer().size() * sizeof(cl_int);
 }
 

@@ -26,8 +26,8 @@ namespace scantrove {
 void sortBricks(std::vector<Eigen::Vector3i>& bricks);
 
 /// Which 8^3 bricks exist and where their voxels lie. The directory lives on the host and is mirrored on the
-/// device as a hash table (brick_layout.h); voxels with their labels live on the device. No limit on extent
-/// or position other than memory. Slots are handed out 0, 1, 2, ..., and again when they are free.
+/// device as a hash table (brick_layout.h); voxels with their labels and colours live on the device. No limit
+/// on extent or position other than memory. Slots are handed out 0, 1, 2, ..., and again when they are free.
 ///
 /// Where the device's budget does not do, the pages that were out of view for longest go to a file, as they
 /// are, and come back as soon as a view meets them: whatever asks about what lies in view gets the same
@@ -82,6 +82,8 @@ class BrickMap {
   /// What a page in the file holds, which stays there; nothing for one on the device, or if it cannot be
   /// read.
   [[nodiscard]] std::optional<StoredPage> readStored(int page);
+  /// What a page holds, wherever it is; it stays there. Nothing if it cannot be read.
+  [[nodiscard]] std::optional<StoredPage> copyOfPage(int page);
 
   /// Why bricks could not be written, or not be read back, since the last call. After the first write that
   /// fails the map goes on beyond its budget.
@@ -89,11 +91,13 @@ class BrickMap {
 
   [[nodiscard]] const Buffer<BrickEntry>& table() const { return table_.buffer(); }
   [[nodiscard]] cl_uint tableMask() const { return static_cast<cl_uint>(index_.entries().size() - 1); }
-  /// slotCapacity() * BRICK_VOXELS distances, and as many labels.
+  /// slotCapacity() * BRICK_VOXELS distances, and as many labels and colours (color_voxel.h).
   [[nodiscard]] Buffer<TsdfVoxel>& voxels() { return pools_.voxels(); }
   [[nodiscard]] const Buffer<TsdfVoxel>& voxels() const { return pools_.voxels(); }
   [[nodiscard]] Buffer<cl_uint>& labels() { return pools_.labels(); }
   [[nodiscard]] const Buffer<cl_uint>& labels() const { return pools_.labels(); }
+  [[nodiscard]] Buffer<cl_uint>& colors() { return pools_.colors(); }
+  [[nodiscard]] const Buffer<cl_uint>& colors() const { return pools_.colors(); }
 
   /// The same directory by pages (brick_page.h), for kernels that walk along rays.
   [[nodiscard]] const BrickPages& pages() const { return pages_; }
@@ -106,6 +110,9 @@ class BrickMap {
   void restore(int page, const StoredPage& stored);
   /// Makes room for `count` more bricks: sends pages away, and grows where that is not enough.
   void makeRoom(int count);
+  /// Of a page on the device, dormant ones too, by local index.
+  [[nodiscard]] std::vector<int> slotsOfPage(int page) const;
+  [[nodiscard]] StoredPage copyOfPageHere(int page) const;
   /// False: it could not be written, and nothing changed.
   bool sendAway(int page);
   void freeBrick(int slot);

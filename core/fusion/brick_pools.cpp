@@ -98,12 +98,15 @@ bool BrickPools::makeAtOnce(int slots) {
   try {
     Buffer<TsdfVoxel> voxels(compute_.context(), voxelsOf(slots));
     Buffer<cl_uint> labels(compute_.context(), voxelsOf(slots));
+    Buffer<cl_uint> colors(compute_.context(), voxelsOf(slots));
     // A driver may put off what it was asked for until it is used.
     voxels.fill(compute_.queue(), TsdfVoxel{}, 0, 1);
     labels.fill(compute_.queue(), 0U, 0, 1);
+    colors.fill(compute_.queue(), 0U, 0, 1);
     compute_.finish();
     voxels_ = voxels;
     labels_ = labels;
+    colors_ = colors;
     capacity_ = slots;
     return true;
   } catch (const cl::Error&) {
@@ -116,25 +119,29 @@ void BrickPools::grow(int slots, int used) {
   if (slots <= capacity_) return;
   growPool(compute_, voxels_, slots, used);
   growPool(compute_, labels_, slots, used);
+  growPool(compute_, colors_, slots, used);
   capacity_ = slots;
 }
 
 void BrickPools::clear(std::span<const int> slots) {
   clearPool(compute_, voxels_, slots);
   clearPool(compute_, labels_, slots);
+  clearPool(compute_, colors_, slots);
 }
 
-void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels,
-                      std::span<cl_uint> labels) const {
+void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels,
+                      std::span<cl_uint> colors) const {
   readPool(compute_, voxels_, slots, voxels);
   readPool(compute_, labels_, slots, labels);
+  readPool(compute_, colors_, slots, colors);
   compute_.finish();
 }
 
 void BrickPools::write(std::span<const int> slots, std::span<const TsdfVoxel> voxels,
-                       std::span<const cl_uint> labels) {
+                       std::span<const cl_uint> labels, std::span<const cl_uint> colors) {
   writePool(compute_, voxels_, slots, voxels);
   writePool(compute_, labels_, slots, labels);
+  writePool(compute_, colors_, slots, colors);
   compute_.finish();
 }
 

@@ -7,8 +7,8 @@
 
 namespace scantrove {
 
-/// What the bricks of a map hold, on the device, by slot: a distance and a label voxel for each of their 512
-/// places. All may throw cl::Error (no memory left, device lost). One thread, the context's.
+/// What the bricks of a map hold, on the device, by slot: a distance, a label and a colour voxel for each of
+/// their 512 places. All may throw cl::Error (no memory left, device lost). One thread, the context's.
 class BrickPools {
  public:
   explicit BrickPools(ComputeContext& compute) : compute_(compute) {}
@@ -23,22 +23,28 @@ class BrickPools {
   /// beside them there is never more than one old pool.
   void grow(int slots, int used);
 
-  /// Voxels never seen and without label.
+  /// Voxels never seen, without label and colour.
   void clear(std::span<const int> slots);
 
   /// Slot after slot, BRICK_VOXELS each.
-  void read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels) const;
-  void write(std::span<const int> slots, std::span<const TsdfVoxel> voxels, std::span<const cl_uint> labels);
+  void read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels,
+            std::span<cl_uint> colors) const;
+  void write(std::span<const int> slots, std::span<const TsdfVoxel> voxels, std::span<const cl_uint> labels,
+             std::span<const cl_uint> colors);
 
   [[nodiscard]] Buffer<TsdfVoxel>& voxels() { return voxels_; }
   [[nodiscard]] const Buffer<TsdfVoxel>& voxels() const { return voxels_; }
   [[nodiscard]] Buffer<cl_uint>& labels() { return labels_; }
   [[nodiscard]] const Buffer<cl_uint>& labels() const { return labels_; }
+  /// color_voxel.h
+  [[nodiscard]] Buffer<cl_uint>& colors() { return colors_; }
+  [[nodiscard]] const Buffer<cl_uint>& colors() const { return colors_; }
 
  private:
   ComputeContext& compute_;
   Buffer<TsdfVoxel> voxels_;
   Buffer<cl_uint> labels_;
+  Buffer<cl_uint> colors_;
   int capacity_ = 0;
 };
 

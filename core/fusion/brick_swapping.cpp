@@ -25,24 +25,37 @@ void BrickMap::makeRoom(int count) {
   reserve(slotEnd() + std::max(0, count - static_cast<int>(free_slots_.size())));
 }
 
-bool BrickMap::sendAway(int index) {
-  BrickPages::Page& page = pages_.page(index);
+std::vector<int> BrickMap::slotsOfPage(int index) const {
+  const BrickPages::Page& page = pages_.page(index);
   std::vector<int> slots(page.slots);
   slots.insert(slots.end(), page.dormant.begin(), page.dormant.end());
-  const auto localOf = [&](int slot) { return localBrick(positionOf(slot)); };
-  std::ranges::sort(slots, {}, localOf);
+  std::ranges::sort(slots, {}, [&](int slot) { return localBrick(positionOf(slot)); });
+  return slots;
+}
 
-  StoredPage stored;
-  for (const int slot : slots) stored.bricks.set(localOf(slot));
-  for (const int slot : page.dormant) stored.dormant.set(localOf(slot));
-  stored.voxels.resize(slots.size() * BRICK_VOXELS);
-  stored.labels.resize(slots.size() * BRICK_VOXELS);
-  pools_.read(slots, stored.voxels, stored.labels);
+StoredPage BrickMap::copyOfPageHere(int index) const {
+  const BrickPages::Page& page = pages_.page(index);
+  const std::vector<int> slots = slotsOfPage(index);
+  StoredPage copy;
+  for (const int slot : slots) copy.bricks.set(localBrick(positionOf(slot)));
+  for (const int slot : page.dormant) copy.dormant.set(localBrick(positionOf(slot)));
+  copy.voxels.resize(slots.size() * BRICK_VOXELS);
+  copy.labels.resize(slots.size() * BRICK_VOXELS);
+  copy.colors.resize(slots.size() * BRICK_VOXELS);
+  pools_.read(slots, copy.voxels, copy.labels, copy.colors);
   const auto block =
       pages_.pageSlots().subspan(static_cast<std::size_t>(page.block) * PAGE_BRICKS, PAGE_BRICKS);
-  std::ranges::transform(block, stored.cells.begin(),
+  std::ranges::transform(block, copy.cells.begin(),
                          [](int cell) { return static_cast<std::int8_t>(std::min(cell, 0)); });
+  return copy;
+}
 
+std::optional<StoredPage> BrickMap::copyOfPage(int index) {
+  return pages_.page(index).record ? readStored(index) : copyOfPageHere(index);
+}
+
+bool BrickMap::sendAway(int index) {
+  const StoredPage stored = copyOfPageHere(index);
   Result<BrickStore::Record> record = store_.put(stored.toWords());
   if (!record) {
     failure_ = record.error();
@@ -50,11 +63,12 @@ bool BrickMap::sendAway(int index) {
     may_store_ = false;
     return false;
   }
+  BrickPages::Page& page = pages_.page(index);
   page.record = *record;
   page.stored = stored.bricks;
   page.stored_dormant = static_cast<int>(page.dormant.size());
-  for (const int slot : slots) freeBrick(slot);
-  stored_count_ += static_cast<int>(slots.size());
+  for (const int slot : slotsOfPage(index)) freeBrick(slot);
+  stored_count_ += static_cast<int>(stored.bricks.count());
   pages_.takeOut(index);
   return true;
 }
@@ -107,7 +121,7 @@ void BrickMap::restore(int index, const StoredPage& stored) {
       cells[i] = slot;
     }
   }
-  pools_.write(slots, stored.voxels, stored.labels);
+  pools_.write(slots, stored.voxels, stored.labels, stored.colors);
   pages_.putBack(index, cells, std::move(dormant), changed_page_slots_);
 }
 

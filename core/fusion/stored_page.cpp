@@ -13,19 +13,23 @@ static_assert(sizeof(TsdfVoxel) == sizeof(std::uint32_t));
 constexpr std::uint32_t kCellBits = 0xffU;
 constexpr std::uint32_t kIsBrick = 0x100U;
 constexpr std::uint32_t kIsDormant = 0x200U;
+constexpr std::size_t kPools = 3;
 
 }  // namespace
 
 std::vector<std::uint32_t> StoredPage::toWords() const {
-  SCANTROVE_CHECK(voxels.size() == bricks.count() * BRICK_VOXELS && labels.size() == voxels.size());
-  std::vector<std::uint32_t> words(PAGE_BRICKS + 2 * voxels.size());
+  SCANTROVE_CHECK(voxels.size() == bricks.count() * BRICK_VOXELS);
+  SCANTROVE_CHECK(labels.size() == voxels.size() && colors.size() == voxels.size());
+  std::vector<std::uint32_t> words(PAGE_BRICKS + kPools * voxels.size());
   for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
     words[i] =
         static_cast<std::uint8_t>(cells[i]) | (bricks[i] ? kIsBrick : 0U) | (dormant[i] ? kIsDormant : 0U);
   }
   if (voxels.empty()) return words;
-  std::memcpy(words.data() + PAGE_BRICKS, voxels.data(), voxels.size() * sizeof(TsdfVoxel));
-  std::memcpy(words.data() + PAGE_BRICKS + voxels.size(), labels.data(), labels.size() * sizeof(cl_uint));
+  std::uint32_t* to = words.data() + PAGE_BRICKS;
+  std::memcpy(to, voxels.data(), voxels.size() * sizeof(TsdfVoxel));
+  std::memcpy(to + voxels.size(), labels.data(), labels.size() * sizeof(cl_uint));
+  std::memcpy(to + 2 * voxels.size(), colors.data(), colors.size() * sizeof(cl_uint));
   return words;
 }
 
@@ -38,12 +42,15 @@ StoredPage StoredPage::fromWords(std::span<const std::uint32_t> words) {
     page.dormant[i] = (words[i] & kIsDormant) != 0;
   }
   const std::size_t count = page.bricks.count() * BRICK_VOXELS;
-  SCANTROVE_CHECK(words.size() == PAGE_BRICKS + 2 * count);
+  SCANTROVE_CHECK(words.size() == PAGE_BRICKS + kPools * count);
   page.voxels.resize(count);
   page.labels.resize(count);
+  page.colors.resize(count);
   if (count == 0) return page;
-  std::memcpy(page.voxels.data(), words.data() + PAGE_BRICKS, count * sizeof(TsdfVoxel));
-  std::memcpy(page.labels.data(), words.data() + PAGE_BRICKS + count, count * sizeof(cl_uint));
+  const std::uint32_t* from = words.data() + PAGE_BRICKS;
+  std::memcpy(page.voxels.data(), from, count * sizeof(TsdfVoxel));
+  std::memcpy(page.labels.data(), from + count, count * sizeof(cl_uint));
+  std::memcpy(page.colors.data(), from + 2 * count, count * sizeof(cl_uint));
   return page;
 }
 

@@ -19,6 +19,7 @@ struct StoredPage {
   std::bitset<PAGE_BRICKS> dormant;  ///< those of them that are laid aside
   std::vector<TsdfVoxel> voxels;     ///< BRICK_VOXELS a brick, in the order of the local indices
   std::vector<cl_uint> labels;       ///< likewise
+  std::vector<cl_uint> colors;       ///< likewise; color_voxel.h
 
   [[nodiscard]] std::vector<std::uint32_t> toWords() const;
   /// Of words that toWords made.

@@ -138,7 +138,7 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
       in_file[page].push_back(i);
     }
   }
-  extractListed(listed, map.voxels(), map.labels(), map.voxelSize(), truncation_vox, found);
+  extractListed(listed, map.voxels(), map.labels(), map.colors(), map.voxelSize(), truncation_vox, found);
   for (const auto& [page, asked] : in_file) {
     const std::vector<Eigen::Vector3i> in_page = map.bricksOfPage(page);
     const std::optional<StoredPage> stored = map.readStored(page);
@@ -150,9 +150,12 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
     }
     fit(stored_voxels_, stored->voxels.size());
     fit(stored_labels_, stored->labels.size());
+    fit(stored_colors_, stored->colors.size());
     stored_voxels_.write(compute_.queue(), stored->voxels);
     stored_labels_.write(compute_.queue(), stored->labels);
-    extractListed(listed, stored_voxels_, stored_labels_, map.voxelSize(), truncation_vox, found);
+    stored_colors_.write(compute_.queue(), stored->colors);
+    extractListed(listed, stored_voxels_, stored_labels_, stored_colors_, map.voxelSize(), truncation_vox,
+                  found);
   }
   found.first.push_back(static_cast<std::uint32_t>(found.points.size()));
   if (in_file.empty() && order.size() == bricks.size()) return found;
@@ -172,8 +175,8 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
 }
 
 void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<TsdfVoxel>& voxels,
-                               const Buffer<cl_uint>& labels, float voxel_size_m, float truncation_vox,
-                               Extract& extract) {
+                               const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors,
+                               float voxel_size_m, float truncation_vox, Extract& extract) {
   if (listed.empty()) return;
   fit(listed_, listed.size());
   fit(offsets_, listed.size());
@@ -182,7 +185,7 @@ void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<Tsd
   const auto run = [&](int write) {
     const auto band = static_cast<cl_int>(32767.0F / truncation_vox);
     extract_points_.launch(cl::NDRange(listed.size()), cl::NDRange(8), listed_,
-                           static_cast<cl_int>(listed.size()), voxels, labels, voxel_size_m, band,
+                           static_cast<cl_int>(listed.size()), voxels, labels, colors, voxel_size_m, band,
                            cl_int{write}, offsets_, points_);
   };
   run(0);

@@ -40,7 +40,7 @@ class LabelCloud {
   /// How many voxels hold each fragment, by fragment number; shorter than the highest number where none does.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
 
-  /// Labelled voxels within a voxel of the surface, for some bricks.
+  /// Labelled voxels within a voxel of the surface, for some bricks, with the scene's colour and the normal.
   struct Extract {
     std::vector<LabelPoint> points;  ///< of all bricks, brick after brick
     std::vector<std::uint32_t>
@@ -60,8 +60,8 @@ class LabelCloud {
   void makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& map);
   /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
   void extractListed(std::span<const cl_int4> listed, const Buffer<TsdfVoxel>& voxels,
-                     const Buffer<cl_uint>& labels, float voxel_size_m, float truncation_vox,
-                     Extract& extract);
+                     const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors, float voxel_size_m,
+                     float truncation_vox, Extract& extract);
   template <class T>
   void fit(Buffer<T>& buffer, std::size_t size) {
     if (buffer.size() < size) buffer = Buffer<T>(compute_.context(), size + size / 2);
@@ -72,7 +72,7 @@ class LabelCloud {
   Buffer<cl_int> stamps_, touched_, count_, offsets_;
   Buffer<cl_int4> listed_, missing_;
   Buffer<TsdfVoxel> stored_voxels_;
-  Buffer<cl_uint> stored_labels_;
+  Buffer<cl_uint> stored_labels_, stored_colors_;
   Buffer<cl_uint> projected_, new_labels_;
   Buffer<cl_int> fragment_voxels_;
   Buffer<LabelPoint> points_;

@@ -30,7 +30,7 @@ std::vector<bool> EditableCloud::collect(std::span<const Eigen::Vector3i> bricks
       has_some[brick] = true;
       const Eigen::Vector3f place = Eigen::Vector3f(point.x, point.y, point.z) / bricks_.voxelSize();
       voxels.push_back({place.array().floor().cast<int>(),
-                        Eigen::Vector3f(0, 0, 0) /*NORMAL*/,
+                        {point.normal_x, point.normal_y, point.normal_z},
                         FragmentId{point.fragment}});
     }
   }

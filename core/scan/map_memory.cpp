@@ -11,8 +11,8 @@
 namespace scantrove {
 namespace {
 
-constexpr double kPoolBytes =
-    BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // of a brick, as its labels
+constexpr double kBrickPoolBytes =
+    3 * BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // distances, labels and colours
 constexpr double kGigabyte = 1e9;
 
 template <class... Parts>
@@ -52,8 +52,8 @@ Result<void> checkMapFits(const FusionParams& params, const Intrinsics& K, const
   }
   return fail(text(1, "A map of voxels of ", 1000 * static_cast<double>(params.voxel_size_m),
                    " mm does not fit: one view out to ", params.max_depth_m, " m needs about ",
-                   2 * needed * kPoolBytes / kGigabyte, " GB, and the device has room for ",
-                   2 * room * kPoolBytes / kGigabyte, " GB."),
+                   needed * kBrickPoolBytes / kGigabyte, " GB, and the device has room for ",
+                   room * kBrickPoolBytes / kGigabyte, " GB."),
               advice + ".");
 }
 

@@ -42,6 +42,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   pipeline->working_K_ = pipeline->preprocessor_->workingCamera();
   SCANTROVE_TRY(moveInto(pipeline->motion_, MotionFilter::create(compute, setup.params.fusion)));
   SCANTROVE_TRY(moveInto(pipeline->map_, DenseMap::create(compute, setup.params.fusion)));
+  SCANTROVE_TRY(moveInto(pipeline->color_integrator_, ColorIntegrator::create(compute, setup.params.fusion)));
   if (!setup.poses_given) {
     const auto view_map = [&self = *pipeline](const Eigen::Isometry3d& T_world_camera, SurfaceMaps& surface) {
       self.map_->raycast(T_world_camera, self.working_K_, surface);
@@ -132,7 +133,11 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     return cloud_->project(surface_, map_->bricks());
   });
   const SurfaceInColor in_color = stage("color", [&] {
-    return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+    SurfaceInColor located =
+        locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+    color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, *depth, located.hidden},
+                                 frame);
+    return located;
   });
   RegionMerger::Outcome merged = stage("merge", [&] {
     return merger_->merge(
@@ -369,6 +374,12 @@ Result<void> ScanPipeline::forEachCloudPoint(const std::function<void(const Labe
     if (batch.size() >= kBricksAtATime) SCANTROVE_TRY(visitBatch());
   }
   return visitBatch();
+}
+
+Result<std::optional<SurfaceMesh>> ScanPipeline::extractMesh(const MeshProgress& goes_on) {
+  return guarded("making a mesh of the map", [&]() -> Result<std::optional<SurfaceMesh>> {
+    return scantrove::extractMesh(map_->bricks(), goes_on);
+  });
 }
 
 }  // namespace scantrove

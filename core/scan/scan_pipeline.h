@@ -12,6 +12,7 @@
 #include "core/compute/compute_context.h"
 #include "core/discovery/candidate_finder.h"
 #include "core/editing/region_editor.h"
+#include "core/fusion/color_integrator.h"
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/motion_filter.h"
@@ -20,6 +21,7 @@
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
 #include "core/scan/editable_cloud.h"
+#include "core/meshing/mesh_extractor.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
@@ -142,6 +144,9 @@ class ScanPipeline {
   [[nodiscard]] Result<LabelCloud::Extract> extractCloud(std::span<const Eigen::Vector3i> bricks);
   /// The same of the whole map, point by point, in an order that only depends on where they are.
   [[nodiscard]] Result<void> forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit);
+  /// The surface of the whole map; see core/meshing/mesh_extractor.h. Nothing: `goes_on` said false. Error:
+  /// the device failed, or memory ran out.
+  [[nodiscard]] Result<std::optional<SurfaceMesh>> extractMesh(const MeshProgress& goes_on = {});
 
  private:
   ScanPipeline(ComputeContext& compute, const Setup& setup)
@@ -180,6 +185,7 @@ class ScanPipeline {
   std::unique_ptr<PoseTracker> tracker_;  // null: poses are given
   std::unique_ptr<MotionFilter> motion_;
   std::unique_ptr<DenseMap> map_;
+  std::optional<ColorIntegrator> color_integrator_;
   std::unique_ptr<GraphSegmenter> segmenter_;
   std::unique_ptr<LabelCloud> cloud_;
   RegionTable table_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace scantrove::reference {
@@ -33,6 +35,7 @@ using Voxel = std::array<int, 3>;
 struct SurfacePoint {
   Eigen::Vector3d centre_m;  ///< world
   std::uint32_t fragment = 0;
+  Eigen::Vector3d normal;  ///< zero where no neighbour says
 };
 
 /// What is known of a voxel.
@@ -41,6 +44,26 @@ struct FusedVoxel {
   bool seen = false;
   std::uint32_t fragment = 0;
 };
+
+/// The direction in which the distance grows at a voxel, by what was seen of its neighbours in the brick: the
+/// slope along each axis between those on both sides, or between the one there is and the voxel.
+[[nodiscard]] inline Eigen::Vector3d normalInBrick(
+    const Eigen::Vector3i& local, const std::function<FusedVoxel(const Eigen::Vector3i& local)>& voxel_at) {
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<std::pair<int, double>> known{{0, voxel_at(local).distance}};
+    for (const int step : {-1, 1}) {
+      const Eigen::Vector3i beside = local + step * Eigen::Vector3i::Unit(axis);
+      if (beside[axis] < 0 || beside[axis] > 7 || !voxel_at(beside).seen) continue;
+      known.emplace_back(step, voxel_at(beside).distance);
+    }
+    const auto [first, last] = std::ranges::minmax_element(known);
+    if (first->first != last->first) {
+      slope[axis] = (last->second - first->second) / (last->first - first->first);
+    }
+  }
+  return slope.squaredNorm() > 0 ? slope.normalized() : slope;
+}
 
 /// The points of one brick of 8^3 voxels, x fastest: its voxels that were seen, hold a fragment, and lie
 /// within one voxel of the surface.
@@ -54,7 +77,8 @@ struct FusedVoxel {
         const FusedVoxel voxel = voxel_at({x, y, z});
         if (!voxel.seen || voxel.fragment == 0 || std::abs(voxel.distance) * truncation_vox > 1) continue;
         const Eigen::Vector3i position = 8 * brick + Eigen::Vector3i(x, y, z);
-        points.push_back({(position.cast<double>().array() + 0.5) * voxel_size_m, voxel.fragment});
+        points.push_back({(position.cast<double>().array() + 0.5) * voxel_size_m, voxel.fragment,
+                          normalInBrick({x, y, z}, voxel_at)});
       }
     }
   }

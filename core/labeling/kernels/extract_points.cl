@@ -1,32 +1,56 @@
 // Labelled voxels near the surface of the listed bricks, for display and export: those that were seen and whose signed distance is
 // at most `band` (in 1/32767 of the truncation). Run twice: first with write = 0 to count, then, with the counts summed up to
 // offsets, with write = 1. One work-item: one brick, so that its points lie together.
+//   normal    gradient of the distance by differences along each axis: central, or to one side where the other neighbour was not
+//             seen or lies in another brick; where there is neither, 0
 //   listed    bricks to visit: position x, y, z and slot
 //   voxels    slots x 512 signed distances
 //   labels    slots x 512 label voxels
+//   colors    slots x 512 colour voxels
 //   offsets   listed_count; write = 0, out: points of the brick; write = 1, in: where its points go
 //   points    all points, out
 #include "core/fusion/kernels/brick_layout.h"
 #include "core/labeling/kernels/label_voxel.h"
 
+// Slope along the axis on which voxels lie `step` apart in `brick`, at voxel i, the `place`-th of its row.
+inline float slope_at(global const TsdfVoxel* brick, const int i, const int step, const int place) {
+  const int low = place > 0 && brick[i - step].weight != 0 ? i - step : i;
+  const int high = place < BRICK_SIDE - 1 && brick[i + step].weight != 0 ? i + step : i;
+  if (low == high) return 0.0f;
+  const float apart = low < i && high > i ? 2.0f : 1.0f;
+  return ((float)brick[high].distance - (float)brick[low].distance) / apart;
+}
+
 kernel void extract_points(global const int4* listed, const int listed_count,
-                           global const TsdfVoxel* voxels, global const uint* labels, const float voxel_size,
-                           const int band, const int write, global int* offsets, global LabelPoint* points) {
+                           global const TsdfVoxel* voxels, global const uint* labels, global const uint* colors,
+                           const float voxel_size, const int band, const int write, global int* offsets,
+                           global LabelPoint* points) {
   const int item = get_global_id(0);
   if (item >= listed_count) return;
   const int4 brick = listed[item];
   const int slot = brick.w;
+  global const TsdfVoxel* held = voxels + slot * BRICK_VOXELS;
   global LabelPoint* out = points + (write ? offsets[item] : 0);
   int count = 0;
   for (int i = 0; i < BRICK_VOXELS; ++i) {
     const uint label = LABEL_OF(labels[slot * BRICK_VOXELS + i]);
-    const TsdfVoxel voxel = voxels[slot * BRICK_VOXELS + i];
+    const TsdfVoxel voxel = held[i];
     if (label == 0u || voxel.weight == 0 || abs((int)voxel.distance) > (uint)band) continue;
     if (write) {
-      out[count].x = ((float)(8 * brick.x + (i & 7)) + 0.5f) * voxel_size;
-      out[count].y = ((float)(8 * brick.y + ((i >> 3) & 7)) + 0.5f) * voxel_size;
-      out[count].z = ((float)(8 * brick.z + (i >> 6)) + 0.5f) * voxel_size;
+      const int x = i & 7;
+      const int y = (i >> 3) & 7;
+      const int z = i >> 6;
+      out[count].x = ((float)(8 * brick.x + x) + 0.5f) * voxel_size;
+      out[count].y = ((float)(8 * brick.y + y) + 0.5f) * voxel_size;
+      out[count].z = ((float)(8 * brick.z + z) + 0.5f) * voxel_size;
       out[count].fragment = label;
+      const float3 slope = (float3)(slope_at(held, i, 1, x), slope_at(held, i, 8, y), slope_at(held, i, 64, z));
+      const float square = dot(slope, slope);
+      const float3 normal = slope * (square > 0.0f ? 1.0f / sqrt(square) : 0.0f);
+      out[count].normal_x = normal.x;
+      out[count].normal_y = normal.y;
+      out[count].normal_z = normal.z;
+      out[count].color = colors[slot * BRICK_VOXELS + i];
     }
     ++count;
   }

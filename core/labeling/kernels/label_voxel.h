@@ -15,6 +15,8 @@
 typedef struct LabelPoint {
   float x, y, z; /* world, metres */
   unsigned int fragment;
+  float normal_x, normal_y, normal_z; /* unit, out of the surface; all 0 where it is not known */
+  unsigned int color;                 /* the scene's, color_voxel.h; 0: not seen in colour */
 } LabelPoint;
 
 #endif

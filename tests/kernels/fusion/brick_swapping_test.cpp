@@ -23,7 +23,7 @@ constexpr int kBudget = 600;  // bricks
 constexpr std::size_t kVoxels = BRICK_VOXELS;
 
 struct Contents {
-  std::vector<cl_uint> voxels, labels;  // bits
+  std::vector<cl_uint> voxels, labels, colors;  // bits
   bool dormant = false;
 };
 
@@ -63,6 +63,7 @@ class TwoMaps {
       expected.dormant = false;
       if (expected.voxels.empty()) expected.voxels.assign(kVoxels, 0);
       if (expected.labels.empty()) expected.labels.assign(kVoxels, 0);
+      if (expected.colors.empty()) expected.colors.assign(kVoxels, 0);
     }
     std::vector<Brick> aside;
     for (auto& [brick, expected] : model) {
@@ -89,6 +90,7 @@ class TwoMaps {
       ASSERT_EQ(lookUp(table, brick), slot);
       ASSERT_EQ(read(small.voxels(), slot), expected.voxels);
       ASSERT_EQ(read(small.labels(), slot), expected.labels);
+      ASSERT_EQ(read(small.colors(), slot), expected.colors);
     }
     for (const int page : inView(small)) {
       const int block = small.pages().page(page).block;
@@ -114,8 +116,15 @@ class TwoMaps {
       const std::vector<Brick> bricks = small.bricksOfPage(page);
       const auto stored = small.readStored(page);
       ASSERT_EQ(stored.has_value(), small.pages().page(page).bricksHere() == 0);
+      const auto copy = small.copyOfPage(page);
+      ASSERT_TRUE(copy);
+      ASSERT_EQ(copy->bricks.count(), bricks.size());
       for (std::size_t i = 0; i < bricks.size(); ++i, ++found) {
         const Contents& expected = model.at(bricks[i]);
+        ASSERT_EQ(std::memcmp(&copy->voxels[i * kVoxels], expected.voxels.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(std::memcmp(&copy->labels[i * kVoxels], expected.labels.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(std::memcmp(&copy->colors[i * kVoxels], expected.colors.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(copy->dormant[localBrick(bricks[i])], expected.dormant);
         if (!stored) {
           ASSERT_EQ(read(small.voxels(), small.slotOf(bricks[i])), expected.voxels);
           continue;
@@ -123,6 +132,7 @@ class TwoMaps {
         ASSERT_EQ(small.slotOf(bricks[i]), BRICK_NONE);
         ASSERT_EQ(std::memcmp(&stored->voxels[i * kVoxels], expected.voxels.data(), 4 * kVoxels), 0);
         ASSERT_EQ(std::memcmp(&stored->labels[i * kVoxels], expected.labels.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(std::memcmp(&stored->colors[i * kVoxels], expected.colors.data(), 4 * kVoxels), 0);
         ASSERT_EQ(stored->dormant[localBrick(bricks[i])], expected.dormant);
       }
     }
@@ -152,7 +162,7 @@ class TwoMaps {
   }
 
   void write(const Brick& brick, Contents& expected) {
-    for (std::vector<cl_uint>* words : {&expected.voxels, &expected.labels}) {
+    for (std::vector<cl_uint>* words : {&expected.voxels, &expected.labels, &expected.colors}) {
       for (cl_uint& word : *words) word = random_() % 2 == 0 ? 0 : static_cast<cl_uint>(random_());
     }
     std::vector<TsdfVoxel> voxels(kVoxels);
@@ -161,6 +171,7 @@ class TwoMaps {
       const auto start = static_cast<std::size_t>(map->slotOf(brick)) * kVoxels;
       map->voxels().write(compute_.queue(), voxels, start);
       map->labels().write(compute_.queue(), expected.labels, start);
+      map->colors().write(compute_.queue(), expected.colors, start);
     }
   }
 

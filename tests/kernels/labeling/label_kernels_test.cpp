@@ -218,8 +218,11 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     }
     // One brick holds no label at all.
     std::fill_n(labels.begin() + 3 * BRICK_VOXELS, BRICK_VOXELS, 0U);
+    std::vector<cl_uint> colors(voxels.size());
+    for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
     bricks.voxels().write(compute.queue(), voxels);
     bricks.labels().write(compute.queue(), labels);
+    bricks.colors().write(compute.queue(), colors);
 
     const std::vector<cl_int> slots{6, 3, 0, 7, 1};
     std::vector<Eigen::Vector3i> listed;
@@ -245,6 +248,14 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
           EXPECT_FLOAT_EQ(point.x, static_cast<float>(expected[i].centre_m.x()));
           EXPECT_FLOAT_EQ(point.y, static_cast<float>(expected[i].centre_m.y()));
           EXPECT_FLOAT_EQ(point.z, static_cast<float>(expected[i].centre_m.z()));
+          EXPECT_NEAR(point.normal_x, expected[i].normal.x(), 1e-5);
+          EXPECT_NEAR(point.normal_y, expected[i].normal.y(), 1e-5);
+          EXPECT_NEAR(point.normal_z, expected[i].normal.z(), 1e-5);
+          const Eigen::Vector3f in_voxels = Eigen::Vector3f(point.x, point.y, point.z) / kVoxel_m;
+          const Eigen::Vector3i local =
+              Eigen::Vector3i(in_voxels.array().floor().cast<int>()) - 8 * bricks.positionOf(slots[b]);
+          EXPECT_EQ(point.color,
+                    colors[start + static_cast<std::size_t>(local.x() + 8 * local.y() + 64 * local.z())]);
         }
       }
     }
@@ -270,8 +281,11 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     std::vector<cl_uint> labels(used);
     for (TsdfVoxel& voxel : voxels) voxel = {static_cast<cl_short>(random() % 12000), 256};
     for (cl_uint& label : labels) label = LABEL_VOXEL(static_cast<cl_uint>(random() % 40), 1U);
+    std::vector<cl_uint> colors(used);
+    for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
     bricks.voxels().write(compute.queue(), voxels);
     bricks.labels().write(compute.queue(), labels);
+    bricks.colors().write(compute.queue(), colors);
     // Of several pages, all mixed up.
     std::vector<Eigen::Vector3i> listed = all;
     std::ranges::shuffle(listed, random);
@@ -295,6 +309,10 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
       ASSERT_EQ(after.points[i].x, before.points[i].x);
       ASSERT_EQ(after.points[i].y, before.points[i].y);
       ASSERT_EQ(after.points[i].z, before.points[i].z);
+      ASSERT_EQ(after.points[i].color, before.points[i].color);
+      ASSERT_EQ(after.points[i].normal_x, before.points[i].normal_x);
+      ASSERT_EQ(after.points[i].normal_y, before.points[i].normal_y);
+      ASSERT_EQ(after.points[i].normal_z, before.points[i].normal_z);
     }
     EXPECT_EQ(bricks.bricksHere(), here) << "reading is not bringing back";
   });

@@ -1,0 +1,169 @@
+#include "core/fusion/color_integrator.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/compute/kernel_types.h"
+#include "embedded/fusion_kernels.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kCell_px = 2;             // cells of rate_pixels
+constexpr int kSample_px = 4;           // one pixel in each square of so many is asked which bricks it sees
+constexpr float kColorBand_vox = 1.5F;  // voxels so far from the surface have its colour
+constexpr float kAcross_vox = 2;        // a voxel of the band is so near to the surface of its pixel
+constexpr int kWidest_px = 1280;        // of the colour image; voxels are coarser than pixels of a larger one
+constexpr std::size_t kGroup = 8;       // bricks that one work-group does
+
+constexpr std::size_t cells(int pixels) {
+  return static_cast<std::size_t>((pixels + kCell_px - 1) / kCell_px);
+}
+
+/// Of three bytes a pixel without gaps, and no wider than is of use.
+cv::Mat compact(const cv::Mat& color) {
+  if (color.cols > kWidest_px) {
+    cv::Mat small;
+    const double scale = static_cast<double>(kWidest_px) / color.cols;
+    cv::resize(color, small, {}, scale, scale, cv::INTER_AREA);
+    return small;
+  }
+  return color.isContinuous() ? color : color.clone();
+}
+
+Eigen::Vector3i brickAt(const Eigen::Vector3d& point, double brick_size_m) {
+  return (point / brick_size_m).array().floor().cast<int>();
+}
+
+cl_float4 pointOf(const Eigen::Isometry3d& T) {
+  const Eigen::Vector3f p = T.translation().cast<float>();
+  return toKernel(p.x(), p.y(), p.z(), 0);
+}
+
+}  // namespace
+
+Result<ColorIntegrator> ColorIntegrator::create(ComputeContext& compute, const FusionParams& params) {
+  const std::string options = "-DCELL=" + std::to_string(kCell_px);
+  ColorIntegrator result(compute, params);
+  SCANTROVE_TRY(moveInto(result.rate_pixels_, compute.kernel(kernels::rate_pixels, "rate_pixels", options)));
+  SCANTROVE_TRY(
+      moveInto(result.color_bricks_, compute.kernel(kernels::color_bricks, "color_bricks", options)));
+  return result;
+}
+
+void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const RgbdFrame& frame) {
+  if (frame.color.empty()) return;
+  ++frame_;
+  const Intrinsics& K = surface.maps.K;
+  const Eigen::Isometry3d& T_world_camera = surface.maps.T_world_camera;
+  const double voxel_size_m = map.voxelSize();
+  const Eigen::Vector3i first = brickAt(T_world_camera.translation(), BRICK_SIDE * voxel_size_m);
+  listBricks(map, surface.vertices_world, K.width, first);
+  if (host_bricks_.empty()) return;
+
+  const cv::Mat image = compact(frame.color);
+  const ColorCamera camera = frame.color_camera.value_or(ColorCamera{K, Eigen::Isometry3d::Identity()});
+  const Intrinsics K_color = camera.K.resizedTo(image.cols, image.rows);
+  const Eigen::Isometry3d T_world_color = T_world_camera * camera.T_color_depth.inverse();
+  rate(map, surface, T_world_color);
+
+  fit(image_, 3 * image.total());
+  image_.write(compute_->queue(), {image.ptr<cl_uchar>(), 3 * image.total()});
+  fit(bricks_, host_bricks_.size());
+  bricks_.write(compute_->queue(), host_bricks_);
+  const auto fromBricks = [&](const Eigen::Isometry3d& T_world) {
+    Eigen::Isometry3d T = T_world.inverse();
+    T.translate(Eigen::Vector3d(first.cast<double>() * (BRICK_SIDE * voxel_size_m)));
+    T.linear() *= voxel_size_m;
+    return toKernel(T);
+  };
+  const auto band = static_cast<cl_int>(32767 * std::min(kColorBand_vox / params_.truncation_vox, 1.0F));
+  color_bricks_.launch(cl::NDRange(host_bricks_.size()), cl::NDRange(kGroup), bricks_,
+                       static_cast<cl_int>(host_bricks_.size()),
+                       cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(frame_)}},
+                       fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy),
+                       cl_int2{{K.width, K.height}}, depths_, reaches_, weights_, fromBricks(T_world_color),
+                       toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
+                       cl_int2{{image.cols, image.rows}}, image_, band, map.voxels(), map.colors());
+}
+
+void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
+                           const Eigen::Isometry3d& T_world_color) {
+  const Intrinsics& K = surface.maps.K;
+  const DepthPyramid::Level& readings = surface.readings.levels.front();
+  SCANTROVE_CHECK(readings.K.width == K.width && readings.K.height == K.height);
+  SCANTROVE_CHECK(surface.hidden.isContinuous() && surface.hidden.cols == K.width &&
+                  surface.hidden.rows == K.height);
+  fit(hidden_, surface.hidden.total());
+  hidden_.write(compute_->queue(), {surface.hidden.ptr<cl_uchar>(), surface.hidden.total()});
+  const std::size_t count = cells(K.width) * cells(K.height);
+  fit(depths_, count);
+  fit(reaches_, count);
+  fit(weights_, count);
+  constexpr float kInNoise = 3;  // standard deviations
+  const cl_float2 apart{{kAcross_vox * map.voxelSize(), kInNoise * params_.depth_noise_m}};
+  rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), cl::NullRange,
+                      surface.maps.vertices_world, surface.maps.normals_world, readings.vertices_camera,
+                      hidden_, K.width, K.height, toKernel(surface.maps.T_world_camera.inverse()),
+                      pointOf(surface.maps.T_world_camera), pointOf(T_world_color), K.fx,
+                      kAcross_vox * map.voxelSize(), apart, depths_, reaches_, weights_);
+}
+
+// Which pixels are asked changes from frame to frame, so that bricks far away, which are smaller than a
+// square, have their turn too. Nothing here may depend on slots: they are others in a map with another
+// budget.
+void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vector4f> vertices_world,
+                                 int width, const Eigen::Vector3i& first) {
+  host_bricks_.clear();
+  listed_in_.resize(static_cast<std::size_t>(map.slotEnd()), 0);
+  const float voxel_m = map.voxelSize();
+  const float bricks_per_metre = 1 / (BRICK_SIDE * voxel_m);
+  const auto add = [&](const Eigen::Vector3i& brick) {
+    const int slot = map.slotOf(brick);
+    if (slot == BRICK_NONE) return;
+    std::uint32_t& listed_in = listed_in_[static_cast<std::size_t>(slot)];
+    if (std::exchange(listed_in, frame_) == frame_) return;
+    const Eigen::Vector3i local = brick - first;
+    host_bricks_.push_back({{local.x(), local.y(), local.z(), slot}});
+  };
+  const auto brickOf = [&](const Eigen::Vector3f& p) -> Eigen::Vector3i {
+    return (p * bricks_per_metre).array().floor().cast<int>();
+  };
+  const auto height = static_cast<int>(vertices_world.size()) / width;
+  const unsigned choice = brick_hash(static_cast<int>(frame_), 0, 0);
+  const int first_u = static_cast<int>(choice % kSample_px);
+  const int first_v = static_cast<int>(choice / kSample_px % kSample_px);
+  Eigen::Vector3i last_low = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
+  Eigen::Vector3i last_high = last_low;
+  for (int v = first_v; v < height; v += kSample_px) {
+    for (int u = first_u; u < width; u += kSample_px) {
+      const Eigen::Vector4f& vertex = vertices_world[static_cast<std::size_t>(v * width + u)];
+      if (!(vertex.w() > 0)) continue;
+      const Eigen::Vector3f reach = Eigen::Vector3f::Constant(voxel_m);
+      const Eigen::Vector3i low = brickOf(vertex.head<3>() - reach);
+      const Eigen::Vector3i high = brickOf(vertex.head<3>() + reach);
+      if (low == last_low && high == last_high) continue;
+      last_low = low;
+      last_high = high;
+      for (int z = low.z(); z <= high.z(); ++z) {
+        for (int y = low.y(); y <= high.y(); ++y) {
+          for (int x = low.x(); x <= high.x(); ++x) add({x, y, z});
+        }
+      }
+    }
+  }
+  // Powers of two: whose turn it is in every fourth frame has it in every second as well.
+  const std::size_t turns = std::bit_ceil((host_bricks_.size() + kBricksAtATime - 1) / kBricksAtATime);
+  if (turns < 2) return;
+  std::erase_if(host_bricks_, [&](const cl_int4& b) {
+    const unsigned hash = brick_hash(first.x() + b.s[0], first.y() + b.s[1], first.z() + b.s[2]);
+    return (hash + frame_) % turns != 0;
+  });
+}
+
+}  // namespace scantrove

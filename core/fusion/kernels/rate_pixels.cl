@@ -1,0 +1,67 @@
+// How well a colour image shows the surface, by cells of CELL * CELL pixels of the depth camera; of a cell its first pixel
+// is looked at, with vertex V, normal n and z along the depth camera's axis:
+//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; rounded, in [1, COLOR_WEIGHT_OF_VIEW_MAX].
+//   reach  = (across + slack sin_d) / cos_d: how far along z from V the pixels of the cell may still show this surface; cos_d
+//            likewise to the depth camera, slack = CELL_REACH pixels at V, and so the tangent plane is within `across`.
+// Nothing (depth 0) where
+//   no surface is, or the colour camera does not see it (hidden), or either camera sees it at less than MIN_COS;
+//   the frame has no reading, or another than the surface: who stands before it has another colour;
+//   next to it, at EDGE_LOW or EDGE_HIGH pixels in eight directions, readings are missing, hidden, or off the tangent plane: an
+//   outline, where colour and depth never lie over each other exactly.
+// Depths agree within apart.x + apart.y z^2.
+//
+// One work-item: one cell. vertices, normals: world, width * height, w = 0: none. readings: camera, likewise. hidden: width *
+// height, not 0 = hidden. eye, color_eye: the cameras in the world. depths, reaches, weights: one a cell, row by row.
+#include "core/compute/kernels/common.clh"
+#include "core/fusion/kernels/color_voxel.h"
+
+#define MIN_COS 0.15f
+#define EDGE_LOW 2
+#define EDGE_HIGH 3
+#define CELL_REACH 1.5f
+
+kernel void rate_pixels(global const float4* restrict vertices, global const float4* restrict normals,
+                        global const float4* restrict readings, global const uchar* restrict hidden, const int width,
+                        const int height, const float16 T_camera_world, const float4 eye, const float4 color_eye,
+                        const float pixels_per_ray, const float across, const float2 apart,
+                        global float* restrict depths, global float* restrict reaches,
+                        global float* restrict weights) {
+  const int column = (int)get_global_id(0);
+  const int row = (int)get_global_id(1);
+  const int columns = (width + CELL - 1) / CELL;
+  if (column >= columns || row >= (height + CELL - 1) / CELL) return;
+  const int cell = row * columns + column;
+  depths[cell] = 0.0f;
+  const int u = CELL * column;
+  const int v = CELL * row;
+  const int pixel = v * width + u;
+  const float4 vertex = vertices[pixel];
+  const float4 normal = normals[pixel];
+  const float4 reading = readings[pixel];
+  if (!(vertex.w > 0.0f) || !(normal.w > 0.0f) || !(reading.w > 0.0f) || hidden[pixel] != 0) return;
+
+  const float z = transform_point(T_camera_world, vertex.xyz).z;
+  const float most = apart.x + apart.y * z * z;
+  if (!(fabs(reading.z - z) <= most)) return;
+  const float3 towards = eye.xyz - vertex.xyz;
+  const float cosine = dot(normal.xyz, towards) / length(towards);
+  const float3 towards_color = color_eye.xyz - vertex.xyz;
+  const float square = dot(towards_color, towards_color);
+  const float color_cosine = dot(normal.xyz, towards_color) / sqrt(square);
+  if (!(cosine >= MIN_COS) || !(color_cosine >= MIN_COS)) return;
+
+  const float3 n = rotate_vector(T_camera_world, normal.xyz);
+  for (int j = -1; j <= 1; ++j) {
+    for (int i = -1; i <= 1; ++i) {
+      const int x = u + (i < 0 ? -EDGE_LOW : i * EDGE_HIGH);
+      const int y = v + (j < 0 ? -EDGE_LOW : j * EDGE_HIGH);
+      if (x < 0 || y < 0 || x >= width || y >= height) continue;
+      const float4 beside = readings[y * width + x];
+      if (!(beside.w > 0.0f) || hidden[y * width + x] != 0 || !(fabs(dot(n, beside.xyz - reading.xyz)) <= most)) return;
+    }
+  }
+  const float sine = sqrt(fmax(0.0f, 1.0f - cosine * cosine));
+  depths[cell] = z;
+  reaches[cell] = (across + CELL_REACH * z / pixels_per_ray * sine) / cosine;
+  weights[cell] = clamp(rint(COLOR_WEIGHT_ONE * color_cosine / square), 1.0f, COLOR_WEIGHT_OF_VIEW_MAX);
+}

@@ -1,0 +1,66 @@
+#include "core/meshing/voxel_block.h"
+
+#include <algorithm>
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kBlockVoxels = std::size_t{VoxelBlock::kSide} * VoxelBlock::kSide * VoxelBlock::kSide;
+constexpr int kLow = -VoxelBlock::kMargin;
+constexpr int kHigh = VoxelBlock::kPageVoxels + VoxelBlock::kMargin;  // the last voxel
+
+Eigen::Vector3i placeInPage(std::size_t local) {
+  const int i = static_cast<int>(local);
+  return {i % PAGE_SIDE, i / PAGE_SIDE % PAGE_SIDE, i / (PAGE_SIDE * PAGE_SIDE)};
+}
+
+}  // namespace
+
+VoxelBlock::VoxelBlock() : voxels_(kBlockVoxels), labels_(kBlockVoxels), colors_(kBlockVoxels) {}
+
+void VoxelBlock::load(PageReader& reader, int page) {
+  std::ranges::fill(voxels_, TsdfVoxel{});
+  std::ranges::fill(labels_, 0U);
+  std::ranges::fill(colors_, 0U);
+  has_labels_ = has_colors_ = false;
+  const BrickPages& pages = reader.map().pages();
+  const Eigen::Vector3i position = pages.page(page).position;
+  first_voxel_ = kPageVoxels * position;
+  bricks_ = reader.page(page).bricks;
+  for (int neighbour = 0; neighbour < 27; ++neighbour) {
+    const Eigen::Vector3i offset(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+    const int index = pages.pageWith(PAGE_SIDE * (position + offset));
+    if (index == BRICK_NONE) continue;
+    const StoredPage& stored = reader.page(index);
+    std::size_t number = 0;
+    for (std::size_t local = 0; local < PAGE_BRICKS; ++local) {
+      if (!stored.bricks[local]) continue;
+      copyBrick(stored, number++, kPageVoxels * offset + BRICK_SIDE * placeInPage(local));
+    }
+  }
+}
+
+void VoxelBlock::copyBrick(const StoredPage& page, std::size_t number, const Eigen::Vector3i& first) {
+  const Eigen::Vector3i from = first.cwiseMax(kLow);
+  const Eigen::Vector3i to = (first + Eigen::Vector3i::Constant(BRICK_SIDE - 1)).cwiseMin(kHigh);
+  if ((to.array() < from.array()).any()) return;
+  const auto count = static_cast<std::size_t>(to.x() - from.x() + 1);
+  for (int z = from.z(); z <= to.z(); ++z) {
+    for (int y = from.y(); y <= to.y(); ++y) {
+      const Eigen::Vector3i local(from.x() - first.x(), y - first.y(), z - first.z());
+      const std::size_t source =
+          number * BRICK_VOXELS +
+          static_cast<std::size_t>(local.x() + BRICK_SIDE * (local.y() + BRICK_SIDE * local.z()));
+      const std::size_t target = at({from.x(), y, z});
+      std::copy_n(&page.voxels[source], count, &voxels_[target]);
+      for (std::size_t i = 0; i < count; ++i) {
+        labels_[target + i] = page.labels[source + i];
+        colors_[target + i] = page.colors[source + i];
+        has_labels_ |= page.labels[source + i] != 0;
+        has_colors_ |= page.colors[source + i] != 0;
+      }
+    }
+  }
+}
+
+}  // namespace scantrove

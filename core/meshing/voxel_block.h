@@ -1,0 +1,61 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/fusion/kernels/brick_layout.h"
+#include "core/fusion/kernels/brick_page.h"
+#include "core/meshing/page_reader.h"
+
+namespace scantrove {
+
+/// The voxels of one page of bricks on the host, with a margin of those of the pages around it, so that
+/// whoever works on the page need not know where it ends. What does not exist is as if never seen.
+class VoxelBlock {
+ public:
+  static constexpr int kPageVoxels = PAGE_SIDE * BRICK_SIDE;
+  /// Voxels of the margin on the lower side of the page; on the upper side there is one more.
+  static constexpr int kMargin = 2;
+  static constexpr int kSide = kPageVoxels + 2 * kMargin + 1;
+
+  VoxelBlock();
+
+  /// Makes the block that of a page.
+  void load(PageReader& reader, int page);
+
+  /// Bricks of the page itself, by local index.
+  [[nodiscard]] const std::bitset<PAGE_BRICKS>& bricks() const { return bricks_; }
+  /// Position of the page's first voxel.
+  [[nodiscard]] const Eigen::Vector3i& firstVoxel() const { return first_voxel_; }
+
+  /// Place of a voxel, counted from the page's first, in [-kMargin, kPageVoxels + kMargin].
+  [[nodiscard]] static std::size_t at(const Eigen::Vector3i& local) {
+    const Eigen::Matrix<std::size_t, 3, 1> p = (local.array() + kMargin).cast<std::size_t>();
+    return p.x() + kSide * (p.y() + kSide * p.z());
+  }
+  /// How far apart neighbours along an axis are.
+  static constexpr std::array<std::ptrdiff_t, 3> kSteps{1, kSide, std::ptrdiff_t{kSide} * kSide};
+
+  [[nodiscard]] const TsdfVoxel& voxel(std::size_t i) const { return voxels_[i]; }
+  [[nodiscard]] std::uint32_t label(std::size_t i) const { return labels_[i]; }  ///< label_voxel.h
+  [[nodiscard]] std::uint32_t color(std::size_t i) const { return colors_[i]; }  ///< color_voxel.h
+  [[nodiscard]] bool hasLabels() const { return has_labels_; }                   ///< any at all
+  [[nodiscard]] bool hasColors() const { return has_colors_; }                   ///< any at all
+
+ private:
+  /// Copies what of a brick lies in the block. `first`: its first voxel, counted from the page's; `number`:
+  /// of the brick in `page`.
+  void copyBrick(const StoredPage& page, std::size_t number, const Eigen::Vector3i& first);
+
+  std::vector<TsdfVoxel> voxels_;
+  std::vector<std::uint32_t> labels_, colors_;
+  std::bitset<PAGE_BRICKS> bricks_;
+  Eigen::Vector3i first_voxel_ = Eigen::Vector3i::Zero();
+  bool has_labels_ = false;
+  bool has_colors_ = false;
+};
+
+}  // namespace scantrove
