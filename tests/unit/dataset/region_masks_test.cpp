@@ -1,0 +1,140 @@
+#include "core/dataset/region_masks.h"
+
+#include <gtest/gtest.h>
+
+#include "core/dataset/mesh_parts.h"
+#include "core/dataset/registered_depth.h"
+#include "tests/unit/dataset/scanned_scene.h"
+
+namespace scantrove {
+namespace {
+
+using test::iou;
+using test::kBall;
+using test::kBlock;
+using test::kBox;
+using test::kTable;
+using test::ScannedScene;
+using test::Shapes;
+
+struct Refined {
+  ViewOfMap map;
+  MeasuredView measured;
+  cv::Mat regions;
+  float focal_px = 0;
+
+  explicit Refined(ScannedScene& scene, int index = 0, bool with_color = true) {
+    const std::vector<KeyFrameInfo> frames = *scene.keyFrames(false);
+    for (const KeyFrameInfo& frame : frames) {
+      if (frame.index != index) continue;
+      map = *scene.look(frame.K_color, frame.T_world_color());
+      measured.depth_m = registerDepth(frame, *scene.depth(index));
+      if (with_color) measured.color = *scene.color(index);
+      focal_px = frame.K_color.fx;
+    }
+    regions = refineRegions(map, measured, focal_px);
+  }
+  [[nodiscard]] cv::Mat of(std::uint32_t id) const { return regions == static_cast<int>(id); }
+  [[nodiscard]] cv::Mat before(std::uint32_t id) const { return map.regions == static_cast<int>(id); }
+};
+
+// The map of these tests is 2 mm too fat, 4 mm off, and coarse; depth has half of colour's resolution and
+// noise.
+TEST(RegionMasks, FollowWhatWasMeasured) {
+  ScannedScene scene;
+  for (const int frame : {0, 10, 20}) {
+    const Refined refined(scene, frame);
+    for (const std::uint32_t id : {kBox, kBall}) {
+      const cv::Mat exact = scene.exactMask(frame, id);
+      RecordProperty("iou_" + std::to_string(frame) + "_" + std::to_string(id),
+                     std::to_string(iou(refined.of(id), exact)));
+      EXPECT_GE(iou(refined.of(id), exact), 0.97) << id << " in frame " << frame;
+      EXPECT_GE(iou(refined.of(id), exact), iou(refined.before(id), exact)) << "worse than the map alone";
+    }
+    EXPECT_GE(iou(refined.of(kBlock), scene.exactMask(frame, kBlock)), 0.9) << "4 cm high in the image";
+  }
+}
+
+TEST(RegionMasks, DepthAloneIsNearlyAsGood) {
+  ScannedScene scene;
+  const Refined refined(scene, 0, false);
+  for (const std::uint32_t id : {kBox, kBall})
+    EXPECT_GE(iou(refined.of(id), scene.exactMask(0, id)), 0.95) << id;
+}
+
+TEST(RegionMasks, AGoodMapStaysAsItIs) {
+  ScannedScene scene;
+  scene.faults = {.voxel_m = 0, .swollen_m = 0, .shift_m = Eigen::Vector3d::Zero()};
+  const Refined refined(scene);
+  for (const std::uint32_t id : {kBox, kBall, kTable})
+    EXPECT_GE(iou(refined.of(id), scene.exactMask(0, id)), 0.98) << id;
+}
+
+TEST(RegionMasks, OutlinesHaveNoBlocks) {
+  // Steps of the map's voxels are four pixels high here: an outline in blocks is longer than the true one.
+  ScannedScene scene;
+  scene.faults.voxel_m = 0.006;
+  const Refined refined(scene);
+  const auto length = [](const cv::Mat& mask) {
+    cv::Mat across, down;
+    cv::absdiff(mask.colRange(1, mask.cols), mask.colRange(0, mask.cols - 1), across);
+    cv::absdiff(mask.rowRange(1, mask.rows), mask.rowRange(0, mask.rows - 1), down);
+    return cv::countNonZero(across) + cv::countNonZero(down);
+  };
+  for (const std::uint32_t id : {kBox, kBall})
+    EXPECT_LT(length(refined.of(id)), 1.15 * length(scene.exactMask(0, id))) << id;
+}
+
+TEST(RegionMasks, WhatIsNotInTheMapHidesTheRest) {
+  // Somebody's hand 20 cm before the camera was measured; the map knows nothing of it.
+  ScannedScene scene;
+  Refined refined(scene);
+  const cv::Rect hand(280, 200, 60, 60);
+  refined.measured.depth_m(hand) = 0.2F;
+  const cv::Mat regions = refineRegions(refined.map, {refined.measured.depth_m, {}}, refined.focal_px);
+  EXPECT_EQ(cv::countNonZero(regions(hand)), 0);
+  EXPECT_GT(cv::countNonZero(refined.regions(hand)), 3000);
+}
+
+TEST(RegionMasks, WithoutReadingsTheMapIsBelieved) {
+  ScannedScene scene;
+  const Refined refined(scene);
+  const cv::Mat nothing = cv::Mat::zeros(refined.map.regions.size(), CV_32FC1);
+  const cv::Mat regions = refineRegions(refined.map, {nothing, {}}, refined.focal_px);
+  EXPECT_EQ(cv::norm(regions, refined.map.regions, cv::NORM_INF), 0);
+}
+
+TEST(Silhouette, IsThatOfTheWholeObject) {
+  ScannedScene scene;
+  const KeyFrameInfo frame = scene.keyFrames(false)->front();
+  const auto parts = splitByRegion(*scene.mesh(), scene.labels);
+  for (const std::uint32_t id : {kBox, kBall}) {
+    const Silhouette seen = silhouetteOf(parts.at(id), frame.K_color, frame.T_world_color());
+    const cv::Mat exact = scene.exactMask(0, id, true);
+    EXPECT_GE(iou(seen.mask(exact.size()), exact), 0.98) << id << ": a ball of 24 rings is a little smaller";
+    EXPECT_EQ(seen.pixels, cv::countNonZero(seen.mask(exact.size()))) << "all of it is in the image";
+    EXPECT_EQ(seen.tightBox(), boxOf(seen.mask(exact.size())));
+  }
+}
+
+TEST(Silhouette, GoesOnBeyondTheImage) {
+  ScannedScene scene;
+  const KeyFrameInfo frame = scene.keyFrames(false)->front();
+  const auto parts = splitByRegion(*scene.mesh(), scene.labels);
+  const Silhouette whole = silhouetteOf(parts.at(kBox), frame.K_color, frame.T_world_color());
+  Intrinsics half = frame.K_color;  // the image ends in the middle of the box
+  half.cx -= static_cast<float>(whole.tightBox().x + whole.tightBox().width / 2);
+  const Silhouette seen = silhouetteOf(parts.at(kBox), half, frame.T_world_color());
+  EXPECT_NEAR(seen.pixels, whole.pixels, 0.01 * whole.pixels);
+  EXPECT_LT(seen.tightBox().x, 0);
+  const int inside = cv::countNonZero(seen.mask({half.width, half.height}));
+  EXPECT_GT(inside, 0.3 * whole.pixels);
+  EXPECT_LT(inside, 0.7 * whole.pixels);
+  Eigen::Isometry3d away = frame.T_world_color();
+  away.linear().col(0) *= -1;
+  away.linear().col(2) *= -1;
+  EXPECT_TRUE(silhouetteOf(parts.at(kBox), half, away).empty()) << "behind the camera";
+}
+
+}  // namespace
+}  // namespace scantrove
