@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/base/check.h"
@@ -25,6 +28,8 @@ constexpr int kMostOutlineError_px = 16;
 /// What the map cannot tell apart along an outline.
 constexpr float kMapDetail_m = 0.006F;
 constexpr int kMostBand_px = 6;
+constexpr int kLeastSpeck_px =
+    8;  ///< pieces of fewer pixels, or smaller than the map's detail squared, are noise
 constexpr float kSameColor = 20;   ///< of 255, standard deviation
 constexpr float kBandVote = 0.3F;  ///< of a pixel that may itself be wrong
 constexpr float kClearMajority = 1.2F;
@@ -85,6 +90,7 @@ class OutlineRefiner {
   cv::Mat run() {
     followDepth();
     followColor();
+    dropSpecks();
     return regions_;
   }
 
@@ -194,6 +200,47 @@ class OutlineRefiner {
                                          [](const Party& a, const Party& b) { return a.votes < b.votes; });
     return winner->votes > kClearMajority * (parties.front().votes + kBandVote) ? winner->region
                                                                                 : parties.front().region;
+  }
+
+  /// Small pieces become what lies around most of them.
+  void dropSpecks() {
+    cv::Mat visited = cv::Mat::zeros(regions_.size(), CV_8UC1);
+    std::vector<cv::Point> piece;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        if (visited.at<std::uint8_t>(y, x) != 0) continue;
+        const int around = collectPiece({x, y}, visited, piece);
+        const int detail = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px);
+        if (static_cast<int>(piece.size()) >= std::max(kLeastSpeck_px, detail * detail)) continue;
+        for (const cv::Point& p : piece) regions_.at<int>(p) = around;
+      }
+    }
+  }
+
+  /// All pixels of `start`'s region that hang together with it, and the region that borders on most of them
+  /// (its own if none does).
+  [[nodiscard]] int collectPiece(const cv::Point& start, cv::Mat& visited,
+                                 std::vector<cv::Point>& piece) const {
+    const int region = regions_.at<int>(start);
+    std::unordered_map<int, int> borders;
+    piece.assign(1, start);
+    visited.at<std::uint8_t>(start) = 255;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      for (const cv::Point& step : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
+        const cv::Point next = piece[i] + step;
+        if (!isInside(next.x, next.y)) continue;
+        if (regions_.at<int>(next) != region) {
+          ++borders[regions_.at<int>(next)];
+        } else if (visited.at<std::uint8_t>(next) == 0) {
+          visited.at<std::uint8_t>(next) = 255;
+          piece.push_back(next);
+        }
+      }
+    }
+    const auto most = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.second, -a.first) < std::pair(b.second, -b.first);
+    });
+    return most == borders.end() ? region : most->first;
   }
 
   const ViewOfMap& map_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "core/dataset/mesh_parts.h"
 #include "core/dataset/registered_depth.h"
 #include "tests/unit/dataset/scanned_scene.h"
@@ -44,14 +46,14 @@ TEST(RegionMasks, FollowWhatWasMeasured) {
   ScannedScene scene;
   for (const int frame : {0, 10, 20}) {
     const Refined refined(scene, frame);
-    for (const std::uint32_t id : {kBox, kBall}) {
+    for (const std::uint32_t id : {kBox, kBall, kBlock}) {
       const cv::Mat exact = scene.exactMask(frame, id);
-      RecordProperty("iou_" + std::to_string(frame) + "_" + std::to_string(id),
-                     std::to_string(iou(refined.of(id), exact)));
-      EXPECT_GE(iou(refined.of(id), exact), 0.97) << id << " in frame " << frame;
+      const std::string key = std::to_string(frame) + "_" + std::to_string(id);
+      RecordProperty("map_" + key, std::to_string(iou(refined.before(id), exact)));
+      RecordProperty("refined_" + key, std::to_string(iou(refined.of(id), exact)));
+      EXPECT_GE(iou(refined.of(id), exact), id == kBlock ? 0.95 : 0.97) << id << " in frame " << frame;
       EXPECT_GE(iou(refined.of(id), exact), iou(refined.before(id), exact)) << "worse than the map alone";
     }
-    EXPECT_GE(iou(refined.of(kBlock), scene.exactMask(frame, kBlock)), 0.9) << "4 cm high in the image";
   }
 }
 
@@ -85,6 +87,22 @@ TEST(RegionMasks, OutlinesHaveNoBlocks) {
     EXPECT_LT(length(refined.of(id)), 1.15 * length(scene.exactMask(0, id))) << id;
 }
 
+TEST(RegionMasks, NoiseLeavesNoSpecks) {
+  ScannedScene scene;
+  scene.depth_noise_px = 0.5;  // six times a Kinect's: outliers of the size of the tolerance
+  for (const int frame : {0, 20}) {
+    const Refined refined(scene, frame);
+    for (const std::uint32_t id : {kTable, kBox, kBall, kBlock}) {
+      cv::Mat parts, stats, centres;
+      const int count = cv::connectedComponentsWithStats(refined.of(id), parts, stats, centres, 4);
+      int specks = 0;
+      for (int part = 1; part < count; ++part) specks += stats.at<int>(part, cv::CC_STAT_AREA) < 8 ? 1 : 0;
+      RecordProperty("specks_" + std::to_string(frame) + "_" + std::to_string(id), specks);
+      EXPECT_EQ(specks, 0) << id << " in frame " << frame;
+    }
+  }
+}
+
 TEST(RegionMasks, WhatIsNotInTheMapHidesTheRest) {
   // Somebody's hand 20 cm before the camera was measured; the map knows nothing of it.
   ScannedScene scene;
@@ -101,7 +119,8 @@ TEST(RegionMasks, WithoutReadingsTheMapIsBelieved) {
   const Refined refined(scene);
   const cv::Mat nothing = cv::Mat::zeros(refined.map.regions.size(), CV_32FC1);
   const cv::Mat regions = refineRegions(refined.map, {nothing, {}}, refined.focal_px);
-  EXPECT_EQ(cv::norm(regions, refined.map.regions, cv::NORM_INF), 0);
+  // But for corners of voxels that look out of the surface, a pixel or two each.
+  EXPECT_LT(cv::countNonZero(regions != refined.map.regions), 0.001 * static_cast<double>(regions.total()));
 }
 
 TEST(Silhouette, IsThatOfTheWholeObject) {

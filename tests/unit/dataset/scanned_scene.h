@@ -23,7 +23,7 @@ constexpr std::uint32_t kTable = 7, kBox = 12, kBall = 40, kBlock = 55;
 inline const Eigen::Vector3d kBoxLow(-0.22, -0.08, 0), kBoxHigh(-0.04, 0.08, 0.2);
 inline const Eigen::Vector3d kBallCentre(0.12, 0.02, 0.09);
 constexpr double kBallRadius = 0.09;
-inline const Eigen::Vector3d kBlockLow(0.02, 0.2, 0), kBlockHigh(0.1, 0.26, 0.06);
+inline const Eigen::Vector3d kBlockLow(0.26, -0.1, 0), kBlockHigh(0.34, -0.04, 0.06);
 inline const std::string kBoxName = "Kiste/\"groß\"\n\\ 箱 📦";
 
 /// What the shapes are to a map of voxels and of poses that are a little off.
