@@ -12,7 +12,7 @@ constexpr float kMillimetres = 1000;
 
 }  // namespace
 
-LabelledMesh BopModel::mesh_mm() const {
+LabelledMesh BopModel::meshInMillimetres() const {
   const Eigen::Affine3f T(Eigen::Scaling(kMillimetres) *
                           Eigen::Affine3f(T_world_model.inverse().cast<float>().matrix()));
   return transformed(mesh_world, T);

@@ -15,7 +15,7 @@ struct BopModel {
   Eigen::Isometry3d T_world_model = Eigen::Isometry3d::Identity();  ///< metres
 
   /// In its own frame and millimetres.
-  [[nodiscard]] LabelledMesh mesh_mm() const;
+  [[nodiscard]] LabelledMesh meshInMillimetres() const;
 };
 
 /// The models of `regions` that have a surface, by region id. `up`: unit vector of the world.
@@ -23,7 +23,7 @@ struct BopModel {
                                                             std::span<const LabelledRegion> regions,
                                                             const Eigen::Vector3f& up);
 
-/// The entry of models_info.json: diameter, min_x .. size_z in mm. `mesh_mm`: of mesh_mm().
+/// The entry of models_info.json: diameter, min_x .. size_z in mm. `mesh_mm`: of meshInMillimetres().
 [[nodiscard]] ExportJson bopModelInfo(const LabelledMesh& mesh_mm);
 
 }  // namespace scantrove

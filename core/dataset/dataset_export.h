@@ -39,7 +39,7 @@ using ExportProgressCallback = std::function<void(const ExportProgress&)>;
 struct ExportSummary {
   std::filesystem::path folder;
   int images = 0;       ///< frames with labels
-  int regions = 0;      ///< that count (see chooseRegions) and are in the result
+  int regions = 0;      ///< that count: with a name or an object, and what `background` adds
   int annotations = 0;  ///< a region in an image each
   std::uint64_t points = 0, faces = 0;
   std::uint64_t bytes = 0;

@@ -16,7 +16,7 @@ class DepthRaster {
   void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
 
   /// CV_32FC1, metres along the optical axis, 0 = nothing.
-  [[nodiscard]] const cv::Mat& depth_m() const { return depth_m_; }
+  [[nodiscard]] const cv::Mat& depth() const { return depth_m_; }
 
  private:
   Intrinsics K_;

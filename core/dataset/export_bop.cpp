@@ -1,6 +1,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <utility>
 
 #include "core/dataset/bop_model.h"
@@ -65,7 +66,7 @@ class BopScene {
     models_ = bopModelsOf(*mesh, job_.chosen(), upDirection(*frames, *mesh));
     ExportJson infos = ExportJson::object();
     for (const auto& [region, model] : models_) {
-      const LabelledMesh mesh_mm = model.mesh_mm();
+      const LabelledMesh mesh_mm = model.meshInMillimetres();
       const std::string name = fmt::format("models/obj_{:06}.ply", region);
       const std::string bytes = encodePly(mesh_mm, {.label = false}, "millimetres, z up");
       SCANTROVE_TRY(job_.write(name, bytes));

@@ -19,7 +19,7 @@ Result<LabelledMesh> readCloud(ExportJob& job) {
 
 Result<void> writeLegend(ExportJob& job) {
   const ExportJson legend = legendOf(job.allRegions());
-  SCANTROVE_TRY(job.write("labels.json", jsonText(legend)));
+  SCANTROVE_TRY(job.write("labels.json", jsonByLines(legend)));
   return job.checkJson("labels.json", legend);
 }
 

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <ctime>
+#include <opencv2/core.hpp>
 
 #include "core/dataset/coco_rle.h"
 #include "core/dataset/dataset_formats.h"

@@ -59,7 +59,7 @@ Result<void> exportMasks(ExportJob& job) {
   ExportJson labels = ExportJson::object();
   for (const auto& [id, entry] : legend.items())
     labels[std::to_string(numbers->at(entry.at("region").get<std::uint32_t>()))] = entry;
-  SCANTROVE_TRY(job.write("labels.json", jsonText(labels)));
+  SCANTROVE_TRY(job.write("labels.json", jsonByLines(labels)));
   SCANTROVE_TRY(job.checkJson("labels.json", labels));
   const auto bytes = job.readBack(last_name);
   if (!bytes) return fail(bytes.error());

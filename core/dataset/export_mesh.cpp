@@ -81,7 +81,7 @@ Result<void> exportMesh(ExportJob& job) {
   job.summary().points = mesh->vertices.size();
   job.summary().faces = mesh->faces.size();
   const ExportJson legend = legendOf(job.allRegions());
-  SCANTROVE_TRY(job.write("labels.json", jsonText(legend)));
+  SCANTROVE_TRY(job.write("labels.json", jsonByLines(legend)));
   return job.checkJson("labels.json", legend);
 }
 

@@ -1,6 +1,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <iterator>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <string>
@@ -90,7 +91,7 @@ class YoloSegments {
       yaml += "  " + std::to_string(i) + ": " + yamlQuoted(classes_[i]) + "\n";
     SCANTROVE_TRY(job_.write("data.yaml", yaml));
     SCANTROVE_TRY(job_.checkSame("data.yaml", yaml));
-    SCANTROVE_TRY(job_.write("labels.json", jsonText(legendOf(job_.chosen()))));
+    SCANTROVE_TRY(job_.write("labels.json", jsonByLines(legendOf(job_.chosen()))));
     return checkOneOutline();
   }
 

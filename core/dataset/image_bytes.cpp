@@ -1,6 +1,7 @@
 #include "core/dataset/image_bytes.h"
 
 #include <cstdint>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 

@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <unordered_set>
@@ -68,7 +69,7 @@ Result<std::pair<LabelledImage, cv::Mat>> readKeyFrame(LabelledScan& scan, const
     SCANTROVE_TRY(checkSize(color, frame.K_color, frame, "colour"));
     SCANTROVE_TRY(takeImage(image, color));
     image.K = frame.K_color;
-    image.T_world_camera = frame.T_world_color();
+    image.T_world_camera = frame.colorCameraPose();
     image.depth_m = registerDepth(frame, *depth);
   }
   return std::pair(std::move(image), std::move(color));

@@ -54,7 +54,8 @@ struct KeyFrameInfo {
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();  ///< registered colour: the identity
   std::filesystem::path color_file;  ///< JPEG or PNG as recorded; empty: the frame has no colour
 
-  [[nodiscard]] Eigen::Isometry3d T_world_color() const { return T_world_depth * T_color_depth.inverse(); }
+  /// T_world_color.
+  [[nodiscard]] Eigen::Isometry3d colorCameraPose() const { return T_world_depth * T_color_depth.inverse(); }
 };
 
 /// What the final map shows from a camera, h x w of the camera asked for.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -28,6 +30,7 @@ constexpr int kMostOutlineError_px = 16;
 /// What the map cannot tell apart along an outline.
 constexpr float kMapDetail_m = 0.006F;
 constexpr int kMostBand_px = 6;
+constexpr int kMixedReach_px = 3;
 constexpr int kLeastSpeck_px =
     8;  ///< pieces of fewer pixels, or smaller than the map's detail squared, are noise
 constexpr float kSameColor = 20;   ///< of 255, standard deviation
@@ -81,10 +84,11 @@ class OutlineRefiner {
  public:
   OutlineRefiner(const ViewOfMap& map, const MeasuredView& measured, float focal_px)
       : map_(map),
-        measured_(measured),
+        color_(measured.color),
         focal_px_(focal_px),
         tolerance_m_(tolerances(map.depth_m)),
         search_(offsetsWithin(kMostOutlineError_px)),
+        depth_m_(measured.depth_m.clone()),
         regions_(map.regions.clone()) {}
 
   cv::Mat run() {
@@ -104,26 +108,49 @@ class OutlineRefiner {
   }
 
   void followDepth() {
+    std::vector<cv::Point> mixed;
     for (int y = 0; y < regions_.rows; ++y) {
       for (int x = 0; x < regions_.cols; ++x) {
-        const float z = measured_.depth_m.at<float>(y, x);
-        if (z > 0 && !agrees(x, y, z)) regions_.at<int>(y, x) = nearestOfDepth(x, y, z);
+        const float z = depth_m_.at<float>(y, x);
+        if (!(z > 0) || agrees(x, y, z)) continue;
+        const std::optional<int> region = nearestOfDepth(x, y, z);
+        if (!region && isMixed(x, y, z)) {
+          mixed.emplace_back(x, y);
+        } else {
+          regions_.at<int>(y, x) = region.value_or(0);
+        }
       }
     }
+    for (const cv::Point& point : mixed) depth_m_.at<float>(point) = 0;  // no reading of anything
   }
 
-  [[nodiscard]] int nearestOfDepth(int x, int y, float z) const {
+  [[nodiscard]] std::optional<int> nearestOfDepth(int x, int y, float z) const {
     const auto radius = static_cast<float>(pixelsOf(kOutlineError_m, z, focal_px_, kMostOutlineError_px));
     for (const Offset& offset : search_) {
       if (offset.distance > radius) break;
       const int u = x + offset.x, v = y + offset.y;
       if (isInside(u, v) && agrees(u, v, z)) return map_.regions.at<int>(v, u);
     }
-    return 0;
+    return std::nullopt;
+  }
+
+  /// Whether a reading is between those of what is before and behind an edge, as many cameras give them
+  /// there.
+  [[nodiscard]] bool isMixed(int x, int y, float z) const {
+    bool is_before = false, is_behind = false;
+    for (int v = y - kMixedReach_px; v <= y + kMixedReach_px; ++v) {
+      for (int u = x - kMixedReach_px; u <= x + kMixedReach_px; ++u) {
+        if (!isInside(u, v)) continue;
+        const float other = depth_m_.at<float>(v, u);
+        is_before = is_before || (other > 0 && other < z - kMapNoise_m);
+        is_behind = is_behind || other > z + kMapNoise_m;
+      }
+    }
+    return is_before && is_behind;
   }
 
   [[nodiscard]] float depthAt(int x, int y) const {
-    const float z = measured_.depth_m.at<float>(y, x);
+    const float z = depth_m_.at<float>(y, x);
     return z > 0 ? z : map_.depth_m.at<float>(y, x);
   }
 
@@ -153,7 +180,7 @@ class OutlineRefiner {
   }
 
   void followColor() {
-    if (measured_.color.empty()) return;
+    if (color_.empty()) return;
     const cv::Mat band = outlineBand();
     const cv::Mat before = regions_.clone();
     for (int y = 0; y < regions_.rows; ++y) {
@@ -179,18 +206,18 @@ class OutlineRefiner {
       parties.push_back({region, weight});
     };
     const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px) + 1;
-    const float z = measured_.depth_m.at<float>(y, x);
-    const cv::Vec3b color = measured_.color.at<cv::Vec3b>(y, x);
+    const float z = depth_m_.at<float>(y, x);
+    const cv::Vec3b color = color_.at<cv::Vec3b>(y, x);
     for (const Offset& offset : search_) {
       if (offset.distance > static_cast<float>(radius)) break;
       const int u = x + offset.x, v = y + offset.y;
       if (!isInside(u, v)) continue;
-      const float other_z = measured_.depth_m.at<float>(v, u);
+      const float other_z = depth_m_.at<float>(v, u);
       if (z > 0 && other_z > 0 &&
           std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoise_per_m * z * z) {
         continue;
       }
-      const cv::Vec3b& other = measured_.color.at<cv::Vec3b>(v, u);
+      const cv::Vec3b& other = color_.at<cv::Vec3b>(v, u);
       const float difference = static_cast<float>(cv::norm(cv::Vec3f(other) - cv::Vec3f(color))) / kSameColor;
       const float nearness = offset.distance / static_cast<float>(radius);
       const float weight = std::exp(-0.5F * difference * difference - 2 * nearness * nearness);
@@ -244,10 +271,11 @@ class OutlineRefiner {
   }
 
   const ViewOfMap& map_;
-  const MeasuredView& measured_;
+  const cv::Mat& color_;
   float focal_px_;
   cv::Mat tolerance_m_;
   std::vector<Offset> search_;
+  cv::Mat depth_m_;  // measured
   cv::Mat regions_;
 };
 
@@ -310,7 +338,7 @@ Silhouette silhouetteOf(const LabelledMesh& mesh, const Intrinsics& K,
   window.height = seen.box.height;
   DepthRaster raster(window);
   for (const auto& face : mesh.faces) raster.add(points[face[0]], points[face[1]], points[face[2]]);
-  seen.depth_m = raster.depth_m();
+  seen.depth_m = raster.depth();
   seen.pixels = cv::countNonZero(seen.depth_m);
   return seen;
 }

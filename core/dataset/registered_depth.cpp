@@ -60,7 +60,7 @@ cv::Mat registerDepth(const KeyFrameInfo& frame, const cv::Mat& depth) {
       raster.add(corners[1], corners[3], corners[2]);
     }
   }
-  return raster.depth_m();
+  return raster.depth();
 }
 
 }  // namespace scantrove

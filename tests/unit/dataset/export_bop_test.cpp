@@ -117,7 +117,7 @@ TEST_F(BopExport, PosesAgreeWithDepth) {
       int pixels = 0, close = 0;
       for (int v = 0; v < 480; ++v) {
         for (int u = 0; u < 640; ++u) {
-          const float measured = depth_mm.at<float>(v, u), rendered = raster.depth_m().at<float>(v, u);
+          const float measured = depth_mm.at<float>(v, u), rendered = raster.depth().at<float>(v, u);
           if (visible.at<std::uint8_t>(v, u) == 0 || measured == 0 || rendered == 0) continue;
           ++pixels;
           if (std::abs(measured - rendered) < 10) ++close;  // noise: 3 mm at 0.8 m

@@ -30,7 +30,7 @@ TEST(RegisteredDepth, IsWhatTheColorCameraWouldMeasure) {
   scene.depth_noise_px = 0;
   const KeyFrameInfo frame = firstFrame(scene);
   const cv::Mat seen = registerDepth(frame, *scene.depth(0));
-  const cv::Mat exact = Shapes().look(frame.K_color, frame.T_world_color()).depth_m;
+  const cv::Mat exact = Shapes().look(frame.K_color, frame.colorCameraPose()).depth_m;
   ASSERT_EQ(seen.size(), exact.size());
   int both = 0, right = 0, gaps = 0;
   for (int v = 20; v < seen.rows - 20; ++v) {
@@ -71,12 +71,12 @@ TEST(DepthRaster, TheNearestWinsAndDepthIsThatOfThePlane) {
   raster.add(c, b, a);  // from behind is as good
   const Eigen::Vector3f n = (b - a).cross(c - a);
   const auto on_plane = [&](float u, float v) { return a.dot(n) / K.backProject(u, v, 1).dot(n); };
-  EXPECT_NEAR(raster.depth_m().at<float>(20, 20), on_plane(20, 20), 1e-5);
-  EXPECT_NEAR(raster.depth_m().at<float>(13, 25), on_plane(25, 13), 1e-5);
-  EXPECT_NEAR(raster.depth_m().at<float>(5, 20), 3, 1e-5);
-  EXPECT_EQ(raster.depth_m().at<float>(40, 0), 0);
+  EXPECT_NEAR(raster.depth().at<float>(20, 20), on_plane(20, 20), 1e-5);
+  EXPECT_NEAR(raster.depth().at<float>(13, 25), on_plane(25, 13), 1e-5);
+  EXPECT_NEAR(raster.depth().at<float>(5, 20), 3, 1e-5);
+  EXPECT_EQ(raster.depth().at<float>(40, 0), 0);
   raster.add({-1, -1, 0.005F}, {1, -1, 1}, {0, 1, 1});
-  EXPECT_NEAR(raster.depth_m().at<float>(5, 20), 3, 1e-5) << "reaches behind the camera";
+  EXPECT_NEAR(raster.depth().at<float>(5, 20), 3, 1e-5) << "reaches behind the camera";
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ class ScannedScene : public LabelledScan {
       folder_.write(file.filename().string(), "\xFF\xD8\xFF no more than a beginning");
       return file;
     }
-    const ViewOfMap view = Shapes().look(K_color, info.T_world_color());
+    const ViewOfMap view = Shapes().look(K_color, info.colorCameraPose());
     cv::Mat image(view.regions.size(), CV_8UC3);
     std::mt19937 random(static_cast<unsigned>(info.index));
     std::normal_distribution<float> noise(0, 3);
