@@ -21,7 +21,7 @@ char* put(char* out, const T& value) {
 }
 
 /// As PCL writes it, for points of `x y z rgba label` without gaps.
-std::string pcdHeader(std::size_t points) {
+std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint) {
   pcl::PCLPointCloud2 cloud;
   for (const auto& [name, type] : {std::pair{"x", pcl::PCLPointField::FLOAT32},
                                    {"y", pcl::PCLPointField::FLOAT32},
@@ -38,15 +38,17 @@ std::string pcdHeader(std::size_t points) {
   cloud.width = static_cast<std::uint32_t>(points);
   cloud.height = 1;
   cloud.point_step = static_cast<std::uint32_t>(cloud.fields.size() * sizeof(float));
-  return pcl::PCDWriter().generateHeaderBinary(cloud, Eigen::Vector4f::Zero(),
-                                               Eigen::Quaternionf::Identity()) +
+  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
+  origin.head<3>() = T_world_viewpoint.translation().cast<float>();
+  const Eigen::Quaterniond orientation(T_world_viewpoint.linear());
+  return pcl::PCDWriter().generateHeaderBinary(cloud, origin, orientation.normalized().cast<float>()) +
          "DATA binary\n";
 }
 
 }  // namespace
 
-Result<void> writePcd(const std::filesystem::path& path, std::span<const LabeledPoint> points) {
-  const std::string header = pcdHeader(points.size());
+std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint) {
+  const std::string header = pcdHeader(points.size(), T_world_viewpoint);
   constexpr std::size_t kPointBytes = 3 * sizeof(float) + 2 * sizeof(std::uint32_t);
   std::string bytes(header.size() + points.size() * kPointBytes, '\0');
   char* out = std::copy(header.begin(), header.end(), bytes.data());
@@ -54,7 +56,11 @@ Result<void> writePcd(const std::filesystem::path& path, std::span<const Labeled
     const std::uint32_t rgba = 0xFF000000U | std::uint32_t{p.r} << 16 | std::uint32_t{p.g} << 8 | p.b;
     out = put(put(put(put(put(out, p.x), p.y), p.z), rgba), p.label);
   }
-  return writeFileAtomically(path, bytes);
+  return bytes;
+}
+
+Result<void> writePcd(const std::filesystem::path& path, std::span<const LabeledPoint> points) {
+  return writeFileAtomically(path, encodePcd(points));
 }
 
 Result<void> writePly(const std::filesystem::path& path, std::span<const LabeledPoint> points) {

@@ -1,11 +1,19 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/exchange/labeled_point.h"
 
 namespace scantrove {
+
+/// The bytes of such a file as writePcd() writes. VIEWPOINT is where the points were acquired from: x right,
+/// y down, z forward.
+[[nodiscard]] std::string encodePcd(
+    std::span<const LabeledPoint> points,
+    const Eigen::Isometry3d& T_world_viewpoint = Eigen::Isometry3d::Identity());
 
 /// Binary PCD with fields `x y z rgba label`; reads back as pcl::PointXYZRGBL. An empty cloud is a valid
 /// file. Written beside and renamed. Error: names `path`.

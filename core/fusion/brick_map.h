@@ -85,6 +85,12 @@ class BrickMap {
   /// What a page holds, wherever it is; it stays there. Nothing if it cannot be read.
   [[nodiscard]] std::optional<StoredPage> copyOfPage(int page);
 
+  /// A page as copyOfPage() gave it, at BrickPages::Page::position, of a map of the same voxels: to begin with
+  /// what an earlier scan found. There is no brick of it yet.
+  void adopt(const Eigen::Vector3i& position, const StoredPage& stored);
+  /// Number of the last view: pages that it met have it in BrickPages::Page::last_view, and may have changed.
+  [[nodiscard]] std::uint64_t view() const { return view_; }
+
   /// Why bricks could not be written, or not be read back, since the last call. After the first write that
   /// fails the map goes on beyond its budget.
   [[nodiscard]] std::optional<Error> takeFailure() { return std::exchange(failure_, std::nullopt); }
@@ -107,7 +113,10 @@ class BrickMap {
   /// Pages of `bricks`, as far as there are any: on the device until the next view.
   void holdPagesOf(std::span<const Eigen::Vector3i> bricks);
   void bringBack(std::span<const int> pages);
-  void restore(int page, const StoredPage& stored);
+  /// What a page held, on the device again.
+  void putBack(int page, const StoredPage& stored);
+  /// What a page held is in the file. False: it could not be written.
+  bool putAway(int page, const StoredPage& stored);
   /// Makes room for `count` more bricks: sends pages away, and grows where that is not enough.
   void makeRoom(int count);
   /// Of a page on the device, dormant ones too, by local index.

@@ -50,14 +50,19 @@ int BrickPages::takeBlock() {
 
 int BrickPages::pageWith(const Eigen::Vector3i& brick) const { return index_.slotOf(pageOf(brick)); }
 
-void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
-  const Eigen::Vector3i position = pageOf(brick);
+int BrickPages::add(const Eigen::Vector3i& position) {
   int index = index_.slotOf(position);
   if (index == BRICK_NONE) {
     index = static_cast<int>(pages_.size());
     index_.insert(position, index);
     pages_.emplace_back().position = position;
   }
+  return index;
+}
+
+void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
+  const Eigen::Vector3i position = pageOf(brick);
+  const int index = add(position);
   Page& page = pages_[static_cast<std::size_t>(index)];
   SCANTROVE_CHECK(!page.record);
   if (page.block == PAGE_EMPTY) {

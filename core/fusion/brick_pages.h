@@ -40,6 +40,9 @@ class BrickPages {
   /// were set to `changed`.
   void insert(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
 
+  /// The number of the page at this position, which may be new and empty.
+  int add(const Eigen::Vector3i& position);
+
   /// Lays a brick aside: kernels see none in its place. `changed` as with insert.
   void layAside(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
 

@@ -54,8 +54,7 @@ std::optional<StoredPage> BrickMap::copyOfPage(int index) {
   return pages_.page(index).record ? readStored(index) : copyOfPageHere(index);
 }
 
-bool BrickMap::sendAway(int index) {
-  const StoredPage stored = copyOfPageHere(index);
+bool BrickMap::putAway(int index, const StoredPage& stored) {
   Result<BrickStore::Record> record = store_.put(stored.toWords());
   if (!record) {
     failure_ = record.error();
@@ -66,11 +65,28 @@ bool BrickMap::sendAway(int index) {
   BrickPages::Page& page = pages_.page(index);
   page.record = *record;
   page.stored = stored.bricks;
-  page.stored_dormant = static_cast<int>(page.dormant.size());
-  for (const int slot : slotsOfPage(index)) freeBrick(slot);
+  page.stored_dormant = static_cast<int>(stored.dormant.count());
   stored_count_ += static_cast<int>(stored.bricks.count());
+  return true;
+}
+
+bool BrickMap::sendAway(int index) {
+  const std::vector<int> slots = slotsOfPage(index);
+  if (!putAway(index, copyOfPageHere(index))) return false;
+  for (const int slot : slots) freeBrick(slot);
   pages_.takeOut(index);
   return true;
+}
+
+void BrickMap::adopt(const Eigen::Vector3i& position, const StoredPage& stored) {
+  const int page = pages_.add(position);
+  SCANTROVE_CHECK(pages_.page(page).bricksHere() == 0 && !pages_.page(page).record);
+  if (stored.bricks.none()) return;
+  dormant_count_ += static_cast<int>(stored.dormant.count());
+  if (may_store_ && putAway(page, stored)) return;
+  reserve(slotEnd() + static_cast<int>(stored.bricks.count()));
+  putBack(page, stored);
+  updateDevice();
 }
 
 void BrickMap::bringBack(std::span<const int> pages) {
@@ -79,7 +95,10 @@ void BrickMap::bringBack(std::span<const int> pages) {
   if (count == 0) return;
   makeRoom(static_cast<int>(count));
   for (const int page : pages) {
-    if (const std::optional<StoredPage> stored = readStored(page)) restore(page, *stored);
+    const std::optional<StoredPage> stored = readStored(page);
+    if (!stored) continue;
+    forgetStored(page);
+    putBack(page, *stored);
   }
 }
 
@@ -103,8 +122,7 @@ void BrickMap::forgetStored(int index) {
   page.stored_dormant = 0;
 }
 
-void BrickMap::restore(int index, const StoredPage& stored) {
-  forgetStored(index);
+void BrickMap::putBack(int index, const StoredPage& stored) {
   const BrickPages::Page& page = pages_.page(index);
   BrickPages::Cells cells{};
   std::ranges::copy(stored.cells, cells.begin());

@@ -33,16 +33,18 @@ std::vector<std::uint32_t> StoredPage::toWords() const {
   return words;
 }
 
-StoredPage StoredPage::fromWords(std::span<const std::uint32_t> words) {
-  SCANTROVE_CHECK(words.size() >= PAGE_BRICKS);
+std::optional<StoredPage> StoredPage::fromWords(std::span<const std::uint32_t> words) {
+  if (words.size() < PAGE_BRICKS) return std::nullopt;
   StoredPage page;
   for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
     page.cells[i] = static_cast<std::int8_t>(words[i] & kCellBits);
     page.bricks[i] = (words[i] & kIsBrick) != 0;
     page.dormant[i] = (words[i] & kIsDormant) != 0;
+    const bool is_cell = page.cells[i] <= 0 && page.cells[i] >= PAGE_EMPTY_CUBE(PAGE_SHIFT);
+    if (!is_cell || (page.dormant[i] && !page.bricks[i])) return std::nullopt;
   }
   const std::size_t count = page.bricks.count() * BRICK_VOXELS;
-  SCANTROVE_CHECK(words.size() == PAGE_BRICKS + kPools * count);
+  if (words.size() != PAGE_BRICKS + kPools * count) return std::nullopt;
   page.voxels.resize(count);
   page.labels.resize(count);
   page.colors.resize(count);

@@ -2,6 +2,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct StoredPage {
   std::vector<cl_uint> colors;       ///< likewise; color_voxel.h
 
   [[nodiscard]] std::vector<std::uint32_t> toWords() const;
-  /// Of words that toWords made.
-  [[nodiscard]] static StoredPage fromWords(std::span<const std::uint32_t> words);
+  /// Of words that toWords made; none: they are not.
+  [[nodiscard]] static std::optional<StoredPage> fromWords(std::span<const std::uint32_t> words);
 };
 
 }  // namespace scantrove

@@ -121,7 +121,7 @@ class LayerRules {
         "core/labeling/region_map.h",   "core/labeling/kernels/label_voxel.h",
         "core/meshing/surface_mesh.h",  "core/discovery/candidate.h",
         "core/discovery/region_set.h",  "core/catalog/object_record.h",
-        "core/exchange/labeled_point.h"};
+        "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h"};
     const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
     return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
   }
@@ -153,6 +153,11 @@ class LayerRules {
     if (kHeight.at(to_layer) > kHeight.at(layer)) return "dependencies go app -> ui -> core, never back";
     if (layer != "core" || part == to_part || part == "scan" || to_part == "base") return {};
     if (to_part == "scan") return "scan calls the modules, no module knows scan";
+    if (part == "dataset") {
+      return to_part == "capture" || to_part == "exchange" ? ""
+                                                           : "dataset stands on capture and exchange alone";
+    }
+    if (to_part == "dataset" && (part == "capture" || part == "exchange")) return "dataset is above " + part;
     if (part == "base") return "base stands on nothing";
     if (to_part == "compute") return {};
     if (part == "compute") return "compute stands on base alone";

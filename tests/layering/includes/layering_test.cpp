@@ -42,6 +42,23 @@ TEST(LayerRules, ModulesStandInTheirOrder) {
               IsEmpty());
 }
 
+TEST(LayerRules, DataSetsAreMadeOfWhatCameFromFilesAlone) {
+  EXPECT_THAT(LayerRules::broken(
+                  {{"core/dataset/a.cpp",
+                    {"core/capture/pose_files.h", "core/exchange/atomic_file.h", "core/base/result.h"}},
+                   {"core/scan/b.cpp", {"core/dataset/labelled_scan.h"}}}),
+              IsEmpty());
+  for (const char* header :
+       {"core/fusion/brick_map.h", "core/labeling/region_map.h", "core/discovery/candidate.h"}) {
+    EXPECT_THAT(LayerRules::broken({{"core/dataset/a.cpp", {header}}}),
+                ElementsAre(HasSubstr("exchange alone")));
+  }
+  EXPECT_THAT(LayerRules::broken({{"core/dataset/a.cpp", {"core/scan/scan_params.h"}}}),
+              ElementsAre(HasSubstr("no module knows scan")));
+  EXPECT_THAT(LayerRules::broken({{"core/exchange/a.cpp", {"core/dataset/labelled_scan.h"}}}),
+              ElementsAre(HasSubstr("above exchange")));
+}
+
 TEST(LayerRules, ModulesKnowPlainDataOnly) {
   EXPECT_THAT(LayerRules::broken({{"core/labeling/a.cpp", {"core/fusion/raycaster.h"}}}),
               ElementsAre(HasSubstr("not each other's machinery")));

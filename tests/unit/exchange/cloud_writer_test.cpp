@@ -8,6 +8,7 @@
 #include <csignal>
 #include <random>
 
+#include "tests/support/poses.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove {
@@ -51,6 +52,17 @@ TEST(CloudWriter, PcdReadsBackEqual) {
   const std::string header = test::readText(folder / "cloud.pcd").substr(0, 300);
   EXPECT_NE(header.find("FIELDS x y z rgba label\n"), std::string::npos);
   EXPECT_NE(header.find("DATA binary\n"), std::string::npos);
+}
+
+TEST(CloudWriter, PcdTellsWhereItWasSeenFrom) {
+  const TemporaryFolder folder;
+  const Eigen::Isometry3d viewpoint = test::pose(10, -20, 30, 1, -2, 0.5);
+  const auto file = folder.write("cloud.pcd", encodePcd(somePoints(), viewpoint));
+  PclCloud cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(file.string(), cloud), 0);
+  EXPECT_EQ(fromPcl(cloud), somePoints());
+  EXPECT_LT((cloud.sensor_origin_.head<3>().cast<double>() - viewpoint.translation()).norm(), 1e-5);
+  EXPECT_LT((cloud.sensor_orientation_.toRotationMatrix().cast<double>() - viewpoint.linear()).norm(), 1e-5);
 }
 
 TEST(CloudWriter, PlyReadsBackEqual) {

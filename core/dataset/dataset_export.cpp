@@ -1,0 +1,112 @@
+#include "core/dataset/dataset_export.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "core/dataset/dataset_formats.h"
+#include "core/dataset/region_choice.h"
+#include "core/dataset/staged_folder.h"
+
+namespace scantrove {
+namespace {
+
+using WriteFormat = Result<void> (*)(ExportJob&);
+
+/// In the order of the enumeration.
+constexpr std::array<WriteFormat, 9> kWriters{exportCoco,  exportBop,      exportYolo,
+                                              exportMasks, exportPlyCloud, exportPcdCloud,
+                                              exportMesh,  exportTum,      exportScannet};
+
+bool hasImages(DatasetFormat format) { return format <= DatasetFormat::masks; }
+
+Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& options, const StagedFolder& folder,
+                                 const ExportProgressCallback& progress, const std::stop_token& cancel) {
+  ExportJob job(scan, options, folder.path(), progress, cancel);
+  SCANTROVE_TRY(job.step(0, 1, "regions"));
+  SCANTROVE_TRY(job.readRegions());
+  SCANTROVE_TRY(kWriters.at(static_cast<std::size_t>(options.format))(job));
+  SCANTROVE_TRY(job.step(1, 1, "reading back"));
+  SCANTROVE_TRY(job.checkFiles());
+  SCANTROVE_TRY(job.step(1, 1, "done"));
+  return std::move(job.summary());
+}
+
+/// The edge where exceptions of libraries end.
+Result<ExportSummary> exportGuarded(LabelledScan& scan, const ExportOptions& options,
+                                    const StagedFolder& folder, const ExportProgressCallback& progress,
+                                    const std::stop_token& cancel) {
+  try {
+    return exportInto(scan, options, folder, progress, cancel);
+  } catch (const std::bad_alloc&) {
+    return fail("There is not enough memory to export to " + folder.place().string() + ".",
+                "Close other programs, or export key frames only.");
+  } catch (const std::exception& error) {
+    return fail("The export to " + folder.place().string() + " failed: " + error.what() + ".");
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& datasetFormatNames() {
+  static const std::vector<std::string> kNames{"coco", "bop",  "yolo", "masks",  "ply",
+                                               "pcd",  "mesh", "tum",  "scannet"};
+  return kNames;
+}
+
+Result<DatasetFormat> parseDatasetFormat(std::string_view name) {
+  const auto& names = datasetFormatNames();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<DatasetFormat>(found - names.begin());
+  std::string all;
+  for (const std::string& known : names) all += (all.empty() ? "" : ", ") + known;
+  return fail("There is no format called '" + std::string(name) + "'.", "Formats: " + all + ".");
+}
+
+Result<ExportPreview> previewExport(LabelledScan& scan, const ExportOptions& options) {
+  const auto regions = scan.regions();
+  if (!regions) return fail(regions.error());
+  const auto frames = scan.keyFrames(options.all_frames);
+  if (!frames) return fail(frames.error());
+  ExportPreview preview;
+  preview.regions = static_cast<int>(chooseRegions(*regions, options.background).size());
+  double voxels = 0;
+  for (const LabelledRegion& region : *regions) voxels += region.voxels;
+  if (!hasImages(options.format)) {
+    // Bytes for each voxel of a surface (three files with two faces a voxel make a mesh), and for each pose.
+    constexpr double kCloudBytes = 30, kMeshBytes = 300, kPoseBytes = 90;
+    const bool is_cloud = options.format == DatasetFormat::ply || options.format == DatasetFormat::pcd;
+    const double bytes = options.format == DatasetFormat::tum
+                             ? kPoseBytes * static_cast<double>(frames->size())
+                             : voxels * (is_cloud ? kCloudBytes : kMeshBytes);
+    preview.megabytes = bytes / 1e6;
+    return preview;
+  }
+  for (const KeyFrameInfo& frame : *frames) {
+    if (frame.color_file.empty() && options.format != DatasetFormat::masks) continue;
+    ++preview.images;
+    std::error_code ignored;
+    const std::uintmax_t size =
+        frame.color_file.empty() ? 0 : std::filesystem::file_size(frame.color_file, ignored);
+    const double pixels = frame.color_file.empty() ? frame.K_depth.pixels() : frame.K_color.pixels();
+    constexpr double kDepthBytes = 1.2, kMaskBytes = 0.01;  // a pixel, packed
+    preview.megabytes += (ignored ? 0 : static_cast<double>(size)) / 1e6;
+    preview.megabytes += pixels * (options.format == DatasetFormat::bop ? kDepthBytes : kMaskBytes) / 1e6;
+  }
+  return preview;
+}
+
+Result<ExportSummary> exportDataset(LabelledScan& scan, const ExportOptions& options,
+                                    const ExportProgressCallback& progress, const std::stop_token& cancel) {
+  auto folder = StagedFolder::create(options.folder);
+  if (!folder) return fail(folder.error());
+  auto summary = exportGuarded(scan, options, *folder, progress, cancel);
+  if (!summary) return fail(folder->inFinalWords(summary.error()));
+  if (auto committed = folder->commit(); !committed) return fail(folder->inFinalWords(committed.error()));
+  summary->folder = folder->place();
+  return summary;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,51 @@
+#pragma once
+#include "core/base/result.h"
+#include "core/dataset/export_job.h"
+
+namespace scantrove {
+
+// One function, and one file export_<format>.cpp, a format. Each writes its files through the job, reads them
+// back, and fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its
+// source.
+
+/// COCO instances (pycocotools, CVAT, FiftyOne):
+///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes
+///     images/NNNNNN.jpg or .png    as recorded
+/// Categories are classes of regions (classOf), images are numbered from 1; `attributes` of an annotation are
+/// its region, object, name.
+[[nodiscard]] Result<void> exportCoco(ExportJob& job);
+
+/// BOP scenewise (bop_toolkit), millimetres, pixel centres at integers:
+///     000001/rgb depth NNNNNN.*        depth as the colour camera sees it; depth_scale makes it mm
+///     000001/mask mask_visib NNNNNN_MMMMMM.png   MMMMMM: place in the list of scene_gt.json
+///     000001/scene_camera.json scene_gt.json scene_gt_info.json
+///     models/obj_NNNNNN.ply models_info.json     z up, the middle of its box in the origin; obj_id = region
+///     id camera.json labels.json
+/// The whole of an object is its surface in the map and what of it is visible in the image.
+[[nodiscard]] Result<void> exportBop(ExportJob& job);
+
+/// Ultralytics segments:
+///     data.yaml   images/train images/val   labels/train labels/val
+/// The last fifth of the frames (from five on) is for validation: neighbours in time show the same.
+[[nodiscard]] Result<void> exportYolo(ExportJob& job);
+
+/// labels.json and masks/NNNNNN.png: 16 bits, region ids, 0 = none of those that count; beside them color/ as
+/// recorded. Ids above 65535 are numbered anew; labels.json is by the number in the masks.
+[[nodiscard]] Result<void> exportMasks(ExportJob& job);
+
+/// cloud.ply (positions, normals, colours of the scene, label) and labels.json.
+[[nodiscard]] Result<void> exportPlyCloud(ExportJob& job);
+/// cloud.pcd (PointXYZRGBL, VIEWPOINT = the first camera) and labels.json.
+[[nodiscard]] Result<void> exportPcdCloud(ExportJob& job);
+
+/// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up.
+[[nodiscard]] Result<void> exportMesh(ExportJob& job);
+
+/// trajectory.txt.
+[[nodiscard]] Result<void> exportTum(ExportJob& job);
+
+/// As a scene of ScanNet: NAME_vh_clean_2.ply (z up), NAME_vh_clean_2.0.010000.segs.json (a segment a
+/// region), NAME.aggregation.json (regions that count), NAME.txt (axisAlignment: identity).
+[[nodiscard]] Result<void> exportScannet(ExportJob& job);
+
+}  // namespace scantrove

@@ -1,0 +1,177 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "core/dataset/bop_model.h"
+#include "core/dataset/dataset_formats.h"
+#include "core/dataset/image_bytes.h"
+#include "core/dataset/key_frame_images.h"
+#include "core/dataset/mesh_parts.h"
+#include "core/dataset/ply_file.h"
+#include "core/dataset/region_choice.h"
+#include "core/dataset/region_masks.h"
+#include "core/dataset/up_direction.h"
+#include "core/exchange/gray_png.h"
+
+namespace scantrove {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1000;
+const std::string kSceneFolder = "000001/";
+
+ExportJson rowByRow(const Eigen::Matrix3d& matrix) {
+  ExportJson list = ExportJson::array();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) list.push_back(matrix(row, column));
+  }
+  return list;
+}
+
+ExportJson millimetresOf(const Eigen::Vector3d& v) {
+  return {v.x() * kMillimetresPerMetre, v.y() * kMillimetresPerMetre, v.z() * kMillimetresPerMetre};
+}
+
+ExportJson boxAsList(const cv::Rect& box) {
+  if (box.empty()) return {-1, -1, -1, -1};  // as bop_toolkit marks "nothing"
+  return {box.x, box.y, box.width, box.height};
+}
+
+ExportJson cameraMatrix(const Intrinsics& K) { return {K.fx, 0.0, K.cx, 0.0, K.fy, K.cy, 0.0, 0.0, 1.0}; }
+
+/// CV_16UC1 in units of `metres_per_unit`; what does not fit is no reading.
+cv::Mat toUnits(const cv::Mat& depth_m, float metres_per_unit) {
+  cv::Mat units = cv::Mat::zeros(depth_m.size(), CV_16UC1);
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const float value = std::round(depth_m.at<float>(y, x) / metres_per_unit);
+      if (value > 0 && value < 65535) units.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(value);
+    }
+  }
+  return units;
+}
+
+/// The scene in the making.
+class BopScene {
+ public:
+  explicit BopScene(ExportJob& job) : job_(job) {}
+
+  Result<void> writeModels() {
+    const auto mesh = job_.scan().mesh();
+    if (!mesh) return fail(mesh.error());
+    SCANTROVE_TRY(checkMesh(*mesh));
+    const auto frames = job_.scan().keyFrames(false);
+    if (!frames) return fail(frames.error());
+    models_ = bopModelsOf(*mesh, job_.chosen(), upDirection(*frames, *mesh));
+    ExportJson infos = ExportJson::object();
+    for (const auto& [region, model] : models_) {
+      const LabelledMesh mesh_mm = model.meshInMillimetres();
+      const std::string name = fmt::format("models/obj_{:06}.ply", region);
+      const std::string bytes = encodePly(mesh_mm, {.label = false}, "millimetres, z up");
+      SCANTROVE_TRY(job_.write(name, bytes));
+      SCANTROVE_TRY(job_.checkSame(name, bytes));
+      infos[std::to_string(region)] = bopModelInfo(mesh_mm);
+      job_.summary().points += mesh_mm.vertices.size();
+      job_.summary().faces += mesh_mm.faces.size();
+    }
+    return writeJson("models/models_info.json", infos);
+  }
+
+  Result<void> add(const LabelledImage& image) {
+    const std::string key = std::to_string(image.frame.index);
+    const cv::Mat depth = toUnits(image.depth_m, image.frame.metres_per_unit);
+    SCANTROVE_TRY(job_.write(kSceneFolder + "rgb/" + image.image_name, image.image_bytes));
+    SCANTROVE_TRY(job_.write(kSceneFolder + "depth/" + image.stem + ".png", encodeGrayPng(depth)));
+    describeCamera(image, key);
+    poses_[key] = ExportJson::array();
+    infos_[key] = ExportJson::array();
+    for (const auto& [region, model] : models_) SCANTROVE_TRY(addObject(image, key, depth, region, model));
+    return {};
+  }
+
+  Result<void> finish() {
+    SCANTROVE_TRY(writeJson(kSceneFolder + "scene_camera.json", cameras_));
+    SCANTROVE_TRY(writeJson(kSceneFolder + "scene_gt.json", poses_));
+    SCANTROVE_TRY(writeJson(kSceneFolder + "scene_gt_info.json", infos_));
+    SCANTROVE_TRY(writeJson("camera.json", camera_));
+    SCANTROVE_TRY(writeJson("labels.json", legendOf(job_.chosen())));
+    if (last_mask_name_.empty()) return {};
+    const auto bytes = job_.readBack(last_mask_name_);
+    if (!bytes) return fail(bytes.error());
+    return isSameImage(decodePng(*bytes), last_mask_)
+               ? Result<void>()
+               : job_.readBackFailure(last_mask_name_, "a mask differs");
+  }
+
+ private:
+  Result<void> writeJson(const std::string& name, const ExportJson& json) {
+    SCANTROVE_TRY(job_.write(name, jsonByLines(json)));
+    return job_.checkJson(name, json);
+  }
+
+  void describeCamera(const LabelledImage& image, const std::string& key) {
+    const Eigen::Isometry3d T_camera_world = image.T_world_camera.inverse();
+    const double scale = std::round(image.frame.metres_per_unit * kMillimetresPerMetre * 1e6) / 1e6;
+    cameras_[key] = {{"cam_K", cameraMatrix(image.K)},
+                     {"depth_scale", scale},
+                     {"cam_R_w2c", rowByRow(T_camera_world.linear())},
+                     {"cam_t_w2c", millimetresOf(T_camera_world.translation())}};
+    camera_ = {{"cx", image.K.cx}, {"cy", image.K.cy},         {"depth_scale", scale},  {"fx", image.K.fx},
+               {"fy", image.K.fy}, {"height", image.K.height}, {"width", image.K.width}};
+  }
+
+  Result<void> addObject(const LabelledImage& image, const std::string& key, const cv::Mat& depth,
+                         std::uint32_t region, const BopModel& model) {
+    const Silhouette whole = silhouetteOf(model.mesh_world, image.K, image.T_world_camera);
+    const cv::Mat visible = image.maskOf(region);
+    const cv::Mat rendered = whole.mask(visible.size());
+    cv::Mat mask;
+    cv::bitwise_or(rendered, visible, mask);  // the image knows the outline better than the map
+    const int inside = cv::countNonZero(mask);
+    if (inside == 0) return {};
+    const std::string file = fmt::format("/{}_{:06}.png", image.stem, poses_[key].size());
+    SCANTROVE_TRY(job_.write(kSceneFolder + "mask" + file, encodeMaskPng(mask)));
+    SCANTROVE_TRY(job_.write(kSceneFolder + "mask_visib" + file, encodeMaskPng(visible)));
+    last_mask_name_ = kSceneFolder + "mask_visib" + file;
+    last_mask_ = visible;
+    ++job_.summary().annotations;
+
+    const Eigen::Isometry3d T_camera_model = image.T_world_camera.inverse() * model.T_world_model;
+    poses_[key].push_back({{"cam_R_m2c", rowByRow(T_camera_model.linear())},
+                           {"cam_t_m2c", millimetresOf(T_camera_model.translation())},
+                           {"obj_id", region}});
+    const int all = inside + whole.pixels - cv::countNonZero(rendered);
+    const int seen = cv::countNonZero(visible);
+    cv::Mat valid;
+    cv::bitwise_and(mask, depth > 0, valid);
+    const cv::Rect box = whole.tightBox() | boxOf(visible);
+    infos_[key].push_back({{"bbox_obj", boxAsList(box)},
+                           {"bbox_visib", boxAsList(boxOf(visible))},
+                           {"px_count_all", all},
+                           {"px_count_valid", cv::countNonZero(valid)},
+                           {"px_count_visib", seen},
+                           {"visib_fract", static_cast<double>(seen) / all}});
+    return {};
+  }
+
+  ExportJob& job_;
+  std::map<std::uint32_t, BopModel> models_;
+  ExportJson cameras_ = ExportJson::object(), poses_ = ExportJson::object(), infos_ = ExportJson::object();
+  ExportJson camera_ = ExportJson::object();
+  std::string last_mask_name_;
+  cv::Mat last_mask_;
+};
+
+}  // namespace
+
+Result<void> exportBop(ExportJob& job) {
+  SCANTROVE_TRY(job.needRegions());
+  BopScene scene(job);
+  SCANTROVE_TRY(scene.writeModels());
+  SCANTROVE_TRY(
+      forEachLabelledImage(job, true, [&](const LabelledImage& image) { return scene.add(image); }));
+  return scene.finish();
+}
+
+}  // namespace scantrove

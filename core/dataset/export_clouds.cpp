@@ -1,0 +1,61 @@
+#include "core/dataset/dataset_formats.h"
+#include "core/dataset/ply_file.h"
+#include "core/dataset/region_choice.h"
+#include "core/exchange/cloud_writer.h"
+
+namespace scantrove {
+namespace {
+
+Result<LabelledMesh> readCloud(ExportJob& job) {
+  SCANTROVE_TRY(job.step(0, 2, "cloud"));
+  LabelledMesh cloud;
+  SCANTROVE_TRY(job.scan().forEachPoint([&](const SurfacePoint& point) {
+    if (point.position_world_m.allFinite()) cloud.vertices.push_back(point);
+  }));
+  job.summary().points = cloud.vertices.size();
+  SCANTROVE_TRY(job.step(1, 2, "cloud"));
+  return cloud;
+}
+
+Result<void> writeLegend(ExportJob& job) {
+  const ExportJson legend = legendOf(job.allRegions());
+  SCANTROVE_TRY(job.write("labels.json", jsonByLines(legend)));
+  return job.checkJson("labels.json", legend);
+}
+
+/// Where the recording began; the world's origin if nothing was tracked.
+Result<Eigen::Isometry3d> firstCamera(ExportJob& job) {
+  const auto trajectory = job.scan().trajectory();
+  if (!trajectory) return fail(trajectory.error());
+  return trajectory->empty() ? Eigen::Isometry3d::Identity() : trajectory->front().T_world_camera;
+}
+
+}  // namespace
+
+Result<void> exportPlyCloud(ExportJob& job) {
+  const auto cloud = readCloud(job);
+  if (!cloud) return fail(cloud.error());
+  const std::string bytes = encodePly(*cloud, {.faces = false}, "labelled cloud: metres, label = region id");
+  SCANTROVE_TRY(job.write("cloud.ply", bytes));
+  SCANTROVE_TRY(job.checkSame("cloud.ply", bytes));
+  return writeLegend(job);
+}
+
+Result<void> exportPcdCloud(ExportJob& job) {
+  const auto cloud = readCloud(job);
+  if (!cloud) return fail(cloud.error());
+  const auto viewpoint = firstCamera(job);
+  if (!viewpoint) return fail(viewpoint.error());
+  std::vector<LabeledPoint> points;
+  points.reserve(cloud->vertices.size());
+  for (const SurfacePoint& p : cloud->vertices) {
+    points.push_back({p.position_world_m.x(), p.position_world_m.y(), p.position_world_m.z(), p.rgb[0],
+                      p.rgb[1], p.rgb[2], p.region});
+  }
+  const std::string bytes = encodePcd(points, *viewpoint);
+  SCANTROVE_TRY(job.write("cloud.pcd", bytes));
+  SCANTROVE_TRY(job.checkSame("cloud.pcd", bytes));
+  return writeLegend(job);
+}
+
+}  // namespace scantrove

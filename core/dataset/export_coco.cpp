@@ -1,0 +1,113 @@
+#include <chrono>
+#include <ctime>
+#include <opencv2/core.hpp>
+
+#include "core/dataset/coco_rle.h"
+#include "core/dataset/dataset_formats.h"
+#include "core/dataset/key_frame_images.h"
+#include "core/dataset/region_choice.h"
+#include "core/dataset/region_masks.h"
+
+namespace scantrove {
+namespace {
+
+constexpr const char* kInstancesFile = "annotations/instances.json";
+
+std::string dateNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+/// The file in the making.
+class CocoInstances {
+ public:
+  explicit CocoInstances(ExportJob& job) : job_(job), classes_(classesOf(job.chosen())) {
+    for (std::size_t i = 0; i < classes_.size(); ++i) {
+      categories_.push_back({{"id", i + 1}, {"name", classes_[i]}, {"supercategory", ""}});
+    }
+  }
+
+  Result<void> add(const LabelledImage& image) {
+    SCANTROVE_TRY(job_.write("images/" + image.image_name, image.image_bytes));
+    const std::size_t number = images_.size() + 1;
+    images_.push_back({{"id", number},
+                       {"file_name", image.image_name},
+                       {"width", image.K.width},
+                       {"height", image.K.height},
+                       {"frame", image.frame.index},
+                       {"timestamp_s", image.frame.timestamp_s}});
+    for (const LabelledRegion& region : job_.chosen()) {
+      const cv::Mat mask = image.maskOf(region.id);
+      const cv::Rect box = boxOf(mask);
+      if (!box.empty()) annotate(region, number, mask, box);
+    }
+    return {};
+  }
+
+  Result<void> finish() {
+    const ExportJson file = {{"info",
+                              {{"description", "Scantrove: " + validUtf8(job_.scan().name())},
+                               {"version", "1.0"},
+                               {"date_created", dateNow()}}},
+                             {"licenses", ExportJson::array()},
+                             {"images", images_},
+                             {"annotations", annotations_},
+                             {"categories", categories_}};
+    SCANTROVE_TRY(job_.write(kInstancesFile, jsonText(file, -1)));
+    job_.summary().annotations = static_cast<int>(annotations_.size());
+    SCANTROVE_TRY(job_.checkJson(kInstancesFile, file));
+    return checkOneMask();
+  }
+
+ private:
+  void annotate(const LabelledRegion& region, std::size_t image, const cv::Mat& mask, const cv::Rect& box) {
+    const std::string class_name = classOf(region);
+    annotations_.push_back(
+        {{"id", annotations_.size() + 1},
+         {"image_id", image},
+         {"category_id", classIndex(classes_, class_name) + 1},
+         {"segmentation", {{"size", {mask.rows, mask.cols}}, {"counts", encodeRuns(runsOf(mask))}}},
+         {"area", cv::countNonZero(mask)},
+         {"bbox", {box.x, box.y, box.width, box.height}},
+         {"iscrowd", 0},
+         {"attributes",
+          {{"region", region.id},
+           {"object", region.object ? ExportJson(*region.object) : ExportJson(nullptr)},
+           {"name", displayName(region)}}}});
+    last_mask_ = mask;
+  }
+
+  /// The last annotation's: what comes last in a file is what gets lost.
+  [[nodiscard]] Result<void> checkOneMask() const {
+    if (annotations_.empty()) return {};
+    const auto bytes = job_.readBack(kInstancesFile);
+    if (!bytes) return fail(bytes.error());
+    const ExportJson file = ExportJson::parse(*bytes);
+    const std::string counts = file["annotations"].back()["segmentation"]["counts"];
+    const auto mask = decodeRuns(counts, last_mask_.size());
+    if (!mask || cv::countNonZero(*mask != last_mask_) > 0)
+      return job_.readBackFailure(kInstancesFile, "a mask differs");
+    return {};
+  }
+
+  ExportJob& job_;
+  std::vector<std::string> classes_;
+  ExportJson images_ = ExportJson::array(), annotations_ = ExportJson::array(),
+             categories_ = ExportJson::array();
+  cv::Mat last_mask_;
+};
+
+}  // namespace
+
+Result<void> exportCoco(ExportJob& job) {
+  SCANTROVE_TRY(job.needRegions());
+  CocoInstances instances(job);
+  SCANTROVE_TRY(
+      forEachLabelledImage(job, true, [&](const LabelledImage& image) { return instances.add(image); }));
+  return instances.finish();
+}
+
+}  // namespace scantrove

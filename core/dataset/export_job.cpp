@@ -1,0 +1,111 @@
+#include "core/dataset/export_job.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "core/base/regular_file.h"
+#include "core/dataset/region_choice.h"
+#include "core/exchange/atomic_file.h"
+
+namespace scantrove {
+
+namespace fs = std::filesystem;
+
+ExportJob::ExportJob(LabelledScan& scan, const ExportOptions& options, fs::path folder,
+                     const ExportProgressCallback& progress, const std::stop_token& cancel)
+    : scan_(scan), options_(options), folder_(std::move(folder)), progress_(progress), cancel_(cancel) {}
+
+Result<void> ExportJob::readRegions() {
+  SCANTROVE_TRY(moveInto(all_, scan_.regions()));
+  std::sort(all_.begin(), all_.end(),
+            [](const LabelledRegion& a, const LabelledRegion& b) { return a.id < b.id; });
+  chosen_ = chooseRegions(all_, options_.background);
+  summary_.regions = static_cast<int>(chosen_.size());
+  return {};
+}
+
+Result<void> ExportJob::needRegions() const {
+  if (!chosen_.empty()) return {};
+  return fail(
+      "No region of the scan " + scan_.name() + " has a name or is an object: there is nothing to export.",
+      options_.background ? "Give one a name first." : "Give one a name first, or export with --background.");
+}
+
+Result<void> ExportJob::step(int done, int total, const std::string& what) const {
+  if (cancel_.stop_requested()) return fail("The export was cancelled; nothing was written.");
+  if (progress_) progress_({done, total, what});
+  return {};
+}
+
+Result<void> ExportJob::write(const fs::path& name, std::string_view bytes) {
+  const fs::path path = pathOf(name);
+  std::error_code failure;
+  fs::create_directories(path.parent_path(), failure);
+  if (failure) {
+    return fail("Cannot create the folder " + path.parent_path().string() + ": " + failure.message() + ".",
+                "Check that it can be written to and that the disk is not full.");
+  }
+  SCANTROVE_TRY(writeFileAtomically(path, bytes, Durability::process));
+  written_[name] = bytes.size();
+  summary_.bytes += bytes.size();
+  return {};
+}
+
+Result<void> ExportJob::noteWritten(const fs::path& name) {
+  std::error_code failure;
+  const std::uintmax_t size = fs::file_size(pathOf(name), failure);
+  if (failure) return readBackFailure(name, failure.message());
+  written_[name] = size;
+  summary_.bytes += size;
+  return {};
+}
+
+tl::unexpected<Error> ExportJob::readBackFailure(const fs::path& name, const std::string& why) const {
+  return fail("What was written to " + pathOf(name).string() + " does not read back: " + why + ".",
+              "Check the disk, and export again or to another one.");
+}
+
+Result<std::string> ExportJob::readBack(const fs::path& name) const {
+  auto bytes = readFile(pathOf(name));
+  if (!bytes) return readBackFailure(name, bytes.error().what);
+  const auto written = written_.find(name);
+  if (written == written_.end() || written->second != bytes->size())
+    return readBackFailure(name, "its length differs");
+  return bytes;
+}
+
+Result<void> ExportJob::checkSame(const fs::path& name, std::string_view bytes) const {
+  const auto found = readBack(name);
+  if (!found) return fail(found.error());
+  return *found == bytes ? Result<void>() : readBackFailure(name, "its content differs");
+}
+
+Result<void> ExportJob::checkJson(const fs::path& name, const ExportJson& written) const {
+  const auto found = readBack(name);
+  if (!found) return fail(found.error());
+  const ExportJson parsed = ExportJson::parse(*found, nullptr, false);
+  if (parsed.is_discarded()) return readBackFailure(name, "it is no JSON");
+  // As text: names that were no UTF-8 have been made it while writing.
+  return jsonText(parsed) == jsonText(written) ? Result<void>()
+                                               : readBackFailure(name, "its content differs");
+}
+
+Result<void> ExportJob::checkFiles() const {
+  std::error_code failure;
+  std::size_t found = 0;
+  for (fs::recursive_directory_iterator entry(folder_, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (entry->is_directory()) continue;
+    const fs::path name = entry->path().lexically_relative(folder_);
+    const auto written = written_.find(name);
+    if (written == written_.end()) return readBackFailure(name, "nobody wrote it");
+    if (entry->file_size() != written->second) return readBackFailure(name, "its length differs");
+    ++found;
+  }
+  if (failure) return readBackFailure({}, failure.message());
+  if (found != written_.size()) return readBackFailure({}, "files are missing");
+  return {};
+}
+
+}  // namespace scantrove

@@ -1,0 +1,67 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/dataset/dataset_export.h"
+#include "core/dataset/export_text.h"
+#include "core/dataset/labelled_scan.h"
+
+namespace scantrove {
+
+/// One export on its way: what a format needs to write its files into the staged folder. One thread.
+class ExportJob {
+ public:
+  /// `folder` is where to write; `progress` and `cancel` outlive the job.
+  ExportJob(LabelledScan& scan, const ExportOptions& options, std::filesystem::path folder,
+            const ExportProgressCallback& progress, const std::stop_token& cancel);
+
+  /// Reads the regions and chooses those that count. Error: the scan's.
+  [[nodiscard]] Result<void> readRegions();
+  /// Error: none counts; says how one does.
+  [[nodiscard]] Result<void> needRegions() const;
+
+  [[nodiscard]] LabelledScan& scan() { return scan_; }
+  [[nodiscard]] const ExportOptions& options() const { return options_; }
+  [[nodiscard]] const std::vector<LabelledRegion>& allRegions() const { return all_; }
+  [[nodiscard]] const std::vector<LabelledRegion>& chosen() const { return chosen_; }
+  [[nodiscard]] ExportSummary& summary() { return summary_; }
+
+  /// Tells how far the export is. Error: it was cancelled.
+  [[nodiscard]] Result<void> step(int done, int total, const std::string& what) const;
+
+  /// Writes the file `name` ("images/000012.jpg") with its folders. Error: names it and the system's reason.
+  [[nodiscard]] Result<void> write(const std::filesystem::path& name, std::string_view bytes);
+  /// For files that somebody else wrote into the folder.
+  [[nodiscard]] Result<void> noteWritten(const std::filesystem::path& name);
+  [[nodiscard]] std::filesystem::path pathOf(const std::filesystem::path& name) const {
+    return folder_ / name;
+  }
+
+  /// Reads a file again. Error: it is not as it was written.
+  [[nodiscard]] Result<std::string> readBack(const std::filesystem::path& name) const;
+  [[nodiscard]] Result<void> checkSame(const std::filesystem::path& name, std::string_view bytes) const;
+  [[nodiscard]] Result<void> checkJson(const std::filesystem::path& name, const ExportJson& written) const;
+  /// Every file is there, as long as it was written, and nothing else is.
+  [[nodiscard]] Result<void> checkFiles() const;
+  /// What all of these say when something came back different.
+  [[nodiscard]] tl::unexpected<Error> readBackFailure(const std::filesystem::path& name,
+                                                      const std::string& why) const;
+
+ private:
+  LabelledScan& scan_;
+  ExportOptions options_;
+  std::filesystem::path folder_;
+  const ExportProgressCallback& progress_;
+  const std::stop_token& cancel_;
+  std::vector<LabelledRegion> all_, chosen_;
+  std::map<std::filesystem::path, std::uintmax_t> written_;  // bytes, by name
+  ExportSummary summary_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,70 @@
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+
+#include "core/dataset/dataset_formats.h"
+#include "core/dataset/image_bytes.h"
+#include "core/dataset/key_frame_images.h"
+#include "core/dataset/region_choice.h"
+#include "core/exchange/gray_png.h"
+
+namespace scantrove {
+namespace {
+
+using MaskNumbers = std::unordered_map<std::uint32_t, std::uint16_t>;
+
+/// Region ids where 16 bits hold them, else 1, 2, ... Error: more regions than numbers.
+Result<MaskNumbers> numberRegions(const std::vector<LabelledRegion>& regions) {
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
+  if (regions.size() > kMost) {
+    return fail(std::to_string(regions.size()) + " regions do not fit into masks of 16 bits.",
+                "Export coco instead, or without --background.");
+  }
+  const bool fit = regions.empty() || regions.back().id <= kMost;  // by id
+  MaskNumbers numbers;
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    numbers[regions[i].id] = static_cast<std::uint16_t>(fit ? regions[i].id : i + 1);
+  return numbers;
+}
+
+cv::Mat numberedMask(const cv::Mat& regions, const MaskNumbers& numbers) {
+  cv::Mat mask = cv::Mat::zeros(regions.size(), CV_16UC1);
+  for (int y = 0; y < regions.rows; ++y) {
+    for (int x = 0; x < regions.cols; ++x) {
+      const int region = regions.at<int>(y, x);
+      if (region != 0) mask.at<std::uint16_t>(y, x) = numbers.at(static_cast<std::uint32_t>(region));
+    }
+  }
+  return mask;
+}
+
+}  // namespace
+
+Result<void> exportMasks(ExportJob& job) {
+  SCANTROVE_TRY(job.needRegions());
+  const auto numbers = numberRegions(job.chosen());
+  if (!numbers) return fail(numbers.error());
+  std::string last_name;
+  cv::Mat last_mask;
+  const auto writeOne = [&](const LabelledImage& image) -> Result<void> {
+    last_name = "masks/" + image.stem + ".png";
+    last_mask = numberedMask(image.regions, *numbers);
+    if (!image.image_name.empty()) SCANTROVE_TRY(job.write("color/" + image.image_name, image.image_bytes));
+    job.summary().annotations += static_cast<int>(visibleRegions(image.regions).size());
+    return job.write(last_name, encodeGrayPng(last_mask));
+  };
+  SCANTROVE_TRY(forEachLabelledImage(job, false, writeOne));
+  ;
+  const ExportJson legend = legendOf(job.chosen());
+  ExportJson labels = ExportJson::object();
+  for (const auto& [id, entry] : legend.items())
+    labels[std::to_string(numbers->at(entry.at("region").get<std::uint32_t>()))] = entry;
+  SCANTROVE_TRY(job.write("labels.json", jsonByLines(labels)));
+  SCANTROVE_TRY(job.checkJson("labels.json", labels));
+  const auto bytes = job.readBack(last_name);
+  if (!bytes) return fail(bytes.error());
+  return isSameImage(decodePng(*bytes), last_mask) ? Result<void>()
+                                                   : job.readBackFailure(last_name, "a mask differs");
+}
+
+}  // namespace scantrove

@@ -1,0 +1,23 @@
+#include "core/capture/pose_files.h"
+#include "core/dataset/dataset_formats.h"
+#include "core/exchange/trajectory_writer.h"
+
+namespace scantrove {
+
+Result<void> exportTum(ExportJob& job) {
+  constexpr const char* kFile = "trajectory.txt";
+  const auto trajectory = job.scan().trajectory();
+  if (!trajectory) return fail(trajectory.error());
+  if (trajectory->empty())
+    return fail("The scan " + job.scan().name() +
+                " has no tracked frames: there is no trajectory to export.");
+  SCANTROVE_TRY(writeTumTrajectory(job.pathOf(kFile), *trajectory));
+  SCANTROVE_TRY(job.noteWritten(kFile));
+  const auto found = readTumTrajectory(job.pathOf(kFile));
+  if (!found) return job.readBackFailure(kFile, found.error().what);
+  if (found->size() != trajectory->size()) return job.readBackFailure(kFile, "poses are missing");
+  job.summary().points = trajectory->size();
+  return {};
+}
+
+}  // namespace scantrove

@@ -1,0 +1,134 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <iterator>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/dataset/dataset_formats.h"
+#include "core/dataset/key_frame_images.h"
+#include "core/dataset/mask_outline.h"
+#include "core/dataset/region_choice.h"
+
+namespace scantrove {
+namespace {
+
+/// A corner lies in the pixel that it names whether a program cuts off or rounds.
+constexpr double kWithinPixel = 0.25;
+constexpr int kLeastForValidation = 5;
+
+/// One line a region: its class, then x and y of the corners as parts of the image's size.
+std::string yoloLine(int class_index, const std::vector<cv::Point>& outline, const cv::Size& size) {
+  std::string line = std::to_string(class_index);
+  for (const cv::Point& point : outline) {
+    fmt::format_to(std::back_inserter(line), " {:.6f} {:.6f}", (point.x + kWithinPixel) / size.width,
+                   (point.y + kWithinPixel) / size.height);
+  }
+  return line + "\n";
+}
+
+/// The mask that a line means. Empty if it is none.
+cv::Mat maskOfLine(std::string_view line, const cv::Size& size) {
+  const auto numbers = parseNumbers(line);
+  cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
+  if (!numbers || numbers->size() < 7 || numbers->size() % 2 != 1) return {};
+  std::vector<cv::Point> outline;
+  for (std::size_t i = 1; i < numbers->size(); i += 2) {
+    outline.emplace_back(static_cast<int>((*numbers)[i] * size.width),
+                         static_cast<int>((*numbers)[i + 1] * size.height));
+  }
+  cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{outline}, 255);
+  return mask;
+}
+
+/// The data set in the making.
+class YoloSegments {
+ public:
+  explicit YoloSegments(ExportJob& job) : job_(job), classes_(classesOf(job.chosen())) {}
+
+  Result<void> chooseValidation() {
+    const auto frames = job_.scan().keyFrames(job_.options().all_frames);
+    if (!frames) return fail(frames.error());
+    std::vector<int> usable;
+    for (const KeyFrameInfo& frame : *frames) {
+      if (!frame.color_file.empty()) usable.push_back(frame.index);
+    }
+    const auto training =
+        usable.size() < kLeastForValidation ? usable.size() : usable.size() - usable.size() / 5;
+    training_.insert(usable.begin(), usable.begin() + static_cast<std::ptrdiff_t>(training));
+    has_validation_ = training < usable.size();
+    return {};
+  }
+
+  Result<void> add(const LabelledImage& image) {
+    const std::string part = training_.contains(image.frame.index) ? "train/" : "val/";
+    SCANTROVE_TRY(job_.write("images/" + part + image.image_name, image.image_bytes));
+    std::string lines;
+    for (const LabelledRegion& region : job_.chosen()) {
+      const cv::Mat mask = image.maskOf(region.id);
+      const auto outline = outlineOf(mask);
+      if (outline.empty()) continue;
+      const std::string line = yoloLine(classIndex(classes_, classOf(region)), outline, mask.size());
+      lines += line;
+      ++job_.summary().annotations;
+      last_outline_ = outline;
+      last_size_ = mask.size();
+      last_name_ = "labels/" + part + image.stem + ".txt";
+    }
+    const std::string name = "labels/" + part + image.stem + ".txt";
+    SCANTROVE_TRY(job_.write(name, lines));
+    return job_.checkSame(name, lines);
+  }
+
+  Result<void> finish() {
+    std::string yaml = "# " + onOneLine("Scantrove: " + job_.scan().name()) +
+                       "\ntrain: images/train\nval: images/" +
+                       (has_validation_ ? "val" : "train  # too few images for others") + "\nnames:\n";
+    for (std::size_t i = 0; i < classes_.size(); ++i)
+      yaml += "  " + std::to_string(i) + ": " + yamlQuoted(classes_[i]) + "\n";
+    SCANTROVE_TRY(job_.write("data.yaml", yaml));
+    SCANTROVE_TRY(job_.checkSame("data.yaml", yaml));
+    SCANTROVE_TRY(job_.write("labels.json", jsonByLines(legendOf(job_.chosen()))));
+    return checkOneOutline();
+  }
+
+ private:
+  [[nodiscard]] Result<void> checkOneOutline() const {
+    if (last_outline_.empty()) return {};
+    const auto bytes = job_.readBack(last_name_);
+    if (!bytes) return fail(bytes.error());
+    const auto lines = splitLines(*bytes);
+    cv::Mat drawn = cv::Mat::zeros(last_size_, CV_8UC1);
+    cv::fillPoly(drawn, std::vector<std::vector<cv::Point>>{last_outline_}, 255);
+    std::string_view last;
+    for (const std::string_view line : lines) last = line.empty() ? last : line;
+    const cv::Mat mask = maskOfLine(last, last_size_);
+    if (mask.empty() || cv::countNonZero(mask != drawn) > 0)
+      return job_.readBackFailure(last_name_, "an outline differs");
+    return {};
+  }
+
+  ExportJob& job_;
+  std::vector<std::string> classes_;
+  std::set<int> training_;
+  bool has_validation_ = false;
+  std::vector<cv::Point> last_outline_;
+  cv::Size last_size_;
+  std::string last_name_;
+};
+
+}  // namespace
+
+Result<void> exportYolo(ExportJob& job) {
+  SCANTROVE_TRY(job.needRegions());
+  YoloSegments segments(job);
+  SCANTROVE_TRY(segments.chooseValidation());
+  SCANTROVE_TRY(
+      forEachLabelledImage(job, true, [&](const LabelledImage& image) { return segments.add(image); }));
+  return segments.finish();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,198 @@
+#include "core/dataset/glb_file.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/dataset/mesh_parts.h"
+
+namespace scantrove {
+namespace {
+
+// Khronos glTF 2.0 specification, sections 3.6 (buffers, accessors), 3.7 (meshes) and 4 (GLB).
+constexpr std::uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2, kJsonChunk = 0x4E4F534A,
+                        kBinaryChunk = 0x004E4942;
+constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
+constexpr int kVertexTarget = 34962, kIndexTarget = 34963;
+constexpr std::size_t kGlbHeaderBytes = 12, kChunkHeaderBytes = 8;
+static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::uint32_t wordAt(const std::string& bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, sizeof word);
+  return word;
+}
+
+/// sRGB of 8 bits to linear of 16 (IEC 61966-2-1).
+std::uint16_t linearColor(std::uint8_t value) {
+  static const std::array<std::uint16_t, 256> kTable = [] {
+    std::array<std::uint16_t, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const double c = static_cast<double>(i) / 255;
+      const double linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+      table[i] = static_cast<std::uint16_t>(std::lround(65535 * linear));
+    }
+    return table;
+  }();
+  return kTable[value];
+}
+
+/// A file in the making: its tables, and the buffer that they speak of.
+class GlbBuilder {
+ public:
+  GlbBuilder() {
+    json_["asset"] = {{"version", "2.0"}, {"generator", "Scantrove"}};
+    json_["scene"] = 0;
+    json_["scenes"] = ExportJson::array({{{"nodes", ExportJson::array()}}});
+    for (const char* table : {"nodes", "meshes"}) json_[table] = ExportJson::array();
+    json_["materials"] =
+        ExportJson::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}},
+                            {"doubleSided", true}}});
+    for (const char* table : {"accessors", "bufferViews"}) json_[table] = ExportJson::array();
+  }
+
+  void add(const GlbPart& part) {
+    if (part.mesh.faces.empty()) return;  // glTF has no empty meshes
+    const int positions = addPositions(part.mesh), normals = addNormals(part.mesh),
+              colors = addColors(part.mesh), indices = addIndices(part.mesh);
+    const ExportJson primitive = {
+        {"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"COLOR_0", colors}}},
+        {"indices", indices},
+        {"material", 0}};
+    const std::size_t number = json_["meshes"].size();
+    json_["meshes"].push_back({{"name", part.name}, {"primitives", ExportJson::array({primitive})}});
+    ExportJson node = {{"name", part.name}, {"mesh", number}};
+    if (!part.extras.is_null()) node["extras"] = part.extras;
+    json_["nodes"].push_back(std::move(node));
+    json_["scenes"][0]["nodes"].push_back(number);
+  }
+
+  Result<std::string> finish() {
+    if (binary_.empty()) {  // empty tables are not allowed
+      for (const char* table : {"nodes", "meshes", "accessors", "bufferViews", "materials"})
+        json_.erase(table);
+      json_["scenes"][0].erase("nodes");
+    } else {
+      json_["buffers"] = ExportJson::array({{{"byteLength", binary_.size()}}});
+    }
+    std::string json = json_.dump(-1, ' ', false, ExportJson::error_handler_t::replace);
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::size_t total = kGlbHeaderBytes + kChunkHeaderBytes + json.size() +
+                              (binary_.empty() ? 0 : kChunkHeaderBytes + binary_.size());
+    if (total > std::numeric_limits<std::uint32_t>::max()) {
+      return fail("The surface is too large for a GLB file, which holds at most 4 GB.",
+                  "Export the labelled cloud (ply) instead, or scan with larger voxels.");
+    }
+    std::string bytes;
+    bytes.reserve(total);
+    for (const std::uint32_t word : {kGlbMagic, kGlbVersion, static_cast<std::uint32_t>(total),
+                                     static_cast<std::uint32_t>(json.size()), kJsonChunk}) {
+      append(bytes, word);
+    }
+    bytes += json;
+    if (!binary_.empty()) {
+      append(bytes, static_cast<std::uint32_t>(binary_.size()));
+      append(bytes, kBinaryChunk);
+      bytes += binary_;
+    }
+    return bytes;
+  }
+
+ private:
+  /// Describes what was put behind `start`; elements have lengths that are multiples of four.
+  int describe(std::size_t start, int target, ExportJson accessor) {
+    accessor["bufferView"] = json_["bufferViews"].size();
+    json_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", start}, {"byteLength", binary_.size() - start}, {"target", target}});
+    json_["accessors"].push_back(std::move(accessor));
+    return static_cast<int>(json_["accessors"].size()) - 1;
+  }
+
+  int addPositions(const LabelledMesh& mesh) {
+    const std::size_t start = binary_.size();
+    for (const SurfacePoint& vertex : mesh.vertices) {
+      for (int i = 0; i < 3; ++i) append(binary_, vertex.position_world_m[i]);
+    }
+    const Eigen::AlignedBox3f box = boxOf(mesh);
+    return describe(start, kVertexTarget,
+                    {{"componentType", kFloat},
+                     {"count", mesh.vertices.size()},
+                     {"type", "VEC3"},
+                     {"min", {box.min().x(), box.min().y(), box.min().z()}},
+                     {"max", {box.max().x(), box.max().y(), box.max().z()}}});
+  }
+
+  int addNormals(const LabelledMesh& mesh) {
+    const std::size_t start = binary_.size();
+    for (const SurfacePoint& vertex : mesh.vertices) {
+      const float length = vertex.normal_world.norm();  // which must be 1
+      const Eigen::Vector3f normal =
+          length > 1e-6F ? Eigen::Vector3f(vertex.normal_world / length) : Eigen::Vector3f::UnitY();
+      for (int i = 0; i < 3; ++i) append(binary_, normal[i]);
+    }
+    return describe(start, kVertexTarget,
+                    {{"componentType", kFloat}, {"count", mesh.vertices.size()}, {"type", "VEC3"}});
+  }
+
+  int addColors(const LabelledMesh& mesh) {
+    const std::size_t start = binary_.size();
+    for (const SurfacePoint& vertex : mesh.vertices) {
+      for (const std::uint8_t value : vertex.rgb) append(binary_, linearColor(value));
+      append(binary_, std::uint16_t{65535});
+    }
+    return describe(start, kVertexTarget,
+                    {{"componentType", kUnsignedShort},
+                     {"normalized", true},
+                     {"count", mesh.vertices.size()},
+                     {"type", "VEC4"}});
+  }
+
+  int addIndices(const LabelledMesh& mesh) {
+    const std::size_t start = binary_.size();
+    for (const auto& face : mesh.faces) append(binary_, face);
+    return describe(start, kIndexTarget,
+                    {{"componentType", kUnsignedInt}, {"count", 3 * mesh.faces.size()}, {"type", "SCALAR"}});
+  }
+
+  ExportJson json_;
+  std::string binary_;
+};
+
+}  // namespace
+
+Result<std::string> encodeGlb(std::span<const GlbPart> parts) {
+  GlbBuilder builder;
+  for (const GlbPart& part : parts) builder.add(part);
+  return builder.finish();
+}
+
+Result<GlbContent> decodeGlb(const std::string& bytes, const std::string& name) {
+  const auto damaged = [&](const char* what) { return fail(name + " is no GLB file: " + what + "."); };
+  constexpr std::size_t kJsonStart = kGlbHeaderBytes + kChunkHeaderBytes;
+  if (bytes.size() < kJsonStart || wordAt(bytes, 0) != kGlbMagic || wordAt(bytes, 4) != kGlbVersion)
+    return damaged("its header is another");
+  if (wordAt(bytes, 8) != bytes.size()) return damaged("its length is not what its header says");
+  const std::size_t json_bytes = wordAt(bytes, kGlbHeaderBytes);
+  if (wordAt(bytes, kGlbHeaderBytes + 4) != kJsonChunk || json_bytes > bytes.size() - kJsonStart)
+    return damaged("its description is missing");
+  GlbContent content;
+  content.json = ExportJson::parse(bytes.substr(kJsonStart, json_bytes), nullptr, false);
+  if (content.json.is_discarded()) return damaged("its description cannot be read");
+  const std::size_t rest = kJsonStart + json_bytes;
+  if (rest == bytes.size()) return content;
+  if (bytes.size() - rest < kChunkHeaderBytes || wordAt(bytes, rest + 4) != kBinaryChunk ||
+      wordAt(bytes, rest) != bytes.size() - rest - kChunkHeaderBytes) {
+    return damaged("its second part is not as long as it says");
+  }
+  content.binary = bytes.substr(rest + kChunkHeaderBytes);
+  return content;
+}
+
+}  // namespace scantrove

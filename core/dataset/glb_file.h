@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/dataset/export_text.h"
+#include "core/dataset/labelled_scan.h"
+
+namespace scantrove {
+
+/// One object of a scene.
+struct GlbPart {
+  std::string name;   ///< any UTF-8
+  ExportJson extras;  ///< what else programs may want to know of it; null: nothing
+  LabelledMesh mesh;  ///< metres, y up; with faces
+};
+
+/// The bytes of a binary glTF 2.0 file: a node with a mesh for each part, positions, normals and colours by
+/// vertex (linear, as glTF wants them, 16 bits), one dull material seen from both sides. Error: more than 4
+/// GB.
+[[nodiscard]] Result<std::string> encodeGlb(std::span<const GlbPart> parts);
+
+/// What a GLB file holds.
+struct GlbContent {
+  ExportJson json;
+  std::string binary;
+};
+
+/// Takes a GLB file apart. Error: `name` and what is wrong with its structure.
+[[nodiscard]] Result<GlbContent> decodeGlb(const std::string& bytes, const std::string& name);
+
+}  // namespace scantrove

@@ -1,0 +1,140 @@
+#include "core/dataset/key_frame_images.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <unordered_set>
+#include <utility>
+
+#include "core/base/regular_file.h"
+#include "core/dataset/region_masks.h"
+#include "core/dataset/registered_depth.h"
+
+namespace scantrove {
+namespace {
+
+std::string nameOf(const KeyFrameInfo& frame) { return "Key frame " + std::to_string(frame.index); }
+
+bool startsWithBytes(const std::string& bytes, std::string_view start) {
+  return bytes.compare(0, start.size(), start) == 0;
+}
+
+Result<void> checkSize(const cv::Mat& image, const Intrinsics& K, const KeyFrameInfo& frame,
+                       const char* kind) {
+  if (image.cols == K.width && image.rows == K.height && K.width > 0) return {};
+  return fail(fmt::format("{}: its {} image is {} x {}, its camera {} x {}.", nameOf(frame), kind, image.cols,
+                          image.rows, K.width, K.height));
+}
+
+/// The bytes as recorded if every program reads them, else a PNG.
+Result<void> takeImage(LabelledImage& image, const cv::Mat& color) {
+  auto bytes = readFile(image.frame.color_file);
+  if (!bytes) return fail(bytes.error());
+  if (startsWithBytes(*bytes, "\xFF\xD8\xFF")) {
+    image.image_name = image.stem + ".jpg";
+    image.image_bytes = std::move(*bytes);
+    return {};
+  }
+  image.image_name = image.stem + ".png";
+  if (startsWithBytes(*bytes, "\x89PNG\r\n\x1a\n")) {
+    image.image_bytes = std::move(*bytes);
+    return {};
+  }
+  std::vector<std::uint8_t> packed;
+  cv::imencode(".png", color, packed, {cv::IMWRITE_PNG_COMPRESSION, 3});
+  image.image_bytes.assign(packed.begin(), packed.end());
+  return {};
+}
+
+/// What is read of a frame. Error: the frame is unusable, the others need not be.
+Result<std::pair<LabelledImage, cv::Mat>> readKeyFrame(LabelledScan& scan, const KeyFrameInfo& frame) {
+  LabelledImage image;
+  image.frame = frame;
+  image.stem = fmt::format("{:06}", frame.index);
+  const auto depth = scan.depth(frame.index);
+  if (!depth) return fail(depth.error());
+  SCANTROVE_TRY(checkSize(*depth, frame.K_depth, frame, "depth"));
+  cv::Mat color;
+  if (frame.color_file.empty()) {
+    image.K = frame.K_depth;
+    image.T_world_camera = frame.T_world_depth;
+    KeyFrameInfo alone = frame;
+    alone.K_color = frame.K_depth;
+    alone.T_color_depth.setIdentity();
+    image.depth_m = registerDepth(alone, *depth);
+  } else {
+    SCANTROVE_TRY(moveInto(color, scan.color(frame.index)));
+    SCANTROVE_TRY(checkSize(color, frame.K_color, frame, "colour"));
+    SCANTROVE_TRY(takeImage(image, color));
+    image.K = frame.K_color;
+    image.T_world_camera = frame.colorCameraPose();
+    image.depth_m = registerDepth(frame, *depth);
+  }
+  return std::pair(std::move(image), std::move(color));
+}
+
+void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
+  int last = 0;
+  bool is_kept = false;
+  for (int y = 0; y < regions.rows; ++y) {
+    auto* row = regions.ptr<int>(y);
+    for (int x = 0; x < regions.cols; ++x) {
+      if (row[x] == 0) continue;
+      if (row[x] != last) is_kept = kept.contains(last = row[x]);
+      if (!is_kept) row[x] = 0;
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> forEachLabelledImage(ExportJob& job, bool needs_color, const UseLabelledImage& use) {
+  LabelledScan& scan = job.scan();
+  const auto frames = scan.keyFrames(job.options().all_frames);
+  if (!frames) return fail(frames.error());
+  if (frames->empty())
+    return fail("The scan " + scan.name() + " has no key frames: there are no images to export.");
+  std::unordered_set<int> kept;
+  for (const LabelledRegion& region : job.chosen()) kept.insert(static_cast<int>(region.id));
+  int done = 0;
+  const auto total = static_cast<int>(frames->size());
+  for (const KeyFrameInfo& frame : *frames) {
+    SCANTROVE_TRY(job.step(done++, total, "frame " + std::to_string(frame.index)));
+    if (needs_color && frame.color_file.empty()) {
+      job.summary().skipped.push_back(nameOf(frame) + " has no colour image.");
+      continue;
+    }
+    auto read = readKeyFrame(scan, frame);
+    if (!read) {
+      job.summary().skipped.push_back(nameOf(frame) + " was left out: " + read.error().what);
+      continue;
+    }
+    auto& [image, color] = *read;
+    const auto map = scan.look(image.K, image.T_world_camera);
+    if (!map) return fail(map.error());
+    image.regions = refineRegions(*map, {image.depth_m, color}, image.K.fx);
+    keepOnly(image.regions, kept);
+    SCANTROVE_TRY(use(image));
+    ++job.summary().images;
+  }
+  if (job.summary().images > 0) return {};
+  return fail("No key frame of the scan " + scan.name() + " can be used. " + job.summary().skipped.front(),
+              needs_color ? "Without colour, export masks, ply or mesh." : "");
+}
+
+std::vector<std::uint32_t> visibleRegions(const cv::Mat& regions) {
+  std::set<std::uint32_t> ids;
+  int last = 0;
+  for (int y = 0; y < regions.rows; ++y) {
+    const auto* row = regions.ptr<int>(y);
+    for (int x = 0; x < regions.cols; ++x) {
+      if (row[x] != last && row[x] != 0) ids.insert(static_cast<std::uint32_t>(row[x]));
+      last = row[x];
+    }
+  }
+  return {ids.begin(), ids.end()};
+}
+
+}  // namespace scantrove

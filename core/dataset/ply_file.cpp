@@ -1,0 +1,51 @@
+#include "core/dataset/ply_file.h"
+
+#include <bit>
+#include <cstring>
+
+#include "core/dataset/export_text.h"
+
+namespace scantrove {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
+
+std::string plyHeader(const LabelledMesh& mesh, const PlyContent& content, const std::string& comment) {
+  std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + onOneLine(comment) +
+                       "\nelement vertex " + std::to_string(mesh.vertices.size()) +
+                       "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (content.normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
+  header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (content.alpha) header += "property uchar alpha\n";
+  if (content.label) header += "property uint label\n";
+  if (content.faces) {
+    header +=
+        "element face " + std::to_string(mesh.faces.size()) + "\nproperty list uchar int vertex_indices\n";
+  }
+  return header + "end_header\n";
+}
+
+}  // namespace
+
+std::string encodePly(const LabelledMesh& mesh, const PlyContent& content, const std::string& comment) {
+  std::string bytes = plyHeader(mesh, content, comment);
+  const auto put = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  constexpr std::size_t kMostVertexBytes = 32, kFaceBytes = 13;
+  bytes.reserve(bytes.size() + mesh.vertices.size() * kMostVertexBytes + mesh.faces.size() * kFaceBytes);
+  for (const SurfacePoint& vertex : mesh.vertices) {
+    for (int i = 0; i < 3; ++i) put(vertex.position_world_m[i]);
+    for (int i = 0; content.normals && i < 3; ++i) put(vertex.normal_world[i]);
+    put(vertex.rgb);
+    if (content.alpha) put(std::uint8_t{255});
+    if (content.label) put(vertex.region);
+  }
+  for (std::size_t i = 0; content.faces && i < mesh.faces.size(); ++i) {
+    put(std::uint8_t{3});
+    put(mesh.faces[i]);
+  }
+  return bytes;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,82 @@
+#include "core/dataset/region_choice.h"
+
+#include <algorithm>
+
+#include "core/exchange/region_palette.h"
+
+namespace scantrove {
+namespace {
+
+ExportJson textOrNull(const std::string& text) {
+  return text.empty() ? ExportJson(nullptr) : ExportJson(validUtf8(text));
+}
+
+ExportJson listOf(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Of a region without name and category.
+std::string kindOf(const LabelledRegion& region) {
+  if (region.object) return "object " + std::to_string(*region.object);
+  if (region.background) return "background";
+  return region.rejected ? "rejected" : "region";
+}
+
+}  // namespace
+
+std::vector<LabelledRegion> chooseRegions(const std::vector<LabelledRegion>& all, bool background) {
+  std::vector<LabelledRegion> chosen;
+  for (const LabelledRegion& region : all) {
+    const bool is_set_aside = region.background || region.rejected;
+    const bool is_something = !region.name.empty() || region.object;
+    if (is_set_aside ? background : is_something) chosen.push_back(region);
+  }
+  std::sort(chosen.begin(), chosen.end(),
+            [](const LabelledRegion& a, const LabelledRegion& b) { return a.id < b.id; });
+  return chosen;
+}
+
+std::string displayName(const LabelledRegion& region) {
+  if (!region.name.empty()) return validUtf8(region.name);
+  if (!region.category.empty()) return validUtf8(region.category);
+  const std::string kind = kindOf(region);
+  return kind == "region" ? kind + " " + std::to_string(region.id) : kind;
+}
+
+std::string classOf(const LabelledRegion& region) {
+  if (!region.category.empty()) return validUtf8(region.category);
+  return region.name.empty() ? kindOf(region) : validUtf8(region.name);
+}
+
+std::vector<std::string> classesOf(const std::vector<LabelledRegion>& regions) {
+  std::vector<std::string> classes;
+  for (const LabelledRegion& region : regions) classes.push_back(classOf(region));
+  std::sort(classes.begin(), classes.end());
+  classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+  return classes;
+}
+
+int classIndex(const std::vector<std::string>& classes, const std::string& name) {
+  return static_cast<int>(std::lower_bound(classes.begin(), classes.end(), name) - classes.begin());
+}
+
+ExportJson legendOf(const std::vector<LabelledRegion>& regions) {
+  ExportJson legend = ExportJson::object();
+  for (const LabelledRegion& region : regions) {
+    ExportJson box = nullptr;
+    if (!region.box_world_m.isEmpty())
+      box = {listOf(region.box_world_m.min()), listOf(region.box_world_m.max())};
+    legend[std::to_string(region.id)] = {
+        {"color", regionColor(RegionId{region.id})},
+        {"region", region.id},
+        {"name", textOrNull(region.name)},
+        {"category", textOrNull(region.category)},
+        {"object", region.object ? ExportJson(*region.object) : ExportJson(nullptr)},
+        {"background", region.background},
+        {"rejected", region.rejected},
+        {"voxels", region.voxels},
+        {"centroid_m", listOf(region.centroid_world_m)},
+        {"box_m", box}};
+  }
+  return legend;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,352 @@
+#include "core/dataset/region_masks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/dataset/depth_raster.h"
+
+namespace scantrove {
+namespace {
+
+/// How far measured depth and map may differ on one surface: a map of voxels of half a centimetre and its
+/// poses, and the noise of structured light, which grows with the square of the distance.
+constexpr float kMapNoise_m = 0.01F;
+constexpr float kSensorNoise_per_m = 0.003F;
+/// A steep surface differs by this many pixels' worth of its slope; more than this much is another surface.
+constexpr float kSlope_px = 1.5F;
+constexpr float kMostSlope_m = 0.03F;
+/// Outlines of the map are at most this far from where they are: a voxel and a half, and the pose.
+constexpr float kOutlineError_m = 0.02F;
+constexpr int kMostOutlineError_px = 16;
+/// What the map cannot tell apart along an outline.
+constexpr float kMapDetail_m = 0.006F;
+constexpr int kMostBand_px = 6;
+constexpr int kMixedReach_px = 3;
+constexpr int kLeastSpeck_px =
+    8;  ///< pieces of fewer pixels, or smaller than the map's detail squared, are noise
+constexpr float kSameColor = 20;   ///< of 255, standard deviation
+constexpr float kBandVote = 0.3F;  ///< of a pixel that may itself be wrong
+constexpr float kClearMajority = 1.2F;
+
+struct Offset {
+  int x, y;
+  float distance;
+};
+
+/// Nearest first, itself left out.
+std::vector<Offset> offsetsWithin(int radius) {
+  std::vector<Offset> offsets;
+  for (int y = -radius; y <= radius; ++y) {
+    for (int x = -radius; x <= radius; ++x) {
+      const float distance = std::hypot(static_cast<float>(x), static_cast<float>(y));
+      if (distance > 0 && distance <= static_cast<float>(radius)) offsets.push_back({x, y, distance});
+    }
+  }
+  std::sort(offsets.begin(), offsets.end(), [](const Offset& a, const Offset& b) {
+    return std::tie(a.distance, a.y, a.x) < std::tie(b.distance, b.y, b.x);
+  });
+  return offsets;
+}
+
+int pixelsOf(float length_m, float z_m, float focal_px, int most) {
+  return std::clamp(static_cast<int>(std::lround(focal_px * length_m / std::max(z_m, 0.1F))), 1, most);
+}
+
+/// How the depth of the map may differ from a measurement of the same surface, by pixel; CV_32FC1.
+cv::Mat tolerances(const cv::Mat& depth_m) {
+  cv::Mat result(depth_m.size(), CV_32FC1);
+  const auto at = [&](int x, int y) {
+    return depth_m.at<float>(std::clamp(y, 0, depth_m.rows - 1), std::clamp(x, 0, depth_m.cols - 1));
+  };
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const float z = at(x, y);
+      // The smaller step of the two is the surface's own, even beside an edge.
+      const float slope = std::min(std::abs(at(x + 1, y) - z), std::abs(at(x - 1, y) - z)) +
+                          std::min(std::abs(at(x, y + 1) - z), std::abs(at(x, y - 1) - z));
+      result.at<float>(y, x) =
+          kMapNoise_m + kSensorNoise_per_m * z * z + std::min(kSlope_px * slope, kMostSlope_m);
+    }
+  }
+  return result;
+}
+
+class OutlineRefiner {
+ public:
+  OutlineRefiner(const ViewOfMap& map, const MeasuredView& measured, float focal_px)
+      : map_(map),
+        color_(measured.color),
+        focal_px_(focal_px),
+        tolerance_m_(tolerances(map.depth_m)),
+        search_(offsetsWithin(kMostOutlineError_px)),
+        depth_m_(measured.depth_m.clone()),
+        regions_(map.regions.clone()) {}
+
+  cv::Mat run() {
+    followDepth();
+    followColor();
+    dropSpecks();
+    return regions_;
+  }
+
+ private:
+  [[nodiscard]] bool agrees(int x, int y, float z) const {
+    const float map_z = map_.depth_m.at<float>(y, x);
+    return map_z > 0 && std::abs(map_z - z) <= tolerance_m_.at<float>(y, x);
+  }
+  [[nodiscard]] bool isInside(int x, int y) const {
+    return x >= 0 && y >= 0 && x < regions_.cols && y < regions_.rows;
+  }
+
+  void followDepth() {
+    std::vector<cv::Point> mixed;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        const float z = depth_m_.at<float>(y, x);
+        if (!(z > 0) || agrees(x, y, z)) continue;
+        const std::optional<int> region = nearestOfDepth(x, y, z);
+        if (!region && isMixed(x, y, z)) {
+          mixed.emplace_back(x, y);
+        } else {
+          regions_.at<int>(y, x) = region.value_or(0);
+        }
+      }
+    }
+    for (const cv::Point& point : mixed) depth_m_.at<float>(point) = 0;  // no reading of anything
+  }
+
+  [[nodiscard]] std::optional<int> nearestOfDepth(int x, int y, float z) const {
+    const auto radius = static_cast<float>(pixelsOf(kOutlineError_m, z, focal_px_, kMostOutlineError_px));
+    for (const Offset& offset : search_) {
+      if (offset.distance > radius) break;
+      const int u = x + offset.x, v = y + offset.y;
+      if (isInside(u, v) && agrees(u, v, z)) return map_.regions.at<int>(v, u);
+    }
+    return std::nullopt;
+  }
+
+  /// Whether a reading is between those of what is before and behind an edge, as many cameras give them
+  /// there.
+  [[nodiscard]] bool isMixed(int x, int y, float z) const {
+    bool is_before = false, is_behind = false;
+    for (int v = y - kMixedReach_px; v <= y + kMixedReach_px; ++v) {
+      for (int u = x - kMixedReach_px; u <= x + kMixedReach_px; ++u) {
+        if (!isInside(u, v)) continue;
+        const float other = depth_m_.at<float>(v, u);
+        is_before = is_before || (other > 0 && other < z - kMapNoise_m);
+        is_behind = is_behind || other > z + kMapNoise_m;
+      }
+    }
+    return is_before && is_behind;
+  }
+
+  [[nodiscard]] float depthAt(int x, int y) const {
+    const float z = depth_m_.at<float>(y, x);
+    return z > 0 ? z : map_.depth_m.at<float>(y, x);
+  }
+
+  /// 255 within the band along the outlines, CV_8UC1.
+  [[nodiscard]] cv::Mat outlineBand() const {
+    cv::Mat outline = cv::Mat::zeros(regions_.size(), CV_8UC1);
+    std::array<std::vector<cv::Point>, kMostBand_px + 1> by_radius;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        const int region = regions_.at<int>(y, x);
+        const bool is_outline = (x + 1 < regions_.cols && regions_.at<int>(y, x + 1) != region) ||
+                                (y + 1 < regions_.rows && regions_.at<int>(y + 1, x) != region);
+        if (!is_outline) continue;
+        const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px);
+        by_radius[static_cast<std::size_t>(radius)].emplace_back(x, y);
+      }
+    }
+    for (std::size_t radius = 1; radius < by_radius.size(); ++radius) {
+      for (const cv::Point& point : by_radius[radius]) {
+        const int r = static_cast<int>(radius);
+        const cv::Rect box = cv::Rect(point.x - r + 1, point.y - r + 1, 2 * r, 2 * r) &
+                             cv::Rect(0, 0, outline.cols, outline.rows);
+        outline(box).setTo(255);
+      }
+    }
+    return outline;
+  }
+
+  void followColor() {
+    if (color_.empty()) return;
+    const cv::Mat band = outlineBand();
+    const cv::Mat before = regions_.clone();
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        if (band.at<std::uint8_t>(y, x) != 0) regions_.at<int>(y, x) = elect(before, band, x, y);
+      }
+    }
+  }
+
+  /// The region that most around the pixel vote for that look as it does.
+  [[nodiscard]] int elect(const cv::Mat& before, const cv::Mat& band, int x, int y) const {
+    struct Party {
+      int region;
+      float votes;
+    };
+    std::vector<Party> parties{{before.at<int>(y, x), 0}};
+    const auto vote = [&](int region, float weight) {
+      for (Party& party : parties) {
+        if (party.region != region) continue;
+        party.votes += weight;
+        return;
+      }
+      parties.push_back({region, weight});
+    };
+    const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px) + 1;
+    const float z = depth_m_.at<float>(y, x);
+    const cv::Vec3b color = color_.at<cv::Vec3b>(y, x);
+    for (const Offset& offset : search_) {
+      if (offset.distance > static_cast<float>(radius)) break;
+      const int u = x + offset.x, v = y + offset.y;
+      if (!isInside(u, v)) continue;
+      const float other_z = depth_m_.at<float>(v, u);
+      if (z > 0 && other_z > 0 &&
+          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoise_per_m * z * z) {
+        continue;
+      }
+      const cv::Vec3b& other = color_.at<cv::Vec3b>(v, u);
+      const float difference = static_cast<float>(cv::norm(cv::Vec3f(other) - cv::Vec3f(color))) / kSameColor;
+      const float nearness = offset.distance / static_cast<float>(radius);
+      const float weight = std::exp(-0.5F * difference * difference - 2 * nearness * nearness);
+      vote(before.at<int>(v, u), band.at<std::uint8_t>(v, u) != 0 ? kBandVote * weight : weight);
+    }
+    const auto winner = std::max_element(parties.begin(), parties.end(),
+                                         [](const Party& a, const Party& b) { return a.votes < b.votes; });
+    return winner->votes > kClearMajority * (parties.front().votes + kBandVote) ? winner->region
+                                                                                : parties.front().region;
+  }
+
+  /// Small pieces become what lies around most of them.
+  void dropSpecks() {
+    cv::Mat visited = cv::Mat::zeros(regions_.size(), CV_8UC1);
+    std::vector<cv::Point> piece;
+    for (int y = 0; y < regions_.rows; ++y) {
+      for (int x = 0; x < regions_.cols; ++x) {
+        if (visited.at<std::uint8_t>(y, x) != 0) continue;
+        const int around = collectPiece({x, y}, visited, piece);
+        const int detail = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px);
+        if (static_cast<int>(piece.size()) >= std::max(kLeastSpeck_px, detail * detail)) continue;
+        for (const cv::Point& p : piece) regions_.at<int>(p) = around;
+      }
+    }
+  }
+
+  /// All pixels of `start`'s region that hang together with it, and the region that borders on most of them
+  /// (its own if none does).
+  [[nodiscard]] int collectPiece(const cv::Point& start, cv::Mat& visited,
+                                 std::vector<cv::Point>& piece) const {
+    const int region = regions_.at<int>(start);
+    std::unordered_map<int, int> borders;
+    piece.assign(1, start);
+    visited.at<std::uint8_t>(start) = 255;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      for (const cv::Point& step : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
+        const cv::Point next = piece[i] + step;
+        if (!isInside(next.x, next.y)) continue;
+        if (regions_.at<int>(next) != region) {
+          ++borders[regions_.at<int>(next)];
+        } else if (visited.at<std::uint8_t>(next) == 0) {
+          visited.at<std::uint8_t>(next) = 255;
+          piece.push_back(next);
+        }
+      }
+    }
+    const auto most = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.second, -a.first) < std::pair(b.second, -b.first);
+    });
+    return most == borders.end() ? region : most->first;
+  }
+
+  const ViewOfMap& map_;
+  const cv::Mat& color_;
+  float focal_px_;
+  cv::Mat tolerance_m_;
+  std::vector<Offset> search_;
+  cv::Mat depth_m_;  // measured
+  cv::Mat regions_;
+};
+
+}  // namespace
+
+cv::Mat refineRegions(const ViewOfMap& map, const MeasuredView& measured, float focal_px) {
+  SCANTROVE_CHECK(map.regions.type() == CV_32SC1 && map.depth_m.type() == CV_32FC1 &&
+                  map.regions.size() == map.depth_m.size() && measured.depth_m.type() == CV_32FC1 &&
+                  measured.depth_m.size() == map.regions.size());
+  SCANTROVE_CHECK(measured.color.empty() ||
+                  (measured.color.type() == CV_8UC3 && measured.color.size() == map.regions.size()));
+  return OutlineRefiner(map, measured, focal_px).run();
+}
+
+cv::Mat Silhouette::mask(cv::Size image) const {
+  cv::Mat mask = cv::Mat::zeros(image, CV_8UC1);
+  const cv::Rect seen = box & cv::Rect({}, image);
+  if (!empty() && !seen.empty()) {
+    const cv::Mat part = depth_m(seen - box.tl()) > 0;
+    part.copyTo(mask(seen));
+  }
+  return mask;
+}
+
+cv::Rect Silhouette::tightBox() const {
+  if (empty()) return {};
+  const cv::Rect within = boxOf(depth_m > 0);
+  return within + box.tl();
+}
+
+Silhouette silhouetteOf(const LabelledMesh& mesh, const Intrinsics& K,
+                        const Eigen::Isometry3d& T_world_camera) {
+  const Eigen::Isometry3f T = T_world_camera.inverse().cast<float>();
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(mesh.vertices.size());
+  float left = 1e9F, right = -1e9F, top = 1e9F, bottom = -1e9F;
+  for (const SurfacePoint& vertex : mesh.vertices) {
+    const Eigen::Vector3f& p = points.emplace_back(T * vertex.position_world_m);
+    if (!(p.z() > 0.01F)) continue;
+    const float u = K.fx * p.x() / p.z() + K.cx, v = K.fy * p.y() / p.z() + K.cy;
+    left = std::min(left, u), right = std::max(right, u);
+    top = std::min(top, v), bottom = std::max(bottom, v);
+  }
+  Silhouette seen;
+  const auto begin = [](float low, int size) {
+    return static_cast<int>(
+        std::floor(std::clamp(low, static_cast<float>(-size), static_cast<float>(2 * size))));
+  };
+  const auto end = [&](float high, int size) { return begin(high, size) + 2; };
+  if (left > right) return seen;
+  const cv::Rect around(cv::Point(begin(left, K.width), begin(top, K.height)),
+                        cv::Point(end(right, K.width), end(bottom, K.height)));
+  const cv::Rect looked_at(-K.width, -K.height, 3 * K.width, 3 * K.height);
+  seen.box = around & looked_at;
+  if (seen.box.empty()) return seen;
+  Intrinsics window = K;
+  window.cx -= static_cast<float>(seen.box.x);
+  window.cy -= static_cast<float>(seen.box.y);
+  window.width = seen.box.width;
+  window.height = seen.box.height;
+  DepthRaster raster(window);
+  for (const auto& face : mesh.faces) raster.add(points[face[0]], points[face[1]], points[face[2]]);
+  seen.depth_m = raster.depth();
+  seen.pixels = cv::countNonZero(seen.depth_m);
+  return seen;
+}
+
+cv::Rect boxOf(const cv::Mat& mask) {
+  cv::Mat points;
+  cv::findNonZero(mask, points);
+  return points.empty() ? cv::Rect() : cv::boundingRect(points);
+}
+
+}  // namespace scantrove

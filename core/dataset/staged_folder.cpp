@@ -1,0 +1,178 @@
+#include "core/dataset/staged_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <random>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPartSuffix = ".part-";
+constexpr std::size_t kPartLetters = 6;
+
+std::string systemReason(int code) { return std::generic_category().message(code); }
+
+tl::unexpected<Error> cannotMake(const fs::path& place, const std::string& why) {
+  return fail(
+      "Cannot write the folder " + place.string() + ": " + why + ".",
+      "Check that its parent can be written to and that the disk is not full, or choose another folder.");
+}
+
+/// Absolute, links followed, without a trailing slash: what a rename needs.
+fs::path placeOf(const fs::path& folder) {
+  std::error_code failure;
+  fs::path place = fs::weakly_canonical(fs::absolute(folder), failure);
+  if (failure) place = fs::absolute(folder).lexically_normal();
+  return place.has_filename() ? place : place.parent_path();
+}
+
+bool isPartOf(const std::string& name, const std::string& place_name) {
+  if (name.size() != place_name.size() + kPartSuffix.size() + kPartLetters) return false;
+  if (name.compare(0, place_name.size(), place_name) != 0) return false;
+  if (name.compare(place_name.size(), kPartSuffix.size(), kPartSuffix) != 0) return false;
+  return std::all_of(name.end() - static_cast<std::ptrdiff_t>(kPartLetters), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+/// A new folder of a name that nobody has, with the permissions that folders get here (mkdtemp would make it
+/// its owner's alone, and a process's umask cannot be asked for without other threads noticing).
+Result<fs::path> makePartOf(const fs::path& place) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> any(0, kLetters.size() - 1);
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    std::string name = place.string() + std::string(kPartSuffix);
+    for (std::size_t i = 0; i < kPartLetters; ++i) name += kLetters[any(random)];
+    if (::mkdir(name.c_str(), 0777) == 0) return fs::path(name);
+    if (errno != EEXIST) break;
+  }
+  return cannotMake(place, systemReason(errno));
+}
+
+int openFolder(const fs::path& folder) {
+  return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+}
+
+/// What killed programs left beside `place`: staged folders that nobody has locked.
+void removeAbandoned(const fs::path& place) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(place.parent_path(), ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (!isPartOf(entry->path().filename().string(), place.filename().string())) continue;
+    const int folder = openFolder(entry->path());
+    if (folder < 0) continue;
+    std::error_code not_removed;
+    if (::flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry->path(), not_removed);
+    ::close(folder);
+  }
+}
+
+/// Brings what was written to `folder`'s disk onto it: all of it at once, for a data set has thousands of
+/// files.
+Result<void> flushDiskOf(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool done = descriptor >= 0 && ::syncfs(descriptor) == 0 && ::fsync(descriptor) == 0;
+  const int code = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (done) return {};
+  return fail("Cannot write " + folder.string() + ": " + systemReason(code) + ".",
+              "Check that the disk is not full and not failing.");
+}
+
+Result<void> checkPlace(const fs::path& place) {
+  std::error_code failure;
+  const fs::file_type type = fs::status(place, failure).type();
+  if (type == fs::file_type::not_found) return {};
+  if (type != fs::file_type::directory && type != fs::file_type::none && type != fs::file_type::unknown) {
+    return fail(place.string() + " is there already and is no folder.", "Give the name of a new folder.");
+  }
+  const bool is_empty = !failure && fs::is_empty(place, failure);
+  if (failure) return cannotMake(place, failure.message());
+  if (is_empty) return {};
+  return fail("The folder " + place.string() + " is not empty.",
+              "Give a new folder for the export, or empty this one.");
+}
+
+}  // namespace
+
+StagedFolder::StagedFolder(fs::path place, fs::path path, int lock)
+    : place_(std::move(place)), path_(std::move(path)), lock_(lock) {}
+
+StagedFolder::StagedFolder(StagedFolder&& other) noexcept
+    : place_(std::move(other.place_)),
+      path_(std::exchange(other.path_, {})),
+      lock_(std::exchange(other.lock_, -1)) {}
+
+StagedFolder& StagedFolder::operator=(StagedFolder&& other) noexcept {
+  if (this != &other) {
+    discard();
+    place_ = std::move(other.place_);
+    path_ = std::exchange(other.path_, {});
+    lock_ = std::exchange(other.lock_, -1);
+  }
+  return *this;
+}
+
+StagedFolder::~StagedFolder() { discard(); }
+
+void StagedFolder::discard() noexcept {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+  path_.clear();
+  if (lock_ >= 0) ::close(std::exchange(lock_, -1));
+}
+
+Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
+  if (folder.empty()) return fail("No folder was given for the export.", "Give the name of a new folder.");
+  const fs::path place = placeOf(folder);
+  SCANTROVE_TRY(checkPlace(place));
+  std::error_code failure;
+  fs::create_directories(place.parent_path(), failure);
+  if (failure) return cannotMake(place, failure.message());
+  removeAbandoned(place);
+  const Result<fs::path> part = makePartOf(place);
+  if (!part) return fail(part.error());
+  const int lock = openFolder(*part);
+  // Where a file system has no locks, an unlocked folder is as good.
+  if (lock >= 0) (void)::flock(lock, LOCK_EX | LOCK_NB);
+  return StagedFolder(place, *part, lock);
+}
+
+Result<void> StagedFolder::commit() {
+  SCANTROVE_TRY(flushDiskOf(path_));
+  if (::rename(path_.c_str(), place_.c_str()) != 0) {
+    const int code = errno;
+    if (code == ENOTEMPTY || code == EEXIST || code == ENOTDIR) {
+      return fail("Something has been put into " + place_.string() + " while the export ran.",
+                  "Give another folder and export again.");
+    }
+    return cannotMake(place_, systemReason(code));
+  }
+  path_.clear();
+  return flushDiskOf(place_.parent_path());
+}
+
+Error StagedFolder::inFinalWords(Error error) const {
+  const std::string staged = path_.string();
+  for (std::string* text : {&error.what, &error.advice}) {
+    for (std::size_t at = 0; !staged.empty() && (at = text->find(staged, at)) != std::string::npos;) {
+      text->replace(at, staged.size(), place_.string());
+      at += place_.string().size();
+    }
+  }
+  return error;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/dataset/coco_rle.h"
+#include "core/dataset/region_masks.h"
+#include "tests/unit/dataset/exported.h"
+
+namespace scantrove {
+namespace {
+
+using test::Exported;
+using test::iou;
+using test::Json;
+using test::kBall;
+using test::kBlock;
+using test::kBox;
+using test::kTable;
+
+SCANTROVE_EXPORTED_ONCE(CocoExport, DatasetFormat::coco);
+
+cv::Mat maskOfAnnotation(const Json& annotation) {
+  const auto& size = annotation["segmentation"]["size"];
+  const auto mask = decodeRuns(annotation["segmentation"]["counts"].get<std::string>(),
+                               {size[1].get<int>(), size[0].get<int>()});
+  EXPECT_TRUE(mask);
+  return mask ? *mask : cv::Mat();
+}
+
+TEST_F(CocoExport, HasTheFilesAndTheRecordedImages) {
+  EXPECT_EQ(exported().files(), (std::vector<std::string>{"annotations/instances.json", "images/000000.jpg",
+                                                          "images/000010.jpg", "images/000020.jpg"}));
+  for (const int frame : {0, 10, 20}) {
+    const std::string name = "images/0000" + std::string(frame == 0 ? "00" : std::to_string(frame)) + ".jpg";
+    EXPECT_EQ(exported().text(name), test::readText(exported().scene.fileOf(frame))) << "not the same bytes";
+  }
+  EXPECT_EQ(exported().summary.images, 3);
+  EXPECT_EQ(exported().summary.regions, 2);
+  EXPECT_EQ(exported().summary.annotations, 6);
+  EXPECT_TRUE(exported().summary.skipped.empty());
+  EXPECT_EQ(exported().summary.folder, std::filesystem::canonical(exported().home / "out"));
+}
+
+TEST_F(CocoExport, TablesReferToEachOther) {
+  const Json file = exported().json("annotations/instances.json");
+  std::set<int> images, categories, annotations;
+  for (const Json& image : file["images"]) {
+    EXPECT_TRUE(images.insert(image["id"].get<int>()).second);
+    EXPECT_EQ(image["width"], 640);
+    EXPECT_EQ(image["height"], 480);
+    EXPECT_TRUE(std::filesystem::exists(exported().file("images/" + image["file_name"].get<std::string>())));
+  }
+  for (const Json& category : file["categories"])
+    EXPECT_TRUE(categories.insert(category["id"].get<int>()).second);
+  EXPECT_FALSE(categories.contains(0));
+  for (const Json& annotation : file["annotations"]) {
+    EXPECT_TRUE(annotations.insert(annotation["id"].get<int>()).second);
+    EXPECT_TRUE(images.contains(annotation["image_id"].get<int>()));
+    EXPECT_TRUE(categories.contains(annotation["category_id"].get<int>()));
+    EXPECT_EQ(annotation["iscrowd"], 0);
+  }
+  EXPECT_FALSE(annotations.contains(0)) << "COCO's evaluation takes 0 for no match";
+}
+
+TEST_F(CocoExport, NamesComeOutAsTheyWereTyped) {
+  const Json file = exported().json("annotations/instances.json");
+  ASSERT_EQ(file["categories"].size(), 2U);
+  EXPECT_EQ(file["categories"][0]["name"], "ball") << "the name, where there is no category";
+  EXPECT_EQ(file["categories"][1]["name"], "box");
+  for (const Json& annotation : file["annotations"]) {
+    const Json& attributes = annotation["attributes"];
+    if (attributes["region"] == kBox) {
+      EXPECT_EQ(attributes["object"], 3);
+      EXPECT_EQ(attributes["name"], test::kBoxName);
+      EXPECT_EQ(annotation["category_id"], file["categories"][1]["id"]);
+    } else {
+      EXPECT_EQ(attributes["region"], kBall);
+      EXPECT_TRUE(attributes["object"].is_null());
+      EXPECT_EQ(annotation["category_id"], file["categories"][0]["id"]);
+    }
+  }
+}
+
+TEST_F(CocoExport, MasksAreThoseOfTheScene) {
+  const Json file = exported().json("annotations/instances.json");
+  for (const Json& annotation : file["annotations"]) {
+    const cv::Mat mask = maskOfAnnotation(annotation);
+    const int frame = file["images"][annotation["image_id"].get<std::size_t>() - 1]["frame"];
+    const auto region = annotation["attributes"]["region"].get<std::uint32_t>();
+    EXPECT_GE(iou(mask, exported().scene.exactMask(frame, region)), 0.95) << region << " in frame " << frame;
+    EXPECT_EQ(annotation["area"], cv::countNonZero(mask));
+    const cv::Rect box = boxOf(mask);
+    EXPECT_EQ(annotation["bbox"], Json({box.x, box.y, box.width, box.height}));
+  }
+}
+
+TEST(CocoExportOptions, WithBackgroundAlsoWhatWasSetAside) {
+  const Exported with(
+      DatasetFormat::coco, [](test::ScannedScene& scene) { scene.frames = 1; }, true);
+  std::set<std::uint32_t> regions;
+  const Json file = with.json("annotations/instances.json");
+  for (const Json& annotation : file["annotations"])
+    regions.insert(annotation["attributes"]["region"].get<std::uint32_t>());
+  EXPECT_EQ(regions, (std::set<std::uint32_t>{kTable, kBox, kBall, kBlock}));
+  std::set<std::string> categories;
+  for (const Json& category : file["categories"]) categories.insert(category["name"].get<std::string>());
+  EXPECT_EQ(categories, (std::set<std::string>{"background", "ball", "box", "rejected"}));
+}
+
+TEST(CocoExportOptions, AllFramesAreMore) {
+  test::ScannedScene scene;
+  scene.frames = 4;
+  const test::TemporaryFolder home;
+  const auto key = exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "key"});
+  const auto all =
+      exportDataset(scene, {.format = DatasetFormat::coco, .folder = home / "all", .all_frames = true});
+  ASSERT_TRUE(key && all);
+  EXPECT_EQ(key->images, 2);
+  EXPECT_EQ(all->images, 4);
+}
+
+}  // namespace
+}  // namespace scantrove

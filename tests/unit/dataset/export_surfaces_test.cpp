@@ -1,0 +1,241 @@
+#include <gtest/gtest.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <cstring>
+
+#include "core/capture/pose_files.h"
+#include "core/dataset/glb_file.h"
+#include "tests/unit/dataset/exported.h"
+#include "tests/unit/dataset/ply_reader.h"
+
+namespace scantrove {
+namespace {
+
+using test::Exported;
+using test::Json;
+using test::kBall;
+using test::kBlock;
+using test::kBox;
+using test::kTable;
+using test::PlyFile;
+using PclLabelled = pcl::PointCloud<pcl::PointXYZRGBL>;
+
+void expectSame(const PclLabelled& cloud, const LabelledMesh& truth) {
+  ASSERT_EQ(cloud.size(), truth.vertices.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const SurfacePoint& p = truth.vertices[i];
+    ASSERT_EQ(Eigen::Vector3f(cloud[i].getVector3fMap()), p.position_world_m) << i;
+    ASSERT_EQ((std::array<std::uint8_t, 3>{cloud[i].r, cloud[i].g, cloud[i].b}), p.rgb) << i;
+    ASSERT_EQ(cloud[i].label, p.region) << i;
+  }
+}
+
+TEST(PlyExport, ReadsBackInPcl) {
+  Exported exported(DatasetFormat::ply);
+  PclLabelled cloud;
+  ASSERT_EQ(pcl::io::loadPLYFile(exported.file("cloud.ply").string(), cloud), 0);
+  const LabelledMesh truth = *exported.scene.mesh();
+  expectSame(cloud, truth);
+  const PlyFile ply(exported.text("cloud.ply"));
+  EXPECT_EQ(ply.values.at("nz").back(), double{truth.vertices.back().normal_world.z()});
+  EXPECT_EQ(exported.json("labels.json").size(), 5U) << "all regions, those without a name too";
+  EXPECT_EQ(exported.summary.points, truth.vertices.size());
+}
+
+TEST(PcdExport, ReadsBackInPclWithTheFirstCamera) {
+  Exported exported(DatasetFormat::pcd);
+  PclLabelled cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(exported.file("cloud.pcd").string(), cloud), 0);
+  expectSame(cloud, *exported.scene.mesh());
+  const Eigen::Isometry3d first = exported.scene.poseOf(0);
+  EXPECT_LT((cloud.sensor_origin_.head<3>().cast<double>() - first.translation()).norm(), 1e-5);
+  EXPECT_LT((cloud.sensor_orientation_.toRotationMatrix().cast<double>() - first.linear()).norm(), 1e-5);
+}
+
+TEST(TumExport, IsTheTrajectory) {
+  Exported exported(DatasetFormat::tum);
+  const auto poses = readTumTrajectory(exported.file("trajectory.txt"));
+  ASSERT_TRUE(poses);
+  ASSERT_EQ(poses->size(), 30U);
+  EXPECT_NEAR((*poses)[7].timestamp_s, 7 / 30.0, 1e-6);
+  EXPECT_TRUE((*poses)[7].T_world_camera.isApprox(exported.scene.poseOf(7), 1e-6));
+}
+
+SCANTROVE_EXPORTED_ONCE(MeshExport, DatasetFormat::mesh);
+
+TEST_F(MeshExport, IsTheWholeAndOneFileAnObject) {
+  const std::string box = "objects/000012_Kiste__groß___ 箱 📦";
+  EXPECT_EQ(exported().files(),
+            (std::vector<std::string>{"labels.json", box + ".glb", box + ".obj", box + ".ply",
+                                      "objects/000040_ball.glb", "objects/000040_ball.obj",
+                                      "objects/000040_ball.ply", "scene.glb", "scene.obj", "scene.ply"}));
+  test::ScannedScene scene;
+  const LabelledMesh truth = *scene.mesh();
+  const PlyFile whole(exported().text("scene.ply"));
+  EXPECT_EQ(whole.size(), truth.vertices.size());
+  EXPECT_EQ(whole.faces.size(), truth.faces.size());
+  const PlyFile ball(exported().text("objects/000040_ball.ply"));
+  EXPECT_EQ(ball.size(), 25U * 49U);
+  EXPECT_EQ(ball.faces.size(), 24U * 48U * 2U);
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    const Eigen::Vector3d p(ball.values.at("x")[i], ball.values.at("y")[i], ball.values.at("z")[i]);
+    ASSERT_NEAR((p - test::kBallCentre).norm(), test::kBallRadius, 1e-6);
+    ASSERT_EQ(ball.values.at("label")[i], kBall);
+  }
+}
+
+TEST_F(MeshExport, ObjHasTheSameSurface) {
+  std::istringstream lines(exported().text("objects/000040_ball.obj"));
+  int vertices = 0, normals = 0, faces = 0, largest = 0;
+  Eigen::Vector3f colors = Eigen::Vector3f::Zero();
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v") {
+      Eigen::Vector3f p, c;
+      words >> p.x() >> p.y() >> p.z() >> c.x() >> c.y() >> c.z();
+      ASSERT_TRUE(words) << line;
+      EXPECT_NEAR((p.cast<double>() - test::kBallCentre).norm(), test::kBallRadius, 1e-5);
+      colors += c;
+      ++vertices;
+    } else if (kind == "vn") {
+      ++normals;
+    } else if (kind == "f") {
+      for (int corner = 0; corner < 3; ++corner) {
+        int vertex = 0, normal = 0;
+        char slash = 0;
+        words >> vertex >> slash >> slash >> normal;
+        ASSERT_TRUE(words && vertex == normal && vertex >= 1) << line;
+        largest = std::max(largest, vertex);
+      }
+      ++faces;
+    }
+  }
+  EXPECT_EQ(vertices, 25 * 49);
+  EXPECT_EQ(normals, vertices);
+  EXPECT_EQ(largest, vertices);
+  EXPECT_EQ(faces, 24 * 48 * 2);
+  EXPECT_NEAR(colors.x() / static_cast<float>(vertices), 200 / 255.0, 1e-3);
+  EXPECT_EQ(exported().text("objects/000012_Kiste__groß___ 箱 📦.obj").substr(0, 31),
+            "# metres\no Kiste/\"groß\" \\ 箱 ");
+}
+
+template <class T>
+T numberAt(const std::string& bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+// By the specification of glTF 2.0, sections 3.6, 3.7.2 and 4.4, from the bytes.
+TEST_F(MeshExport, GlbIsMadeAsTheSpecificationSays) {
+  const std::string bytes = exported().text("scene.glb");
+  EXPECT_EQ(bytes.substr(0, 4), "glTF");
+  EXPECT_EQ(numberAt<std::uint32_t>(bytes, 4), 2U);
+  EXPECT_EQ(numberAt<std::uint32_t>(bytes, 8), bytes.size());
+  const std::size_t json_bytes = numberAt<std::uint32_t>(bytes, 12);
+  EXPECT_EQ(bytes.substr(16, 4), "JSON");
+  EXPECT_EQ(json_bytes % 4, 0U);
+  const Json json = Json::parse(bytes.substr(20, json_bytes));
+  const std::size_t second = 20 + json_bytes;
+  const std::size_t binary_bytes = numberAt<std::uint32_t>(bytes, second);
+  EXPECT_EQ(bytes.substr(second + 4, 4), std::string("BIN\0", 4));
+  EXPECT_EQ(binary_bytes % 4, 0U);
+  const std::string binary = bytes.substr(second + 8);
+  ASSERT_EQ(binary.size(), binary_bytes);
+  EXPECT_EQ(json["asset"]["version"], "2.0");
+  EXPECT_EQ(json["buffers"][0]["byteLength"], binary_bytes);
+  ASSERT_EQ(json["scenes"][json["scene"].get<std::size_t>()]["nodes"].size(), 3U);
+  EXPECT_EQ(json["nodes"][0]["name"], "scene");
+  EXPECT_EQ(json["nodes"][1]["name"], test::kBoxName);
+  EXPECT_EQ(json["nodes"][1]["extras"]["region"], kBox);
+  EXPECT_EQ(json["nodes"][2]["name"], "ball");
+
+  const auto startOf = [&](const Json& accessor) {
+    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0U);
+    EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(), binary.size());
+    return view["byteOffset"].get<std::size_t>();
+  };
+  std::size_t faces = 0;
+  for (const Json& mesh : json["meshes"]) {
+    const Json& primitive = mesh["primitives"][0];
+    const auto accessor = [&](const Json& number) -> const Json& {
+      return json["accessors"][number.get<std::size_t>()];
+    };
+    const Json& positions = accessor(primitive["attributes"]["POSITION"]);
+    const Json& normals = accessor(primitive["attributes"]["NORMAL"]);
+    const Json& colors = accessor(primitive["attributes"]["COLOR_0"]);
+    const Json& indices = accessor(primitive["indices"]);
+    const auto count = positions["count"].get<std::size_t>();
+    EXPECT_EQ(normals["count"], count);
+    EXPECT_EQ(colors["count"], count);
+    EXPECT_EQ(colors["normalized"], true);
+    for (std::size_t i = 0; i < indices["count"].get<std::size_t>(); ++i)
+      ASSERT_LT(numberAt<std::uint32_t>(binary, startOf(indices) + 4 * i), count);
+    faces += indices["count"].get<std::size_t>() / 3;
+    Eigen::AlignedBox3f box;
+    for (std::size_t i = 0; i < count; ++i) {
+      Eigen::Vector3f p, n;
+      for (std::size_t k = 0; k < 3; ++k) {
+        p[static_cast<int>(k)] = numberAt<float>(binary, startOf(positions) + 12 * i + 4 * k);
+        n[static_cast<int>(k)] = numberAt<float>(binary, startOf(normals) + 12 * i + 4 * k);
+      }
+      box.extend(p);
+      ASSERT_NEAR(n.norm(), 1, 1e-5);
+    }
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(positions["min"][static_cast<std::size_t>(k)].get<float>(), box.min()[k]);
+      EXPECT_EQ(positions["max"][static_cast<std::size_t>(k)].get<float>(), box.max()[k]);
+    }
+    if (mesh["name"] == test::kBoxName) {
+      EXPECT_NEAR(box.sizes().y(), 0.2, 1e-3) << "y is up: the box is 20 cm high";
+      EXPECT_NEAR(box.min().y(), 0, 1e-3);
+      // 60 of 255 in sRGB is ((60 / 255 + 0.055) / 1.055)^2.4 = 0.04519 linear.
+      EXPECT_NEAR(numberAt<std::uint16_t>(binary, startOf(colors)) / 65535.0, 0.04519, 1e-4);
+      EXPECT_EQ(numberAt<std::uint16_t>(binary, startOf(colors) + 6), 65535);
+    }
+  }
+  test::ScannedScene scene;
+  EXPECT_EQ(faces, scene.mesh()->faces.size());
+}
+
+TEST(GlbFile, WithoutASurfaceIsStillOne) {
+  const auto bytes = encodeGlb({});
+  ASSERT_TRUE(bytes);
+  const auto file = decodeGlb(*bytes, "empty");
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(file->binary.empty());
+  EXPECT_FALSE(file->json.contains("meshes"));
+  for (std::size_t length : {0, 10, 19, 30}) EXPECT_FALSE(decodeGlb(bytes->substr(0, length), "short"));
+}
+
+TEST(ScannetExport, HasASegmentARegionAndAGroupAnObject) {
+  Exported exported(DatasetFormat::scannet);
+  const std::string scene = "kitchen_table";
+  EXPECT_EQ(exported.files(),
+            (std::vector<std::string>{scene + ".aggregation.json", scene + ".txt",
+                                      scene + "_vh_clean_2.0.010000.segs.json", scene + "_vh_clean_2.ply"}));
+  const PlyFile mesh(exported.text(scene + "_vh_clean_2.ply"));
+  const LabelledMesh truth = *exported.scene.mesh();
+  ASSERT_EQ(mesh.size(), truth.vertices.size());
+  EXPECT_EQ(mesh.faces.size(), truth.faces.size());
+  EXPECT_NEAR(mesh.values.at("z")[0], 0, 1e-3) << "the table is level";
+  const Json segments = exported.json(scene + "_vh_clean_2.0.010000.segs.json");
+  ASSERT_EQ(segments["segIndices"].size(), mesh.size());
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    ASSERT_EQ(segments["segIndices"][i], truth.vertices[i].region);
+  const Json groups = exported.json(scene + ".aggregation.json")["segGroups"];
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0]["objectId"], 0);
+  EXPECT_EQ(groups[0]["segments"], Json::array({kBox}));
+  EXPECT_EQ(groups[0]["label"], "box");
+  EXPECT_EQ(groups[1]["objectId"], 1);
+  EXPECT_EQ(groups[1]["segments"], Json::array({kBall}));
+  EXPECT_EQ(groups[1]["label"], "ball");
+}
+
+}  // namespace
+}  // namespace scantrove

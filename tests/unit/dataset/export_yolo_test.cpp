@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+
+#include "tests/unit/dataset/exported.h"
+
+namespace scantrove {
+namespace {
+
+using test::Exported;
+using test::iou;
+using test::kBall;
+using test::kBox;
+
+SCANTROVE_EXPORTED_ONCE(YoloExport, DatasetFormat::yolo);
+
+struct Segment {
+  int class_index = -1;
+  std::vector<double> numbers;
+
+  /// As a program does that cuts numbers off, or rounds them.
+  [[nodiscard]] cv::Mat mask(bool rounds) const {
+    std::vector<cv::Point> outline;
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+      const double x = numbers[i] * 640, y = numbers[i + 1] * 480;
+      outline.emplace_back(static_cast<int>(rounds ? std::round(x) : x),
+                           static_cast<int>(rounds ? std::round(y) : y));
+    }
+    cv::Mat mask = cv::Mat::zeros(480, 640, CV_8UC1);
+    cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{outline}, 255);
+    return mask;
+  }
+};
+
+std::vector<Segment> segmentsIn(const std::string& text) {
+  std::vector<Segment> segments;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    Segment& segment = segments.emplace_back();
+    words >> segment.class_index;
+    for (double number = 0; words >> number;) segment.numbers.push_back(number);
+  }
+  return segments;
+}
+
+TEST_F(YoloExport, HasTheFiles) {
+  EXPECT_EQ(exported().files(),
+            (std::vector<std::string>{"data.yaml", "images/train/000000.jpg", "images/train/000010.jpg",
+                                      "images/train/000020.jpg", "labels.json", "labels/train/000000.txt",
+                                      "labels/train/000010.txt", "labels/train/000020.txt"}));
+  EXPECT_EQ(
+      exported().text("data.yaml"),
+      "# Scantrove: kitchen table\ntrain: images/train\nval: images/train  # too few images for others\n"
+      "names:\n  0: \"ball\"\n  1: \"box\"\n");
+  EXPECT_EQ(exported().text("images/train/000010.jpg"), test::readText(exported().scene.fileOf(10)));
+}
+
+TEST_F(YoloExport, PolygonsGiveTheMasksAgain) {
+  for (const int frame : {0, 10, 20}) {
+    const auto segments = segmentsIn(exported().text(
+        "labels/train/0000" + std::string(frame == 0 ? "00" : std::to_string(frame)) + ".txt"));
+    ASSERT_EQ(segments.size(), 2U);
+    for (const Segment& segment : segments) {
+      EXPECT_GE(segment.numbers.size(), 6U);
+      EXPECT_EQ(segment.numbers.size() % 2, 0U);
+      for (const double number : segment.numbers) EXPECT_TRUE(number >= 0 && number <= 1);
+      const cv::Mat exact = exported().scene.exactMask(frame, segment.class_index == 0 ? kBall : kBox);
+      for (const bool rounds : {false, true}) EXPECT_GE(iou(segment.mask(rounds), exact), 0.95) << frame;
+      EXPECT_EQ(cv::countNonZero(segment.mask(false) != segment.mask(true)), 0);
+    }
+  }
+}
+
+TEST(YoloExportOptions, TheLastFifthIsForValidation) {
+  const Exported many(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+    scene.frames = 9;  // of which every second is a key frame: five
+    scene.labels[0].name = "ball: \"red\" # 1\n";
+  });
+  const auto files = many.files();
+  EXPECT_EQ(
+      std::count_if(files.begin(), files.end(), [](const auto& f) { return f.starts_with("labels/train/"); }),
+      4);
+  EXPECT_TRUE(std::filesystem::exists(many.file("labels/val/000080.txt")));
+  EXPECT_TRUE(std::filesystem::exists(many.file("images/val/000080.jpg")));
+  const std::string yaml = many.text("data.yaml");
+  EXPECT_NE(yaml.find("val: images/val\n"), std::string::npos);
+  EXPECT_NE(yaml.find("  0: \"ball: \\\"red\\\" # 1\\u000A\"\n"), std::string::npos) << yaml;
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,65 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "core/dataset/dataset_export.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/dataset/scanned_scene.h"
+
+namespace scantrove::test {
+
+using Json = nlohmann::ordered_json;
+
+/// A scan that was exported to a folder that goes away with this.
+struct Exported {
+  ScannedScene scene;
+  TemporaryFolder home;
+  ExportSummary summary;
+
+  explicit Exported(DatasetFormat format, const std::function<void(ScannedScene&)>& change = {},
+                    bool background = false) {
+    if (change) change(scene);
+    const auto result =
+        exportDataset(scene, {.format = format, .folder = home / "out", .background = background});
+    EXPECT_TRUE(result) << (result ? "" : result.error().message());
+    if (result) summary = *result;
+  }
+
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return home / "out" / name; }
+  [[nodiscard]] std::string text(const std::string& name) const {
+    EXPECT_TRUE(std::filesystem::is_regular_file(file(name))) << name;
+    return readText(file(name));
+  }
+  [[nodiscard]] Json json(const std::string& name) const { return Json::parse(text(name)); }
+  [[nodiscard]] cv::Mat image(const std::string& name) const {
+    return cv::imread(file(name).string(), cv::IMREAD_UNCHANGED);
+  }
+  /// All files, sorted.
+  [[nodiscard]] std::vector<std::string> files() const { return filesIn(home / "out"); }
+
+  static std::vector<std::string> filesIn(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (!entry.is_directory()) names.push_back(entry.path().lexically_relative(folder).generic_string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+/// One export for all tests of a suite: rendering the scene takes a while.
+#define SCANTROVE_EXPORTED_ONCE(Suite, format)                                 \
+  class Suite : public testing::Test {                                         \
+   protected:                                                                  \
+    static void SetUpTestSuite() { shared_ = new test::Exported(format); }     \
+    static void TearDownTestSuite() { delete shared_; }                        \
+    [[nodiscard]] static const test::Exported& exported() { return *shared_; } \
+    inline static test::Exported* shared_ = nullptr;                           \
+  }
+
+}  // namespace scantrove::test

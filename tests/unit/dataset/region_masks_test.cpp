@@ -1,0 +1,176 @@
+#include "core/dataset/region_masks.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/dataset/mesh_parts.h"
+#include "core/dataset/registered_depth.h"
+#include "tests/unit/dataset/scanned_scene.h"
+
+namespace scantrove {
+namespace {
+
+using test::iou;
+using test::kBall;
+using test::kBlock;
+using test::kBox;
+using test::kTable;
+using test::ScannedScene;
+using test::Shapes;
+
+struct Refined {
+  ViewOfMap map;
+  MeasuredView measured;
+  cv::Mat regions;
+  float focal_px = 0;
+
+  explicit Refined(ScannedScene& scene, int index = 0, bool with_color = true) {
+    const std::vector<KeyFrameInfo> frames = *scene.keyFrames(false);
+    for (const KeyFrameInfo& frame : frames) {
+      if (frame.index != index) continue;
+      map = *scene.look(frame.K_color, frame.colorCameraPose());
+      measured.depth_m = registerDepth(frame, *scene.depth(index));
+      if (with_color) measured.color = *scene.color(index);
+      focal_px = frame.K_color.fx;
+    }
+    regions = refineRegions(map, measured, focal_px);
+  }
+  [[nodiscard]] cv::Mat of(std::uint32_t id) const { return regions == static_cast<int>(id); }
+  [[nodiscard]] cv::Mat before(std::uint32_t id) const { return map.regions == static_cast<int>(id); }
+};
+
+// The map of these tests is 2 mm too fat, 4 mm off, and coarse; depth has half of colour's resolution and
+// noise.
+TEST(RegionMasks, FollowWhatWasMeasured) {
+  ScannedScene scene;
+  for (const int frame : {0, 10, 20}) {
+    const Refined refined(scene, frame);
+    for (const std::uint32_t id : {kBox, kBall, kBlock}) {
+      const cv::Mat exact = scene.exactMask(frame, id);
+      const std::string key = std::to_string(frame) + "_" + std::to_string(id);
+      RecordProperty("map_" + key, std::to_string(iou(refined.before(id), exact)));
+      RecordProperty("refined_" + key, std::to_string(iou(refined.of(id), exact)));
+      EXPECT_GE(iou(refined.of(id), exact), id == kBlock ? 0.95 : 0.97) << id << " in frame " << frame;
+      EXPECT_GE(iou(refined.of(id), exact), iou(refined.before(id), exact)) << "worse than the map alone";
+    }
+  }
+}
+
+TEST(RegionMasks, DepthAloneIsNearlyAsGood) {
+  ScannedScene scene;
+  const Refined refined(scene, 0, false);
+  for (const std::uint32_t id : {kBox, kBall})
+    EXPECT_GE(iou(refined.of(id), scene.exactMask(0, id)), 0.95) << id;
+}
+
+TEST(RegionMasks, AGoodMapStaysAsItIs) {
+  ScannedScene scene;
+  scene.faults = {.voxel_m = 0, .swollen_m = 0, .shift_m = Eigen::Vector3d::Zero()};
+  const Refined refined(scene);
+  for (const std::uint32_t id : {kBox, kBall, kTable})
+    EXPECT_GE(iou(refined.of(id), scene.exactMask(0, id)), 0.98) << id;
+}
+
+TEST(RegionMasks, OutlinesHaveNoBlocks) {
+  // Steps of the map's voxels are four pixels high here: an outline in blocks is longer than the true one.
+  ScannedScene scene;
+  scene.faults.voxel_m = 0.006;
+  const Refined refined(scene);
+  const auto length = [](const cv::Mat& mask) {
+    cv::Mat across, down;
+    cv::absdiff(mask.colRange(1, mask.cols), mask.colRange(0, mask.cols - 1), across);
+    cv::absdiff(mask.rowRange(1, mask.rows), mask.rowRange(0, mask.rows - 1), down);
+    return cv::countNonZero(across) + cv::countNonZero(down);
+  };
+  for (const std::uint32_t id : {kBox, kBall})
+    EXPECT_LT(length(refined.of(id)), 1.15 * length(scene.exactMask(0, id))) << id;
+}
+
+TEST(RegionMasks, NoiseLeavesNoSpecks) {
+  ScannedScene scene;
+  scene.depth_noise_px = 0.5;  // six times a Kinect's: outliers of the size of the tolerance
+  for (const int frame : {0, 20}) {
+    const Refined refined(scene, frame);
+    for (const std::uint32_t id : {kTable, kBox, kBall, kBlock}) {
+      cv::Mat parts, stats, centres;
+      const int count = cv::connectedComponentsWithStats(refined.of(id), parts, stats, centres, 4);
+      int specks = 0;
+      for (int part = 1; part < count; ++part) specks += stats.at<int>(part, cv::CC_STAT_AREA) < 8 ? 1 : 0;
+      RecordProperty("specks_" + std::to_string(frame) + "_" + std::to_string(id), specks);
+      EXPECT_EQ(specks, 0) << id << " in frame " << frame;
+    }
+  }
+}
+
+TEST(RegionMasks, WhatIsNotInTheMapHidesTheRest) {
+  // Somebody's hand 20 cm before the camera was measured; the map knows nothing of it.
+  ScannedScene scene;
+  Refined refined(scene);
+  const cv::Rect hand(280, 200, 60, 60);
+  refined.measured.depth_m(hand) = 0.2F;
+  const cv::Mat regions = refineRegions(refined.map, {refined.measured.depth_m, {}}, refined.focal_px);
+  EXPECT_EQ(cv::countNonZero(regions(hand)), 0);
+  EXPECT_GT(cv::countNonZero(refined.regions(hand)), 3000);
+}
+
+TEST(RegionMasks, MixedReadingsAtEdgesOpenNoGaps) {
+  // Time-of-flight cameras give a mean of both depths where a pixel sees an edge.
+  ScannedScene scene;
+  Refined refined(scene);
+  const cv::Mat exact = Shapes().look(scene.K_color, scene.poseOf(0) * scene.T_color_depth.inverse()).depth_m;
+  cv::Mat low, high;
+  cv::erode(exact, low, cv::Mat());
+  cv::dilate(exact, high, cv::Mat());
+  cv::Mat mixed = 0.5 * low + 0.5 * high;
+  exact.copyTo(mixed, high - low < 0.05F);
+  const cv::Mat regions = refineRegions(refined.map, {mixed, refined.measured.color}, refined.focal_px);
+  EXPECT_LT(cv::countNonZero((regions == 0) & (refined.map.regions != 0)), 200)
+      << "1400 where each is taken for a surface";
+  for (const std::uint32_t id : {kBox, kBall})
+    EXPECT_GE(iou(regions == static_cast<int>(id), scene.exactMask(0, id)), 0.96) << id;
+}
+
+TEST(RegionMasks, WithoutReadingsTheMapIsBelieved) {
+  ScannedScene scene;
+  const Refined refined(scene);
+  const cv::Mat nothing = cv::Mat::zeros(refined.map.regions.size(), CV_32FC1);
+  const cv::Mat regions = refineRegions(refined.map, {nothing, {}}, refined.focal_px);
+  // But for corners of voxels that look out of the surface, a pixel or two each.
+  EXPECT_LT(cv::countNonZero(regions != refined.map.regions), 0.001 * static_cast<double>(regions.total()));
+}
+
+TEST(Silhouette, IsThatOfTheWholeObject) {
+  ScannedScene scene;
+  const KeyFrameInfo frame = scene.keyFrames(false)->front();
+  const auto parts = splitByRegion(*scene.mesh(), scene.labels);
+  for (const std::uint32_t id : {kBox, kBall}) {
+    const Silhouette seen = silhouetteOf(parts.at(id), frame.K_color, frame.colorCameraPose());
+    const cv::Mat exact = scene.exactMask(0, id, true);
+    EXPECT_GE(iou(seen.mask(exact.size()), exact), 0.98) << id << ": a ball of 24 rings is a little smaller";
+    EXPECT_EQ(seen.pixels, cv::countNonZero(seen.mask(exact.size()))) << "all of it is in the image";
+    EXPECT_EQ(seen.tightBox(), boxOf(seen.mask(exact.size())));
+  }
+}
+
+TEST(Silhouette, GoesOnBeyondTheImage) {
+  ScannedScene scene;
+  const KeyFrameInfo frame = scene.keyFrames(false)->front();
+  const auto parts = splitByRegion(*scene.mesh(), scene.labels);
+  const Silhouette whole = silhouetteOf(parts.at(kBox), frame.K_color, frame.colorCameraPose());
+  Intrinsics half = frame.K_color;  // the image ends in the middle of the box
+  half.cx -= static_cast<float>(whole.tightBox().x + whole.tightBox().width / 2);
+  const Silhouette seen = silhouetteOf(parts.at(kBox), half, frame.colorCameraPose());
+  EXPECT_NEAR(seen.pixels, whole.pixels, 0.01 * whole.pixels);
+  EXPECT_LT(seen.tightBox().x, 0);
+  const int inside = cv::countNonZero(seen.mask({half.width, half.height}));
+  EXPECT_GT(inside, 0.3 * whole.pixels);
+  EXPECT_LT(inside, 0.7 * whole.pixels);
+  Eigen::Isometry3d away = frame.colorCameraPose();
+  away.linear().col(0) *= -1;
+  away.linear().col(2) *= -1;
+  EXPECT_TRUE(silhouetteOf(parts.at(kBox), half, away).empty()) << "behind the camera";
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,139 @@
+#include "core/dataset/staged_folder.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <optional>
+
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+using test::readText;
+using test::TemporaryFolder;
+
+void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+int entriesOf(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(StagedFolder, AppearsWhole) {
+  const TemporaryFolder home;
+  const fs::path place = home / "a" / "out";
+  auto staged = StagedFolder::create(place);
+  ASSERT_TRUE(staged) << staged.error().message();
+  EXPECT_FALSE(fs::exists(place));
+  fs::create_directories(staged->path() / "deep");
+  put(staged->path() / "deep" / "file", "x");
+  ASSERT_TRUE(staged->commit());
+  EXPECT_EQ(readText(place / "deep" / "file"), "x");
+  EXPECT_EQ(entriesOf(home / "a"), 1);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(static_cast<unsigned>(fs::status(place).permissions()), 0777U & ~mask)
+      << "others may look, as everywhere";
+}
+
+TEST(StagedFolder, TakesAnEmptyFoldersPlace) {
+  const TemporaryFolder home;
+  fs::create_directory(home / "out");
+  fs::create_directory_symlink("out", home / "link");
+  auto staged = StagedFolder::create((home / "link").string() + "/");
+  ASSERT_TRUE(staged) << staged.error().message();
+  put(staged->path() / "file", "x");
+  ASSERT_TRUE(staged->commit());
+  EXPECT_EQ(readText(home.path() / "out" / "file"), "x");
+  EXPECT_TRUE(fs::is_symlink(home / "link"));
+}
+
+TEST(StagedFolder, WithoutCommitLeavesNothing) {
+  const TemporaryFolder home;
+  {
+    auto staged = StagedFolder::create(home / "out");
+    ASSERT_TRUE(staged);
+    put(staged->path() / "file", "x");
+    const StagedFolder moved = std::move(*staged);
+    EXPECT_EQ(entriesOf(home.path()), 1);
+  }
+  EXPECT_EQ(entriesOf(home.path()), 0);
+}
+
+TEST(StagedFolder, WhereSomethingIsIsRefused) {
+  const TemporaryFolder home;
+  home.write("full/file", "mine");
+  home.write("file", "mine");
+  for (const char* name : {"full", "file", "full/", ""}) {
+    const auto staged = StagedFolder::create(*name == 0 ? fs::path() : home / name);
+    ASSERT_FALSE(staged) << name;
+    EXPECT_FALSE(staged.error().advice.empty());
+    const std::string named = *name == 0 ? "" : (home / std::string(name).substr(0, 4)).string();
+    EXPECT_NE(staged.error().what.find(named), std::string::npos);
+  }
+  const auto below_a_file = StagedFolder::create(home / "file" / "out");
+  ASSERT_FALSE(below_a_file);
+  EXPECT_NE(below_a_file.error().what.find((home / "file" / "out").string()), std::string::npos);
+  EXPECT_EQ(readText(home.path() / "full" / "file"), "mine");
+  EXPECT_EQ(entriesOf(home.path()), 2);
+}
+
+TEST(StagedFolder, NeverTakesAPlaceThatWasFilledMeanwhile) {
+  const TemporaryFolder home;
+  {
+    auto staged = StagedFolder::create(home / "out");
+    ASSERT_TRUE(staged);
+    home.write("out/file", "somebody else's");
+    const auto committed = staged->commit();
+    ASSERT_FALSE(committed);
+    EXPECT_NE(committed.error().what.find((home / "out").string()), std::string::npos);
+  }
+  EXPECT_EQ(readText(home.path() / "out" / "file"), "somebody else's");
+  EXPECT_EQ(entriesOf(home.path()), 1);
+}
+
+TEST(StagedFolder, LosesWhatKilledProgramsLeftOfTheSamePlace) {
+  const TemporaryFolder home;
+  const pid_t child = fork();
+  if (child == 0) {
+    auto staged = StagedFolder::create(home / "out");
+    if (staged) put(staged->path() / "file", "half");
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_EQ(entriesOf(home.path()), 1);
+  EXPECT_FALSE(fs::exists(home / "out"));
+  for (const char* other : {"out.part-", "out.part-abcdefg", "other.part-abcdef", "out.part-abc.ef"})
+    home.write(std::string(other) + "/file", "mine");
+  std::optional<Result<StagedFolder>> running = StagedFolder::create(home / "out");
+  ASSERT_TRUE(*running);
+  EXPECT_EQ(entriesOf(home.path()), 4 + 1) << "the killed one's is gone";
+  {
+    const auto second = StagedFolder::create(home / "out");
+    ASSERT_TRUE(second);
+    EXPECT_TRUE(fs::exists((*running)->path())) << "that of a running program stays";
+  }
+  running.reset();
+  EXPECT_EQ(entriesOf(home.path()), 4);
+}
+
+TEST(StagedFolder, ErrorsSpeakOfThePlaceThatThePersonGave) {
+  const TemporaryFolder home;
+  const auto staged = StagedFolder::create(home / "out");
+  ASSERT_TRUE(staged);
+  const Error error =
+      staged->inFinalWords({"Cannot write " + (staged->path() / "a").string() + ": full.", ""});
+  EXPECT_EQ(error.what, "Cannot write " + (home / "out" / "a").string() + ": full.");
+}
+
+}  // namespace
+}  // namespace scantrove
