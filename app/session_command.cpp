@@ -89,13 +89,12 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
   }
   for (const auto& entry : session.history().entries())
     done += entry.state == OperationLog::State::done ? 1U : 0U;
-  const BrickMap& bricks = session.pipeline().bricks();
   if (command.json) {
     print({{"source", session.setup().source},
            {"frames", session.frames().size()},
            {"tracked", usable},
            {"key_frames", session.keyFrames().size()},
-           {"bricks", bricks.brickCount()},
+           {"bricks", session.brickCount()},
            {"regions", regions->size()},
            {"named", named},
            {"objects", objects},
@@ -107,7 +106,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
   std::cout << "source      " << session.setup().source
             << (session.hasEnded() ? "" : "  (recovered: the scan broke off)") << "\nframes      "
             << session.frames().size() << ", " << usable << " tracked, " << session.keyFrames().size()
-            << " kept as key frames\nmap         " << bricks.brickCount() << " bricks\nregions     "
+            << " kept as key frames\nmap         " << session.brickCount() << " bricks\nregions     "
             << regions->size() << ", " << named << " named, " << objects << " objects\noperations  " << done
             << '\n';
   return {};
@@ -136,7 +135,7 @@ Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
 Result<void> showAt(OpenSession& session, const SessionCommand& command) {
   const auto place = placeOf(session, command.pixel, command.frame);
   if (!place) return fail(place.error());
-  const RegionNote& note = session.pipeline().editor().notes().of(place->region);
+  const RegionNote& note = session.noteOf(place->region);
   if (command.json) {
     print({{"region", place->region.value}, {"name", note.name}, {"point_m", toJson(place->point_world)}});
   } else {
@@ -164,7 +163,11 @@ Result<void> report(const Result<RegionEditor::Outcome>& outcome, const SessionC
 }
 
 Operation operationOn(OperationKind kind, const SessionCommand& command) {
-  Operation operation{.kind = kind, .name = command.name, .category = command.category, .on = !command.undo};
+  Operation operation;
+  operation.kind = kind;
+  operation.name = command.name;
+  operation.category = command.category;
+  operation.on = !command.undo;
   for (const std::uint32_t region : command.regions) operation.regions.push_back(RegionId{region});
   return operation;
 }
@@ -175,7 +178,8 @@ Result<void> edit(OpenSession& session, const SessionCommand& command) {
 }
 
 Result<void> cut(OpenSession& session, const SessionCommand& command) {
-  Operation operation{.kind = OperationKind::cut};
+  Operation operation;
+  operation.kind = OperationKind::cut;
   for (const auto& [texts, places] :
        {std::pair(&command.here, &operation.here_world), std::pair(&command.there, &operation.there_world)}) {
     for (const std::string& text : *texts) {
@@ -310,13 +314,11 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("N:x,y");
   }
-  for (const auto& [sub, help, action] : {std::tuple("undo", "Take the newest operation back", undo),
-                                          std::tuple("redo", "Do it again", redo)}) {
-    add(sub, help, action)
-        ->add_option("--steps", command->steps, "so many")
-        ->check(CLI::PositiveNumber)
-        ->type_name("N");
-  }
+  const auto takeSteps = [&](CLI::App* sub) {
+    sub->add_option("--steps", command->steps, "so many")->check(CLI::PositiveNumber)->type_name("N");
+  };
+  takeSteps(add("undo", "Take the newest operation back", undo));
+  takeSteps(add("redo", "Do it again", redo));
   add("history", "All operations", history);
 }
 

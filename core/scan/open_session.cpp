@@ -3,9 +3,24 @@
 #include <map>
 #include <utility>
 
+#include "core/compute/compute_context.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/scan/session_recorder.h"
+#include "core/scan/session_restorer.h"
+
 namespace scantrove {
 
+OpenSession::OpenSession(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
 OpenSession::~OpenSession() = default;
+
+const OperationLog& OpenSession::history() const { return pipeline_->editor().log(); }
+
+const RegionNote& OpenSession::noteOf(RegionId region) const {
+  return pipeline_->editor().notes().of(region);
+}
+
+int OpenSession::brickCount() const { return pipeline_->bricks().brickCount(); }
 
 Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::path& folder,
                                                        const std::string& device) {

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/compute/compute_context.h"
-#include "core/scan/scan_pipeline.h"
-#include "core/scan/session_recorder.h"
-#include "core/scan/session_restorer.h"
+#include "core/editing/region_editor.h"
+#include "core/scan/session_setup.h"
+#include "core/session/saved_scan.h"
 
 namespace scantrove {
+
+class ComputeContext;
+class ScanPipeline;
+class SessionRecorder;
 
 /// A region of a session, as a list shows it.
 struct RegionSummary {
@@ -59,12 +62,15 @@ class OpenSession {
   [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
   [[nodiscard]] Result<RegionEditor::Outcome> undo();
   [[nodiscard]] Result<RegionEditor::Outcome> redo();
-  [[nodiscard]] const OperationLog& history() const { return pipeline_->editor().log(); }
+  [[nodiscard]] const OperationLog& history() const;
+  [[nodiscard]] const RegionNote& noteOf(RegionId region) const;
+  /// Of the map.
+  [[nodiscard]] int brickCount() const;
 
   [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
 
  private:
-  explicit OpenSession(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit OpenSession(std::filesystem::path folder);
   [[nodiscard]] const SavedFrame* frameAt(int source_index) const;
   [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome);
 

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "core/labeling/evidence_graph.h"
 #include "core/scan/guarded.h"
 #include "core/scan/key_frame_files.h"
-#include "core/scan/param_registry.h"
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::json;
 
 /// Pages that are read at a time: bounds the memory.
 constexpr std::size_t kPagesAtATime = 32;
@@ -62,60 +57,18 @@ Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedSca
     });
     SCANTROVE_TRY(session.flush());
     for (std::size_t i = first; i < last; ++i) {
-      if (!failures[i - first].empty()) {
-        damages.push_back(failures[i - first]);
-      } else if (const auto page = StoredPage::fromWords(words[i - first]); page) {
-        bricks.adopt(scan.pages[i], *page);
-      } else {
-        damages.push_back("A part of the map is of a form that this program does not know; it is left out.");
-      }
+      std::string& failure = failures[i - first];
+      const auto page = StoredPage::fromWords(words[i - first]);
+      if (page) bricks.adopt(scan.pages[i], *page);
+      if (!page && failure.empty())
+        failure = "A part of the map is of a form that is not known; it is left out.";
+      if (!failure.empty()) damages.push_back(std::move(failure));
     }
   }
   return {};
 }
 
 }  // namespace
-
-SavedFacts factsOf(const SessionSetup& setup) {
-  std::string params;
-  for (const ParamInfo& info : paramRegistry()) params += info.key + "=" + info.text(setup.params) + "\n";
-  const Intrinsics& K = setup.K;
-  return {{"source", setup.source},
-          {"camera", Json{{"K", {K.fx, K.fy, K.cx, K.cy}}, {"size", {K.width, K.height}}}.dump()},
-          {"params", params},
-          {"database", setup.database}};
-}
-
-Result<SessionSetup> setupFrom(const SavedFacts& facts) {
-  const auto fact = [&](const char* name) {
-    const auto found = facts.find(name);
-    return found == facts.end() ? std::string() : found->second;
-  };
-  SessionSetup setup;
-  setup.source = fact("source");
-  setup.database = fact("database");
-  try {
-    const Json camera = Json::parse(fact("camera"));
-    const Json& K = camera.at("K");
-    setup.K = {K.at(0).get<float>(),
-               K.at(1).get<float>(),
-               K.at(2).get<float>(),
-               K.at(3).get<float>(),
-               camera.at("size").at(0).get<int>(),
-               camera.at("size").at(1).get<int>()};
-  } catch (const Json::exception&) {
-    return fail("The session does not say what camera it was scanned with.",
-                "It broke off before its first frame was kept, or is damaged.");
-  }
-  std::istringstream lines(fact("params"));
-  for (std::string line; std::getline(lines, line);) {
-    // A parameter that this program does not know any more has no say in it.
-    std::string setting = line;
-    std::erase(setting, '"');
-    static_cast<void>(applySetting(setup.params, setting));
-  }
-  return setup;
-}
 
 Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& damages) {
   Result<SavedScan> scan = fail("The session was not read.", "");

@@ -4,21 +4,10 @@
 
 #include "core/base/result.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/scan/session_setup.h"
 #include "core/session/session_writer.h"
 
 namespace scantrove {
-
-/// What a session was scanned with.
-struct SessionSetup {
-  std::string source;
-  Intrinsics K;  ///< of the recording's depth images
-  ScanParams params;
-  std::string database;  ///< relative to the session's folder where it lies in it
-};
-
-/// As facts, and back. Error: they are not those of a session.
-[[nodiscard]] SavedFacts factsOf(const SessionSetup& setup);
-[[nodiscard]] Result<SessionSetup> setupFrom(const SavedFacts& facts);
 
 /// A scan of a session, read back by the session's thread.
 [[nodiscard]] Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& damages);

@@ -8,6 +8,7 @@
 #include "core/fusion/kernels/color_voxel.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/key_frame_files.h"
+#include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
 namespace {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "core/capture/rgbd_frame.h"
 #include "core/dataset/labelled_scan.h"
 #include "core/scan/open_session.h"
 

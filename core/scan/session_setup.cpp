@@ -1,0 +1,51 @@
+#include "core/scan/session_setup.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/scan/param_registry.h"
+
+namespace scantrove {
+
+SavedFacts factsOf(const SessionSetup& setup) {
+  std::string params;
+  for (const ParamInfo& info : paramRegistry()) params += info.key + "=" + info.text(setup.params) + "\n";
+  const Intrinsics& K = setup.K;
+  return {{"source", setup.source},
+          {"camera", nlohmann::json{{"K", {K.fx, K.fy, K.cx, K.cy}}, {"size", {K.width, K.height}}}.dump()},
+          {"params", params},
+          {"database", setup.database}};
+}
+
+Result<SessionSetup> setupFrom(const SavedFacts& facts) {
+  const auto fact = [&](const char* name) {
+    const auto found = facts.find(name);
+    return found == facts.end() ? std::string() : found->second;
+  };
+  SessionSetup setup;
+  setup.source = fact("source");
+  setup.database = fact("database");
+  try {
+    const nlohmann::json camera = nlohmann::json::parse(fact("camera"));
+    const nlohmann::json& K = camera.at("K");
+    setup.K = {K.at(0).get<float>(),
+               K.at(1).get<float>(),
+               K.at(2).get<float>(),
+               K.at(3).get<float>(),
+               camera.at("size").at(0).get<int>(),
+               camera.at("size").at(1).get<int>()};
+  } catch (const nlohmann::json::exception&) {
+    return fail("The session does not say what camera it was scanned with.",
+                "It broke off before its first frame was kept, or is damaged.");
+  }
+  std::istringstream lines(fact("params"));
+  for (std::string line; std::getline(lines, line);) {
+    // A parameter that this program does not know any more has no say in it.
+    std::string setting = line;
+    std::erase(setting, '"');
+    static_cast<void>(applySetting(setup.params, setting));
+  }
+  return setup;
+}
+
+}  // namespace scantrove
