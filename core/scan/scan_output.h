@@ -24,8 +24,12 @@ class ScanOutput {
   /// Error: label images of this or an earlier frame could not be written.
   [[nodiscard]] Result<void> addFrame(const RgbdFrame& frame, const FrameResult& result);
 
-  /// Writes what there is; a file that cannot be written keeps no other from being written. Error: the first
-  /// that failed (the others are in the log).
+  /// The end of a scan, first part: needs neither device nor catalogue.
+  [[nodiscard]] Result<void> writeTrajectory();
+
+  /// The other files. Writes what there is; a file that cannot be written keeps no other from being written,
+  /// nor does a device that fails: the cloud is what could be read of it. Error: the first that failed (the
+  /// others are in the log).
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const ScanReport& report);
 
  private:

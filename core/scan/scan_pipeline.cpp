@@ -54,7 +54,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   if (setup.database != nullptr) {
     SCANTROVE_TRY(
         moveInto(pipeline->collector_,
-                 ObjectCollector::create(compute, *setup.database, setup.session, setup.params.detection)));
+                 ObjectCollector::create(compute, *setup.database, setup.catalogue, setup.params.detection)));
   }
   return pipeline;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/catalog/object_database.h"
+#include "core/scan/guarded.h"
 #include "core/scan/open_source.h"
 
 namespace scantrove {
@@ -23,7 +25,8 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanSession::Listener listener,
-                                               LatestValue<ScanSnapshot>& mailbox) {
+                                               LatestValue<ScanSnapshot>& mailbox,
+                                               std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
   SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
   const SourceInfo& info = run->source_->info();
@@ -40,12 +43,16 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   if (request.output_folder) {
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
-  SCANTROVE_TRY(moveInto(run->database_, ObjectDatabase::open(request.database)));
-  SCANTROVE_TRY(moveInto(run->session_, run->database_->beginSession(info.name)));
+  const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(request.database);
+  if (!database) return fail(database.error());
+  CatalogueWriter::Options catalogue;
+  catalogue.database = request.database;
+  catalogue.source = info.name;
+  catalogue.on_news = std::move(on_news);
+  catalogue.patience = request.catalogue_patience;
   SCANTROVE_TRY(moveInto(
-      run->pipeline_,
-      ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
-                                            run->database_.get(), run->session_, info.frame_count})));
+      run->pipeline_, ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
+                                                            database->get(), catalogue, info.frame_count})));
   return run;
 }
 
@@ -60,6 +67,7 @@ Result<ScanRun::Step> ScanRun::step() {
     case FrameRead::Status::failed:
       return fail(read.error);
     case FrameRead::Status::timeout:
+      followCatalogue();
       return Step::nothing_yet;
     case FrameRead::Status::skipped:
       skip(read);
@@ -83,6 +91,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   frame_ms_.push_back(millisecondsSince(start));
   count(*result, frame.index);
   announce(result->objects);
+  if (!result->pose.usable()) followCatalogue();
   announceMapFailure();
   if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
   snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
@@ -122,12 +131,6 @@ void ScanRun::announceMapFailure() {
   if (const std::optional<Error> failure = pipeline_->takeMapFailure()) listener_(MapFailed{*failure});
 }
 
-void ScanRun::followCatalogue() {
-  if (const Result<void> followed = pipeline_->followCatalogue(); !followed) {
-    listener_(CatalogueFailed{followed.error()});
-  }
-}
-
 ScanProgress ScanRun::progress(ScanState state) const {
   return {state, frames_, source_->info().frame_count.value_or(0)};
 }
@@ -150,16 +153,23 @@ void ScanRun::stopClock() {
 Result<ScanReport> ScanRun::finish() {
   stopClock();
   FirstError outcome;
-  ScanReport report = makeReport();
+  // First what needs nothing but this process: a catalogue or a device may take its time to fail.
+  if (output_) outcome.note(output_->writeTrajectory());
+  outcome.note(guarded("storing what was found", [&] {
+    return pipeline_->finishCatalogue([this](const FrameObjects& objects) { announce(objects); });
+  }));
+  ScanReport report;
+  outcome.note(guarded("making the report", [&]() -> Result<void> {
+    fillReport(report);
+    return {};
+  }));
   if (output_) outcome.note(output_->finish(*pipeline_, report));
   announceMapFailure();
-  outcome.note(database_->endSession(session_));
   SCANTROVE_TRY(outcome.result());
   return report;
 }
 
-ScanReport ScanRun::makeReport() {
-  ScanReport report;
+void ScanRun::fillReport(ScanReport& report) {
   report.source = request_.source;
   report.device = compute_->deviceName();
   report.params = pipeline_->params();
@@ -186,7 +196,6 @@ ScanReport ScanRun::makeReport() {
   report.regions = regions.regions;
   report.slivers = regions.slivers;
   report.objects = pipeline_->collector()->metObjects();
-  return report;
 }
 
 }  // namespace scantrove

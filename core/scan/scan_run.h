@@ -7,7 +7,6 @@
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
-#include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/scan/first_error.h"
 #include "core/scan/scan_output.h"
@@ -22,10 +21,12 @@ namespace scantrove {
 class ScanRun {
  public:
   /// Opens everything that `request` names. Error: what cannot be opened, or would not fit the device. The
-  /// result folder and the catalogue may have been made by then.
+  /// result folder and the catalogue may have been made by then. `on_news`: followCatalogue() has something
+  /// to tell; called on another thread.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
                                                              ScanSession::Listener listener,
-                                                             LatestValue<ScanSnapshot>& mailbox);
+                                                             LatestValue<ScanSnapshot>& mailbox,
+                                                             std::function<void()> on_news);
   ~ScanRun();
 
   enum class Step { frame, nothing_yet, end };
@@ -40,8 +41,8 @@ class ScanRun {
   /// Posts a snapshot at once, with all that changed. Error: the device failed.
   [[nodiscard]] Result<void> showNow(ScanState state);
 
-  /// Learns what became of the catalogue meanwhile; frames do so by themselves.
-  void followCatalogue();
+  /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves.
+  void followCatalogue() { announce(pipeline_->followCatalogue()); }
   void setParams(const ScanParams& params) { pipeline_->setParams(params); }
   void addCandidate(RegionId region) { pipeline_->addCandidate(region); }
 
@@ -49,8 +50,9 @@ class ScanRun {
   void startClock();
   void stopClock();
 
-  /// Writes the results and closes the catalogue's session; for every end of a scan, good or bad. What fails
-  /// keeps nothing else from being written. Error: the first failure (the others are in the log).
+  /// Writes the results, stores what waits for the catalogue and closes its session; for every end of a scan,
+  /// good or bad. What fails keeps nothing else from being written. Error: the first failure (the others are
+  /// in the log).
   [[nodiscard]] Result<ScanReport> finish();
 
  private:
@@ -63,15 +65,13 @@ class ScanRun {
   void announce(const FrameObjects& objects);
   void announceMapFailure();
   [[nodiscard]] ScanProgress progress(ScanState state) const;
-  [[nodiscard]] ScanReport makeReport();
+  void fillReport(ScanReport& report);
 
   ScanRequest request_;
   ScanSession::Listener listener_;
   SnapshotBuilder snapshots_;
   std::unique_ptr<FrameSource> source_;
   std::unique_ptr<ScanOutput> output_;
-  std::unique_ptr<ObjectDatabase> database_;
-  std::int64_t session_ = 0;
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
 

@@ -114,8 +114,9 @@ class ScanSession::Worker {
 
   void runScan(const ScanRequest& request) {
     enter(ScanState::starting);
-    Result<std::unique_ptr<ScanRun>> run =
-        guarded("preparing the scan", [&] { return ScanRun::open(request, listener_, mailbox); });
+    Result<std::unique_ptr<ScanRun>> run = guarded("preparing the scan", [&] {
+      return ScanRun::open(request, listener_, mailbox, [this] { catalogueChanged(); });
+    });
     if (!run) return failWith(run.error());
     FirstError outcome;
     outcome.note(guarded("during the scan", [&] { return scanFrames(**run); }));

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -30,6 +31,8 @@ struct ScanRequest {
   bool label_maps = false;
   bool start_paused = false;
   bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
+  /// How long the end of the scan waits for a catalogue in which nothing can be stored.
+  std::chrono::milliseconds catalogue_patience{20000};
 };
 
 /// Things that must not be lost, in order.
@@ -40,7 +43,7 @@ struct PreparingDevice {};  ///< kernels are compiled, which takes long and happ
 struct ObjectAdded {
   ObjectId object;
   std::string name;
-};  ///< a new row of the catalogue
+};  ///< a new row of the catalogue; it is committed
 struct ObjectRecognised {
   ObjectId object;
   std::string name;
@@ -54,7 +57,7 @@ struct ObjectsMerged {
 };  ///< the regions of these objects turned out to be one
 struct CatalogueFailed {
   Error error;
-};  ///< the catalogue cannot be read or written for now; the scan goes on
+};  ///< the catalogue cannot be read or written for now; the scan goes on, what is found waits
 struct MapFailed {
   Error error;
 };  ///< a part of the map cannot be written to disk for now, or not be read back; the scan goes on
@@ -72,7 +75,7 @@ using ScanEvent =
     std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
                  CatalogueFailed, MapFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
-/// Runs one scan after the other on a worker thread that owns device, pipeline and its database connection.
+/// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
 class ScanSession {
  public:
