@@ -70,51 +70,87 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(AddObject& job) {
   return News{news::ObjectStored{job.view.object, std::move(*added)}};
 }
 
+// What a person did decides up to the moment in which something is stored: before, a job may have waited for
+// the very transaction in which it was done.
+
 Result<CatalogueWriter::News> CatalogueWriter::execute(AddView& job) {
   const ObjectId key = job.view.object, object = idOf(key);
-  const News dropped{news::ViewDropped{key}};
-  if (!object) return dropped;
-  const Result<ObjectId> holder = database_->resolve(object);
-  if (!holder) return fail(holder.error());
-  if (!*holder) return dropped;
+  if (!object) return News{news::ViewDropped{key}};
+  ObjectId holder;
+  bool is_deleted = false;
+  const auto check = [&]() -> Result<void> {
+    SCANTROVE_TRY(moveInto(holder, database_->resolve(object)));
+    is_deleted = !holder;
+    return is_deleted ? Result<void>(fail("Its object was deleted.")) : Result<void>();
+  };
   ObjectView view = job.view;  // images are shared
   view.object = object;
   view.session = session_;
-  const Result<std::int64_t> stored = database_->addView(view);
+  const Result<std::int64_t> stored = database_->addView(view, check);
+  if (is_deleted) return News{news::ViewDropped{key}};
   if (!stored) return fail(stored.error());
-  touched_.insert(*holder);
+  touched_.insert(holder);
   feed_->expectView(*stored);
-  return News{news::ViewStored{key, *holder}};
+  return News{news::ViewStored{key, holder}};
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const Merge& job) {
+  constexpr int kMostTries = 8;  // by others' edits in between
+  for (int i = 0; i < kMostTries; ++i) {
+    const Result<std::vector<ObjectId>> pair = holdersOf(job);
+    if (!pair) return fail(pair.error());
+    if (pair->size() < 2) break;
+    bool has_changed = false, are_two = false;
+    const auto check = [&]() -> Result<void> {
+      const Result<std::vector<ObjectId>> now = holdersOf(job);
+      if (!now) return fail(now.error());
+      has_changed = *now != *pair;
+      if (has_changed) return fail("Others have changed it.");
+      const Result<bool> may_merge = mayMerge(*pair);
+      if (!may_merge) return fail(may_merge.error());
+      are_two = !*may_merge;
+      return are_two ? Result<void>(fail("They are two.")) : Result<void>();
+    };
+    Result<ObjectMerge> merge = database_->merge(*pair, check);
+    if (has_changed) continue;
+    if (are_two) break;
+    if (!merge) return fail(merge.error());
+    touched_.insert(merge->into);
+    feed_->expectMerge(*merge);
+    const Result<ObjectRecord> holder = database_->object(merge->into);
+    return News{news::MergeStored{std::move(*merge), holder ? std::optional(*holder) : std::nullopt}};
+  }
+  const Result<std::vector<ObjectId>> pair = holdersOf(job);
+  if (!pair) return fail(pair.error());
+  Result<CatalogueEdits> now = feed_->reread(*pair);
+  if (!now) return fail(now.error());
+  return News{news::MergeDropped{}, news::Edited{std::move(*now)}};
+}
+
+Result<std::vector<ObjectId>> CatalogueWriter::holdersOf(const Merge& job) {
+  std::vector<ObjectId> holders;
+  for (const ObjectId key : {job.a, job.b}) {
+    const ObjectId object = idOf(key);
+    if (!object) continue;
+    const Result<ObjectId> holder = database_->resolve(object);
+    if (!holder) return fail(holder.error());
+    if (*holder && (holders.empty() || holders.front() != *holder)) holders.push_back(*holder);
+  }
+  return holders;
+}
+
+Result<bool> CatalogueWriter::mayMerge(const std::vector<ObjectId>& pair) {
   // A person may have undone such a merge by now.
   Result<CatalogueEdits> edits = feed_->follow();
   if (!edits) return fail(edits.error());
   if (!edits->isEmpty()) tell({news::Edited{std::move(*edits)}});
-  std::vector<ObjectId> pair;  // that are there
-  int settled = 0;
-  for (const ObjectId key : {job.a, job.b}) {
-    const ObjectId object = idOf(key);
-    const Result<ObjectId> holder = object ? database_->resolve(object) : ObjectId{};
-    if (!holder) return fail(holder.error());
-    if (!*holder) continue;
-    const Result<ObjectRecord> record = database_->object(*holder);
+  if (feed_->areKeptApart(pair[0], pair[1])) return false;
+  for (const ObjectId object : pair) {
+    const Result<ObjectRecord> record = database_->object(object);
     if (!record) return fail(record.error());
-    pair.push_back(*holder);
-    settled += isSettled(*record) ? 1 : 0;
+    if (!isSettled(*record)) return true;
   }
-  if (pair.size() < 2 || pair[0] == pair[1] || settled == 2 || feed_->areKeptApart(pair[0], pair[1])) {
-    Result<CatalogueEdits> now = feed_->reread(pair);
-    if (!now) return fail(now.error());
-    return News{news::MergeDropped{}, news::Edited{std::move(*now)}};
-  }
-  Result<ObjectMerge> merge = database_->merge(pair);
-  if (!merge) return fail(merge.error());
-  touched_.insert(merge->into);
-  feed_->expectMerge(*merge);
-  const Result<ObjectRecord> holder = database_->object(merge->into);
-  return News{news::MergeStored{std::move(*merge), holder ? std::optional(*holder) : std::nullopt}};
+  return false;
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const EndSession& /*job*/) {

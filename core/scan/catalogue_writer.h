@@ -122,6 +122,9 @@ class CatalogueWriter {
   [[nodiscard]] Result<News> execute(const Merge& job);
   [[nodiscard]] Result<News> execute(const EndSession& job);
   [[nodiscard]] ObjectId idOf(ObjectId object) const;
+  /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
+  [[nodiscard]] Result<std::vector<ObjectId>> holdersOf(const Merge& job);
+  [[nodiscard]] Result<bool> mayMerge(const std::vector<ObjectId>& pair);
   [[nodiscard]] std::optional<std::pair<dev_t, ino_t>> fileNow() const;
   /// Error: the file that is written to is no longer where it was. SQLite does not see that.
   [[nodiscard]] Result<void> checkFile() const;
