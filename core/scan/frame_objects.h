@@ -13,6 +13,7 @@ struct FrameObjects {
   std::vector<SeenObject> seen;
   std::vector<ObjectRecord> recognised;  ///< first time in this scan
 
+  bool has_news = false;            ///< of the catalogue, be it that somebody else changed it
   std::vector<ObjectRecord> added;  ///< stored
   std::vector<ObjectId> new_views;  ///< objects that got one; stored
   std::vector<ObjectMerge> merged;  ///< their regions turned out to be one; stored

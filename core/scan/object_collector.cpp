@@ -92,6 +92,7 @@ void ObjectCollector::takeNews(FrameObjects& objects) {
   for (const CatalogueNews& news : writer_->takeNews()) {
     catalogue_.apply(news);
     std::visit(Announced{objects}, news);
+    objects.has_news = true;
   }
   writer_->follow();
 }

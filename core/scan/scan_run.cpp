@@ -131,6 +131,12 @@ void ScanRun::announceMapFailure() {
   if (const std::optional<Error> failure = pipeline_->takeMapFailure()) listener_(MapFailed{*failure});
 }
 
+bool ScanRun::followCatalogue() {
+  const FrameObjects objects = pipeline_->followCatalogue();
+  announce(objects);
+  return objects.has_news;
+}
+
 ScanProgress ScanRun::progress(ScanState state) const {
   return {state, frames_, source_->info().frame_count.value_or(0)};
 }

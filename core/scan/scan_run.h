@@ -41,8 +41,9 @@ class ScanRun {
   /// Posts a snapshot at once, with all that changed. Error: the device failed.
   [[nodiscard]] Result<void> showNow(ScanState state);
 
-  /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves.
-  void followCatalogue() { announce(pipeline_->followCatalogue()); }
+  /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves. False: nothing
+  /// new so far; `on_news` of open() says when there is.
+  bool followCatalogue();
   void setParams(const ScanParams& params) { pipeline_->setParams(params); }
   void addCandidate(RegionId region) { pipeline_->addCandidate(region); }
 

@@ -139,10 +139,8 @@ class ScanSession::Worker {
       if (commands.params) run.setParams(*commands.params);
       for (const RegionId region : commands.wanted) run.addCandidate(region);
       if (commands.paused && commands.steps == 0) {
-        if (commands.follow_catalogue && run.hasFrames()) {
-          run.followCatalogue();
+        if (commands.follow_catalogue && run.followCatalogue() && run.hasFrames())
           SCANTROVE_TRY(run.showNow(ScanState::paused));
-        }
         continue;
       }
       enter(commands.paused ? ScanState::paused : ScanState::scanning);
