@@ -169,7 +169,14 @@ void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> ope
     return {};
   });
   opened.set_value(open);
-  if (open) work();
+  const Result<void> ended = guarded("storing in the catalogue", [&]() -> Result<void> {
+    if (open) work();
+    return {};
+  });
+  if (!ended) {  // no memory for as much as a message: finish() says what is left
+    const std::scoped_lock lock(mutex_);
+    last_error_ = ended.error();
+  }
   feed_.reset();
   database_.reset();  // of this thread, like all that is done with it
 }
