@@ -16,7 +16,9 @@ struct ScanCommand {
   ScanOptions options;
   std::string out;
   std::string database;
+  std::string resume;
   bool label_maps = false;
+  bool record = false;
 };
 
 void printSummary(const ScanReport& report, const std::string& out) {
@@ -42,9 +44,16 @@ void printSummary(const ScanReport& report, const std::string& out) {
 }
 
 Result<void> scan(const ScanCommand& command, ScanRequest request) {
+  if (command.out.empty() == command.resume.empty()) {
+    return fail("A scan needs a folder.",
+                "Give a new one with --out DIR, or that of an earlier scan with --resume DIR.");
+  }
+  const std::string& out = command.resume.empty() ? command.out : command.resume;
+  request.resume = !command.resume.empty();
+  request.record_all = command.record;
   // Before anything is opened: nobody wants to learn this at the end of a scan.
-  SCANTROVE_TRY(prepareOutputFolder(command.out));
-  request.output_folder = command.out;
+  SCANTROVE_TRY(prepareOutputFolder(out));
+  request.output_folder = out;
   request.database =
       command.database.empty() ? (*request.output_folder / "catalogue.sqlite").string() : command.database;
   request.label_maps = command.label_maps;
@@ -52,7 +61,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   const auto report = runToEnd(request);
   if (!report) return fail(report.error());
   SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options));
-  printSummary(*report, command.out);
+  printSummary(*report, out);
   return {};
 }
 
@@ -62,9 +71,10 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ScanCommand>();
   CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
   sub->add_option("SOURCE", command->options.source, kSourceHelp)->required();
-  sub->add_option("--out", command->out, "folder for the results; made when missing")
-      ->required()
+  sub->add_option("--out", command->out, "folder for the results; made when missing")->type_name("DIR");
+  sub->add_option("--resume", command->resume, "instead of --out: go on in the folder of an earlier scan")
       ->type_name("DIR");
+  sub->add_flag("--record", command->record, "keep the images of every frame, not of key frames only");
   sub->add_option("--database", command->database,
                   "catalogue to search and add to (default DIR/catalogue.sqlite)")
       ->type_name("FILE");

@@ -82,7 +82,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
   if (!regions) return fail(regions.error());
   std::size_t usable = 0, named = 0, objects = 0, done = 0;
   for (const SavedFrame& frame : session.frames())
-    usable += frame.state == TrackingState::tracking || frame.state == TrackingState::relocalised ? 1U : 0U;
+    usable += frame.isUsable() ? 1U : 0U;
   for (const RegionSummary& region : *regions) {
     named += region.note.name.empty() ? 0U : 1U;
     objects += region.object ? 1U : 0U;

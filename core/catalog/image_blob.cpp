@@ -1,9 +1,8 @@
 #include "core/catalog/image_blob.h"
 
 #include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
 #include <vector>
-
-#include "core/base/check.h"
 
 namespace scantrove {
 namespace {
@@ -14,7 +13,7 @@ QByteArray encoded(const char* format, const cv::Mat& image, const std::vector<i
   // An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
   if (image.empty()) return QByteArray("");
   std::vector<unsigned char> bytes;
-  SCANTROVE_CHECK(cv::imencode(format, image, bytes, options));
+  if (!cv::imencode(format, image, bytes, options)) throw std::runtime_error("an image could not be encoded");
   return {reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())};
 }
 

@@ -4,6 +4,8 @@
 
 namespace scantrove {
 
+// What cannot be encoded (memory, or more pixels in a row than a file can have) throws std::exception.
+
 /// A PNG file in memory (lossless: 8-bit 1 or 3 channels, 16-bit 1 channel); no bytes for an empty image.
 [[nodiscard]] QByteArray toPng(const cv::Mat& image);
 

@@ -105,7 +105,7 @@ Result<ObjectId> ObjectDatabase::findByName(const std::string& name) {
 }
 
 Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
-  const Result<ObjectId> added = inTransaction(*connection_, [&]() -> Result<ObjectId> {
+  return inTransaction(*connection_, [&]() -> Result<ObjectRecord> {
     const Result<int> number = nextNumber(*connection_);
     if (!number) return fail(number.error());
     const QString name = QString("Obj_%1").arg(*number);
@@ -120,10 +120,8 @@ Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
     ObjectView view = first_view;
     view.object = id;
     SCANTROVE_TRY(insertView(view));
-    return id;
+    return object(id);  // here: once it is committed, nothing may fail any more
   });
-  if (!added) return fail(added.error());
-  return object(*added);
 }
 
 Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name, NamedBy by) {

@@ -25,6 +25,10 @@ class DatabaseConnection;
 /// closed drops SQLite's POSIX locks, and the next program that closes the catalogue deletes its journal.
 class ObjectDatabase {
  public:
+  /// Whether something may still be done; a failure leaves the catalogue as it was.
+  using Check = std::function<Result<void>()>;
+  static Result<void> nothingToCheck() { return {}; }
+
   /// Opens or creates the file (and applies missing migrations). Error: a folder, no such parent folder, not
   /// writable, not a database, another program's, damaged, locked, newer.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> open(const std::string& database);
@@ -70,16 +74,19 @@ class ObjectDatabase {
   /// once, even when its object is renamed or hidden. `first_view.object` is ignored.
   [[nodiscard]] Result<ObjectRecord> addObject(const ObjectView& first_view);
   /// A view of an object that was merged goes to the one that holds it now, and comes back with unmerge.
-  /// Error: no such object; images that do not belong together.
-  [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view);
+  /// Error: no such object; images that do not belong together; what `check` says. `check` is asked while
+  /// nobody else can change anything any more, and only reads.
+  [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view, const Check& check = nothingToCheck);
 
   /// Blanks around the name are dropped. Error: no name for an object (see checkedObjectName), or another
   /// visible object has it. `by` is `program` only to take a person's name back.
   Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::person);
   Result<void> setConfirmed(std::span<const ObjectId> objects, bool confirmed);
   /// Makes one object of two or more. The one that a person named holds the others' views; then the confirmed
-  /// one, the one with more views, the older one. It is confirmed when any of them was.
-  [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects);
+  /// one, the one with more views, the older one. It is confirmed when any of them was. `check` as of
+  /// addView.
+  [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects,
+                                          const Check& check = nothingToCheck);
   /// Takes a merge back: each has its own views, size and mark again, and its name, or "name (2)" where the
   /// name was given away meanwhile (the same holds for restore). Views that came after the merge go to whom
   /// they were stored for.

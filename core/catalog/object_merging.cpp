@@ -111,8 +111,9 @@ Result<std::vector<ObjectHolder>> ObjectDatabase::holders() {
   return result;
 }
 
-Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects) {
+Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, const Check& check) {
   return inTransaction(*connection_, [&]() -> Result<ObjectMerge> {
+    SCANTROVE_TRY(check());
     const Result<std::vector<Contender>> ranked = contenders(*connection_, objects);
     if (!ranked) return fail(ranked.error());
     const ObjectRow& holder = ranked->front().row;

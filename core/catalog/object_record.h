@@ -48,6 +48,11 @@ struct ObjectRecord {
   std::string created;  ///< ISO 8601, UTC
 };
 
+/// A person said what this object is.
+[[nodiscard]] inline bool isSettled(const ObjectRecord& record) {
+  return record.confirmed || record.named_by == NamedBy::person;
+}
+
 /// Who holds the views that were first seen as `object`.
 struct ObjectHolder {
   ObjectId object;

@@ -104,8 +104,11 @@ Result<std::vector<ObjectView>> ObjectDatabase::views(ObjectId id) {
   return views;
 }
 
-Result<std::int64_t> ObjectDatabase::addView(const ObjectView& view) {
-  return inTransaction(*connection_, [&] { return insertView(view); });
+Result<std::int64_t> ObjectDatabase::addView(const ObjectView& view, const Check& check) {
+  return inTransaction(*connection_, [&]() -> Result<std::int64_t> {
+    SCANTROVE_TRY(check());
+    return insertView(view);
+  });
 }
 
 Result<std::int64_t> ObjectDatabase::insertView(ObjectView view) {

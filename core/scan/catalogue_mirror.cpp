@@ -1,107 +1,52 @@
 #include "core/scan/catalogue_mirror.h"
 
+#include <algorithm>
+#include <array>
+#include <tuple>
 #include <variant>
-#include <vector>
 
 namespace scantrove {
 namespace {
 /// Room for what a long scan adds, so that nothing is copied in the middle of it.
 constexpr int kViewsOfAScan = 2048;
+
+float middleOf(std::vector<float>& values) {
+  const std::size_t half = values.size() / 2;
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(half));
+  if (values.size() % 2 == 1) return values[half];
+  const float below = *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half));
+  return (below + values[half]) / 2;
+}
+
+/// As ObjectDatabase::merge chooses who holds the views of both.
+bool holdsBoth(const ObjectRecord& first, const ObjectRecord& second) {
+  const auto rank = [](const ObjectRecord& record) {
+    return std::tuple(record.named_by == NamedBy::person, record.confirmed, record.views,
+                      -static_cast<std::int64_t>(record.id.value));
+  };
+  return rank(first) > rank(second);
+}
+
 }  // namespace
 
-/// What some changes ask for.
-struct CatalogueMirror::Effects {
-  std::set<ObjectId> changed;  ///< whose records are to be read again
-  bool holders = false;        ///< views have gone from one object to another, or to none
-  bool views = false;          ///< there are more
-  std::vector<std::pair<ObjectId, ObjectId>> unmerged;
-
-  std::vector<ObjectId> added;
-
-  void operator()(const change::Added& e) {
-    changed.insert(e.object);
-    added.push_back(e.object);
-  }
-  void operator()(const change::ViewAdded& e) {
-    changed.insert(e.object);
-    views = true;
-  }
-  void operator()(const change::Renamed& e) { changed.insert(e.object); }
-  void operator()(const change::Confirmed& e) { changed.insert(e.object); }
-  void operator()(const change::Removed& e) { regroup(e.object); }
-  void operator()(const change::Restored& e) { regroup(e.object); }
-  void operator()(const change::Merged& e) {
-    regroup(e.into);
-    regroup(e.from);
-  }
-  void operator()(const change::Unmerged& e) {
-    regroup(e.into);
-    regroup(e.from);
-    unmerged.push_back(std::minmax(e.into, e.from));
-  }
-
- private:
-  void regroup(ObjectId object) {
-    changed.insert(object);
-    holders = true;
-  }
-};
-
-Result<void> CatalogueMirror::load() {
+Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
+  CataloguePosition position;
   // What happens while this reads is told again by the changes after this one.
-  SCANTROVE_TRY(moveInto(last_event_, database_.lastEvent()));
-  Result<std::vector<ObjectRecord>> objects = database_.objects();
+  SCANTROVE_TRY(moveInto(position.event, database.lastEvent()));
+  Result<std::vector<ObjectRecord>> objects = database.objects();
   if (!objects) return fail(objects.error());
   records_.reserve(objects->size());
   for (ObjectRecord& record : *objects) records_.emplace(record.id, std::move(record));
-  SCANTROVE_TRY(loadHolders());
-  const Result<int> views = database_.viewCount();
+  const Result<std::vector<ObjectHolder>> holders = database.holders();
+  if (!holders) return fail(holders.error());
+  for (const ObjectHolder& entry : *holders) setHolder(entry.object, entry.holder);
+  const Result<int> views = database.viewCount();
   if (!views) return fail(views.error());
   detector_.reserve(*views + kViewsOfAScan);
-  return loadViews();
-}
-
-Result<void> CatalogueMirror::loadHolders() {
-  const Result<std::vector<ObjectHolder>> holders = database_.holders();
-  if (!holders) return fail(holders.error());
-  for (const ObjectHolder& entry : *holders) detector_.setHolder(entry);
-  return {};
-}
-
-Result<void> CatalogueMirror::loadViews() {
-  return moveInto(last_view_, database_.forEachDescriptor(last_view_, [this](const StoredDescriptor& view) {
-    detector_.add(view);
-    last_view_ = view.view;
-  }));
-}
-
-Result<void> CatalogueMirror::follow() {
-  const Result<CatalogueChanges> news = database_.changesAfter(last_event_);
-  if (!news) return fail(news.error());
-  Effects effects;
-  for (const CatalogueChange& change : news->changes) std::visit(effects, change);
-  for (const ObjectId object : effects.added) detector_.setHolder({object, object});
-  if (effects.holders) SCANTROVE_TRY(loadHolders());
-  for (const ObjectId object : effects.changed) SCANTROVE_TRY(readRecord(object));
-  if (effects.views) SCANTROVE_TRY(loadViews());
-  kept_apart_.insert(effects.unmerged.begin(), effects.unmerged.end());
-  last_event_ = news->last_event;
-  return {};
-}
-
-Result<void> CatalogueMirror::readRecord(ObjectId object) {
-  if (holderOf(object) != object) {
-    records_.erase(object);
-    return {};
-  }
-  Result<ObjectRecord> record = database_.object(object);
-  if (!record) {
-    // Hidden just now? Then the next changes say so.
-    const Result<ObjectId> holder = database_.resolve(object);
-    return holder && *holder != object ? Result<void>{} : fail(record.error());
-  }
-  records_[object] = std::move(*record);
-  return {};
+  SCANTROVE_TRY(moveInto(position.view, database.forEachDescriptor(0, [this](const StoredDescriptor& view) {
+    addDescriptor(view);
+  })));
+  return position;
 }
 
 const ObjectRecord* CatalogueMirror::record(ObjectId object) const {
@@ -109,9 +54,176 @@ const ObjectRecord* CatalogueMirror::record(ObjectId object) const {
   return found == records_.end() ? nullptr : &found->second;
 }
 
-void CatalogueMirror::noteAdded(const ObjectRecord& record) {
-  records_[record.id] = record;
-  detector_.setHolder({record.id, record.id});
+ObjectId CatalogueMirror::idOf(ObjectId key) const {
+  if (!isOfThisScan(key)) return key;
+  const auto found = ids_.find(key);
+  return found == ids_.end() ? ObjectId{} : found->second;
+}
+
+ObjectId CatalogueMirror::keyOf(ObjectId id) const {
+  const auto found = keys_.find(id);
+  return found == keys_.end() ? id : found->second;
+}
+
+void CatalogueMirror::setHolder(ObjectId object, ObjectId holder) {
+  objects_.insert(object);
+  detector_.setHolder({object, holder});
+}
+
+void CatalogueMirror::regroup(ObjectId from, ObjectId into) {
+  for (const ObjectId object : objects_) {
+    if (holderOf(object) == from) detector_.setHolder({object, into});
+  }
+}
+
+void CatalogueMirror::addDescriptor(const StoredDescriptor& view) {
+  StoredDescriptor own = view;
+  own.first_object = keyOf(view.first_object);
+  detector_.add(own);
+  addSize(own.first_object, own.size_m);
+}
+
+void CatalogueMirror::addSize(ObjectId object, const Eigen::Vector3f& size_m) {
+  if (size_m.allFinite() && !size_m.isZero()) sizes_[object].push_back(size_m);
+}
+
+Eigen::Vector3f CatalogueMirror::sizeOf(ObjectId holder) const {
+  std::array<std::vector<float>, 3> sides;
+  for (const auto& [object, sizes] : sizes_) {
+    if (holderOf(object) != holder) continue;
+    for (const Eigen::Vector3f& size_m : sizes) {
+      for (int i = 0; i < 3; ++i) sides[static_cast<std::size_t>(i)].push_back(size_m[i]);
+    }
+  }
+  if (sides[0].empty()) return Eigen::Vector3f::Zero();
+  return {middleOf(sides[0]), middleOf(sides[1]), middleOf(sides[2])};
+}
+
+int CatalogueMirror::viewsToCome(ObjectId holder) const {
+  int views = 0;
+  for (const auto& [object, count] : views_to_come_) {
+    if (holderOf(object) == holder) views += count;
+  }
+  return views;
+}
+
+void CatalogueMirror::add(const ObjectView& first_view) {
+  const ObjectId key = first_view.object;
+  setHolder(key, key);
+  ObjectRecord record;
+  record.id = key;
+  record.size_m = first_view.size_m;
+  records_.emplace(key, std::move(record));
+  addView(first_view);
+}
+
+void CatalogueMirror::addView(const ObjectView& view) {
+  if (view.descriptor) detector_.add({0, view.object, view.size_m, *view.descriptor});
+  addSize(view.object, view.size_m);
+  ++views_to_come_[view.object];
+  const auto found = records_.find(holderOf(view.object));
+  if (found == records_.end()) return;
+  ++found->second.views;
+  if (const Eigen::Vector3f size_m = sizeOf(found->first); !size_m.isZero()) found->second.size_m = size_m;
+}
+
+void CatalogueMirror::merge(ObjectId a, ObjectId b) {
+  merges_to_come_.emplace_back(a, b);
+  const bool first_holds = holdsBoth(records_.at(a), records_.at(b));
+  join(first_holds ? a : b, first_holds ? b : a);
+}
+
+void CatalogueMirror::join(ObjectId into, ObjectId from) {
+  const ObjectRecord other = records_.at(from);
+  regroup(from, into);
+  records_.erase(from);
+  ObjectRecord& record = records_.at(into);
+  record.views += other.views;
+  record.confirmed = record.confirmed || other.confirmed;
+  if (const Eigen::Vector3f size_m = sizeOf(into); !size_m.isZero()) record.size_m = size_m;
+}
+
+/// One piece of news.
+struct CatalogueMirror::Applied {
+  CatalogueMirror& mirror;
+
+  void operator()(const news::ObjectStored& e) const {
+    mirror.ids_[e.key] = e.record.id;
+    mirror.keys_[e.record.id] = e.key;
+    const auto found = mirror.records_.find(e.key);
+    if (found != mirror.records_.end()) {
+      found->second.name = e.record.name;
+      found->second.created = e.record.created;
+      found->second.first_session = e.record.first_session;
+      found->second.first_session_name = e.record.first_session_name;
+    }
+    settleView(e.key);
+  }
+  void operator()(const news::ObjectRefused& e) const {
+    mirror.setHolder(e.key, {});
+    mirror.records_.erase(e.key);
+    mirror.views_to_come_.erase(e.key);
+  }
+  void operator()(const news::ViewStored& e) const { settleView(e.key); }
+  void operator()(const news::ViewDropped& e) const {
+    settleView(e.key);
+    const auto found = mirror.records_.find(mirror.holderOf(e.key));
+    if (found != mirror.records_.end()) --found->second.views;
+  }
+  void operator()(const news::MergeStored& e) const {
+    endMerge();
+    const ObjectId into = mirror.keyOf(e.merge.into);
+    for (const ObjectId from_id : e.merge.from) {
+      const ObjectId from = mirror.keyOf(from_id);
+      const bool is_into_here = mirror.record(into) != nullptr, is_from_here = mirror.record(from) != nullptr;
+      if (is_into_here && is_from_here) {  // an edit came in between
+        mirror.join(into, from);
+      } else if (is_from_here && e.holder) {  // the database chose the other one
+        mirror.regroup(from, into);
+        mirror.records_.erase(from);
+        ObjectRecord record = *e.holder;
+        record.id = into;
+        record.views += mirror.viewsToCome(into);
+        mirror.records_[into] = std::move(record);
+      }
+    }
+  }
+  void operator()(const news::MergeDropped&) const { endMerge(); }
+  void operator()(const news::Edited& e) const { mirror.edit(e.edits); }
+  void operator()(const news::Failed&) const {}
+
+ private:
+  void settleView(ObjectId key) const {
+    const auto found = mirror.views_to_come_.find(key);
+    if (found != mirror.views_to_come_.end() && --found->second == 0) mirror.views_to_come_.erase(found);
+  }
+  void endMerge() const {
+    if (!mirror.merges_to_come_.empty()) mirror.merges_to_come_.erase(mirror.merges_to_come_.begin());
+  }
+};
+
+void CatalogueMirror::apply(const CatalogueNews& news) { std::visit(Applied{*this}, news); }
+
+void CatalogueMirror::edit(const CatalogueEdits& edits) {
+  for (const ObjectId object : edits.added) setHolder(keyOf(object), keyOf(object));
+  for (const ObjectHolder& entry : edits.holders) setHolder(keyOf(entry.object), keyOf(entry.holder));
+  for (const ObjectId object : edits.hidden) records_.erase(keyOf(object));
+  for (const StoredDescriptor& view : edits.views) addDescriptor(view);
+  for (const ObjectRecord& read : edits.records) {
+    ObjectRecord record = read;
+    record.id = keyOf(read.id);
+    if (holderOf(record.id) != record.id) continue;  // merged here, and not yet there
+    record.views += viewsToCome(record.id);
+    records_[record.id] = std::move(record);
+  }
+  for (const auto& [a, b] : edits.unmerged) kept_apart_.insert(std::minmax(keyOf(a), keyOf(b)));
+  // What the database does not know yet holds all the same.
+  for (const auto& [a, b] : merges_to_come_) {
+    const ObjectRecord *first = record(holderOf(a)), *second = record(holderOf(b));
+    if (first == nullptr || second == nullptr || first == second) continue;
+    const bool first_holds = holdsBoth(*first, *second);
+    join(first_holds ? first->id : second->id, first_holds ? second->id : first->id);
+  }
 }
 
 }  // namespace scantrove

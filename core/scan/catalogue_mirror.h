@@ -1,30 +1,33 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/catalog/detector.h"
 #include "core/catalog/object_database.h"
+#include "core/scan/catalogue_news.h"
 
 namespace scantrove {
 
 /// The catalogue as a scan knows it: the visible objects' records, who holds what, and all views in the
-/// detector. Read once, then kept up to date change by change, whoever made them. One thread, the worker's.
+/// detector. Read once; then what the scan finds is here at once, and stored by another thread
+/// (CatalogueWriter), whose news say what became of it and what others did. One thread, the worker's.
+///
+/// An object that this scan finds has a key of its own for as long as the scan lasts, whenever the database
+/// gives it an id: what a scan does never depends on when that is. All ids here are such keys; for objects
+/// that were in the catalogue before, and those of others, key and id are the same.
 class CatalogueMirror {
  public:
-  /// The database outlives the mirror.
-  CatalogueMirror(ObjectDatabase& database, Detector detector)
-      : database_(database), detector_(std::move(detector)) {}
+  explicit CatalogueMirror(Detector detector) : detector_(std::move(detector)) {}
 
-  [[nodiscard]] Result<void> load();
+  /// Reads all of `database`; returns where the news go on.
+  [[nodiscard]] Result<CataloguePosition> load(ObjectDatabase& database);
 
-  /// Learns what happened since the last call: far below a millisecond when nothing did, or when a person
-  /// renamed or confirmed. On an error nothing is lost: the next call goes on.
-  [[nodiscard]] Result<void> follow();
-
-  /// The record of a visible object, or null.
+  /// The record of a visible object, or null. Its id is the key.
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
   /// Who holds what was this object's; none: it was deleted.
   [[nodiscard]] ObjectId holderOf(ObjectId object) const { return detector_.holderOf(object); }
@@ -34,22 +37,52 @@ class CatalogueMirror {
   }
   [[nodiscard]] Detector& detector() { return detector_; }
 
-  /// What this scan has just stored, ahead of follow(): a new object, another view of one.
-  void noteAdded(const ObjectRecord& record);
-  void noteView(ObjectId holder) { ++records_.at(holder).views; }
+  /// This scan found the object.
+  [[nodiscard]] static bool isOfThisScan(ObjectId key) { return key.value >= kFirstKey; }
+  /// None: not stored yet.
+  [[nodiscard]] ObjectId idOf(ObjectId key) const;
+  [[nodiscard]] ObjectId keyOf(ObjectId id) const;
+
+  // What the scan does, ahead of the database.
+
+  /// For the next object that is found.
+  [[nodiscard]] ObjectId nextKey() { return ObjectId{next_key_++}; }
+  /// An unknown object, by the key `first_view.object`.
+  void add(const ObjectView& first_view);
+  /// Another view of view.object, which somebody holds.
+  void addView(const ObjectView& view);
+  /// Two visible objects are one. Who holds the views is what the database will say, unless somebody changes
+  /// one of the two just now.
+  void merge(ObjectId a, ObjectId b);
+
+  /// What the database made of it, and what others did.
+  void apply(const CatalogueNews& news);
 
  private:
-  struct Effects;
-  [[nodiscard]] Result<void> loadHolders();
-  [[nodiscard]] Result<void> loadViews();
-  [[nodiscard]] Result<void> readRecord(ObjectId object);
+  static constexpr std::uint32_t kFirstKey = 1U << 31U;
+  struct Applied;
 
-  ObjectDatabase& database_;
+  void setHolder(ObjectId object, ObjectId holder);
+  /// All that `from` holds is `into`'s now.
+  void regroup(ObjectId from, ObjectId into);
+  void join(ObjectId into, ObjectId from);
+  void addDescriptor(const StoredDescriptor& view);
+  void addSize(ObjectId object, const Eigen::Vector3f& size_m);
+  [[nodiscard]] Eigen::Vector3f sizeOf(ObjectId holder) const;
+  /// Views that the holder has and the database does not have yet.
+  [[nodiscard]] int viewsToCome(ObjectId holder) const;
+  void edit(const CatalogueEdits& edits);
+
   Detector detector_;
   std::unordered_map<ObjectId, ObjectRecord> records_;
-  std::set<std::pair<ObjectId, ObjectId>> kept_apart_;  // smaller id first
-  std::int64_t last_event_ = 0;                         // that was followed
-  std::int64_t last_view_ = 0;                          // that the detector has
+  std::set<ObjectId> objects_;                                        // that ever were
+  std::unordered_map<ObjectId, std::vector<Eigen::Vector3f>> sizes_;  // of the views, by first object
+  std::set<std::pair<ObjectId, ObjectId>> kept_apart_;                // smaller id first
+
+  std::uint32_t next_key_ = kFirstKey;
+  std::unordered_map<ObjectId, ObjectId> ids_, keys_;          // of this scan's objects that are stored
+  std::map<ObjectId, int> views_to_come_;                      // by first object
+  std::vector<std::pair<ObjectId, ObjectId>> merges_to_come_;  // in order
 };
 
 }  // namespace scantrove

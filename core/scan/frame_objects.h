@@ -8,15 +8,17 @@
 
 namespace scantrove {
 
-/// What one frame gave for the catalogue.
+/// What one frame gave for the catalogue, and what of this and earlier ones was stored by now.
 struct FrameObjects {
   std::vector<SeenObject> seen;
-  std::vector<ObjectRecord> added;
   std::vector<ObjectRecord> recognised;  ///< first time in this scan
-  std::vector<ObjectId> new_views;       ///< objects that got one
-  std::vector<ObjectMerge> merged;       ///< their regions turned out to be one
+
+  bool has_news = false;            ///< of the catalogue, be it that somebody else changed it
+  std::vector<ObjectRecord> added;  ///< stored
+  std::vector<ObjectId> new_views;  ///< objects that got one; stored
+  std::vector<ObjectMerge> merged;  ///< their regions turned out to be one; stored
   /// The catalogue could not be read or written. Said once until it works again; the scan goes on, and what
-  /// could not be stored is stored when it is met again.
+  /// could not be stored waits.
   std::optional<Error> catalogue_failure;
 };
 

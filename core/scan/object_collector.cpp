@@ -1,10 +1,10 @@
 #include "core/scan/object_collector.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <variant>
 
-#include "core/base/log.h"
+#include "core/catalog/thumbnail.h"
 #include "core/discovery/candidate_finder.h"
 #include "core/scan/candidate_crop.h"
 
@@ -12,7 +12,7 @@ namespace scantrove {
 namespace {
 
 /// A view is kept of a look whose size is about that of the object.
-constexpr float kAlikeFraction = 0.7F;
+constexpr float kViewFraction = 0.7F;
 /// An object that was seen so few frames ago is there under regions of its own.
 constexpr int kFramesToReturn = 10;
 /// An object that was seen elsewhere so few frames ago is not here.
@@ -24,26 +24,34 @@ bool isClear(const Candidate& candidate) {
   return candidate.is_whole && candidate.outline >= kLeastOutline && candidate.hidden <= kMostHidden;
 }
 
-/// A person said what this object is.
-bool isSettled(const ObjectRecord& record) { return record.confirmed || record.named_by == NamedBy::person; }
+/// What is to be announced of some news.
+struct Announced {
+  FrameObjects& objects;
+
+  void operator()(const news::ObjectStored& e) const { objects.added.push_back(e.record); }
+  void operator()(const news::ViewStored& e) const { objects.new_views.push_back(e.holder); }
+  void operator()(const news::MergeStored& e) const { objects.merged.push_back(e.merge); }
+  void operator()(const news::Failed& e) const { objects.catalogue_failure = e.error; }
+  void operator()(const auto& /*nothing that anybody waits for*/) const {}
+};
 
 }  // namespace
 
-ObjectCollector::ObjectCollector(ObjectDatabase& database, std::int64_t session, Detector detector,
-                                 const DetectionParams& params)
-    : database_(database), session_(session), catalogue_(database, std::move(detector)) {
+ObjectCollector::ObjectCollector(Detector detector, const DetectionParams& params)
+    : catalogue_(std::move(detector)) {
   setParams(params);
 }
 
 Result<std::unique_ptr<ObjectCollector>> ObjectCollector::create(ComputeContext& compute,
                                                                  ObjectDatabase& database,
-                                                                 std::int64_t session,
+                                                                 const CatalogueWriter::Options& writer,
                                                                  const DetectionParams& params) {
   Result<Detector> detector = Detector::create(compute);
   if (!detector) return fail(detector.error());
-  std::unique_ptr<ObjectCollector> collector(
-      new ObjectCollector(database, session, std::move(*detector), params));
-  SCANTROVE_TRY(collector->catalogue_.load());
+  std::unique_ptr<ObjectCollector> collector(new ObjectCollector(std::move(*detector), params));
+  const Result<CataloguePosition> position = collector->catalogue_.load(database);
+  if (!position) return fail(position.error());
+  SCANTROVE_TRY(moveInto(collector->writer_, CatalogueWriter::start(writer, *position)));
   return collector;
 }
 
@@ -57,11 +65,8 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
                                       const std::vector<Candidate>& candidates) {
   FrameObjects objects;
   ++frame_;
-  if (frames_until_retry_ > 0) --frames_until_retry_;
-  if (mayUseCatalogue()) {
-    if (const Result<void> followed = followCatalogue(); !followed) noteFailure(followed.error(), objects);
-  }
-  mergeJoined(objects);
+  takeNews(objects);
+  mergeJoined();
   const Look look{frame, pose.T_world_camera, in_color, objects};
   lookUpDue(candidates, look);
   std::vector<ObjectId> identities;
@@ -83,14 +88,23 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   return objects;
 }
 
-void ObjectCollector::noteFailure(const Error& error, FrameObjects& objects) {
-  frames_until_retry_ = kFramesUntilRetry;
-  if (is_failure_said_) {
-    spdlog::warn("{}", error.message());
-  } else {
-    objects.catalogue_failure = error;
-    is_failure_said_ = true;
+void ObjectCollector::takeNews(FrameObjects& objects) {
+  for (const CatalogueNews& news : writer_->takeNews()) {
+    catalogue_.apply(news);
+    std::visit(Announced{objects}, news);
+    objects.has_news = true;
   }
+  writer_->follow();
+}
+
+FrameObjects ObjectCollector::followCatalogue() {
+  FrameObjects objects;
+  takeNews(objects);
+  return objects;
+}
+
+Result<void> ObjectCollector::finish(const std::function<void(const FrameObjects&)>& announce) {
+  return writer_->finish([&] { announce(followCatalogue()); });
 }
 
 void ObjectCollector::lookUpDue(const std::vector<Candidate>& candidates, const Look& look) {
@@ -112,7 +126,8 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   if (candidates.empty()) return;
   std::vector<DetectionQuery> queries;
   for (const Candidate* candidate : candidates) {
-    const std::optional<ObjectView> view = viewOf(*candidate, look);
+    const std::optional<ObjectView> view =
+        cutView(look.frame, look.T_world_camera, look.in_color, *candidate);
     queries.push_back(view ? DetectionQuery{view->color, view->mask, candidate->size_m} : DetectionQuery{});
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
@@ -125,7 +140,7 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   // The same thing under a new region.
   if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) return object;
   const std::optional<ObjectId> verdict = recognition_.verdict(candidate.regions);
-  const ObjectRecord* known = verdict ? record(catalogue_.holderOf(*verdict)) : nullptr;
+  const ObjectRecord* known = verdict ? recordOf(catalogue_.holderOf(*verdict)) : nullptr;
   if (known == nullptr) return {};
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
@@ -141,8 +156,8 @@ std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& c
   constexpr float kKnown = 0.3F, kConfirmed = 1;
   std::vector<float> known;
   for (const ObjectId object : identities) {
-    const ObjectRecord* is_record = record(catalogue_.holderOf(object));
-    const bool is_confirmed = is_record != nullptr && is_record->confirmed;
+    const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
+    const bool is_confirmed = holder != nullptr && holder->confirmed;
     known.push_back(!object ? 0 : (is_confirmed ? kConfirmed : kKnown));
   }
   return chooseDisjoint(candidates, known);
@@ -154,14 +169,15 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     if (isWanted(candidate) || (isClear(candidate) && is_unknown)) addToCatalogue(candidate, look);
     return;
   }
-  const ObjectRecord* known = record(catalogue_.holderOf(identity));
+  const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
   const float size_m = candidate.size_m.norm();
   const bool is_alike =
       known == nullptr || known->size_m.isZero() || !isMet(known->id) ||
-      std::min(size_m, known->size_m.norm()) >= kAlikeFraction * std::max(size_m, known->size_m.norm());
+      std::min(size_m, known->size_m.norm()) >= kViewFraction * std::max(size_m, known->size_m.norm());
   // A set that is much larger than the object holds more than it: its other regions stay free.
   if (!is_alike) return;
-  if (known != nullptr && !isMet(known->id)) look.objects.recognised.push_back(*known);
+  if (known != nullptr && !isMet(known->id) && !CatalogueMirror::isOfThisScan(known->id))
+    look.objects.recognised.push_back(*known);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
   if (isClear(candidate)) keepNewDirection(identity, candidate, look);
@@ -195,45 +211,39 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
 }
 
 void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look) {
-  if (!mayUseCatalogue() || look.frame.color.empty()) return;
-  const std::optional<ObjectView> view = viewOf(candidate, look);
+  if (look.frame.color.empty()) return;
+  std::optional<ObjectView> view = viewToKeep(candidate, look);
   if (!view) return;
-  const Result<ObjectRecord> added = database_.addObject(*view);
-  if (!added) return noteFailure(added.error(), look.objects);
-  is_failure_said_ = false;
-  look.objects.added.push_back(*added);
-  catalogue_.noteAdded(*added);
-  met_.bind(candidate.regions, added->id);
-  met_.meet(added->id, candidate, frame_);
-  met_.met(added->id).views.keep(directionOf(candidate, look.T_world_camera));
+  const ObjectId object = catalogue_.nextKey();
+  view->object = object;
+  if (!writer_->addObject(*view)) return;  // it stays a candidate
+  catalogue_.add(*view);
+  met_.bind(candidate.regions, object);
+  met_.meet(object, candidate, frame_);
+  met_.met(object).views.keep(view->direction);
   for (const RegionId region : candidate.regions) wanted_.erase(region);
 }
 
 void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look) {
-  const ObjectRecord* holder = record(catalogue_.holderOf(object));
-  if (holder == nullptr || holder->views >= params_.max_views || !mayUseCatalogue() ||
-      look.frame.color.empty())
-    return;
+  const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
+  if (holder == nullptr || holder->views >= params_.max_views || look.frame.color.empty()) return;
   const Eigen::Vector3f direction = directionOf(candidate, look.T_world_camera);
   const bool is_new = std::ranges::all_of(met_.all(), [&](const auto& met) {
     return catalogue_.holderOf(met.first) != holder->id ||
            met.second.views.isNew(direction, params_.new_view_angle_deg);
   });
-  if (!is_new) return;
-  std::optional<ObjectView> view = viewOf(candidate, look);
+  if (!is_new || !writer_->hasRoomForView(object)) return;
+  std::optional<ObjectView> view = viewToKeep(candidate, look);
   if (!view) return;
   view->object = object;
-  if (const Result<std::int64_t> stored = database_.addView(*view); !stored)
-    return noteFailure(stored.error(), look.objects);
-  is_failure_said_ = false;
+  catalogue_.addView(*view);
+  writer_->addView(std::move(*view));
   met_.met(object).views.keep(direction);
-  catalogue_.noteView(holder->id);
-  look.objects.new_views.push_back(holder->id);
 }
 
-std::optional<ObjectView> ObjectCollector::viewOf(const Candidate& candidate, const Look& look) const {
+std::optional<ObjectView> ObjectCollector::viewToKeep(const Candidate& candidate, const Look& look) {
   std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
-  if (view) view->session = session_;
+  if (view) view->descriptor = makeThumbnail(view->color, view->mask);
   return view;
 }
 
@@ -254,27 +264,19 @@ void ObjectCollector::regionsParted(RegionId from, RegionId part) {
 }
 
 bool ObjectCollector::shouldMerge(ObjectId a, ObjectId b) const {
-  const ObjectRecord* first = record(a);
-  const ObjectRecord* second = record(b);
+  const ObjectRecord* first = recordOf(a);
+  const ObjectRecord* second = recordOf(b);
   if (first == nullptr || second == nullptr || a == b || catalogue_.areKeptApart(a, b)) return false;
   return !(isSettled(*first) && isSettled(*second));
 }
 
-void ObjectCollector::mergeJoined(FrameObjects& objects) {
-  if (!mayUseCatalogue()) return;
-  while (!joined_.empty()) {
-    const std::array<ObjectId, 2> pair{catalogue_.holderOf(joined_.back().first),
-                                       catalogue_.holderOf(joined_.back().second)};
-    if (shouldMerge(pair[0], pair[1])) {
-      Result<ObjectMerge> merge = database_.merge(pair);
-      if (merge) {
-        is_failure_said_ = false;
-        objects.merged.push_back(std::move(*merge));
-      }
-      const Result<void> followed = merge ? followCatalogue() : fail(merge.error());
-      if (!followed) return noteFailure(followed.error(), objects);
-    }
-    joined_.pop_back();
+void ObjectCollector::mergeJoined() {
+  for (; !joined_.empty(); joined_.pop_back()) {
+    const ObjectId a = catalogue_.holderOf(joined_.back().first);
+    const ObjectId b = catalogue_.holderOf(joined_.back().second);
+    if (!shouldMerge(a, b)) continue;
+    catalogue_.merge(a, b);
+    writer_->merge(a, b);
   }
 }
 
@@ -284,24 +286,34 @@ bool ObjectCollector::isMet(ObjectId holder) const {
 }
 
 void ObjectCollector::describeObject(SeenObject& seen) const {
-  seen.object = catalogue_.holderOf(met_.objectOf(seen.regions));
-  const ObjectRecord* known = record(seen.object);
-  seen.name = known != nullptr ? known->name : std::string();
-  seen.confirmed = known != nullptr && known->confirmed;
-  seen.recognised = known != nullptr && known->first_session != session_;
+  const ObjectRecord* known = recordOf(catalogue_.holderOf(met_.objectOf(seen.regions)));
+  const bool is_known = known != nullptr;
+  seen.object = is_known ? catalogue_.idOf(known->id) : ObjectId{};
+  seen.name = is_known ? known->name : std::string();
+  seen.confirmed = is_known && known->confirmed;
+  seen.recognised = is_known && !CatalogueMirror::isOfThisScan(known->id);
 }
 
 ObjectId ObjectCollector::objectOf(RegionId region) const {
-  return catalogue_.holderOf(met_.objectOf(region));
+  return catalogue_.idOf(catalogue_.holderOf(met_.objectOf(region)));
+}
+
+std::optional<ObjectRecord> ObjectCollector::record(ObjectId object) const {
+  const ObjectRecord* known = recordOf(catalogue_.keyOf(object));
+  if (known == nullptr) return std::nullopt;
+  ObjectRecord record = *known;
+  record.id = object;
+  return record;
 }
 
 std::vector<ScanReport::Object> ObjectCollector::metObjects() const {
   std::map<ObjectId, ScanReport::Object> objects;
   for (const auto& [object, met] : met_.all()) {
-    const ObjectRecord* known = record(catalogue_.holderOf(object));
-    if (known == nullptr) continue;
-    objects[known->id] = {known->id, known->name, known->confirmed, known->views,
-                          known->first_session == session_ ? std::string() : known->first_session_name};
+    const ObjectRecord* known = recordOf(catalogue_.holderOf(object));
+    const ObjectId id = known != nullptr ? catalogue_.idOf(known->id) : ObjectId{};
+    if (!id) continue;
+    objects[id] = {id, known->name, known->confirmed, known->views,
+                   CatalogueMirror::isOfThisScan(known->id) ? std::string() : known->first_session_name};
   }
   std::vector<ScanReport::Object> list;
   for (auto& [id, object] : objects) list.push_back(std::move(object));

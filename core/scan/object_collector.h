@@ -1,4 +1,6 @@
 #pragma once
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,6 +14,7 @@
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
 #include "core/scan/catalogue_mirror.h"
+#include "core/scan/catalogue_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/met_objects.h"
 #include "core/scan/recognition_history.h"
@@ -26,24 +29,26 @@ namespace scantrove {
 /// kept. Follows what persons and other programs do to the catalogue meanwhile: what was deleted is not added
 /// again by this scan, what was merged is one. One thread, the worker's; may throw cl::Error.
 ///
+/// No call but create(), settle() and finish() waits for the database: what is found counts at once, another
+/// thread stores it, and a later call says so.
+///
 /// Regions are remembered with the object that they were taken for. Who holds that object now, after merges
 /// and deletions, is asked anew each time (CatalogueMirror::holderOf), so that whatever is undone is undone
 /// here too.
 class ObjectCollector {
  public:
-  /// After a failure the catalogue is left alone for so many frames: each try may wait 5 s for a lock.
-  static constexpr int kFramesUntilRetry = 60;
   /// Candidates that are looked up in one frame at most: bounds what it takes.
   static constexpr std::size_t kMostLooks = 4;
 
-  /// Loads all views of `database` into the detector.
+  /// Loads all views of `database`, which is needed no longer than that, into the detector, and starts to
+  /// write into the catalogue of `writer`, which is the same one.
   [[nodiscard]] static Result<std::unique_ptr<ObjectCollector>> create(ComputeContext& compute,
                                                                        ObjectDatabase& database,
-                                                                       std::int64_t session,
+                                                                       const CatalogueWriter::Options& writer,
                                                                        const DetectionParams& params);
 
-  /// Candidates of one frame, which may share regions; `in_color` at their resolution. That the catalogue
-  /// fails is part of the outcome; it ends nothing.
+  /// Candidates of one frame, which may share regions; `in_color` at their resolution. What was stored since
+  /// the last call and that the catalogue fails is part of the outcome; it ends nothing.
   [[nodiscard]] FrameObjects collect(const RgbdFrame& frame, const PoseEstimate& pose,
                                      const SurfaceInColor& in_color,
                                      const std::vector<Candidate>& candidates);
@@ -64,19 +69,26 @@ class ObjectCollector {
   /// or not.
   void addByPerson(RegionId region) { wanted_.insert(region); }
 
-  /// The region is that object, as an earlier scan of this map found out.
-  void bind(RegionId region, ObjectId object) { met_.bind({region}, object); }
+  /// The region is that object of the catalogue, as an earlier scan of this map found out.
+  void bind(RegionId region, ObjectId object) { met_.bind({region}, catalogue_.keyOf(object)); }
 
-  /// Learns what happened to the catalogue since the last call; collect() does so by itself.
-  [[nodiscard]] Result<void> followCatalogue() { return catalogue_.follow(); }
+  /// Learns what happened to the catalogue since the last call, and asks for more; collect() does so by
+  /// itself.
+  [[nodiscard]] FrameObjects followCatalogue();
+  /// Waits until all that was found is stored, and all that others did has been heard of: followCatalogue()
+  /// says so. False: not within `limit`.
+  [[nodiscard]] bool settle(std::chrono::milliseconds limit) { return writer_->settle(limit); }
+  /// Stores what waits and ends the session; `announce` hears what is stored, and that the catalogue fails,
+  /// as it happens. Nothing is collected afterwards. Error: what the catalogue has not got, and why.
+  [[nodiscard]] Result<void> finish(const std::function<void(const FrameObjects&)>& announce);
   void setParams(const DetectionParams& params);
 
-  /// Objects met in this scan, by id.
+  /// Objects met in this scan that the catalogue has, by id.
   [[nodiscard]] std::vector<ScanReport::Object> metObjects() const;
-  /// The object that a region is, or none: unknown, or deleted by a person.
+  /// The object that a region is, or none: unknown, not stored yet, or deleted by a person.
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
-  /// The record of an object of the catalogue, or null.
-  [[nodiscard]] const ObjectRecord* record(ObjectId object) const { return catalogue_.record(object); }
+  /// The record of an object of the catalogue.
+  [[nodiscard]] std::optional<ObjectRecord> record(ObjectId object) const;
   /// Fills in the object of `seen.regions` as it is called now.
   void describeObject(SeenObject& seen) const;
 
@@ -89,13 +101,11 @@ class ObjectCollector {
     FrameObjects& objects;
   };
 
-  ObjectCollector(ObjectDatabase& database, std::int64_t session, Detector detector,
-                  const DetectionParams& params);
+  ObjectCollector(Detector detector, const DetectionParams& params);
 
-  [[nodiscard]] bool mayUseCatalogue() const { return frames_until_retry_ == 0; }
-  void noteFailure(const Error& error, FrameObjects& objects);
-
-  void mergeJoined(FrameObjects& objects);
+  /// Applies what has arrived.
+  void takeNews(FrameObjects& objects);
+  void mergeJoined();
   [[nodiscard]] bool shouldMerge(ObjectId a, ObjectId b) const;
   void lookUpDue(const std::vector<Candidate>& candidates, const Look& look);
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
@@ -108,13 +118,13 @@ class ObjectCollector {
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;
   void addToCatalogue(const Candidate& candidate, const Look& look);
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
+  [[nodiscard]] const ObjectRecord* recordOf(ObjectId holder) const { return catalogue_.record(holder); }
   /// None: the colour image does not show it.
-  [[nodiscard]] std::optional<ObjectView> viewOf(const Candidate& candidate, const Look& look) const;
+  [[nodiscard]] static std::optional<ObjectView> viewToKeep(const Candidate& candidate, const Look& look);
   [[nodiscard]] bool isMet(ObjectId holder) const;
 
-  ObjectDatabase& database_;
-  std::int64_t session_ = 0;
-  CatalogueMirror catalogue_;
+  CatalogueMirror catalogue_;  // objects are known by its keys
+  std::unique_ptr<CatalogueWriter> writer_;
   DetectionParams params_;
 
   MetObjects met_;
@@ -124,8 +134,6 @@ class ObjectCollector {
       joined_;  // whose regions were joined, or that stand at one place
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
   int frame_ = 0;
-  int frames_until_retry_ = 0;
-  bool is_failure_said_ = false;
 };
 
 }  // namespace scantrove

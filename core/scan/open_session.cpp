@@ -80,8 +80,7 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
   if (saved == nullptr)
     return fail("There is no frame " + std::to_string(frame) + " in " + folder_.string() + ".",
                 "session show says which frames there are.");
-  if (saved->state != TrackingState::tracking && saved->state != TrackingState::relocalised)
-    return fail(called + " has no pose: the camera was lost.", "Name another frame.");
+  if (!saved->isUsable()) return fail(called + " has no pose: the camera was lost.", "Name another frame.");
   const Intrinsics& K = setup_.K;
   if (x < 0 || y < 0 || x >= K.width || y >= K.height) {
     return fail("The pixel " + std::to_string(x) + "," + std::to_string(y) + " lies outside of the " +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/exchange/atomic_file.h"
@@ -30,6 +31,12 @@ Result<std::unique_ptr<ScanOutput>> ScanOutput::create(const std::filesystem::pa
   return output;
 }
 
+void ScanOutput::begin(const SavedScan& earlier) {
+  for (const SavedFrame& frame : earlier.frames) {
+    if (frame.isUsable()) trajectory_.push_back({frame.time_s, frame.T_world_camera});
+  }
+}
+
 Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   if (!result.pose.usable()) return {};
   trajectory_.push_back({frame.timestamp_s, result.pose.T_world_camera});
@@ -40,14 +47,18 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
                              result.regions.regions, result.pose.T_world_camera});
 }
 
+Result<void> ScanOutput::writeTrajectory() {
+  return guarded("writing the trajectory", [&] {
+    std::ranges::stable_sort(trajectory_, {}, &StampedPose::timestamp_s);
+    return writeTumTrajectory(folder_ / "trajectory.txt", trajectory_);
+  });
+}
+
 Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report) {
   FirstError outcome;
-  std::ranges::stable_sort(trajectory_, {}, &StampedPose::timestamp_s);
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
   };
-  attempt("writing the trajectory",
-          [&] { return writeTumTrajectory(folder_ / "trajectory.txt", trajectory_); });
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
   // The cloud uses the numbers of the images.
   if (label_images_) {
@@ -62,7 +73,8 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
 Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
   std::vector<LabeledPoint> points;
   std::map<std::uint32_t, LabelMapEntry> entries;  // by number
-  SCANTROVE_TRY(pipeline.forEachCloudPoint([&](const LabelPoint& point) {
+  FirstError outcome;
+  const auto add = [&](const LabelPoint& point) {
     const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
     const std::uint32_t number = numbers_.numberOf(region);
     LabelMapEntry& entry = entries[number];
@@ -71,17 +83,22 @@ Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
       entry.color = regionColor(entry.region);
       if (const ObjectCollector* collector = pipeline.collector()) {
         entry.object = collector->objectOf(region);
-        if (const ObjectRecord* record = collector->record(entry.object)) entry.name = record->name;
+        if (const std::optional<ObjectRecord> record = collector->record(entry.object))
+          entry.name = record->name;
       }
     }
     points.push_back({point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], number});
-  }));
+  };
+  // What could be read until the device or memory fails is written.
+  outcome.note(guarded("reading out the labelled cloud", [&] { return pipeline.forEachCloudPoint(add); }));
   std::vector<LabelMapEntry> list;
   for (auto& [number, entry] : entries) list.push_back(std::move(entry));
-  FirstError outcome;
-  outcome.note(writePly(folder_ / "cloud.ply", points));
-  outcome.note(writePcd(folder_ / "cloud.pcd", points));
-  outcome.note(writeLabelMap(folder_ / "labels.json", list));
+  const auto attempt = [&](const std::string& activity, const auto& work) {
+    outcome.note(guarded(activity, work));
+  };
+  attempt("writing the labelled cloud", [&] { return writePly(folder_ / "cloud.ply", points); });
+  attempt("writing the labelled cloud", [&] { return writePcd(folder_ / "cloud.pcd", points); });
+  attempt("writing the label map", [&] { return writeLabelMap(folder_ / "labels.json", list); });
   return outcome.result();
 }
 

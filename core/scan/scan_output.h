@@ -9,6 +9,7 @@
 #include "core/scan/region_numbers.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_report.h"
+#include "core/session/saved_scan.h"
 
 namespace scantrove {
 
@@ -21,11 +22,18 @@ class ScanOutput {
   [[nodiscard]] static Result<std::unique_ptr<ScanOutput>> create(const std::filesystem::path& folder,
                                                                   bool label_maps);
 
+  /// The frames of an earlier scan that this one goes on with.
+  void begin(const SavedScan& earlier);
+
   /// Error: label images of this or an earlier frame could not be written.
   [[nodiscard]] Result<void> addFrame(const RgbdFrame& frame, const FrameResult& result);
 
-  /// Writes what there is; a file that cannot be written keeps no other from being written. Error: the first
-  /// that failed (the others are in the log).
+  /// The end of a scan, first part: needs neither device nor catalogue.
+  [[nodiscard]] Result<void> writeTrajectory();
+
+  /// The other files. Writes what there is; a file that cannot be written keeps no other from being written,
+  /// nor does a device that fails: the cloud is what could be read of it. Error: the first that failed (the
+  /// others are in the log).
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const ScanReport& report);
 
  private:

@@ -59,7 +59,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   if (setup.database != nullptr) {
     SCANTROVE_TRY(
         moveInto(pipeline->collector_,
-                 ObjectCollector::create(compute, *setup.database, setup.session, setup.params.detection)));
+                 ObjectCollector::create(compute, *setup.database, setup.catalogue, setup.params.detection)));
   }
   return pipeline;
 }
@@ -322,7 +322,7 @@ void ScanPipeline::setParams(const ScanParams& params) {
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes(); }
 
 Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera,
-                                                                const Intrinsics& K) {
+                                                            const Intrinsics& K) {
   return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
     FrameLabelWriter::FinalView view;
     view.width = K.width;

@@ -20,8 +20,8 @@
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
-#include "core/scan/editable_cloud.h"
 #include "core/meshing/mesh_extractor.h"
+#include "core/scan/editable_cloud.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
@@ -57,13 +57,14 @@ class ScanPipeline {
   struct Setup {
     Intrinsics K;  ///< of the recording
     ScanParams params;
-    bool poses_given = false;            ///< take RgbdFrame::T_world_camera instead of tracking
-    ObjectDatabase* database = nullptr;  ///< null: discover, but neither recognise nor collect
-    std::int64_t session = 0;
-    std::optional<int> frame_count = {};  ///< of the recording; empty for a live camera
+    bool poses_given = false;  ///< take RgbdFrame::T_world_camera instead of tracking
+    /// Is read by create(), and needed no longer; null: discover, but neither recognise nor collect.
+    ObjectDatabase* database = nullptr;
+    CatalogueWriter::Options catalogue = {};  ///< that of the database
+    std::optional<int> frame_count = {};      ///< of the recording; empty for a live camera
   };
 
-  /// `compute` and the database outlive the pipeline.
+  /// `compute` outlives the pipeline.
   [[nodiscard]] static Result<std::unique_ptr<ScanPipeline>> create(ComputeContext& compute,
                                                                     const Setup& setup);
 
@@ -103,9 +104,13 @@ class ScanPipeline {
     if (collector_) collector_->bind(region, object);
   }
 
-  /// Learns what became of the catalogue; processFrame does so by itself. Error: it cannot be read for now.
-  [[nodiscard]] Result<void> followCatalogue() {
-    return collector_ ? collector_->followCatalogue() : Result<void>{};
+  /// Learns what became of the catalogue; processFrame does so by itself while there is a pose.
+  [[nodiscard]] FrameObjects followCatalogue() {
+    return collector_ ? collector_->followCatalogue() : FrameObjects{};
+  }
+  /// Ends the collecting; see ObjectCollector::finish.
+  [[nodiscard]] Result<void> finishCatalogue(const std::function<void(const FrameObjects&)>& announce) {
+    return collector_ ? collector_->finish(announce) : Result<void>{};
   }
 
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }

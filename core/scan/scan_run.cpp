@@ -3,9 +3,14 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "core/base/overloaded.h"
+#include "core/catalog/object_database.h"
+#include "core/scan/guarded.h"
 #include "core/scan/open_source.h"
+#include "core/scan/session_restorer.h"
 
 namespace scantrove {
 namespace {
@@ -16,6 +21,13 @@ double peakMemoryMegabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // kilobytes on Linux
 }
 
+/// The same pixels, and within a hundredth the same lens.
+bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
+  const auto isNear = [](float x, float y, float scale) { return std::abs(x - y) <= 0.01F * scale; };
+  return a.width == b.width && a.height == b.height && isNear(a.fx, b.fx, a.fx) && isNear(a.fy, b.fy, a.fy) &&
+         isNear(a.cx, b.cx, a.fx) && isNear(a.cy, b.cy, a.fy);
+}
+
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -23,7 +35,8 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanSession::Listener listener,
-                                               LatestValue<ScanSnapshot>& mailbox) {
+                                               LatestValue<ScanSnapshot>& mailbox,
+                                               std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
   SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
   const SourceInfo& info = run->source_->info();
@@ -40,13 +53,57 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   if (request.output_folder) {
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
-  SCANTROVE_TRY(moveInto(run->database_, ObjectDatabase::open(request.database)));
-  SCANTROVE_TRY(moveInto(run->session_, run->database_->beginSession(info.name)));
-  SCANTROVE_TRY(moveInto(
-      run->pipeline_,
-      ScanPipeline::create(*run->compute_, {info.intrinsics, request.params, poses_given,
-                                            run->database_.get(), run->session_, info.frame_count})));
+  SCANTROVE_TRY(run->openSession(info));
+  const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(request.database);
+  if (!database) return fail(database.error());
+  CatalogueWriter::Options catalogue;
+  catalogue.database = request.database;
+  catalogue.source = info.name;
+  catalogue.on_news = std::move(on_news);
+  catalogue.patience = request.catalogue_patience;
+  SCANTROVE_TRY(
+      moveInto(run->pipeline_,
+               ScanPipeline::create(*run->compute_, {info.intrinsics, run->request_.params, poses_given,
+                                                     database->get(), catalogue, info.frame_count})));
+  SCANTROVE_TRY(run->resumeSession());
   return run;
+}
+
+Result<void> ScanRun::openSession(const SourceInfo& info) {
+  if (!request_.output_folder) return {};
+  const auto way = request_.resume ? SessionWriter::Way::open : SessionWriter::Way::create;
+  SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request_.output_folder, way)));
+  if (request_.resume) return readSession(info);
+  SessionRecorder::Setup setup{.all_frames = request_.record_all};
+  setup.facts = factsOf({request_.source, info.intrinsics, request_.params, request_.database});
+  recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
+  return {};
+}
+
+Result<void> ScanRun::readSession(const SourceInfo& info) {
+  std::vector<std::string> damages;
+  SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  const Result<SessionSetup> setup = setupFrom(earlier_->facts);
+  if (!setup) return fail(setup.error());
+  if (!isSameCamera(setup->K, info.intrinsics)) {
+    return fail("The session " + request_.output_folder->string() +
+                    " was scanned with another camera than that of " + info.name + ".",
+                "Scan into a folder of its own.");
+  }
+  request_.params.fusion = setup->params.fusion;
+  for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
+  return {};
+}
+
+Result<void> ScanRun::resumeSession() {
+  if (!earlier_) return {};
+  std::vector<std::string> damages;
+  SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, true, damages));
+  for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
+  recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
+  if (output_) output_->begin(*earlier_);
+  earlier_.reset();
+  return {};
 }
 
 ScanRun::~ScanRun() = default;
@@ -60,6 +117,7 @@ Result<ScanRun::Step> ScanRun::step() {
     case FrameRead::Status::failed:
       return fail(read.error);
     case FrameRead::Status::timeout:
+      followCatalogue();
       return Step::nothing_yet;
     case FrameRead::Status::skipped:
       skip(read);
@@ -83,8 +141,13 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   frame_ms_.push_back(millisecondsSince(start));
   count(*result, frame.index);
   announce(result->objects);
+  if (!result->pose.usable()) followCatalogue();
   announceMapFailure();
   if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
+  if (recorder_) {
+    recorder_->addFrame(frame, *result);
+    recorder_->saveWhenDue(*pipeline_);
+  }
   snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
   return {};
 }
@@ -120,11 +183,36 @@ void ScanRun::announce(const FrameObjects& objects) {
 
 void ScanRun::announceMapFailure() {
   if (const std::optional<Error> failure = pipeline_->takeMapFailure()) listener_(MapFailed{*failure});
+  if (!recorder_) return;
+  if (const std::optional<Error> failure = recorder_->takeFailure()) listener_(MapFailed{*failure});
 }
 
-void ScanRun::followCatalogue() {
-  if (const Result<void> followed = pipeline_->followCatalogue(); !followed) {
-    listener_(CatalogueFailed{followed.error()});
+bool ScanRun::followCatalogue() {
+  const FrameObjects objects = pipeline_->followCatalogue();
+  announce(objects);
+  return objects.has_news;
+}
+
+Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit, OperationKind& kind) {
+  Result<RegionEditor::Outcome> outcome = std::visit(
+      Overloaded{[&](const Operation& operation) { return pipeline_->edit(operation); },
+                 [&](UndoEdit) { return pipeline_->undo(); }, [&](RedoEdit) { return pipeline_->redo(); }},
+      edit);
+  if (!outcome) return outcome;
+  if (const auto* operation = std::get_if<Operation>(&edit)) kind = operation->kind;
+  // It is not said to be done before it is safe.
+  if (recorder_) SCANTROVE_TRY(guarded("keeping the edit", [&] { return recorder_->save(*pipeline_); }));
+  return outcome;
+}
+
+void ScanRun::edit(const ScanEdit& edit) {
+  OperationKind kind = OperationKind::name;
+  const Result<RegionEditor::Outcome> outcome = doEdit(edit, kind);
+  snapshots_.addBricks(pipeline_->takeEditedBricks());
+  if (outcome) {
+    listener_(Edited{kind, outcome->regions});
+  } else {
+    listener_(EditFailed{outcome.error()});
   }
 }
 
@@ -150,16 +238,24 @@ void ScanRun::stopClock() {
 Result<ScanReport> ScanRun::finish() {
   stopClock();
   FirstError outcome;
-  ScanReport report = makeReport();
+  // First what needs nothing but this process: a catalogue or a device may take its time to fail.
+  if (output_) outcome.note(output_->writeTrajectory());
+  outcome.note(guarded("storing what was found", [&] {
+    return pipeline_->finishCatalogue([this](const FrameObjects& objects) { announce(objects); });
+  }));
+  ScanReport report;
+  outcome.note(guarded("making the report", [&]() -> Result<void> {
+    fillReport(report);
+    return {};
+  }));
+  if (recorder_) outcome.note(guarded("keeping the scan", [&] { return recorder_->finish(*pipeline_); }));
   if (output_) outcome.note(output_->finish(*pipeline_, report));
   announceMapFailure();
-  outcome.note(database_->endSession(session_));
   SCANTROVE_TRY(outcome.result());
   return report;
 }
 
-ScanReport ScanRun::makeReport() {
-  ScanReport report;
+void ScanRun::fillReport(ScanReport& report) {
   report.source = request_.source;
   report.device = compute_->deviceName();
   report.params = pipeline_->params();
@@ -186,7 +282,6 @@ ScanReport ScanRun::makeReport() {
   report.regions = regions.regions;
   report.slivers = regions.slivers;
   report.objects = pipeline_->collector()->metObjects();
-  return report;
 }
 
 }  // namespace scantrove

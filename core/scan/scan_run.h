@@ -7,12 +7,12 @@
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
-#include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/scan/first_error.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_session.h"
+#include "core/scan/session_recorder.h"
 #include "core/scan/snapshot_builder.h"
 
 namespace scantrove {
@@ -22,10 +22,12 @@ namespace scantrove {
 class ScanRun {
  public:
   /// Opens everything that `request` names. Error: what cannot be opened, or would not fit the device. The
-  /// result folder and the catalogue may have been made by then.
+  /// result folder and the catalogue may have been made by then. `on_news`: followCatalogue() has something
+  /// to tell; called on another thread.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
                                                              ScanSession::Listener listener,
-                                                             LatestValue<ScanSnapshot>& mailbox);
+                                                             LatestValue<ScanSnapshot>& mailbox,
+                                                             std::function<void()> on_news);
   ~ScanRun();
 
   enum class Step { frame, nothing_yet, end };
@@ -40,17 +42,22 @@ class ScanRun {
   /// Posts a snapshot at once, with all that changed. Error: the device failed.
   [[nodiscard]] Result<void> showNow(ScanState state);
 
-  /// Learns what became of the catalogue meanwhile; frames do so by themselves.
-  void followCatalogue();
+  /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves. False: nothing
+  /// new so far; `on_news` of open() says when there is.
+  bool followCatalogue();
   void setParams(const ScanParams& params) { pipeline_->setParams(params); }
   void addCandidate(RegionId region) { pipeline_->addCandidate(region); }
+
+  /// Does what a person says to the regions, keeps it in the session, and tells how it went.
+  void edit(const ScanEdit& edit);
 
   /// Wall time that must not count, because a person paused.
   void startClock();
   void stopClock();
 
-  /// Writes the results and closes the catalogue's session; for every end of a scan, good or bad. What fails
-  /// keeps nothing else from being written. Error: the first failure (the others are in the log).
+  /// Writes the results, stores what waits for the catalogue and closes its session; for every end of a scan,
+  /// good or bad. What fails keeps nothing else from being written. Error: the first failure (the others are
+  /// in the log).
   [[nodiscard]] Result<ScanReport> finish();
 
  private:
@@ -62,18 +69,25 @@ class ScanRun {
   void count(const FrameResult& result, int frame_index);
   void announce(const FrameObjects& objects);
   void announceMapFailure();
+  /// Begins the session, or goes on in it.
+  [[nodiscard]] Result<void> openSession(const SourceInfo& info);
+  /// The camera of the earlier scan must be this one; its map's parameters are taken over.
+  [[nodiscard]] Result<void> readSession(const SourceInfo& info);
+  [[nodiscard]] Result<void> resumeSession();
+  [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit, OperationKind& kind);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
-  [[nodiscard]] ScanReport makeReport();
+  void fillReport(ScanReport& report);
 
   ScanRequest request_;
   ScanSession::Listener listener_;
   SnapshotBuilder snapshots_;
   std::unique_ptr<FrameSource> source_;
   std::unique_ptr<ScanOutput> output_;
-  std::unique_ptr<ObjectDatabase> database_;
-  std::int64_t session_ = 0;
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
+  std::unique_ptr<SessionWriter> session_;     // until the recorder has it
+  std::optional<SavedScan> earlier_;           // what the session had
+  std::unique_ptr<SessionRecorder> recorder_;  // null: nothing is kept
 
   FrameCounts frames_;
   std::vector<int> lost_frames_;

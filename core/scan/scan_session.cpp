@@ -51,6 +51,9 @@ class ScanSession::Worker {
   void addCandidate(RegionId region) {
     command([&] { commands_.wanted.push_back(region); });
   }
+  void edit(ScanEdit edit) {
+    command([&] { commands_.edits.push_back(std::move(edit)); });
+  }
   void catalogueChanged() {
     command([this] { commands_.follow_catalogue = true; });
   }
@@ -74,6 +77,7 @@ class ScanSession::Worker {
     int steps = 0;
     bool follow_catalogue = false;
     std::vector<RegionId> wanted;
+    std::vector<ScanEdit> edits;
     std::optional<ScanParams> params;
   };
 
@@ -114,8 +118,9 @@ class ScanSession::Worker {
 
   void runScan(const ScanRequest& request) {
     enter(ScanState::starting);
-    Result<std::unique_ptr<ScanRun>> run =
-        guarded("preparing the scan", [&] { return ScanRun::open(request, listener_, mailbox); });
+    Result<std::unique_ptr<ScanRun>> run = guarded("preparing the scan", [&] {
+      return ScanRun::open(request, listener_, mailbox, [this] { catalogueChanged(); });
+    });
     if (!run) return failWith(run.error());
     FirstError outcome;
     outcome.note(guarded("during the scan", [&] { return scanFrames(**run); }));
@@ -137,11 +142,11 @@ class ScanSession::Worker {
       if (commands.stop) return {};
       if (commands.params) run.setParams(*commands.params);
       for (const RegionId region : commands.wanted) run.addCandidate(region);
+      for (const ScanEdit& edit : commands.edits) run.edit(edit);
       if (commands.paused && commands.steps == 0) {
-        if (commands.follow_catalogue && run.hasFrames()) {
-          run.followCatalogue();
+        const bool is_news = commands.follow_catalogue && run.followCatalogue();
+        if ((is_news || !commands.edits.empty()) && run.hasFrames())
           SCANTROVE_TRY(run.showNow(ScanState::paused));
-        }
         continue;
       }
       enter(commands.paused ? ScanState::paused : ScanState::scanning);
@@ -165,7 +170,7 @@ class ScanSession::Worker {
     std::unique_lock lock(mutex_);
     const auto has_command = [this] {
       return !commands_.paused || commands_.stop || commands_.steps > 0 || commands_.follow_catalogue ||
-             commands_.params;
+             commands_.params || !commands_.edits.empty();
     };
     if (!has_command()) {
       lock.unlock();
@@ -183,6 +188,7 @@ class ScanSession::Worker {
     if (commands_.steps > 0) --commands_.steps;
     taken.follow_catalogue = std::exchange(commands_.follow_catalogue, false);
     taken.wanted = std::exchange(commands_.wanted, {});
+    taken.edits = std::exchange(commands_.edits, {});
     taken.params = std::exchange(commands_.params, std::nullopt);
     return {};
   }
@@ -204,6 +210,7 @@ void ScanSession::step() { worker_->step(); }
 void ScanSession::stop() { worker_->stop(); }
 void ScanSession::wait() { worker_->wait(); }
 void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region); }
+void ScanSession::edit(ScanEdit edit) { worker_->edit(std::move(edit)); }
 void ScanSession::catalogueChanged() { worker_->catalogueChanged(); }
 void ScanSession::setParams(const ScanParams& params) { worker_->setParams(params); }
 ScanState ScanSession::state() const { return worker_->state; }

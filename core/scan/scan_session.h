@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
+#include "core/editing/operation.h"
 #include "core/scan/scan_params.h"
 #include "core/scan/scan_report.h"
 #include "core/scan/scan_snapshot.h"
@@ -28,8 +30,13 @@ struct ScanRequest {
   std::optional<std::filesystem::path>
       output_folder;  ///< where results go; none: nothing but the catalogue is written
   bool label_maps = false;
+  bool record_all = false;  ///< keep the images of every frame in the session, not of key frames only
+  /// Go on in the session that is in `output_folder`; else a new one begins there.
+  bool resume = false;
   bool start_paused = false;
   bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
+  /// How long the end of the scan waits for a catalogue in which nothing can be stored.
+  std::chrono::milliseconds catalogue_patience{20000};
 };
 
 /// Things that must not be lost, in order.
@@ -40,7 +47,7 @@ struct PreparingDevice {};  ///< kernels are compiled, which takes long and happ
 struct ObjectAdded {
   ObjectId object;
   std::string name;
-};  ///< a new row of the catalogue
+};  ///< a new row of the catalogue; it is committed
 struct ObjectRecognised {
   ObjectId object;
   std::string name;
@@ -54,10 +61,17 @@ struct ObjectsMerged {
 };  ///< the regions of these objects turned out to be one
 struct CatalogueFailed {
   Error error;
-};  ///< the catalogue cannot be read or written for now; the scan goes on
+};  ///< the catalogue cannot be read or written for now; the scan goes on, what is found waits
 struct MapFailed {
   Error error;
 };  ///< a part of the map cannot be written to disk for now, or not be read back; the scan goes on
+struct Edited {
+  OperationKind kind;
+  std::vector<RegionId> regions;  ///< what it was about is now
+};                                ///< a person's operation holds, and is on disk where the scan has a session
+struct EditFailed {
+  Error error;
+};  ///< a person's operation changed nothing, or is not on disk
 struct FrameSkipped {
   int frame_index;
   Error error;
@@ -70,9 +84,14 @@ struct ScanFinished {
 };
 using ScanEvent =
     std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
-                 CatalogueFailed, MapFailed, FrameSkipped, ScanFailed, ScanFinished>;
+                 CatalogueFailed, MapFailed, Edited, EditFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
-/// Runs one scan after the other on a worker thread that owns device, pipeline and its database connection.
+/// Takes the newest operation back, or does it again.
+struct UndoEdit {};
+struct RedoEdit {};
+using ScanEdit = std::variant<Operation, UndoEdit, RedoEdit>;
+
+/// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
 class ScanSession {
  public:
@@ -94,6 +113,9 @@ class ScanSession {
 
   /// A person says that the candidate with this region is an object: it is added when it is seen next.
   void addCandidate(RegionId region);
+
+  /// A person does something to the regions: between two frames, in order. Edited or EditFailed follows.
+  void edit(ScanEdit edit);
 
   /// The catalogue was edited. Frames see that by themselves; this is for a scan that is paused.
   void catalogueChanged();

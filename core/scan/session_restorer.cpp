@@ -101,10 +101,8 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
       }
       pipeline.recallPlace(*frame, of->T_world_camera);
     }
-    const auto isUsable = [](const SavedFrame& frame) {
-      return frame.state == TrackingState::tracking || frame.state == TrackingState::relocalised;
-    };
-    const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(), isUsable);
+    const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),
+                                   [](const SavedFrame& frame) { return frame.isUsable(); });
     if (last != scan.frames.rend()) pipeline.resumeAt(last->T_world_camera);
     return {};
   });

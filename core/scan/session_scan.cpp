@@ -11,21 +11,13 @@
 #include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
-namespace {
-
-bool isUsable(const SavedFrame& frame) {
-  return frame.state == TrackingState::tracking || frame.state == TrackingState::relocalised;
-}
-
-}  // namespace
-
 SessionScan::SessionScan(OpenSession& session) : session_(session) {
   std::map<int, const SavedFrame*> frames;
   for (const SavedFrame& frame : session.frames()) frames[frame.number] = &frame;
   std::set<int> source_indices;
   for (const SavedKeyFrame& key : session.keyFrames()) {
     const auto found = frames.find(key.frame);
-    if (found == frames.end() || !isUsable(*found->second)) continue;
+    if (found == frames.end() || !found->second->isUsable()) continue;
     kept_.push_back({found->second->source_index, &key, found->second});
     source_indices.insert(found->second->source_index);
   }
@@ -144,7 +136,7 @@ Result<void> SessionScan::forEachPoint(const std::function<void(const SurfacePoi
 Result<Trajectory> SessionScan::trajectory() {
   Trajectory trajectory;
   for (const SavedFrame& frame : session_.frames()) {
-    if (isUsable(frame)) trajectory.push_back({frame.time_s, frame.T_world_camera});
+    if (frame.isUsable()) trajectory.push_back({frame.time_s, frame.T_world_camera});
   }
   return trajectory;
 }

@@ -57,11 +57,15 @@ void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, Fr
     trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
     last_seen_ = frame.color;
   }
-  for (const Eigen::Vector3i& brick : pipeline.touchedBricks()) {
-    if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
-  }
+  addBricks(pipeline.touchedBricks());
   frame_ = std::move(frame);
   result_ = std::move(result);
+}
+
+void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
+  for (const Eigen::Vector3i& brick : bricks) {
+    if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
+  }
 }
 
 Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {

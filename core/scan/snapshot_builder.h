@@ -32,6 +32,9 @@ class SnapshotBuilder {
   /// Call for every frame: remembers it, its place on the trail and the bricks it changed.
   void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result);
 
+  /// Bricks that something else than a frame changed.
+  void addBricks(std::span<const Eigen::Vector3i> bricks);
+
   /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
   [[nodiscard]] Result<void> postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
 

@@ -23,6 +23,11 @@ struct SavedFrame {
   double time_s = 0;
   TrackingState state = TrackingState::lost;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+
+  /// The pose may be trusted.
+  [[nodiscard]] bool isUsable() const {
+    return state == TrackingState::tracking || state == TrackingState::relocalised;
+  }
 };
 
 struct SavedKeyFrame {

@@ -23,8 +23,8 @@ namespace scantrove {
 /// file first, then one transaction says where they are, with all else.
 class SessionStore {
  public:
-  /// Begins a session in `folder` (made if there is none). Error: there is one already, the folder cannot be
-  /// written, ...
+  /// Begins a session in `folder` (made if there is none); one that is there gives way, unless somebody has
+  /// labelled it. Error: somebody has, another program has it, the folder cannot be written, ...
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> create(const std::filesystem::path& folder);
   /// Error: there is none, it is of a newer version, another program has it, ...
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::filesystem::path& folder);
@@ -64,6 +64,7 @@ class SessionStore {
   SessionStore(std::filesystem::path folder, SessionLock lock)
       : folder_(std::move(folder)), lock_(std::move(lock)) {}
 
+  [[nodiscard]] static Result<void> removeUnlabelled(const std::filesystem::path& folder);
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> openLocked(const std::filesystem::path& folder);
   [[nodiscard]] Result<void> readPlaces();
   [[nodiscard]] Result<RecordFile*> file(std::int64_t number);

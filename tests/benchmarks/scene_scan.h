@@ -73,9 +73,8 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
   const auto source = openSource(recording.string(), which);
   if (!source) return fail(source.error());
   SceneScan scan;
-  SCANTROVE_TRY(
-      moveInto(scan.pipeline, ScanPipeline::create(compute, {(*source)->info().intrinsics, params,
-                                                             options.poses == "given", nullptr, 0})));
+  SCANTROVE_TRY(moveInto(scan.pipeline, ScanPipeline::create(compute, {(*source)->info().intrinsics, params,
+                                                                       options.poses == "given"})));
   const auto start = std::chrono::steady_clock::now();
   std::optional<Eigen::Isometry3d> T_truth_estimate;
   for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;

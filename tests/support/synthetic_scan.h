@@ -33,7 +33,7 @@ class SyntheticScan {
     auto compute = ComputeContext::create({});
     EXPECT_TRUE(compute) << (compute ? "" : compute.error().message());
     compute_ = std::move(*compute);
-    auto pipeline = ScanPipeline::create(*compute_, {options.K, params, poses_given, nullptr, 0});
+    auto pipeline = ScanPipeline::create(*compute_, {options.K, params, poses_given});
     EXPECT_TRUE(pipeline) << (pipeline ? "" : pipeline.error().message());
     pipeline_ = std::move(*pipeline);
   }

@@ -1,18 +1,13 @@
 #include "ui/bridge/session_bridge.h"
 
+#include "core/base/overloaded.h"
+
 #include <utility>
 
 namespace scantrove {
 namespace {
 
 constexpr int kInterval_ms = 66;
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
-template <class... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 bool isStarting(const ScanEvent& event) {
   const auto* changed = std::get_if<StateChanged>(&event);
@@ -74,6 +69,8 @@ void SessionBridge::announce(const ScanEvent& event) {
                    emit catalogueFailed(QString::fromStdString(e.error.message()));
                  },
                  [this](const MapFailed& e) { emit mapFailed(QString::fromStdString(e.error.message())); },
+                 [](const Edited&) {},  // the next snapshot shows it
+                 [this](const EditFailed& e) { emit editFailed(QString::fromStdString(e.error.message())); },
                  [this](const FrameSkipped& e) {
                    emit frameSkipped(e.frame_index, QString::fromStdString(e.error.message()));
                  },

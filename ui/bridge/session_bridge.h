@@ -46,6 +46,8 @@ class SessionBridge : public QObject {
   void catalogueFailed(const QString& message);
   /// A part of the map cannot be written to disk for now, or not be read back; the scan goes on.
   void mapFailed(const QString& message);
+  /// What a person wanted to do to the regions was not done, or is not kept.
+  void editFailed(const QString& message);
   void frameSkipped(int frame_index, const QString& message);
   void scanFailed(const QString& message);
   void scanFinished(const scantrove::ScanReport& report);

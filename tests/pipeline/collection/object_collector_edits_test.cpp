@@ -1,6 +1,3 @@
-#include <gmock/gmock.h>
-#include <QSqlDatabase>
-#include <QSqlQuery>
 #include <array>
 
 #include "core/scan/candidate_crop.h"
@@ -10,7 +7,6 @@ namespace scantrove {
 namespace {
 
 using test::Thing;
-using testing::HasSubstr;
 using ObjectCollectorEdits = test::ObjectCollectorFixture;
 
 TEST_F(ObjectCollectorEdits, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUndo) {
@@ -118,54 +114,6 @@ TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognised) {
   ASSERT_EQ(seen.recognised.size(), 1U);
   EXPECT_EQ(seen.recognised[0].id, other->id);
   EXPECT_EQ(objects().size(), 2U);
-}
-
-TEST_F(ObjectCollectorEdits, ALockedCatalogueIsSaidOnceAndWhatIsMetAgainIsAddedLater) {
-  static_cast<void>(study({box_}));
-  {
-    QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "lock");
-    other.setDatabaseName(QString::fromStdString(file()));
-    ASSERT_TRUE(other.open());
-    ASSERT_TRUE(QSqlQuery(other).exec("BEGIN IMMEDIATE"));
-    const FrameObjects locked = look({box_, mug_, cup_}, 60);
-    ASSERT_TRUE(locked.catalogue_failure);
-    EXPECT_THAT(locked.catalogue_failure->message(), HasSubstr(file()));
-    EXPECT_THAT(locked.catalogue_failure->message(), HasSubstr("locked"));
-    EXPECT_TRUE(locked.added.empty());
-    EXPECT_EQ(locked.seen.size(), 3U);
-    EXPECT_TRUE(locked.seen[0].object) << "what is known stays known";
-    const FrameObjects next = look({box_, mug_});
-    EXPECT_FALSE(next.catalogue_failure);
-    EXPECT_TRUE(next.added.empty());
-    ASSERT_TRUE(QSqlQuery(other).exec("ROLLBACK"));
-  }
-  QSqlDatabase::removeDatabase("lock");
-  std::size_t added = 0;
-  for (int frame = 0; frame < ObjectCollector::kFramesUntilRetry; ++frame) {
-    const FrameObjects seen = look({box_, mug_, cup_}, 60);
-    EXPECT_FALSE(seen.catalogue_failure);
-    added += seen.added.size();
-  }
-  EXPECT_EQ(added, 2U);
-  EXPECT_EQ(objects().size(), 3U);
-}
-
-TEST_F(ObjectCollectorEdits, ACatalogueThatCannotBeReadEndsNothing) {
-  static_cast<void>(study({box_}));
-  {
-    QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "damage");
-    other.setDatabaseName(QString::fromStdString(file()));
-    ASSERT_TRUE(other.open());
-    ASSERT_TRUE(QSqlQuery(other).exec("ALTER TABLE events RENAME TO gone"));
-    EXPECT_TRUE(look({box_}).catalogue_failure);
-    EXPECT_FALSE(look({box_, mug_}).catalogue_failure);
-    ASSERT_TRUE(QSqlQuery(other).exec("ALTER TABLE gone RENAME TO events"));
-  }
-  QSqlDatabase::removeDatabase("damage");
-  std::size_t added = 0;
-  for (int frame = 0; frame < ObjectCollector::kFramesUntilRetry; ++frame)
-    added += look({box_, mug_}).added.size();
-  EXPECT_EQ(added, 1U);
 }
 
 TEST_F(ObjectCollectorEdits, PartsOfADeletedObjectAreNotAdded) {

@@ -68,16 +68,22 @@ class ObjectCollectorFixture : public testing::Test {
   }
 
   void beginScan() {
-    std::int64_t session = 0;
-    moveIn(session, database_->beginSession("table"));
-    moveIn(collector_, ObjectCollector::create(*compute_, *database_, session, params()));
+    collector_.reset();
+    CatalogueWriter::Options writer = writer_;
+    writer.database = file();
+    writer.source = "table";
+    moveIn(collector_, ObjectCollector::create(*compute_, *database_, writer, params()));
   }
+
+  /// Waits until all is stored and heard of.
+  void settle() { ASSERT_TRUE(collector_->settle(std::chrono::seconds(60))); }
 
   static SurfaceInColor inColor() {
     return locateInColor(std::nullopt, kWorking, Eigen::Isometry3d::Identity(), {});
   }
 
-  /// One frame that shows `things` from a direction about the vertical.
+  /// One frame that shows `things` from a direction about the vertical; with what is stored of it, unless
+  /// the catalogue is not to be waited for.
   FrameObjects look(const std::vector<Thing>& things, double degrees = 0) {
     std::vector<Candidate> candidates;
     for (const Thing& thing : things) candidates.push_back(thing.candidate());
@@ -94,7 +100,21 @@ class ObjectCollectorFixture : public testing::Test {
     pose.state = TrackingState::tracking;
     const double angle = degrees * 3.14159265 / 180;
     pose.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
-    return collector_->collect(frame, pose, inColor(), candidates);
+    if (waits_) settle();
+    FrameObjects objects = collector_->collect(frame, pose, inColor(), candidates);
+    if (!waits_) return objects;
+    settle();
+    addNews(objects);
+    return objects;
+  }
+
+  void addNews(FrameObjects& objects) {
+    FrameObjects news = collector_->followCatalogue();
+    std::ranges::move(news.added, std::back_inserter(objects.added));
+    std::ranges::move(news.new_views, std::back_inserter(objects.new_views));
+    std::ranges::move(news.merged, std::back_inserter(objects.merged));
+    if (news.catalogue_failure) objects.catalogue_failure = news.catalogue_failure;
+    for (SeenObject& seen : objects.seen) collector_->describeObject(seen);  // as snapshots do
   }
 
   /// So many such frames that what is unknown counts as unknown; all that they gave, seen as in the last.
@@ -106,6 +126,7 @@ class ObjectCollectorFixture : public testing::Test {
       std::ranges::move(one.recognised, std::back_inserter(all.recognised));
       std::ranges::move(one.new_views, std::back_inserter(all.new_views));
       std::ranges::move(one.merged, std::back_inserter(all.merged));
+      if (one.catalogue_failure) all.catalogue_failure = one.catalogue_failure;
       all.seen = std::move(one.seen);
     }
     return all;
@@ -130,7 +151,9 @@ class ObjectCollectorFixture : public testing::Test {
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ObjectDatabase> database_;
   std::unique_ptr<ObjectDatabase> person_;  // the window, or another program
+  CatalogueWriter::Options writer_{.retry = std::chrono::milliseconds(20)};
   std::unique_ptr<ObjectCollector> collector_;
+  bool waits_ = true;  // each frame for all to be stored
   int frame_ = 0;
 
   const Thing mug_{1, 0, RegionId{11}};

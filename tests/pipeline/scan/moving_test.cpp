@@ -42,7 +42,7 @@ TEST(MovingScene, LeavesNoGhostsAndDoesNotPullTheCamera) {
   const SyntheticOptions options = moving(true);
   const auto source = makeSyntheticSource(options).value();
   const auto compute = ComputeContext::create({}).value();
-  const auto pipeline = ScanPipeline::create(*compute, {options.K, ScanParams{}, false, nullptr, 0}).value();
+  const auto pipeline = ScanPipeline::create(*compute, {options.K, ScanParams{}}).value();
   Eigen::Isometry3d T_world_map = Eigen::Isometry3d::Identity();
   double squares = 0, farthest_m = 0;
   int frames = 0;

@@ -1,38 +1,23 @@
 #include <gmock/gmock.h>
 
-#include <QSqlDatabase>
-#include <QSqlQuery>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "core/capture/trajectory_reader.h"
+#include "tests/pipeline/session/failing_world.h"
 #include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/support/other_program.h"
 
 namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
+namespace failing_device = test::failing_device;
+using test::OtherProgram;
+using testing::AllOf;
 using testing::HasSubstr;
-
-/// A second program at the catalogue.
-class OtherProgram {
- public:
-  explicit OtherProgram(const std::string& file) {
-    database_ = QSqlDatabase::addDatabase("QSQLITE", "other program");
-    database_.setDatabaseName(QString::fromStdString(file));
-    EXPECT_TRUE(database_.open());
-  }
-  ~OtherProgram() {
-    database_ = {};
-    QSqlDatabase::removeDatabase("other program");
-  }
-  OtherProgram(const OtherProgram&) = delete;
-  OtherProgram& operator=(const OtherProgram&) = delete;
-  void execute(const char* sql) { EXPECT_TRUE(QSqlQuery(database_).exec(sql)) << sql; }
-
- private:
-  QSqlDatabase database_;
-};
 
 /// Scans that meet a failure of the world in the middle.
 class ScanFailures : public test::ScanSessionTest {
@@ -53,6 +38,29 @@ class ScanFailures : public test::ScanSessionTest {
   void goOn() {
     session_.resume();
     session_.wait();
+  }
+
+  /// How many points cloud.ply says that it has; -1: it cannot be read.
+  [[nodiscard]] int pointsOfCloud() const {
+    std::ifstream file(out() / "cloud.ply", std::ios::binary);
+    for (std::string word; file >> word;) {
+      int points = -1;
+      if (word == "vertex" && file >> points) return points;
+    }
+    return -1;
+  }
+  [[nodiscard]] std::size_t posesWritten() const {
+    const auto trajectory = readTrajectory(out() / "trajectory.txt");
+    return trajectory ? trajectory->size() : 0;
+  }
+  /// Of the catalogue.
+  [[nodiscard]] std::string sessionsWithoutEnd() const {
+    return OtherProgram(request(1).database).ask("SELECT count(*) FROM sessions WHERE ended IS NULL");
+  }
+  void expectAllFiles() const {
+    for (const char* file : {"trajectory.txt", "cloud.ply", "cloud.pcd", "labels.json", "report.json"}) {
+      EXPECT_TRUE(fs::is_regular_file(out() / file)) << file;
+    }
   }
 };
 
@@ -95,38 +103,201 @@ TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
   EXPECT_LT(trajectory->size(), 60U) << "it went on without its label images";
 }
 
-TEST_F(ScanFailures, ALockedCatalogueCostsNoResult) {
-  scanAndPause(2, request(40));
+TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
+  ScanRequest quiet = request(60);
+  quiet.database = (folder_ / "quiet.sqlite").string();
+  session_.start(quiet);
+  session_.wait();
+  const std::size_t found = log_.all<ObjectAdded>().size();
+  ASSERT_GE(found, 3U);
+  static_cast<void>(session_.snapshots().collect());
+
+  scanAndPause(2, request(60));
   {
     OtherProgram other(request(1).database);
+    other.execute("BEGIN IMMEDIATE");
+    session_.resume();
+    log_.awaitState(ScanState::stopping, 2);
+    EXPECT_EQ(log_.all<ObjectAdded>().size(), found) << "nothing is announced that is not stored";
+    other.execute("ROLLBACK");
+  }
+  session_.wait();
+  EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  EXPECT_EQ(posesWritten(), 60U);
+  expectAllFiles();
+  const std::vector<ObjectAdded> added = log_.all<ObjectAdded>();
+  EXPECT_EQ(added.size(), 2 * found);
+  const auto questions = {"SELECT group_concat(id || name || hidden || size_x_m) FROM objects",
+                          "SELECT group_concat(object || ' ' || frame_index) FROM views",
+                          "SELECT group_concat(action || ' ' || coalesce(object, '')) FROM events"};
+  for (const char* question : questions) {
+    const std::string now = OtherProgram(request(1).database).ask(question);
+    EXPECT_EQ(now, OtherProgram(quiet.database).ask(question));
+    EXPECT_NE(now, "");
+  }
+  ASSERT_FALSE(log_.all<ScanFinished>().empty());
+  EXPECT_GE(log_.all<ScanFinished>().back().report.objects.size(), 3U);
+}
+
+TEST_F(ScanFailures, ACatalogueThatStaysLockedCostsNoOtherResult) {
+  ScanRequest wanted = request(40);
+  wanted.catalogue_patience = std::chrono::seconds(1);
+  scanAndPause(2, wanted);
+  {
+    OtherProgram other(wanted.database);
     other.execute("BEGIN IMMEDIATE");
     goOn();
     other.execute("ROLLBACK");
   }
   EXPECT_EQ(session_.state(), ScanState::failed) << "the catalogue has not got what was found";
-  EXPECT_THAT(log_.failure(), HasSubstr("catalogue.sqlite"));
-  EXPECT_EQ(log_.all<CatalogueFailed>().size(), 1U);
+  EXPECT_THAT(log_.failure(),
+              AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("has not got"), HasSubstr("locked")));
+  EXPECT_LE(log_.all<CatalogueFailed>().size(), 1U);
   EXPECT_TRUE(log_.all<ObjectAdded>().empty());
-  const auto trajectory = readTrajectory(out() / "trajectory.txt");
-  ASSERT_TRUE(trajectory);
-  EXPECT_EQ(trajectory->size(), 40U);
-  for (const char* file : {"cloud.ply", "cloud.pcd", "labels.json", "report.json"}) {
-    EXPECT_TRUE(fs::is_regular_file(out() / file)) << file;
-  }
+  EXPECT_EQ(posesWritten(), 40U);
+  expectAllFiles();
+}
+
+TEST_F(ScanFailures, ACatalogueThatIsLockedWhenTheScanStartsIsWrittenLater) {
+  ASSERT_TRUE(ObjectDatabase::open(request(1).database));
+  OtherProgram other(request(1).database);
+  other.execute("BEGIN IMMEDIATE");
+  scanAndPause(2, request(4));
+  other.execute("ROLLBACK");
+  goOn();
+  EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  EXPECT_EQ(other.ask("SELECT count(*) FROM sessions"), "1");
 }
 
 TEST_F(ScanFailures, ACatalogueThatIsDamagedMeanwhileCostsNoResult) {
-  scanAndPause(2, request(8));
-  OtherProgram(request(1).database).execute("DROP TABLE events");
+  ScanRequest wanted = request(8);
+  wanted.catalogue_patience = std::chrono::seconds(1);
+  scanAndPause(2, wanted);
+  OtherProgram(wanted.database).execute("DROP TABLE events");
   goOn();
   EXPECT_EQ(session_.state(), ScanState::failed);
-  EXPECT_THAT(log_.failure(), HasSubstr("catalogue.sqlite"));
-  ASSERT_EQ(log_.all<CatalogueFailed>().size(), 1U);
-  const auto trajectory = readTrajectory(out() / "trajectory.txt");
-  ASSERT_TRUE(trajectory);
-  EXPECT_EQ(trajectory->size(), 8U);
-  EXPECT_TRUE(fs::is_regular_file(out() / "cloud.ply"));
-  EXPECT_TRUE(fs::is_regular_file(out() / "report.json"));
+  EXPECT_THAT(log_.failure(), AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("damaged")));
+  EXPECT_EQ(log_.all<CatalogueFailed>().size(), 1U);
+  EXPECT_EQ(posesWritten(), 8U);
+  expectAllFiles();
+}
+
+TEST_F(ScanFailures, WhatIsStoredInAPauseIsAnnouncedInIt) {
+  scanAndPause(2, request(60));
+  OtherProgram other(request(1).database);
+  other.execute("BEGIN IMMEDIATE");
+  for (int frame = 3; frame <= 50; ++frame) {
+    session_.step();
+    ASSERT_TRUE(awaitSnapshot(frame));
+  }
+  EXPECT_TRUE(log_.all<ObjectAdded>().empty());
+  other.execute("ROLLBACK");
+  std::size_t named = 0;
+  for (int i = 0; i < 6000 && (log_.all<ObjectAdded>().empty() || named == 0); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const auto snapshot = session_.snapshots().collect();
+    if (!snapshot) continue;
+    named = static_cast<std::size_t>(std::ranges::count_if(
+        snapshot->objects, [](const SeenObject& seen) { return seen.object && !seen.name.empty(); }));
+  }
+  EXPECT_FALSE(log_.all<ObjectAdded>().empty());
+  EXPECT_GT(named, 0U) << "the window shows it";
+  EXPECT_EQ(session_.state(), ScanState::paused);
+  session_.stop();
+  session_.wait();
+}
+
+TEST_F(ScanFailures, ADeviceThatIsLostKeepsWhatWasScanned) {
+  scanAndPause(20, request(60));
+  const std::size_t added = log_.all<ObjectAdded>().size();
+  failing_device::failAfter(40);  // in the middle of a frame
+  goOn();
+  failing_device::heal();
+  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_THAT(log_.failure(), AllOf(HasSubstr("OpenCL device failed in frame 2"), HasSubstr("--device")));
+  EXPECT_EQ(log_.all<ScanFailed>().size(), 1U);
+  EXPECT_GE(posesWritten(), 20U);
+  expectAllFiles();
+  EXPECT_EQ(sessionsWithoutEnd(), "0");
+  EXPECT_GE(log_.all<ObjectAdded>().size(), added);
+  EXPECT_EQ(OtherProgram(request(1).database).ask("SELECT count(*) FROM objects"),
+            std::to_string(log_.all<ObjectAdded>().size()))
+      << "what was found until then";
+  session_.start(request(2));
+  session_.wait();
+  EXPECT_EQ(session_.state(), ScanState::finished) << "the next scan is none the worse";
+}
+
+TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) {
+  int calls_that_work = std::numeric_limits<int>::max();
+  test::EventLog log;
+  ScanSession session([&](const ScanEvent& event) {
+    log.add(event);
+    const auto* state = std::get_if<StateChanged>(&event);
+    if (state != nullptr && state->state == ScanState::stopping) failing_device::failAfter(calls_that_work);
+  });
+  ScanRequest wanted = request(3);
+  wanted.output_folder = out();
+  wanted.label_maps = true;
+  const auto scan = [&] {
+    fs::remove_all(out());
+    session.start(wanted);
+    session.wait();
+    failing_device::heal();
+  };
+  scan();
+  ASSERT_EQ(session.state(), ScanState::finished) << log.failure();
+  const int calls = failing_device::counted(), whole = pointsOfCloud();
+  ASSERT_GT(calls, 5);
+  ASSERT_GT(whole, 1000);
+  bool was_partial = false;
+  const int step = 1 + calls / 12;
+  for (int lost = 1; lost <= calls; lost += step) {
+    calls_that_work = calls - lost;
+    scan();
+    EXPECT_EQ(session.state(), ScanState::failed);
+    EXPECT_EQ(posesWritten(), 3U);
+    expectAllFiles();
+    EXPECT_EQ(sessionsWithoutEnd(), "0");
+    const int points = pointsOfCloud();
+    EXPECT_GE(points, 0);
+    EXPECT_LE(points, whole);
+    was_partial = was_partial || (points > 0 && points < whole);
+  }
+  EXPECT_TRUE(was_partial) << "the cloud has what could be read";
+  for (const ScanFailed& failed : log.all<ScanFailed>()) {
+    EXPECT_THAT(failed.error.message(), HasSubstr("OpenCL device failed"));
+  }
+}
+
+TEST_F(ScanFailures, AFullDiskCostsNothingOfTheCatalogue) {
+  scanAndPause(2, request(40));
+  {
+    const test::FullDisk full(out());
+    goOn();
+  }
+  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_THAT(log_.failure(), AllOf(HasSubstr("trajectory.txt"), HasSubstr("No space left"))) << "the first";
+  EXPECT_EQ(sessionsWithoutEnd(), "0");
+  EXPECT_FALSE(log_.all<ObjectAdded>().empty());
+  EXPECT_EQ(OtherProgram(request(1).database).ask("SELECT count(*) FROM objects"),
+            std::to_string(log_.all<ObjectAdded>().size()));
+  EXPECT_TRUE(fs::is_empty(out())) << "no half file is left";
+}
+
+TEST_F(ScanFailures, ADiskThatFillsUpWithLabelImagesEndsTheScanWithTheRest) {
+  ScanRequest wanted = request(60);
+  wanted.label_maps = true;
+  scanAndPause(2, wanted);
+  {
+    const test::FullDisk full(out() / "labels");
+    goOn();
+  }
+  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_THAT(log_.failure(), AllOf(HasSubstr("labels/"), HasSubstr("No space left")));
+  EXPECT_LT(posesWritten(), 60U);
+  expectAllFiles();
+  EXPECT_EQ(sessionsWithoutEnd(), "0");
 }
 
 }  // namespace

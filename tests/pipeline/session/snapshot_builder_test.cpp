@@ -42,7 +42,7 @@ class SnapshotBuilderTest : public testing::Test {
   }
 
   void makePipeline(const Intrinsics& K, const ScanParams& params) {
-    auto pipeline = ScanPipeline::create(*compute_, {K, params, true, nullptr, 0});
+    auto pipeline = ScanPipeline::create(*compute_, {K, params, true});
     ASSERT_TRUE(pipeline) << pipeline.error().message();
     pipeline_ = std::move(*pipeline);
   }

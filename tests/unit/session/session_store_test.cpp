@@ -176,7 +176,19 @@ TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
   const auto none = SessionStore::open(folder.path());
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().message(), HasSubstr(folder.path().string()));
-  EXPECT_FALSE(SessionStore::create(folder.path() / "scan")) << "a scan is never written over";
+}
+
+TEST(SessionStore, AScanGivesWayToANewOneUnlessItIsLabelled) {
+  const TemporaryFolder folder;
+  SavedDelta delta = someDelta(1);
+  delta.operations.clear();
+  { ASSERT_TRUE(created(folder.path() / "scan")->save(delta)); }
+  { EXPECT_TRUE(created(folder.path() / "scan")->load()->frames.empty()); }
+  { ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1))); }
+  const auto refused = SessionStore::create(folder.path() / "scan");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(), HasSubstr("--resume"));
+  EXPECT_EQ((*SessionStore::open(folder.path() / "scan"))->load()->frames.size(), 1U);
 }
 
 TEST(SessionStore, OutdatedPagesGoWhenTheyAreMany) {

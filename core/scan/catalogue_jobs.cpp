@@ -1,0 +1,168 @@
+// What CatalogueWriter does on its own thread: one job after the other.
+#include <sys/stat.h>
+
+#include <new>
+#include <utility>
+
+#include "core/scan/catalogue_writer.h"
+#include "core/scan/guarded.h"
+
+namespace scantrove {
+
+std::optional<std::pair<dev_t, ino_t>> CatalogueWriter::fileNow() const {
+  // Without opening it, which is SQLite's business alone (see ObjectDatabase).
+  struct stat status {};
+  if (::stat(options_.database.c_str(), &status) != 0) return std::nullopt;
+  return std::pair(status.st_dev, status.st_ino);
+}
+
+Result<void> CatalogueWriter::checkFile() const {
+  if (!file_ || fileNow() == file_) return {};
+  return fail("The catalogue " + options_.database + " was moved, removed or replaced while the scan ran.",
+              "Put it back.");
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::attempt(Job& job) {
+  constexpr const char* kActivity = "storing in the catalogue";
+  try {
+    SCANTROVE_TRY(checkFile());
+    return std::visit([this](auto& one) { return execute(one); }, job);
+  } catch (const std::bad_alloc&) {
+    return fail(describeCurrentException(kActivity));
+  } catch (const std::exception&) {
+    // A library cannot encode this; it would say the same the next time.
+    return refuse(job, describeCurrentException(kActivity));
+  }
+}
+
+CatalogueWriter::News CatalogueWriter::refuse(const Job& job, const Error& error) {
+  {
+    const std::scoped_lock lock(mutex_);
+    refused_.count(job);
+    last_refusal_ = error;
+  }
+  if (const auto* object = std::get_if<AddObject>(&job)) {
+    ids_[object->view.object] = {};
+    return News{news::ObjectRefused{object->view.object}};
+  }
+  if (const auto* view = std::get_if<AddView>(&job)) return News{news::ViewDropped{view->view.object}};
+  if (std::holds_alternative<Merge>(job)) return News{news::MergeDropped{}};
+  return {};
+}
+
+ObjectId CatalogueWriter::idOf(ObjectId object) const {
+  const auto found = ids_.find(object);
+  return found == ids_.end() ? object : found->second;
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(const BeginSession& /*job*/) {
+  SCANTROVE_TRY(moveInto(session_, database_->beginSession(options_.source)));
+  return News{};
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(AddObject& job) {
+  job.view.session = session_;
+  Result<ObjectRecord> added = database_->addObject(job.view);
+  if (!added) return fail(added.error());
+  ids_[job.view.object] = added->id;
+  touched_.insert(added->id);
+  feed_->expectObject(added->id);
+  return News{news::ObjectStored{job.view.object, std::move(*added)}};
+}
+
+// What a person did decides up to the moment in which something is stored: before, a job may have waited for
+// the very transaction in which it was done.
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(AddView& job) {
+  const ObjectId key = job.view.object, object = idOf(key);
+  if (!object) return News{news::ViewDropped{key}};
+  ObjectId holder;
+  bool is_deleted = false;
+  const auto check = [&]() -> Result<void> {
+    SCANTROVE_TRY(moveInto(holder, database_->resolve(object)));
+    is_deleted = !holder;
+    return is_deleted ? Result<void>(fail("Its object was deleted.")) : Result<void>();
+  };
+  ObjectView view = job.view;  // images are shared
+  view.object = object;
+  view.session = session_;
+  const Result<std::int64_t> stored = database_->addView(view, check);
+  if (is_deleted) return News{news::ViewDropped{key}};
+  if (!stored) return fail(stored.error());
+  touched_.insert(holder);
+  feed_->expectView(*stored);
+  return News{news::ViewStored{key, holder}};
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(const Merge& job) {
+  constexpr int kMostTries = 8;  // by others' edits in between
+  for (int i = 0; i < kMostTries; ++i) {
+    const Result<std::vector<ObjectId>> pair = holdersOf(job);
+    if (!pair) return fail(pair.error());
+    if (pair->size() < 2) break;
+    bool has_changed = false, are_two = false;
+    const auto check = [&]() -> Result<void> {
+      const Result<std::vector<ObjectId>> now = holdersOf(job);
+      if (!now) return fail(now.error());
+      has_changed = *now != *pair;
+      if (has_changed) return fail("Others have changed it.");
+      const Result<bool> may_merge = mayMerge(*pair);
+      if (!may_merge) return fail(may_merge.error());
+      are_two = !*may_merge;
+      return are_two ? Result<void>(fail("They are two.")) : Result<void>();
+    };
+    Result<ObjectMerge> merge = database_->merge(*pair, check);
+    if (has_changed) continue;
+    if (are_two) break;
+    if (!merge) return fail(merge.error());
+    touched_.insert(merge->into);
+    feed_->expectMerge(*merge);
+    const Result<ObjectRecord> holder = database_->object(merge->into);
+    return News{news::MergeStored{std::move(*merge), holder ? std::optional(*holder) : std::nullopt}};
+  }
+  const Result<std::vector<ObjectId>> pair = holdersOf(job);
+  if (!pair) return fail(pair.error());
+  Result<CatalogueEdits> now = feed_->reread(*pair);
+  if (!now) return fail(now.error());
+  return News{news::MergeDropped{}, news::Edited{std::move(*now)}};
+}
+
+Result<std::vector<ObjectId>> CatalogueWriter::holdersOf(const Merge& job) {
+  std::vector<ObjectId> holders;
+  for (const ObjectId key : {job.a, job.b}) {
+    const ObjectId object = idOf(key);
+    if (!object) continue;
+    const Result<ObjectId> holder = database_->resolve(object);
+    if (!holder) return fail(holder.error());
+    if (*holder && (holders.empty() || holders.front() != *holder)) holders.push_back(*holder);
+  }
+  return holders;
+}
+
+Result<bool> CatalogueWriter::mayMerge(const std::vector<ObjectId>& pair) {
+  // A person may have undone such a merge by now.
+  Result<CatalogueEdits> edits = feed_->follow();
+  if (!edits) return fail(edits.error());
+  if (!edits->isEmpty()) tell({news::Edited{std::move(*edits)}});
+  if (feed_->areKeptApart(pair[0], pair[1])) return false;
+  for (const ObjectId object : pair) {
+    const Result<ObjectRecord> record = database_->object(object);
+    if (!record) return fail(record.error());
+    if (!isSettled(*record)) return true;
+  }
+  return false;
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(const EndSession& /*job*/) {
+  SCANTROVE_TRY(database_->endSession(session_));
+  // The last word on what this scan did; what cannot be read now is as it was known.
+  News news;
+  Result<CatalogueEdits> edits = feed_->follow();
+  if (edits && !edits->isEmpty()) news.push_back(news::Edited{std::move(*edits)});
+  const std::vector<ObjectId> touched(touched_.begin(), touched_.end());
+  edits = feed_->reread(touched);
+  if (edits) news.push_back(news::Edited{std::move(*edits)});
+  return news;
+}
+
+}  // namespace scantrove

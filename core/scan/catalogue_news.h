@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/catalog/object_record.h"
+
+namespace scantrove {
+
+/// How far the catalogue was read.
+struct CataloguePosition {
+  std::int64_t event = 0;  ///< newest row of `events`
+  std::int64_t view = 0;   ///< newest view whose descriptor was read
+};
+
+/// What persons and other programs did to the catalogue, as it is to be known after it.
+struct CatalogueEdits {
+  std::vector<ObjectId> added;                          ///< objects that are new
+  std::vector<ObjectHolder> holders;                    ///< of all objects; empty: as before
+  std::vector<ObjectRecord> records;                    ///< of visible objects
+  std::vector<ObjectId> hidden;                         ///< objects without a record
+  std::vector<StoredDescriptor> views;                  ///< that are new
+  std::vector<std::pair<ObjectId, ObjectId>> unmerged;  ///< merges that were taken back; smaller id first
+
+  [[nodiscard]] bool isEmpty() const {
+    return added.empty() && holders.empty() && records.empty() && hidden.empty() && views.empty() &&
+           unmerged.empty();
+  }
+};
+
+/// What the catalogue's thread tells the scan. `key`: the id by which the scan asked for it; all others are
+/// those of the database.
+namespace news {
+struct ObjectStored {
+  ObjectId key;
+  ObjectRecord record;
+};
+/// It never will be; why is part of what CatalogueWriter::finish says.
+struct ObjectRefused {
+  ObjectId key;
+};
+struct ViewStored {
+  ObjectId key;
+  ObjectId holder;
+};
+/// Its object was deleted meanwhile, or it cannot be stored.
+struct ViewDropped {
+  ObjectId key;
+};
+struct MergeStored {
+  ObjectMerge merge;
+  std::optional<ObjectRecord> holder;  ///< none: hidden by now
+};
+/// Persons settled both objects meanwhile, or one of them is gone. Edits that say how it is follow.
+struct MergeDropped {};
+struct Edited {
+  CatalogueEdits edits;
+};
+/// The catalogue cannot be read or written for now. Said once until all works again.
+struct Failed {
+  Error error;
+};
+}  // namespace news
+
+using CatalogueNews =
+    std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored, news::ViewDropped,
+                 news::MergeStored, news::MergeDropped, news::Edited, news::Failed>;
+
+}  // namespace scantrove

@@ -1,0 +1,263 @@
+#include "core/scan/catalogue_writer.h"
+
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "core/scan/guarded.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kNicenessOfWriter = 5;
+constexpr const char* kWaits = "What the scan finds waits until then.";
+
+std::size_t bytesOf(const ObjectView& view) {
+  std::size_t bytes = sizeof(ObjectView);
+  for (const cv::Mat* image : {&view.color, &view.mask, &view.depth_mm})
+    bytes += image->total() * image->elemSize();
+  return bytes;
+}
+
+std::string countOf(int count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+void CatalogueWriter::Losses::count(const Job& job) {
+  objects += std::holds_alternative<AddObject>(job) ? 1 : 0;
+  views += std::holds_alternative<AddView>(job) ? 1 : 0;
+  merges += std::holds_alternative<Merge>(job) ? 1 : 0;
+}
+
+// --- The scan's thread.
+
+Result<std::unique_ptr<CatalogueWriter>> CatalogueWriter::start(const Options& options,
+                                                                CataloguePosition from) {
+  std::unique_ptr<CatalogueWriter> writer(new CatalogueWriter(options));
+  writer->jobs_.emplace_back(BeginSession{});
+  std::promise<Result<void>> opened;
+  std::future<Result<void>> is_open = opened.get_future();
+  writer->thread_ = std::thread([self = writer.get(), from, opened = std::move(opened)]() mutable {
+    self->run(from, std::move(opened));
+  });
+  SCANTROVE_TRY(is_open.get());
+  return writer;
+}
+
+CatalogueWriter::~CatalogueWriter() { close(); }
+
+void CatalogueWriter::close() {
+  {
+    const std::scoped_lock lock(mutex_);
+    is_closed_ = true;
+    changed_.notify_all();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+void CatalogueWriter::enqueue(Job job) {
+  jobs_.push_back(std::move(job));
+  changed_.notify_all();
+}
+
+bool CatalogueWriter::addObject(ObjectView first_view) {
+  const std::size_t bytes = bytesOf(first_view);
+  std::unique_lock lock(mutex_);
+  const auto has_room = [&] { return waiting_bytes_ == 0 || waiting_bytes_ + bytes <= options_.most_bytes; };
+  // Who waited in vain waits no more until something has been done.
+  if (!has_room() && !is_full_) changed_.wait_for(lock, options_.room_patience, has_room);
+  is_full_ = !has_room();
+  if (is_full_) return false;
+  waiting_bytes_ += bytes;
+  enqueue(AddObject{std::move(first_view)});
+  return true;
+}
+
+bool CatalogueWriter::hasRoomForView(ObjectId object) {
+  const std::scoped_lock lock(mutex_);
+  const bool has_room = waiting_bytes_ < options_.most_bytes / 2;
+  if (!has_room) without_room_.insert(object);
+  return has_room;
+}
+
+void CatalogueWriter::addView(ObjectView view) {
+  without_room_.erase(view.object);
+  const std::scoped_lock lock(mutex_);
+  waiting_bytes_ += bytesOf(view);
+  enqueue(AddView{std::move(view)});
+}
+
+void CatalogueWriter::merge(ObjectId a, ObjectId b) {
+  const std::scoped_lock lock(mutex_);
+  enqueue(Merge{a, b});
+}
+
+void CatalogueWriter::follow() {
+  const std::scoped_lock lock(mutex_);
+  is_follow_wanted_ = true;
+  changed_.notify_all();
+}
+
+CatalogueWriter::News CatalogueWriter::takeNews() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(news_, {});
+}
+
+bool CatalogueWriter::settle(std::chrono::milliseconds limit) {
+  std::unique_lock lock(mutex_);
+  is_follow_wanted_ = true;
+  changed_.notify_all();
+  return changed_.wait_for(lock, limit,
+                           [this] { return jobs_.empty() && !is_follow_wanted_ && !is_following_; });
+}
+
+Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
+  {
+    std::unique_lock lock(mutex_);
+    enqueue(EndSession{});
+    std::uint64_t done = done_;
+    auto end = std::chrono::steady_clock::now() + options_.patience;
+    const auto has_come = [&] { return jobs_.empty() || done_ != done || !news_.empty(); };
+    while (!jobs_.empty() && changed_.wait_until(lock, end, has_come)) {
+      if (std::exchange(done, done_) != done) end = std::chrono::steady_clock::now() + options_.patience;
+      if (news_.empty()) continue;
+      lock.unlock();
+      hear();
+      lock.lock();
+    }
+  }
+  close();
+  hear();
+  // The thread has ended: all is this one's now.
+  Losses losses = refused_;
+  for (const Job& job : jobs_) losses.count(job);
+  if (!without_room_.empty()) {
+    spdlog::warn("The catalogue {} was busy for so long that views of {} were not kept.", options_.database,
+                 countOf(static_cast<int>(without_room_.size()), "object", "objects"));
+  }
+  if (jobs_.empty() && losses.objects + losses.views + losses.merges == 0) return {};
+  const std::optional<Error>& reason = jobs_.empty() ? last_refusal_ : last_error_;
+  return fail(
+      lossesInWords(losses, reason.value_or(Error{"It did not answer for so long.", "Check its disk."})));
+}
+
+Error CatalogueWriter::lossesInWords(const Losses& losses, const Error& reason) const {
+  std::string lost;
+  const auto add = [&](int count, const char* one, const char* many) {
+    if (count > 0) lost += (lost.empty() ? "" : ", ") + countOf(count, one, many);
+  };
+  add(losses.objects, "new object", "new objects");
+  add(losses.views, "view", "views");
+  add(losses.merges, "merge", "merges");
+  if (lost.empty()) lost = "the end of this scan";
+  return {"The catalogue " + options_.database + " has not got " + lost + ". " + reason.what, reason.advice};
+}
+
+// --- The writer's thread.
+
+void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> opened) {
+  // Frames come first. On Linux a thread has a priority of its own.
+  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNicenessOfWriter));
+  const Result<void> open = guarded("opening the catalogue", [&]() -> Result<void> {
+    SCANTROVE_TRY(moveInto(database_, ObjectDatabase::open(options_.database)));
+    feed_.emplace(*database_, from);
+    file_ = fileNow();
+    return {};
+  });
+  opened.set_value(open);
+  const Result<void> ended = guarded("storing in the catalogue", [&]() -> Result<void> {
+    if (open) work();
+    return {};
+  });
+  if (!ended) {  // no memory for as much as a message: finish() says what is left
+    const std::scoped_lock lock(mutex_);
+    last_error_ = ended.error();
+  }
+  feed_.reset();
+  database_.reset();  // of this thread, like all that is done with it
+}
+
+void CatalogueWriter::work() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return is_closed_ || is_follow_wanted_ || !jobs_.empty(); });
+    if (is_closed_) return;
+    lock.unlock();
+    // What persons did comes first: a job may depend on it.
+    readEdits();
+    doFirst();
+    lock.lock();
+  }
+}
+
+void CatalogueWriter::readEdits() {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!std::exchange(is_follow_wanted_, false)) return;
+    is_following_ = true;
+  }
+  Result<CatalogueEdits> edits = guarded("reading the catalogue", [this] { return feed_->follow(); });
+  if (!edits) noteFailure(edits.error());
+  if (edits && !edits->isEmpty()) tell({news::Edited{std::move(*edits)}});
+  const std::scoped_lock lock(mutex_);
+  if (edits && jobs_.empty()) is_failure_said_ = false;
+  is_following_ = false;
+  changed_.notify_all();
+}
+
+void CatalogueWriter::doFirst() {
+  Job* job = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (jobs_.empty() || is_closed_) return;
+    job = &jobs_.front();  // nobody else takes it away, and a deque moves nothing when it grows
+  }
+  Result<News> done = attempt(*job);
+  if (!done) {
+    noteFailure(done.error());
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, options_.retry, [this] { return is_closed_; });
+    return;
+  }
+  tell(std::move(*done));
+  noteSuccess();
+  const std::scoped_lock lock(mutex_);
+  if (const auto* object = std::get_if<AddObject>(job)) waiting_bytes_ -= bytesOf(object->view);
+  if (const auto* view = std::get_if<AddView>(job)) waiting_bytes_ -= bytesOf(view->view);
+  jobs_.pop_front();
+  ++done_;
+  changed_.notify_all();
+}
+
+void CatalogueWriter::tell(News news) {
+  if (news.empty()) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (CatalogueNews& one : news) news_.push_back(std::move(one));
+    changed_.notify_all();
+  }
+  if (options_.on_news) options_.on_news();
+}
+
+void CatalogueWriter::noteFailure(const Error& error) {
+  {
+    const std::scoped_lock lock(mutex_);
+    last_error_ = error;
+  }
+  if (std::exchange(is_failure_said_, true)) {
+    spdlog::debug("{}", error.message());
+  } else {
+    tell({news::Failed{{error.what, error.advice + (error.advice.empty() ? "" : " ") + kWaits}}});
+  }
+}
+
+void CatalogueWriter::noteSuccess() {
+  const std::scoped_lock lock(mutex_);
+  if (jobs_.size() == 1) is_failure_said_ = false;
+}
+
+}  // namespace scantrove

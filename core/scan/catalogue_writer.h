@@ -1,0 +1,162 @@
+#pragma once
+#include <sys/types.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/catalog/object_database.h"
+#include "core/scan/catalogue_feed.h"
+#include "core/scan/catalogue_news.h"
+
+namespace scantrove {
+
+/// Stores what a scan finds, on a thread of its own with a connection of its own: SQL and the encoding of
+/// images take nothing from the frames. Jobs are done in the order in which they came, so the same scan gives
+/// the same catalogue; one that fails because the catalogue cannot be written for now (locked, full disk) is
+/// tried again until it is done, and the others wait. What is stored comes back as news, and only then: what
+/// is announced is committed. All functions for one thread, the scan's; none but settle() and finish() waits
+/// for the database (addObject() when very much waits).
+///
+/// Objects that are not stored yet are known by the keys that addObject() was given; all jobs take both keys
+/// and the database's ids.
+class CatalogueWriter {
+ public:
+  struct Options {
+    std::string database = {};                      ///< as ObjectDatabase::open takes it
+    std::string source = {};                        ///< of the session that is begun
+    std::function<void()> on_news = {};             ///< news wait to be taken; called on the writer's thread
+    std::chrono::milliseconds retry{500};           ///< after a failure
+    std::chrono::milliseconds patience{20000};      ///< of finish(), while nothing gets done
+    std::chrono::milliseconds room_patience{5000};  ///< of addObject(), while there is no room
+    std::size_t most_bytes = std::size_t{256} << 20U;  ///< of images that wait; half of it for further views
+  };
+
+  /// Opens the catalogue on the new thread; news are what happens after `from`. The session begins with the
+  /// first job. Error: it cannot be opened.
+  [[nodiscard]] static Result<std::unique_ptr<CatalogueWriter>> start(const Options& options,
+                                                                      CataloguePosition from);
+  ~CatalogueWriter();  ///< gives up what waits
+  CatalogueWriter(const CatalogueWriter&) = delete;
+  CatalogueWriter& operator=(const CatalogueWriter&) = delete;
+
+  /// A new object, known by the key `first_view.object` from now on. Waits while too much waits already.
+  /// False: it was not taken, there is no room and nothing gets done.
+  [[nodiscard]] bool addObject(ObjectView first_view);
+  /// Whether another view of the object may be added now: new objects keep half of the room.
+  [[nodiscard]] bool hasRoomForView(ObjectId object);
+  /// Another view of view.object. Dropped when that was deleted by the time.
+  void addView(ObjectView view);
+  /// Makes one of two objects, unless by the time persons settled both, parted them or deleted one.
+  void merge(ObjectId a, ObjectId b);
+  /// Asks for what others did to the catalogue.
+  void follow();
+
+  /// What happened since the last call, in order.
+  [[nodiscard]] std::vector<CatalogueNews> takeNews();
+
+  /// Waits until all jobs are done and what others did by now is among the news. False: not within `limit`.
+  [[nodiscard]] bool settle(std::chrono::milliseconds limit);
+
+  /// Ends the session and the thread, after all jobs. `hear` is called when news have come (for takeNews()),
+  /// and at the end. No other call but takeNews() afterwards. Error: what was not stored, and why;
+  /// Options::patience passed without anything getting done.
+  [[nodiscard]] Result<void> finish(const std::function<void()>& hear = [] {});
+
+ private:
+  struct AddObject {
+    ObjectView view;
+  };
+  struct AddView {
+    ObjectView view;
+  };
+  struct Merge {
+    ObjectId a, b;
+  };
+  struct BeginSession {};
+  struct EndSession {};
+  using Job = std::variant<BeginSession, AddObject, AddView, Merge, EndSession>;
+  /// Kinds of jobs, for counting.
+  struct Losses {
+    int objects = 0, views = 0, merges = 0;
+    void count(const Job& job);
+  };
+  using News = std::vector<CatalogueNews>;
+
+  explicit CatalogueWriter(Options options) : options_(std::move(options)) {}
+
+  // On the scan's thread.
+  void enqueue(Job job);
+  void close();
+  [[nodiscard]] Error lossesInWords(const Losses& losses, const Error& reason) const;
+
+  // On the writer's thread.
+  void run(CataloguePosition from, std::promise<Result<void>> opened);
+  void work();
+  void readEdits();
+  void doFirst();
+  void tell(News news);
+  void noteFailure(const Error& error);
+  void noteSuccess();
+  /// Does one job; what it is to tell. Error: the catalogue failed, and the job is to be tried again.
+  [[nodiscard]] Result<News> attempt(Job& job);
+  /// Gives up a job that would never be done.
+  [[nodiscard]] News refuse(const Job& job, const Error& error);
+  [[nodiscard]] Result<News> execute(const BeginSession& job);
+  [[nodiscard]] Result<News> execute(AddObject& job);
+  [[nodiscard]] Result<News> execute(AddView& job);
+  [[nodiscard]] Result<News> execute(const Merge& job);
+  [[nodiscard]] Result<News> execute(const EndSession& job);
+  [[nodiscard]] ObjectId idOf(ObjectId object) const;
+  /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
+  [[nodiscard]] Result<std::vector<ObjectId>> holdersOf(const Merge& job);
+  [[nodiscard]] Result<bool> mayMerge(const std::vector<ObjectId>& pair);
+  [[nodiscard]] std::optional<std::pair<dev_t, ino_t>> fileNow() const;
+  /// Error: the file that is written to is no longer where it was. SQLite does not see that.
+  [[nodiscard]] Result<void> checkFile() const;
+
+  const Options options_;
+
+  // The writer's thread's alone.
+  std::unique_ptr<ObjectDatabase> database_;
+  std::optional<CatalogueFeed> feed_;
+  std::int64_t session_ = 0;
+  std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
+  std::set<ObjectId> touched_;                   // objects that this scan gave something
+  std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is no file
+  bool is_failure_said_ = false;
+
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::deque<Job> jobs_;  // the first one is being done
+  std::size_t waiting_bytes_ = 0;
+  bool is_follow_wanted_ = false;
+  bool is_following_ = false;
+  bool is_closed_ = false;
+  std::uint64_t done_ = 0;  // jobs
+  News news_;
+  Losses refused_;
+  std::optional<Error> last_error_, last_refusal_;
+
+  // The scan's thread's alone.
+  bool is_full_ = false;             // and was waited for in vain
+  std::set<ObjectId> without_room_;  // objects of which a view was worth keeping
+
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace scantrove
