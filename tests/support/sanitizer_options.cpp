@@ -27,12 +27,14 @@ const char* __lsan_default_suppressions() {
          "leak:libxcb\n";
 }
 
-// Libraries built without the thread sanitizer, whose locks it does not see: OpenNI2 and its drivers, and
-// GDAL, which OpenCV loads and which orders its locks when it starts.
+// Libraries built without the thread sanitizer, whose locks it does not see: OpenNI2 and its drivers, Qt's
+// lock of its list of database connections, and GDAL, which OpenCV loads and which orders its locks when it
+// starts.
 const char* __tsan_default_suppressions() {
   return "race:libOpenNI2\n"
          "race:OpenNI2/Drivers\n"
          "mutex:libOpenNI2\n"
+         "race:QReadWriteLock\n"
          "thread:OpenNI2/Drivers\n"
          "deadlock:libgdal\n";
 }
