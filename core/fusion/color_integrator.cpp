@@ -141,7 +141,8 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
   Eigen::Vector3i last_high = last_low;
   for (int v = first_v; v < height; v += kSample_px) {
     for (int u = first_u; u < width; u += kSample_px) {
-      const Eigen::Vector4f& vertex = vertices_world[static_cast<std::size_t>(v * width + u)];
+      const int pixel = v * width + u;
+      const Eigen::Vector4f& vertex = vertices_world[static_cast<std::size_t>(pixel)];
       if (!(vertex.w() > 0)) continue;
       const Eigen::Vector3f reach = Eigen::Vector3f::Constant(voxel_m);
       const Eigen::Vector3i low = brickOf(vertex.head<3>() - reach);

@@ -1,6 +1,7 @@
 // How well a colour image shows the surface, by cells of CELL * CELL pixels of the depth camera; of a cell its first pixel
 // is looked at, with vertex V, normal n and z along the depth camera's axis:
-//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; rounded, in [1, COLOR_WEIGHT_OF_VIEW_MAX].
+//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; a whole number from 1 to
+//            COLOR_WEIGHT_OF_VIEW_MAX.
 //   reach  = (across + slack sin_d) / cos_d: how far along z from V the pixels of the cell may still show this surface; cos_d
 //            likewise to the depth camera, slack = CELL_REACH pixels at V, and so the tangent plane is within `across`.
 // Nothing (depth 0) where
