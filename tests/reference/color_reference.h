@@ -55,16 +55,22 @@ class ColorView {
     const double color_cosine = cosineTo(T_world_color.translation(), i);
     if (!holds(cosine, 0.15) || !holds(color_cosine, 0.15)) return answer;
 
-    // An outline: what is two or three pixels away, by the reading or else the map, is nothing, hidden, or
-    // off the plane here.
+    // An outline: a reading two or three pixels away is hidden or off the plane here, or it is none, and so
+    // is the map's surface twice as far away.
     const Eigen::Vector3d n = T_world_camera.linear().transpose() * normals[i];
     for (const int dv : {-2, 0, 3}) {
       for (const int du : {-2, 0, 3}) {
         if (u + du < 0 || v + dv < 0 || u + du >= K.width || v + dv >= K.height) continue;
         const std::size_t beside = index(u + du, v + dv);
-        if (is_hidden[beside] || (!has_reading[beside] && !is_surface[beside])) return answer;
-        const Eigen::Vector3d there =
-            has_reading[beside] ? readings[beside] : T_world_camera.inverse() * vertices[beside];
+        if (is_hidden[beside]) return answer;
+        Eigen::Vector3d there = readings[beside];
+        if (!has_reading[beside]) {
+          const Eigen::Vector2i twice(u + 2 * du, v + 2 * dv);
+          if (twice.minCoeff() < 0 || twice.x() >= K.width || twice.y() >= K.height) return answer;
+          const std::size_t beyond = index(twice.x(), twice.y());
+          if (!is_surface[beyond]) return answer;
+          there = T_world_camera.inverse() * vertices[beyond];
+        }
         const double off = std::abs(n.dot(there - readings[i]));
         if (!holds(apart / voxel_size_m, off / voxel_size_m)) return answer;
       }

@@ -7,8 +7,9 @@
 // Nothing (depth 0) where
 //   no surface is, or the colour camera does not see it (hidden), or either camera sees it at less than MIN_COS;
 //   the frame has no reading, or another than the surface: who stands before it has another colour;
-//   next to it, at EDGE_LOW or EDGE_HIGH pixels in eight directions, the reading (or where there is none, the surface) is
-//   missing, hidden, or off the tangent plane: an outline, where colour and depth never lie over each other exactly.
+//   next to it, at EDGE_LOW or EDGE_HIGH pixels in eight directions, the reading is hidden or off the tangent plane: an outline,
+//   where colour and depth never lie over each other exactly. Where there is no reading, it is a hole in a surface only if the
+//   map's surface is there at twice the distance.
 // Depths agree within apart.x + apart.y z^2.
 //
 // One work-item: one cell. vertices, normals: world, width * height, w = 0: none. readings: camera, likewise. hidden: width *
@@ -62,7 +63,10 @@ kernel void rate_pixels(global const float4* restrict vertices, global const flo
       if (hidden[other] != 0) return;
       float4 beside = readings[other];
       if (!(beside.w > 0.0f)) {
-        beside = vertices[other];
+        const int far_x = 2 * x - u;
+        const int far_y = 2 * y - v;
+        if (far_x < 0 || far_y < 0 || far_x >= width || far_y >= height) return;
+        beside = vertices[far_y * width + far_x];
         if (!(beside.w > 0.0f)) return;
         beside.xyz = transform_point(T_camera_world, beside.xyz);
       }
