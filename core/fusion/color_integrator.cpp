@@ -1,7 +1,6 @@
 #include "core/fusion/color_integrator.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -19,6 +18,7 @@ constexpr int kSample_px = 4;           // one pixel in each square of so many i
 constexpr float kColorBand_vox = 1.5F;  // voxels so far from the surface have its colour
 constexpr float kAcross_vox = 2;        // a voxel of the band is so near to the surface of its pixel
 constexpr int kWidest_px = 1280;        // of the colour image; voxels are coarser than pixels of a larger one
+constexpr unsigned kTurns = 64;         // a brick has one of these; a large view takes some of them a frame
 constexpr std::size_t kGroup = 8;       // bricks that one work-group does
 
 constexpr std::size_t cells(int pixels) {
@@ -72,7 +72,7 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
   const Eigen::Isometry3d T_world_color = T_world_camera * camera.T_color_depth.inverse();
   rate(map, surface, T_world_color);
 
-  fit(image_, 3 * image.total());
+  fit(image_, 3 * image.total() + 1);  // pixels are read four bytes at a time
   image_.write(compute_->queue(), {image.ptr<cl_uchar>(), 3 * image.total()});
   fit(bricks_, host_bricks_.size());
   bricks_.write(compute_->queue(), host_bricks_);
@@ -87,7 +87,7 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
                        static_cast<cl_int>(host_bricks_.size()),
                        cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(frame_)}},
                        fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy),
-                       cl_int2{{K.width, K.height}}, depths_, reaches_, weights_, fromBricks(T_world_color),
+                       cl_int2{{K.width, K.height}}, depths_, ratings_, fromBricks(T_world_color),
                        toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
                        cl_int2{{image.cols, image.rows}}, image_, band, map.voxels(), map.colors());
 }
@@ -103,15 +103,14 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
   hidden_.write(compute_->queue(), {surface.hidden.ptr<cl_uchar>(), surface.hidden.total()});
   const std::size_t count = cells(K.width) * cells(K.height);
   fit(depths_, count);
-  fit(reaches_, count);
-  fit(weights_, count);
+  fit(ratings_, count);
   constexpr float kInNoise = 3;  // standard deviations
   const cl_float2 apart{{kAcross_vox * map.voxelSize(), kInNoise * params_.depth_noise_m}};
   rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), cl::NullRange,
                       surface.maps.vertices_world, surface.maps.normals_world, readings.vertices_camera,
                       hidden_, K.width, K.height, toKernel(surface.maps.T_world_camera.inverse()),
                       pointOf(surface.maps.T_world_camera), pointOf(T_world_color), K.fx,
-                      kAcross_vox * map.voxelSize(), apart, depths_, reaches_, weights_);
+                      kAcross_vox * map.voxelSize(), apart, depths_, ratings_);
 }
 
 // Which pixels are asked changes from frame to frame, so that bricks far away, which are smaller than a
@@ -142,7 +141,8 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
   Eigen::Vector3i last_high = last_low;
   for (int v = first_v; v < height; v += kSample_px) {
     for (int u = first_u; u < width; u += kSample_px) {
-      const Eigen::Vector4f& vertex = vertices_world[static_cast<std::size_t>(v * width + u)];
+      const int pixel = v * width + u;
+      const Eigen::Vector4f& vertex = vertices_world[static_cast<std::size_t>(pixel)];
       if (!(vertex.w() > 0)) continue;
       const Eigen::Vector3f reach = Eigen::Vector3f::Constant(voxel_m);
       const Eigen::Vector3i low = brickOf(vertex.head<3>() - reach);
@@ -157,13 +157,14 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
       }
     }
   }
-  // Powers of two: whose turn it is in every fourth frame has it in every second as well.
-  const std::size_t turns = std::bit_ceil((host_bricks_.size() + kBricksAtATime - 1) / kBricksAtATime);
-  if (turns < 2) return;
+  if (host_bricks_.size() <= kBricksAtATime) return;
+  const auto most = static_cast<unsigned>(kTurns * kBricksAtATime / host_bricks_.size());
+  const unsigned turns = std::max(1U, most);
   std::erase_if(host_bricks_, [&](const cl_int4& b) {
-    const unsigned hash = brick_hash(first.x() + b.s[0], first.y() + b.s[1], first.z() + b.s[2]);
-    return (hash + frame_) % turns != 0;
+    const unsigned turn = brick_hash(first.x() + b.s[0], first.y() + b.s[1], first.z() + b.s[2]) % kTurns;
+    return (turn + kTurns - turn_) % kTurns >= turns;
   });
+  turn_ = (turn_ + turns) % kTurns;
 }
 
 }  // namespace scantrove

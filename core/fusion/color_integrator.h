@@ -17,11 +17,10 @@ namespace scantrove {
 
 /// Averages colour images into the voxels along the surface that a frame shows (BrickMap::colors): near and
 /// straight views count for more (color_bricks.cl). Cost per frame is bounded: where the surface passes
-/// through more than kBricksAtATime bricks, each of them has its turn in every second, fourth, ... frame. One
-/// thread, the context's.
+/// through more than about kBricksAtATime bricks, they take turns. One thread, the context's.
 class ColorIntegrator {
  public:
-  static constexpr std::size_t kBricksAtATime = 1024;
+  static constexpr std::size_t kBricksAtATime = 640;
 
   [[nodiscard]] static Result<ColorIntegrator> create(ComputeContext& compute, const FusionParams& params);
 
@@ -53,11 +52,13 @@ class ColorIntegrator {
   FusionParams params_;
   Kernel rate_pixels_, color_bricks_;
   Buffer<cl_uchar> hidden_, image_;
-  Buffer<cl_float> depths_, reaches_, weights_;
+  Buffer<cl_float> depths_;
+  Buffer<cl_uint> ratings_;
   Buffer<cl_int4> bricks_;
   std::vector<cl_int4> host_bricks_;
   std::vector<std::uint32_t> listed_in_;  ///< by slot: number of the frame that listed it last
   std::uint32_t frame_ = 0;
+  unsigned turn_ = 0;  ///< the first of the next frame
 };
 
 }  // namespace scantrove

@@ -44,7 +44,8 @@ void VoxelBlock::copyBrick(const StoredPage& page, std::size_t number, const Eig
   const Eigen::Vector3i from = first.cwiseMax(kLow);
   const Eigen::Vector3i to = (first + Eigen::Vector3i::Constant(BRICK_SIDE - 1)).cwiseMin(kHigh);
   if ((to.array() < from.array()).any()) return;
-  const auto count = static_cast<std::size_t>(to.x() - from.x() + 1);
+  const int length = to.x() - from.x() + 1;
+  const auto count = static_cast<std::size_t>(length);
   for (int z = from.z(); z <= to.z(); ++z) {
     for (int y = from.y(); y <= to.y(); ++y) {
       const Eigen::Vector3i local(from.x() - first.x(), y - first.y(), z - first.z());

@@ -16,7 +16,7 @@ class ColorView {
   Intrinsics K;  ///< of the depth camera
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Vector3d> vertices, normals, readings;  ///< by its pixel: world, world, camera
-  std::vector<bool> has_surface, has_reading, is_hidden;
+  std::vector<bool> is_surface, has_normal, has_reading, is_hidden;
   Intrinsics K_color;
   Eigen::Isometry3d T_world_color = Eigen::Isometry3d::Identity();
   cv::Mat image;  ///< BGR
@@ -34,16 +34,19 @@ class ColorView {
 
   [[nodiscard]] Answer at(const Eigen::Vector3d& p_world) const {
     Answer answer;
-    const auto holds = [&](double more, double less) {
-      if (std::abs(more - less) < 1e-4 * std::max(1.0, std::abs(less))) answer.decided = false;
+    const auto holdsWithin = [&](double margin, double more, double less) {
+      if (std::abs(more - less) < margin) answer.decided = false;
       return more >= less;
+    };
+    const auto holds = [&](double more, double less) {
+      return holdsWithin(1e-4 * std::max(1.0, std::abs(less)), more, less);
     };
     const std::optional<Eigen::Vector2i> pixel = pixelOf(K, T_world_camera.inverse() * p_world, holds);
     if (!pixel) return answer;
     const int u = pixel->x() / 2 * 2;  // of each two by two pixels the first stands for all
     const int v = pixel->y() / 2 * 2;
     const std::size_t i = index(u, v);
-    if (!has_surface[i] || !has_reading[i] || is_hidden[i]) return answer;
+    if (!is_surface[i] || !has_normal[i] || !has_reading[i] || is_hidden[i]) return answer;
 
     const double z = (T_world_camera.inverse() * vertices[i]).z();
     const double apart = 2 * voxel_size_m + 3 * depth_noise_m * z * z;
@@ -52,14 +55,23 @@ class ColorView {
     const double color_cosine = cosineTo(T_world_color.translation(), i);
     if (!holds(cosine, 0.15) || !holds(color_cosine, 0.15)) return answer;
 
-    // An outline: a reading two or three pixels away that is none, hidden, or off the plane of this one.
+    // An outline: a reading two or three pixels away is hidden or off the plane here, or it is none, and so
+    // is the map's surface twice as far away.
     const Eigen::Vector3d n = T_world_camera.linear().transpose() * normals[i];
     for (const int dv : {-2, 0, 3}) {
       for (const int du : {-2, 0, 3}) {
         if (u + du < 0 || v + dv < 0 || u + du >= K.width || v + dv >= K.height) continue;
         const std::size_t beside = index(u + du, v + dv);
-        if (!has_reading[beside] || is_hidden[beside]) return answer;
-        const double off = std::abs(n.dot(readings[beside] - readings[i]));
+        if (is_hidden[beside]) return answer;
+        Eigen::Vector3d there = readings[beside];
+        if (!has_reading[beside]) {
+          const Eigen::Vector2i twice(u + 2 * du, v + 2 * dv);
+          if (twice.minCoeff() < 0 || twice.x() >= K.width || twice.y() >= K.height) return answer;
+          const std::size_t beyond = index(twice.x(), twice.y());
+          if (!is_surface[beyond]) return answer;
+          there = T_world_camera.inverse() * vertices[beyond];
+        }
+        const double off = std::abs(n.dot(there - readings[i]));
         if (!holds(apart / voxel_size_m, off / voxel_size_m)) return answer;
       }
     }
@@ -67,7 +79,7 @@ class ColorView {
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const double reach = (2 * voxel_size_m + 1.5 * z / K.fx * sine) / cosine;
     const double behind = std::abs((T_world_camera.inverse() * p_world).z() - z);
-    if (!holds(reach / voxel_size_m, behind / voxel_size_m)) return answer;
+    if (!holdsWithin(1e-4, reach, behind)) return answer;  // it is kept in sixteenths of a millimetre
 
     const std::optional<Eigen::Vector2i> place = pixelOf(K_color, T_world_color.inverse() * p_world, holds);
     if (!place) return answer;

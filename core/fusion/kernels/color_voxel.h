@@ -16,4 +16,12 @@
 /* So that what is seen now and better always counts. */
 #define COLOR_WEIGHT_MAX 255.0f
 
+/* Of a cell of pixels, in one word: a distance in steps of COLOR_REACH_STEP_M, below it a weight of 8 bits.
+ */
+#define COLOR_RATING(reach_steps, weight) (((reach_steps) << 8) | (weight))
+#define COLOR_RATING_REACH(rating) ((rating) >> 8)
+#define COLOR_RATING_WEIGHT(rating) ((rating)&255u)
+#define COLOR_REACH_STEP_M 0.0000625f
+#define COLOR_REACH_STEPS_MAX 65535.0f
+
 #endif

@@ -1,17 +1,20 @@
 // How well a colour image shows the surface, by cells of CELL * CELL pixels of the depth camera; of a cell its first pixel
 // is looked at, with vertex V, normal n and z along the depth camera's axis:
-//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; rounded, in [1, COLOR_WEIGHT_OF_VIEW_MAX].
+//   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; a whole number from 1 to
+//            COLOR_WEIGHT_OF_VIEW_MAX.
 //   reach  = (across + slack sin_d) / cos_d: how far along z from V the pixels of the cell may still show this surface; cos_d
 //            likewise to the depth camera, slack = CELL_REACH pixels at V, and so the tangent plane is within `across`.
 // Nothing (depth 0) where
 //   no surface is, or the colour camera does not see it (hidden), or either camera sees it at less than MIN_COS;
 //   the frame has no reading, or another than the surface: who stands before it has another colour;
-//   next to it, at EDGE_LOW or EDGE_HIGH pixels in eight directions, readings are missing, hidden, or off the tangent plane: an
-//   outline, where colour and depth never lie over each other exactly.
+//   next to it, at EDGE_LOW or EDGE_HIGH pixels in eight directions, the reading is hidden or off the tangent plane: an outline,
+//   where colour and depth never lie over each other exactly. Where there is no reading, it is a hole in a surface only if the
+//   map's surface is there at twice the distance.
 // Depths agree within apart.x + apart.y z^2.
 //
 // One work-item: one cell. vertices, normals: world, width * height, w = 0: none. readings: camera, likewise. hidden: width *
-// height, not 0 = hidden. eye, color_eye: the cameras in the world. depths, reaches, weights: one a cell, row by row.
+// height, not 0 = hidden. eye, color_eye: the cameras in the world. depths, ratings (reach and weight, COLOR_RATING): one a cell,
+// row by row.
 #include "core/compute/kernels/common.clh"
 #include "core/fusion/kernels/color_voxel.h"
 
@@ -24,14 +27,14 @@ kernel void rate_pixels(global const float4* restrict vertices, global const flo
                         global const float4* restrict readings, global const uchar* restrict hidden, const int width,
                         const int height, const float16 T_camera_world, const float4 eye, const float4 color_eye,
                         const float pixels_per_ray, const float across, const float2 apart,
-                        global float* restrict depths, global float* restrict reaches,
-                        global float* restrict weights) {
+                        global float* restrict depths, global uint* restrict ratings) {
   const int column = (int)get_global_id(0);
   const int row = (int)get_global_id(1);
   const int columns = (width + CELL - 1) / CELL;
   if (column >= columns || row >= (height + CELL - 1) / CELL) return;
   const int cell = row * columns + column;
   depths[cell] = 0.0f;
+  ratings[cell] = 0u;
   const int u = CELL * column;
   const int v = CELL * row;
   const int pixel = v * width + u;
@@ -56,12 +59,23 @@ kernel void rate_pixels(global const float4* restrict vertices, global const flo
       const int x = u + (i < 0 ? -EDGE_LOW : i * EDGE_HIGH);
       const int y = v + (j < 0 ? -EDGE_LOW : j * EDGE_HIGH);
       if (x < 0 || y < 0 || x >= width || y >= height) continue;
-      const float4 beside = readings[y * width + x];
-      if (!(beside.w > 0.0f) || hidden[y * width + x] != 0 || !(fabs(dot(n, beside.xyz - reading.xyz)) <= most)) return;
+      const int other = y * width + x;
+      if (hidden[other] != 0) return;
+      float4 beside = readings[other];
+      if (!(beside.w > 0.0f)) {
+        const int far_x = 2 * x - u;
+        const int far_y = 2 * y - v;
+        if (far_x < 0 || far_y < 0 || far_x >= width || far_y >= height) return;
+        beside = vertices[far_y * width + far_x];
+        if (!(beside.w > 0.0f)) return;
+        beside.xyz = transform_point(T_camera_world, beside.xyz);
+      }
+      if (!(fabs(dot(n, beside.xyz - reading.xyz)) <= most)) return;
     }
   }
   const float sine = sqrt(fmax(0.0f, 1.0f - cosine * cosine));
   depths[cell] = z;
-  reaches[cell] = (across + CELL_REACH * z / pixels_per_ray * sine) / cosine;
-  weights[cell] = clamp(rint(COLOR_WEIGHT_ONE * color_cosine / square), 1.0f, COLOR_WEIGHT_OF_VIEW_MAX);
+  const float reach = (across + CELL_REACH * z / pixels_per_ray * sine) / cosine;
+  const float weight = clamp(rint(COLOR_WEIGHT_ONE * color_cosine / square), 1.0f, COLOR_WEIGHT_OF_VIEW_MAX);
+  ratings[cell] = COLOR_RATING((uint)min(reach / COLOR_REACH_STEP_M, COLOR_REACH_STEPS_MAX), (uint)weight);
 }

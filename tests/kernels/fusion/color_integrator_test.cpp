@@ -75,16 +75,29 @@ reference::ColorView referenceView(ComputeContext& compute, const ColorShot& sho
     view.vertices.emplace_back(shot.vertices_world[i].head<3>().cast<double>());
     view.normals.push_back(vectorOf(normals[i]));
     view.readings.push_back(vectorOf(readings[i]));
-    view.has_surface.push_back(shot.vertices_world[i].w() > 0 && normals[i].s[3] > 0);
+    view.is_surface.push_back(shot.vertices_world[i].w() > 0);
+    view.has_normal.push_back(normals[i].s[3] > 0);
     view.has_reading.push_back(readings[i].s[3] > 0);
     view.is_hidden.push_back(shot.hidden.ptr<uchar>()[i] != 0);
   }
   return view;
 }
 
+/// Takes readings away here and there, and a whole strip.
+void makeHoles(ComputeContext& compute, ColorShot& shot) {
+  Buffer<cl_float4>& buffer = shot.depth.levels.front().vertices_camera;
+  std::vector<cl_float4> readings = buffer.read(compute.queue());
+  const auto width = static_cast<std::size_t>(shot.surface.K.width);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (i % 181 == 0 || i % width / 9 == 14) readings[i] = {};
+  }
+  buffer.write(compute.queue(), std::span<const cl_float4>(readings));
+}
+
 TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
   test::onEachDevice([](ComputeContext& compute) {
-    const FusionParams params = colorParams();
+    FusionParams params = colorParams();
+    params.voxel_size_m = 0.012F;  // all bricks in every frame
     const PaintedScene scene = paintedBallOnWall();
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, params);
@@ -100,8 +113,9 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
         const ColorCamera camera =
             registered ? ColorCamera{K.resizedTo(2 * K.width, 2 * K.height), Eigen::Isometry3d::Identity()}
                        : besideIt();
-        const ColorShot shot = rig.look(scene, K, T, registered ? std::nullopt : std::optional(camera),
-                                        {camera.K.width, camera.K.height});
+        ColorShot shot = rig.look(scene, K, T, registered ? std::nullopt : std::optional(camera),
+                                  {camera.K.width, camera.K.height});
+        makeHoles(compute, shot);
         const reference::ColorView view = referenceView(compute, shot, camera, params);
         const std::vector<TsdfVoxel> voxels = test::usedPart(compute, map, map.voxels());
         for (std::size_t i = 0; i < voxels.size(); ++i) {
@@ -188,7 +202,7 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColour) {
   });
 }
 
-TEST(ColorIntegrator, ColoursNothingWhereReadingsEnd) {
+TEST(ColorIntegrator, ColoursNothingWhereThereIsNoReading) {
   test::onEachDevice([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
@@ -211,7 +225,7 @@ TEST(ColorIntegrator, ColoursNothingWhereReadingsEnd) {
       ++colored;
       const double x =
           (map.positionOf(static_cast<int>(i / BRICK_VOXELS)).x() * 8 + static_cast<int>(i % 8) + 0.5) * 0.01;
-      ASSERT_GE(K.fx * x / 1.02 + K.cx, 150 + 1) << "one pixel beside the edge, or two";
+      ASSERT_GE(K.fx * x / 1.02 + K.cx, 150 - 1);
     }
     EXPECT_GT(colored, 5000);
   });
@@ -262,13 +276,13 @@ TEST(ColorIntegrator, NearViewsOutweighFarOnes) {
     };
     const PaintedScene near_view = wallAt(1.0, {200, 100, 0});
     const PaintedScene far_view = wallAt(1.0, {0, 100, 200});
-    for (int i = 0; i < 4; ++i) rig.show(far_view, K, from(-1.4), std::nullopt, size);
+    for (int i = 0; i < 4; ++i) rig.show(far_view, K, from(-0.9), std::nullopt, size);
     for (int i = 0; i < 4; ++i) rig.show(near_view, K, from(0.3), std::nullopt, size);
-    // 32 / 5.76 against 32 / 0.49, each rounded: 4 views of 6 against as many of 64.
+    // 32 / 3.61 against 32 / 0.49, each rounded: 4 views of 9 against as many of 64.
     EXPECT_LT(
-        (aheadAt(compute, rig.map().bricks(), 1.0) - Eigen::Vector3d(183, 100, 17)).cwiseAbs().maxCoeff(), 3);
-    for (int i = 0; i < 4; ++i) rig.show(far_view, K, from(-1.4), std::nullopt, size);
-    EXPECT_GT(aheadAt(compute, rig.map().bricks(), 1.0).x(), 160)
+        (aheadAt(compute, rig.map().bricks(), 1.0) - Eigen::Vector3d(175, 100, 25)).cwiseAbs().maxCoeff(), 3);
+    for (int i = 0; i < 4; ++i) rig.show(far_view, K, from(-0.9), std::nullopt, size);
+    EXPECT_GT(aheadAt(compute, rig.map().bricks(), 1.0).x(), 145)
         << "sharp colour is not washed out from afar";
   });
 }
@@ -307,7 +321,7 @@ TEST(ColorIntegrator, ALargeViewIsColouredInTurns) {
     };
     rig.paint(shot);
     const std::size_t at_first = coloredBricks();
-    // The hash lets some more have their turn at once than the others.
+    // Some turns are those of more bricks than others.
     EXPECT_LT(at_first, ColorIntegrator::kBricksAtATime * 11 / 10);
     EXPECT_GT(at_first, ColorIntegrator::kBricksAtATime / 3);
     for (int i = 0; i < 15; ++i) rig.paint(shot);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <tuple>
@@ -16,7 +17,7 @@ namespace {
 using test::SyntheticScan;
 using testing::HasSubstr;
 
-/// Some metres of the corridor, coarse: some ten times as much as the budget of 6 MiB holds.
+/// Some metres of the corridor, coarse: some ten times as much as the budget of 9 MiB holds.
 SyntheticOptions walk() {
   SyntheticOptions options;
   options.set = synthetic::makeCorridorSet;
@@ -86,16 +87,23 @@ std::vector<Point> MemoryBudget::cloud_;
 
 TEST_F(MemoryBudget, ChangesNoPointLabelOrViewOfTheMap) {
   ASSERT_EQ(with_all_->pipeline().bricks().storedBytes(), 0U);
-  SyntheticScan scan(walk(), paramsWith(6), true);
+  SyntheticScan scan(walk(), paramsWith(9), true);
   scan.run();
   EXPECT_FALSE(scan.pipeline().takeMapFailure());
   const BrickMap& bricks = scan.pipeline().bricks();
   EXPECT_EQ(bricks.brickCount(), with_all_->pipeline().bricks().brickCount());
   EXPECT_LT(3 * bricks.bricksHere(), bricks.brickCount()) << "most of the map had room";
-  EXPECT_LE(bricks.deviceBytes(), std::size_t{6} << 20U);
+  EXPECT_LE(bricks.deviceBytes(), std::size_t{9} << 20U);
   EXPECT_EQ(scan.pipeline().voxelsOfFragments(), with_all_->pipeline().voxelsOfFragments());
   EXPECT_GT(cloud_.size(), 100000U);
   EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
+  const auto mesh = scan.pipeline().extractMesh();
+  const auto mesh_with_all = with_all_->pipeline().extractMesh();
+  ASSERT_TRUE(mesh && *mesh && mesh_with_all && *mesh_with_all);
+  EXPECT_GT((*mesh)->faces.size(), 100000U);
+  EXPECT_GT(2 * std::ranges::count((*mesh)->vertices, true, &SurfaceMesh::Vertex::has_color),
+            std::ssize((*mesh)->vertices));
+  EXPECT_TRUE(**mesh == **mesh_with_all);
   // What was left behind long ago, seen once more.
   for (const std::size_t i : {std::size_t{0}, scan.frames.size() / 2}) {
     const cv::Mat view = scan.finalRegions(scan.frames[i]);
@@ -108,7 +116,7 @@ TEST_F(MemoryBudget, ChangesNoPointLabelOrViewOfTheMap) {
 TEST_F(MemoryBudget, WithoutADiskTheScanSaysSoAndGoesOn) {
   const test::TemporaryFolder folder;
   const TemporaryFilesIn nowhere((folder.path() / "nowhere").string());
-  SyntheticScan scan(walk(), paramsWith(6), true);
+  SyntheticScan scan(walk(), paramsWith(9), true);
   scan.run();
   const auto failure = scan.pipeline().takeMapFailure();
   ASSERT_TRUE(failure);
