@@ -18,7 +18,7 @@ namespace {
 /// How far measured depth and map may differ on one surface: a map of voxels of half a centimetre and its
 /// poses, and the noise of structured light, which grows with the square of the distance.
 constexpr float kMapNoise_m = 0.01F;
-constexpr float kSensorNoise_per_m = 0.003F;
+constexpr float kSensorNoisePerMetre = 0.003F;
 /// A steep surface differs by this many pixels' worth of its slope; more than this much is another surface.
 constexpr float kSlope_px = 1.5F;
 constexpr float kMostSlope_m = 0.03F;
@@ -73,7 +73,7 @@ cv::Mat tolerances(const cv::Mat& depth_m) {
       const float slope = std::min(std::abs(at(x + 1, y) - z), std::abs(at(x - 1, y) - z)) +
                           std::min(std::abs(at(x, y + 1) - z), std::abs(at(x, y - 1) - z));
       result.at<float>(y, x) =
-          kMapNoise_m + kSensorNoise_per_m * z * z + std::min(kSlope_px * slope, kMostSlope_m);
+          kMapNoise_m + kSensorNoisePerMetre * z * z + std::min(kSlope_px * slope, kMostSlope_m);
     }
   }
   return result;
@@ -213,7 +213,7 @@ class OutlineRefiner {
       if (!isInside(u, v)) continue;
       const float other_z = depth_m_.at<float>(v, u);
       if (z > 0 && other_z > 0 &&
-          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoise_per_m * z * z) {
+          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoisePerMetre * z * z) {
         continue;
       }
       const cv::Vec3b& other = color_.at<cv::Vec3b>(v, u);
