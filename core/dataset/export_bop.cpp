@@ -11,7 +11,7 @@
 #include "core/dataset/mesh_parts.h"
 #include "core/dataset/ply_file.h"
 #include "core/dataset/region_choice.h"
-#include "core/dataset/region_masks.h"
+#include "core/dataset/silhouette.h"
 #include "core/dataset/up_direction.h"
 #include "core/exchange/gray_png.h"
 

@@ -6,7 +6,7 @@
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
-#include "core/dataset/region_masks.h"
+#include "core/dataset/silhouette.h"
 
 namespace scantrove {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <tuple>
 #include <unordered_map>
@@ -12,7 +11,6 @@
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/dataset/depth_raster.h"
 
 namespace scantrove {
 namespace {
@@ -20,7 +18,7 @@ namespace {
 /// How far measured depth and map may differ on one surface: a map of voxels of half a centimetre and its
 /// poses, and the noise of structured light, which grows with the square of the distance.
 constexpr float kMapNoise_m = 0.01F;
-constexpr float kSensorNoise_per_m = 0.003F;
+constexpr float kSensorNoisePerMetre = 0.003F;
 /// A steep surface differs by this many pixels' worth of its slope; more than this much is another surface.
 constexpr float kSlope_px = 1.5F;
 constexpr float kMostSlope_m = 0.03F;
@@ -30,9 +28,10 @@ constexpr int kMostOutlineError_px = 16;
 /// What the map cannot tell apart along an outline.
 constexpr float kMapDetail_m = 0.006F;
 constexpr int kMostBand_px = 6;
+/// Across an edge, readings of both sides are not farther apart than this.
 constexpr int kMixedReach_px = 3;
-constexpr int kLeastSpeck_px =
-    8;  ///< pieces of fewer pixels, or smaller than the map's detail squared, are noise
+/// Pieces of fewer pixels, or smaller than the map's detail squared, are noise.
+constexpr int kLeastSpeck_px = 8;
 constexpr float kSameColor = 20;   ///< of 255, standard deviation
 constexpr float kBandVote = 0.3F;  ///< of a pixel that may itself be wrong
 constexpr float kClearMajority = 1.2F;
@@ -74,7 +73,7 @@ cv::Mat tolerances(const cv::Mat& depth_m) {
       const float slope = std::min(std::abs(at(x + 1, y) - z), std::abs(at(x - 1, y) - z)) +
                           std::min(std::abs(at(x, y + 1) - z), std::abs(at(x, y - 1) - z));
       result.at<float>(y, x) =
-          kMapNoise_m + kSensorNoise_per_m * z * z + std::min(kSlope_px * slope, kMostSlope_m);
+          kMapNoise_m + kSensorNoisePerMetre * z * z + std::min(kSlope_px * slope, kMostSlope_m);
     }
   }
   return result;
@@ -214,7 +213,7 @@ class OutlineRefiner {
       if (!isInside(u, v)) continue;
       const float other_z = depth_m_.at<float>(v, u);
       if (z > 0 && other_z > 0 &&
-          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoise_per_m * z * z) {
+          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoisePerMetre * z * z) {
         continue;
       }
       const cv::Vec3b& other = color_.at<cv::Vec3b>(v, u);
@@ -288,65 +287,6 @@ cv::Mat refineRegions(const ViewOfMap& map, const MeasuredView& measured, float 
   SCANTROVE_CHECK(measured.color.empty() ||
                   (measured.color.type() == CV_8UC3 && measured.color.size() == map.regions.size()));
   return OutlineRefiner(map, measured, focal_px).run();
-}
-
-cv::Mat Silhouette::mask(cv::Size image) const {
-  cv::Mat mask = cv::Mat::zeros(image, CV_8UC1);
-  const cv::Rect seen = box & cv::Rect({}, image);
-  if (!empty() && !seen.empty()) {
-    const cv::Mat part = depth_m(seen - box.tl()) > 0;
-    part.copyTo(mask(seen));
-  }
-  return mask;
-}
-
-cv::Rect Silhouette::tightBox() const {
-  if (empty()) return {};
-  const cv::Rect within = boxOf(depth_m > 0);
-  return within + box.tl();
-}
-
-Silhouette silhouetteOf(const LabelledMesh& mesh, const Intrinsics& K,
-                        const Eigen::Isometry3d& T_world_camera) {
-  const Eigen::Isometry3f T = T_world_camera.inverse().cast<float>();
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(mesh.vertices.size());
-  float left = 1e9F, right = -1e9F, top = 1e9F, bottom = -1e9F;
-  for (const SurfacePoint& vertex : mesh.vertices) {
-    const Eigen::Vector3f& p = points.emplace_back(T * vertex.position_world_m);
-    if (!(p.z() > 0.01F)) continue;
-    const float u = K.fx * p.x() / p.z() + K.cx, v = K.fy * p.y() / p.z() + K.cy;
-    left = std::min(left, u), right = std::max(right, u);
-    top = std::min(top, v), bottom = std::max(bottom, v);
-  }
-  Silhouette seen;
-  const auto begin = [](float low, int size) {
-    return static_cast<int>(
-        std::floor(std::clamp(low, static_cast<float>(-size), static_cast<float>(2 * size))));
-  };
-  const auto end = [&](float high, int size) { return begin(high, size) + 2; };
-  if (left > right) return seen;
-  const cv::Rect around(cv::Point(begin(left, K.width), begin(top, K.height)),
-                        cv::Point(end(right, K.width), end(bottom, K.height)));
-  const cv::Rect looked_at(-K.width, -K.height, 3 * K.width, 3 * K.height);
-  seen.box = around & looked_at;
-  if (seen.box.empty()) return seen;
-  Intrinsics window = K;
-  window.cx -= static_cast<float>(seen.box.x);
-  window.cy -= static_cast<float>(seen.box.y);
-  window.width = seen.box.width;
-  window.height = seen.box.height;
-  DepthRaster raster(window);
-  for (const auto& face : mesh.faces) raster.add(points[face[0]], points[face[1]], points[face[2]]);
-  seen.depth_m = raster.depth();
-  seen.pixels = cv::countNonZero(seen.depth_m);
-  return seen;
-}
-
-cv::Rect boxOf(const cv::Mat& mask) {
-  cv::Mat points;
-  cv::findNonZero(mask, points);
-  return points.empty() ? cv::Rect() : cv::boundingRect(points);
 }
 
 }  // namespace scantrove

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/dataset/coco_rle.h"
-#include "core/dataset/region_masks.h"
+#include "core/dataset/silhouette.h"
 #include "tests/unit/dataset/exported.h"
 
 namespace scantrove {

@@ -6,6 +6,7 @@
 
 #include "core/dataset/mesh_parts.h"
 #include "core/dataset/registered_depth.h"
+#include "core/dataset/silhouette.h"
 #include "tests/unit/dataset/scanned_scene.h"
 
 namespace scantrove {
