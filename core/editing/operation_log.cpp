@@ -45,6 +45,17 @@ bool OperationLog::canRedo() const {
   return std::ranges::find(entries_, State::undone, &Entry::state) != entries_.end();
 }
 
+void OperationLog::cutOut(FragmentId part, FragmentId fragment) {
+  for (std::size_t place = 0; place < entries_.size(); ++place) {
+    std::vector<RegionMove>& moves = entries_[place].effect.moves;
+    const auto found = std::ranges::find(moves, fragment, &RegionMove::fragment);
+    if (found == moves.end()) continue;
+    const RegionMove move{part, found->before, found->after};
+    moves.push_back(move);
+    noteChange(place);
+  }
+}
+
 void OperationLog::forget(FragmentId fragment) {
   for (std::size_t place = 0; place < entries_.size(); ++place) {
     OperationEffect& effect = entries_[place].effect;

@@ -57,6 +57,8 @@ class OperationLog {
   [[nodiscard]] bool canUndo() const;
   [[nodiscard]] bool canRedo() const;
 
+  /// `part` was cut out of `fragment` just now: what was done to that was done to it.
+  void cutOut(FragmentId part, FragmentId fragment);
   /// The fragment is no more; its number may come again for another.
   void forget(FragmentId fragment);
 

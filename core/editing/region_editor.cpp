@@ -217,7 +217,10 @@ std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region,
     for (std::size_t p = 0; p < parts; ++p) {
       if (found->second[p].empty()) continue;
       const FragmentId holder = p == keeper ? fragment : table_.newFragmentBeside(fragment);
-      if (p != keeper) map_.relabel(found->second[p], holder);
+      if (p != keeper) {
+        map_.relabel(found->second[p], holder);
+        log_.cutOut(holder, fragment);
+      }
       fragments[p].push_back(holder);
     }
   }

@@ -164,6 +164,24 @@ TEST_F(RegionEditorTest, ACutAtOnePlaceIsRefusedAndChangesNothing) {
   EXPECT_TRUE(editor_.log().entries().empty());
 }
 
+TEST_F(RegionEditorTest, WhatWasCutOutOfAJoinedRegionGoesBackToWhereThatCameFrom) {
+  const RegionId second = regionAt(30);
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), second}}));
+  ASSERT_TRUE(apply({.kind = OperationKind::cut,
+                     .regions = {regionAt(30)},
+                     .here_world = {{0.22F, 0.05F, 0.005F}},
+                     .there_world = {{0.38F, 0.05F, 0.005F}}}));
+  ASSERT_NE(map_.at(21), map_.at(38));
+  const std::vector<RegionId> done = table_.regions();
+  ASSERT_TRUE(editor_.undo());
+  ASSERT_TRUE(editor_.undo());
+  EXPECT_EQ(regionAt(21), second);
+  EXPECT_EQ(regionAt(38), second);
+  ASSERT_TRUE(editor_.redo());
+  ASSERT_TRUE(editor_.redo());
+  EXPECT_EQ(table_.regions(), done);
+}
+
 TEST_F(RegionEditorTest, UndoTakesBackNoMoreThanThePersonDid) {
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
   see(fragments_[1], fragments_[2], true);  // what frames find out meanwhile

@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/app/scantrove_program.h"
+
+namespace scantrove::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+
+/// A scan of the demo, made once: its folder is copied by those who change it.
+const fs::path& demoScan() {
+  static const TemporaryFolder folder;
+  static const fs::path path = [] {
+    const Finished run = scantrove({"scan", "demo", "--frames", "40", "--out", folder / "scan"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return folder / "scan";
+  }();
+  return path;
+}
+
+class Session : public testing::Test {
+ protected:
+  Session() { fs::copy(demoScan(), scan_, fs::copy_options::recursive); }
+  Json ask(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "session");
+    arguments.insert(arguments.begin() + 2, scan_);
+    arguments.emplace_back("--json");
+    return jsonOf(scantrove(arguments));
+  }
+  Finished tell(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "session");
+    arguments.insert(arguments.begin() + 2, scan_);
+    return scantrove(arguments);
+  }
+  std::string regions() {
+    const Finished run = tell({"regions", "--json"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  }
+  /// Numbers of the largest regions, largest first.
+  std::vector<int> largest() {
+    std::vector<Json> all = Json::parse(regions());
+    std::sort(all.begin(), all.end(), [](const Json& a, const Json& b) { return a["voxels"] > b["voxels"]; });
+    std::vector<int> numbers;
+    for (const Json& region : all) numbers.push_back(region["id"]);
+    return numbers;
+  }
+
+  const TemporaryFolder folder_;
+  const fs::path scan_ = folder_ / "scan";
+};
+
+TEST_F(Session, ShowsWhatWasScanned) {
+  const Json shown = ask({"show"});
+  EXPECT_EQ(shown["frames"], 40);
+  EXPECT_EQ(shown["tracked"], 40);
+  EXPECT_GE(shown["key_frames"], 1);
+  EXPECT_EQ(shown["operations"], 0);
+  EXPECT_EQ(shown["ended"], true);
+  EXPECT_TRUE(shown["damages"].empty());
+  const Json report = Json::parse(readText(scan_ / "report.json"));
+  EXPECT_EQ(shown["bricks"], report["map"]["bricks"]);
+  EXPECT_GE(largest().size(), 5U);
+}
+
+TEST_F(Session, APixelShowsTheRegionThatTheLabelImageShows) {
+  const Json place = ask({"at", "--frame", "20", "--pixel", "160,200"});
+  const std::vector<int> all = largest();
+  EXPECT_NE(std::find(all.begin(), all.end(), place["region"].get<int>()), all.end());
+  expectJobFailure(tell({"at", "--frame", "999", "--pixel", "1,1"}), {"999"});
+  expectJobFailure(tell({"at", "--frame", "20", "--pixel", "5000,1"}), {"5000,1"});
+}
+
+TEST_F(Session, UndoingAndDoingAgainGivesTheSameTableByteForByte) {
+  const std::vector<int> r = largest();
+  const auto number = [&](std::size_t i) { return std::to_string(r.at(i)); };
+  const std::string before = regions();
+  ASSERT_EQ(
+      tell({"name", "--region", number(2), "--name", "M\xC3\xBCsli / \"x\"", "--category", "food"}).exit_code,
+      0);
+  ASSERT_EQ(tell({"name", "--region", number(3), "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(tell({"join", number(2), number(4)}).exit_code, 0);
+  ASSERT_EQ(tell({"background", number(0)}).exit_code, 0);
+  ASSERT_EQ(tell({"finer", number(1)}).exit_code, 0);
+  const std::string after = regions();
+  EXPECT_NE(after, before);
+  ASSERT_EQ(tell({"undo", "--steps", "5"}).exit_code, 0);
+  EXPECT_EQ(regions(), before);
+  ASSERT_EQ(tell({"redo", "--steps", "5"}).exit_code, 0);
+  EXPECT_EQ(regions(), after);
+  expectJobFailure(tell({"redo"}), {"nothing"});
+  const Json history = ask({"history"});
+  ASSERT_EQ(history.size(), 5U);
+  EXPECT_EQ(history[0]["name"], "M\xC3\xBCsli / \"x\"");
+  expectJobFailure(tell({"name", "--region", "99999", "--name", "x"}), {"99999"});
+}
+
+TEST_F(Session, GoesOnInAnEarlierScan) {
+  const std::vector<int> r = largest();
+  ASSERT_EQ(tell({"name", "--region", std::to_string(r.at(3)), "--name", "kept"}).exit_code, 0);
+  ASSERT_EQ(tell({"join", std::to_string(r.at(3)), std::to_string(r.at(4))}).exit_code, 0);
+  const Finished run = scantrove({"scan", "demo", "--start", "40", "--frames", "20", "--resume", scan_});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json shown = ask({"show"});
+  EXPECT_EQ(shown["frames"], 60);
+  EXPECT_EQ(shown["tracked"], 60);
+  EXPECT_EQ(shown["operations"], 2);
+  bool is_kept = false;
+  for (const Json& region : Json::parse(regions())) {
+    is_kept = is_kept || region["name"] == "kept";
+    EXPECT_NE(region["id"], r.at(4)) << "it was joined";
+  }
+  EXPECT_TRUE(is_kept);
+  const std::string trajectory = readText(scan_ / "trajectory.txt");
+  EXPECT_EQ(std::count(trajectory.begin(), trajectory.end(), '\n'), 60);
+}
+
+TEST_F(Session, LeavesAsDataSets) {
+  ASSERT_EQ(tell({"name", "--region", std::to_string(largest().at(3)), "--name", "thing"}).exit_code, 0);
+  const std::string before = regions();
+  for (const char* format : {"coco", "bop", "yolo", "masks", "ply", "pcd", "mesh", "tum", "scannet"}) {
+    const fs::path out = folder_ / (std::string("as_") + format);
+    const Finished run = scantrove({"export", scan_, "--format", format, "--out", out});
+    EXPECT_EQ(run.exit_code, 0) << format << ": " << run.err;
+    EXPECT_FALSE(fs::is_empty(out)) << format;
+  }
+  EXPECT_EQ(regions(), before) << "an export changes nothing";
+  const Json coco = Json::parse(readText(folder_ / "as_coco" / "annotations" / "instances.json"));
+  EXPECT_GE(coco["images"].size(), 1U);
+  EXPECT_GE(coco["annotations"].size(), 1U);
+  expectJobFailure(scantrove({"export", scan_, "--format", "coco", "--out", folder_ / "as_coco"}),
+                   {"as_coco"});
+  expectWrongUsage(scantrove({"export", scan_, "--format", "word", "--out", folder_ / "x"}), {"word"});
+}
+
+TEST_F(Session, SaysWhatIsWrong) {
+  expectJobFailure(scantrove({"session", "show", folder_ / "nothing"}), {"no session"});
+  expectJobFailure(scantrove({"scan", "demo", "--frames", "1", "--resume", folder_ / "nothing"}),
+                   {"nothing"});
+  expectJobFailure(scantrove({"scan", "demo", "--frames", "1"}), {"--out", "--resume"});
+  ASSERT_EQ(tell({"reject", std::to_string(largest().at(3))}).exit_code, 0);
+  expectJobFailure(scantrove({"scan", "demo", "--frames", "1", "--out", scan_}), {"labelled", "--resume"});
+  // Another camera.
+  expectJobFailure(
+      scantrove({"scan", "demo", "--frames", "1", "--intrinsics", "300,300,160,120", "--resume", scan_}),
+      {"another camera"});
+}
+
+TEST_F(Session, AMissingKeyFrameAndATruncatedMapCostOnlyThemselves) {
+  ASSERT_EQ(tell({"object", std::to_string(largest().at(3))}).exit_code, 0);
+  for (const auto& file : fs::directory_iterator(scan_ / "keyframes")) {
+    fs::remove(file);
+    break;
+  }
+  const fs::path map = scan_ / "map" / "000001.bricks";
+  fs::resize_file(map, fs::file_size(map) * 9 / 10);
+  const Finished shown = tell({"show", "--json"});
+  EXPECT_EQ(shown.exit_code, 0);
+  const Json json = Json::parse(shown.out);
+  EXPECT_FALSE(json["damages"].empty());
+  EXPECT_GT(json["bricks"], 0);
+  EXPECT_EQ(json["operations"], 1);
+}
+
+TEST(KilledSession, OpensAndHasWhatWasSeenUntilAMomentBefore) {
+  const TemporaryFolder folder;
+  for (const auto after : {2s, 5s, 9s}) {
+    const fs::path scan = folder / ("scan" + std::to_string(after.count()));
+    ChildProcess child(command({"scan", "demo", "--out", scan}));
+    std::this_thread::sleep_for(after);
+    child.kill(SIGKILL);
+    static_cast<void>(child.wait());
+    if (!fs::exists(scan / "session.sqlite")) continue;  // it had not begun
+    const Finished run = scantrove({"session", "show", scan, "--json"});
+    if (run.exit_code != 0) {
+      // Killed before its first frame was kept: it says so.
+      EXPECT_THAT(run.err, testing::HasSubstr("broke off before its first frame")) << run.err;
+      EXPECT_LT(after, 6s) << "nothing was kept in " << after.count() << " s";
+      continue;
+    }
+    const Json shown = Json::parse(run.out);
+    EXPECT_EQ(shown["ended"], false);
+    EXPECT_GT(shown["frames"], 0);
+    EXPECT_TRUE(shown["damages"].empty());
+  }
+}
+
+}  // namespace
+}  // namespace scantrove::test
