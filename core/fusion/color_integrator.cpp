@@ -14,7 +14,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kCell_px = 2;             // cells of rate_pixels
-constexpr int kSample_px = 4;           // one pixel in each square of so many is asked which bricks it sees
+constexpr int kSample_px = 6;           // one pixel in each square of so many is asked which bricks it sees
 constexpr float kColorBand_vox = 1.5F;  // voxels so far from the surface have its colour
 constexpr float kAcross_vox = 2;        // a voxel of the band is so near to the surface of its pixel
 constexpr int kWidest_px = 1280;        // of the colour image; voxels are coarser than pixels of a larger one
