@@ -29,7 +29,7 @@ Eigen::Vector3f upDirection(std::span<const KeyFrameInfo> frames, const Labelled
   Eigen::Vector3d held = Eigen::Vector3d::Zero();
   for (const KeyFrameInfo& frame : frames) held -= frame.T_world_depth.linear().col(1);
   if (held.norm() < 1e-3) held = -frames.front().T_world_depth.linear().col(1);
-  const Eigen::Vector3f by_hand = held.normalized().cast<float>();
+  Eigen::Vector3f by_hand = held.normalized().cast<float>();
   // From all that could be level to what is: whatever surface has most of it wins.
   Eigen::Vector3f up = by_hand;
   for (const float angle_deg : {50.0F, 35.0F, 25.0F, 15.0F, 10.0F, 5.0F, 5.0F}) {
