@@ -1,8 +1,11 @@
 // A person's operations while a scan runs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <condition_variable>
+#include <map>
 #include <mutex>
+#include <thread>
 
 #include "core/scan/open_session.h"
 #include "core/scan/scan_session.h"
@@ -113,9 +116,9 @@ TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
   ASSERT_TRUE((*session)->undo());
   ASSERT_TRUE((*session)->undo());
   EXPECT_FALSE((*session)->undo());
-  bool is_back = false;
-  for (const RegionSummary& region : *(*session)->regions()) is_back = is_back || region.region == joined[1];
-  EXPECT_TRUE(is_back);
+  const auto again = (*session)->regions();
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(std::ranges::any_of(*again, [&](const auto& region) { return region.region == joined[1]; }));
 }
 
 TEST(RegionEdits, WhatCannotBeDoneIsSaidAndTheScanGoesOn) {
