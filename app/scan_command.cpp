@@ -44,10 +44,6 @@ void printSummary(const ScanReport& report, const std::string& out) {
 }
 
 Result<void> scan(const ScanCommand& command, ScanRequest request) {
-  if (command.out.empty() == command.resume.empty()) {
-    return fail("A scan needs a folder.",
-                "Give a new one with --out DIR, or that of an earlier scan with --resume DIR.");
-  }
   const std::string& out = command.resume.empty() ? command.out : command.resume;
   request.resume = !command.resume.empty();
   request.record_all = command.record;
@@ -82,6 +78,10 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
                 "also write the segments and regions of every frame as PNGs");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {
+    if (command->out.empty() == command->resume.empty()) {
+      throw CLI::ValidationError(
+          "--out", "is the folder for a new scan, --resume that of an earlier one: give one of the two");
+    }
     if (const auto done = scan(*command, command->options.toRequest()); !done) outcome.failWith(done.error());
   });
 }

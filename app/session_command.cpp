@@ -81,8 +81,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
   const auto regions = session.regions();
   if (!regions) return fail(regions.error());
   std::size_t usable = 0, named = 0, objects = 0, done = 0;
-  for (const SavedFrame& frame : session.frames())
-    usable += frame.isUsable() ? 1U : 0U;
+  for (const SavedFrame& frame : session.frames()) usable += frame.isUsable() ? 1U : 0U;
   for (const RegionSummary& region : *regions) {
     named += region.note.name.empty() ? 0U : 1U;
     objects += region.object ? 1U : 0U;

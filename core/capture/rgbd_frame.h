@@ -16,7 +16,7 @@ struct RgbdFrame {
   cv::Mat color;  ///< as recorded, CV_8UC3, BGR, of a size of its own; may be empty (depth-only sources)
   std::optional<ColorCamera> color_camera;  ///< of `color`, its own size; none: `color` is registered to
                                             ///< depth, that is it shows what `depth` shows, scaled
-  std::filesystem::path color_file = {};  ///< that `color` was read from and shows as it is; else empty
+  std::filesystem::path color_file = {};    ///< that `color` was read from and shows as it is; else empty
   cv::Mat depth;  ///< h x w, CV_16UC1, 0 = no reading (all the source's invalid values are mapped to it)
   float metres_per_unit = 0.001F;  ///< z in metres = depth * metres_per_unit
 

@@ -16,7 +16,7 @@ constexpr float kPointed_m = 0.012F;
 /// finer: by how much less borders speak for joining, until the region parts; then k, halved so often.
 constexpr float kFirstLess = 0.5F;
 constexpr int kLessTimes = 6;
-constexpr float kFirst_k = 0.3F;
+constexpr float kFirstThreshold = 0.3F;
 constexpr int kHalvings = 10;
 
 std::string called(RegionId region) { return "region " + std::to_string(region.value); }
@@ -154,7 +154,7 @@ Result<void> RegionEditor::finer(Work& work) {
   }
   const SurfaceGraph graph =
       SurfaceGraph::of(map_.surfaceOf(table_.fragmentsOf(region), work.operation.here_world));
-  float k = kFirst_k;
+  float k = kFirstThreshold;
   for (int i = 0; i < kHalvings; ++i, k /= 2) {
     const std::vector<std::uint32_t> part = segmentSurface(graph, k, kSliverVoxels);
     const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};

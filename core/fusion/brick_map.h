@@ -85,8 +85,8 @@ class BrickMap {
   /// What a page holds, wherever it is; it stays there. Nothing if it cannot be read.
   [[nodiscard]] std::optional<StoredPage> copyOfPage(int page);
 
-  /// A page as copyOfPage() gave it, at BrickPages::Page::position, of a map of the same voxels: to begin with
-  /// what an earlier scan found. There is no brick of it yet.
+  /// A page as copyOfPage() gave it, at BrickPages::Page::position, of a map of the same voxels: to begin
+  /// with what an earlier scan found. There is no brick of it yet.
   void adopt(const Eigen::Vector3i& position, const StoredPage& stored);
   /// Number of the last view: pages that it met have it in BrickPages::Page::last_view, and may have changed.
   [[nodiscard]] std::uint64_t view() const { return view_; }

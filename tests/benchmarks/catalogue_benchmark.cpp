@@ -12,8 +12,8 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/check.h"
-#include "core/database/database_connection.h"
 #include "core/catalog/object_database.h"
+#include "core/database/database_connection.h"
 
 namespace scantrove {
 namespace {

@@ -113,14 +113,14 @@ class LayerRules {
   /// Plain data of one module that other modules may know (everything else of a module is its machinery).
   static bool isPlainData(const std::string& header) {
     static const std::set<std::string> kPlainData{
-        "core/capture/instance_name.h", "core/capture/color_camera.h",
-        "core/capture/frame_source.h",  "core/capture/intrinsics.h",
-        "core/capture/rgbd_frame.h",    "core/fusion/brick_map.h",
-        "core/fusion/depth_pyramid.h",  "core/tracking/pose_estimate.h",
-        "core/fusion/surface_maps.h",   "core/segmentation/segment_map.h",
-        "core/labeling/region_map.h",   "core/labeling/kernels/label_voxel.h",
-        "core/meshing/surface_mesh.h",  "core/discovery/candidate.h",
-        "core/discovery/region_set.h",  "core/catalog/object_record.h",
+        "core/capture/instance_name.h",  "core/capture/color_camera.h",
+        "core/capture/frame_source.h",   "core/capture/intrinsics.h",
+        "core/capture/rgbd_frame.h",     "core/fusion/brick_map.h",
+        "core/fusion/depth_pyramid.h",   "core/tracking/pose_estimate.h",
+        "core/fusion/surface_maps.h",    "core/segmentation/segment_map.h",
+        "core/labeling/region_map.h",    "core/labeling/kernels/label_voxel.h",
+        "core/meshing/surface_mesh.h",   "core/discovery/candidate.h",
+        "core/discovery/region_set.h",   "core/catalog/object_record.h",
         "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h"};
     const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
     return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
