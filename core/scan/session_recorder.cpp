@@ -15,7 +15,13 @@ constexpr std::size_t kRememberedFrames = 200;
 }  // namespace
 
 SessionRecorder::SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup)
-    : writer_(std::move(writer)), setup_(std::move(setup)), last_save_(std::chrono::steady_clock::now()) {}
+    : writer_(std::move(writer)), setup_(std::move(setup)), last_save_(std::chrono::steady_clock::now()) {
+  // Before the first frame: so the folder is a session whatever happens then.
+  if (setup_.facts.empty()) return;
+  SavedDelta beginning;
+  beginning.facts = std::exchange(setup_.facts, {});
+  hand(std::move(beginning));
+}
 
 std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<SessionWriter> writer,
                                                          ScanPipeline& pipeline, const SavedScan& scan,
@@ -116,7 +122,7 @@ void SessionRecorder::collectPages(ScanPipeline& pipeline, SavedDelta& delta) {
 
 SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
   SavedDelta delta;
-  delta.facts = std::exchange(setup_.facts, {});
+  delta.facts = std::exchange(setup_.facts, {});  // how it ended
   delta.facts["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   collectRegions(pipeline, delta);
