@@ -17,6 +17,7 @@ struct ScanCommand {
   std::string out;
   std::string database;
   std::string resume;
+  bool no_session = false;
   bool label_maps = false;
   bool record = false;
 };
@@ -47,6 +48,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   const std::string& out = command.resume.empty() ? command.out : command.resume;
   request.resume = !command.resume.empty();
   request.record_all = command.record;
+  request.session = !command.no_session;
   // Before anything is opened: nobody wants to learn this at the end of a scan.
   SCANTROVE_TRY(prepareOutputFolder(out));
   request.output_folder = out;
@@ -71,6 +73,9 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_option("--resume", command->resume, "instead of --out: go on in the folder of an earlier scan")
       ->type_name("DIR");
   sub->add_flag("--record", command->record, "keep the images of every frame, not of key frames only");
+  sub->add_flag("--no-session", command->no_session, "results only: the scan cannot be opened again")
+      ->excludes("--resume")
+      ->excludes("--record");
   sub->add_option("--database", command->database,
                   "catalogue to search and add to (default DIR/catalogue.sqlite)")
       ->type_name("FILE");

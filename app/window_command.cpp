@@ -36,6 +36,7 @@ void WindowCommand::addTo(CLI::App& app) {
   app.add_option("--database", database_, "catalogue (default: your own, in $XDG_DATA_HOME)")
       ->type_name("FILE");
   app.add_flag("--paused", paused_, "wait for Space before the first frame");
+  app.add_flag("--present", present_, "full screen, in a loop, for people to look at; Escape leaves");
   app.add_option("--theme", theme_, "as last time without it")
       ->check(CLI::IsMember({"dark", "light"}))
       ->type_name("dark|light");
@@ -54,6 +55,7 @@ WindowOptions WindowCommand::toOptions() const {
   options.params = request.params;
   options.database = database_;
   options.start_paused = paused_;
+  options.present = present_;
   options.theme = theme_;
   if (!screenshot_.empty()) options.screenshot = screenshot_;
   if (!size_.empty() && !readSize(size_, options.width, options.height)) {

@@ -23,6 +23,7 @@ class WindowCommand {
   std::string size_;
   std::string theme_;
   bool paused_ = false;
+  bool present_ = false;
 };
 
 }  // namespace scantrove

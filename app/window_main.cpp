@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/presentation.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/window_picture.h"
 #include "ui/panels/object_list_view.h"
@@ -89,6 +90,7 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
 
   MainWindow window(makeScanSessionPort, options);
   window.show();
+  if (options.present) window.presentation()->begin();
   if (!options.source.empty()) {
     window.controller().open(QString::fromStdString(options.source), options.source_options, options.poses);
   }

@@ -1,5 +1,6 @@
 #include "core/scan/open_session.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -72,6 +73,16 @@ const SavedFrame* OpenSession::frameAt(int source_index) const {
     if (frame->source_index == source_index) return &*frame;
   }
   return nullptr;
+}
+
+const SavedFrame* OpenSession::frameOf(const SavedKeyFrame& key_frame) const {
+  const auto found = std::ranges::find(scan_.frames, key_frame.frame, &SavedFrame::number);
+  return found == scan_.frames.end() ? nullptr : &*found;
+}
+
+ObjectId OpenSession::objectOf(RegionId region) const {
+  const auto found = std::ranges::find(scan_.regions, region, &SavedRegion::region);
+  return found == scan_.regions.end() ? ObjectId{} : found->object;
 }
 
 Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {

@@ -39,6 +39,10 @@ class OpenSession {
   [[nodiscard]] const SessionSetup& setup() const { return setup_; }
   [[nodiscard]] const std::vector<SavedFrame>& frames() const { return scan_.frames; }
   [[nodiscard]] const std::vector<SavedKeyFrame>& keyFrames() const { return scan_.key_frames; }
+  /// The frame that a key frame shows; null: it is not known any more.
+  [[nodiscard]] const SavedFrame* frameOf(const SavedKeyFrame& key_frame) const;
+  /// Of the session's catalogue; none: the region is no object.
+  [[nodiscard]] ObjectId objectOf(RegionId region) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// What could not be read, in sentences.
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }

@@ -360,6 +360,15 @@ Result<LabelCloud::Extract> ScanPipeline::extractCloud(std::span<const Eigen::Ve
   });
 }
 
+std::vector<Eigen::Vector3i> ScanPipeline::allBricks() const {
+  std::vector<Eigen::Vector3i> all;
+  for (const int page : bricks().pagesByPosition()) {
+    const std::vector<Eigen::Vector3i> in_page = bricks().bricksOfPage(page);
+    all.insert(all.end(), in_page.begin(), in_page.end());
+  }
+  return all;
+}
+
 Result<void> ScanPipeline::forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit) {
   std::vector<Eigen::Vector3i> batch;
   const auto visitBatch = [&]() -> Result<void> {

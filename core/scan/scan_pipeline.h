@@ -125,6 +125,10 @@ class ScanPipeline {
   void addCandidate(RegionId region) {
     if (collector_) collector_->addByPerson(region);
   }
+  /// Of the catalogue; none: the region is no object, or nothing is collected.
+  [[nodiscard]] ObjectId objectOf(RegionId region) const {
+    return collector_ ? collector_->objectOf(region) : ObjectId{};
+  }
   /// How many voxels hold each fragment, by fragment number.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
   [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }
@@ -147,6 +151,8 @@ class ScanPipeline {
   [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }
   /// Labelled voxels near the surface in some bricks, wherever they are. Error: the device failed.
   [[nodiscard]] Result<LabelCloud::Extract> extractCloud(std::span<const Eigen::Vector3i> bricks);
+  /// Of the whole map, those of one page together.
+  [[nodiscard]] std::vector<Eigen::Vector3i> allBricks() const;
   /// The same of the whole map, point by point, in an order that only depends on where they are.
   [[nodiscard]] Result<void> forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit);
   /// The surface of the whole map; see core/meshing/mesh_extractor.h. Nothing: `goes_on` said false. Error:

@@ -50,7 +50,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
                                                                 .on_compiling = [run = run.get()] {
                                                                   run->listener_(PreparingDevice{});
                                                                 }})));
-  if (request.output_folder) {
+  if (request.output_folder && request.results) {
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
   SCANTROVE_TRY(run->openSession(info));
@@ -70,7 +70,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
 }
 
 Result<void> ScanRun::openSession(const SourceInfo& info) {
-  if (!request_.output_folder) return {};
+  if (!request_.output_folder || !request_.session) return {};
   const auto way = request_.resume ? SessionWriter::Way::open : SessionWriter::Way::create;
   SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request_.output_folder, way)));
   if (request_.resume) return readSession(info);
@@ -193,26 +193,24 @@ bool ScanRun::followCatalogue() {
   return objects.has_news;
 }
 
-Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit, OperationKind& kind) {
+Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
   Result<RegionEditor::Outcome> outcome = std::visit(
       Overloaded{[&](const Operation& operation) { return pipeline_->edit(operation); },
                  [&](UndoEdit) { return pipeline_->undo(); }, [&](RedoEdit) { return pipeline_->redo(); }},
       edit);
   if (!outcome) return outcome;
-  if (const auto* operation = std::get_if<Operation>(&edit)) kind = operation->kind;
   // It is not said to be done before it is safe.
   if (recorder_) SCANTROVE_TRY(guarded("keeping the edit", [&] { return recorder_->save(*pipeline_); }));
   return outcome;
 }
 
 void ScanRun::edit(const ScanEdit& edit) {
-  OperationKind kind = OperationKind::name;
-  const Result<RegionEditor::Outcome> outcome = doEdit(edit, kind);
+  const Result<RegionEditor::Outcome> outcome = doEdit(edit);
   snapshots_.addBricks(pipeline_->takeEditedBricks());
   if (outcome) {
-    listener_(Edited{kind, outcome->regions});
+    listener_(Edited{edit, outcome->regions});
   } else {
-    listener_(EditFailed{outcome.error()});
+    listener_(EditFailed{edit, outcome.error()});
   }
 }
 

@@ -74,7 +74,7 @@ class ScanRun {
   /// The camera of the earlier scan must be this one; its map's parameters are taken over.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
   [[nodiscard]] Result<void> resumeSession();
-  [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit, OperationKind& kind);
+  [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   void fillReport(ScanReport& report);
 

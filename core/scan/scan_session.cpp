@@ -7,6 +7,7 @@
 
 #include "core/scan/first_error.h"
 #include "core/scan/guarded.h"
+#include "core/scan/scan_review.h"
 #include "core/scan/scan_run.h"
 
 namespace scantrove {
@@ -22,13 +23,17 @@ class ScanSession::Worker {
       commands_.stop = true;
       commands_.request.reset();
     });
-    thread_.request_stop();
-    changed_.notify_all();
+    command([this] { thread_.request_stop(); });
+    cancelExport();
   }
 
   void start(ScanRequest request) {
+    cancelExport();
     command([&] {
+      // What a person did to the scan that runs is done before it ends.
+      std::vector<ScanEdit> edits = std::move(commands_.edits);
       commands_ = Commands{};
+      commands_.last_edits = std::move(edits);
       commands_.stop = true;  // ends the scan that runs, if one does
       commands_.request = std::move(request);
     });
@@ -54,6 +59,21 @@ class ScanSession::Worker {
   void edit(ScanEdit edit) {
     command([&] { commands_.edits.push_back(std::move(edit)); });
   }
+  void showKeyFrame(int place) {
+    command([&] { commands_.key_frame = place; });
+  }
+  void previewExport(ExportOptions options) {
+    command([&] { commands_.preview = std::move(options); });
+  }
+  void exportDataset(ExportOptions options) {
+    command([&] {
+      export_stop_ = std::stop_source();
+      commands_.dataset = std::move(options);
+    });
+  }
+  void cancelExport() {
+    command([this] { export_stop_.request_stop(); });
+  }
   void catalogueChanged() {
     command([this] { commands_.follow_catalogue = true; });
   }
@@ -78,7 +98,11 @@ class ScanSession::Worker {
     bool follow_catalogue = false;
     std::vector<RegionId> wanted;
     std::vector<ScanEdit> edits;
+    std::vector<ScanEdit> last_edits;  // of the scan before the one that is asked for
     std::optional<ScanParams> params;
+    std::optional<int> key_frame;
+    std::optional<ExportOptions> preview, dataset;
+    std::stop_token export_stop;
   };
 
   template <class Change>
@@ -93,6 +117,7 @@ class ScanSession::Worker {
   void loop(const std::stop_token& token) {
     while (!token.stop_requested()) {
       std::optional<ScanRequest> request;
+      std::vector<ScanEdit> late;  // of the scan before
       {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return token.stop_requested() || commands_.request; });
@@ -100,9 +125,13 @@ class ScanSession::Worker {
         request = std::exchange(commands_.request, std::nullopt);
         commands_.stop = false;
         commands_.paused = request->start_paused;
+        late = std::exchange(commands_.last_edits, {});
         is_running_ = true;
       }
-      runScan(*request);
+      for (const ScanEdit& edit : late)
+        listener_(EditFailed{edit, {"The scan that it was about has ended.", ""}});
+      const bool is_open = request->source.empty() || runScan(*request);
+      if (is_open && request->review && request->output_folder) review(*request, token);
       command([this] { is_running_ = false; });
     }
   }
@@ -116,12 +145,16 @@ class ScanSession::Worker {
     enter(ScanState::failed);
   }
 
-  void runScan(const ScanRequest& request) {
+  /// Whether it came to its end.
+  bool runScan(const ScanRequest& request) {
     enter(ScanState::starting);
     Result<std::unique_ptr<ScanRun>> run = guarded("preparing the scan", [&] {
       return ScanRun::open(request, listener_, mailbox, [this] { catalogueChanged(); });
     });
-    if (!run) return failWith(run.error());
+    if (!run) {
+      failWith(run.error());
+      return false;
+    }
     FirstError outcome;
     outcome.note(guarded("during the scan", [&] { return scanFrames(**run); }));
     enter(ScanState::stopping);
@@ -130,19 +163,74 @@ class ScanSession::Worker {
     // Even when the scan broke off, what was scanned is kept.
     Result<ScanReport> report = guarded("ending the scan", [&] { return (*run)->finish(); });
     if (!report) outcome.note(fail(report.error()));
-    if (!outcome.result()) return failWith(outcome.result().error());
+    if (!outcome.result()) {
+      failWith(outcome.result().error());
+      return false;
+    }
     listener_(ScanFinished{std::move(*report)});
     enter(ScanState::finished);
+    return true;
+  }
+
+  /// The session of `request` is open until something else is asked for.
+  void review(const ScanRequest& request, const std::stop_token& token) {
+    const bool is_after_scan = !request.source.empty();
+    {
+      const std::scoped_lock lock(mutex_);
+      is_running_ = !is_after_scan;  // who waits for the scan need not wait for this
+      commands_.stop = false;
+    }
+    changed_.notify_all();
+    if (!is_after_scan) enter(ScanState::starting);
+    Result<std::unique_ptr<ScanReview>> review =
+        guarded("opening the session", [&] { return ScanReview::open(request, listener_, mailbox); });
+    if (!review) return failWith(review.error());
+    FirstError outcome;
+    outcome.note(guarded("showing the session", [&] { return (*review)->showAll(); }));
+    if (!is_after_scan) enter(ScanState::finished);
+    command([this] { is_running_ = false; });
+    listener_(ReviewOpened{});
+    while (outcome.result()) {
+      Commands commands;
+      if (!awaitReviewer(commands, token)) return;
+      outcome.note(guarded("working on the session", [&] { return serve(**review, commands); }));
+    }
+    failWith(outcome.result().error());
+  }
+
+  Result<void> serve(ScanReview& review, Commands& commands) {
+    for (const ScanEdit& edit : commands.edits) SCANTROVE_TRY(review.edit(edit));
+    if (commands.key_frame) SCANTROVE_TRY(review.showKeyFrame(*commands.key_frame));
+    if (commands.preview) review.previewExport(*commands.preview);
+    if (commands.dataset) review.exportDataset(*commands.dataset, commands.export_stop);
+    return {};
+  }
+
+  /// Waits for something to do. False: something else is asked for, after the edits in `taken`.
+  bool awaitReviewer(Commands& taken, const std::stop_token& token) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] {
+      return token.stop_requested() || commands_.request || !commands_.edits.empty() || commands_.key_frame ||
+             commands_.preview || commands_.dataset;
+    });
+    taken.edits = takeEdits();
+    if ((token.stop_requested() || commands_.request) && taken.edits.empty()) return false;
+    taken.key_frame = std::exchange(commands_.key_frame, std::nullopt);
+    taken.preview = std::exchange(commands_.preview, std::nullopt);
+    taken.dataset = std::exchange(commands_.dataset, std::nullopt);
+    taken.export_stop = export_stop_.get_token();
+    return true;
   }
 
   Result<void> scanFrames(ScanRun& run) {
     for (;;) {
       Commands commands;
       SCANTROVE_TRY(awaitTurn(run, commands));
-      if (commands.stop) return {};
       if (commands.params) run.setParams(*commands.params);
       for (const RegionId region : commands.wanted) run.addCandidate(region);
       for (const ScanEdit& edit : commands.edits) run.edit(edit);
+      if (commands.preview || commands.dataset) refuseExport();
+      if (commands.stop) return {};
       if (commands.paused && commands.steps == 0) {
         const bool is_news = commands.follow_catalogue && run.followCatalogue();
         if ((is_news || !commands.edits.empty()) && run.hasFrames())
@@ -170,7 +258,7 @@ class ScanSession::Worker {
     std::unique_lock lock(mutex_);
     const auto has_command = [this] {
       return !commands_.paused || commands_.stop || commands_.steps > 0 || commands_.follow_catalogue ||
-             commands_.params || !commands_.edits.empty();
+             commands_.params || commands_.preview || commands_.dataset || !commands_.edits.empty();
     };
     if (!has_command()) {
       lock.unlock();
@@ -188,9 +276,20 @@ class ScanSession::Worker {
     if (commands_.steps > 0) --commands_.steps;
     taken.follow_catalogue = std::exchange(commands_.follow_catalogue, false);
     taken.wanted = std::exchange(commands_.wanted, {});
-    taken.edits = std::exchange(commands_.edits, {});
+    taken.edits = takeEdits();
     taken.params = std::exchange(commands_.params, std::nullopt);
+    taken.preview = std::exchange(commands_.preview, std::nullopt);
+    taken.dataset = std::exchange(commands_.dataset, std::nullopt);
     return {};
+  }
+
+  /// Those of the scan that runs; mutex_ is held.
+  std::vector<ScanEdit> takeEdits() {
+    return std::exchange(commands_.request ? commands_.last_edits : commands_.edits, {});
+  }
+
+  void refuseExport() {
+    listener_(ExportFailed{{"A data set is made of a scan that has ended.", "Stop the scan first."}});
   }
 
   Listener listener_;
@@ -198,7 +297,8 @@ class ScanSession::Worker {
   std::condition_variable changed_;
   Commands commands_;  // guarded by mutex_
   bool is_running_ = false;
-  std::jthread thread_;  // last: it uses all of the above
+  std::stop_source export_stop_;  // guarded by mutex_
+  std::jthread thread_;           // last: it uses all of the above
 };
 
 ScanSession::ScanSession(Listener listener) : worker_(std::make_unique<Worker>(std::move(listener))) {}
@@ -211,6 +311,10 @@ void ScanSession::stop() { worker_->stop(); }
 void ScanSession::wait() { worker_->wait(); }
 void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region); }
 void ScanSession::edit(ScanEdit edit) { worker_->edit(std::move(edit)); }
+void ScanSession::showKeyFrame(int place) { worker_->showKeyFrame(place); }
+void ScanSession::previewExport(ExportOptions options) { worker_->previewExport(std::move(options)); }
+void ScanSession::exportDataset(ExportOptions options) { worker_->exportDataset(std::move(options)); }
+void ScanSession::cancelExport() { worker_->cancelExport(); }
 void ScanSession::catalogueChanged() { worker_->catalogueChanged(); }
 void ScanSession::setParams(const ScanParams& params) { worker_->setParams(params); }
 ScanState ScanSession::state() const { return worker_->state; }

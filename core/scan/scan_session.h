@@ -11,6 +11,7 @@
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
+#include "core/dataset/dataset_export.h"
 #include "core/editing/operation.h"
 #include "core/scan/scan_params.h"
 #include "core/scan/scan_report.h"
@@ -21,18 +22,24 @@ namespace scantrove {
 /// What a scan is to do.
 struct ScanRequest {
   enum class Poses { tracked, given };
-  std::string source;  ///< as openSource takes it
+  /// As openSource takes it. Empty: nothing is scanned, the session in `output_folder` is looked at.
+  std::string source;
   SourceOptions source_options;
   Poses poses = Poses::tracked;
   ScanParams params;
   std::string device;    ///< as chooseDevice takes it
   std::string database;  ///< catalogue to search and add to
   std::optional<std::filesystem::path>
-      output_folder;  ///< where results go; none: nothing but the catalogue is written
+      output_folder;    ///< where results go; none: nothing but the catalogue is written
+  bool session = true;  ///< keep the scan there, so that it can be opened again
+  bool results = true;  ///< write trajectory, cloud and report there, not the session only
   bool label_maps = false;
   bool record_all = false;  ///< keep the images of every frame in the session, not of key frames only
   /// Go on in the session that is in `output_folder`; else a new one begins there.
   bool resume = false;
+  /// When the scan has ended, its session stays open until the next one starts: it can be edited, its key
+  /// frames looked at, and data sets made of it.
+  bool review = false;
   bool start_paused = false;
   bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
   /// How long the end of the scan waits for a catalogue in which nothing can be stored.
@@ -65,13 +72,32 @@ struct CatalogueFailed {
 struct MapFailed {
   Error error;
 };  ///< a part of the map cannot be written to disk for now, or not be read back; the scan goes on
+/// Takes the newest operation back, or does it again.
+struct UndoEdit {};
+struct RedoEdit {};
+using ScanEdit = std::variant<Operation, UndoEdit, RedoEdit>;
+
 struct Edited {
-  OperationKind kind;
+  ScanEdit edit;
   std::vector<RegionId> regions;  ///< what it was about is now
 };                                ///< a person's operation holds, and is on disk where the scan has a session
 struct EditFailed {
+  ScanEdit edit;
   Error error;
-};  ///< a person's operation changed nothing, or is not on disk
+};                       ///< a person's operation changed nothing, or is not on disk
+struct ReviewOpened {};  ///< the session of the scan that has ended, or that was opened, can be worked with
+struct ExportPreviewed {
+  ExportPreview preview;
+};
+struct ExportStepped {
+  ExportProgress progress;
+};
+struct ExportFinished {
+  ExportSummary summary;
+};
+struct ExportFailed {
+  Error error;
+};
 struct FrameSkipped {
   int frame_index;
   Error error;
@@ -84,12 +110,8 @@ struct ScanFinished {
 };
 using ScanEvent =
     std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
-                 CatalogueFailed, MapFailed, Edited, EditFailed, FrameSkipped, ScanFailed, ScanFinished>;
-
-/// Takes the newest operation back, or does it again.
-struct UndoEdit {};
-struct RedoEdit {};
-using ScanEdit = std::variant<Operation, UndoEdit, RedoEdit>;
+                 CatalogueFailed, MapFailed, Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportStepped,
+                 ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
@@ -114,8 +136,18 @@ class ScanSession {
   /// A person says that the candidate with this region is an object: it is added when it is seen next.
   void addCandidate(RegionId region);
 
-  /// A person does something to the regions: between two frames, in order. Edited or EditFailed follows.
+  /// A person does something to the regions: between two frames, or to a session that is open. In order;
+  /// Edited or EditFailed follows.
   void edit(ScanEdit edit);
+
+  /// Of a session that is open: shows a key frame, by its place in ScanSnapshot::key_frames; of several that
+  /// were asked for meanwhile the last.
+  void showKeyFrame(int place);
+  /// What a data set would hold, and makes one. ExportPreviewed, ExportStepped, ExportFinished, ExportFailed
+  /// follow. While no session is open: ExportFailed.
+  void previewExport(ExportOptions options);
+  void exportDataset(ExportOptions options);
+  void cancelExport();
 
   /// The catalogue was edited. Frames see that by themselves; this is for a scan that is paused.
   void catalogueChanged();

@@ -11,6 +11,7 @@
 #include "core/capture/intrinsics.h"
 #include "core/discovery/region_set.h"
 #include "core/scan/frame_counts.h"
+#include "core/scan/region_info.h"
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
@@ -66,6 +67,15 @@ struct ScanSnapshot {
   cv::Mat segments;       ///< CV_32SC1, S_t ids, working resolution
   cv::Mat regions;        ///< CV_32SC1, S_cloud,t region ids, working resolution
   std::vector<SeenObject> objects;
+  cv::Mat color_places;  ///< SurfaceInColor::places: where each pixel of `regions` lies in `color`; empty: at
+                         ///< the same fractions of width and height
+
+  std::shared_ptr<const RegionInfos> region_infos;               ///< of the whole map; null: none yet
+  std::shared_ptr<const std::vector<DoneOperation>> operations;  ///< all of the log; null: none yet
+  /// While a session is looked at without a camera: its key frames, by their numbers in the source, and which
+  /// of them the panels show (its place in the list; -1: none).
+  std::shared_ptr<const std::vector<int>> key_frames;
+  int shown_key_frame = -1;
 
   std::vector<CloudBrick> changed_bricks;
   std::vector<RegionChange> changed_regions;  ///< of several for one fragment the last holds

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <unordered_set>
 
@@ -62,6 +63,11 @@ void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, Fr
   result_ = std::move(result);
 }
 
+void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail) {
+  key_frames_ = std::make_shared<const std::vector<int>>(std::move(key_frames));
+  trail_ = std::move(trail);
+}
+
 void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
   for (const Eigen::Vector3i& brick : bricks) {
     if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
@@ -99,6 +105,9 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   if (const ObjectCollector* collector = pipeline.collector()) {
     for (SeenObject& seen : snapshot->objects) collector->describeObject(seen);
   }
+  addRegions(pipeline, *snapshot);
+  snapshot->key_frames = key_frames_;
+  snapshot->shown_key_frame = shown_key_frame_;
   SCANTROVE_TRY(addChangedBricks(pipeline, most_bricks, *snapshot));
   for (const StageTimer::Stage& stage : pipeline.timer().stages()) {
     snapshot->stage_times.push_back({stage.name, stage.last_ms});
@@ -112,6 +121,35 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));
   return {};
+}
+
+void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
+  if (frame_.color_camera && !result_.vertices_world.empty()) {
+    snapshot.color_places =
+        locateInColor(frame_.color_camera, snapshot.K, result_.pose.T_world_camera, result_.vertices_world)
+            .places;
+  }
+  std::map<RegionId, std::int64_t> voxels;
+  const std::vector<RegionId>& region_of = pipeline.regionTable().regions();
+  const std::vector<cl_int>& of_fragment = pipeline.voxelsOfFragments();
+  for (std::size_t fragment = 1; fragment < std::min(region_of.size(), of_fragment.size()); ++fragment) {
+    if (region_of[fragment] && of_fragment[fragment] > 0)
+      voxels[region_of[fragment]] += of_fragment[fragment];
+  }
+  auto infos = std::make_shared<RegionInfos>();
+  infos->reserve(voxels.size());
+  for (const auto& [region, count] : voxels) {
+    const ObjectId object = object_of_ ? object_of_(region) : pipeline.objectOf(region);
+    infos->push_back({region, count, pipeline.editor().notes().of(region), object});
+  }
+  snapshot.region_infos = std::move(infos);
+  auto operations = std::make_shared<std::vector<DoneOperation>>();
+  for (const OperationLog::Entry& entry : pipeline.editor().log().entries()) {
+    const Operation& operation = entry.operation;
+    operations->push_back(
+        {entry.number, operation.kind, operation.regions, operation.name, operation.on, entry.state});
+  }
+  snapshot.operations = std::move(operations);
 }
 
 Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <unordered_set>
 #include <vector>
@@ -27,13 +28,26 @@ class SnapshotBuilder {
   /// In one snapshot while scanning: bounds what it takes from a frame.
   static constexpr std::size_t kMostBricks = 1500;
 
-  explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox) : mailbox_(mailbox) {}
+  /// `first_version`: above that of all bricks that the window has already.
+  explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox, std::uint64_t first_version = 0)
+      : mailbox_(mailbox), version_(first_version) {}
 
   /// Call for every frame: remembers it, its place on the trail and the bricks it changed.
   void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result);
 
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
+
+  /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
+  void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
+  void setShownKeyFrame(int place) { shown_key_frame_ = place; }
+  /// A frame of before, as the map shows it now.
+  void showFrame(RgbdFrame frame, FrameResult result) {
+    frame_ = std::move(frame);
+    result_ = std::move(result);
+  }
+  /// Who says what object a region is, when the pipeline does not.
+  void setObjects(std::function<ObjectId(RegionId)> object_of) { object_of_ = std::move(object_of); }
 
   /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
   [[nodiscard]] Result<void> postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
@@ -47,6 +61,7 @@ class SnapshotBuilder {
                                   std::size_t most_bricks);
   [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
                                               ScanSnapshot& snapshot);
+  void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;
@@ -56,10 +71,13 @@ class SnapshotBuilder {
   std::vector<Eigen::Vector3f> trail_;
   std::deque<Eigen::Vector3i> waiting_;                            // bricks, by position: slots change hands
   std::unordered_set<Eigen::Vector3i, BrickHash> is_waiting_;      // the same
-  std::uint64_t version_ = 0;                                      // of the bricks that are sent
+  std::uint64_t version_;                                          // of the bricks that are sent
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
   std::chrono::steady_clock::time_point last_post_;
   double fps_ = 0;
+  std::shared_ptr<const std::vector<int>> key_frames_;
+  int shown_key_frame_ = -1;
+  std::function<ObjectId(RegionId)> object_of_;
 };
 
 }  // namespace scantrove

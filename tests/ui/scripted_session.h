@@ -32,6 +32,11 @@ class ScriptedSession final : public SessionPort {
     finish();
   }
   void addCandidate(RegionId region) override { added_candidates.push_back(region); }
+  void edit(ScanEdit edit) override { edits.push_back(std::move(edit)); }
+  void showKeyFrame(int place) override { key_frames_shown.push_back(place); }
+  void previewExport(ExportOptions options) override { previews.push_back(std::move(options)); }
+  void exportDataset(ExportOptions options) override { exports.push_back(std::move(options)); }
+  void cancelExport() override { commands.push_back("cancel export"); }
   void catalogueChanged() override { ++catalogue_changes; }
   void setParams(const ScanParams& params) override { last_params = params; }
   [[nodiscard]] ScanState state() const override { return state_; }
@@ -51,6 +56,9 @@ class ScriptedSession final : public SessionPort {
   ScanParams last_params;
   int catalogue_changes = 0;
   std::vector<RegionId> added_candidates;
+  std::vector<ScanEdit> edits;
+  std::vector<int> key_frames_shown;
+  std::vector<ExportOptions> previews, exports;
 
  private:
   void enter(ScanState state) {

@@ -14,6 +14,11 @@ class ScanSessionPort final : public SessionPort {
   void step() override { session_.step(); }
   void stop() override { session_.stop(); }
   void addCandidate(RegionId region) override { session_.addCandidate(region); }
+  void edit(ScanEdit edit) override { session_.edit(std::move(edit)); }
+  void showKeyFrame(int place) override { session_.showKeyFrame(place); }
+  void previewExport(ExportOptions options) override { session_.previewExport(std::move(options)); }
+  void exportDataset(ExportOptions options) override { session_.exportDataset(std::move(options)); }
+  void cancelExport() override { session_.cancelExport(); }
   void catalogueChanged() override { session_.catalogueChanged(); }
   void setParams(const ScanParams& params) override { session_.setParams(params); }
   [[nodiscard]] ScanState state() const override { return session_.state(); }

@@ -53,31 +53,37 @@ void SessionBridge::deliver() {
 }
 
 void SessionBridge::announce(const ScanEvent& event) {
-  std::visit(Overloaded{
-                 [this](const StateChanged& e) {
-                   state_ = e.state;
-                   emit stateChanged(e.state);
-                 },
-                 [this](const PreparingDevice&) { emit preparingDevice(); },
-                 [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
-                 [this](const ObjectRecognised& e) {
-                   emit objectRecognised(e.object, QString::fromStdString(e.name));
-                 },
-                 [this](const ViewAdded& e) { emit viewAdded(e.object); },
-                 [this](const ObjectsMerged& e) { emit objectsMerged(e.into); },
-                 [this](const CatalogueFailed& e) {
-                   emit catalogueFailed(QString::fromStdString(e.error.message()));
-                 },
-                 [this](const MapFailed& e) { emit mapFailed(QString::fromStdString(e.error.message())); },
-                 [](const Edited&) {},  // the next snapshot shows it
-                 [this](const EditFailed& e) { emit editFailed(QString::fromStdString(e.error.message())); },
-                 [this](const FrameSkipped& e) {
-                   emit frameSkipped(e.frame_index, QString::fromStdString(e.error.message()));
-                 },
-                 [this](const ScanFailed& e) { emit scanFailed(QString::fromStdString(e.error.message())); },
-                 [this](const ScanFinished& e) { emit scanFinished(e.report); },
-             },
-             event);
+  std::visit(
+      Overloaded{
+          [this](const StateChanged& e) {
+            state_ = e.state;
+            emit stateChanged(e.state);
+          },
+          [this](const PreparingDevice&) { emit preparingDevice(); },
+          [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
+          [this](const ObjectRecognised& e) {
+            emit objectRecognised(e.object, QString::fromStdString(e.name));
+          },
+          [this](const ViewAdded& e) { emit viewAdded(e.object); },
+          [this](const ObjectsMerged& e) { emit objectsMerged(e.into); },
+          [this](const CatalogueFailed& e) {
+            emit catalogueFailed(QString::fromStdString(e.error.message()));
+          },
+          [this](const MapFailed& e) { emit mapFailed(QString::fromStdString(e.error.message())); },
+          [this](const Edited& e) { emit edited(e.edit, e.regions); },
+          [this](const EditFailed& e) { emit editFailed(e.edit, QString::fromStdString(e.error.message())); },
+          [this](const ReviewOpened&) { emit reviewOpened(); },
+          [this](const ExportPreviewed& e) { emit exportPreviewed(e.preview); },
+          [this](const ExportStepped& e) { emit exportStepped(e.progress); },
+          [this](const ExportFinished& e) { emit exportFinished(e.summary); },
+          [this](const ExportFailed& e) { emit exportFailed(QString::fromStdString(e.error.message())); },
+          [this](const FrameSkipped& e) {
+            emit frameSkipped(e.frame_index, QString::fromStdString(e.error.message()));
+          },
+          [this](const ScanFailed& e) { emit scanFailed(QString::fromStdString(e.error.message())); },
+          [this](const ScanFinished& e) { emit scanFinished(e.report); },
+      },
+      event);
 }
 
 }  // namespace scantrove

@@ -26,6 +26,11 @@ class SessionBridge : public QObject {
   void step() { session_->step(); }
   void stop() { session_->stop(); }
   void addCandidate(RegionId region) { session_->addCandidate(region); }
+  void edit(const ScanEdit& edit) { session_->edit(edit); }
+  void showKeyFrame(int place) { session_->showKeyFrame(place); }
+  void previewExport(const ExportOptions& options) { session_->previewExport(options); }
+  void exportDataset(const ExportOptions& options) { session_->exportDataset(options); }
+  void cancelExport() { session_->cancelExport(); }
   void catalogueChanged() { session_->catalogueChanged(); }
   void setParams(const ScanParams& params) { session_->setParams(params); }
 
@@ -46,8 +51,16 @@ class SessionBridge : public QObject {
   void catalogueFailed(const QString& message);
   /// A part of the map cannot be written to disk for now, or not be read back; the scan goes on.
   void mapFailed(const QString& message);
-  /// What a person wanted to do to the regions was not done, or is not kept.
-  void editFailed(const QString& message);
+  /// What a person wanted to do to the regions is done, and kept; `regions`: what it was about is now.
+  void edited(const scantrove::ScanEdit& edit, const std::vector<scantrove::RegionId>& regions);
+  /// It was not done, or is not kept.
+  void editFailed(const scantrove::ScanEdit& edit, const QString& message);
+  /// The session of the scan that has ended, or that was opened, can be worked with.
+  void reviewOpened();
+  void exportPreviewed(const scantrove::ExportPreview& preview);
+  void exportStepped(const scantrove::ExportProgress& progress);
+  void exportFinished(const scantrove::ExportSummary& summary);
+  void exportFailed(const QString& message);
   void frameSkipped(int frame_index, const QString& message);
   void scanFailed(const QString& message);
   void scanFinished(const scantrove::ScanReport& report);

@@ -20,6 +20,11 @@ class SessionPort {
   virtual void step() = 0;
   virtual void stop() = 0;
   virtual void addCandidate(RegionId region) = 0;
+  virtual void edit(ScanEdit edit) = 0;
+  virtual void showKeyFrame(int place) = 0;
+  virtual void previewExport(ExportOptions options) = 0;
+  virtual void exportDataset(ExportOptions options) = 0;
+  virtual void cancelExport() = 0;
   virtual void catalogueChanged() = 0;
   virtual void setParams(const ScanParams& params) = 0;
   [[nodiscard]] virtual ScanState state() const = 0;

@@ -2,13 +2,13 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QUndoStack>
+#include <QUndoGroup>
 
 #include "ui/theme/icon.h"
 
 namespace scantrove {
 
-MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(parent) {
+MainActions::MainActions(QUndoGroup& undo_group, QObject* parent) : QObject(parent) {
   open_folder =
       make("folder", tr("Open &folder…"), tr("Ctrl+O"), tr("Open a recording that is a folder of images"));
   open_recording =
@@ -19,6 +19,9 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   open_tabletop = make("table", tr("&Tabletop"), {}, tr("The built-in table with objects"));
   open_room = make("room", tr("&Room"), {}, tr("The built-in room"));
   open_catalogue = make("database", tr("Open c&atalogue…"), {}, tr("Use another file of objects"));
+  open_session = make("clock", tr("Open a &scan…"), {}, tr("Look at a scan that was kept, and label it"));
+  export_data = make("image", tr("Make a &data set…"), tr("Ctrl+E"),
+                     tr("Export the labelled scan (COCO, BOP, meshes, …)"));
   quit = make("", tr("&Quit"), tr("Ctrl+Q"), tr("End the program"));
 
   start = make("start", tr("&Start"), tr("Ctrl+R"), tr("Scan from the beginning, or go on when paused"));
@@ -26,10 +29,10 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   step = make("step", tr("One &frame"), tr("N"), tr("Process one frame and pause"));
   stop = make("stop", tr("S&top"), tr("Ctrl+."), tr("End the scan; what was found is kept"));
 
-  undo = undo_stack.createUndoAction(this, tr("Undo"));
+  undo = undo_group.createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
   undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
-  redo = undo_stack.createRedoAction(this, tr("Redo"));
+  redo = undo_group.createRedoAction(this, tr("Redo"));
   redo->setIcon(icon(QStringLiteral("redo")));
   redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
   focus_objects =
@@ -43,11 +46,20 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
     action->setCheckable(true);
     themes->addAction(action);
   }
+  next_picture = make("", tr("Next &picture large"), tr("V"), tr("Show the next picture of the frame large"));
+  frame_back = make("", tr("Key frame &before"), tr("PgUp"), tr("Go back by a key frame"));
+  frame_on = make("", tr("Key frame &after"), tr("PgDown"), tr("Go on by a key frame"));
+  present = make("", tr("&Present"), tr("F11"), tr("Full screen, for people to look at; Escape leaves"));
   reset_layout = make("", tr("&Usual arrangement"), {}, tr("Put all panels back in their places"));
   help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("What the keys and the mouse do"));
   help_keys->setShortcuts({QKeySequence(tr("?")), QKeySequence(Qt::Key_F1)});
   about = make("info", tr("&About Scantrove"), {}, tr("Which version this is"));
   enableFor(ScanState::idle, false);
+  enableReview(false);
+}
+
+void MainActions::enableReview(bool open) {
+  for (QAction* action : {export_data, frame_back, frame_on}) action->setEnabled(open);
 }
 
 QAction* MainActions::make(const char* picture, const QString& text, const QString& key,

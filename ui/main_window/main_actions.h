@@ -4,7 +4,7 @@
 #include "core/scan/scan_snapshot.h"
 
 class QAction;
-class QUndoStack;
+class QUndoGroup;
 
 namespace scantrove {
 
@@ -13,7 +13,8 @@ class MainActions : public QObject {
   Q_OBJECT
 
  public:
-  MainActions(QUndoStack& undo, QObject* parent);
+  /// `undo`: of all that can be undone.
+  MainActions(QUndoGroup& undo, QObject* parent);
 
   QAction* open_folder;
   QAction* open_recording;
@@ -22,6 +23,8 @@ class MainActions : public QObject {
   QAction* open_tabletop;
   QAction* open_room;
   QAction* open_catalogue;
+  QAction* open_session;
+  QAction* export_data;
   QAction* quit;
 
   QAction* start;
@@ -36,6 +39,10 @@ class MainActions : public QObject {
   QAction* theme_system;
   QAction* theme_light;
   QAction* theme_dark;
+  QAction* next_picture;
+  QAction* frame_back;
+  QAction* frame_on;
+  QAction* present;
   QAction* reset_layout;
 
   QAction* help_keys;
@@ -43,6 +50,8 @@ class MainActions : public QObject {
 
   /// What can be done in this state of the session.
   void enableFor(ScanState state, bool has_source);
+  /// A session is open, of which data sets can be made.
+  void enableReview(bool open);
 
  private:
   QAction* make(const char* picture, const QString& text, const QString& key, const QString& help);

@@ -1,5 +1,6 @@
 #include "ui/main_window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -11,18 +12,23 @@
 
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
+#include "ui/main_window/presentation.h"
 #include "ui/main_window/recent_sources.h"
+#include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/color_panel.h"
 #include "ui/panels/frame_panels.h"
+#include "ui/panels/history_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/object_list_view.h"
 #include "ui/panels/object_panel.h"
 #include "ui/panels/params_panel.h"
 #include "ui/panels/progress_strip.h"
+#include "ui/panels/proposal_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/panels/time_line.h"
 #include "ui/theme/icon.h"
 
 namespace scantrove {
@@ -37,12 +43,16 @@ constexpr int kHeldList_ms = 50;
 MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& options)
     : model_(editor_),
       controller_(new ScanController(factory, options, this)),
-      actions_(new MainActions(editor_.undoStack(), this)) {
+      actions_(new MainActions(undo_, this)) {
   setWindowTitle(QStringLiteral("Scantrove"));
   setWindowIcon(icon(QStringLiteral("scantrove")));
   setAcceptDrops(true);
   makeCentre();
   makeDocks(options.params);
+  regions_ = new RegionController(controller_->bridge(), *scene_, *frames_, *this);
+  docks_->add({tr("History"), "historyDock", tr("Ctrl+4"), Qt::RightDockWidgetArea, kFramesWidth, true},
+              new HistoryPanel(undo_));
+  presentation_ = new Presentation(*this);
   makeMenus();
   makeToolBar();
   status_ = new StatusStrip;
@@ -51,6 +61,8 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   statusBar()->setContentsMargins(0, 0, 0, 0);
   connectActions();
   connectSession();
+  connectRegions();
+  connectUndo();
 
   resize(1480, 920);
   if (options.width > 0 && options.height > 0) {
@@ -82,6 +94,8 @@ void MainWindow::makeCentre() {
   centre_->addWidget(scene_);
   layout->addWidget(messages_);
   layout->addWidget(centre_, 1);
+  time_line_ = new TimeLine;
+  layout->addWidget(time_line_);
   setCentralWidget(column);
 }
 
@@ -109,6 +123,7 @@ void MainWindow::showStartPage() {
   centre_->setCurrentWidget(start_);
   docks_->setScanShown(false);
   progress_->clear();
+  time_line_->clear();
 }
 
 void MainWindow::showScene() {
@@ -120,6 +135,11 @@ void MainWindow::showScene() {
 void MainWindow::open(const QString& source) {
   messages_->dismiss();
   controller_->open(source);
+}
+
+void MainWindow::openSession(const QString& folder) {
+  messages_->dismiss();
+  controller_->openSession(folder);
 }
 
 void MainWindow::openCatalogue(const QString& file) {
@@ -137,7 +157,6 @@ void MainWindow::connectSession() {
   connect(controller_, &ScanController::opening, this, &MainWindow::beginScan);
   connect(&bridge, &SessionBridge::snapshotArrived, this,
           [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(*snapshot); });
-  connect(frames_->colorPanel(), &ColorPanel::candidateClicked, &bridge, &SessionBridge::addCandidate);
   connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
   connect(&bridge, &SessionBridge::preparingDevice, status_, &StatusStrip::showPreparing);
   connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
@@ -150,6 +169,50 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
   connect(&bridge, &SessionBridge::objectRecognised, this,
           [this](ObjectId object) { model_.markRecognised(object); });
+}
+
+void MainWindow::connectRegions() {
+  SessionBridge& bridge = controller_->bridge();
+  connect(regions_, &RegionController::failed, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
+  connect(controller_, &ScanController::failed, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
+  const RegionActions& on_regions = regions_->actions();
+  auto* proposals =
+      new ProposalBar(regions_->proposals(), on_regions.accept, on_regions.accept_all, on_regions.not_this);
+  centralWidget()->layout()->addWidget(proposals);
+  regions_->setKnownNames([this] {
+    QStringList names;
+    for (const ObjectRecord& object : editor_.objects()) {
+      if (object.confirmed) names << QString::fromStdString(object.name);
+    }
+    return names;
+  });
+  connect(&bridge, &SessionBridge::reviewOpened, this, [this] {
+    actions_->enableReview(true);
+    has_snapshot_ = true;
+    showScene();
+  });
+  connect(time_line_, &TimeLine::wanted, &bridge, &SessionBridge::showKeyFrame);
+}
+
+void MainWindow::connectUndo() {
+  QUndoStack& of_catalogue = editor_.undoStack();
+  QUndoStack& of_regions = regions_->undoStack();
+  for (QUndoStack* stack : {&of_catalogue, &of_regions}) {
+    undo_.addStack(stack);
+    connect(stack, &QUndoStack::indexChanged, this, [this, stack] {
+      if (stack->canUndo() || stack->canRedo()) undo_.setActiveStack(stack);
+    });
+  }
+  undo_.setActiveStack(&of_catalogue);
+  // Ctrl+Z is about what a person works on.
+  connect(qApp, &QApplication::focusChanged, this,
+          [this, &of_catalogue, &of_regions](QWidget*, QWidget* now) {
+            if (now == nullptr) return;
+            if (objects_->isAncestorOf(now)) undo_.setActiveStack(&of_catalogue);
+            if (scene_->isAncestorOf(now) || frames_->isAncestorOf(now)) undo_.setActiveStack(&of_regions);
+          });
 }
 
 void MainWindow::connectCatalogue() {
@@ -167,6 +230,12 @@ void MainWindow::connectCatalogue() {
   connect(&model_, &ObjectListModel::dataChanged, frames_->colorPanel(), qOverload<>(&QWidget::update));
   connect(objects_, &ObjectPanel::selectionChanged, this, [this](const std::vector<ObjectId>& objects) {
     frames_->setSelected({objects.begin(), objects.end()});
+    std::vector<RegionId> regions;
+    for (const RegionInfo& region : regions_->selection().infos()) {
+      if (region.object && std::ranges::find(objects, region.object) != objects.end())
+        regions.push_back(region.region);
+    }
+    if (!regions.empty()) regions_->selection().select(regions);
   });
   catalogue_timer_.start(kOtherPrograms_ms);
 }
@@ -184,6 +253,9 @@ void MainWindow::beginScan(const QString& source) {
   scene_->view()->clearScene();
   scene_->view()->scene().setVoxelSize(controller_->request().params.fusion.voxel_size_m);
   frames_->clear();
+  regions_->beginScan();
+  time_line_->clear();
+  actions_->enableReview(false);
   model_.beginScan();
   has_snapshot_ = false;
   showScene();
@@ -192,12 +264,14 @@ void MainWindow::beginScan(const QString& source) {
 void MainWindow::showSnapshot(const ScanSnapshot& snapshot) {
   if (!has_snapshot_) {
     has_snapshot_ = true;
-    rememberSource(controller_->source());
+    if (controller_->hasSource()) rememberSource(controller_->source());
   }
+  regions_->showSnapshot(snapshot);
   scene_->view()->showSnapshot(snapshot);
   frames_->showSnapshot(snapshot);
   status_->showSnapshot(snapshot);
   progress_->showSnapshot(snapshot);
+  time_line_->showSnapshot(snapshot);
   model_.setInView(snapshot.objects);
 }
 
@@ -227,6 +301,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  regions_->finishEditing();
   QSettings().setValue(kGeometryKey, saveGeometry());
   docks_->save();
   controller_->stop();
@@ -242,7 +317,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
-  open(urls.first().toLocalFile());
+  const QString path = urls.first().toLocalFile();
+  isSessionFolder(path) ? openSession(path) : open(path);
 }
 
 }  // namespace scantrove

@@ -1,6 +1,7 @@
 #pragma once
 #include <QMainWindow>
 #include <QTimer>
+#include <QUndoGroup>
 #include <memory>
 #include <vector>
 
@@ -15,17 +16,21 @@ class QStackedWidget;
 namespace scantrove {
 
 class DockArrangement;
+class ExportDialog;
 class FramePanels;
 class HelpDialog;
 class MainActions;
 class MessageBar;
 class ObjectPanel;
 class ParamsPanel;
+class Presentation;
 class ProgressStrip;
+class RegionController;
 class ScanController;
 class ScenePane;
 class StartPage;
 class StatusStrip;
+class TimeLine;
 
 /// The window: holds the docks and menus and ties them to the scan, the catalogue and each other.
 class MainWindow : public QMainWindow {
@@ -39,7 +44,13 @@ class MainWindow : public QMainWindow {
   /// Not while a name is being typed that cannot be stored.
   void openCatalogue(const QString& file);
 
+  /// Looks at a scan that was kept.
+  void openSession(const QString& folder);
+
   [[nodiscard]] ScanController& controller() { return *controller_; }
+  [[nodiscard]] RegionController& regions() { return *regions_; }
+  [[nodiscard]] TimeLine* timeLine() const { return time_line_; }
+  [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
   [[nodiscard]] CatalogueEditor& editor() { return editor_; }
   [[nodiscard]] ObjectPanel* objectPanel() const { return objects_; }
   [[nodiscard]] FramePanels* framePanels() const { return frames_; }
@@ -48,6 +59,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ProgressStrip* progressStrip() const { return progress_; }
   [[nodiscard]] MainActions& actions() const { return *actions_; }
   [[nodiscard]] DockArrangement& docks() { return *docks_; }
+  [[nodiscard]] Presentation* presentation() const { return presentation_; }
   [[nodiscard]] bool onStartPage() const;
 
  protected:
@@ -63,6 +75,8 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectSession();
   void connectCatalogue();
+  void connectRegions();
+  void connectUndo();
   void fillRecentMenu();
 
   void openFolder();
@@ -70,6 +84,8 @@ class MainWindow : public QMainWindow {
   void openWithOptions();
   void openCamera();
   void chooseCatalogue();
+  void chooseSession();
+  void showExport();
   void showHelp();
   void showAbout();
 
@@ -85,10 +101,15 @@ class MainWindow : public QMainWindow {
   CatalogueEditor editor_;
   ObjectListModel model_;
   ScanController* controller_;
+  QUndoGroup undo_;  ///< of the catalogue's and the regions' steps those that a person works on
   MainActions* actions_;
   QStackedWidget* centre_ = nullptr;
   StartPage* start_ = nullptr;
   ScenePane* scene_ = nullptr;
+  TimeLine* time_line_ = nullptr;
+  RegionController* regions_ = nullptr;
+  ExportDialog* export_ = nullptr;
+  Presentation* presentation_ = nullptr;
   MessageBar* messages_ = nullptr;
   FramePanels* frames_ = nullptr;
   ObjectPanel* objects_ = nullptr;

@@ -1,6 +1,7 @@
 // The menus, the tool bar, and the dialogs that they open.
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
@@ -9,11 +10,15 @@
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/presentation.h"
 #include "ui/main_window/recent_sources.h"
+#include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/camera_dialog.h"
+#include "ui/panels/export_dialog.h"
 #include "ui/panels/file_dialogs.h"
+#include "ui/panels/frame_panels.h"
 #include "ui/panels/help_dialog.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/object_list_view.h"
@@ -22,6 +27,7 @@
 #include "ui/panels/progress_strip.h"
 #include "ui/panels/source_dialog.h"
 #include "ui/panels/start_page.h"
+#include "ui/panels/time_line.h"
 #include "ui/theme/icon.h"
 
 namespace scantrove {
@@ -29,6 +35,7 @@ namespace scantrove {
 void MainWindow::makeMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addActions({actions_->open_folder, actions_->open_recording, actions_->open_with_options});
+  file->addAction(actions_->open_session);
   file->addAction(actions_->open_camera);
   QMenu* demo = file->addMenu(icon(QStringLiteral("cube")), tr("&Demo"));
   demo->addActions({actions_->open_tabletop, actions_->open_room});
@@ -36,6 +43,8 @@ void MainWindow::makeMenus() {
   recent_->setObjectName(QStringLiteral("recentMenu"));
   // Filled as it opens: while it is open nothing moves under the mouse.
   connect(file, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+  file->addSeparator();
+  file->addAction(actions_->export_data);
   file->addSeparator();
   file->addAction(actions_->open_catalogue);
   file->addSeparator();
@@ -50,15 +59,25 @@ void MainWindow::makeMenus() {
   edit->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
   connect(edit, &QMenu::aboutToHide, objects_, &ObjectPanel::updateActions, Qt::QueuedConnection);
   edit->addSeparator();
-  edit->addActions({actions_->undo, actions_->redo});
-  edit->addSeparator();
   edit->addAction(actions_->focus_objects);
+
+  RegionActions& of_regions = regions_->actions();
+  QMenu* regions = menuBar()->addMenu(tr("&Regions"));
+  regions->addActions(of_regions.onSelection());
+  QMenu* recent_names = regions->addMenu(tr("Recent &names"));
+  recent_names->addActions(of_regions.recent);
+  regions->addSeparator();
+  regions->addActions({of_regions.next, of_regions.previous});
+  regions->addSeparator();
+  regions->addActions({actions_->undo, actions_->redo});
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction()});
   view->addSeparator();
+  view->addActions({actions_->next_picture, actions_->frame_back, actions_->frame_on});
+  view->addSeparator();
   for (const QDockWidget* dock : docks_->docks()) view->addAction(dock->toggleViewAction());
-  view->addAction(actions_->reset_layout);
+  view->addActions({actions_->reset_layout, actions_->present});
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Colours"));
   theme->addActions({actions_->theme_system, actions_->theme_light, actions_->theme_dark});
@@ -104,6 +123,11 @@ void MainWindow::connectActions() {
   on(actions_->open_tabletop, [this] { open(QStringLiteral("demo")); });
   on(actions_->open_room, [this] { open(QStringLiteral("demo:room")); });
   on(actions_->open_catalogue, [this] { chooseCatalogue(); });
+  on(actions_->open_session, [this] { chooseSession(); });
+  on(actions_->export_data, [this] { showExport(); });
+  on(actions_->next_picture, [this] { frames_->featureNext(); });
+  on(actions_->frame_back, [this] { time_line_->step(-1); });
+  on(actions_->frame_on, [this] { time_line_->step(1); });
   on(actions_->quit, [this] { close(); });
   on(actions_->start, [this] { controller_->start(); });
   on(actions_->pause, [this] { controller_->togglePause(); });
@@ -118,6 +142,7 @@ void MainWindow::connectActions() {
   on(actions_->theme_light, [this] { chooseTheme(ThemeChoice::light); });
   on(actions_->theme_dark, [this] { chooseTheme(ThemeChoice::dark); });
   on(actions_->reset_layout, [this] { docks_->arrangeAsUsual(); });
+  on(actions_->present, [this] { presentation_->begin(); });
   on(actions_->help_keys, [this] { showHelp(); });
   on(actions_->about, [this] { showAbout(); });
   const ThemeChoice theme = Theme::instance().choice();
@@ -175,6 +200,29 @@ void MainWindow::chooseCatalogue() {
   const QString file =
       chooseFileToSave(this, tr("Catalogue to open or create"), editor_.file(), tr("Catalogues (*.sqlite)"));
   if (!file.isEmpty()) openCatalogue(file);
+}
+
+void MainWindow::chooseSession() {
+  const QString folder = chooseFolder(this, tr("Scan that was kept"), ScanController::sessionsFolder());
+  if (!folder.isEmpty()) openSession(folder);
+}
+
+void MainWindow::showExport() {
+  if (export_ != nullptr && export_->isWorking()) {
+    export_->raise();
+    return;
+  }
+  delete export_;
+  export_ = new ExportDialog(QFileInfo(controller_->sessionFolder()).fileName(), this);
+  SessionBridge& bridge = controller_->bridge();
+  connect(export_, &ExportDialog::previewWanted, &bridge, &SessionBridge::previewExport);
+  connect(export_, &ExportDialog::exportWanted, &bridge, &SessionBridge::exportDataset);
+  connect(export_, &ExportDialog::cancelWanted, &bridge, &SessionBridge::cancelExport);
+  connect(&bridge, &SessionBridge::exportPreviewed, export_, &ExportDialog::showPreview);
+  connect(&bridge, &SessionBridge::exportStepped, export_, &ExportDialog::showProgress);
+  connect(&bridge, &SessionBridge::exportFinished, export_, &ExportDialog::showDone);
+  connect(&bridge, &SessionBridge::exportFailed, export_, &ExportDialog::showFailure);
+  export_->show();
 }
 
 void MainWindow::showHelp() {

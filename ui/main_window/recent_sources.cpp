@@ -33,4 +33,8 @@ void rememberSource(const QString& source) {
 
 void forgetRecentSources() { QSettings().remove(kKey); }
 
+bool isSessionFolder(const QString& folder) {
+  return QFileInfo::exists(folder + QStringLiteral("/session.sqlite"));
+}
+
 }  // namespace scantrove

@@ -8,4 +8,7 @@ namespace scantrove {
 void rememberSource(const QString& source);
 void forgetRecentSources();
 
+/// Whether the folder is a scan that was kept.
+[[nodiscard]] bool isSessionFolder(const QString& folder);
+
 }  // namespace scantrove

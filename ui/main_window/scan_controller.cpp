@@ -1,31 +1,85 @@
 #include "ui/main_window/scan_controller.h"
 
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "ui/panels/start_page.h"
+
 namespace scantrove {
+namespace {
+
+/// "2026-11-22 15.40.02 kitchen", made; empty: it cannot be.
+QString makeSessionFolder(const QString& source) {
+  QString title = sourceTitle(source);
+  for (QChar& letter : title) {
+    if (QStringLiteral("/\\:*?\"<>|").contains(letter)) letter = QLatin1Char('-');
+  }
+  const QString base = ScanController::sessionsFolder() + QLatin1Char('/') +
+                       QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss ")) + title;
+  QString folder = base;
+  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QStringLiteral(" (%1)").arg(i);
+  return QDir().mkpath(folder) ? folder : QString();
+}
+
+}  // namespace
 
 ScanController::ScanController(const SessionFactory& factory, const WindowOptions& options, QObject* parent)
     : QObject(parent), bridge_(factory) {
   request_.device = options.device;
   request_.params = options.params;
   request_.start_paused = options.start_paused;
+  request_.results = false;
+  request_.review = true;
+}
+
+QString ScanController::sessionsFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+         QStringLiteral("/scantrove/scans");
+}
+
+QString ScanController::sessionFolder() const {
+  return request_.output_folder ? QString::fromStdString(request_.output_folder->string()) : QString();
+}
+
+void ScanController::begin() {
+  request_.source = source_.toStdString();
+  request_.output_folder.reset();
+  const QString folder = keeps_scans_ ? makeSessionFolder(source_) : QString();
+  if (!keeps_scans_) {
+    // nothing is to be said
+  } else if (!folder.isEmpty()) {
+    request_.output_folder = folder.toStdString();
+  } else {
+    emit failed(tr("The scan is not kept: %1 cannot be written to. Make it writable, or set XDG_DATA_HOME.")
+                    .arg(sessionsFolder()));
+  }
+  paused_ = request_.start_paused;
+  emit opening(source_);
+  bridge_.start(request_);
+}
+
+void ScanController::openSession(const QString& folder) {
+  source_.clear();
+  request_.source.clear();
+  request_.output_folder = folder.toStdString();
+  emit opening(folder);
+  bridge_.start(request_);
 }
 
 void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
   source_ = source;
-  request_.source = source.toStdString();
   request_.source_options = options;
   request_.poses = poses;
-  paused_ = request_.start_paused;
-  emit opening(source_);
-  bridge_.start(request_);
+  begin();
 }
 
 void ScanController::start() {
   if (bridge_.state() == ScanState::paused) {
     setPaused(false);
   } else if (hasSource()) {
-    paused_ = request_.start_paused;
-    emit opening(source_);
-    bridge_.start(request_);
+    begin();
   }
 }
 

@@ -22,6 +22,15 @@ class ScanController : public QObject {
   /// Opens a source and begins to scan it.
   void open(const QString& source, const SourceOptions& options = {},
             ScanRequest::Poses poses = ScanRequest::Poses::tracked);
+  /// Opens the session of an earlier scan to look at it and correct it.
+  void openSession(const QString& folder);
+  /// Where the session of the present scan is; empty: it is not kept.
+  [[nodiscard]] QString sessionFolder() const;
+  /// Whether scans that begin from now on become sessions; usually they do.
+  void setKeepsScans(bool keeps) { keeps_scans_ = keeps; }
+  /// Where sessions are kept.
+  [[nodiscard]] static QString sessionsFolder();
+
   /// The present source again from its beginning, or on when paused.
   void start();
   void togglePause();
@@ -32,15 +41,18 @@ class ScanController : public QObject {
 
  signals:
   void opening(const QString& source);
+  void failed(const QString& message);
 
  private:
   [[nodiscard]] bool isUnderWay() const;
+  void begin();
   void setPaused(bool paused);
 
   ScanRequest request_;
   QString source_;
   /// What was asked for last; the session may not have come to it yet, and a second press is not to be lost.
   bool paused_ = false;
+  bool keeps_scans_ = true;
   SessionBridge bridge_;
 };
 

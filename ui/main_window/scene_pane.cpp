@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "ui/panels/scene_overlay.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
@@ -13,6 +14,7 @@ namespace scantrove {
 ScenePane::ScenePane(QWidget* parent)
     : QWidget(parent),
       view_(new SceneView(this)),
+      overlay_(new SceneOverlay(this)),
       buttons_(new QFrame(this)),
       follow_(new QAction(icon(QStringLiteral("follow")), tr("&Follow the camera"), this)),
       fit_(new QAction(icon(QStringLiteral("fit")), tr("Show &all"), this)),
@@ -50,6 +52,8 @@ ScenePane::ScenePane(QWidget* parent)
 
 void ScenePane::resizeEvent(QResizeEvent* /*event*/) {
   view_->setGeometry(rect());
+  overlay_->setGeometry(rect());
+  overlay_->raise();
   buttons_->adjustSize();
   buttons_->move(width() - buttons_->width() - 12, 12);
   buttons_->raise();

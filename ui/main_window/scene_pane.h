@@ -8,6 +8,8 @@ class QFrame;
 
 namespace scantrove {
 
+class SceneOverlay;
+
 /// The 3D view with its own few buttons floating in a corner.
 class ScenePane : public QWidget {
   Q_OBJECT
@@ -16,6 +18,7 @@ class ScenePane : public QWidget {
   explicit ScenePane(QWidget* parent = nullptr);
 
   [[nodiscard]] SceneView* view() const { return view_; }
+  [[nodiscard]] SceneOverlay* overlay() const { return overlay_; }
   [[nodiscard]] QAction* followAction() const { return follow_; }
   [[nodiscard]] QAction* fitAction() const { return fit_; }
   [[nodiscard]] QAction* gridAction() const { return grid_; }
@@ -27,6 +30,7 @@ class ScenePane : public QWidget {
   void paintTheme();
 
   SceneView* view_;
+  SceneOverlay* overlay_;
   QFrame* buttons_;
   QAction* follow_;
   QAction* fit_;

@@ -20,7 +20,8 @@ struct WindowOptions {
   std::optional<std::filesystem::path> screenshot;
   int width = 0;  ///< of the window; 0: remembered or usual
   int height = 0;
-  std::string theme;  ///< "dark", "light", or empty: as remembered
+  bool present = false;  ///< full screen, to be looked at
+  std::string theme;     ///< "dark", "light", or empty: as remembered
 };
 
 }  // namespace scantrove

@@ -1,6 +1,5 @@
 #include "ui/panels/color_panel.h"
 
-#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <tuple>
@@ -43,7 +42,7 @@ ColorPanel::ColorPanel(QWidget* parent)
           tr("Colour and objects"),
           tr("The camera's picture. White rectangles: objects found. Cyan names: objects known from the "
              "catalogue. White names: objects new in this scan. Yellow: selected in the list of objects. "
-             "Dashed: may be an object, but has not been seen well enough; click it to add it."),
+             "Dashed: may be an object, but has not been seen well enough; O makes it one."),
           parent) {}
 
 void ColorPanel::setFrame(const QImage& picture, const std::vector<SeenObject>& objects) {
@@ -78,23 +77,6 @@ QRectF ColorPanel::objectRect(const SeenObject& object) const {
   return {frame.left() + static_cast<double>(box.x) * frame.width(),
           frame.top() + static_cast<double>(box.y) * frame.height(),
           static_cast<double>(box.width) * frame.width(), static_cast<double>(box.height) * frame.height()};
-}
-
-const SeenObject* ColorPanel::candidateAt(const QPointF& place) const {
-  const SeenObject* smallest = nullptr;
-  for (const SeenObject& object : objects_) {
-    if (object.object || !objectRect(object).contains(place)) continue;
-    if (smallest == nullptr || object.box.area() < smallest->box.area()) smallest = &object;
-  }
-  return smallest;
-}
-
-void ColorPanel::mouseReleaseEvent(QMouseEvent* event) {
-  // As a small picture among others a click shows it large.
-  const bool adds = event->button() == Qt::LeftButton && !hasClickMeaning();
-  const SeenObject* const candidate = adds ? candidateAt(event->position()) : nullptr;
-  if (candidate == nullptr) return ImagePanel::mouseReleaseEvent(event);
-  emit candidateClicked(*candidate->regions.begin());
 }
 
 QString ColorPanel::nameOf(const SeenObject& object) const {

@@ -10,8 +10,8 @@ namespace scantrove {
 
 /// The colour image with what was found in it (thesis, figures 5.1 and 5.6): a white rectangle around each
 /// discovered object; a cyan name at its top left when the object was recognised, a white one when it is new.
-/// A thin dashed rectangle, without a name: a candidate that has not shown itself whole yet; a click on it
-/// adds it. What is selected in the object list is lit up in yellow.
+/// A thin dashed rectangle, without a name: a candidate that has not shown itself whole yet. What is selected
+/// in the object list is lit up in yellow.
 class ColorPanel : public ImagePanel {
   Q_OBJECT
 
@@ -31,17 +31,11 @@ class ColorPanel : public ImagePanel {
   /// The rectangle of an object as drawn, in widget coordinates.
   [[nodiscard]] QRectF objectRect(const SeenObject& object) const;
 
- signals:
-  void candidateClicked(RegionId region);  ///< one of its regions
-
  protected:
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void paintOverlay(QPainter& painter, const QRectF& rect) override;
 
  private:
   [[nodiscard]] QString nameOf(const SeenObject& object) const;
-  /// The smallest candidate there, or null.
-  [[nodiscard]] const SeenObject* candidateAt(const QPointF& place) const;
   [[nodiscard]] bool isSelected(const SeenObject& object) const;
   void sortObjects();
   void paintGhost(QPainter& painter, const QRectF& rect) const;

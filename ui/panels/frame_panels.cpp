@@ -4,6 +4,7 @@
 
 #include "ui/panels/color_panel.h"
 #include "ui/panels/depth_panel.h"
+#include "ui/panels/region_picture.h"
 
 namespace scantrove {
 namespace {
@@ -36,8 +37,65 @@ FramePanels::FramePanels(QWidget* parent)
       panels_{color_, depth_raw_, depth_fused_, segments_, regions_} {
   for (ImagePanel* panel : panels_) {
     connect(panel, &ImagePanel::activated, this, [this, panel] { feature(panel); });
+    connectPointing(panel);
   }
 }
+
+FramePointing::Picture FramePanels::pictureOf(const ImagePanel* panel) const {
+  return panel == color_ ? FramePointing::Picture::color : FramePointing::Picture::other;
+}
+
+void FramePanels::connectPointing(ImagePanel* panel) {
+  const auto at = [this, panel](const QPointF& fraction) { return pointing_.at(fraction, pictureOf(panel)); };
+  connect(panel, &ImagePanel::pointedAt, this, [this, panel, at](const QPointF& fraction) {
+    pointed_panel_ = panel;
+    pointed_fraction_ = fraction;
+    emit pointedAt(at(fraction));
+  });
+  connect(panel, &ImagePanel::pointerLeft, this, [this, panel] {
+    if (pointed_panel_ != panel) return;
+    pointed_panel_ = nullptr;
+    panel->setTag({});
+    emit pointerLeft();
+  });
+  connect(panel, &ImagePanel::clicked, this,
+          [this, at](const QPointF& fraction, Qt::KeyboardModifiers modifiers) {
+            emit clicked(at(fraction), modifiers);
+          });
+  connect(panel, &ImagePanel::doubleClicked, this, [this, panel, at](const QPointF& fraction) {
+    emit doubleClicked(at(fraction), panel->mapToGlobal(panel->placeOf(fraction).toPoint()));
+  });
+  connect(panel, &ImagePanel::menuWanted, this, [this, at](const QPointF& fraction, const QPoint& on_screen) {
+    emit menuWanted(at(fraction), on_screen);
+  });
+  connect(panel, &ImagePanel::bandDrawn, this,
+          [this, panel](const QRectF& fractions, Qt::KeyboardModifiers modifiers) {
+            emit bandDrawn(pointing_.regionsIn(fractions, pictureOf(panel)), modifiers);
+          });
+}
+
+void FramePanels::setLit(RegionId hovered, const std::vector<RegionId>& selected) {
+  if (hovered == lit_hovered_ && selected == lit_selected_) return;
+  lit_hovered_ = hovered;
+  lit_selected_ = selected;
+  showLit();
+}
+
+void FramePanels::showLit() {
+  const QImage lit =
+      litPicture(pointing_.regionIds(FramePointing::Picture::other), lit_hovered_, lit_selected_);
+  const cv::Mat& in_color = pointing_.regionIds(FramePointing::Picture::color);
+  const bool is_same = in_color.data == pointing_.regionIds(FramePointing::Picture::other).data;
+  for (ImagePanel* panel : panels_) {
+    panel->setLit(panel == color_ && !is_same ? litPicture(in_color, lit_hovered_, lit_selected_) : lit);
+  }
+}
+
+void FramePanels::setTag(const QStringList& tag) {
+  if (pointed_panel_ != nullptr) pointed_panel_->setTag(tag);
+}
+
+void FramePanels::featureNext() { feature(panels_[(featured_ + 1) % panels_.size()]); }
 
 void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   color_->setFrame(colorPicture(snapshot.color), snapshot.objects);
@@ -53,6 +111,10 @@ void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   region_ids_ = snapshot.regions;
   objects_ = snapshot.objects;
   showRegions();
+  pointing_.show(snapshot);
+  showLit();
+  // Another surface may have come under the pointer.
+  if (pointed_panel_ != nullptr) emit pointedAt(pointing_.at(pointed_fraction_, pictureOf(pointed_panel_)));
 }
 
 void FramePanels::setSelected(const std::set<ObjectId>& selected) {
@@ -73,7 +135,11 @@ void FramePanels::showRegions() {
 void FramePanels::clear() {
   region_ids_.release();
   objects_.clear();
-  for (ImagePanel* panel : panels_) panel->setPicture({});
+  pointing_.clear();
+  for (ImagePanel* panel : panels_) {
+    panel->setPicture({});
+    panel->setLit({});
+  }
   color_->setFrame({}, {});
   color_->setGhost({});
   has_range_ = false;
@@ -100,11 +166,11 @@ void FramePanels::arrange() {
   const int small_height = small_width * 3 / 4;
   const int large_height = w * 3 / 4;
   panels_[featured_]->setGeometry(left, kMargin, w, large_height);
-  panels_[featured_]->setClickMeaning(featured_ == 0 ? QString() : tr("Click: the colour image large again"));
+  panels_[featured_]->setLarge(featured_ != 0);
   int cell = 0;
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     if (i == featured_) continue;
-    panels_[i]->setClickMeaning(tr("Click: show it large"));
+    panels_[i]->setLarge(false);
     const int x = left + (cell % 2) * (w - small_width);
     const int y = kMargin + large_height + kPanelGap + (cell / 2) * (small_height + kPanelGap);
     panels_[i]->setGeometry(x, y, small_width, small_height);

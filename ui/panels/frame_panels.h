@@ -1,9 +1,13 @@
 #pragma once
+#include <QPoint>
+#include <QStringList>
 #include <QWidget>
 #include <set>
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/common/region_point.h"
+#include "ui/panels/frame_pointing.h"
 #include "ui/panels/image_conversion.h"
 
 namespace scantrove {
@@ -12,8 +16,8 @@ class ColorPanel;
 class DepthPanel;
 class ImagePanel;
 
-/// The five pictures of the current frame: one large, the others in a grid below it. A click makes another
-/// one large.
+/// The five pictures of the current frame: one large, the others in a grid below it. A click on a title makes
+/// another one large; what is pointed at in one is lit up in all.
 class FramePanels : public QWidget {
   Q_OBJECT
 
@@ -25,11 +29,27 @@ class FramePanels : public QWidget {
   /// Lights up these objects in the colour image, and their regions among the others.
   void setSelected(const std::set<ObjectId>& selected);
   void feature(ImagePanel* panel);
+  void featureNext();
+  /// Lights up regions in all pictures.
+  void setLit(RegionId hovered, const std::vector<RegionId>& selected);
+  /// Beside the pointer, in the picture that it is in.
+  void setTag(const QStringList& tag);
+  [[nodiscard]] const FramePointing& pointing() const { return pointing_; }
   [[nodiscard]] ImagePanel* featured() const { return panels_[featured_]; }
   [[nodiscard]] const std::vector<ImagePanel*>& panels() const { return panels_; }
   [[nodiscard]] ColorPanel* colorPanel() const { return color_; }
 
   [[nodiscard]] QSize sizeHint() const override { return {420, 660}; }
+
+ signals:
+  void pointedAt(const scantrove::RegionPoint& point);
+  void pointerLeft();
+  void clicked(const scantrove::RegionPoint& point, Qt::KeyboardModifiers modifiers);
+  void doubleClicked(const scantrove::RegionPoint& point, const QPoint& on_screen);
+  void menuWanted(const scantrove::RegionPoint& point, const QPoint& on_screen);
+  void bandDrawn(const std::vector<scantrove::RegionId>& regions, Qt::KeyboardModifiers modifiers);
+
+ public:
   [[nodiscard]] QSize minimumSizeHint() const override { return {230, 340}; }
 
  protected:
@@ -38,6 +58,9 @@ class FramePanels : public QWidget {
  private:
   void arrange();
   void showRegions();
+  void showLit();
+  void connectPointing(ImagePanel* panel);
+  [[nodiscard]] FramePointing::Picture pictureOf(const ImagePanel* panel) const;
 
   ColorPanel* color_;
   DepthPanel* depth_raw_;
@@ -49,6 +72,11 @@ class FramePanels : public QWidget {
   cv::Mat region_ids_;               ///< of the frame shown
   std::vector<SeenObject> objects_;  ///< in it
   std::set<ObjectId> selected_;
+  FramePointing pointing_;
+  RegionId lit_hovered_;
+  std::vector<RegionId> lit_selected_;
+  ImagePanel* pointed_panel_ = nullptr;  ///< that the pointer is in
+  QPointF pointed_fraction_;
   DepthRange range_;
   bool has_range_ = false;
 };

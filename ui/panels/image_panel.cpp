@@ -1,10 +1,12 @@
 #include "ui/panels/image_panel.h"
 
-#include <QKeyEvent>
+#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <utility>
 
+#include "ui/panels/region_picture.h"
 #include "ui/theme/theme.h"
 
 namespace scantrove {
@@ -29,17 +31,30 @@ void paintChip(QPainter& painter, const QPointF& top_left, const QString& text, 
 ImagePanel::ImagePanel(const QString& title, const QString& explanation, QWidget* parent)
     : QWidget(parent), title_(title) {
   setMinimumSize(96, 72);
-  setFocusPolicy(Qt::TabFocus);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   setAccessibleName(title);
   setAccessibleDescription(explanation);
-  setClickMeaning({});
+  setLarge(false);
 }
 
-void ImagePanel::setClickMeaning(const QString& meaning) {
-  has_click_meaning_ = !meaning.isEmpty();
-  setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(title_, accessibleDescription()) +
-             (meaning.isEmpty() ? QString() : QStringLiteral("<br><i>%1</i>").arg(meaning)));
-  setCursor(meaning.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
+void ImagePanel::setLarge(bool large) {
+  setToolTip(QStringLiteral("<b>%1</b><br>%2<br><i>%3</i>")
+                 .arg(title_, accessibleDescription(),
+                      large ? tr("Click on the title: the colour image large again")
+                            : tr("Click on the title: show it large")));
+}
+
+void ImagePanel::setLit(const QImage& lit) {
+  if (lit.isNull() && lit_.isNull()) return;
+  lit_ = lit;
+  update();
+}
+
+void ImagePanel::setTag(const QStringList& tag) {
+  if (tag == tag_) return;
+  tag_ = tag;
+  update();
 }
 
 void ImagePanel::setPicture(const QImage& picture) {
@@ -51,6 +66,45 @@ QRectF ImagePanel::pictureRect() const {
   if (picture_.isNull()) return {};
   const QSizeF fitted = QSizeF(picture_.size()).scaled(size(), Qt::KeepAspectRatio);
   return {QPointF((width() - fitted.width()) / 2, (height() - fitted.height()) / 2), fitted};
+}
+
+QFont ImagePanel::smallFont() const {
+  QFont small = font();
+  small.setPointSizeF(font().pointSizeF() * 0.86);
+  return small;
+}
+
+QRectF ImagePanel::titleRect() const {
+  if (picture_.isNull()) return rect();
+  const QFontMetricsF metrics(smallFont());
+  const double height = metrics.height() + 3;
+  const QString title = metrics.elidedText(title_, Qt::ElideRight, width() - 22);
+  return {6.5, this->height() - 6.5 - height, metrics.horizontalAdvance(title) + 10, height};
+}
+
+std::optional<QPointF> ImagePanel::fractionAt(const QPointF& place) const {
+  const QRectF frame = pictureRect();
+  if (frame.isEmpty() || !frame.contains(place)) return std::nullopt;
+  return QPointF((place.x() - frame.left()) / frame.width(), (place.y() - frame.top()) / frame.height());
+}
+
+QPointF ImagePanel::placeOf(const QPointF& fraction) const {
+  const QRectF frame = pictureRect();
+  return {frame.left() + fraction.x() * frame.width(), frame.top() + fraction.y() * frame.height()};
+}
+
+QRectF ImagePanel::band() const {
+  return is_band_ ? QRectF(*pressed_, *pointer_).normalized() & pictureRect() : QRectF();
+}
+
+void ImagePanel::paintPointing(QPainter& painter) {
+  if (!lit_.isNull()) painter.drawImage(pictureRect(), lit_);
+  if (is_band_) {
+    painter.setPen(QPen(QColor(0xff, 0xd0, 0x00), 1, Qt::DashLine));
+    painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
+    painter.drawRect(band());
+  }
+  if (pointer_ && !is_band_) paintPointerTag(painter, *pointer_, rect(), tag_);
 }
 
 void ImagePanel::paintEvent(QPaintEvent* /*event*/) {
@@ -70,39 +124,93 @@ void ImagePanel::paintEvent(QPaintEvent* /*event*/) {
     paintOverlay(painter, pictureRect());
   }
   painter.restore();
+  painter.setFont(font());
 
   painter.setPen(QPen(hasFocus() ? colors.accent : colors.outline, hasFocus() ? 2 : 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(outline);
   paintTitle(painter, card);
+  painter.setFont(font());
+  if (!picture_.isNull()) paintPointing(painter);
 }
 
 void ImagePanel::paintTitle(QPainter& painter, const QRectF& card) {
-  QFont small = font();
-  small.setPointSizeF(font().pointSizeF() * 0.86);
-  painter.setFont(small);
+  painter.setFont(smallFont());
   if (picture_.isNull()) {
     painter.setPen(Theme::instance().colors().muted_text);
     painter.drawText(card, Qt::AlignCenter, title_);
     return;
   }
-  const double height = QFontMetricsF(small).height() + 3;
-  const QString title = QFontMetricsF(small).elidedText(title_, Qt::ElideRight, card.width() - 22);
-  paintChip(painter, card.bottomLeft() + QPointF(6, -6 - height), title, QColor(0xf1, 0xf3, 0xf6));
+  const QString title = QFontMetricsF(smallFont()).elidedText(title_, Qt::ElideRight, card.width() - 22);
+  paintChip(painter, titleRect().topLeft(), title, QColor(0xf1, 0xf3, 0xf6));
 }
 
 void ImagePanel::paintOverlay(QPainter& /*painter*/, const QRectF& /*rect*/) {}
 
-void ImagePanel::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint())) emit activated();
+void ImagePanel::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) pressed_ = event->position();
 }
 
-void ImagePanel::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    emit activated();
-  } else {
-    QWidget::keyPressEvent(event);
+void ImagePanel::mouseMoveEvent(QMouseEvent* event) {
+  pointer_ = event->position();
+  setCursor(titleRect().contains(*pointer_) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  const bool drags = pressed_ && event->buttons().testFlag(Qt::LeftButton) && !picture_.isNull();
+  if (drags && (*pointer_ - *pressed_).manhattanLength() > QApplication::startDragDistance()) is_band_ = true;
+  if (is_band_) {
+    update();
+    return;
   }
+  if (const auto fraction = fractionAt(*pointer_)) {
+    emit pointedAt(*fraction);
+  } else {
+    emit pointerLeft();
+  }
+  if (!tag_.isEmpty()) update();  // it goes with the pointer
+}
+
+void ImagePanel::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !pressed_) return;
+  const QPointF pressed = *pressed_;
+  const QRectF drawn = band();
+  pressed_.reset();
+  update();
+  if (std::exchange(is_band_, false)) {
+    const QRectF frame = pictureRect();
+    if (drawn.isEmpty()) return;
+    emit bandDrawn(
+        {(drawn.left() - frame.left()) / frame.width(), (drawn.top() - frame.top()) / frame.height(),
+         drawn.width() / frame.width(), drawn.height() / frame.height()},
+        event->modifiers());
+    return;
+  }
+  if (std::exchange(is_double_click_, false)) return;
+  if (titleRect().contains(pressed) && titleRect().contains(event->position())) {
+    emit activated();
+  } else if (const auto fraction = fractionAt(event->position())) {
+    emit clicked(*fraction, event->modifiers());
+  }
+}
+
+void ImagePanel::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || titleRect().contains(event->position())) {
+    mousePressEvent(event);
+    return;
+  }
+  is_double_click_ = true;
+  pressed_ = event->position();
+  if (const auto fraction = fractionAt(event->position())) emit doubleClicked(*fraction);
+}
+
+void ImagePanel::contextMenuEvent(QContextMenuEvent* event) {
+  const bool by_key = event->reason() == QContextMenuEvent::Keyboard;
+  const QPointF place = by_key ? QPointF(rect().center()) : QPointF(event->pos());
+  if (const auto fraction = fractionAt(place)) emit menuWanted(*fraction, mapToGlobal(place.toPoint()));
+}
+
+void ImagePanel::leaveEvent(QEvent* /*event*/) {
+  pointer_.reset();
+  emit pointerLeft();
+  update();
 }
 
 }  // namespace scantrove

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/panels/kept_scans.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
@@ -123,6 +124,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   cards->setColumnStretch(1, 1);
   layout->addLayout(cards);
 
+  kept_ = new KeptScans;
+  layout->addWidget(kept_);
   recent_box_ = new QWidget;
   auto* recent_column = new QVBoxLayout(recent_box_);
   recent_column->setContentsMargins(0, 14, 0, 0);

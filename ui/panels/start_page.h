@@ -6,6 +6,8 @@ class QVBoxLayout;
 
 namespace scantrove {
 
+class KeptScans;
+
 /// What the window shows before anything is open: what this is, and the ways to begin.
 class StartPage : public QWidget {
   Q_OBJECT
@@ -13,6 +15,7 @@ class StartPage : public QWidget {
  public:
   explicit StartPage(QWidget* parent = nullptr);
   void setRecent(const QStringList& sources);
+  [[nodiscard]] KeptScans* keptScans() const { return kept_; }
 
  signals:
   void folderWanted();
@@ -21,6 +24,7 @@ class StartPage : public QWidget {
   void sourceChosen(const QString& source);
 
  private:
+  KeptScans* kept_;
   QVBoxLayout* recent_;
   QWidget* recent_box_;
 };

@@ -192,14 +192,33 @@ void CloudChunk::setPointScale(float pixels_at_1m) {
   const float overlap = level == 0 ? 1.5F : 1.9F;
   const float widening = overlap * std::sqrt(static_cast<float>(kLevelStride[level]));
   vtkUniforms* uniforms = actor_->GetShaderProperty()->GetVertexCustomUniforms();
-  uniforms->SetUniformf("point_scale", pixels_at_1m * widening);
-  uniforms->SetUniformf("point_minimum", level == 0 ? 1.6F : 2.0F);
+  point_scale_ = pixels_at_1m * widening;
+  point_minimum_ = level == 0 ? 1.6F : 2.0F;
+  uniforms->SetUniformf("point_scale", point_scale_);
+  uniforms->SetUniformf("point_minimum", point_minimum_);
+}
+
+void CloudChunk::addTo(CloudIds& ids) const {
+  if (!in_view_ || !shown()) return;
+  for (const auto& [key, brick] : bricks_) {
+    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[built_level_]))
+      ids.add({p.x, p.y, p.z}, p.fragment, point_scale_, point_minimum_);
+  }
 }
 
 void CloudChunk::collectNormals(std::vector<Eigen::Vector3f>& normals) const {
   for (const auto& [key, brick] : bricks_) {
     const Eigen::Vector3f normal = mainNormal(brick.normals);
     if (normal.squaredNorm() > 0) normals.push_back(normal);
+  }
+}
+
+void CloudChunk::collectPoints(std::vector<std::vector<LookPoint>>& of_fragment) const {
+  for (const auto& [key, brick] : bricks_) {
+    for (const CloudBrick::Point& p : brick.points) {
+      if (p.fragment.value < of_fragment.size())
+        of_fragment[p.fragment.value].push_back({{p.x, p.y, p.z}, {}, false});
+    }
   }
 }
 

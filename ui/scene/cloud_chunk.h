@@ -12,8 +12,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/discovery/region_look.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/brick_shading.h"
+#include "ui/scene/cloud_ids.h"
 
 class vtkRenderer;
 
@@ -57,11 +59,16 @@ class CloudChunk {
   /// Sets the drawn size: `pixels_at_1m` is the edge of a voxel in pixels at one metre from the camera.
   void setPointScale(float pixels_at_1m);
 
+  /// What is shown of it, into `ids`.
+  void addTo(CloudIds& ids) const;
+
   [[nodiscard]] std::size_t pointCount() const { return count_[0]; }
   /// How many points the level draws.
   [[nodiscard]] std::size_t pointCount(std::size_t level) const { return count_[level]; }
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
   void collectNormals(std::vector<Eigen::Vector3f>& normals) const;
+  /// Appends the points of each fragment that `of_fragment` has room for.
+  void collectPoints(std::vector<std::vector<LookPoint>>& of_fragment) const;
   /// Appends one height along `up` for each brick.
   void collectHeights(const Eigen::Vector3f& up, std::vector<float>& heights) const;
 
@@ -94,6 +101,7 @@ class CloudChunk {
   std::size_t built_level_ = kLevelStride.size();  ///< none yet
   bool dirty_ = true;
   bool in_view_ = false;
+  float point_scale_ = 5, point_minimum_ = 1.6F;  ///< as the shader has them
 };
 
 }  // namespace scantrove

@@ -133,6 +133,27 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   return true;
 }
 
+void CloudChunks::addTo(CloudIds& ids) const {
+  for (const auto& [key, chunk] : chunks_) chunk->addTo(ids);
+}
+
+RegionId CloudChunks::regionOf(FragmentId fragment) const {
+  return fragment.value < region_of_fragment_.size() ? region_of_fragment_[fragment.value] : RegionId{};
+}
+
+std::map<RegionId, std::vector<LookPoint>> CloudChunks::pointsOfRegions(std::size_t least) const {
+  std::vector<std::vector<LookPoint>> of_fragment(region_of_fragment_.size());
+  for (const auto& [key, chunk] : chunks_) chunk->collectPoints(of_fragment);
+  std::map<RegionId, std::vector<LookPoint>> of_region;
+  for (std::size_t fragment = 1; fragment < of_fragment.size(); ++fragment) {
+    if (!region_of_fragment_[fragment] || of_fragment[fragment].empty()) continue;
+    std::vector<LookPoint>& points = of_region[region_of_fragment_[fragment]];
+    points.insert(points.end(), of_fragment[fragment].begin(), of_fragment[fragment].end());
+  }
+  std::erase_if(of_region, [least](const auto& entry) { return entry.second.size() < least; });
+  return of_region;
+}
+
 bool CloudChunks::upToDate() const {
   return std::none_of(chunks_.begin(), chunks_.end(),
                       [](const auto& entry) { return entry.second->inView() && entry.second->dirty(); });

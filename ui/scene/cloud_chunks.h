@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/discovery/region_look.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunk.h"
 
@@ -39,6 +40,14 @@ class CloudChunks {
   /// when all chunks in view are up to date.
   bool prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
                std::size_t rebuild_budget);
+
+  /// What is shown, into `ids`, which has begun.
+  void addTo(CloudIds& ids) const;
+  /// None: no such fragment.
+  [[nodiscard]] RegionId regionOf(FragmentId fragment) const;
+
+  /// The points of each region that has at least so many.
+  [[nodiscard]] std::map<RegionId, std::vector<LookPoint>> pointsOfRegions(std::size_t least) const;
 
   [[nodiscard]] std::size_t pointCount() const { return point_count_; }
   [[nodiscard]] std::size_t drawnPointCount() const { return drawn_point_count_; }

@@ -44,6 +44,12 @@ class LabelCloudScene {
   /// To call right before rendering into a viewport of this size; see CloudChunks::prepare.
   bool prepare(int width_px, int height_px, std::size_t point_budget, std::size_t rebuild_budget);
 
+  /// What the last drawing shows, at `scale` of its size.
+  void drawIds(int width_px, int height_px, float scale, CloudIds& ids) const {
+    ids.begin(renderer_->GetActiveCamera(), width_px, height_px, scale);
+    cloud_.addTo(ids);
+  }
+
   [[nodiscard]] const CloudChunks& cloud() const { return cloud_; }
 
  private:

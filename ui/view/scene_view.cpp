@@ -5,12 +5,14 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scantrove {
 namespace {
@@ -21,6 +23,32 @@ constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
 constexpr std::size_t kRebuildWhileScanningPoints = 150'000;
 constexpr float kTurnPerPixel_rad = 0.006F;
+
+/// Between two points of a coarse cloud nothing is drawn: a pixel there belongs to the surface around it.
+void closeGaps(cv::Mat& ids) {
+  const cv::Mat open = ids.clone();
+  for (int y = 1; y + 1 < ids.rows; ++y) {
+    const auto* above = open.ptr<int>(y - 1);
+    const auto* row = open.ptr<int>(y);
+    const auto* below = open.ptr<int>(y + 1);
+    auto* out = ids.ptr<int>(y);
+    for (int x = 1; x + 1 < ids.cols; ++x) {
+      if (row[x] != 0) continue;
+      if (row[x - 1] != 0 && row[x - 1] == row[x + 1]) {
+        out[x] = row[x - 1];
+      } else if (above[x] != 0 && above[x] == below[x]) {
+        out[x] = above[x];
+      } else if (above[x - 1] != 0 && above[x - 1] == below[x + 1]) {
+        out[x] = above[x - 1];
+      } else if (above[x + 1] != 0 && above[x + 1] == below[x - 1]) {
+        out[x] = above[x + 1];
+      }
+    }
+  }
+}
+
+constexpr float kIdsPerPixel = 0.5F;  ///< resolution of pointing
+constexpr int kGapPasses = 2;
 
 }  // namespace
 
@@ -81,9 +109,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
-  setToolTip(
-      tr("Drag: turn. Shift + drag: move. Wheel: zoom. Double click: show all.<br>"
-         "Regions cannot be picked here yet: select objects in the list."));
+  setMouseTracking(true);
   draw_timer_.setSingleShot(true);
   connect(&draw_timer_, &QTimer::timeout, this, QOverload<>::of(&QWidget::update));
   settle_timer_.setSingleShot(true);
@@ -156,6 +182,11 @@ void SceneView::fitAll() {
   schedule();
 }
 
+void SceneView::turn(float yaw) {
+  scene_.viewpoint().orbit(yaw, 0);
+  schedule();
+}
+
 void SceneView::setGridVisible(bool visible) {
   scene_.setGridVisible(visible);
   schedule();
@@ -209,6 +240,8 @@ void SceneView::paintGL() {
   draw_ms_ += 0.3 * (took_ms - draw_ms_);
   if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
   since_draw_.start();
+  are_ids_old_ = true;
+  emit drawn();
   if (!complete) schedule();
 }
 
@@ -241,15 +274,75 @@ void SceneView::interacted() {
   draw_timer_.start(0);
 }
 
+void SceneView::findIds() {
+  if (!are_ids_old_ || window_ == nullptr) return;
+  are_ids_old_ = false;
+  const QSize pixels = size() * devicePixelRatioF();
+  scene_.drawIds(pixels.width(), pixels.height(), kIdsPerPixel / static_cast<float>(devicePixelRatioF()),
+                 ids_);
+  region_ids_.create(ids_.height(), ids_.width(), CV_32SC1);
+  std::transform(
+      ids_.fragments().begin(), ids_.fragments().end(), region_ids_.begin<int>(),
+      [this](FragmentId fragment) { return static_cast<int>(scene_.cloud().regionOf(fragment).value); });
+  for (int pass = 0; pass < kGapPasses; ++pass) closeGaps(region_ids_);
+}
+
+std::optional<Eigen::Vector3f> SceneView::surfaceNear(int x, int y) const {
+  const int region = region_ids_.at<int>(y, x);
+  for (int reach = 0; region != 0 && reach <= kGapPasses; ++reach) {
+    for (int v = std::max(0, y - reach); v <= std::min(region_ids_.rows - 1, y + reach); ++v) {
+      for (int u = std::max(0, x - reach); u <= std::min(region_ids_.cols - 1, x + reach); ++u) {
+        if (region_ids_.at<int>(v, u) != region) continue;
+        if (auto point = ids_.pointAt(u, v)) return point;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+const cv::Mat& SceneView::regionIds() {
+  findIds();
+  return region_ids_;
+}
+
+RegionPoint SceneView::at(const QPointF& place) {
+  findIds();
+  if (region_ids_.empty() || width() < 1 || height() < 1) return {};
+  const int x = static_cast<int>(place.x() / width() * region_ids_.cols);
+  const int y = static_cast<int>(place.y() / height() * region_ids_.rows);
+  if (x < 0 || y < 0 || x >= region_ids_.cols || y >= region_ids_.rows) return {};
+  return {RegionId{static_cast<std::uint32_t>(region_ids_.at<int>(y, x))}, surfaceNear(x, y)};
+}
+
+QRectF SceneView::band() const {
+  return press_ && band_to_ ? QRectF(*press_, *band_to_).normalized() & QRectF(rect()) : QRectF();
+}
+
 void SceneView::mousePressEvent(QMouseEvent* event) {
   last_mouse_ = event->globalPosition();
+  press_ = event->position();
+  is_dragged_ = false;
   setFocus(Qt::MouseFocusReason);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() == Qt::NoButton) {
+    emit pointedAt(event->position());
+    return;
+  }
+  if (press_ && !is_dragged_) {
+    if ((event->position() - *press_).manhattanLength() < QApplication::startDragDistance()) return;
+    is_dragged_ = true;
+    emit pointerLeft();
+  }
   // On the screen: a message that appears above the view moves the view under the mouse.
   const QPointF step = event->globalPosition() - last_mouse_;
   last_mouse_ = event->globalPosition();
+  if (event->buttons().testFlag(Qt::LeftButton) && event->modifiers().testFlag(Qt::ControlModifier)) {
+    band_to_ = event->position();
+    emit bandChanged();
+    return;
+  }
   const auto dx = static_cast<float>(step.x());
   const auto dy = static_cast<float>(step.y());
   const auto tall = static_cast<float>(std::max(1, height()));
@@ -266,9 +359,26 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   interacted();
 }
 
-void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) fitAll();
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  const QRectF drawn_band = band();
+  const bool was_pressed = std::exchange(press_, std::nullopt).has_value();
+  if (std::exchange(band_to_, std::nullopt)) {
+    emit bandChanged();
+    emit bandDrawn(drawn_band);
+  } else if (was_pressed && !is_dragged_ && event->button() == Qt::LeftButton) {
+    emit clicked(event->position(), event->modifiers());
+  } else if (was_pressed && !is_dragged_ && event->button() == Qt::RightButton) {
+    emit menuWanted(event->position(), event->globalPosition().toPoint());
+  }
+  is_dragged_ = false;
 }
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  press_.reset();  // its release is no click
+  if (event->button() == Qt::LeftButton) emit doubleClicked(event->position());
+}
+
+void SceneView::leaveEvent(QEvent* /*event*/) { emit pointerLeft(); }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
   scene_.viewpoint().zoom(std::exp(-static_cast<float>(event->angleDelta().y()) / 120.0F * 0.14F));

@@ -3,8 +3,12 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
+#include <optional>
+
+#include <opencv2/core/mat.hpp>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/common/region_point.h"
 #include "ui/scene/label_cloud_scene.h"
 #include "ui/view/point_budget.h"
 
@@ -14,8 +18,8 @@ namespace scantrove {
 /// context, which is then copied to the widget's. Draws seldom while a scan runs, so that most of the machine
 /// stays with the scan, and coarser while the person turns the view.
 ///
-/// Left drag turns, middle or Shift+left drag moves, right drag or wheel zooms, double click fits all;
-/// arrow keys, + and - and Home do the same from the keyboard.
+/// Left drag turns, middle or Shift+left drag moves, right drag or wheel zooms, Ctrl+left drag draws a band;
+/// arrow keys, + and - and Home do the same from the keyboard. What is pointed at and clicked is told.
 class SceneView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -37,22 +41,41 @@ class SceneView : public QOpenGLWidget {
   /// Draws everything at full detail, however long it takes (for a picture of the window).
   void setFullDetail(bool full) { full_detail_ = full; }
 
+  /// What the last drawing shows there. Widget coordinates.
+  [[nodiscard]] RegionPoint at(const QPointF& place);
+  /// CV_32SC1: the region in each pixel of the last drawing, at about half its size.
+  [[nodiscard]] const cv::Mat& regionIds();
+  /// Of the band that is being drawn, widget coordinates; empty: none is.
+  [[nodiscard]] QRectF band() const;
+
   [[nodiscard]] QSize sizeHint() const override { return {900, 640}; }
 
  public slots:
   void setFollowing(bool following);
   void fitAll();
+  /// Around what is looked at, in radians; as if nobody had touched it.
+  void turn(float yaw);
   void setGridVisible(bool visible);
 
  signals:
   void followingChanged(bool following);
+  void drawn();  ///< what places show may be something else now
+  void pointedAt(const QPointF& place);
+  void pointerLeft();
+  void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
+  void doubleClicked(const QPointF& place);
+  void menuWanted(const QPointF& place, const QPoint& on_screen);
+  void bandChanged();
+  void bandDrawn(const QRectF& band);
 
  protected:
   void initializeGL() override;
   void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -64,13 +87,21 @@ class SceneView : public QOpenGLWidget {
   void interacted();
   void blitToWidget();
   [[nodiscard]] PointBudget& budget();
+  void findIds();
+  /// Of the region at that pixel of region_ids_.
+  [[nodiscard]] std::optional<Eigen::Vector3f> surfaceNear(int x, int y) const;
 
   LabelCloudScene scene_;
   std::unique_ptr<RenderWindow> window_;
   QTimer draw_timer_;
   QTimer settle_timer_;  ///< after the last movement: back to full detail
   QElapsedTimer since_draw_;
-  QPointF last_mouse_;
+  QPointF last_mouse_;                      ///< on the screen
+  std::optional<QPointF> press_, band_to_;  ///< in the widget
+  bool is_dragged_ = false;                 ///< since the press
+  CloudIds ids_;
+  cv::Mat region_ids_;
+  bool are_ids_old_ = true;
   double draw_ms_ = 30;  ///< smoothed time of drawing
   PointBudget moving_budget_{45, 6e4, 1e5};
   PointBudget scanning_budget_{90, 1.5e5, 2e5};

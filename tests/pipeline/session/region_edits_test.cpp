@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <opencv2/imgproc.hpp>
 #include <thread>
 
 #include "core/scan/open_session.h"
@@ -44,25 +45,50 @@ class Ear {
   std::vector<std::string> failures_;
 };
 
-/// The regions that the newest snapshot shows, by how much of the image they fill, largest first.
-std::vector<RegionId> regionsInView(ScanSession& session, int frames) {
+/// The snapshot after so many frames; null: it does not come.
+std::shared_ptr<const ScanSnapshot> snapshotAfter(ScanSession& session, int frames) {
   for (int i = 0; i < 1200; ++i) {
-    const auto snapshot = session.snapshots().collect();
-    if (!snapshot || snapshot->frames.read < frames || snapshot->regions.empty()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      continue;
-    }
-    std::map<int, int> pixels;
-    for (const int region : cv::Mat_<int>(snapshot->regions)) ++pixels[region];
-    pixels.erase(0);
-    std::vector<std::pair<int, int>> sizes;
-    for (const auto& [region, count] : pixels) sizes.emplace_back(-count, region);
-    std::sort(sizes.begin(), sizes.end());
-    std::vector<RegionId> regions;
-    for (const auto& [count, region] : sizes) regions.push_back(RegionId{static_cast<std::uint32_t>(region)});
-    return regions;
+    auto snapshot = session.snapshots().collect();
+    if (snapshot && snapshot->frames.read >= frames && !snapshot->regions.empty()) return snapshot;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  return {};
+  return nullptr;
+}
+
+/// The regions that a snapshot shows, by how much of the image they fill, largest first.
+std::vector<RegionId> regionsIn(const ScanSnapshot& snapshot) {
+  std::map<int, int> pixels;
+  for (const int region : cv::Mat_<int>(snapshot.regions)) ++pixels[region];
+  pixels.erase(0);
+  std::vector<std::pair<int, int>> sizes;
+  for (const auto& [region, count] : pixels) sizes.emplace_back(-count, region);
+  std::sort(sizes.begin(), sizes.end());
+  std::vector<RegionId> regions;
+  for (const auto& [count, region] : sizes) regions.push_back(RegionId{static_cast<std::uint32_t>(region)});
+  return regions;
+}
+
+std::vector<RegionId> regionsInView(ScanSession& session, int frames) {
+  const auto snapshot = snapshotAfter(session, frames);
+  return snapshot ? regionsIn(*snapshot) : std::vector<RegionId>{};
+}
+
+/// Pixels well inside of a region, from left to right.
+std::vector<cv::Point> insideOf(const ScanSnapshot& snapshot, RegionId region) {
+  cv::Mat mask = (snapshot.regions == static_cast<int>(region.value)) & (snapshot.depth_fused_m > 0);
+  cv::copyMakeBorder(mask, mask, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::erode(mask, mask, {}, {-1, -1}, 3);
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(mask, pixels);
+  for (cv::Point& pixel : pixels) pixel -= cv::Point(1, 1);
+  std::sort(pixels.begin(), pixels.end(), [](const cv::Point& a, const cv::Point& b) { return a.x < b.x; });
+  return pixels;
+}
+
+Eigen::Vector3f pointAt(const ScanSnapshot& snapshot, const cv::Point& pixel) {
+  return snapshot.pose.T_world_camera.cast<float>() *
+         snapshot.K.backProject(static_cast<float>(pixel.x), static_cast<float>(pixel.y),
+                                snapshot.depth_fused_m.at<float>(pixel));
 }
 
 TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
@@ -119,6 +145,98 @@ TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
   const auto again = (*session)->regions();
   ASSERT_TRUE(again);
   EXPECT_TRUE(std::ranges::any_of(*again, [&](const auto& region) { return region.region == joined[1]; }));
+}
+
+/// A join and a cut made in the middle of a scan, and the places by which they are looked at later.
+class JoinAndCut : public testing::Test {
+ protected:
+  static constexpr int kEditedAfter = 20;
+
+  ScanRequest request(int start, int frames) const {
+    ScanRequest request;
+    request.source = "demo";
+    request.source_options.start = start;
+    request.source_options.frames = frames;
+    request.output_folder = folder_ / "scan";
+    request.database = (folder_ / "catalogue.sqlite").string();
+    return request;
+  }
+
+  void scanAndEdit(int frames) {
+    ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
+    ScanRequest wanted = request(0, frames);
+    wanted.start_paused = true;
+    session.start(wanted);
+    for (int i = 0; i < kEditedAfter; ++i) session.step();
+    const auto snapshot = snapshotAfter(session, kEditedAfter);
+    ASSERT_NE(snapshot, nullptr);
+    const std::vector<RegionId> regions = regionsIn(*snapshot);
+    ASSERT_GE(regions.size(), 4U);
+    const std::vector<cv::Point> large = insideOf(*snapshot, regions[0]);
+    const std::vector<cv::Point> first = insideOf(*snapshot, regions[1]),
+                                 second = insideOf(*snapshot, regions[2]);
+    ASSERT_GT(large.size(), 100U);
+    ASSERT_FALSE(first.empty() || second.empty());
+    here_ = large[large.size() / 20];
+    there_ = large[large.size() - large.size() / 20];
+    one_ = first[first.size() / 2];
+    other_ = second[second.size() / 2];
+    Operation cut;
+    cut.kind = OperationKind::cut;
+    cut.regions = {regions[0]};
+    cut.here_world = {pointAt(*snapshot, here_)};
+    cut.there_world = {pointAt(*snapshot, there_)};
+    session.edit(cut);
+    ASSERT_EQ(ear_.edit(1).size(), 2U);
+    Operation join;
+    join.kind = OperationKind::join;
+    join.regions = {regions[1], regions[2]};
+    session.edit(join);
+    ASSERT_FALSE(ear_.edit(2).empty());
+    session.resume();
+    session.wait();
+    ASSERT_EQ(session.state(), ScanState::finished);
+  }
+
+  /// What is at the places now, in the frame that they were pointed at in.
+  void expectTheyHold() {
+    auto session = OpenSession::open(folder_ / "scan");
+    ASSERT_TRUE(session) << session.error().message();
+    const auto at = [&](const cv::Point& pixel) {
+      // Working pixels are two of the recording's wide.
+      const auto place = (*session)->at(kEditedAfter - 1, 2 * pixel.x, 2 * pixel.y);
+      EXPECT_TRUE(place) << place.error().message();
+      return place ? place->region : RegionId{};
+    };
+    EXPECT_TRUE(at(here_) && at(there_));
+    EXPECT_NE(at(here_), at(there_)) << "what was cut is two";
+    EXPECT_TRUE(at(one_));
+    EXPECT_EQ(at(one_), at(other_)) << "what was joined is one";
+  }
+
+  QtMainThread qt_;
+  TemporaryFolder folder_;
+  Ear ear_;
+  cv::Point here_, there_, one_, other_;
+};
+
+TEST_F(JoinAndCut, HoldToTheEndAndWhenTheScanGoesOn) {
+  ASSERT_NO_FATAL_FAILURE(scanAndEdit(60));
+  expectTheyHold();
+  ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
+  ScanRequest more = request(60, 30);
+  more.resume = true;
+  session.start(more);
+  session.wait();
+  ASSERT_EQ(session.state(), ScanState::finished);
+  session.start([&] {  // closes it
+    ScanRequest nothing = request(0, 1);
+    nothing.output_folder.reset();
+    return nothing;
+  }());
+  session.wait();
+  expectTheyHold();
+  EXPECT_TRUE(ear_.failures().empty());
 }
 
 TEST(RegionEdits, WhatCannotBeDoneIsSaidAndTheScanGoesOn) {

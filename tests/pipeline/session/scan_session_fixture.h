@@ -32,6 +32,18 @@ class EventLog {
     ASSERT_TRUE(in_time) << "state " << static_cast<int>(state) << " never came";
   }
 
+  /// Waits until so many events of a kind have come.
+  template <class Event>
+  void await(std::size_t count = 1) {
+    std::unique_lock lock(mutex_);
+    const auto has = [&] {
+      std::size_t found = 0;
+      for (const ScanEvent& event : events_) found += std::holds_alternative<Event>(event) ? 1U : 0U;
+      return found >= count;
+    };
+    ASSERT_TRUE(arrived_.wait_for(lock, std::chrono::seconds(120), has)) << "an event never came";
+  }
+
   [[nodiscard]] std::vector<ScanState> states() {
     const std::scoped_lock lock(mutex_);
     std::vector<ScanState> states;

@@ -96,20 +96,6 @@ TEST_F(WindowTest, AMissingPathIsSaidAndTheWindowLives) {
   EXPECT_TRUE(recentSources().contains(QStringLiteral("demo")));
 }
 
-TEST_F(WindowTest, AClickOnACandidateAsksTheScanToAddIt) {
-  window_->open(QStringLiteral("demo"));
-  ScanSnapshot snapshot = snapshotOf(4);
-  SeenObject candidate;
-  candidate.regions = {RegionId{7}};
-  candidate.box = {0.4F, 0.4F, 0.2F, 0.2F};
-  snapshot.objects = {candidate};
-  session_->post(std::move(snapshot));
-  ColorPanel* const panel = window_->framePanels()->colorPanel();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel->picture().isNull(); }, 3000));
-  QTest::mouseClick(panel, Qt::LeftButton, {}, panel->objectRect(candidate).center().toPoint());
-  EXPECT_EQ(session_->added_candidates, std::vector{RegionId{7}});
-}
-
 TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
   window_->open(QStringLiteral("demo"));
   ScanSnapshot snapshot = snapshotOf(4);

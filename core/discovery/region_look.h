@@ -1,0 +1,29 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace scantrove {
+
+/// A point of a region's surface, with its colour where that is known.
+struct LookPoint {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< metres
+  std::array<std::uint8_t, 3> rgb{};                   ///< sRGB
+  bool has_color = false;
+};
+
+/// How large a region is and what colours it has: enough to tell which others look like it.
+struct RegionLook {
+  static constexpr std::size_t kBins = 5;             ///< of each of lightness, a* and b*
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();   ///< OrientedBox::size_m
+  std::array<float, kBins * kBins * kBins> colors{};  ///< their shares; sum 1, or 0 without colour
+};
+
+[[nodiscard]] RegionLook lookOf(std::span<const LookPoint> points);
+
+/// 0 .. 1: how much the two look like one thing seen twice. 1 - half of the mean difference of the sides in
+/// octaves, times the shared part of their colours; of size alone where one has no colour.
+[[nodiscard]] float likeness(const RegionLook& a, const RegionLook& b);
+
+}  // namespace scantrove

@@ -1,0 +1,147 @@
+#include "core/scan/scan_review.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/overloaded.h"
+#include "core/dataset/dataset_export.h"
+#include "core/scan/guarded.h"
+#include "core/scan/key_frame_files.h"
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove {
+namespace {
+
+/// Above those of any scan: the window may have its bricks.
+constexpr std::uint64_t kVersionsOfScan = std::uint64_t{1} << 40U;
+
+/// What a frame would have given that shows the map as it is now.
+FrameResult resultOf(const FrameLabelWriter::FinalView& view, const Intrinsics& K, const SavedFrame& frame) {
+  FrameResult result;
+  result.pose.T_world_camera = frame.T_world_camera;
+  result.pose.state = TrackingState::tracking;
+  result.regions.width = view.width;
+  result.regions.height = view.height;
+  result.regions.regions = view.regions;
+  const Eigen::Isometry3f T_world_camera = frame.T_world_camera.cast<float>();
+  result.vertices_world.assign(view.depths_m.size(), Eigen::Vector4f::Zero());
+  for (std::size_t i = 0; i < view.depths_m.size(); ++i) {
+    if (!(view.depths_m[i] > 0)) continue;
+    const auto x = static_cast<float>(i % static_cast<std::size_t>(view.width));
+    const auto y = static_cast<float>(i / static_cast<std::size_t>(view.width));
+    result.vertices_world[i] << T_world_camera * K.backProject(x, y, view.depths_m[i]), 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+ScanReview::ScanReview(std::unique_ptr<OpenSession> session, ScanSession::Listener listener,
+                       LatestValue<ScanSnapshot>& mailbox)
+    : session_(std::move(session)), listener_(std::move(listener)), snapshots_(mailbox, kVersionsOfScan) {}
+
+Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
+                                                     ScanSession::Listener listener,
+                                                     LatestValue<ScanSnapshot>& mailbox) {
+  auto session = OpenSession::open(*request.output_folder, request.device);
+  if (!session) return fail(session.error());
+  for (const std::string& damage : (*session)->damages()) listener(MapFailed{{damage, ""}});
+  std::unique_ptr<ScanReview> review(new ScanReview(std::move(*session), std::move(listener), mailbox));
+  OpenSession& opened = *review->session_;
+
+  std::vector<int> numbers;
+  std::vector<Eigen::Vector3f> trail;
+  for (const SavedFrame& frame : opened.frames()) {
+    if (frame.isUsable()) trail.push_back(frame.T_world_camera.translation().cast<float>());
+  }
+  for (const SavedKeyFrame& key : opened.keyFrames()) {
+    const SavedFrame* frame = opened.frameOf(key);
+    if (frame == nullptr || !frame->isUsable()) continue;
+    review->key_frames_.push_back(&key);
+    numbers.push_back(frame->source_index);
+  }
+  review->snapshots_.setKeyFrames(std::move(numbers), std::move(trail));
+  review->snapshots_.setObjects([&opened](RegionId region) { return opened.objectOf(region); });
+  // The newest: it is what was seen last when a scan has just ended.
+  review->shown_ = static_cast<int>(review->key_frames_.size()) - 1;
+  return review;
+}
+
+Result<void> ScanReview::showAll() {
+  snapshots_.addBricks(session_->pipeline().allBricks());
+  return lookAgain();
+}
+
+Result<void> ScanReview::showKeyFrame(int place) {
+  if (place < 0 || place >= static_cast<int>(key_frames_.size())) return {};
+  shown_ = place;
+  return lookAgain();
+}
+
+Result<void> ScanReview::lookAgain() {
+  if (shown_ < 0) return post();
+  ScanPipeline& pipeline = session_->pipeline();
+  const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(shown_)];
+  const SavedFrame& saved = *session_->frameOf(key);
+  const auto view = pipeline.lookAtMap(saved.T_world_camera);
+  if (!view) return fail(view.error());
+  Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
+  // Its labels can be seen without its pictures.
+  if (!frame) {
+    listener_(MapFailed{frame.error()});
+    frame = RgbdFrame{};
+    frame->index = saved.source_index;
+  }
+  snapshots_.setShownKeyFrame(shown_);
+  snapshots_.showFrame(std::move(*frame), resultOf(*view, pipeline.workingIntrinsics(), saved));
+  return post();
+}
+
+Result<void> ScanReview::post() {
+  FrameCounts frames;
+  for (const SavedFrame& frame : session_->frames()) {
+    ++frames.read;
+    ++(frame.isUsable() ? frames.tracked : frames.lost);
+  }
+  return snapshots_.flush(session_->pipeline(), {ScanState::finished, frames, frames.read});
+}
+
+Result<void> ScanReview::edit(const ScanEdit& edit) {
+  const Result<RegionEditor::Outcome> outcome = std::visit(
+      Overloaded{[&](const Operation& operation) { return session_->edit(operation); },
+                 [&](UndoEdit) { return session_->undo(); }, [&](RedoEdit) { return session_->redo(); }},
+      edit);
+  snapshots_.addBricks(session_->pipeline().takeEditedBricks());
+  if (outcome) {
+    listener_(Edited{edit, outcome->regions});
+  } else {
+    listener_(EditFailed{edit, outcome.error()});
+  }
+  return lookAgain();
+}
+
+void ScanReview::previewExport(const ExportOptions& options) {
+  SessionScan scan(*session_);
+  const Result<ExportPreview> preview = guarded("looking what the data set would hold",
+                                                [&] { return scantrove::previewExport(scan, options); });
+  if (preview) {
+    listener_(ExportPreviewed{*preview});
+  } else {
+    listener_(ExportFailed{preview.error()});
+  }
+}
+
+void ScanReview::exportDataset(const ExportOptions& options, const std::stop_token& cancel) {
+  SessionScan scan(*session_);
+  const Result<ExportSummary> summary = guarded("writing the data set", [&] {
+    return scantrove::exportDataset(
+        scan, options, [&](const ExportProgress& progress) { listener_(ExportStepped{progress}); }, cancel);
+  });
+  if (summary) {
+    listener_(ExportFinished{*summary});
+  } else {
+    listener_(ExportFailed{summary.error()});
+  }
+}
+
+}  // namespace scantrove

@@ -1,0 +1,50 @@
+#pragma once
+#include <memory>
+#include <stop_token>
+
+#include "core/base/latest_value.h"
+#include "core/scan/open_session.h"
+#include "core/scan/scan_session.h"
+#include "core/scan/session_scan.h"
+#include "core/scan/snapshot_builder.h"
+
+namespace scantrove {
+
+/// A session that a person looks at and corrects when no frames come: the scan has ended, or was opened again
+/// later. Tells the same news as a scan. One thread, the worker's.
+class ScanReview {
+ public:
+  /// Error: as of OpenSession::open.
+  [[nodiscard]] static Result<std::unique_ptr<ScanReview>> open(const ScanRequest& request,
+                                                                ScanSession::Listener listener,
+                                                                LatestValue<ScanSnapshot>& mailbox);
+
+  /// Posts a snapshot of all that is there. Error: the device failed.
+  [[nodiscard]] Result<void> showAll();
+  /// Shows a key frame, by its place in ScanSnapshot::key_frames, as the map shows it now. Error: its images
+  /// cannot be read; the device failed.
+  [[nodiscard]] Result<void> showKeyFrame(int place);
+
+  /// Does what a person says, keeps it in the session, and tells how it went. Error: the device failed.
+  [[nodiscard]] Result<void> edit(const ScanEdit& edit);
+
+  /// Tells ExportPreviewed or ExportFailed.
+  void previewExport(const ExportOptions& options);
+  /// Tells ExportStepped, then ExportFinished or ExportFailed.
+  void exportDataset(const ExportOptions& options, const std::stop_token& cancel);
+
+ private:
+  ScanReview(std::unique_ptr<OpenSession> session, ScanSession::Listener listener,
+             LatestValue<ScanSnapshot>& mailbox);
+  [[nodiscard]] Result<void> post();
+  /// The key frame that is shown, with the labels as they are now.
+  [[nodiscard]] Result<void> lookAgain();
+
+  std::unique_ptr<OpenSession> session_;
+  ScanSession::Listener listener_;
+  SnapshotBuilder snapshots_;
+  std::vector<const SavedKeyFrame*> key_frames_;  // with a pose
+  int shown_ = -1;                                // of key_frames_
+};
+
+}  // namespace scantrove

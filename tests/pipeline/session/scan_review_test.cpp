@@ -1,0 +1,143 @@
+// What can be done with a scan that has ended, and with one that is opened later.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "core/scan/open_session.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+
+namespace scantrove::test {
+namespace {
+
+constexpr int kFrames = 25;
+
+class ScanReviewTest : public ScanSessionTest {
+ protected:
+  ScanRequest reviewed() const {
+    ScanRequest wanted = request(kFrames);
+    wanted.output_folder = folder_ / "scan";
+    wanted.results = false;
+    wanted.review = true;
+    return wanted;
+  }
+
+  ScanRequest reopened() const {
+    ScanRequest wanted = reviewed();
+    wanted.source.clear();
+    return wanted;
+  }
+
+  /// A snapshot for which `is_wanted` holds; null: none comes.
+  template <class Predicate>
+  std::shared_ptr<const ScanSnapshot> awaitShown(const Predicate& is_wanted) {
+    for (int i = 0; i < 1200; ++i) {
+      auto snapshot = session_.snapshots().collect();
+      if (snapshot && is_wanted(*snapshot)) return snapshot;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return nullptr;
+  }
+
+  static RegionId largestIn(const ScanSnapshot& snapshot) {
+    std::map<int, int> pixels;
+    for (const int region : cv::Mat_<int>(snapshot.regions)) ++pixels[region];
+    pixels.erase(0);
+    const auto most = std::ranges::max_element(pixels, {}, [](const auto& entry) { return entry.second; });
+    return most == pixels.end() ? RegionId{} : RegionId{static_cast<std::uint32_t>(most->first)};
+  }
+
+  static Operation naming(RegionId region, const std::string& name) {
+    Operation operation;
+    operation.regions = {region};
+    operation.name = name;
+    return operation;
+  }
+};
+
+TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
+  session_.start(reviewed());
+  log_.awaitState(ScanState::finished);
+  const auto last = awaitShown([](const ScanSnapshot& s) { return s.state == ScanState::finished; });
+  ASSERT_NE(last, nullptr);
+  const RegionId region = largestIn(*last);
+  // At once: before the session is open again.
+  session_.edit(naming(region, "the table"));
+  log_.await<Edited>();
+  const auto shown = awaitShown([&](const ScanSnapshot& s) {
+    const RegionInfo* info = s.region_infos ? find(*s.region_infos, region) : nullptr;
+    return info != nullptr && info->note.name == "the table";
+  });
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(shown->state, ScanState::finished);
+  session_.edit(UndoEdit{});
+  log_.await<Edited>(2);
+  session_.edit(RedoEdit{});
+  log_.await<Edited>(3);
+  EXPECT_TRUE(log_.all<EditFailed>().empty());
+  session_.start(request(3));  // the session is closed
+  log_.awaitState(ScanState::finished, 2);
+  auto kept = OpenSession::open(folder_ / "scan");
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_EQ((*kept)->noteOf(region).name, "the table");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "cloud.ply")) << "the session only";
+}
+
+TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
+  session_.start(reviewed());
+  log_.await<ReviewOpened>();
+  session_.start(reopened());
+  log_.await<ReviewOpened>(2);
+  const auto first = awaitShown([](const ScanSnapshot& s) { return s.key_frames && s.shown_key_frame >= 0; });
+  ASSERT_NE(first, nullptr);
+  ASSERT_GE(first->key_frames->size(), 2U);
+  EXPECT_FALSE(first->color.empty());
+  EXPECT_FALSE(first->regions.empty());
+  EXPECT_GT(first->changed_bricks.size(), 100U) << "the whole map";
+  EXPECT_GT(first->trail->size(), 20U);
+
+  session_.showKeyFrame(0);
+  const auto frame = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->frame_index, frame->key_frames->front());
+
+  session_.edit(naming(largestIn(*frame), "table"));
+  log_.await<Edited>();
+  ExportOptions options;
+  options.format = DatasetFormat::masks;
+  options.folder = folder_ / "masks";
+  session_.previewExport(options);
+  log_.await<ExportPreviewed>();
+  EXPECT_GE(log_.all<ExportPreviewed>().front().preview.regions, 1);
+  session_.exportDataset(options);
+  log_.await<ExportFinished>();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "masks" / "labels.json"));
+  EXPECT_FALSE(log_.all<ExportStepped>().empty());
+  EXPECT_TRUE(log_.all<ExportFailed>().empty());
+  // Into a folder with something in it: it is said, and all goes on.
+  session_.exportDataset(options);
+  log_.await<ExportFailed>();
+  session_.edit(UndoEdit{});
+  log_.await<Edited>(2);
+}
+
+TEST_F(ScanReviewTest, WhatIsNoSessionIsSaid) {
+  session_.start(reopened());
+  log_.awaitState(ScanState::failed);
+  EXPECT_NE(log_.failure().find("scan"), std::string::npos);
+  session_.start(request(3));
+  log_.awaitState(ScanState::finished);
+}
+
+TEST_F(ScanReviewTest, WhileItScansNoDataSetIsMade) {
+  ScanRequest wanted = reviewed();
+  wanted.start_paused = true;
+  session_.start(wanted);
+  log_.awaitState(ScanState::paused);
+  session_.exportDataset({});
+  log_.await<ExportFailed>();
+  session_.stop();
+  log_.awaitState(ScanState::finished);
+}
+
+}  // namespace
+}  // namespace scantrove::test

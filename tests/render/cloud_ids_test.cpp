@@ -1,0 +1,133 @@
+// What pointing says lies where, against what is drawn there.
+#include <gtest/gtest.h>
+#include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/exchange/region_palette.h"
+#include "ui/scene/label_cloud_scene.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kIdSize = 240;
+constexpr float kIdVoxel_m = 3.0F / 512.0F;
+
+/// A wall at 1.2 m of fragment 1, and in front of its middle a square of fragment 2 at 0.8 m.
+std::vector<CloudBrick> wallAndSquare() {
+  std::vector<CloudBrick> bricks;
+  const auto add = [&](int half, int brick_z, FragmentId fragment) {
+    for (int by = -half; by < half; ++by) {
+      for (int bx = -half; bx < half; ++bx) {
+        CloudBrick brick{Eigen::Vector3i(bx, by, brick_z), 1, {}};
+        for (int i = 0; i < 64; ++i) {
+          const Eigen::Vector3f place =
+              kIdVoxel_m * (8 * brick.position.cast<float>() +
+                            Eigen::Vector3f(static_cast<float>(i % 8), static_cast<float>(i / 8), 4));
+          brick.points.push_back({place.x(), place.y(), place.z(), fragment});
+        }
+        bricks.push_back(std::move(brick));
+      }
+    }
+  };
+  add(12, 25, FragmentId{1});
+  add(3, 17, FragmentId{2});
+  return bricks;
+}
+
+class CloudIdsTest : public testing::Test {
+ protected:
+  CloudIdsTest() : window_(vtkSmartPointer<vtkRenderWindow>::New()) {
+    window_->SetOffScreenRendering(1);
+    window_->SetMultiSamples(0);
+    window_->SetSize(kIdSize, kIdSize);
+    window_->AddRenderer(scene_.renderer());
+    scene_.setGridVisible(false);
+    scene_.setFollowing(false);
+    ScanSnapshot snapshot;
+    snapshot.changed_bricks = wallAndSquare();
+    snapshot.changed_regions = {{FragmentId{1}, RegionId{3}}, {FragmentId{2}, RegionId{8}}};
+    scene_.update(snapshot);
+  }
+  ~CloudIdsTest() override { window_->Finalize(); }
+
+  void render(const Eigen::Vector3f& eye, const Eigen::Vector3f& target, std::size_t budget = 1'000'000) {
+    scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
+    scene_.viewpoint().lookAt(eye, target);
+    scene_.prepare(kIdSize, kIdSize, budget, 10'000'000);
+    window_->Render();
+    pixels_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    window_->GetPixelData(0, 0, kIdSize - 1, kIdSize - 1, 0, pixels_);
+    scene_.drawIds(kIdSize, kIdSize, 1, ids_);
+  }
+
+  /// Whether the drawn pixel has the hue of the region.
+  bool isDrawnAs(int x, int y, RegionId region) {
+    const Rgb color = regionColor(region);
+    std::array<double, 3> drawn{};
+    for (int c = 0; c < 3; ++c)
+      drawn[static_cast<std::size_t>(c)] = pixels_->GetTypedComponent((kIdSize - 1 - y) * kIdSize + x, c);
+    const double scale =
+        (drawn[0] + drawn[1] + drawn[2]) / static_cast<double>(color[0] + color[1] + color[2]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (std::abs(drawn[c] - scale * color[c]) > 6) return false;
+    }
+    return true;
+  }
+
+  LabelCloudScene scene_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkUnsignedCharArray> pixels_;
+  CloudIds ids_;
+};
+
+TEST_F(CloudIdsTest, SaysOfEveryPixelWhatIsDrawnThere) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> offset(-0.25F, 0.25F);
+  for (const std::size_t budget : {1'000'000UL, 9'000UL}) {  // all points, and a coarse level
+    for (int view = 0; view < 6; ++view) {
+      render({offset(random), offset(random), offset(random)}, {0, 0, 1}, budget);
+      int checked = 0, right = 0;
+      for (int y = 0; y < kIdSize; ++y) {
+        for (int x = 0; x < kIdSize; ++x) {
+          const FragmentId fragment = ids_.fragmentAt(x, y);
+          if (!fragment) continue;
+          ++checked;
+          right += isDrawnAs(x, y, scene_.cloud().regionOf(fragment)) ? 1 : 0;
+        }
+      }
+      EXPECT_GT(checked, 3000);
+      // Where two meet, half a pixel decides.
+      EXPECT_GT(right, 0.985 * checked) << "view " << view << ", budget " << budget;
+    }
+  }
+}
+
+TEST_F(CloudIdsTest, TheNearestIsMetAndItsPlaceIsKnown) {
+  render({0, 0, 0}, {0, 0, 1});
+  const int middle = kIdSize / 2;
+  EXPECT_EQ(ids_.fragmentAt(middle, middle), FragmentId{2});
+  const auto near = ids_.pointAt(middle, middle);
+  ASSERT_TRUE(near);
+  EXPECT_NEAR(near->z(), (17 * 8 + 4) * kIdVoxel_m, 1e-3F);
+  EXPECT_NEAR(near->x(), 0, 0.01F);
+  // 40 degrees are seen from top to bottom: at 50 pixels from the middle, 1.2 m away.
+  const auto far = ids_.pointAt(middle + 70, middle);
+  ASSERT_TRUE(far);
+  const float z = (25 * 8 + 4) * kIdVoxel_m;
+  EXPECT_EQ(ids_.fragmentAt(middle + 70, middle), FragmentId{1});
+  EXPECT_NEAR(far->z(), z, 1e-3F);
+  EXPECT_NEAR(far->x(), 70.5F / 120 * std::tan(20.0F * 3.14159265F / 180) * z, 0.004F);
+}
+
+TEST_F(CloudIdsTest, BesideTheSceneThereIsNothing) {
+  render({0, 0, 0}, {0, 0, -1});
+  EXPECT_FALSE(ids_.fragmentAt(kIdSize / 2, kIdSize / 2));
+  EXPECT_FALSE(ids_.pointAt(kIdSize / 2, kIdSize / 2));
+}
+
+}  // namespace
+}  // namespace scantrove

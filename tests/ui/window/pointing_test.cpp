@@ -1,0 +1,282 @@
+// Pointing at regions in the window, with real events.
+#include <gtest/gtest.h>
+
+#include <QCursor>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSlider>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/main_window/main_actions.h"
+#include "ui/main_window/region_controller.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/export_dialog.h"
+#include "ui/panels/frame_panels.h"
+#include "ui/panels/image_panel.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/scene_overlay.h"
+#include "ui/panels/time_line.h"
+
+namespace scantrove::test {
+namespace {
+
+constexpr int kPatience_ms = 4000;
+
+/// Region 5 on the left half of the pictures, 7 on the right; in 3D two squares side by side.
+class PointingTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    window_->open(QStringLiteral("demo"));
+    session_->post(twoRegions(4));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !panel(4)->picture().isNull(); }, kPatience_ms));
+  }
+
+  ScanSnapshot twoRegions(int frame) {
+    ScanSnapshot snapshot = snapshotOf(frame);
+    snapshot.regions.colRange(160, 320).setTo(7);
+    snapshot.changed_regions = {{FragmentId{1}, RegionId{5}}, {FragmentId{2}, RegionId{7}}};
+    snapshot.region_infos = std::make_shared<const RegionInfos>(
+        RegionInfos{{RegionId{5}, 4000, {}, {}}, {RegionId{7}, 1000, {"red cup", "cup"}, {}}});
+    snapshot.operations = std::make_shared<const std::vector<DoneOperation>>();
+    for (int b = 0; b < 2; ++b) {
+      for (int row = 0; row < 8; ++row) {
+        CloudBrick brick{Eigen::Vector3i(b * 8 - 8, row - 4, 32), 1, {}};
+        for (int column = 0; column < 8; ++column) {
+          brick.position.x() = b * 8 - 8 + column;
+          brick.points.clear();
+          for (int i = 0; i < 64; ++i) {
+            const Eigen::Vector3f in_brick(Eigen::Vector3i(i % 8, i / 8, 0).cast<float>().array() + 0.5F);
+            const Eigen::Vector3f place = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
+            brick.points.push_back({place.x(), place.y(), place.z(), FragmentId{b == 0 ? 1U : 2U}});
+          }
+          snapshot.changed_bricks.push_back(brick);
+        }
+      }
+    }
+    return snapshot;
+  }
+
+  ImagePanel* panel(std::size_t i) { return window_->framePanels()->panels()[i]; }
+  SceneView* view() { return window_->scenePane()->view(); }
+  RegionSelection& selection() { return window_->regions().selection(); }
+  QLineEdit* nameField() { return window_->regions().nameEditor().field(); }
+
+  void clickPicture(std::size_t i, double x, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseClick(panel(i), Qt::LeftButton, modifiers, panel(i)->placeOf({x, 0.3}).toPoint());
+  }
+  /// Where a region is drawn in the 3D view; null: nowhere.
+  QPoint placeInScene(RegionId region) {
+    const cv::Mat& ids = view()->regionIds();
+    cv::Mat is_there = ids == static_cast<int>(region.value);
+    cv::erode(is_there, is_there, {});
+    std::vector<cv::Point> places;
+    cv::findNonZero(is_there, places);
+    if (places.empty()) return {};
+    const cv::Point middle = places[places.size() / 2];
+    return {middle.x * view()->width() / ids.cols, middle.y * view()->height() / ids.rows};
+  }
+  const Operation* lastOperation() {
+    return session_->edits.empty() ? nullptr : std::get_if<Operation>(&session_->edits.back());
+  }
+};
+
+TEST_F(PointingTest, ThePointerLightsARegionUpInAllViewsAndSaysItsName) {
+  QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
+  EXPECT_EQ(panel(0)->tag().value(0), QStringLiteral("red cup"));
+  EXPECT_TRUE(panel(0)->tag().value(1).contains(QStringLiteral("cup")));
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_FALSE(panel(i)->lit().isNull()) << i;
+    EXPECT_GT(qAlpha(panel(i)->lit().pixel(250, 100)), 0) << i;
+    EXPECT_EQ(qAlpha(panel(i)->lit().pixel(50, 100)), 0) << i;
+  }
+  EXPECT_FALSE(window_->scenePane()->overlay()->lit().isNull()) << "the 3D view";
+}
+
+TEST_F(PointingTest, TheSceneIsPointedAtLikeThePictures) {
+  view()->fitAll();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{5}).isNull(); }, kPatience_ms));
+  QTest::mouseMove(view(), placeInScene(RegionId{5}));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{5}; }, kPatience_ms));
+  QTest::mouseClick(view(), Qt::LeftButton, {}, placeInScene(RegionId{7}));
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{7}});
+  QTest::mouseClick(view(), Qt::LeftButton, Qt::ControlModifier, placeInScene(RegionId{5}));
+  EXPECT_EQ(selection().selected(), (std::vector{RegionId{7}, RegionId{5}}));
+  const RegionPoint at = view()->at(placeInScene(RegionId{5}));
+  ASSERT_TRUE(at.point_world);
+  EXPECT_NEAR(at.point_world->z(), 256.5F * 3 / 512, 0.01F);
+  EXPECT_LT(at.point_world->x(), 0) << "the left one";
+  QTest::mouseClick(view(), Qt::LeftButton, {}, QPoint(3, view()->height() / 2));
+  EXPECT_TRUE(selection().selected().empty()) << "beside everything";
+}
+
+TEST_F(PointingTest, TurningTheViewSelectsNothing) {
+  clickPicture(0, 0.2);
+  QTest::mousePress(view(), Qt::LeftButton, {}, QPoint(100, 100));
+  QTest::mouseMove(view(), QPoint(160, 120));
+  QTest::mouseRelease(view(), Qt::LeftButton, {}, QPoint(160, 120));
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
+}
+
+TEST_F(PointingTest, ANameIsTypedInPlaceWhileFramesArrive) {
+  clickPicture(0, 0.2);
+  QTest::keyClick(panel(0), Qt::Key_Return);
+  ASSERT_TRUE(nameField()->isVisible());
+  QTest::keyClicks(nameField(), QStringLiteral("tool/ham"));
+  session_->post(twoRegions(5));
+  QTest::qWait(150);
+  QTest::keyClicks(nameField(), QStringLiteral("mer j"));  // J is a letter here
+  EXPECT_EQ(nameField()->text(), QStringLiteral("tool/hammer j"));
+  EXPECT_TRUE(session_->edits.empty());
+  QTest::keyClick(nameField(), Qt::Key_Return);
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->kind, OperationKind::name);
+  EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{5}});
+  EXPECT_EQ(lastOperation()->name, "hammer j");
+  EXPECT_EQ(lastOperation()->category, "tool");
+  EXPECT_FALSE(nameField()->isVisible());
+  // And again with one key.
+  clickPicture(0, 0.8);
+  QTest::keyClick(panel(0), Qt::Key_1);
+  EXPECT_EQ(session_->edits.size(), 2U);
+  EXPECT_EQ(lastOperation()->name, "hammer j");
+  EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{7}});
+}
+
+TEST_F(PointingTest, EscapeGivesANameUp) {
+  QTest::mouseDClick(panel(0), Qt::LeftButton, {}, panel(0)->placeOf({0.8, 0.3}).toPoint());
+  ASSERT_TRUE(nameField()->isVisible());
+  EXPECT_EQ(nameField()->text(), QStringLiteral("cup/red cup"));
+  QTest::keyClicks(nameField(), QStringLiteral("xy"));
+  QTest::keyClick(nameField(), Qt::Key_Escape);
+  EXPECT_FALSE(nameField()->isVisible());
+  EXPECT_TRUE(session_->edits.empty());
+}
+
+TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
+  clickPicture(0, 0.2);
+  clickPicture(0, 0.8, Qt::ControlModifier);
+  const std::vector both{RegionId{5}, RegionId{7}};
+  for (const auto& [key, kind] :
+       {std::pair(Qt::Key_J, OperationKind::join), std::pair(Qt::Key_B, OperationKind::background),
+        std::pair(Qt::Key_O, OperationKind::object), std::pair(Qt::Key_Delete, OperationKind::reject)}) {
+    session_->edits.clear();
+    QTest::keyClick(panel(0), key);
+    ASSERT_EQ(session_->edits.size(), 1U) << toString(kind);
+    EXPECT_EQ(lastOperation()->kind, kind);
+    EXPECT_EQ(lastOperation()->regions, both);
+  }
+  clickPicture(0, 0.2);
+  for (const auto& [key, kind] :
+       {std::pair(Qt::Key_Plus, OperationKind::finer), std::pair(Qt::Key_Minus, OperationKind::coarser)}) {
+    QTest::keyClick(panel(0), key);
+    EXPECT_EQ(lastOperation()->kind, kind);
+    EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{5}});
+  }
+}
+
+TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  EXPECT_FALSE(window_->scenePane()->overlay()->hint().isEmpty());
+  clickPicture(0, 0.1);
+  clickPicture(0, 0.8);
+  EXPECT_TRUE(session_->edits.empty()) << "they are two regions already";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  clickPicture(0, 0.4);
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->kind, OperationKind::cut);
+  ASSERT_EQ(lastOperation()->here_world.size(), 1U);
+  ASSERT_EQ(lastOperation()->there_world.size(), 1U);
+  // x = (u - 160) * 1.5 / 290 at u = 0.1 and 0.4 of 320 pixels
+  EXPECT_NEAR(lastOperation()->here_world[0].x(), (32 - 160) * 1.5 / 290, 0.01);
+  EXPECT_NEAR(lastOperation()->there_world[0].x(), (128 - 160) * 1.5 / 290, 0.01);
+  session_->post(Edited{session_->edits.back(), {RegionId{5}, RegionId{9}}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().selected().size() == 2; }, kPatience_ms));
+  QTest::keyClick(panel(0), Qt::Key_Escape);
+  ASSERT_EQ(session_->edits.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits.back()));
+}
+
+TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
+  clickPicture(0, 0.2);
+  QTest::keyClick(panel(0), Qt::Key_B);
+  EXPECT_EQ(window_->regions().undoStack().undoText(), QStringLiteral("Region 5: background"));
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(session_->edits.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits[1]));
+  QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
+  ASSERT_EQ(session_->edits.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<RedoEdit>(session_->edits[2]));
+}
+
+TEST_F(PointingTest, WhatWasNotDoneIsSaidAndCannotBeTakenBack) {
+  clickPicture(0, 0.2);
+  QTest::keyClick(panel(0), Qt::Key_Plus);
+  session_->post(EditFailed{session_->edits.back(), {"Region 5 has no parts.", ""}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  EXPECT_EQ(window_->messageBar()->text(), QStringLiteral("Region 5 has no parts."));
+  EXPECT_FALSE(window_->regions().undoStack().canUndo());
+  EXPECT_EQ(session_->edits.size(), 1U) << "nothing is undone in the scan";
+}
+
+TEST_F(PointingTest, TabWalksTheRegionsAndEscapeLetsGo) {
+  panel(0)->setFocus();
+  QTest::keyClick(panel(0), Qt::Key_Tab);
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
+  QTest::keyClick(panel(0), Qt::Key_Tab);
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{7}});
+  QTest::keyClick(panel(0), Qt::Key_Escape);
+  EXPECT_TRUE(selection().selected().empty());
+}
+
+TEST_F(PointingTest, ARightClickOffersTheOperations) {
+  QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
+  const QPoint place = panel(0)->placeOf({0.8, 0.3}).toPoint();
+  QContextMenuEvent event(QContextMenuEvent::Mouse, place, panel(0)->mapToGlobal(place));
+  QApplication::sendEvent(panel(0), &event);
+  auto* menu = window_->findChild<QMenu*>(QStringLiteral("regionMenu"));
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->actions().contains(window_->regions().actions().cut));
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{7}});
+  menu->close();
+}
+
+TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
+  EXPECT_FALSE(window_->actions().export_data->isEnabled());
+  session_->finish();
+  ScanSnapshot snapshot = twoRegions(90);
+  snapshot.state = ScanState::finished;
+  snapshot.key_frames = std::make_shared<const std::vector<int>>(std::vector{0, 30, 90});
+  snapshot.shown_key_frame = 2;
+  session_->post(std::move(snapshot));
+  session_->post(ReviewOpened{});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->timeLine()->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(window_->timeLine()->text().contains(QStringLiteral("frame 90")));
+  QTest::keyClick(window_.get(), Qt::Key_PageUp);
+  EXPECT_EQ(session_->key_frames_shown, std::vector{1});
+  EXPECT_TRUE(window_->timeLine()->text().contains(QStringLiteral("frame 30")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }, kPatience_ms));
+  window_->actions().export_data->trigger();
+  ASSERT_NE(window_->exportDialog(), nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !session_->previews.empty(); }, kPatience_ms));
+  session_->post(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40}});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window_->exportDialog()->said().contains(QStringLiteral("12 images")); }, kPatience_ms));
+  window_->exportDialog()->begin();
+  ASSERT_EQ(session_->exports.size(), 1U);
+  EXPECT_FALSE(session_->exports[0].folder.empty());
+  session_->post(ExportFailed{{"The disk is full.", ""}});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window_->exportDialog()->said() == QStringLiteral("The disk is full."); }, kPatience_ms));
+}
+
+TEST_F(PointingTest, EveryScanOfTheWindowIsKept) {
+  EXPECT_TRUE(session_->last_request.output_folder.has_value());
+  EXPECT_TRUE(session_->last_request.review);
+  EXPECT_FALSE(session_->last_request.results);
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,78 @@
+#include "ui/models/region_proposals.h"
+
+#include <gtest/gtest.h>
+
+#include <QSettings>
+
+namespace scantrove {
+namespace {
+
+/// A look of that size, all in one bin of colour.
+RegionLook look(float length_m, std::size_t bin) {
+  RegionLook look;
+  look.size_m = {length_m, 0.08F, 0.08F};
+  look.colors[bin] = 1;
+  return look;
+}
+
+class RegionProposalsTest : public testing::Test {
+ protected:
+  void SetUp() override { QSettings().clear(); }
+
+  static RegionProposals::Looks threeBooksAndAMug() {
+    return {{RegionId{1}, look(0.2F, 7)},
+            {RegionId{2}, look(0.25F, 7)},
+            {RegionId{3}, look(0.21F, 7)},
+            {RegionId{4}, look(0.2F, 90)}};
+  }
+  static std::vector<RegionId> regionsOf(const RegionProposals& proposals) {
+    std::vector<RegionId> regions;
+    for (const Proposal& proposal : proposals.open()) regions.push_back(proposal.region);
+    return regions;
+  }
+};
+
+TEST_F(RegionProposalsTest, WhatLooksAlikeIsProposedLikestFirst) {
+  RegionProposals proposals;
+  proposals.propose(RegionId{1}, QStringLiteral("book"), {}, threeBooksAndAMug());
+  EXPECT_EQ(regionsOf(proposals), (std::vector{RegionId{3}, RegionId{2}}));
+  EXPECT_TRUE(reasonOf(*proposals.first()).contains(QStringLiteral("21 x 8 x 8 cm")));
+}
+
+TEST_F(RegionProposalsTest, AcceptedOnesAreGone) {
+  RegionProposals proposals;
+  proposals.propose(RegionId{1}, QStringLiteral("book"), QStringLiteral("media"), threeBooksAndAMug());
+  const std::vector<Proposal> first = proposals.acceptFirst();
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].region, RegionId{3});
+  EXPECT_EQ(first[0].category, QStringLiteral("media"));
+  EXPECT_EQ(proposals.acceptAll().size(), 1U);
+  EXPECT_EQ(proposals.first(), nullptr);
+}
+
+TEST_F(RegionProposalsTest, WhatWasRejectedStaysAwayAlsoInTheNextScan) {
+  {
+    RegionProposals proposals;
+    proposals.propose(RegionId{1}, QStringLiteral("book"), {}, threeBooksAndAMug());
+    proposals.rejectFirst();
+    EXPECT_EQ(regionsOf(proposals), std::vector{RegionId{2}});
+    proposals.propose(RegionId{1}, QStringLiteral("book"), {}, threeBooksAndAMug());
+    EXPECT_EQ(regionsOf(proposals), std::vector{RegionId{2}});
+  }
+  RegionProposals later;
+  RegionProposals::Looks looks{
+      {RegionId{11}, look(0.26F, 7)}, {RegionId{12}, look(0.21F, 7)}, {RegionId{13}, look(0.265F, 7)}};
+  later.propose(RegionId{11}, QStringLiteral("book"), {}, looks);
+  EXPECT_EQ(regionsOf(later), std::vector{RegionId{13}}) << "12 looks like what was no book";
+  later.propose(RegionId{11}, QStringLiteral("box"), {}, looks);
+  EXPECT_EQ(regionsOf(later).size(), 2U) << "under another name";
+}
+
+TEST_F(RegionProposalsTest, NothingIsLikeWhatHasNoLook) {
+  RegionProposals proposals;
+  proposals.propose(RegionId{99}, QStringLiteral("book"), {}, threeBooksAndAMug());
+  EXPECT_TRUE(proposals.open().empty());
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,141 @@
+#include "ui/main_window/presentation.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+#include <utility>
+
+#include "ui/main_window/dock_arrangement.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/message_bar.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kTurnEach_ms = 60;
+constexpr int kUntouched_ms = 4000;
+constexpr int kCaption_ms = 6000;
+constexpr int kAgainAfter_ms = 12000;
+constexpr float kTurn_rad = 0.006F;
+
+}  // namespace
+
+Presentation::Presentation(MainWindow& window)
+    : QObject(&window), window_(window), caption_(new QLabel(window.scenePane())) {
+  caption_->setObjectName(QStringLiteral("presentationCaption"));
+  caption_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  caption_->setAlignment(Qt::AlignCenter);
+  caption_->setStyleSheet(
+      QStringLiteral("background: rgba(12, 14, 18, 200); color: #ffffff; border-radius: 14px; padding: 14px "
+                     "30px; font-size: 30pt;"));
+  caption_->hide();
+  turning_.setInterval(kTurnEach_ms);
+  connect(&turning_, &QTimer::timeout, this, &Presentation::turn);
+  caption_goes_.setSingleShot(true);
+  connect(&caption_goes_, &QTimer::timeout, caption_, &QWidget::hide);
+  again_.setSingleShot(true);
+  connect(&again_, &QTimer::timeout, this, [this] {
+    if (is_on_) window_.controller().start();
+  });
+  SessionBridge& bridge = window_.controller().bridge();
+  connect(&bridge, &SessionBridge::objectAdded, this,
+          [this](ObjectId, const QString& name) { say(tr("Object found: %1").arg(name)); });
+  connect(&bridge, &SessionBridge::objectRecognised, this,
+          [this](ObjectId, const QString& name) { say(tr("Recognised: %1").arg(name)); });
+  connect(&bridge, &SessionBridge::preparingDevice, this,
+          [this] { say(tr("Preparing the processor (once)")); });
+  connect(&bridge, &SessionBridge::scanFinished, this, &Presentation::scanHasEnded);
+  connect(&bridge, &SessionBridge::scanFailed, this, &Presentation::scanHasEnded);
+}
+
+void Presentation::begin() {
+  if (std::exchange(is_on_, true)) return;
+  was_maximised_ = window_.isMaximized();
+  QList<QWidget*> others{window_.menuBar(), window_.statusBar()};
+  for (QToolBar* bar : window_.findChildren<QToolBar*>()) others << bar;
+  for (QDockWidget* dock : window_.docks().docks()) others << dock;
+  hidden_.clear();
+  for (QWidget* widget : others) {
+    if (widget->isHidden()) continue;
+    hidden_ << widget;
+    widget->hide();
+  }
+  window_.showFullScreen();
+  window_.controller().setKeepsScans(false);
+  qApp->installEventFilter(this);
+  untouched_.start();
+  turning_.start();
+  say(tr("Scantrove"));
+}
+
+void Presentation::end() {
+  if (!std::exchange(is_on_, false)) return;
+  qApp->removeEventFilter(this);
+  turning_.stop();
+  again_.stop();
+  caption_->hide();
+  window_.controller().setKeepsScans(true);
+  for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
+  was_maximised_ ? window_.showMaximized() : window_.showNormal();
+}
+
+QString Presentation::caption() const { return caption_->isVisible() ? caption_->text() : QString(); }
+
+void Presentation::say(const QString& text) {
+  if (!is_on_) return;
+  caption_->setText(text);
+  caption_->adjustSize();
+  placeCaption();
+  caption_->show();
+  caption_->raise();
+  caption_goes_.start(kCaption_ms);
+}
+
+void Presentation::placeCaption() {
+  const QWidget* const room = caption_->parentWidget();
+  caption_->move((room->width() - caption_->width()) / 2, room->height() - caption_->height() - 40);
+}
+
+void Presentation::turn() {
+  if (untouched_.elapsed() < kUntouched_ms) return;
+  window_.scenePane()->view()->turn(kTurn_rad);
+}
+
+void Presentation::scanHasEnded() {
+  if (!is_on_) return;
+  window_.messageBar()->dismiss();
+  again_.start(kAgainAfter_ms);
+}
+
+bool Presentation::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::ShortcutOverride:
+      if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        if (event->type() == QEvent::KeyPress) end();
+        event->accept();
+        return true;
+      }
+      untouched_.start();
+      break;
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::Wheel:
+      untouched_.start();
+      break;
+    case QEvent::Resize:
+      if (watched == caption_->parentWidget()) placeCaption();
+      break;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,493 @@
+#include "ui/main_window/region_controller.h"
+
+#include <QApplication>
+#include <QCursor>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMenu>
+#include <QSettings>
+#include <QUndoCommand>
+
+#include "core/base/overloaded.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/frame_panels.h"
+#include "ui/panels/region_picture.h"
+#include "ui/panels/scene_overlay.h"
+
+namespace scantrove {
+namespace {
+
+const QString kRecentNamesKey = QStringLiteral("names/recent");
+constexpr int kRecentNames = 9;
+constexpr std::size_t kVoxelsToPropose = 150;  ///< smaller ones have no look
+
+}  // namespace
+
+/// An operation on the undo stack. The scan's own log is what is taken back and done again.
+class RegionController::Command : public QUndoCommand {
+ public:
+  /// `is_done`: by the scan, before this window knew of it.
+  Command(RegionController& controller, const QString& text, Operation operation, bool is_done)
+      : QUndoCommand(text), controller_(controller), operation_(std::move(operation)), is_done_(is_done) {}
+
+  void redo() override {
+    if (!controller_.is_telling_ || has_failed_) return;
+    if (std::exchange(is_done_, true)) {
+      controller_.bridge_.edit(RedoEdit{});
+    } else {
+      controller_.bridge_.edit(operation_);
+    }
+  }
+  void undo() override {
+    if (has_failed_) {
+      setObsolete(true);
+    } else if (controller_.is_telling_) {
+      controller_.bridge_.edit(UndoEdit{});
+    }
+  }
+
+  [[nodiscard]] bool is(const Operation& operation) const { return operation == operation_; }
+  /// There is nothing to take back.
+  void noteFailure() const { has_failed_ = true; }
+
+ private:
+  RegionController& controller_;
+  Operation operation_;
+  bool is_done_;
+  mutable bool has_failed_ = false;
+};
+
+RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames,
+                                   QWidget& window)
+    : QObject(&window),
+      bridge_(bridge),
+      scene_(scene),
+      frames_(frames),
+      actions_(this),
+      name_editor_(new RegionNameEditor(&window)) {
+  connectFrames();
+  connectScene();
+  connectActions();
+  connectBridge();
+  connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::light);
+  connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::light);
+  connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateActions);
+  connect(&selection_, &RegionSelection::infosChanged, this, &RegionController::updateActions);
+  connect(&proposals_, &RegionProposals::changed, this, &RegionController::showProposal);
+  connect(name_editor_, &RegionNameEditor::named, this, &RegionController::giveName);
+  connect(name_editor_, &RegionNameEditor::closed, this, [this] {
+    if (focus_before_name_ != nullptr) focus_before_name_->setFocus(Qt::OtherFocusReason);
+  });
+  actions_.setRecentNames(QSettings().value(kRecentNamesKey).toStringList());
+  updateActions();
+}
+
+void RegionController::connectFrames() {
+  connect(&frames_, &FramePanels::pointedAt, this, [this](const RegionPoint& at) {
+    point(at);
+    frames_.setTag(tagOf(at.region));
+  });
+  connect(&frames_, &FramePanels::pointerLeft, this, [this] { selection_.hover({}); });
+  connect(&frames_, &FramePanels::clicked, this, &RegionController::click);
+  connect(&frames_, &FramePanels::doubleClicked, this,
+          [this](const RegionPoint& at, const QPoint& on_screen) {
+            if (!at.region) return;
+            selection_.select(at.region);
+            editName(on_screen);
+          });
+  connect(&frames_, &FramePanels::menuWanted, this, &RegionController::openMenu);
+  connect(
+      &frames_, &FramePanels::bandDrawn, this,
+      [this](const std::vector<RegionId>& regions, Qt::KeyboardModifiers) { selection_.select(regions); });
+}
+
+void RegionController::connectScene() {
+  SceneView* const view = scene_.view();
+  connect(view, &SceneView::pointedAt, this, [this, view](const QPointF& place) {
+    pointer_in_scene_ = place;
+    const RegionPoint at = view->at(place);
+    point(at);
+    scene_.overlay()->setTag(place, tagOf(at.region));
+  });
+  connect(view, &SceneView::pointerLeft, this, [this] {
+    pointer_in_scene_.reset();
+    selection_.hover({});
+    scene_.overlay()->setTag({}, {});
+  });
+  connect(view, &SceneView::clicked, this,
+          [this, view](const QPointF& place, Qt::KeyboardModifiers modifiers) {
+            last_place_ = view->mapToGlobal(place.toPoint());
+            click(view->at(place), modifiers);
+          });
+  connect(view, &SceneView::doubleClicked, this, [this, view](const QPointF& place) {
+    const RegionPoint at = view->at(place);
+    if (!at.region) {
+      view->fitAll();
+      return;
+    }
+    selection_.select(at.region);
+    editName(view->mapToGlobal(place.toPoint()));
+  });
+  connect(view, &SceneView::menuWanted, this, [this, view](const QPointF& place, const QPoint& on_screen) {
+    openMenu(view->at(place), on_screen);
+  });
+  connect(view, &SceneView::bandChanged, this, [this, view] { scene_.overlay()->setBand(view->band()); });
+  connect(view, &SceneView::bandDrawn, this, [this, view](const QRectF& band) {
+    const cv::Mat& ids = view->regionIds();
+    if (ids.empty()) return;
+    const double scale = static_cast<double>(ids.cols) / view->width();
+    const cv::Rect pixels(static_cast<int>(band.left() * scale), static_cast<int>(band.top() * scale),
+                          static_cast<int>(band.width() * scale) + 1,
+                          static_cast<int>(band.height() * scale) + 1);
+    selection_.select(regionsIn(ids, pixels));
+  });
+  // Not while it is being drawn.
+  connect(view, &SceneView::drawn, this, &RegionController::lightScene, Qt::QueuedConnection);
+}
+
+void RegionController::connectActions() {
+  for (QAction* action : actions_.all()) {
+    scene_.addAction(action);
+    frames_.addAction(action);
+  }
+  const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
+  on(actions_.name, [this] {
+    if (cutting_ == Cutting::shown) return setCutting(Cutting::no);  // Return: keep it
+    editName(last_place_);
+  });
+  on(actions_.join, [this] { doOnAll(OperationKind::join); });
+  on(actions_.cut, [this] { beginCut(); });
+  on(actions_.finer, [this] { doOnEach(OperationKind::finer); });
+  on(actions_.coarser, [this] { doOnEach(OperationKind::coarser); });
+  on(actions_.background, [this](bool checked) { doOnAll(OperationKind::background, checked); });
+  on(actions_.object, [this] { doOnAll(OperationKind::object); });
+  on(actions_.reject, [this](bool checked) { doOnAll(OperationKind::reject, checked); });
+  on(actions_.accept, [this] { accept(proposals_.acceptFirst()); });
+  on(actions_.accept_all, [this] { accept(proposals_.acceptAll()); });
+  on(actions_.not_this, [this] { proposals_.rejectFirst(); });
+  on(actions_.next, [this] { selection_.walk(1); });
+  on(actions_.previous, [this] { selection_.walk(-1); });
+  on(actions_.let_go, [this] { letGo(); });
+  for (QAction* action : actions_.recent)
+    on(action, [this, action] { giveName(action->data().toString(), {}); });
+}
+
+void RegionController::connectBridge() {
+  connect(&bridge_, &SessionBridge::edited, this, &RegionController::edited);
+  connect(&bridge_, &SessionBridge::editFailed, this, &RegionController::editFailed);
+}
+
+void RegionController::beginScan() {
+  setCutting(Cutting::no);
+  selection_.reset();
+  proposals_.clear();
+  undo_.clear();
+  knows_history_ = false;
+}
+
+void RegionController::showSnapshot(const ScanSnapshot& snapshot) {
+  selection_.follow(snapshot);
+  if (snapshot.operations != nullptr && !std::exchange(knows_history_, true))
+    learnHistory(*snapshot.operations);
+}
+
+void RegionController::finishEditing() {
+  if (name_editor_->isOpen()) name_editor_->field()->clearFocus();
+}
+
+void RegionController::point(const RegionPoint& at) { selection_.hover(at.region); }
+
+void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
+  if (cutting_ == Cutting::here || cutting_ == Cutting::there) return clickCut(at, modifiers);
+  if (cutting_ == Cutting::shown) setCutting(Cutting::no);
+  last_place_ = QCursor::pos();
+  const bool also = modifiers.testFlag(Qt::ControlModifier);
+  if (also && !at.region) return;
+  selection_.select(at.region, also);
+}
+
+void RegionController::openMenu(const RegionPoint& at, const QPoint& on_screen) {
+  if (at.region && !selection_.isSelected(at.region)) selection_.select(at.region);
+  last_place_ = on_screen;
+  auto* menu = new QMenu(name_editor_->parentWidget());
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setObjectName(QStringLiteral("regionMenu"));
+  menu->addActions(actions_.onSelection());
+  QMenu* recent = nullptr;
+  for (QAction* action : actions_.recent) {
+    if (!action->isVisible()) continue;
+    if (recent == nullptr) recent = menu->addMenu(tr("Recent &names"));
+    recent->addAction(action);
+  }
+  menu->popup(on_screen);
+}
+
+void RegionController::editName(const QPoint& on_screen) {
+  if (selection_.selected().empty()) return;
+  const RegionId region = selection_.selected().front();
+  const RegionInfo* const info = selection_.info(region);
+  QString text;
+  if (info != nullptr) {
+    text = QString::fromStdString(info->note.name);
+    if (!info->note.category.empty())
+      text = QString::fromStdString(info->note.category) + QLatin1Char('/') + text;
+  }
+  QStringList known = QSettings().value(kRecentNamesKey).toStringList();
+  if (known_names_) known += known_names_();
+  known.removeDuplicates();
+  focus_before_name_ = QApplication::focusWidget();
+  const auto count = selection_.selected().size();
+  name_editor_->begin(
+      on_screen, text, known,
+      count > 1 ? tr("Name of %1 regions").arg(count) : tr("Name of %1").arg(selection_.title(region)));
+}
+
+void RegionController::giveName(const QString& name, const QString& category) {
+  for (const RegionId region : std::vector(selection_.selected())) {
+    Operation operation;
+    operation.kind = OperationKind::name;
+    operation.regions = {region};
+    operation.name = name.toStdString();
+    operation.category = category.toStdString();
+    perform(std::move(operation));
+  }
+  if (!name.isEmpty()) rememberName(name);
+}
+
+void RegionController::rememberName(const QString& name) {
+  QStringList names = QSettings().value(kRecentNamesKey).toStringList();
+  if (names.contains(name)) return;  // the others keep their keys
+  names.prepend(name);
+  names = names.mid(0, kRecentNames);
+  QSettings().setValue(kRecentNamesKey, names);
+  actions_.setRecentNames(names);
+  updateActions();
+}
+
+void RegionController::beginCut() {
+  cut_ = Operation{};
+  cut_.kind = OperationKind::cut;
+  setCutting(Cutting::here);
+}
+
+void RegionController::clickCut(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
+  if (!at.region || !at.point_world) return;
+  if (!cut_.regions.empty() && cut_.regions.front() != at.region) {
+    emit failed(tr("These are two regions already: %1 and %2. Click on two places of one region.")
+                    .arg(selection_.title(cut_.regions.front()), selection_.title(at.region)));
+    return;
+  }
+  cut_.regions = {at.region};
+  // Shift: more of the same side.
+  const bool more = modifiers.testFlag(Qt::ShiftModifier);
+  if (cutting_ == Cutting::here || more) {
+    (cutting_ == Cutting::here ? cut_.here_world : cut_.there_world).push_back(*at.point_world);
+    selection_.select(at.region);
+    if (!more) setCutting(Cutting::there);
+    return;
+  }
+  cut_.there_world.push_back(*at.point_world);
+  perform(cut_);
+  setCutting(Cutting::shown);
+}
+
+void RegionController::setCutting(Cutting cutting) {
+  cutting_ = cutting;
+  QString hint;
+  if (cutting == Cutting::here)
+    hint = tr("Cut: click on the part that is to come off (Shift: more of it; Escape: no)");
+  if (cutting == Cutting::there) hint = tr("Cut: now click on what stays (Escape: no)");
+  if (cutting == Cutting::shown) hint = tr("Cut. Return keeps it, Escape takes it back");
+  scene_.overlay()->setHint(hint);
+  const Qt::CursorShape shape =
+      cutting == Cutting::here || cutting == Cutting::there ? Qt::CrossCursor : Qt::ArrowCursor;
+  scene_.view()->setCursor(shape);
+  updateActions();
+}
+
+void RegionController::letGo() {
+  if (cutting_ != Cutting::no) {
+    if (cutting_ == Cutting::shown) undo_.undo();
+    setCutting(Cutting::no);
+    return;
+  }
+  selection_.select(RegionId{});
+}
+
+void RegionController::doOnAll(OperationKind kind, bool on) {
+  if (selection_.selected().empty()) return;
+  Operation operation;
+  operation.kind = kind;
+  operation.regions = selection_.selected();
+  operation.on = on;
+  perform(std::move(operation));
+}
+
+void RegionController::doOnEach(OperationKind kind) {
+  for (const RegionId region : std::vector(selection_.selected())) {
+    Operation operation;
+    operation.kind = kind;
+    operation.regions = {region};
+    perform(std::move(operation));
+  }
+}
+
+void RegionController::perform(Operation operation) {
+  const QString text = inWords(operation);
+  undo_.push(new Command(*this, text, std::move(operation), false));
+}
+
+void RegionController::learnHistory(const std::vector<DoneOperation>& operations) {
+  is_telling_ = false;
+  int done = 0;
+  for (const DoneOperation& operation : operations) {
+    if (operation.state == OperationLog::State::superseded) continue;
+    Operation words;
+    words.kind = operation.kind;
+    words.regions = operation.regions;
+    words.name = operation.name;
+    words.on = operation.on;
+    const QString text = inWords(words);
+    undo_.push(new Command(*this, text, std::move(words), true));
+    if (operation.state == OperationLog::State::done) ++done;
+  }
+  undo_.setIndex(done);
+  is_telling_ = true;
+}
+
+void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>& regions) {
+  const auto* operation = std::get_if<Operation>(&edit);
+  if (operation == nullptr) return;
+  switch (operation->kind) {
+    case OperationKind::name:
+      proposeLike(*operation);
+      break;
+    case OperationKind::join:
+    case OperationKind::cut:
+    case OperationKind::finer:
+    case OperationKind::coarser:
+      if (!regions.empty()) selection_.select(regions);
+      break;
+    default:
+      break;
+  }
+}
+
+void RegionController::proposeLike(const Operation& naming) {
+  if (naming.name.empty() || naming.regions.empty()) return;
+  RegionProposals::Looks looks;
+  for (const auto& [region, points] : scene_.view()->scene().cloud().pointsOfRegions(kVoxelsToPropose)) {
+    const RegionInfo* const info = selection_.info(region);
+    const bool is_named = region == naming.regions.front();
+    if (info == nullptr ||
+        (!is_named && (info->note.background || info->note.rejected || !info->note.name.empty())))
+      continue;
+    looks[region] = lookOf(points);
+  }
+  proposals_.propose(naming.regions.front(), QString::fromStdString(naming.name),
+                     QString::fromStdString(naming.category), looks);
+}
+
+void RegionController::accept(const std::vector<Proposal>& accepted) {
+  for (const Proposal& proposal : accepted) {
+    Operation operation;
+    operation.kind = OperationKind::accept;
+    operation.regions = {proposal.region};
+    operation.name = proposal.name.toStdString();
+    operation.category = proposal.category.toStdString();
+    perform(std::move(operation));
+  }
+}
+
+void RegionController::showProposal() {
+  const Proposal* const first = proposals_.first();
+  actions_.enableProposals(first != nullptr);
+  light();
+}
+
+void RegionController::editFailed(const ScanEdit& edit, const QString& message) {
+  emit failed(message);
+  setCutting(Cutting::no);
+  const auto* const operation = std::get_if<Operation>(&edit);
+  for (int i = undo_.count() - 1; operation != nullptr && i >= 0; --i) {
+    const auto* const command = dynamic_cast<const Command*>(undo_.command(i));
+    if (command == nullptr || !command->is(*operation)) continue;
+    command->noteFailure();
+    if (i + 1 == undo_.count() && i + 1 == undo_.index()) undo_.undo();
+    return;
+  }
+}
+
+QString RegionController::inWords(const Operation& operation) const {
+  const QString what = operation.regions.size() == 1
+                           ? selection_.title(operation.regions.front())
+                           : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
+  switch (operation.kind) {
+    case OperationKind::name:
+    case OperationKind::accept:
+      return operation.name.empty() ? tr("Take the name of %1 away").arg(what)
+                                    : tr("Name %1 “%2”").arg(what, QString::fromStdString(operation.name));
+    case OperationKind::join:
+      return tr("Join %1").arg(what);
+    case OperationKind::cut:
+      return tr("Cut %1").arg(what);
+    case OperationKind::finer:
+      return tr("%1 finer").arg(what);
+    case OperationKind::coarser:
+      return tr("%1 coarser").arg(what);
+    case OperationKind::background:
+      return operation.on ? tr("%1: background").arg(what) : tr("%1: no background").arg(what);
+    case OperationKind::object:
+      return tr("%1: an object").arg(what);
+    case OperationKind::reject:
+      return operation.on ? tr("%1: not an object").arg(what) : tr("%1: not rejected").arg(what);
+  }
+  return what;
+}
+
+RegionId RegionController::pointedOut() const {
+  if (selection_.hovered()) return selection_.hovered();
+  return proposals_.first() != nullptr ? proposals_.first()->region : RegionId{};
+}
+
+void RegionController::light() {
+  frames_.setLit(pointedOut(), selection_.selected());
+  lightScene();
+}
+
+void RegionController::lightScene() {
+  SceneView* const view = scene_.view();
+  if (pointer_in_scene_) {
+    const RegionPoint at = view->at(*pointer_in_scene_);
+    scene_.overlay()->setTag(pointer_in_scene_, tagOf(at.region));
+    selection_.hover(at.region);
+  }
+  const bool any = pointedOut() || !selection_.selected().empty();
+  scene_.overlay()->setLit(any ? litPicture(view->regionIds(), pointedOut(), selection_.selected())
+                               : QImage());
+}
+
+void RegionController::updateActions() {
+  const std::vector<RegionId>& selected = selection_.selected();
+  const RegionInfo* const first = selected.empty() ? nullptr : selection_.info(selected.front());
+  actions_.enableFor(selected.size(), first != nullptr && first->note.background,
+                     first != nullptr && first->note.rejected);
+  actions_.cut->setEnabled(!selection_.infos().empty());
+  if (cutting_ != Cutting::no) actions_.let_go->setEnabled(true);
+}
+
+QStringList RegionController::tagOf(RegionId region) const {
+  const RegionInfo* const info = selection_.info(region);
+  if (info == nullptr) return {};
+  QStringList lines{selection_.title(region)};
+  QStringList facts;
+  if (!info->note.category.empty()) facts << QString::fromStdString(info->note.category);
+  facts << tr("%1 voxels").arg(QLocale().toString(static_cast<qlonglong>(info->voxels)));
+  if (info->note.background) facts << tr("background");
+  if (info->note.rejected) facts << tr("rejected");
+  if (info->object) facts << tr("object");
+  lines << facts.join(QStringLiteral(" · "));
+  return lines;
+}
+
+}  // namespace scantrove

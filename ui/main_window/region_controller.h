@@ -1,0 +1,108 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <QUndoStack>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "ui/bridge/session_bridge.h"
+#include "ui/common/region_point.h"
+#include "ui/main_window/region_actions.h"
+#include "ui/models/region_proposals.h"
+#include "ui/models/region_selection.h"
+#include "ui/panels/region_name_editor.h"
+
+namespace scantrove {
+
+class FramePanels;
+class ScenePane;
+
+/// Pointing at regions and what is done to them: ties the views to the selection, and the selection to the
+/// scan. Every operation is a step that can be taken back.
+class RegionController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All of these outlive the controller; `window` is whose middle the name editor opens in.
+  RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames, QWidget& window);
+
+  [[nodiscard]] RegionActions& actions() { return actions_; }
+  [[nodiscard]] RegionSelection& selection() { return selection_; }
+  [[nodiscard]] RegionProposals& proposals() { return proposals_; }
+  [[nodiscard]] QUndoStack& undoStack() { return undo_; }
+  [[nodiscard]] RegionNameEditor& nameEditor() { return *name_editor_; }
+  /// Names that the catalogue has, for completion.
+  void setKnownNames(std::function<QStringList()> known_names) { known_names_ = std::move(known_names); }
+
+  void beginScan();
+  void showSnapshot(const ScanSnapshot& snapshot);
+  /// Finishes a name that is being typed.
+  void finishEditing();
+
+ signals:
+  void failed(const QString& message);
+
+ private:
+  class Command;
+  friend class Command;
+  enum class Cutting { no, here, there, shown };
+
+  void connectFrames();
+  void connectScene();
+  void connectActions();
+  void connectBridge();
+
+  void point(const RegionPoint& point);
+  void click(const RegionPoint& point, Qt::KeyboardModifiers modifiers);
+  void openMenu(const RegionPoint& point, const QPoint& on_screen);
+  void editName(const QPoint& on_screen);
+  void giveName(const QString& name, const QString& category);
+
+  void beginCut();
+  void clickCut(const RegionPoint& point, Qt::KeyboardModifiers modifiers);
+  void setCutting(Cutting cutting);
+  void letGo();
+
+  /// One operation on all that is selected, or one for each.
+  void doOnAll(OperationKind kind, bool on = true);
+  void doOnEach(OperationKind kind);
+  void perform(Operation operation);
+  /// Operations that a session has from before, so that they can be taken back.
+  void learnHistory(const std::vector<DoneOperation>& operations);
+  void edited(const ScanEdit& edit, const std::vector<RegionId>& regions);
+  void editFailed(const ScanEdit& edit, const QString& message);
+  [[nodiscard]] QString inWords(const Operation& operation) const;
+
+  /// Under the pointer; or what is proposed, while that is nowhere.
+  [[nodiscard]] RegionId pointedOut() const;
+  void light();
+  void lightScene();
+  void updateActions();
+  [[nodiscard]] QStringList tagOf(RegionId region) const;
+  void rememberName(const QString& name);
+
+  /// What else looks like what was just named.
+  void proposeLike(const Operation& naming);
+  void accept(const std::vector<Proposal>& accepted);
+  void showProposal();
+
+  SessionBridge& bridge_;
+  ScenePane& scene_;
+  FramePanels& frames_;
+  RegionSelection selection_;
+  RegionProposals proposals_;
+  RegionActions actions_;
+  QUndoStack undo_;
+  RegionNameEditor* name_editor_;
+  QPointer<QWidget> focus_before_name_;
+  std::function<QStringList()> known_names_;
+  std::optional<QPointF> pointer_in_scene_;
+  QPoint last_place_;  ///< on the screen, that was clicked or pointed at
+  Cutting cutting_ = Cutting::no;
+  Operation cut_;
+  bool is_telling_ = true;  ///< a command's undo and redo reach the scan
+  bool knows_history_ = false;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,126 @@
+#include "ui/models/region_proposals.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace scantrove {
+namespace {
+
+constexpr float kLikeEnough = 0.45F;
+constexpr std::size_t kMostProposals = 12;
+constexpr std::size_t kMostRejections = 200;
+constexpr float kSameLook = 0.75F;
+constexpr float kClearlyMore = 0.03F;
+const QString kRejectionsKey = QStringLiteral("proposals/rejected");
+
+QByteArray bytesOf(const RegionLook& look) {
+  QByteArray bytes(reinterpret_cast<const char*>(look.size_m.data()), 3 * sizeof(float));
+  bytes.append(reinterpret_cast<const char*>(look.colors.data()),
+               static_cast<qsizetype>(look.colors.size() * sizeof(float)));
+  return bytes;
+}
+
+std::optional<RegionLook> lookOf(const QByteArray& bytes) {
+  RegionLook look;
+  const std::size_t of_size = 3 * sizeof(float), of_colors = look.colors.size() * sizeof(float);
+  if (static_cast<std::size_t>(bytes.size()) != of_size + of_colors) return std::nullopt;
+  std::memcpy(look.size_m.data(), bytes.constData(), of_size);
+  std::memcpy(look.colors.data(), bytes.constData() + of_size, of_colors);
+  return look;
+}
+
+}  // namespace
+
+RegionProposals::RegionProposals(QObject* parent) : QObject(parent) { load(); }
+
+void RegionProposals::propose(RegionId named, const QString& name, const QString& category,
+                              const Looks& looks) {
+  const auto model = looks.find(named);
+  open_.clear();
+  looks_.clear();
+  if (model != looks.end() && !name.isEmpty()) {
+    for (const auto& [region, look] : looks) {
+      const float alike = likeness(model->second, look);
+      if (region == named || alike < kLikeEnough || isRejected(name, region, look, alike)) continue;
+      open_.push_back({region, name, category, alike, look.size_m});
+      looks_[region] = look;
+    }
+  }
+  std::ranges::stable_sort(open_, std::ranges::greater{}, &Proposal::likeness);
+  if (open_.size() > kMostProposals) open_.resize(kMostProposals);
+  emit changed();
+}
+
+bool RegionProposals::isRejected(const QString& name, RegionId region, const RegionLook& look,
+                                 float likeness_to_named) const {
+  if (rejected_.contains({region, name})) return true;
+  return std::ranges::any_of(rejections_, [&](const Rejection& rejection) {
+    if (rejection.name != name) return false;
+    const float alike = likeness(rejection.look, look);
+    return alike > kSameLook && alike > likeness_to_named + kClearlyMore;
+  });
+}
+
+void RegionProposals::clear() {
+  open_.clear();
+  looks_.clear();
+  rejected_.clear();
+  emit changed();
+}
+
+std::vector<Proposal> RegionProposals::acceptFirst() {
+  if (open_.empty()) return {};
+  const Proposal first = open_.front();
+  open_.erase(open_.begin());
+  emit changed();
+  return {first};
+}
+
+std::vector<Proposal> RegionProposals::acceptAll() {
+  std::vector<Proposal> all = std::exchange(open_, {});
+  emit changed();
+  return all;
+}
+
+void RegionProposals::rejectFirst() {
+  if (open_.empty()) return;
+  const Proposal first = open_.front();
+  rejected_.insert({first.region, first.name});
+  rejections_.push_back({first.name, looks_[first.region]});
+  if (rejections_.size() > kMostRejections) rejections_.erase(rejections_.begin());
+  save();
+  open_.erase(open_.begin());
+  emit changed();
+}
+
+void RegionProposals::drop(RegionId region) {
+  if (std::erase_if(open_, [&](const Proposal& proposal) { return proposal.region == region; }) > 0)
+    emit changed();
+}
+
+void RegionProposals::load() {
+  for (const QVariant& entry : QSettings().value(kRejectionsKey).toList()) {
+    const QVariantList pair = entry.toList();
+    if (pair.size() != 2) continue;
+    if (const auto look = lookOf(pair[1].toByteArray())) rejections_.push_back({pair[0].toString(), *look});
+  }
+}
+
+void RegionProposals::save() const {
+  QVariantList list;
+  for (const Rejection& rejection : rejections_)
+    list.push_back(QVariantList{rejection.name, bytesOf(rejection.look)});
+  QSettings().setValue(kRejectionsKey, list);
+}
+
+QString reasonOf(const Proposal& proposal) {
+  const auto cm = [&](int axis) { return QString::number(std::lround(100 * proposal.size_m[axis])); };
+  return RegionProposals::tr("%1 %, %2 x %3 x %4 cm")
+      .arg(std::lround(100 * proposal.likeness))
+      .arg(cm(0), cm(1), cm(2));
+}
+
+}  // namespace scantrove

@@ -1,0 +1,128 @@
+#include "ui/models/region_selection.h"
+
+#include <algorithm>
+#include <map>
+
+namespace scantrove {
+namespace {
+
+/// Smaller ones are crumbs that nobody wants to walk through.
+constexpr std::int64_t kVoxelsToWalkTo = 200;
+
+}  // namespace
+
+void RegionSelection::follow(const ScanSnapshot& snapshot) {
+  takeChanges(snapshot.changed_regions);
+  if (snapshot.region_infos == nullptr) return;
+  infos_ = snapshot.region_infos;
+  bool moved = false;
+  for (std::size_t i = 0; i < selected_.size(); ++i) {
+    if (info(selected_[i]) != nullptr) continue;
+    selected_[i] = nowOf(fragments_[i]);
+    moved = true;
+  }
+  if (moved) {
+    std::vector<RegionId> still;
+    for (const RegionId region : selected_) {
+      if (region && std::ranges::find(still, region) == still.end()) still.push_back(region);
+    }
+    selected_ = std::move(still);
+    emit selectionChanged();
+  }
+  keepFragments();
+  emit infosChanged();
+}
+
+void RegionSelection::takeChanges(const std::vector<RegionChange>& changes) {
+  for (const auto& [fragment, region] : changes) {
+    if (fragment.value >= region_of_.size()) region_of_.resize(fragment.value + std::size_t{1});
+    region_of_[fragment.value] = region;
+  }
+}
+
+void RegionSelection::reset() {
+  infos_ = std::make_shared<RegionInfos>();
+  region_of_.clear();
+  fragments_.clear();
+  hovered_ = {};
+  selected_.clear();
+  emit hoverChanged();
+  emit selectionChanged();
+  emit infosChanged();
+}
+
+void RegionSelection::hover(RegionId region) {
+  if (region == hovered_) return;
+  hovered_ = region;
+  emit hoverChanged();
+}
+
+void RegionSelection::select(RegionId region, bool also) {
+  std::vector<RegionId> wanted = also ? selected_ : std::vector<RegionId>{};
+  if (region && std::erase(wanted, region) == 0) wanted.push_back(region);
+  select(wanted);
+}
+
+void RegionSelection::select(const std::vector<RegionId>& regions) {
+  if (regions == selected_) return;
+  selected_ = regions;
+  keepFragments();
+  emit selectionChanged();
+}
+
+void RegionSelection::walk(int steps) {
+  std::vector<const RegionInfo*> by_size;
+  for (const RegionInfo& region : *infos_) {
+    if (region.voxels >= kVoxelsToWalkTo && !region.note.background) by_size.push_back(&region);
+  }
+  if (by_size.empty()) return;
+  std::ranges::stable_sort(by_size, std::ranges::greater{}, &RegionInfo::voxels);
+  const auto count = static_cast<int>(by_size.size());
+  int place = steps > 0 ? -1 : 0;
+  if (!selected_.empty()) {
+    const auto found = std::ranges::find(by_size, selected_.back(), &RegionInfo::region);
+    if (found != by_size.end()) place = static_cast<int>(found - by_size.begin());
+  }
+  select(by_size[static_cast<std::size_t>(((place + steps) % count + count) % count)]->region);
+}
+
+bool RegionSelection::isSelected(RegionId region) const {
+  return std::ranges::find(selected_, region) != selected_.end();
+}
+
+const RegionInfo* RegionSelection::info(RegionId region) const { return find(*infos_, region); }
+
+std::set<RegionId> RegionSelection::background() const {
+  std::set<RegionId> regions;
+  for (const RegionInfo& region : *infos_) {
+    if (region.note.background) regions.insert(region.region);
+  }
+  return regions;
+}
+
+QString RegionSelection::title(RegionId region) const {
+  const RegionInfo* const known = info(region);
+  if (known != nullptr && !known->note.name.empty()) return QString::fromStdString(known->note.name);
+  return tr("Region %1").arg(region.value);
+}
+
+RegionId RegionSelection::nowOf(const std::vector<FragmentId>& fragments) const {
+  std::map<RegionId, int> votes;
+  for (const FragmentId fragment : fragments) {
+    if (fragment.value < region_of_.size() && region_of_[fragment.value]) ++votes[region_of_[fragment.value]];
+  }
+  const auto most = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; });
+  return most == votes.end() ? RegionId{} : most->first;
+}
+
+void RegionSelection::keepFragments() {
+  fragments_.assign(selected_.size(), {});
+  if (selected_.empty()) return;
+  for (std::uint32_t fragment = 1; fragment < region_of_.size(); ++fragment) {
+    const auto found = std::ranges::find(selected_, region_of_[fragment]);
+    if (found != selected_.end())
+      fragments_[static_cast<std::size_t>(found - selected_.begin())].push_back(FragmentId{fragment});
+  }
+}
+
+}  // namespace scantrove

@@ -1,0 +1,230 @@
+#include "ui/panels/export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/panels/file_dialogs.h"
+
+namespace scantrove {
+namespace {
+
+const QString kFormatKey = QStringLiteral("export/format");
+const QString kFolderKey = QStringLiteral("export/folder");
+constexpr int kAskAfter_ms = 200;
+
+QString aboutFormat(DatasetFormat format) {
+  switch (format) {
+    case DatasetFormat::coco:
+      return ExportDialog::tr(
+          "COCO instances: images and one JSON file with masks (pycocotools, CVAT, FiftyOne)");
+    case DatasetFormat::bop:
+      return ExportDialog::tr("BOP: colour, depth, masks, poses and models of the objects (bop_toolkit)");
+    case DatasetFormat::yolo:
+      return ExportDialog::tr("YOLO segments: outlines as polygons (ultralytics)");
+    case DatasetFormat::masks:
+      return ExportDialog::tr("Masks: one 16-bit image of region numbers a frame, and a list of names");
+    case DatasetFormat::ply:
+      return ExportDialog::tr("PLY: the labelled coloured cloud (CloudCompare, MeshLab)");
+    case DatasetFormat::pcd:
+      return ExportDialog::tr("PCD: the labelled coloured cloud (PCL)");
+    case DatasetFormat::mesh:
+      return ExportDialog::tr("Meshes: the scene and each object as PLY, OBJ and GLB (Blender, MeshLab)");
+    case DatasetFormat::tum:
+      return ExportDialog::tr("TUM: the way of the camera (evo)");
+    case DatasetFormat::scannet:
+      return ExportDialog::tr("ScanNet: mesh, segments and objects (ScanNet's tools)");
+  }
+  return {};
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const QString& name, QWidget* parent)
+    : QDialog(parent),
+      name_(name),
+      format_(new QComboBox),
+      about_(new QLabel),
+      folder_(new QLineEdit),
+      all_frames_(new QCheckBox(tr("All frames that were &kept, not only key frames"))),
+      background_(new QCheckBox(tr("Also &background and what was rejected"))),
+      said_(new QLabel),
+      bar_(new QProgressBar),
+      export_(new QPushButton(tr("&Export"))),
+      cancel_(new QPushButton(tr("Close"))),
+      show_folder_(new QPushButton(tr("Open the &folder"))) {
+  setWindowTitle(tr("Make a data set"));
+  setMinimumWidth(520);
+  for (const std::string& known : datasetFormatNames())
+    format_->addItem(QString::fromStdString(known).toUpper());
+  format_->setCurrentIndex(QSettings().value(kFormatKey, 0).toInt());
+  format_->setAccessibleName(tr("Format"));
+  about_->setWordWrap(true);
+  about_->setProperty("muted", true);
+  folder_->setAccessibleName(tr("Folder"));
+  said_->setWordWrap(true);
+  said_->setObjectName(QStringLiteral("exportSaid"));
+  bar_->setVisible(false);
+  show_folder_->setVisible(false);
+  export_->setDefault(true);
+  export_->setProperty("primary", true);
+
+  auto* form = new QFormLayout;
+  form->addRow(tr("F&ormat"), format_);
+  form->addRow(QString(), about_);
+  auto* folder_row = new QHBoxLayout;
+  folder_row->addWidget(folder_, 1);
+  auto* choose_button = new QPushButton(tr("&Choose…"));
+  folder_row->addWidget(choose_button);
+  form->addRow(tr("Into"), folder_row);
+  form->addRow(QString(), all_frames_);
+  form->addRow(QString(), background_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(show_folder_);
+  buttons->addStretch(1);
+  buttons->addWidget(cancel_);
+  buttons->addWidget(export_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 14);
+  column->setSpacing(12);
+  column->addLayout(form);
+  column->addWidget(said_);
+  column->addWidget(bar_);
+  column->addLayout(buttons);
+
+  ask_.setSingleShot(true);
+  ask_.setInterval(kAskAfter_ms);
+  connect(&ask_, &QTimer::timeout, this, [this] {
+    if (!is_working_) emit previewWanted(options());
+  });
+  connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
+  connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
+  connect(background_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
+  connect(choose_button, &QPushButton::clicked, this, &ExportDialog::choose);
+  connect(export_, &QPushButton::clicked, this, &ExportDialog::begin);
+  connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
+  connect(show_folder_, &QPushButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(done_folder_)); });
+  formatChanged();
+}
+
+ExportOptions ExportDialog::options() const {
+  ExportOptions options;
+  options.format = static_cast<DatasetFormat>(format_->currentIndex());
+  options.folder = folder_->text().toStdString();
+  options.all_frames = all_frames_->isChecked();
+  options.background = background_->isChecked();
+  return options;
+}
+
+QString ExportDialog::proposedFolder() const {
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString parent = QSettings().value(kFolderKey, documents).toString();
+  const QString base =
+      parent + QLatin1Char('/') + name_ + QLatin1Char('-') + format_->currentText().toLower();
+  QString folder = base;
+  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QLatin1Char('-') + QString::number(i);
+  return folder;
+}
+
+void ExportDialog::setFolder(const QString& folder) { folder_->setText(folder); }
+
+QString ExportDialog::said() const { return said_->text(); }
+
+void ExportDialog::choose() {
+  const QString parent =
+      chooseFolder(this, tr("Where to put the data set"), QFileInfo(folder_->text()).path());
+  if (parent.isEmpty()) return;
+  QSettings().setValue(kFolderKey, parent);
+  folder_->setText(proposedFolder());
+}
+
+void ExportDialog::formatChanged() {
+  about_->setText(aboutFormat(static_cast<DatasetFormat>(format_->currentIndex())));
+  folder_->setText(proposedFolder());
+  askSoon();
+}
+
+void ExportDialog::askSoon() { ask_.start(); }
+
+void ExportDialog::showPreview(const ExportPreview& preview) {
+  if (is_working_ || !done_folder_.isEmpty()) return;
+  said_->setText(preview.regions == 0
+                     ? tr("No region has a name or is an object yet, so there is nothing to export but the "
+                          "background. Name some first.")
+                     : tr("%1 images, %2 objects, about %3 MB")
+                           .arg(preview.images)
+                           .arg(preview.regions)
+                           .arg(std::max(1L, std::lround(preview.megabytes))));
+}
+
+void ExportDialog::begin() {
+  done_folder_.clear();
+  QSettings().setValue(kFormatKey, format_->currentIndex());
+  QDir().mkpath(QFileInfo(folder_->text()).path());
+  setWorking(true);
+  said_->setText(tr("Working…"));
+  emit exportWanted(options());
+}
+
+void ExportDialog::showProgress(const ExportProgress& progress) {
+  bar_->setMaximum(std::max(1, progress.total));
+  bar_->setValue(progress.done);
+  said_->setText(QString::fromStdString(progress.what));
+}
+
+void ExportDialog::showDone(const ExportSummary& summary) {
+  setWorking(false);
+  done_folder_ = QString::fromStdString(summary.folder.string());
+  QStringList what;
+  if (summary.images > 0) what << tr("%1 images").arg(summary.images);
+  if (summary.regions > 0) what << tr("%1 objects").arg(summary.regions);
+  if (summary.annotations > 0) what << tr("%1 masks").arg(summary.annotations);
+  if (summary.points > 0) what << tr("%1 points").arg(summary.points);
+  what << tr("%1 MB").arg(std::max(1L, std::lround(static_cast<double>(summary.bytes) / 1e6)));
+  QString text = tr("Done: %1. It is in %2").arg(what.join(QStringLiteral(", ")), done_folder_);
+  if (!summary.skipped.empty())
+    text += tr("\n%1 frames were left out: %2")
+                .arg(summary.skipped.size())
+                .arg(QString::fromStdString(summary.skipped.front()));
+  said_->setText(text);
+  show_folder_->setVisible(true);
+}
+
+void ExportDialog::showFailure(const QString& message) {
+  setWorking(false);
+  said_->setText(message);
+}
+
+void ExportDialog::setWorking(bool working) {
+  is_working_ = working;
+  bar_->setVisible(working);
+  bar_->setMaximum(0);
+  for (QWidget* widget : std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_, export_})
+    widget->setEnabled(!working);
+  cancel_->setText(working ? tr("Cancel") : tr("Close"));
+  show_folder_->setVisible(false);
+}
+
+void ExportDialog::reject() {
+  if (is_working_) {
+    emit cancelWanted();
+    return;
+  }
+  QDialog::reject();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,68 @@
+#pragma once
+#include <QDialog>
+#include <QTimer>
+
+#include "core/dataset/dataset_export.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace scantrove {
+
+/// Asks what data set is to be made of a scan, says what it will hold, and shows how far it is. Blocks
+/// nothing: the scan can be looked at meanwhile.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `name`: of the scan, for the folder that is proposed.
+  ExportDialog(const QString& name, QWidget* parent);
+
+  [[nodiscard]] ExportOptions options() const;
+  void setFolder(const QString& folder);
+  [[nodiscard]] QString said() const;
+  [[nodiscard]] bool isWorking() const { return is_working_; }
+
+ public slots:
+  void showPreview(const scantrove::ExportPreview& preview);
+  void showProgress(const scantrove::ExportProgress& progress);
+  void showDone(const scantrove::ExportSummary& summary);
+  void showFailure(const QString& message);
+  void begin();
+
+ signals:
+  void previewWanted(const scantrove::ExportOptions& options);
+  void exportWanted(const scantrove::ExportOptions& options);
+  void cancelWanted();
+
+ public:
+  void reject() override;
+
+ private:
+  void choose();
+  void formatChanged();
+  void askSoon();
+  void setWorking(bool working);
+  [[nodiscard]] QString proposedFolder() const;
+
+  QString name_;
+  QComboBox* format_;
+  QLabel* about_;
+  QLineEdit* folder_;
+  QCheckBox* all_frames_;
+  QCheckBox* background_;
+  QLabel* said_;
+  QProgressBar* bar_;
+  QPushButton* export_;
+  QPushButton* cancel_;
+  QPushButton* show_folder_;
+  QTimer ask_;
+  bool is_working_ = false;
+  QString done_folder_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,16 @@
+#pragma once
+#include <QWidget>
+
+class QUndoGroup;
+
+namespace scantrove {
+
+/// What was done, in words, newest last; a click goes back to there, or forward again.
+class HistoryPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistoryPanel(QUndoGroup& undo, QWidget* parent = nullptr);
+};
+
+}  // namespace scantrove

@@ -1,0 +1,107 @@
+#include "ui/panels/kept_scans.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kMostKeptScans = 8;
+constexpr int kKeptScanColumns = 2;
+const QSize kKeptPicture(96, 72);
+
+QPixmap pictureOf(const QString& file) {
+  QImageReader reader(file);
+  reader.setScaledSize(reader.size().scaled(kKeptPicture, Qt::KeepAspectRatioByExpanding));
+  const QImage image = file.isEmpty() ? QImage() : reader.read();
+  if (image.isNull()) return icon(QStringLiteral("clock")).pixmap(32, 32);
+  return QPixmap::fromImage(image.copy(QRect(QPoint(), kKeptPicture)));
+}
+
+}  // namespace
+
+KeptScans::KeptScans(QWidget* parent) : QWidget(parent), cards_(new QGridLayout), more_(new QLabel) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 14, 0, 0);
+  column->setSpacing(6);
+  auto* title = new QLabel(tr("Your scans"));
+  QFont bold = title->font();
+  bold.setWeight(QFont::DemiBold);
+  title->setFont(bold);
+  column->addWidget(title);
+  cards_->setSpacing(8);
+  column->addLayout(cards_);
+  more_->setProperty("muted", true);
+  column->addWidget(more_);
+  setScans({});
+}
+
+void KeptScans::setScans(const std::vector<KeptScan>& scans) {
+  while (QLayoutItem* item = cards_->takeAt(0)) {
+    item->widget()->deleteLater();
+    delete item;
+  }
+  const std::size_t shown = std::min(scans.size(), kMostKeptScans);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const int place = static_cast<int>(i);
+    cards_->addWidget(makeCard(scans[i]), place / kKeptScanColumns, place % kKeptScanColumns);
+  }
+  for (int c = 0; c < kKeptScanColumns; ++c) cards_->setColumnStretch(c, 1);
+  more_->setText(tr("and %1 more: File, Open a scan").arg(scans.size() - shown));
+  more_->setVisible(scans.size() > shown);
+  setVisible(!scans.empty());
+}
+
+QWidget* KeptScans::makeCard(const KeptScan& scan) {
+  auto* card = new QToolButton;
+  card->setObjectName(QStringLiteral("startCard"));
+  card->setAccessibleName(scan.title);
+  card->setAccessibleDescription(scan.details);
+  card->setToolTip(scan.folder);
+  card->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  card->setFixedHeight(kKeptPicture.height() + 16);
+  card->setCursor(Qt::PointingHandCursor);
+  auto* row = new QHBoxLayout(card);
+  row->setContentsMargins(8, 8, 8, 8);
+  row->setSpacing(12);
+  auto* picture = new QLabel;
+  picture->setFixedSize(kKeptPicture);
+  picture->setAlignment(Qt::AlignCenter);
+  picture->setPixmap(pictureOf(scan.picture));
+  row->addWidget(picture);
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(2);
+  texts->addStretch();
+  auto* heading = new QLabel(scan.title);
+  QFont bold = heading->font();
+  bold.setWeight(QFont::DemiBold);
+  heading->setFont(bold);
+  heading->setMinimumWidth(40);
+  texts->addWidget(heading);
+  auto* details = new QLabel(scan.details);
+  details->setProperty("muted", true);
+  details->setWordWrap(true);
+  texts->addWidget(details);
+  texts->addStretch();
+  row->addLayout(texts, 1);
+  for (QLabel* label : card->findChildren<QLabel*>()) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  connect(card, &QToolButton::clicked, this, [this, folder = scan.folder] { emit chosen(folder); });
+  auto* remove = new QAction(icon(QStringLiteral("delete")), tr("&Delete (can be undone)"), card);
+  remove->setShortcut(QKeySequence(Qt::Key_Delete));
+  remove->setShortcutContext(Qt::WidgetShortcut);
+  connect(remove, &QAction::triggered, this, [this, folder = scan.folder] { emit deleteWanted(folder); });
+  card->addAction(remove);
+  card->setContextMenuPolicy(Qt::ActionsContextMenu);
+  return card;
+}
+
+}  // namespace scantrove

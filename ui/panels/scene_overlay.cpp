@@ -1,0 +1,56 @@
+#include "ui/panels/scene_overlay.h"
+
+#include <QPainter>
+
+#include "ui/panels/image_panel.h"
+#include "ui/panels/region_picture.h"
+
+namespace scantrove {
+
+SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void SceneOverlay::setLit(const QImage& lit) {
+  if (lit.isNull() && lit_.isNull()) return;
+  lit_ = lit;
+  update();
+}
+
+void SceneOverlay::setTag(const std::optional<QPointF>& pointer, const QStringList& tag) {
+  if (tag.isEmpty() && tag_.isEmpty()) return;
+  pointer_ = pointer;
+  tag_ = tag;
+  update();
+}
+
+void SceneOverlay::setBand(const QRectF& band) {
+  band_ = band;
+  update();
+}
+
+void SceneOverlay::setHint(const QString& hint) {
+  if (hint == hint_) return;
+  hint_ = hint;
+  update();
+}
+
+void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!lit_.isNull()) painter.drawImage(QRectF(rect()), lit_);
+  if (!band_.isEmpty()) {
+    painter.setPen(QPen(QColor(0xff, 0xd0, 0x00), 1, Qt::DashLine));
+    painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
+    painter.drawRect(band_);
+  }
+  if (pointer_) paintPointerTag(painter, *pointer_, rect(), tag_);
+  if (hint_.isEmpty()) return;
+  const QSizeF size = chipSize(painter, hint_);
+  paintChip(painter, {(width() - size.width()) / 2, 14}, hint_, QColor(0xff, 0xd0, 0x00));
+}
+
+}  // namespace scantrove

@@ -1,0 +1,37 @@
+#pragma once
+#include <QImage>
+#include <QStringList>
+#include <QWidget>
+#include <optional>
+
+namespace scantrove {
+
+/// Lies over the 3D view and lets the mouse through: what is lit up, the tag beside the pointer, the band
+/// that is being drawn, and a hint at the top.
+class SceneOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneOverlay(QWidget* parent);
+
+  void setLit(const QImage& lit);
+  [[nodiscard]] const QImage& lit() const { return lit_; }
+  /// None: the pointer is not in the view.
+  void setTag(const std::optional<QPointF>& pointer, const QStringList& tag);
+  [[nodiscard]] const QStringList& tag() const { return tag_; }
+  void setBand(const QRectF& band);
+  void setHint(const QString& hint);
+  [[nodiscard]] const QString& hint() const { return hint_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QImage lit_;
+  std::optional<QPointF> pointer_;
+  QStringList tag_;
+  QRectF band_;
+  QString hint_;
+};
+
+}  // namespace scantrove
