@@ -165,8 +165,8 @@ void RegionController::connectActions() {
   on(actions_.accept, [this] { accept(proposals_.acceptFirst()); });
   on(actions_.accept_all, [this] { accept(proposals_.acceptAll()); });
   on(actions_.not_this, [this] { proposals_.rejectFirst(); });
-  on(actions_.next, [this] { selection_.walk(1); });
-  on(actions_.previous, [this] { selection_.walk(-1); });
+  on(actions_.next, [this] { selection_.walk(true); });
+  on(actions_.previous, [this] { selection_.walk(false); });
   on(actions_.let_go, [this] { letGo(); });
   for (QAction* action : actions_.recent)
     on(action, [this, action] { giveName(action->data().toString(), {}); });

@@ -1,6 +1,7 @@
 #include "ui/models/region_selection.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace scantrove {
@@ -46,6 +47,7 @@ void RegionSelection::reset() {
   fragments_.clear();
   hovered_ = {};
   selected_.clear();
+  walked_.clear();
   emit hoverChanged();
   emit selectionChanged();
   emit infosChanged();
@@ -70,20 +72,29 @@ void RegionSelection::select(const std::vector<RegionId>& regions) {
   emit selectionChanged();
 }
 
-void RegionSelection::walk(int steps) {
-  std::vector<const RegionInfo*> by_size;
+void RegionSelection::walk(bool forward) {
+  const auto exists = [this](RegionId region) { return info(region) != nullptr; };
+  std::erase_if(walked_, std::not_fn(exists));
+  if (!forward) {
+    if (walked_.size() > 1) walked_.pop_back();
+    if (!walked_.empty()) select(walked_.back());
+    return;
+  }
+  const RegionInfo* largest = nullptr;
+  bool any = false;
   for (const RegionInfo& region : *infos_) {
-    if (region.voxels >= kVoxelsToWalkTo && !region.note.background) by_size.push_back(&region);
+    if (region.voxels < kVoxelsToWalkTo || region.note.background) continue;
+    any = true;
+    if (std::ranges::find(walked_, region.region) != walked_.end()) continue;
+    if (largest == nullptr || region.voxels > largest->voxels) largest = &region;
   }
-  if (by_size.empty()) return;
-  std::ranges::stable_sort(by_size, std::ranges::greater{}, &RegionInfo::voxels);
-  const auto count = static_cast<int>(by_size.size());
-  int place = steps > 0 ? -1 : 0;
-  if (!selected_.empty()) {
-    const auto found = std::ranges::find(by_size, selected_.back(), &RegionInfo::region);
-    if (found != by_size.end()) place = static_cast<int>(found - by_size.begin());
+  if (largest != nullptr) {
+    walked_.push_back(largest->region);
+    select(largest->region);
+  } else if (any) {
+    walked_.clear();
+    walk(true);
   }
-  select(by_size[static_cast<std::size_t>(((place + steps) % count + count) % count)]->region);
 }
 
 bool RegionSelection::isSelected(RegionId region) const {

@@ -28,8 +28,9 @@ class RegionSelection : public QObject {
   /// without `also`: nothing.
   void select(RegionId region, bool also = false);
   void select(const std::vector<RegionId>& regions);
-  /// Selects the next one by size; `steps` back when negative.
-  void walk(int steps);
+  /// Selects the largest region that was not walked to yet, whatever grows meanwhile; or goes back to the one
+  /// before. When all were walked to, it begins again.
+  void walk(bool forward);
 
   [[nodiscard]] RegionId hovered() const { return hovered_; }
   /// In the order in which they were selected.
@@ -58,6 +59,7 @@ class RegionSelection : public QObject {
   std::vector<RegionId> region_of_;  // by fragment
   RegionId hovered_;
   std::vector<RegionId> selected_;
+  std::vector<RegionId> walked_;                    // in order
   std::vector<std::vector<FragmentId>> fragments_;  // of selected_, when they were selected
 };
 

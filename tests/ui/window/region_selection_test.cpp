@@ -51,14 +51,17 @@ TEST(RegionSelection, WalksBySizeAndLeavesOutBackgroundAndCrumbs) {
   RegionInfo table = info(1, 90000);
   table.note.background = true;
   selection.follow(snapshotWith({}, {table, info(2, 500), info(3, 5000), info(4, 3)}));
-  selection.walk(1);
+  selection.walk(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
-  selection.walk(1);
+  // The other one grows meanwhile, and is no less the next.
+  selection.follow(snapshotWith({}, {table, info(2, 50000), info(3, 5000), info(4, 3)}));
+  selection.walk(true);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{2}});
-  selection.walk(1);
+  selection.walk(false);
   EXPECT_EQ(selection.selected(), std::vector{RegionId{3}});
-  selection.walk(-1);
-  EXPECT_EQ(selection.selected(), std::vector{RegionId{2}});
+  selection.walk(true);
+  selection.walk(true);
+  EXPECT_EQ(selection.selected(), std::vector{RegionId{2}}) << "from the beginning";
 }
 
 TEST(RegionSelection, SelectingAlsoAddsAndTakesAway) {
