@@ -12,6 +12,7 @@
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/main_window/view_actions.h"
 #include "ui/panels/camera_dialog.h"
 #include "ui/panels/file_dialogs.h"
 #include "ui/panels/help_dialog.h"
@@ -56,6 +57,8 @@ void MainWindow::makeMenus() {
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction()});
+  view->addSeparator();
+  scene_->viewActions()->addTo(view);
   view->addSeparator();
   for (const QDockWidget* dock : docks_->docks()) view->addAction(dock->toggleViewAction());
   view->addAction(actions_->reset_layout);

@@ -3,6 +3,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
+#include <set>
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/label_cloud_scene.h"
@@ -37,6 +38,15 @@ class SceneView : public QOpenGLWidget {
   /// Draws everything at full detail, however long it takes (for a picture of the window).
   void setFullDetail(bool full) { full_detail_ = full; }
 
+  void setColoring(Coloring coloring);
+  /// These regions are background and look like that from now on.
+  void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  void lookFrom(StandardView from);
+  /// Looks at all of `box` from the present direction; an empty one changes nothing.
+  void fit(const Eigen::AlignedBox3f& box);
+  /// The scene was changed directly. `moving`: it will soon be again, so draw quickly.
+  void redraw(bool moving = false);
+
   [[nodiscard]] QSize sizeHint() const override { return {900, 640}; }
 
  public slots:
@@ -46,6 +56,7 @@ class SceneView : public QOpenGLWidget {
 
  signals:
   void followingChanged(bool following);
+  void cleared();
 
  protected:
   void initializeGL() override;
