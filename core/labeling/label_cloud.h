@@ -40,7 +40,8 @@ class LabelCloud {
   /// How many voxels hold each fragment, by fragment number; shorter than the highest number where none does.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
 
-  /// Labelled voxels within a voxel of the surface, for some bricks, with the scene's colour and the normal.
+  /// Labelled voxels within a voxel of the surface, for some bricks, with the scene's colour, the normal, and
+  /// how far from the surface they are.
   struct Extract {
     std::vector<LabelPoint> points;  ///< of all bricks, brick after brick
     std::vector<std::uint32_t>

@@ -11,6 +11,7 @@
 #include "core/capture/intrinsics.h"
 #include "core/discovery/region_set.h"
 #include "core/scan/frame_counts.h"
+#include "core/scan/packed_surface.h"
 #include "core/scan/region_info.h"
 #include "core/tracking/pose_estimate.h"
 
@@ -32,8 +33,19 @@ struct SeenObject {
 /// The points of one brick of the label cloud, at a version that grows with each change of the brick.
 struct CloudBrick {
   struct Point {
-    float x, y, z;        ///< world, metres
+    float x, y, z;        ///< the voxel's centre; world, metres
     FragmentId fragment;  ///< its region: by all ScanSnapshot::changed_regions so far
+    PackedColor color{};  ///< the scene's
+    std::int8_t height =
+        0;  ///< of the voxel's centre over the surface, along the normal; kHeightSteps = a voxel
+    PackedNormal normal{};  ///< out of the surface
+
+    static constexpr float kHeightSteps = 100;
+    [[nodiscard]] Eigen::Vector3f centre() const { return {x, y, z}; }
+    /// Where the surface is.
+    [[nodiscard]] Eigen::Vector3f onSurface(float voxel_size_m) const {
+      return centre() - voxel_size_m * static_cast<float>(height) / kHeightSteps * normal.unpacked();
+    }
   };
   Eigen::Vector3i position;  ///< in units of bricks
   std::uint64_t version = 0;

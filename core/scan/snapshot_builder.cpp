@@ -1,14 +1,20 @@
 #include "core/scan/snapshot_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <unordered_set>
 
+#include "core/fusion/kernels/color_voxel.h"
+
 namespace scantrove {
 namespace {
 constexpr auto kLeastInterval = std::chrono::milliseconds(80);
+/// Voxels at most so far from the surface, in voxels, show it: any less, and a slanting one has holes; any
+/// more, and it is drawn in several layers.
+constexpr float kHalfSheet = 0.6F;
 
 std::int32_t number(std::uint32_t segment) { return static_cast<std::int32_t>(segment); }
 std::int32_t number(RegionId region) { return static_cast<std::int32_t>(region.value); }
@@ -39,6 +45,18 @@ cv::Mat fusedDepth(const FrameResult& result, const Intrinsics& K) {
   std::transform(result.vertices_world.begin(), result.vertices_world.end(), depth.begin<float>(),
                  [&](const Eigen::Vector4f& v) { return v.w() > 0 ? T_camera_world.row(2).dot(v) : 0.0F; });
   return depth;
+}
+
+CloudBrick::Point cloudPoint(const LabelPoint& point) {
+  CloudBrick::Point packed{point.x, point.y, point.z, FragmentId{point.fragment}};
+  if (COLOR_WEIGHT(point.color) > 0) {
+    packed.color = PackedColor::of(static_cast<std::uint8_t>(COLOR_RED(point.color)),
+                                   static_cast<std::uint8_t>(COLOR_GREEN(point.color)),
+                                   static_cast<std::uint8_t>(COLOR_BLUE(point.color)));
+  }
+  packed.height = static_cast<std::int8_t>(std::lround(point.height * CloudBrick::Point::kHeightSteps));
+  packed.normal = PackedNormal::of({point.normal_x, point.normal_y, point.normal_z});
+  return packed;
 }
 
 }  // namespace
@@ -172,7 +190,7 @@ Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size
     brick.version = version_;
     for (std::uint32_t p = extract->first[i]; p < extract->first[i + 1]; ++p) {
       const LabelPoint& point = extract->points[p];
-      brick.points.push_back({point.x, point.y, point.z, FragmentId{point.fragment}});
+      if (std::abs(point.height) <= kHalfSheet) brick.points.push_back(cloudPoint(point));
     }
     snapshot.changed_bricks.push_back(std::move(brick));
   }

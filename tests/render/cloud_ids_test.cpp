@@ -27,7 +27,7 @@ std::vector<CloudBrick> wallAndSquare() {
           const Eigen::Vector3f place =
               kIdVoxel_m * (8 * brick.position.cast<float>() +
                             Eigen::Vector3f(static_cast<float>(i % 8), static_cast<float>(i / 8), 4));
-          brick.points.push_back({place.x(), place.y(), place.z(), fragment});
+          brick.points.push_back({place.x(), place.y(), place.z(), fragment, {}, 0, {}});
         }
         bricks.push_back(std::move(brick));
       }

@@ -15,6 +15,7 @@
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/main_window/view_actions.h"
 #include "ui/panels/camera_dialog.h"
 #include "ui/panels/export_dialog.h"
 #include "ui/panels/file_dialogs.h"
@@ -73,6 +74,8 @@ void MainWindow::makeMenus() {
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction()});
+  view->addSeparator();
+  scene_->viewActions()->addTo(view);
   view->addSeparator();
   view->addActions({actions_->next_picture, actions_->frame_back, actions_->frame_on});
   view->addSeparator();

@@ -7,9 +7,11 @@
 #include <QMenu>
 #include <QSettings>
 #include <QUndoCommand>
+#include <cmath>
 
 #include "core/base/overloaded.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/main_window/view_actions.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/region_picture.h"
 #include "ui/panels/scene_overlay.h"
@@ -72,7 +74,14 @@ RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, Fram
   connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateActions);
-  connect(&selection_, &RegionSelection::infosChanged, this, &RegionController::updateActions);
+  connect(&selection_, &RegionSelection::infosChanged, this, [this] {
+    updateActions();
+    sizes_.clear();
+    std::set<RegionId> background = selection_.background();
+    if (background == background_) return;
+    background_ = std::move(background);
+    scene_.viewActions()->setBackground(background_);
+  });
   connect(&proposals_, &RegionProposals::changed, this, &RegionController::showProposal);
   connect(name_editor_, &RegionNameEditor::named, this, &RegionController::giveName);
   connect(name_editor_, &RegionNameEditor::closed, this, [this] {
@@ -167,6 +176,10 @@ void RegionController::connectActions() {
   on(actions_.not_this, [this] { proposals_.rejectFirst(); });
   on(actions_.next, [this] { selection_.walk(true); });
   on(actions_.previous, [this] { selection_.walk(false); });
+  on(actions_.fit, [this] {
+    const std::vector<RegionId>& selected = selection_.selected();
+    scene_.view()->fit(scene_.view()->scene().cloud().boundsOf({selected.begin(), selected.end()}));
+  });
   on(actions_.let_go, [this] { letGo(); });
   for (QAction* action : actions_.recent)
     on(action, [this, action] { giveName(action->data().toString(), {}); });
@@ -476,12 +489,29 @@ void RegionController::updateActions() {
   if (cutting_ != Cutting::no) actions_.let_go->setEnabled(true);
 }
 
-QStringList RegionController::tagOf(RegionId region) const {
+QString RegionController::sizeOf(RegionId region) {
+  const auto [size, is_new] = sizes_.try_emplace(region);
+  if (is_new) {
+    const Eigen::AlignedBox3f box = scene_.view()->scene().cloud().boundsOf({region});
+    const Eigen::Vector3f sides_cm =
+        box.isEmpty() ? Eigen::Vector3f::Zero() : Eigen::Vector3f(100 * box.sizes());
+    if (sides_cm.maxCoeff() > 0) {
+      size->second = tr("%1 x %2 x %3 cm")
+                         .arg(std::lround(sides_cm.x()))
+                         .arg(std::lround(sides_cm.y()))
+                         .arg(std::lround(sides_cm.z()));
+    }
+  }
+  return size->second;
+}
+
+QStringList RegionController::tagOf(RegionId region) {
   const RegionInfo* const info = selection_.info(region);
   if (info == nullptr) return {};
   QStringList lines{selection_.title(region)};
   QStringList facts;
   if (!info->note.category.empty()) facts << QString::fromStdString(info->note.category);
+  if (const QString size = sizeOf(region); !size.isEmpty()) facts << size;
   facts << tr("%1 voxels").arg(QLocale().toString(static_cast<qlonglong>(info->voxels)));
   if (info->note.background) facts << tr("background");
   if (info->note.rejected) facts << tr("rejected");

@@ -3,7 +3,9 @@
 #include <QPointer>
 #include <QUndoStack>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "ui/bridge/session_bridge.h"
@@ -79,7 +81,8 @@ class RegionController : public QObject {
   void light();
   void lightScene();
   void updateActions();
-  [[nodiscard]] QStringList tagOf(RegionId region) const;
+  [[nodiscard]] QStringList tagOf(RegionId region);
+  [[nodiscard]] QString sizeOf(RegionId region);
   void rememberName(const QString& name);
 
   /// What else looks like what was just named.
@@ -97,6 +100,8 @@ class RegionController : public QObject {
   RegionNameEditor* name_editor_;
   QPointer<QWidget> focus_before_name_;
   std::function<QStringList()> known_names_;
+  std::set<RegionId> background_;
+  std::map<RegionId, QString> sizes_;  ///< as they were asked for since the last news
   std::optional<QPointF> pointer_in_scene_;
   QPoint last_place_;  ///< on the screen, that was clicked or pointed at
   Cutting cutting_ = Cutting::no;

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "ui/main_window/view_actions.h"
 #include "ui/panels/scene_overlay.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
@@ -18,7 +19,8 @@ ScenePane::ScenePane(QWidget* parent)
       buttons_(new QFrame(this)),
       follow_(new QAction(icon(QStringLiteral("follow")), tr("&Follow the camera"), this)),
       fit_(new QAction(icon(QStringLiteral("fit")), tr("Show &all"), this)),
-      grid_(new QAction(icon(QStringLiteral("grid")), tr("Ground &grid"), this)) {
+      grid_(new QAction(icon(QStringLiteral("grid")), tr("Ground &grid"), this)),
+      view_actions_(new ViewActions(view_, this)) {
   follow_->setCheckable(true);
   follow_->setChecked(true);
   follow_->setShortcut(QKeySequence(Qt::Key_F));
@@ -38,7 +40,9 @@ ScenePane::ScenePane(QWidget* parent)
   auto* row = new QHBoxLayout(buttons_);
   row->setContentsMargins(4, 4, 4, 4);
   row->setSpacing(2);
-  for (QAction* action : {follow_, fit_, grid_}) {
+  row->addWidget(view_actions_->makeColoringButton());
+  for (QAction* action : {view_actions_->backgroundAction(), view_actions_->cutAction(),
+                          view_actions_->measureAction(), follow_, fit_, grid_}) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
     button->setIconSize({18, 18});

@@ -9,6 +9,7 @@ class QFrame;
 namespace scantrove {
 
 class SceneOverlay;
+class ViewActions;
 
 /// The 3D view with its own few buttons floating in a corner.
 class ScenePane : public QWidget {
@@ -22,6 +23,8 @@ class ScenePane : public QWidget {
   [[nodiscard]] QAction* followAction() const { return follow_; }
   [[nodiscard]] QAction* fitAction() const { return fit_; }
   [[nodiscard]] QAction* gridAction() const { return grid_; }
+  /// How the view shows the scene.
+  [[nodiscard]] ViewActions* viewActions() const { return view_actions_; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -35,6 +38,7 @@ class ScenePane : public QWidget {
   QAction* follow_;
   QAction* fit_;
   QAction* grid_;
+  ViewActions* view_actions_;
 };
 
 }  // namespace scantrove

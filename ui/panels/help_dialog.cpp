@@ -61,6 +61,11 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Double click beside the scene, Home"), tr("Show all"));
   line(tr("F"), tr("Follow the camera"));
   line(tr("G"), tr("Ground grid"));
+  line(tr("Alt+1 … Alt+5, R"), tr("Colour by scene, regions, both, directions, height; the next"));
+  line(tr("Shift+B"), tr("Background shown, dimmed, hidden"));
+  line(tr("X, Ctrl+wheel"), tr("Cut open, move the plane"));
+  line(tr("T"), tr("Measure between two clicks"));
+  line(tr("Ctrl+Alt+1 … Ctrl+Alt+6"), tr("Look from front, back, left, right, top, bottom"));
   heading(tr("Panels"));
   line(tr("Ctrl+1 … Ctrl+4"), tr("Show or hide objects, current frame, settings, history"));
   line(tr("Click on the title of a picture, V"), tr("Show it large"));

@@ -14,6 +14,7 @@ constexpr std::size_t kMinPoints = 5;
 constexpr float kMinWeight = 2;
 constexpr float kReach = 0.14F;        ///< of the Gaussian, squared, in bricks
 constexpr float kSameSurface = 0.82F;  ///< cosine of the angle up to which normals are averaged
+constexpr float kSameSide = 0.6F;      ///< the same for those of neighbouring voxels
 
 Eigen::Vector3f cellCentre(std::size_t cell) {
   return {(cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
@@ -40,14 +41,6 @@ struct Moments {
   }
 };
 
-/// A key light, and a weaker one from across.
-float brightness(const Eigen::Vector3f& normal) {
-  static const Eigen::Vector3f key = Eigen::Vector3f(0.45F, -0.80F, -0.40F).normalized();
-  static const Eigen::Vector3f fill = Eigen::Vector3f(-0.70F, -0.10F, -0.70F).normalized();
-  const float lit = 0.72F * std::abs(normal.dot(key)) + 0.28F * std::abs(normal.dot(fill));
-  return kAmbient + (1 - kAmbient) * std::min(1.0F, 1.25F * lit);
-}
-
 /// The normal of a cell at (x, y, z) counted in cells from the middle brick's corner, -2 <= x < 4.
 Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
   const auto brick_of = [](int cell) { return static_cast<std::size_t>((cell + 2) / 2); };
@@ -57,12 +50,71 @@ Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
   return (*cells)[in_brick(x) + 2 * in_brick(y) + 4 * in_brick(z)];
 }
 
+/// False when most points have no normal.
+bool meanNormals(const CloudBrick& brick, float brick_m, CellNormals& normals) {
+  std::size_t known = 0;
+  for (const CloudBrick::Point& point : brick.points) {
+    if (!point.normal.known()) continue;
+    ++known;
+    const Eigen::Vector3f p = point.centre() / brick_m - brick.position.cast<float>();
+    const Eigen::Vector3f normal = point.normal.unpacked();
+    for (std::size_t cell = 0; cell < normals.size(); ++cell) {
+      const float weight = 1 - (p - cellCentre(cell)).squaredNorm() / (4 * kReach);
+      if (weight <= 0) continue;
+      // Of a thin thing the other side counts as this one.
+      normals[cell] += normals[cell].dot(normal) >= 0 ? Eigen::Vector3f(weight * normal)
+                                                      : Eigen::Vector3f(-weight * normal);
+    }
+  }
+  return 2 * known >= brick.points.size();
+}
+
 }  // namespace
+
+float lightOn(const Eigen::Vector3f& normal) {
+  // A key light, and a weaker one from across.
+  static const Eigen::Vector3f key = Eigen::Vector3f(0.45F, -0.80F, -0.40F).normalized();
+  static const Eigen::Vector3f fill = Eigen::Vector3f(-0.70F, -0.10F, -0.70F).normalized();
+  const float lit = 0.72F * std::abs(normal.dot(key)) + 0.28F * std::abs(normal.dot(fill));
+  return kAmbient + (1 - kAmbient) * std::min(1.0F, 1.25F * lit);
+}
+
+void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
+  constexpr int kSide = 8;
+  constexpr int kPadded = kSide + 2;  // so that what lies around need not be checked
+  std::array<Eigen::Vector3f, kPadded * kPadded * kPadded> voxels;
+  voxels.fill(Eigen::Vector3f::Zero());
+  const auto place = [voxel_size_m](const CloudBrick::Point& point) {
+    // Right for points at voxel centres and at their corners.
+    const Eigen::Vector3i voxel = (point.centre().array() / voxel_size_m + 0.25F).floor().cast<int>();
+    return 1 + (voxel.x() & 7) + kPadded * (1 + (voxel.y() & 7) + kPadded * (1 + (voxel.z() & 7)));
+  };
+  for (const CloudBrick::Point& point : points)
+    voxels[static_cast<std::size_t>(place(point))] = point.normal.unpacked();
+  for (CloudBrick::Point& point : points) {
+    if (!point.normal.known()) continue;
+    const int middle = place(point);
+    const Eigen::Vector3f own = voxels[static_cast<std::size_t>(middle)];
+    Eigen::Vector3f sum = own;
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Eigen::Vector3f& other =
+              voxels[static_cast<std::size_t>(middle + dx + kPadded * (dy + kPadded * dz))];
+          if (other.dot(own) > kSameSide) sum += other;
+        }
+      }
+    }
+    point.normal = PackedNormal::of(sum);
+  }
+}
 
 CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m) {
   CellNormals normals;
   normals.fill(Eigen::Vector3f::Zero());
   if (brick.points.size() < kMinPoints) return normals;
+  if (meanNormals(brick, kBrickVoxels * voxel_size_m, normals)) return normals;
+  normals.fill(Eigen::Vector3f::Zero());
   // In bricks, from the brick's corner: 0..1, which also keeps the sums well conditioned.
   const float brick_m = kBrickVoxels * voxel_size_m;
   std::array<Moments, 8> cells;
@@ -98,7 +150,7 @@ CellLight cellLight(const Neighbourhood& bricks) {
         }
       }
     }
-    light[static_cast<std::size_t>(cell)] = own_length > 0 ? brightness(sum.normalized()) : 0.8F;
+    light[static_cast<std::size_t>(cell)] = own_length > 0 ? lightOn(sum.normalized()) : 0.8F;
   }
   return light;
 }

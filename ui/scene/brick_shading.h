@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "core/scan/scan_snapshot.h"
 
@@ -15,8 +16,8 @@ using CellLight = std::array<float, 8>;
 /// The 27 bricks around one, index (dx+1) + 3 (dy+1) + 9 (dz+1); null where there is none.
 using Neighbourhood = std::array<const CellNormals*, 27>;
 
-/// Normals from the points around each cell's centre (principal components, Gaussian weights): the snapshot
-/// carries none, and without light the cloud has no shape.
+/// The mean of the normals of the points around each cell's centre; where points have none, from the points
+/// themselves (principal components, Gaussian weights).
 [[nodiscard]] CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m);
 
 /// Light on the cells of the middle brick. Normals are averaged with those of the cells around that lie on
@@ -25,6 +26,13 @@ using Neighbourhood = std::array<const CellNormals*, 27>;
 
 /// Between the cell centres; `in_brick` in 0..1 along each axis.
 [[nodiscard]] float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick);
+
+/// Brightness 0..1 of a surface with this normal (unit, any sign).
+[[nodiscard]] float lightOn(const Eigen::Vector3f& normal);
+
+/// Gives every point of a brick the mean of the normals of the voxels around it: what is left of the
+/// sensor's noise shows in every highlight.
+void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m);
 
 /// Sum of a brick's cell normals, aligned with each other: its main surface.
 [[nodiscard]] Eigen::Vector3f mainNormal(const CellNormals& cells);

@@ -8,8 +8,6 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkShaderProperty.h>
-#include <vtkUniforms.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -17,10 +15,10 @@
 #include <cstdlib>
 #include <span>
 
-#include "core/exchange/region_palette.h"
-
 namespace scantrove {
 namespace {
+
+constexpr float kOwnLight = 0.6F;  ///< share of the light that falls by the point's own normal
 
 /// The coarsest level that shows the point. The points of level n are a lattice of every kLevelStride[n]-th
 /// voxel, x + 7 y + 11 z divisible by it: each lies within the finer one, and all lie nearly evenly on
@@ -53,6 +51,19 @@ std::vector<CloudBrick::Point> inOrderOfLevels(const std::vector<CloudBrick::Poi
   return ordered;
 }
 
+RegionId regionOf(const CloudBrick::Point& point, const CloudChunk::RegionOfFragment& region_of_fragment) {
+  const bool known = point.fragment.value < region_of_fragment.size();
+  return known ? region_of_fragment[point.fragment.value] : RegionId{};
+}
+
+/// Triples.
+template <class Array, class Value>
+void copyInto(const std::vector<Value>& values, Array& array) {
+  array.SetNumberOfComponents(3);
+  array.SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 3));
+  std::copy(values.begin(), values.end(), array.GetPointer(0));
+}
+
 }  // namespace
 
 CloudChunk::CloudChunk(vtkRenderer* renderer)
@@ -67,14 +78,8 @@ CloudChunk::CloudChunk(vtkRenderer* renderer)
   actor_->GetProperty()->LightingOff();
   actor_->GetProperty()->SetPointSize(3);
   actor_->PickableOff();
-  // Points grow towards the viewer, so that a surface closes from near and stays fine from afar.
-  actor_->GetShaderProperty()->AddVertexShaderReplacement(
-      "//VTK::PositionVC::Impl", true,
-      "//VTK::PositionVC::Impl\n"
-      "  gl_PointSize = clamp(point_scale / gl_Position.w, point_minimum, 40.0);\n",
-      false);
+  drawAsSplats(actor_, overlap_);
   actor_->VisibilityOff();
-  setPointScale(5);
   renderer_->AddActor(actor_);
 }
 
@@ -88,6 +93,7 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
   mine.version = brick.version;
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= mine.count[level];
   mine.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, mine.count);
+  smoothNormals(mine.points, voxel_size_m);
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] += mine.count[level];
   // Normals are dear, and a surface that gains no points keeps its shape.
   const auto shaped = static_cast<std::ptrdiff_t>(mine.points_when_shaped);
@@ -120,32 +126,40 @@ void CloudChunk::show(bool visible) {
   actor_->SetVisibility(visible && shown());
 }
 
-void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, float voxel_size_m) {
-  const auto count = static_cast<vtkIdType>(pointCount(wanted_level_));
-  const auto positions = vtkSmartPointer<vtkFloatArray>::New();
-  positions->SetNumberOfComponents(3);
-  positions->SetNumberOfTuples(count);
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(count);
-  float* position = positions->GetPointer(0);
-  unsigned char* color = colors->GetPointer(0);
-
+void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const CloudLook& look,
+                         float voxel_size_m) {
+  const std::size_t most = pointCount(wanted_level_);
+  std::vector<float> positions, directions;
+  std::vector<unsigned char> rgb;
+  positions.reserve(3 * most);
+  directions.reserve(3 * most);
+  rgb.reserve(3 * most);
   const float brick_m = 8 * voxel_size_m;
   for (auto& [key, brick] : bricks_) {
     if (brick.count[wanted_level_] == 0) continue;
     if (!brick.light) brick.light = lightOf(key);
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
     for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[wanted_level_])) {
-      for (const float coordinate : {p.x, p.y, p.z}) *position++ = coordinate;
-      const bool known = p.fragment.value < region_of_fragment.size();
-      const RegionId region = known ? region_of_fragment[p.fragment.value] : RegionId{};
-      const float shade = lightAt(*brick.light, Eigen::Vector3f(p.x, p.y, p.z) / brick_m - corner);
-      for (const std::uint8_t channel : regionColor(region)) {
-        *color++ = static_cast<unsigned char>(shade * static_cast<float>(channel));
-      }
+      const RegionId region = regionOf(p, region_of_fragment);
+      if (look.hides(region)) continue;
+      const Eigen::Vector3f normal = p.normal.unpacked();
+      const Eigen::Vector3f place = p.onSurface(voxel_size_m);
+      // The brick's light is smooth, the normal's tells small shapes.
+      float light = lightAt(*brick.light, place / brick_m - corner);
+      if (p.normal.known()) light += kOwnLight * (lightOn(normal) - light);
+      positions.insert(positions.end(), place.data(), place.data() + 3);
+      directions.insert(directions.end(), normal.data(), normal.data() + 3);
+      const Rgb color = pointColor(look, p, region, light);
+      rgb.insert(rgb.end(), color.begin(), color.end());
     }
   }
+  const auto count = static_cast<vtkIdType>(rgb.size() / 3);
+  const auto position_array = vtkSmartPointer<vtkFloatArray>::New();
+  const auto normal_array = vtkSmartPointer<vtkFloatArray>::New();
+  const auto color_array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  copyInto(positions, *position_array);
+  copyInto(directions, *normal_array);
+  copyInto(rgb, *color_array);
 
   // One cell that lists all points.
   const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -159,11 +173,12 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, float voxel
   vertices->SetData(offsets, ids);
 
   const auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(positions);
+  points->SetData(position_array);
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  data->SetVerts(vertices);
-  data->GetPointData()->SetScalars(colors);
+  if (count > 0) data->SetVerts(vertices);
+  data->GetPointData()->SetScalars(color_array);
+  data->GetPointData()->SetNormals(normal_array);
   mapper_->SetInputData(data);
   built_level_ = wanted_level_;
   dirty_ = false;
@@ -185,24 +200,55 @@ CellLight CloudChunk::lightOf(const BrickKey& key) const {
   return cellLight(around);
 }
 
-void CloudChunk::setPointScale(float pixels_at_1m) {
-  // A level with every n-th point of a surface needs squares sqrt(n) times as wide to stay closed.
+void CloudChunk::setView(const SplatView& view, SplatOverlap overlap, float voxel_size_m) {
+  if (overlap != overlap_) drawAsSplats(actor_, overlap);
+  overlap_ = overlap;
+  // A level with every n-th point of a surface needs discs sqrt(n) times as wide to stay closed, and those of
+  // coarser ones are spread less evenly.
   const std::size_t level = shown() ? built_level_ : 0;
-  // Where the surface steps from one layer of voxels to the next, the lattices of both do not quite meet.
-  const float overlap = level == 0 ? 1.5F : 1.9F;
-  const float widening = overlap * std::sqrt(static_cast<float>(kLevelStride[level]));
-  vtkUniforms* uniforms = actor_->GetShaderProperty()->GetVertexCustomUniforms();
-  point_scale_ = pixels_at_1m * widening;
-  point_minimum_ = level == 0 ? 1.6F : 2.0F;
-  uniforms->SetUniformf("point_scale", point_scale_);
-  uniforms->SetUniformf("point_minimum", point_minimum_);
+  const float width = level == 0 ? 1.9F : 2.2F;
+  const float diameter_m = width * std::sqrt(static_cast<float>(kLevelStride[level])) * voxel_size_m;
+  diameter_m_ = diameter_m;
+  least_px_ = level == 0 ? 1.6F : 2.0F;
+  setSplats(actor_, view, diameter_m_, least_px_);
 }
 
-void CloudChunk::addTo(CloudIds& ids) const {
+void CloudChunk::addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudLook& look,
+                       float voxel_size_m) const {
   if (!in_view_ || !shown()) return;
+  ids.setDisc(diameter_m_, least_px_);
   for (const auto& [key, brick] : bricks_) {
-    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[built_level_]))
-      ids.add({p.x, p.y, p.z}, p.fragment, point_scale_, point_minimum_);
+    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[built_level_])) {
+      if (!look.hides(regionOf(p, region_of_fragment)))
+        ids.add(p.onSurface(voxel_size_m), p.normal.unpacked(), p.fragment);
+    }
+  }
+}
+
+void CloudChunk::collectNear(const PickRay& ray, const RegionOfFragment& region_of_fragment,
+                             const CloudLook& look, float voxel_size_m,
+                             std::vector<PickedPoint>& found) const {
+  if (!ray.mayMeet(bounds_)) return;
+  for (const auto& [key, brick] : bricks_) {
+    if (brick.points.empty()) continue;
+    const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
+    const float brick_m = 8 * voxel_size_m;
+    if (!ray.mayMeet({corner * brick_m, (corner.array() + 1).matrix() * brick_m})) continue;
+    for (const CloudBrick::Point& p : brick.points) {
+      const Eigen::Vector3f place = p.onSurface(voxel_size_m);
+      const std::optional<PickedPoint> picked = ray.meet(place);
+      if (picked && !look.hides(regionOf(p, region_of_fragment))) found.push_back(*picked);
+    }
+  }
+}
+
+void CloudChunk::extendByRegions(const std::set<RegionId>& regions,
+                                 const RegionOfFragment& region_of_fragment, float voxel_size_m,
+                                 Eigen::AlignedBox3f& box) const {
+  for (const auto& [key, brick] : bricks_) {
+    for (const CloudBrick::Point& p : brick.points) {
+      if (regions.contains(regionOf(p, region_of_fragment))) box.extend(p.onSurface(voxel_size_m));
+    }
   }
 }
 
@@ -217,7 +263,7 @@ void CloudChunk::collectPoints(std::vector<std::vector<LookPoint>>& of_fragment)
   for (const auto& [key, brick] : bricks_) {
     for (const CloudBrick::Point& p : brick.points) {
       if (p.fragment.value < of_fragment.size())
-        of_fragment[p.fragment.value].push_back({{p.x, p.y, p.z}, {}, false});
+        of_fragment[p.fragment.value].push_back({{p.x, p.y, p.z}, p.color.rgb, p.color.known()});
     }
   }
 }

@@ -10,12 +10,16 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/discovery/region_look.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/brick_shading.h"
 #include "ui/scene/cloud_ids.h"
+#include "ui/scene/cloud_look.h"
+#include "ui/scene/cloud_pick.h"
+#include "ui/scene/splats.h"
 
 class vtkRenderer;
 
@@ -24,7 +28,7 @@ namespace scantrove {
 /// Bricks along the edge of a chunk.
 inline constexpr int kChunkBricks = 16;
 /// Level n draws about every kLevelStride[n]-th point, larger.
-inline constexpr std::array<std::size_t, 4> kLevelStride{1, 4, 16, 64};
+inline constexpr std::array<std::size_t, 5> kLevelStride{1, 2, 4, 16, 64};
 /// How many points each level draws.
 using LevelCounts = std::array<std::size_t, kLevelStride.size()>;
 
@@ -53,14 +57,25 @@ class CloudChunk {
   void show(bool visible);
   [[nodiscard]] bool inView() const { return in_view_; }
 
-  /// Sends points and colours of the wanted level to VTK.
-  void rebuild(const RegionOfFragment& region_of_fragment, float voxel_size_m);
+  /// Something that concerns all points is another: it must be drawn anew.
+  void markAll() { dirty_ = true; }
 
-  /// Sets the drawn size: `pixels_at_1m` is the edge of a voxel in pixels at one metre from the camera.
-  void setPointScale(float pixels_at_1m);
+  /// Sends points and colours of the wanted level to VTK.
+  void rebuild(const RegionOfFragment& region_of_fragment, const CloudLook& look, float voxel_size_m);
+
+  /// Sets from where the points are seen; their size goes with the level that is shown.
+  void setView(const SplatView& view, SplatOverlap overlap, float voxel_size_m);
+
+  /// Gives the points near the ray that are not hidden, in any order.
+  void collectNear(const PickRay& ray, const RegionOfFragment& region_of_fragment, const CloudLook& look,
+                   float voxel_size_m, std::vector<PickedPoint>& found) const;
+  /// Extends `box` by the points of these regions.
+  void extendByRegions(const std::set<RegionId>& regions, const RegionOfFragment& region_of_fragment,
+                       float voxel_size_m, Eigen::AlignedBox3f& box) const;
 
   /// What is shown of it, into `ids`.
-  void addTo(CloudIds& ids) const;
+  void addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudLook& look,
+             float voxel_size_m) const;
 
   [[nodiscard]] std::size_t pointCount() const { return count_[0]; }
   /// How many points the level draws.
@@ -101,7 +116,8 @@ class CloudChunk {
   std::size_t built_level_ = kLevelStride.size();  ///< none yet
   bool dirty_ = true;
   bool in_view_ = false;
-  float point_scale_ = 5, point_minimum_ = 1.6F;  ///< as the shader has them
+  float diameter_m_ = 0, least_px_ = 1;  ///< of the points as they are drawn
+  SplatOverlap overlap_ = SplatOverlap::exact;
 };
 
 }  // namespace scantrove

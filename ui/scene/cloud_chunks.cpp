@@ -7,9 +7,33 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace scantrove {
 namespace {
+
+constexpr float kMiddle = 0.4F;           ///< of the view: so far from its centre, in half heights
+constexpr float kMostVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
+constexpr float kSmallBlock_px = 6;       ///< what is as small is none
+
+std::size_t coarsestWithin(float voxels) {
+  std::size_t level = 0;
+  while (level + 1 < kLevelStride.size() && static_cast<float>(kLevelStride[level + 1]) <= voxels * voxels) {
+    ++level;
+  }
+  return level;
+}
+
+/// How far from the middle of the view the nearest part of the box is; half of its height is 1.
+float fromMiddle(const SplatView& view, const Eigen::AlignedBox3f& box, int height_px) {
+  const Eigen::Vector3f way = box.center() - view.eye;
+  const float ahead = -way.dot(view.back);
+  const float radius = 0.5F * box.diagonal().norm();
+  if (ahead <= radius) return way.norm() <= radius ? 0.0F : 1.0F;
+  const float aside = Eigen::Vector2f(way.dot(view.right), way.dot(view.up)).norm();
+  const float half_height = static_cast<float>(height_px) / (2 * view.pixels_per_metre_at_1m);
+  return std::max(0.0F, aside - radius) / (ahead * half_height);
+}
 
 int floorDivide(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
@@ -72,31 +96,39 @@ void CloudChunks::recolor(const std::vector<RegionChange>& changes) {
 void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget) {
   std::array<double, 24> planes{};
   camera->GetFrustumPlanes(static_cast<double>(width_px) / std::max(1, height_px), planes.data());
-  const Eigen::Vector3f eye = Eigen::Vector3d(camera->GetPosition()).cast<float>();
-  const double half_angle = camera->GetViewAngle() * 3.14159265358979 / 360;
-  const auto pixels_at_1m = static_cast<float>(height_px / 2.0 / std::tan(half_angle)) * voxel_size_m_;
+  const SplatView view(camera, height_px);
 
   struct Candidate {
     CloudChunk* chunk;
-    float spacing_px;  ///< of neighbouring points at the finest level, at the chunk's near side
+    float spacing_px;      ///< of neighbouring points at the finest level, at the chunk's near side
+    float from_middle;     ///< of the view; half of its height is 1
+    std::size_t coarsest;  ///< that it may be drawn at
   };
   std::vector<Candidate> visible;
   for (auto& [key, chunk] : chunks_) {
     const bool inside = chunk->pointCount() > 0 && mayBeVisible(planes, chunk->bounds());
     chunk->show(inside);
     if (!inside) continue;
-    const float distance = std::max(0.2F, std::sqrt(chunk->bounds().squaredExteriorDistance(eye)) + 0.3F);
-    visible.push_back({chunk.get(), pixels_at_1m / distance});
+    const float distance =
+        std::max(0.2F, std::sqrt(chunk->bounds().squaredExteriorDistance(view.eye)) + 0.3F);
+    const float spacing_px = view.pixels_per_metre_at_1m * voxel_size_m_ / distance;
+    const float from_middle = fromMiddle(view, chunk->bounds(), height_px);
+    const bool blocks = from_middle < kMiddle && kMostVoxelsInMiddle * spacing_px > kSmallBlock_px;
+    visible.push_back({chunk.get(), spacing_px, from_middle,
+                       blocks ? coarsestWithin(kMostVoxelsInMiddle) : kLevelStride.size() - 1});
   }
 
-  // The smallest gap in pixels between drawn points for which the whole fits the budget.
-  constexpr std::array<float, 7> kTargets_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 1e9F};
+  // The smallest gap in pixels between drawn points for which the whole fits the budget. In the middle of the
+  // view, where one looks, half of that; and there no blocks, unless nothing else fits.
+  constexpr std::array<float, 9> kTargets_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 16, 1e9F, 2e9F};
   for (const float target : kTargets_px) {
     drawn_point_count_ = 0;
     for (const Candidate& candidate : visible) {
+      const float bearable = target * (0.5F + 0.5F * std::min(1.0F, candidate.from_middle));
+      const std::size_t coarsest = target > 1e9F ? kLevelStride.size() - 1 : candidate.coarsest;
       std::size_t level = 0;
-      while (level + 1 < kLevelStride.size() &&
-             candidate.spacing_px * std::sqrt(static_cast<float>(kLevelStride[level + 1])) <= target) {
+      while (level < coarsest &&
+             candidate.spacing_px * std::sqrt(static_cast<float>(kLevelStride[level + 1])) <= bearable) {
         ++level;
       }
       candidate.chunk->setLevel(level);
@@ -104,7 +136,7 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
     }
     if (drawn_point_count_ <= point_budget) break;
   }
-  for (const Candidate& candidate : visible) candidate.chunk->setPointScale(pixels_at_1m);
+  for (const Candidate& candidate : visible) candidate.chunk->setView(view, overlap_, voxel_size_m_);
 }
 
 bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
@@ -124,7 +156,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   std::size_t spent = 0;
   for (CloudChunk* chunk : dirty) {
     if (spent > 0 && spent + chunk->pointCount(chunk->level()) > rebuild_budget) return false;
-    chunk->rebuild(region_of_fragment_, voxel_size_m_);
+    chunk->rebuild(region_of_fragment_, look_, voxel_size_m_);
     chunk->waiting_rounds = 0;
     spent += chunk->pointCount(chunk->level());
   }
@@ -134,7 +166,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
 }
 
 void CloudChunks::addTo(CloudIds& ids) const {
-  for (const auto& [key, chunk] : chunks_) chunk->addTo(ids);
+  for (const auto& [key, chunk] : chunks_) chunk->addTo(ids, region_of_fragment_, look_, voxel_size_m_);
 }
 
 RegionId CloudChunks::regionOf(FragmentId fragment) const {
@@ -165,13 +197,72 @@ std::vector<Eigen::Vector3f> CloudChunks::brickNormals() const {
   return normals;
 }
 
-float CloudChunks::floorHeight(const Eigen::Vector3f& up) const {
+float CloudChunks::heightAbove(const Eigen::Vector3f& up, float part) const {
   std::vector<float> heights;
   for (const auto& [key, chunk] : chunks_) chunk->collectHeights(up, heights);
   if (heights.empty()) return 0;
-  const auto place = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 50);
+  const auto last = static_cast<float>(heights.size() - 1);
+  const auto place = heights.begin() + static_cast<std::ptrdiff_t>(part * last);
   std::nth_element(heights.begin(), place, heights.end());
   return *place;
+}
+
+std::optional<Eigen::Vector3f> CloudChunks::pick(const Eigen::Vector3f& origin,
+                                                 const Eigen::Vector3f& direction,
+                                                 float radians_per_pixel) const {
+  std::vector<PickedPoint> found;
+  const PickRay ray(origin, direction, voxel_size_m_, radians_per_pixel);
+  for (const auto& [key, chunk] : chunks_)
+    chunk->collectNear(ray, region_of_fragment_, look_, voxel_size_m_, found);
+  return foremost(found, 2 * voxel_size_m_);
+}
+
+Eigen::AlignedBox3f CloudChunks::boundsOf(const std::set<RegionId>& regions) const {
+  Eigen::AlignedBox3f box;
+  for (const auto& [key, chunk] : chunks_)
+    chunk->extendByRegions(regions, region_of_fragment_, voxel_size_m_, box);
+  return box;
+}
+
+void CloudChunks::setColoring(Coloring coloring) {
+  if (coloring == look_.coloring) return;
+  look_.coloring = coloring;
+  recolorAll();
+}
+
+void CloudChunks::setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
+  const std::set<RegionId> before = std::exchange(look_.background, regions);
+  const BackgroundLook look_before = std::exchange(look_.background_look, look);
+  if (look != look_before) {
+    recolorRegions([&](RegionId region) { return before.contains(region) || regions.contains(region); });
+  } else if (before != regions && look != BackgroundLook::as_others) {
+    recolorRegions([&](RegionId region) { return before.contains(region) != regions.contains(region); });
+  }
+}
+
+void CloudChunks::setBackdrop(const Rgb& color) {
+  if (color == look_.backdrop) return;
+  look_.backdrop = color;
+  if (look_.background_look == BackgroundLook::dimmed)
+    recolorRegions([&](RegionId region) { return look_.isBackground(region); });
+}
+
+void CloudChunks::setHeights(const Eigen::Vector3f& up, float low_m, float high_m) {
+  look_.up = up;
+  look_.low_m = low_m;
+  look_.high_m = high_m;
+  if (look_.coloring == Coloring::height || look_.coloring == Coloring::normals) recolorAll();
+}
+
+void CloudChunks::recolorAll() {
+  for (auto& [key, chunk] : chunks_) chunk->markAll();
+}
+
+template <class Changed>
+void CloudChunks::recolorRegions(const Changed& changed) {
+  std::vector<bool> fragments(region_of_fragment_.size());
+  for (std::size_t i = 0; i < fragments.size(); ++i) fragments[i] = changed(region_of_fragment_[i]);
+  for (auto& [key, chunk] : chunks_) chunk->markIfUses(fragments);
 }
 
 }  // namespace scantrove

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "core/discovery/region_look.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunk.h"
+#include "ui/scene/cloud_look.h"
 
 class vtkRenderer;
 class vtkCamera;
@@ -35,6 +38,16 @@ class CloudChunks {
   /// other regions now; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
   void update(const std::vector<CloudBrick>& changed, const std::vector<RegionChange>& changed_regions);
 
+  void setColoring(Coloring coloring);
+  /// These regions are background, and look like that from now on.
+  void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  /// What dimmed regions nearly become.
+  void setBackdrop(const Rgb& color);
+  /// Up (unit), and between which heights along it the scene's colours by height run.
+  void setHeights(const Eigen::Vector3f& up, float low_m, float high_m);
+  void setOverlap(SplatOverlap overlap) { overlap_ = overlap; }
+  [[nodiscard]] const CloudLook& look() const { return look_; }
+
   /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
   /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed. Returns true
   /// when all chunks in view are up to date.
@@ -55,11 +68,21 @@ class CloudChunks {
   [[nodiscard]] bool upToDate() const;
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
 
+  /// The point of the cloud that a look from `origin` along `direction` meets first: within a point's drawn
+  /// size of the ray, or within a pixel. None where it meets nothing; what is hidden is not there.
+  [[nodiscard]] std::optional<Eigen::Vector3f> pick(const Eigen::Vector3f& origin,
+                                                    const Eigen::Vector3f& direction,
+                                                    float radians_per_pixel) const;
+  /// Empty when there are no points of these regions.
+  [[nodiscard]] Eigen::AlignedBox3f boundsOf(const std::set<RegionId>& regions) const;
+
   /// Surface normals of the bricks (sign arbitrary), weighted by their number of points: for finding "up".
   [[nodiscard]] std::vector<Eigen::Vector3f> brickNormals() const;
 
   /// Height along `up` (unit) below which only 2 % of the bricks lie; 0 when there are none.
-  [[nodiscard]] float floorHeight(const Eigen::Vector3f& up) const;
+  [[nodiscard]] float floorHeight(const Eigen::Vector3f& up) const { return heightAbove(up, 0.02F); }
+  /// Height along `up` (unit) below which that part of the bricks lies; 0 when there are none.
+  [[nodiscard]] float heightAbove(const Eigen::Vector3f& up, float part) const;
 
  private:
   struct ChunkKey {
@@ -67,11 +90,17 @@ class CloudChunks {
     auto operator<=>(const ChunkKey&) const = default;
   };
   void recolor(const std::vector<RegionChange>& changes);
+  void recolorAll();
+  /// What is drawn of regions for which `changed(region)`.
+  template <class Changed>
+  void recolorRegions(const Changed& changed);
   void chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget);
 
   vtkRenderer* renderer_;
   std::map<ChunkKey, std::unique_ptr<CloudChunk>> chunks_;
   std::vector<RegionId> region_of_fragment_;
+  CloudLook look_;
+  SplatOverlap overlap_ = SplatOverlap::exact;
   Eigen::AlignedBox3f bounds_;
   std::size_t point_count_ = 0;
   std::size_t drawn_point_count_ = 0;

@@ -10,15 +10,21 @@
 namespace scantrove {
 namespace {
 
-constexpr float kNearest_m = 0.02F;
-constexpr float kLargestPoint_px = 40;  // as in the shader
+// As in the shaders.
+constexpr float kLargestPoint_px = 64;
+constexpr float kLeastFacing = 0.3F;
+constexpr float kSmall_px = 3.5F;
 
 }  // namespace
+
+CloudIds::CloudIds() = default;
 
 void CloudIds::begin(vtkCamera* camera, int width_px, int height_px, float scale) {
   scale_ = scale;
   width_ = std::max(1, static_cast<int>(static_cast<float>(width_px) * scale));
   height_ = std::max(1, static_cast<int>(static_cast<float>(height_px) * scale));
+  view_ = SplatView(camera, height_px);
+  nearest_m_ = static_cast<float>(camera->GetClippingRange()[0]);
   const double aspect = static_cast<double>(width_px) / std::max(1, height_px);
   const vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
   Eigen::Matrix4d clip_world;
@@ -32,27 +38,48 @@ void CloudIds::begin(vtkCamera* camera, int width_px, int height_px, float scale
   distances_.assign(pixels, std::numeric_limits<float>::max());
 }
 
-void CloudIds::add(const Eigen::Vector3f& point_world, FragmentId fragment, float scale_px,
-                   float minimum_px) {
+void CloudIds::setDisc(float diameter_m, float least_px) {
+  diameter_m_ = diameter_m;
+  least_px_ = least_px;
+}
+
+void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal, FragmentId fragment) {
   const Eigen::Vector4f clip = clip_world_ * point_world.homogeneous();
   const float distance = clip.w();
-  if (distance < kNearest_m) return;
+  if (distance < nearest_m_) return;
   const float x = (0.5F + 0.5F * clip.x() / distance) * static_cast<float>(width_);
   const float y = (0.5F - 0.5F * clip.y() / distance) * static_cast<float>(height_);
-  const float half = 0.5F * scale_ * std::clamp(scale_px / distance, minimum_px, kLargestPoint_px);
+  const float drawn_px =
+      std::clamp(view_.pixels_per_metre_at_1m * diameter_m_ / distance, least_px_, kLargestPoint_px);
+  const float half = 0.5F * scale_ * drawn_px;
   if (!(x > -half && x < static_cast<float>(width_) + half && y > -half &&
         y < static_cast<float>(height_) + half))
     return;
-  // Pixels whose centres it covers, and the one that it lies in.
-  const int left = std::max(0, static_cast<int>(x - half + 0.5F));
-  const int right = std::min(width_ - 1, std::max(static_cast<int>(x), static_cast<int>(x + half - 0.5F)));
-  const int top = std::max(0, static_cast<int>(y - half + 0.5F));
-  const int bottom = std::min(height_ - 1, std::max(static_cast<int>(y), static_cast<int>(y + half - 0.5F)));
-  for (int v = top; v <= bottom; ++v) {
-    for (int u = left; u <= right; ++u) {
+  // The disc's plane, as in the vertex shader.
+  const Eigen::Vector3f to_eye = view_.eye - point_world;
+  float facing = normal.dot(to_eye) / std::max(1e-6F, view_.back.dot(to_eye));
+  facing = facing < 0 ? std::min(facing, -kLeastFacing) : std::max(facing, kLeastFacing);
+  const float right = -normal.dot(view_.right) / facing, down = normal.dot(view_.up) / facing;
+  const float end = drawn_px < kSmall_px ? 8.0F : 1.0F;
+  const float radius_m = 0.5F * drawn_px * distance / view_.pixels_per_metre_at_1m;
+  // Pixels whose centres it may cover, and the one that it lies in.
+  const int own_x = static_cast<int>(x), own_y = static_cast<int>(y);
+  const int first_x = std::max(0, static_cast<int>(x - half + 0.5F));
+  const int last_x = std::min(width_ - 1, std::max(own_x, static_cast<int>(x + half - 0.5F)));
+  const int first_y = std::max(0, static_cast<int>(y - half + 0.5F));
+  const int last_y = std::min(height_ - 1, std::max(own_y, static_cast<int>(y + half - 0.5F)));
+  for (int v = first_y; v <= last_y; ++v) {
+    for (int u = first_x; u <= last_x; ++u) {
+      const float dx = (static_cast<float>(u) + 0.5F - x) / half;
+      const float dy = (static_cast<float>(v) + 0.5F - y) / half;
+      const float nearer = right * dx + down * dy;
+      const float square = dx * dx + dy * dy + nearer * nearer;
+      const bool is_own = u == own_x && v == own_y;
+      if (square > end && !is_own) continue;
+      const float at = is_own && square > end ? distance : distance - radius_m * (nearer - 0.4F * square);
       const std::size_t pixel = place(u, v);
-      if (distance >= distances_[pixel]) continue;
-      distances_[pixel] = distance;
+      if (at >= distances_[pixel]) continue;
+      distances_[pixel] = at;
       fragments_[pixel] = fragment;
     }
   }

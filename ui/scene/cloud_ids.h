@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "ui/scene/splats.h"
 
 class vtkCamera;
 
@@ -15,12 +16,15 @@ namespace scantrove {
 /// drawing. One thread.
 class CloudIds {
  public:
+  CloudIds();
+
   /// Nothing is shown yet. `scale`: pixels of this a pixel of the drawing, which is `width_px` x `height_px`.
   void begin(vtkCamera* camera, int width_px, int height_px, float scale);
 
-  /// A point as the vertex shader of CloudChunk draws it: a square as wide as `scale_px` over its distance in
-  /// metres, `minimum_px` at least; in pixels of the drawing.
-  void add(const Eigen::Vector3f& point_world, FragmentId fragment, float scale_px, float minimum_px);
+  /// Of the points that follow: the diameter of their discs, which have so many pixels at least.
+  void setDisc(float diameter_m, float least_px);
+  /// A point as the shaders of splats.cpp draw it. `normal`: unit, or zero where it is not known.
+  void add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal, FragmentId fragment);
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
@@ -37,6 +41,9 @@ class CloudIds {
 
   int width_ = 0, height_ = 0;
   float scale_ = 1;
+  SplatView view_;
+  float nearest_m_ = 0;  // what is nearer is cut away
+  float diameter_m_ = 0, least_px_ = 1;
   Eigen::Matrix4f clip_world_ = Eigen::Matrix4f::Identity();
   Eigen::Matrix4f world_clip_ = Eigen::Matrix4f::Identity();
   std::vector<FragmentId> fragments_;

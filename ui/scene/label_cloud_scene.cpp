@@ -20,10 +20,16 @@ void enableProgramPointSize(vtkObject* /*caller*/, unsigned long /*event*/, void
   glEnable(GL_PROGRAM_POINT_SIZE);
 }
 
-void setBackground(vtkRenderer* renderer, const Rgb& top, const Rgb& bottom) {
+void setBackdrop(vtkRenderer* renderer, const Rgb& top, const Rgb& bottom) {
   renderer->GradientBackgroundOn();
   renderer->SetBackground(bottom[0] / 255.0, bottom[1] / 255.0, bottom[2] / 255.0);
   renderer->SetBackground2(top[0] / 255.0, top[1] / 255.0, top[2] / 255.0);
+}
+
+Rgb between(const Rgb& a, const Rgb& b) {
+  Rgb middle{};
+  for (std::size_t c = 0; c < 3; ++c) middle[c] = static_cast<std::uint8_t>((a[c] + b[c]) / 2);
+  return middle;
 }
 
 }  // namespace
@@ -32,7 +38,8 @@ LabelCloudScene::LabelCloudScene()
     : renderer_(vtkSmartPointer<vtkRenderer>::New()),
       cloud_(renderer_),
       sensor_(renderer_),
-      grid_(renderer_) {
+      grid_(renderer_),
+      measure_(renderer_) {
   const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
   command->SetCallback(enableProgramPointSize);
   renderer_->AddObserver(vtkCommand::StartEvent, command);
@@ -40,14 +47,16 @@ LabelCloudScene::LabelCloudScene()
 }
 
 void LabelCloudScene::setColors(const Colors& colors) {
-  setBackground(renderer_, colors.background_top, colors.background_bottom);
+  setBackdrop(renderer_, colors.background_top, colors.background_bottom);
   grid_.setColor(colors.grid);
+  cloud_.setBackdrop(between(colors.background_top, colors.background_bottom));
   sensor_.setTrailColor(colors.trail);
 }
 
 void LabelCloudScene::clear() {
   cloud_.clear();
   sensor_.clear();
+  measure_.show({});
   viewpoint_ = OrbitCamera();
   grid_.place({0, 1, 1.5F}, -Eigen::Vector3f::UnitY(), 2);
   following_ = true;
@@ -86,6 +95,7 @@ void LabelCloudScene::levelOut() {
   if (following_) viewpoint_.setUp(up_);
   const Eigen::AlignedBox3f& box = cloud_.bounds();
   const Eigen::Vector3f centre = box.center();
+  cloud_.setHeights(up_, cloud_.floorHeight(up_), cloud_.heightAbove(up_, 0.98F));
   grid_.place(centre + (cloud_.floorHeight(up_) - centre.dot(up_)) * up_, up_, 0.6F * box.diagonal().norm());
 }
 
@@ -100,12 +110,64 @@ void LabelCloudScene::fitAll(float aspect) {
   viewpoint_.fit(cloud_.bounds(), aspect);
 }
 
+void LabelCloudScene::fit(const Eigen::AlignedBox3f& box, float aspect) {
+  if (box.isEmpty()) return;
+  following_ = false;
+  viewpoint_.fit(box, aspect);
+  viewpoint_.zoom(1.35F);  // with something around it
+}
+
+void LabelCloudScene::lookFrom(StandardView from) {
+  following_ = false;
+  viewpoint_.setUp(up_);
+  // As the sensor looked at first, but level.
+  Eigen::Vector3f ahead = R_world_camera_.col(2) - R_world_camera_.col(2).dot(up_) * up_;
+  if (ahead.norm() < 0.1F) ahead = -R_world_camera_.col(1) + R_world_camera_.col(1).dot(up_) * up_;
+  ahead.normalize();
+  const Eigen::Vector3f side = ahead.cross(up_);
+  // From above and below with what is ahead on top; a little aslant, as near to the poles as one may look.
+  constexpr float kSlant = 0.05F;
+  switch (from) {
+    case StandardView::front:
+      return viewpoint_.lookAlong(ahead);
+    case StandardView::back:
+      return viewpoint_.lookAlong(-ahead);
+    case StandardView::left:
+      return viewpoint_.lookAlong(side);
+    case StandardView::right:
+      return viewpoint_.lookAlong(-side);
+    case StandardView::top:
+      return viewpoint_.lookAlong(kSlant * ahead - up_);
+    case StandardView::bottom:
+      return viewpoint_.lookAlong(kSlant * ahead + up_);
+  }
+}
+
+std::optional<float> LabelCloudScene::cutDistance() const {
+  if (!cut_behind_target_m_) return std::nullopt;
+  return std::max(0.0F, viewpoint_.distance() + *cut_behind_target_m_);
+}
+
+std::optional<Eigen::Vector3f> LabelCloudScene::pick(float x, float y, int width_px, int height_px) const {
+  const float aspect = static_cast<float>(width_px) / static_cast<float>(std::max(1, height_px));
+  const Eigen::Vector3f direction = viewpoint_.rayAt(x, y, aspect);
+  // A plane across the view is farther away along slanting rays.
+  const float cut_m = cutDistance().value_or(0) / direction.dot(viewpoint_.forward());
+  return cloud_.pick(viewpoint_.eye() + cut_m * direction, direction,
+                     OrbitCamera::radiansPerPixel(height_px));
+}
+
 bool LabelCloudScene::prepare(int width_px, int height_px, std::size_t point_budget,
                               std::size_t rebuild_budget) {
   Eigen::AlignedBox3f all = cloud_.bounds();
   all.extend(sensor_.bounds());
   vtkCamera* camera = renderer_->GetActiveCamera();
   viewpoint_.applyTo(camera, all);
+  if (const std::optional<float> cut_m = cutDistance()) {
+    const double* range = camera->GetClippingRange();
+    const double nearest = std::max(range[0], static_cast<double>(*cut_m));
+    camera->SetClippingRange(nearest, std::max(range[1], nearest + 1));
+  }
   return cloud_.prepare(camera, width_px, height_px, point_budget, rebuild_budget);
 }
 

@@ -3,14 +3,21 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunks.h"
 #include "ui/scene/ground_grid.h"
+#include "ui/scene/measure_line.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/sensor_track.h"
 
 namespace scantrove {
+
+/// From where the scene is looked at, as it stood before the sensor in its first frame.
+enum class StandardView { front, back, left, right, top, bottom };
 
 /// All that the 3D view shows, behind one renderer: cloud, sensor, grid, and the viewpoint. Free of Qt;
 /// whoever owns an OpenGL context adds renderer() to a render window. One thread.
@@ -41,6 +48,29 @@ class LabelCloudScene {
   [[nodiscard]] OrbitCamera& viewpoint() { return viewpoint_; }
   void fitAll(float aspect);
 
+  /// Looks at all of `box` from the present direction.
+  void fit(const Eigen::AlignedBox3f& box, float aspect);
+  /// Turns to a standard view: `front` is how the sensor looked at first. The target stays.
+  void lookFrom(StandardView from);
+
+  void setOverlap(SplatOverlap overlap) { cloud_.setOverlap(overlap); }
+  void setColoring(Coloring coloring) { cloud_.setColoring(coloring); }
+  void setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
+    cloud_.setBackground(regions, look);
+  }
+
+  /// Leaves out what is nearer to the viewer than a plane through the viewpoint's target, or so far behind
+  /// it (before it, if negative); none: shows all.
+  void setCut(std::optional<float> behind_target_m) { cut_behind_target_m_ = behind_target_m; }
+  /// How far from the eye the plane is; none: there is no cut.
+  [[nodiscard]] std::optional<float> cutDistance() const;
+
+  /// The point of the surface that is seen at a place of the picture, x to the right and y up, each -1..1
+  /// from edge to edge. None where there is nothing; what is hidden or cut away is not there.
+  [[nodiscard]] std::optional<Eigen::Vector3f> pick(float x, float y, int width_px, int height_px) const;
+  /// A measured line through these points; none: no line.
+  void showMeasure(const std::vector<Eigen::Vector3f>& points) { measure_.show(points); }
+
   /// To call right before rendering into a viewport of this size; see CloudChunks::prepare.
   bool prepare(int width_px, int height_px, std::size_t point_budget, std::size_t rebuild_budget);
 
@@ -59,12 +89,14 @@ class LabelCloudScene {
   CloudChunks cloud_;
   SensorTrack sensor_;
   GroundGrid grid_;
+  MeasureLine measure_;
   OrbitCamera viewpoint_;
   bool following_ = true;
   bool has_pose_ = false;
   Eigen::Matrix3f R_world_camera_ = Eigen::Matrix3f::Identity();  ///< of the first frame
   Eigen::Vector3f up_ = -Eigen::Vector3f::UnitY();  ///< of the scene; the viewpoint's only when it may turn
   std::size_t points_at_leveling_ = 0;
+  std::optional<float> cut_behind_target_m_;
 };
 
 }  // namespace scantrove

@@ -45,6 +45,11 @@ void OrbitCamera::zoom(float factor) {
   distance_ = std::clamp(distance_ * factor, kMinDistance_m, kMaxDistance_m);
 }
 
+void OrbitCamera::lookAlong(const Eigen::Vector3f& direction) {
+  forward_ = direction.normalized();
+  orbit(0, 0);
+}
+
 void OrbitCamera::fit(const Eigen::AlignedBox3f& box, float aspect) {
   if (box.isEmpty()) return;
   const float radius = std::max(0.1F, 0.5F * box.diagonal().norm());
@@ -65,6 +70,25 @@ void OrbitCamera::lookAt(const Eigen::Vector3f& eye, const Eigen::Vector3f& targ
 void OrbitCamera::approach(const Eigen::Vector3f& eye, const Eigen::Vector3f& target, float fraction) {
   const Eigen::Vector3f here = this->eye();
   lookAt(here + fraction * (eye - here), target_ + fraction * (target - target_));
+}
+
+Eigen::Vector3f OrbitCamera::rayAt(float x, float y, float aspect) const {
+  const Eigen::Vector3f side = forward_.cross(up_).normalized();
+  const float half_height = std::tan(halfViewAngle());
+  return (forward_ + half_height * (aspect * x * side + y * side.cross(forward_))).normalized();
+}
+
+std::optional<Eigen::Vector2f> OrbitCamera::placeOf(const Eigen::Vector3f& point, float aspect) const {
+  const Eigen::Vector3f way = point - eye();
+  const float ahead = way.dot(forward_);
+  if (ahead < 1e-4F) return std::nullopt;
+  const Eigen::Vector3f side = forward_.cross(up_).normalized();
+  const float half_height = ahead * std::tan(halfViewAngle());
+  return Eigen::Vector2f(way.dot(side) / (half_height * aspect), way.dot(side.cross(forward_)) / half_height);
+}
+
+float OrbitCamera::radiansPerPixel(int height_px) {
+  return 2 * std::tan(halfViewAngle()) / static_cast<float>(std::max(1, height_px));
 }
 
 void OrbitCamera::applyTo(vtkCamera* camera, const Eigen::AlignedBox3f& scene) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 
 class vtkCamera;
 
@@ -21,6 +22,8 @@ class OrbitCamera {
   /// Multiplies the distance.
   void zoom(float factor);
 
+  /// Turns to look along `direction`, as near to the poles as it goes; the target stays.
+  void lookAlong(const Eigen::Vector3f& direction);
   /// Looks at all of `box` from the present direction.
   void fit(const Eigen::AlignedBox3f& box, float aspect);
   /// Looks from `eye` to `target`.
@@ -31,6 +34,15 @@ class OrbitCamera {
   [[nodiscard]] Eigen::Vector3f eye() const { return target_ - distance_ * forward_; }
   [[nodiscard]] const Eigen::Vector3f& target() const { return target_; }
   [[nodiscard]] float distance() const { return distance_; }
+  [[nodiscard]] const Eigen::Vector3f& forward() const { return forward_; }
+
+  /// The direction (unit) in which a place of the picture lies: x to the right, y up, each -1..1 from edge to
+  /// edge.
+  [[nodiscard]] Eigen::Vector3f rayAt(float x, float y, float aspect) const;
+  /// Where in the picture a point is seen; none behind the eye.
+  [[nodiscard]] std::optional<Eigen::Vector2f> placeOf(const Eigen::Vector3f& point, float aspect) const;
+  /// Radians between neighbouring pixels in the middle of a picture of that height.
+  [[nodiscard]] static float radiansPerPixel(int height_px);
 
   /// Position, focal point, up, and a clipping range that holds `scene`.
   void applyTo(vtkCamera* camera, const Eigen::AlignedBox3f& scene) const;

@@ -151,6 +151,7 @@ void SceneView::clearScene() {
   scene_.clear();
   if (window_ != nullptr) doneCurrent();
   emit followingChanged(scene_.following());
+  emit cleared();
   schedule();
 }
 
@@ -192,6 +193,36 @@ void SceneView::setGridVisible(bool visible) {
   schedule();
 }
 
+void SceneView::setColoring(Coloring coloring) {
+  scene_.setColoring(coloring);
+  schedule();
+}
+
+void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
+  scene_.setBackground(regions, look);
+  schedule();
+}
+
+void SceneView::lookFrom(StandardView from) {
+  scene_.lookFrom(from);
+  emit followingChanged(false);
+  schedule();
+}
+
+void SceneView::fit(const Eigen::AlignedBox3f& box) {
+  if (box.isEmpty()) return;
+  scene_.fit(box, static_cast<float>(width()) / static_cast<float>(std::max(1, height())));
+  emit followingChanged(false);
+  schedule();
+}
+
+void SceneView::redraw(bool moving) {
+  if (!moving) return schedule();
+  moving_ = true;
+  settle_timer_.start();
+  draw_timer_.start(0);
+}
+
 void SceneView::schedule() {
   if (draw_timer_.isActive()) return;
   int wait_ms = 0;
@@ -230,6 +261,8 @@ void SceneView::paintGL() {
   window.GetState()->Push();
   const std::size_t rebuild_budget = scanning_ && !full_detail_ ? kRebuildWhileScanningPoints : 10'000'000;
   const std::size_t points = full_detail_ ? static_cast<std::size_t>(PointBudget::kMost) : budget().points();
+  const bool hurry = (moving_ || scanning_) && !full_detail_;
+  scene_.setOverlap(hurry ? SplatOverlap::quick : SplatOverlap::exact);
   const bool complete = scene_.prepare(pixels.width(), pixels.height(), points, rebuild_budget);
   const double prepared_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   window.Render();

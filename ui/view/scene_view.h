@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <opencv2/core/mat.hpp>
+#include <set>
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/common/region_point.h"
@@ -47,6 +48,14 @@ class SceneView : public QOpenGLWidget {
   [[nodiscard]] const cv::Mat& regionIds();
   /// Of the band that is being drawn, widget coordinates; empty: none is.
   [[nodiscard]] QRectF band() const;
+  void setColoring(Coloring coloring);
+  /// These regions are background and look like that from now on.
+  void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  void lookFrom(StandardView from);
+  /// Looks at all of `box` from the present direction; an empty one changes nothing.
+  void fit(const Eigen::AlignedBox3f& box);
+  /// The scene was changed directly. `moving`: it will soon be again, so draw quickly.
+  void redraw(bool moving = false);
 
   [[nodiscard]] QSize sizeHint() const override { return {900, 640}; }
 
@@ -67,6 +76,7 @@ class SceneView : public QOpenGLWidget {
   void menuWanted(const QPointF& place, const QPoint& on_screen);
   void bandChanged();
   void bandDrawn(const QRectF& band);
+  void cleared();
 
  protected:
   void initializeGL() override;

@@ -3,6 +3,7 @@
 // offsets, with write = 1. One work-item: one brick, so that its points lie together.
 //   normal    gradient of the distance by differences along each axis: central, or to one side where the other neighbour was not
 //             seen or lies in another brick; where there is neither, 0
+//   height    the distance over its slope: a voxel beside a surface seen aslant is nearer to it than rays tell
 //   listed    bricks to visit: position x, y, z and slot
 //   voxels    slots x 512 signed distances
 //   labels    slots x 512 label voxels
@@ -46,11 +47,13 @@ kernel void extract_points(global const int4* listed, const int listed_count,
       out[count].fragment = label;
       const float3 slope = (float3)(slope_at(held, i, 1, x), slope_at(held, i, 8, y), slope_at(held, i, 64, z));
       const float square = dot(slope, slope);
-      const float3 normal = slope * (square > 0.0f ? 1.0f / sqrt(square) : 0.0f);
+      const float flatness = square > 0.0f ? 1.0f / sqrt(square) : 0.0f;
+      const float3 normal = slope * flatness;
       out[count].normal_x = normal.x;
       out[count].normal_y = normal.y;
       out[count].normal_z = normal.z;
       out[count].color = colors[slot * BRICK_VOXELS + i];
+      out[count].height = (float)voxel.distance * flatness;
     }
     ++count;
   }

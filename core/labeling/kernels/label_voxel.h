@@ -17,6 +17,7 @@ typedef struct LabelPoint {
   unsigned int fragment;
   float normal_x, normal_y, normal_z; /* unit, out of the surface; all 0 where it is not known */
   unsigned int color;                 /* the scene's, color_voxel.h; 0: not seen in colour */
+  float height;                       /* over the surface along the normal, in voxels; 0 without normal */
 } LabelPoint;
 
 #endif

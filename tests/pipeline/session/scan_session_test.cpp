@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <set>
 #include <tuple>
 
@@ -99,6 +101,29 @@ TEST_F(ScanSessionTest, GivenPosesAreRefusedWhereThereAreNone) {
   session_.wait();
   EXPECT_EQ(session_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("has no poses"));
+}
+
+// What the window needs to show the scene as it is.
+TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColoursAndWhereItsSurfaceIs) {
+  session_.start(request(6));
+  session_.wait();
+  const auto last = session_.snapshots().collect();
+  ASSERT_TRUE(last);
+  std::size_t points = 0, with_normal = 0, with_color = 0;
+  std::set<std::array<std::uint8_t, 3>> colors;
+  for (const CloudBrick& brick : last->changed_bricks) {
+    for (const CloudBrick::Point& point : brick.points) {
+      ++points;
+      with_normal += point.normal.known() ? 1U : 0U;
+      with_color += point.color.known() ? 1U : 0U;
+      colors.insert(point.color.rgb);
+      ASSERT_LE(std::abs(point.height), 60);
+    }
+  }
+  ASSERT_GT(points, 10'000U);
+  EXPECT_GT(static_cast<double>(with_normal), 0.95 * static_cast<double>(points));
+  EXPECT_GT(static_cast<double>(with_color), 0.8 * static_cast<double>(points));
+  EXPECT_GT(colors.size(), 500U);
 }
 
 // The window may be slow: what a skipped snapshot held comes with the next.

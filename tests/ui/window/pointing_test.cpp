@@ -49,7 +49,8 @@ class PointingTest : public WindowTest {
           for (int i = 0; i < 64; ++i) {
             const Eigen::Vector3f in_brick(Eigen::Vector3i(i % 8, i / 8, 0).cast<float>().array() + 0.5F);
             const Eigen::Vector3f place = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
-            brick.points.push_back({place.x(), place.y(), place.z(), FragmentId{b == 0 ? 1U : 2U}});
+            brick.points.push_back(
+                {place.x(), place.y(), place.z(), FragmentId{b == 0 ? 1U : 2U}, {}, 0, {}});
           }
           snapshot.changed_bricks.push_back(brick);
         }

@@ -1,0 +1,141 @@
+#include "ui/main_window/view_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QSettings>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+
+#include "ui/theme/icon.h"
+#include "ui/view/cut_tool.h"
+#include "ui/view/measure_tool.h"
+#include "ui/view/scene_view.h"
+
+namespace scantrove {
+namespace {
+
+const QString kColoringKey = QStringLiteral("view/coloring");
+const QString kBackgroundKey = QStringLiteral("view/background");
+
+/// As the settings know them, in the order of Coloring and of BackgroundLook.
+const std::array kColoringWords{"scene", "regions", "blended", "normals", "height"};
+const std::array kBackgroundWords{"shown", "dimmed", "hidden"};
+
+/// The place of the remembered word among these; `usual` where there is none of them.
+template <std::size_t size>
+std::size_t remembered(const QString& key, const std::array<const char*, size>& words, std::size_t usual) {
+  const std::string word = QSettings().value(key).toString().toStdString();
+  const auto found = std::find(words.begin(), words.end(), word);
+  return found == words.end() ? usual : static_cast<std::size_t>(found - words.begin());
+}
+
+void giveKey(QAction* action, const QKeySequence& key, const QString& help) {
+  action->setShortcut(key);
+  action->setToolTip(QStringLiteral("%1 (%2)").arg(help, key.toString(QKeySequence::NativeText)));
+}
+
+}  // namespace
+
+ViewActions::ViewActions(SceneView* view, QObject* parent)
+    : QObject(parent),
+      view_(view),
+      cut_(new CutTool(view)),
+      measure_(new MeasureTool(view)),
+      colorings_(new QActionGroup(this)),
+      next_coloring_(new QAction(tr("&Next colouring"), this)),
+      background_action_(new QAction(icon(QStringLiteral("backdrop")), {}, this)),
+      cut_action_(new QAction(icon(QStringLiteral("cut")), tr("Cut &open"), this)),
+      measure_action_(new QAction(icon(QStringLiteral("ruler")), tr("&Measure"), this)) {
+  makeColorings();
+  makeStandardViews();
+  giveKey(background_action_, tr("Shift+B"), tr("Background as all else, dimmed, or hidden"));
+  background_action_->setCheckable(true);
+  connect(background_action_, &QAction::triggered, this, [this] {
+    lookAtBackground(static_cast<BackgroundLook>((static_cast<int>(background_look_) + 1) %
+                                                 static_cast<int>(kBackgroundWords.size())));
+  });
+  cut_action_->setCheckable(true);
+  giveKey(cut_action_, tr("X"), tr("Look inside: leave out what is near"));
+  connect(cut_action_, &QAction::toggled, cut_, &CutTool::setActive);
+  measure_action_->setCheckable(true);
+  giveKey(measure_action_, tr("T"), tr("Measure between two points of the surface"));
+  connect(measure_action_, &QAction::toggled, measure_, &MeasureTool::setActive);
+  connect(measure_, &MeasureTool::ended, this, [this] { measure_action_->setChecked(false); });
+  color(static_cast<Coloring>(remembered(kColoringKey, kColoringWords, 1)));
+  lookAtBackground(static_cast<BackgroundLook>(remembered(kBackgroundKey, kBackgroundWords, 0)));
+}
+
+void ViewActions::makeColorings() {
+  const std::array names{tr("Colours of the &scene"), tr("&Regions"), tr("Scene and regions &blended"),
+                         tr("&Directions of the surface"), tr("&Height")};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto* action = new QAction(names[i], colorings_);
+    action->setCheckable(true);
+    giveKey(action, QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), names[i].simplified().remove('&'));
+    connect(action, &QAction::triggered, this, [this, coloring = kColorings[i]] { color(coloring); });
+  }
+  giveKey(next_coloring_, tr("R"), tr("Colour the scene by something else"));
+  connect(next_coloring_, &QAction::triggered, this,
+          [this] { color(kColorings[(static_cast<std::size_t>(coloring_) + 1) % kColorings.size()]); });
+}
+
+void ViewActions::makeStandardViews() {
+  const std::array names{tr("&Front"), tr("&Back"), tr("&Left"), tr("&Right"), tr("&Top"), tr("B&ottom")};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto* action = new QAction(names[i], this);
+    action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(i + 1)));
+    connect(action, &QAction::triggered, view_,
+            [this, from = static_cast<StandardView>(i)] { view_->lookFrom(from); });
+    standard_views_.append(action);
+  }
+}
+
+void ViewActions::addTo(QMenu* menu) {
+  QMenu* colorings = menu->addMenu(icon(QStringLiteral("palette")), tr("Colour &by"));
+  colorings->addActions(colorings_->actions());
+  colorings->addSeparator();
+  colorings->addAction(next_coloring_);
+  menu->addMenu(tr("&Look from"))->addActions(standard_views_);
+  menu->addActions({background_action_, cut_action_, measure_action_});
+}
+
+QToolButton* ViewActions::makeColoringButton() {
+  auto* button = new QToolButton;
+  button->setIcon(icon(QStringLiteral("palette")));
+  button->setToolTip(tr("What colours the scene (R: the next)"));
+  button->setAccessibleName(tr("What colours the scene"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  menu->addActions(colorings_->actions());
+  button->setMenu(menu);
+  return button;
+}
+
+QList<QAction*> ViewActions::coloringActions() const { return colorings_->actions(); }
+
+void ViewActions::setBackground(const std::set<RegionId>& regions) {
+  background_ = regions;
+  view_->setBackground(background_, background_look_);
+}
+
+void ViewActions::color(Coloring coloring) {
+  coloring_ = coloring;
+  const auto place = static_cast<std::size_t>(coloring);
+  colorings_->actions()[static_cast<int>(place)]->setChecked(true);
+  QSettings().setValue(kColoringKey, QString::fromLatin1(kColoringWords.at(place)));
+  view_->setColoring(coloring);
+}
+
+void ViewActions::lookAtBackground(BackgroundLook look) {
+  background_look_ = look;
+  const std::array names{tr("Background: &shown"), tr("Background: &dimmed"), tr("Background: &hidden")};
+  const auto place = static_cast<std::size_t>(look);
+  background_action_->setText(names.at(place));
+  background_action_->setChecked(look != BackgroundLook::as_others);
+  QSettings().setValue(kBackgroundKey, QString::fromLatin1(kBackgroundWords.at(place)));
+  view_->setBackground(background_, look);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,63 @@
+#pragma once
+#include <QObject>
+#include <set>
+
+#include "core/base/ids.h"
+#include "ui/scene/cloud_look.h"
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QToolButton;
+
+namespace scantrove {
+
+class CutTool;
+class MeasureTool;
+class SceneView;
+
+/// The commands that change how the 3D view shows the scene, with their keys; what colours it and how the
+/// background looks are remembered.
+class ViewActions : public QObject {
+  Q_OBJECT
+
+ public:
+  ViewActions(SceneView* view, QObject* parent);
+
+  void addTo(QMenu* menu);
+  /// A button that opens the ways to colour the scene.
+  [[nodiscard]] QToolButton* makeColoringButton();
+
+  /// These regions are background.
+  void setBackground(const std::set<RegionId>& regions);
+  [[nodiscard]] BackgroundLook backgroundLook() const { return background_look_; }
+  [[nodiscard]] Coloring coloring() const { return coloring_; }
+
+  /// One of each Coloring, in their order.
+  [[nodiscard]] QList<QAction*> coloringActions() const;
+  [[nodiscard]] QAction* backgroundAction() const { return background_action_; }
+  [[nodiscard]] QAction* cutAction() const { return cut_action_; }
+  [[nodiscard]] QAction* measureAction() const { return measure_action_; }
+  [[nodiscard]] MeasureTool* measureTool() const { return measure_; }
+
+ private:
+  void makeColorings();
+  void makeStandardViews();
+  void color(Coloring coloring);
+  void lookAtBackground(BackgroundLook look);
+
+  SceneView* view_;
+  CutTool* cut_;
+  MeasureTool* measure_;
+  QActionGroup* colorings_;
+  QAction* next_coloring_;
+  QList<QAction*> standard_views_;
+  QAction* background_action_;
+  QAction* cut_action_;
+  QAction* measure_action_;
+  std::set<RegionId> background_;
+  BackgroundLook background_look_ = BackgroundLook::as_others;
+  Coloring coloring_ = Coloring::regions;
+};
+
+}  // namespace scantrove

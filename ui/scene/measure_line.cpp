@@ -1,0 +1,64 @@
+#include "ui/scene/measure_line.h"
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+
+namespace scantrove {
+namespace {
+
+vtkSmartPointer<vtkActor> addOnTop(vtkRenderer* renderer, vtkPolyData* data) {
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(data);
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(3);
+  actor->PickableOff();
+  actor->VisibilityOff();
+  // Nearer than all else, yet in order among themselves.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Depth::Impl", true, "  gl_FragDepth = 0.001 * gl_FragCoord.z;\n", false);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+}  // namespace
+
+MeasureLine::MeasureLine(vtkRenderer* renderer)
+    : line_data_(vtkSmartPointer<vtkPolyData>::New()),
+      ends_data_(vtkSmartPointer<vtkPolyData>::New()),
+      line_(addOnTop(renderer, line_data_)),
+      ends_(addOnTop(renderer, ends_data_)) {
+  // Points have the size that their shader says (see LabelCloudScene).
+  ends_->GetShaderProperty()->AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true, "//VTK::PositionVC::Impl\n  gl_PointSize = 9.0;\n", false);
+  setColor({255, 214, 64});
+}
+
+void MeasureLine::show(const std::vector<Eigen::Vector3f>& points) {
+  const auto places = vtkSmartPointer<vtkPoints>::New();
+  const auto line = vtkSmartPointer<vtkCellArray>::New();
+  const auto ends = vtkSmartPointer<vtkCellArray>::New();
+  for (const Eigen::Vector3f& point : points) {
+    const vtkIdType place = places->InsertNextPoint(point.cast<double>().eval().data());
+    ends->InsertNextCell({place});
+    if (place > 0) line->InsertNextCell({place - 1, place});
+  }
+  line_data_->SetPoints(places);
+  line_data_->SetLines(line);
+  ends_data_->SetPoints(places);
+  ends_data_->SetVerts(ends);
+  line_->SetVisibility(points.size() > 1);
+  ends_->SetVisibility(!points.empty());
+}
+
+void MeasureLine::setColor(const Rgb& color) {
+  for (vtkActor* actor : {line_.Get(), ends_.Get()})
+    actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+}
+
+}  // namespace scantrove
