@@ -43,7 +43,7 @@ class OpenSession {
   /// What could not be read, in sentences.
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
   /// Whether the scan came to its end.
-  [[nodiscard]] bool hasEnded() const { return scan_.facts.contains("ended"); }
+  [[nodiscard]] bool hasEnded() const { return !fact("ended").empty(); }
 
   /// All regions, by id. Error: the device failed.
   [[nodiscard]] Result<std::vector<RegionSummary>> regions();
@@ -64,6 +64,14 @@ class OpenSession {
   [[nodiscard]] Result<RegionEditor::Outcome> redo();
   [[nodiscard]] const OperationLog& history() const;
   [[nodiscard]] const RegionNote& noteOf(RegionId region) const;
+  /// The object that the region is, of the session's catalogue; none: not known.
+  [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  /// What the catalogue did (core/scan/session_catalogue.h): kept, but no operation. Error: it could not be
+  /// written.
+  [[nodiscard]] Result<void> setObject(RegionId region, ObjectId object);
+  /// A note for this program itself, by name; empty: there is none. Kept with the next setObject().
+  [[nodiscard]] std::string fact(const std::string& name) const;
+  void setFact(const std::string& name, const std::string& value);
   /// Of the map.
   [[nodiscard]] int brickCount() const;
 

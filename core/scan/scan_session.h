@@ -26,7 +26,7 @@ struct ScanRequest {
   Poses poses = Poses::tracked;
   ScanParams params;
   std::string device;    ///< as chooseDevice takes it
-  std::string database;  ///< catalogue to search and add to
+  std::string database;  ///< catalogue to search and add to; empty, with `resume`: that of the session
   std::optional<std::filesystem::path>
       output_folder;  ///< where results go; none: nothing but the catalogue is written
   bool label_maps = false;
@@ -59,6 +59,10 @@ struct ObjectsMerged {
   ObjectId into;
   std::vector<ObjectId> from;
 };  ///< the regions of these objects turned out to be one
+struct ObjectNamed {
+  ObjectId object;
+  std::string name;
+};  ///< a person named a region: this object is called so now, and confirmed; it is committed
 struct CatalogueFailed {
   Error error;
 };  ///< the catalogue cannot be read or written for now; the scan goes on, what is found waits
@@ -82,9 +86,9 @@ struct ScanFailed {
 struct ScanFinished {
   ScanReport report;
 };
-using ScanEvent =
-    std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
-                 CatalogueFailed, MapFailed, Edited, EditFailed, FrameSkipped, ScanFailed, ScanFinished>;
+using ScanEvent = std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
+                               ObjectsMerged, ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed,
+                               FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Takes the newest operation back, or does it again.
 struct UndoEdit {};

@@ -42,6 +42,7 @@ class SessionBridge : public QObject {
   void objectRecognised(scantrove::ObjectId object, const QString& name);
   void viewAdded(scantrove::ObjectId object);
   void objectsMerged(scantrove::ObjectId into);
+  void objectNamed(scantrove::ObjectId object);  ///< by a person who named a region
   /// The catalogue cannot be read or written for now; the scan goes on.
   void catalogueFailed(const QString& message);
   /// A part of the map cannot be written to disk for now, or not be read back; the scan goes on.

@@ -160,6 +160,7 @@ void MainWindow::connectCatalogue() {
   connect(&bridge, &SessionBridge::objectAdded, this, soon);
   connect(&bridge, &SessionBridge::viewAdded, this, soon);
   connect(&bridge, &SessionBridge::objectsMerged, this, soon);
+  connect(&bridge, &SessionBridge::objectNamed, this, soon);
   connect(&bridge, &SessionBridge::stateChanged, this, soon);
   connect(&editor_, &CatalogueEditor::edited, &bridge, &SessionBridge::catalogueChanged);
   connect(&editor_, &CatalogueEditor::failed, this,
