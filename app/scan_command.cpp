@@ -50,8 +50,9 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   // Before anything is opened: nobody wants to learn this at the end of a scan.
   SCANTROVE_TRY(prepareOutputFolder(out));
   request.output_folder = out;
-  request.database =
-      command.database.empty() ? (*request.output_folder / "catalogue.sqlite").string() : command.database;
+  request.database = command.database;
+  if (command.database.empty() && !request.resume)
+    request.database = (*request.output_folder / "catalogue.sqlite").string();
   request.label_maps = command.label_maps;
   const CoreApplication qt;
   const auto report = runToEnd(request);
@@ -71,8 +72,9 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_option("--resume", command->resume, "instead of --out: go on in the folder of an earlier scan")
       ->type_name("DIR");
   sub->add_flag("--record", command->record, "keep the images of every frame, not of key frames only");
-  sub->add_option("--database", command->database,
-                  "catalogue to search and add to (default DIR/catalogue.sqlite)")
+  sub->add_option(
+         "--database", command->database,
+         "catalogue to search and add to (default DIR/catalogue.sqlite, or that of the earlier scan)")
       ->type_name("FILE");
   sub->add_flag("--label-maps", command->label_maps,
                 "also write the segments and regions of every frame as PNGs");
