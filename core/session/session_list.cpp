@@ -128,7 +128,7 @@ Result<void> readSession(const fs::path& file, SessionSummary& summary) {
   for (int i = 1;; ++i) {
     const auto database = DatabaseConnection::openToRead(file.string());
     if (!database) return fail(database.error());
-    const Result<void> read = readTables(**database, summary);
+    Result<void> read = readTables(**database, summary);
     if ((*database)->isStill() || i == kMostTries) return read;
   }
 }
