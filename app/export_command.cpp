@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <stop_token>
 
@@ -6,15 +7,45 @@
 #include "app/core_application.h"
 #include "app/stop_signal.h"
 #include "core/dataset/dataset_export.h"
+#include "core/scan/catalogue_export.h"
 #include "core/scan/session_scan.h"
 
 namespace scantrove {
 namespace {
 
 struct ExportCommand {
-  std::string folder, out, format, device;
+  std::string folder, database, out, format, device;
   bool all_frames = false, background = false;
 };
+
+/// Progress in steps of ten percent on stderr; Ctrl+C ends the export.
+class ExportTeller {
+ public:
+  ExportTeller() { listenForStop(); }
+  void operator()(const ExportProgress& progress) {
+    if (stopRequested()) stop_.request_stop();
+    const int percent = progress.total > 0 ? 10 * (10 * progress.done / progress.total) : 0;
+    if (percent != std::exchange(last_percent_, percent))
+      std::cerr << percent << " % " << progress.what << '\n';
+  }
+  [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+
+ private:
+  std::stop_source stop_;
+  int last_percent_ = -1;
+};
+
+long megabytesOf(std::uint64_t bytes) { return std::lround(static_cast<double>(bytes) / 1e6); }
+
+Result<void> exportObjects(const ExportCommand& command) {
+  ExportTeller teller;
+  const auto summary = exportCatalogue(command.database, command.out, std::ref(teller), teller.token());
+  if (!summary) return fail(summary.error());
+  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << skipped << '\n';
+  std::cout << "objects  " << summary->objects << " objects, " << summary->views << " views, "
+            << megabytesOf(summary->bytes) << " MB\nresults  " << summary->folder.string() << '\n';
+  return {};
+}
 
 Result<void> exportSession(const ExportCommand& command) {
   const Result<DatasetFormat> format = parseDatasetFormat(command.format);
@@ -23,25 +54,16 @@ Result<void> exportSession(const ExportCommand& command) {
   if (!session) return fail(session.error());
   for (const std::string& damage : (*session)->damages()) std::cerr << "scantrove: " << damage << '\n';
   SessionScan scan(**session);
-  listenForStop();
-  std::stop_source stop;
-  int last_percent = -1;
-  const auto tell = [&](const ExportProgress& progress) {
-    if (stopRequested()) stop.request_stop();
-    const int percent = progress.total > 0 ? 10 * (10 * progress.done / progress.total) : 0;
-    if (percent != std::exchange(last_percent, percent))
-      std::cerr << percent << " % " << progress.what << '\n';
-  };
+  ExportTeller teller;
   const auto summary = exportDataset(scan, {*format, command.out, command.all_frames, command.background},
-                                     tell, stop.get_token());
+                                     std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
   for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << skipped << '\n';
   std::cout << command.format << "     " << summary->images << " images, " << summary->regions << " regions, "
             << summary->annotations << " annotations";
   if (summary->points > 0) std::cout << ", " << summary->points << " points";
   if (summary->faces > 0) std::cout << ", " << summary->faces << " faces";
-  std::cout << ", " << std::lround(static_cast<double>(summary->bytes) / 1e6) << " MB\nresults  "
-            << summary->folder.string() << '\n';
+  std::cout << ", " << megabytesOf(summary->bytes) << " MB\nresults  " << summary->folder.string() << '\n';
   return {};
 }
 
@@ -49,10 +71,12 @@ Result<void> exportSession(const ExportCommand& command) {
 
 void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ExportCommand>();
-  CLI::App* sub = app.add_subcommand("export", "Make a data set of a scan");
-  sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to")->required();
-  sub->add_option("--format", command->format, "what to make")
-      ->required()
+  CLI::App* sub = app.add_subcommand("export", "Make a data set of a scan, or of a catalogue");
+  sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to");
+  sub->add_option("--database", command->database,
+                  "instead of DIR: the views of all objects of this catalogue")
+      ->type_name("FILE");
+  sub->add_option("--format", command->format, "what to make of a session")
       ->check(CLI::IsMember(datasetFormatNames()))
       ->type_name("coco|bop|yolo|masks|ply|pcd|mesh|tum|scannet");
   sub->add_option("--out", command->out, "folder for the data set, which must be empty or missing")
@@ -63,8 +87,19 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
   sub->callback([command, &outcome] {
+    const bool is_catalogue = !command->database.empty();
+    if (is_catalogue != command->folder.empty()) {
+      throw CLI::ValidationError("DIR",
+                                 "is the session to export, --database a catalogue: give one of the two");
+    }
+    if (is_catalogue && (!command->format.empty() || command->all_frames || command->background)) {
+      throw CLI::ValidationError("--database", "takes none of --format, --all-frames and --background");
+    }
+    if (!is_catalogue && command->format.empty())
+      throw CLI::ValidationError("--format", "is needed: what shall the session be exported as?");
     const CoreApplication qt;
-    if (const auto done = exportSession(*command); !done) outcome.failWith(done.error());
+    const auto done = is_catalogue ? exportObjects(*command) : exportSession(*command);
+    if (!done) outcome.failWith(done.error());
   });
 }
 

@@ -52,8 +52,9 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   // Before anything is opened: nobody wants to learn this at the end of a scan.
   SCANTROVE_TRY(prepareOutputFolder(out));
   request.output_folder = out;
-  request.database =
-      command.database.empty() ? (*request.output_folder / "catalogue.sqlite").string() : command.database;
+  request.database = command.database;
+  if (command.database.empty() && !request.resume)
+    request.database = (*request.output_folder / "catalogue.sqlite").string();
   request.label_maps = command.label_maps;
   const CoreApplication qt;
   const auto report = runToEnd(request);
@@ -76,8 +77,9 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_flag("--no-session", command->no_session, "results only: the scan cannot be opened again")
       ->excludes("--resume")
       ->excludes("--record");
-  sub->add_option("--database", command->database,
-                  "catalogue to search and add to (default DIR/catalogue.sqlite)")
+  sub->add_option(
+         "--database", command->database,
+         "catalogue to search and add to (default DIR/catalogue.sqlite, or that of the earlier scan)")
       ->type_name("FILE");
   sub->add_flag("--label-maps", command->label_maps,
                 "also write the segments and regions of every frame as PNGs");

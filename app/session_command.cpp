@@ -1,14 +1,19 @@
 #include <charconv>
+#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/command.h"
 #include "app/core_application.h"
 #include "core/base/text.h"
 #include "core/scan/open_session.h"
+#include "core/scan/session_catalogue.h"
 #include "core/session/operation_json.h"
+#include "core/session/session_list.h"
 
 namespace scantrove {
 namespace {
@@ -22,6 +27,7 @@ struct SessionCommand {
   std::vector<std::uint32_t> regions;
   std::string name, category;
   bool undo = false;
+  bool without_catalogue = false;
   int steps = 1;
   int frame = 0;
   std::string pixel;
@@ -171,9 +177,19 @@ Operation operationOn(OperationKind kind, const SessionCommand& command) {
   return operation;
 }
 
+/// The session has it; that its catalogue has it not is worth a sentence, and no failure.
+void tellCatalogue(OpenSession& session, const RegionEditor::Outcome& outcome, SaidHow how,
+                   const SessionCommand& command) {
+  if (command.without_catalogue || catalogueFileOf(session).empty()) return;
+  if (const Result<void> told = followInCatalogue(session, outcome, how); !told)
+    std::cerr << "scantrove: The session has it, but not its catalogue: " << told.error().message() << '\n';
+}
+
 template <OperationKind kKind>
 Result<void> edit(OpenSession& session, const SessionCommand& command) {
-  return report(session.edit(operationOn(kKind, command)), command);
+  const auto outcome = session.edit(operationOn(kKind, command));
+  if (outcome) tellCatalogue(session, *outcome, SaidHow::done, command);
+  return report(outcome, command);
 }
 
 Result<void> cut(OpenSession& session, const SessionCommand& command) {
@@ -201,13 +217,19 @@ Result<void> cut(OpenSession& session, const SessionCommand& command) {
 
 Result<void> undo(OpenSession& session, const SessionCommand& command) {
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
-  for (int i = 0; i < command.steps && outcome; ++i) outcome = session.undo();
+  for (int i = 0; i < command.steps && outcome; ++i) {
+    outcome = session.undo();
+    if (outcome) tellCatalogue(session, *outcome, SaidHow::undone, command);
+  }
   return report(outcome, command);
 }
 
 Result<void> redo(OpenSession& session, const SessionCommand& command) {
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
-  for (int i = 0; i < command.steps && outcome; ++i) outcome = session.redo();
+  for (int i = 0; i < command.steps && outcome; ++i) {
+    outcome = session.redo();
+    if (outcome) tellCatalogue(session, *outcome, SaidHow::done, command);
+  }
   return report(outcome, command);
 }
 
@@ -263,11 +285,76 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
   return sub;
 }
 
+Json toJson(const SessionSummary& session) {
+  return {{"path", session.folder.string()},
+          {"name", session.name},
+          {"started", session.started},
+          {"source", session.source},
+          {"frames", session.frames},
+          {"tracked", session.tracked},
+          {"key_frames", session.key_frames},
+          {"regions", session.regions},
+          {"named", session.names},
+          {"objects", session.objects},
+          {"megabytes", session.megabytes},
+          {"ended", session.ended},
+          {"in_use", session.in_use},
+          {"recovered", session.isRecovered()},
+          {"picture", session.picture.string()},
+          {"damage", session.damage}};
+}
+
+void printSession(const SessionSummary& session) {
+  if (!session.damage.empty()) {
+    std::cout << session.name << "  damaged: " << session.damage << '\n';
+    return;
+  }
+  std::cout << session.name << "  " << session.started.substr(0, 16) << "  " << session.source << "  "
+            << session.frames << " frames, " << session.regions << " regions, " << session.names.size()
+            << " named, " << session.objects << " objects, " << std::fixed << std::setprecision(1)
+            << session.megabytes << " MB"
+            << (session.in_use ? "  in use" : (session.ended ? "" : "  recovered: the scan broke off"))
+            << '\n';
+  const char* separator = "    ";
+  for (const std::string& name : session.names) std::cout << std::exchange(separator, ", ") << name;
+  if (!session.names.empty()) std::cout << '\n';
+}
+
+Result<void> listAll(const SessionCommand& command) {
+  const std::filesystem::path folder =
+      command.folder.empty() ? defaultScansFolder() : std::filesystem::path(command.folder);
+  std::error_code failure;
+  if (!command.folder.empty() && !std::filesystem::is_directory(folder, failure)) {
+    return fail("There is no folder " + folder.string() + ".", "Give the folder that holds sessions.");
+  }
+  const std::vector<SessionSummary> sessions = listSessions(folder);
+  if (command.json) {
+    Json json = Json::array();
+    for (const SessionSummary& session : sessions) json.push_back(toJson(session));
+    print(json);
+    return {};
+  }
+  for (const SessionSummary& session : sessions) printSession(session);
+  if (sessions.empty()) std::cerr << "There are no sessions in " << folder.string() << ".\n";
+  return {};
+}
+
+void addListAction(CLI::App& parent, const std::shared_ptr<SessionCommand>& command,
+                   CommandOutcome& outcome) {
+  CLI::App* sub = parent.add_subcommand("list", "The sessions in a folder, newest first");
+  sub->add_option("DIR", command->folder, "folder with sessions (default: $XDG_DATA_HOME/scantrove/scans)");
+  sub->add_flag("--json", command->json, "as JSON");
+  sub->callback([command, &outcome] {
+    const CoreApplication qt;
+    if (const auto done = listAll(*command); !done) outcome.failWith(done.error());
+  });
+}
+
 }  // namespace
 
 void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<SessionCommand>();
-  CLI::App* parent = app.add_subcommand("session", "Look at a scan and edit its regions");
+  CLI::App* parent = app.add_subcommand("session", "Look at scans and edit their regions");
   parent->require_subcommand(1);
   const auto add = [&](const char* name, const char* help, Action action) {
     return addAction(*parent, name, help, command, outcome, action);
@@ -284,6 +371,11 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
     return sub;
   };
   const auto takeOff = [&](CLI::App* sub) { sub->add_flag("--off", command->undo, "it is no longer"); };
+  const auto takeCatalogue = [&](CLI::App* sub) {
+    sub->add_flag("--no-catalogue", command->without_catalogue, "in the session only, not in its catalogue");
+    return sub;
+  };
+  addListAction(*parent, command, outcome);
   add("show", "What there is: frames, map, regions, operations", show);
   add("regions", "All regions", listRegions);
   CLI::App* at = add("at", "The region that a pixel of a frame shows", showAt);
@@ -293,14 +385,15 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
   at->add_option("--pixel", command->pixel, "column and row in the depth image")
       ->required()
       ->type_name("x,y");
-  CLI::App* name = takeRegion(add("name", "Give a region a name", edit<OperationKind::name>));
+  CLI::App* name = takeCatalogue(takeRegion(
+      add("name", "Give a region a name, and so an object of the catalogue", edit<OperationKind::name>)));
   name->add_option("--name", command->name, "empty takes it away")->required()->type_name("N");
   name->add_option("--category", command->category, "what kind of thing it is")->type_name("C");
   takeRegions(
       add("join", "The regions are one thing; the first keeps its number", edit<OperationKind::join>));
   takeOff(
       takeRegions(add("background", "Wall, floor, table: not an object", edit<OperationKind::background>)));
-  takeOff(takeRegions(add("object", "An object, whole or not", edit<OperationKind::object>)));
+  takeOff(takeCatalogue(takeRegions(add("object", "An object, whole or not", edit<OperationKind::object>))));
   takeOff(takeRegions(add("reject", "Not an object", edit<OperationKind::reject>)));
   takeRegions(add("finer", "Take a region apart", edit<OperationKind::finer>));
   takeRegions(add("coarser", "Join a region with its likeliest neighbour", edit<OperationKind::coarser>));
@@ -316,8 +409,8 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
   const auto takeSteps = [&](CLI::App* sub) {
     sub->add_option("--steps", command->steps, "so many")->check(CLI::PositiveNumber)->type_name("N");
   };
-  takeSteps(add("undo", "Take the newest operation back", undo));
-  takeSteps(add("redo", "Do it again", redo));
+  takeSteps(takeCatalogue(add("undo", "Take the newest operation back", undo)));
+  takeSteps(takeCatalogue(add("redo", "Do it again", redo)));
   add("history", "All operations", history);
 }
 

@@ -29,6 +29,10 @@ ObjectRecord toRecord(const QSqlQuery& query) {
   return record;
 }
 
+/// Versions of the schema: the oldest with all columns that are read, and the first whose sessions have
+/// cameras.
+constexpr int kOldestToRead = 3, kFirstWithCameras = 4;
+
 /// The N of the next Obj_N: above all that were given, and not the name of any object, visible or not.
 Result<int> nextNumber(DatabaseConnection& connection) {
   Result<QSqlQuery> last = connection.execute("SELECT max(number) FROM objects");
@@ -54,15 +58,37 @@ Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::open(const std::string& 
   return result;
 }
 
+Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::openToRead(const std::string& database) {
+  Result<std::unique_ptr<DatabaseConnection>> connection = DatabaseConnection::openToRead(database);
+  if (!connection) return fail(connection.error());
+  const auto version =
+      schema::versionToRead(**connection, schema::kCatalogue, schema::catalogSteps(), kOldestToRead);
+  if (!version) return fail(version.error());
+  std::unique_ptr<ObjectDatabase> result(new ObjectDatabase);
+  result->connection_ = std::move(*connection);
+  result->has_cameras_ = *version >= kFirstWithCameras;
+  return result;
+}
+
+bool ObjectDatabase::isStill() const { return connection_->isStill(); }
+
 ObjectDatabase::ObjectDatabase() = default;
 ObjectDatabase::~ObjectDatabase() = default;
 
-Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source) {
+Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source,
+                                                  const std::optional<Intrinsics>& camera) {
   return inTransaction(*connection_, [&]() -> Result<std::int64_t> {
     const QString name = QString::fromStdString(source);
     Result<std::int64_t> id = connection_->insert("INSERT INTO sessions (source, started) VALUES (?, ?)",
                                                   {name, DatabaseConnection::now()});
     if (!id) return id;
+    if (camera) {
+      SCANTROVE_TRY(
+          connection_->execute("UPDATE sessions SET fx = ?, fy = ?, cx = ?, cy = ?, image_width = ?, "
+                               "image_height = ? WHERE id = ?",
+                               {camera->fx, camera->fy, camera->cx, camera->cy, camera->width, camera->height,
+                                static_cast<qlonglong>(*id)}));
+    }
     SCANTROVE_TRY(recordEvent(*connection_, event::kSessionBegin, {}, {}, {{"source", name}}, *id));
     return id;
   });
@@ -80,6 +106,20 @@ Result<void> ObjectDatabase::endSession(std::int64_t session) {
     }
     return recordEvent(*connection_, event::kSessionEnd, {}, {}, {}, session);
   });
+}
+
+Result<std::map<std::int64_t, Intrinsics>> ObjectDatabase::cameras() {
+  std::map<std::int64_t, Intrinsics> cameras;
+  if (!has_cameras_) return cameras;
+  Result<QSqlQuery> query = connection_->execute(
+      "SELECT id, fx, fy, cx, cy, image_width, image_height FROM sessions WHERE fx IS NOT NULL");
+  if (!query) return fail(query.error());
+  while (query->next()) {
+    const auto number = [&](int column) { return query->value(column).toFloat(); };
+    cameras[query->value(0).toLongLong()] = {
+        number(1), number(2), number(3), number(4), query->value(5).toInt(), query->value(6).toInt()};
+  }
+  return cameras;
 }
 
 Result<std::vector<ObjectRecord>> ObjectDatabase::objects() {

@@ -1,12 +1,15 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/intrinsics.h"
 #include "core/catalog/catalogue_change.h"
 #include "core/catalog/object_record.h"
 
@@ -32,12 +35,21 @@ class ObjectDatabase {
   /// Opens or creates the file (and applies missing migrations). Error: a folder, no such parent folder, not
   /// writable, not a database, another program's, damaged, locked, newer.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> open(const std::string& database);
+  /// Opens a catalogue that is there to read it: nothing in it or beside it is changed. What changes
+  /// something is an error. Error: there is none, it is no catalogue, or one of another version.
+  [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> openToRead(const std::string& database);
+  /// Of one opened to read: what was read so far belongs together (DatabaseConnection::isStill).
+  [[nodiscard]] bool isStill() const;
   ~ObjectDatabase();
   ObjectDatabase(const ObjectDatabase&) = delete;
   ObjectDatabase& operator=(const ObjectDatabase&) = delete;
 
-  [[nodiscard]] Result<std::int64_t> beginSession(const std::string& source);
+  /// `camera`: of the depth images that its views were cut from, where it is known.
+  [[nodiscard]] Result<std::int64_t> beginSession(const std::string& source,
+                                                  const std::optional<Intrinsics>& camera = std::nullopt);
   Result<void> endSession(std::int64_t session);
+  /// The depth camera of each session of which it is known.
+  [[nodiscard]] Result<std::map<std::int64_t, Intrinsics>> cameras();
 
   [[nodiscard]] Result<std::vector<ObjectRecord>> objects();
   [[nodiscard]] Result<ObjectRecord> object(ObjectId id);
@@ -82,6 +94,14 @@ class ObjectDatabase {
   /// visible object has it. `by` is `program` only to take a person's name back.
   Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::person);
   Result<void> setConfirmed(std::span<const ObjectId> objects, bool confirmed);
+  /// The name as it would be stored. Error: it is none for an object (see checkedObjectName).
+  [[nodiscard]] static Result<std::string> checkedName(const std::string& name);
+  /// A person says what an object is (or who holds it by now): it gets the name and is confirmed. Where
+  /// another visible object has that name already, it becomes part of that one, unless a person said what it
+  /// is, too: then nothing is done. Error: no name for an object; it was deleted.
+  [[nodiscard]] Result<ObjectNaming> nameByPerson(ObjectId id, const std::string& name);
+  /// The object is what it was before, but for what persons said since. False: that was all of it.
+  [[nodiscard]] Result<bool> takeNameBack(const ObjectNaming& naming);
   /// Makes one object of two or more. The one that a person named holds the others' views; then the confirmed
   /// one, the one with more views, the older one. It is confirmed when any of them was. `check` as of
   /// addView.
@@ -97,8 +117,12 @@ class ObjectDatabase {
 
  private:
   ObjectDatabase();
-  [[nodiscard]] Result<std::int64_t> insertView(ObjectView view);  // inside the caller's transaction
+  // Inside the caller's transaction:
+  [[nodiscard]] Result<std::int64_t> insertView(ObjectView view);
+  [[nodiscard]] Result<ObjectMerge> mergeRows(std::span<const ObjectId> objects);
+  [[nodiscard]] Result<void> unmergeRows(const ObjectMerge& merge);
   std::unique_ptr<DatabaseConnection> connection_;
+  bool has_cameras_ = true;  // its sessions may have
 };
 
 }  // namespace scantrove

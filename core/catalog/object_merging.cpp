@@ -114,46 +114,52 @@ Result<std::vector<ObjectHolder>> ObjectDatabase::holders() {
 Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, const Check& check) {
   return inTransaction(*connection_, [&]() -> Result<ObjectMerge> {
     SCANTROVE_TRY(check());
-    const Result<std::vector<Contender>> ranked = contenders(*connection_, objects);
-    if (!ranked) return fail(ranked.error());
-    const ObjectRow& holder = ranked->front().row;
-    ObjectMerge merge{holder.id, {}, false};
-    for (const Contender& other : std::span(*ranked).subspan(1)) {
-      ObjectRow row = other.row;
-      row.hidden = true;
-      row.merged_into = holder.id;
-      SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other.row, row, holder.id));
-      SCANTROVE_TRY(refreshObject(*connection_, row.id));
-      merge.from.push_back(row.id);
-      merge.has_confirmed = merge.has_confirmed || (row.confirmed && !holder.confirmed);
-    }
-    if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, holder, true));
-    SCANTROVE_TRY(refreshObject(*connection_, holder.id));
-    return merge;
+    return mergeRows(objects);
   });
 }
 
+Result<ObjectMerge> ObjectDatabase::mergeRows(std::span<const ObjectId> objects) {
+  const Result<std::vector<Contender>> ranked = contenders(*connection_, objects);
+  if (!ranked) return fail(ranked.error());
+  const ObjectRow& holder = ranked->front().row;
+  ObjectMerge merge{holder.id, {}, false};
+  for (const Contender& other : std::span(*ranked).subspan(1)) {
+    ObjectRow row = other.row;
+    row.hidden = true;
+    row.merged_into = holder.id;
+    SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other.row, row, holder.id));
+    SCANTROVE_TRY(refreshObject(*connection_, row.id));
+    merge.from.push_back(row.id);
+    merge.has_confirmed = merge.has_confirmed || (row.confirmed && !holder.confirmed);
+  }
+  if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, holder, true));
+  SCANTROVE_TRY(refreshObject(*connection_, holder.id));
+  return merge;
+}
+
 Result<void> ObjectDatabase::unmerge(const ObjectMerge& merge) {
-  return inTransaction(*connection_, [&]() -> Result<void> {
-    for (const ObjectId id : merge.from) {
-      const Result<ObjectRow> before = readRow(*connection_, id);
-      if (!before) return fail(before.error());
-      if (!before->hidden || before->merged_into != merge.into) {
-        return fail("The object " + std::to_string(id.value) + " (" + before->name.toStdString() + ") in " +
-                        connection_->file() + " is not merged into object " +
-                        std::to_string(merge.into.value) + ".",
-                    "There is nothing to undo.");
-      }
-      const Result<ObjectRow> row = shown(*connection_, *before);
-      if (!row) return fail(row.error());
-      SCANTROVE_TRY(giveViews(*connection_, event::kUnmerge, *before, *row, id));
-      SCANTROVE_TRY(refreshObject(*connection_, id));
+  return inTransaction(*connection_, [&] { return unmergeRows(merge); });
+}
+
+Result<void> ObjectDatabase::unmergeRows(const ObjectMerge& merge) {
+  for (const ObjectId id : merge.from) {
+    const Result<ObjectRow> before = readRow(*connection_, id);
+    if (!before) return fail(before.error());
+    if (!before->hidden || before->merged_into != merge.into) {
+      return fail("The object " + std::to_string(id.value) + " (" + before->name.toStdString() + ") in " +
+                      connection_->file() + " is not merged into object " + std::to_string(merge.into.value) +
+                      ".",
+                  "There is nothing to undo.");
     }
-    const Result<ObjectRow> into = readRow(*connection_, merge.into);
-    if (!into) return fail(into.error());
-    if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, *into, false));
-    return refreshObject(*connection_, merge.into);
-  });
+    const Result<ObjectRow> row = shown(*connection_, *before);
+    if (!row) return fail(row.error());
+    SCANTROVE_TRY(giveViews(*connection_, event::kUnmerge, *before, *row, id));
+    SCANTROVE_TRY(refreshObject(*connection_, id));
+  }
+  const Result<ObjectRow> into = readRow(*connection_, merge.into);
+  if (!into) return fail(into.error());
+  if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, *into, false));
+  return refreshObject(*connection_, merge.into);
 }
 
 Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {

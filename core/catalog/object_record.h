@@ -66,6 +66,16 @@ struct ObjectMerge {
   bool has_confirmed = false;  ///< `into` was marked as confirmed because one of `from` was
 };
 
+/// What a person's naming did, for taking it back.
+struct ObjectNaming {
+  ObjectId object;   ///< that has the name now; none: nothing was done
+  std::string name;  ///< without blanks around it
+  std::string earlier_name;
+  NamedBy earlier_named_by = NamedBy::program;
+  bool earlier_confirmed = false;
+  std::optional<ObjectMerge> merge = {};  ///< an object of that name was there: the named one is part of it
+};
+
 /// What recognition needs of a stored view.
 struct StoredDescriptor {
   std::int64_t view = 0;

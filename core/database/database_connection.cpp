@@ -1,7 +1,9 @@
 #include "core/database/database_connection.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <QByteArray>
 #include <QDateTime>
 #include <QSqlDatabase>
 #include <QSqlError>
@@ -110,6 +112,24 @@ Result<void> checkPath(const std::string& file) {
   return fs::exists(file, ignored) ? checkExisting(file) : Result<void>();
 }
 
+/// For a file that is only read.
+Result<void> checkReadable(const std::string& file) {
+  if (file.empty()) return fail("No database was named.", "Give the name of a file.");
+  std::error_code failure;
+  const fs::file_type type = fs::status(file, failure).type();
+  if (type == fs::file_type::not_found) return fail("There is no database " + file + ".", "Check the name.");
+  if (failure) return fail("Cannot read " + file + " (" + failure.message() + ").", "Check the name.");
+  if (type == fs::file_type::directory)
+    return fail(file + " is a folder, not a database.", "Give the name of a file in it.");
+  if (type != fs::file_type::regular)
+    return fail(file + " is not a regular file.", "Give the name of a database file.");
+  if (::access(file.c_str(), R_OK) != 0)
+    return fail("You may not read the database " + file + ".", "Change its permissions, or use a copy.");
+  const std::uintmax_t size = fs::file_size(file, failure);
+  if (size > 0 && size < kSmallestDatabase) return fail(notADatabase(file));
+  return {};
+}
+
 }  // namespace
 
 Error damagedDatabase(const std::string& file, const std::string& detail) {
@@ -119,6 +139,40 @@ Error damagedDatabase(const std::string& file, const std::string& detail) {
 
 Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::string& file) {
   SCANTROVE_TRY(checkPath(file));
+  auto connection = connect(file, QString::fromStdString(file), {});
+  if (!connection) return connection;
+  for (const char* pragma : {"PRAGMA synchronous = NORMAL", "PRAGMA foreign_keys = ON"}) {
+    SCANTROVE_TRY((*connection)->execute(pragma));
+  }
+  return connection;
+}
+
+Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::openToRead(const std::string& file) {
+  SCANTROVE_TRY(checkReadable(file));
+  const std::optional<Stamp> stamp = stampOf(file);
+  // Bytes that have a meaning in a URI are written as numbers.
+  const QByteArray path = QByteArray::fromStdString(fs::absolute(file).string()).toPercentEncoding("/");
+  const QString uri = "file:" + QString::fromLatin1(path) + "?mode=ro" + (stamp ? "&immutable=1" : "");
+  auto connection = connect(file, uri, ";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI");
+  if (connection) (*connection)->stamp_ = stamp;
+  return connection;
+}
+
+std::optional<DatabaseConnection::Stamp> DatabaseConnection::stampOf(const std::string& file) {
+  struct stat status {};
+  // Without its log a file in WAL mode is in use by nobody.
+  for (const char* log : {"-wal", "-journal"}) {
+    if (::stat((file + log).c_str(), &status) == 0 && status.st_size > 0) return std::nullopt;
+  }
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+  return Stamp{status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ino};
+}
+
+bool DatabaseConnection::isStill() const { return !stamp_ || stampOf(file_) == stamp_; }
+
+Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::connect(const std::string& file,
+                                                                        const QString& name_of_file,
+                                                                        const QString& options) {
   static std::atomic<unsigned> serial = 0;
   std::unique_ptr<DatabaseConnection> connection(new DatabaseConnection);
   connection->file_ = file;
@@ -128,12 +182,9 @@ Result<std::unique_ptr<DatabaseConnection>> DatabaseConnection::open(const std::
   if (!database.isValid()) {
     return fail("QtSql's SQLite driver is missing.", "Install the package libqt6sql6-sqlite.");
   }
-  database.setDatabaseName(QString::fromStdString(file));
-  database.setConnectOptions(QString("QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms));
+  database.setDatabaseName(name_of_file);
+  database.setConnectOptions(QString("QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms) + options);
   if (!database.open()) return fail(describe(file, database.lastError()));
-  for (const char* pragma : {"PRAGMA synchronous = NORMAL", "PRAGMA foreign_keys = ON"}) {
-    SCANTROVE_TRY(connection->execute(pragma));
-  }
   return connection;
 }
 

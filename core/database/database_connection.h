@@ -2,8 +2,10 @@
 #include <QSqlQuery>
 #include <QString>
 #include <QVariant>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -25,6 +27,13 @@ class DatabaseConnection {
   /// Opens or creates `file` and changes nothing in it: what it is shows with the first statement. Error: a
   /// folder, no such parent folder, not writable, or `postgresql://...`.
   [[nodiscard]] static Result<std::unique_ptr<DatabaseConnection>> open(const std::string& file);
+  /// Opens a file that is there to read it, and changes nothing in it. Where nobody has begun to write into
+  /// it, it is read without SQLite's locks, which leave files beside it: see isStill(). Error: there is none,
+  /// a folder, not readable; somebody writes into it, and nothing can be written to its folder.
+  [[nodiscard]] static Result<std::unique_ptr<DatabaseConnection>> openToRead(const std::string& file);
+  /// Nobody has begun to write into a file that is read without locks: what was read belongs together. Where
+  /// it is false, openToRead() and read again.
+  [[nodiscard]] bool isStill() const;
   ~DatabaseConnection();
   DatabaseConnection(const DatabaseConnection&) = delete;
   DatabaseConnection& operator=(const DatabaseConnection&) = delete;
@@ -44,10 +53,23 @@ class DatabaseConnection {
 
  private:
   DatabaseConnection() = default;
+  [[nodiscard]] static Result<std::unique_ptr<DatabaseConnection>> connect(const std::string& file,
+                                                                           const QString& name_of_file,
+                                                                           const QString& options);
+
+  /// What a file shows of its changes, without being opened.
+  struct Stamp {
+    std::int64_t bytes = 0, seconds = 0, nanoseconds = 0;
+    std::uint64_t inode = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  /// None: somebody writes into it, or may have been interrupted.
+  [[nodiscard]] static std::optional<Stamp> stampOf(const std::string& file);
 
   std::string file_;
   QString name_;
   std::thread::id thread_;
+  std::optional<Stamp> stamp_;  // of a file that is read without locks
 };
 
 }  // namespace scantrove

@@ -63,18 +63,35 @@ Result<void> apply(DatabaseConnection& connection, const Migration& step) {
   return {};
 }
 
+/// ownVersion(), where it is one that this program knows.
+Result<int> knownVersion(DatabaseConnection& connection, const FileKind& kind, int newest) {
+  Result<int> version = ownVersion(connection, kind);
+  if (!version || *version <= newest) return version;
+  return fail("The " + std::string(kind.called) + " " + connection.file() +
+                  " was written by a newer Scantrove (its schema is version " + std::to_string(*version) +
+                  ", this program knows " + std::to_string(newest) + ").",
+              "Update Scantrove, or give another file name.");
+}
+
+int newestOf(std::span<const Migration> steps) { return steps.empty() ? 0 : steps.back().version; }
+
 }  // namespace
 
+Result<int> versionToRead(DatabaseConnection& connection, const FileKind& kind,
+                          std::span<const Migration> steps, int oldest) {
+  Result<int> version = knownVersion(connection, kind, newestOf(steps));
+  if (!version || *version >= oldest) return version;
+  const std::string called = "The " + std::string(kind.called) + " " + connection.file();
+  if (*version == 0) return fail(called + " is empty.", "It was not written to its end.");
+  return fail(
+      called + " was written by an older Scantrove (its schema is version " + std::to_string(*version) + ").",
+      "Open it once with a command that may write to it, which brings it up to date.");
+}
+
 Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::span<const Migration> steps) {
-  const Result<int> version = ownVersion(connection, kind);
+  const int newest = newestOf(steps);
+  const Result<int> version = knownVersion(connection, kind, newest);
   if (!version) return fail(version.error());
-  const int newest = steps.empty() ? 0 : steps.back().version;
-  if (*version > newest) {
-    return fail("The " + std::string(kind.called) + " " + connection.file() +
-                    " was written by a newer Scantrove (its schema is version " + std::to_string(*version) +
-                    ", this program knows " + std::to_string(newest) + ").",
-                "Update Scantrove, or give another file name.");
-  }
   SCANTROVE_TRY(connection.useWriteAheadLog());
   if (*version == newest) return {};
   return inTransaction(connection, [&]() -> Result<void> {

@@ -30,5 +30,10 @@ struct FileKind {
 /// than this program, belongs to another program, is damaged, or cannot be written; then nothing was changed.
 Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::span<const Migration> steps);
 
+/// The version of a file that is only read, and not to be changed. Error: as migrate(); older than `oldest`,
+/// or there is nothing in it.
+[[nodiscard]] Result<int> versionToRead(DatabaseConnection& connection, const FileKind& kind,
+                                        std::span<const Migration> steps, int oldest);
+
 }  // namespace schema
 }  // namespace scantrove

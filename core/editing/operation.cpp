@@ -29,4 +29,6 @@ std::optional<OperationKind> operationKindOf(std::string_view text) {
   return found == kKinds.end() ? std::nullopt : std::optional(found->first);
 }
 
+bool isNaming(OperationKind kind) { return kind == Kind::name || kind == Kind::accept; }
+
 }  // namespace scantrove

@@ -26,6 +26,9 @@ enum class OperationKind {
 /// None: there is no such kind.
 [[nodiscard]] std::optional<OperationKind> operationKindOf(std::string_view text);
 
+/// name and accept.
+[[nodiscard]] bool isNaming(OperationKind kind);
+
 /// An operation as data: what on which regions.
 struct Operation {
   OperationKind kind = OperationKind::name;

@@ -44,6 +44,7 @@ Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& operation, co
     if (after != before) work.effect.moves.push_back({fragment, before, after});
   }
   log_.add(operation, std::move(work.effect));
+  work.outcome.operation = operation;
   return std::move(work.outcome);
 }
 
@@ -293,6 +294,7 @@ Result<RegionEditor::Outcome> RegionEditor::undo() {
   // Regions that came back are what was said of them before they went.
   for (const RegionMove& move : effect.moves) table_.say(move.before, saidBy(notes_.of(move.before)));
   outcome.regions = entry->operation.regions;
+  outcome.operation = entry->operation;
   return outcome;
 }
 
@@ -306,6 +308,7 @@ Result<RegionEditor::Outcome> RegionEditor::redo() {
   for (const auto& note : effect.notes) setNote(note.region, note.after);
   for (const RegionMove& move : effect.moves) table_.say(move.after, saidBy(notes_.of(move.after)));
   outcome.regions = entry->operation.regions;
+  outcome.operation = entry->operation;
   return outcome;
 }
 

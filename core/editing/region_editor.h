@@ -23,6 +23,7 @@ class RegionEditor {
   struct Outcome {
     RegionEvents events;
     std::vector<RegionId> regions;  ///< what the operation was about is now; of a cut: here, there
+    Operation operation;            ///< that was done, undone or done again
   };
 
   /// Error: there is no such region, a cut whose two sides are one place, nothing to take apart, ...; then

@@ -1,8 +1,10 @@
 // What CatalogueWriter does on its own thread: one job after the other.
 #include <sys/stat.h>
 
+#include <array>
 #include <new>
 #include <utility>
+#include <vector>
 
 #include "core/scan/catalogue_writer.h"
 #include "core/scan/guarded.h"
@@ -47,6 +49,7 @@ CatalogueWriter::News CatalogueWriter::refuse(const Job& job, const Error& error
   }
   if (const auto* view = std::get_if<AddView>(&job)) return News{news::ViewDropped{view->view.object}};
   if (std::holds_alternative<Merge>(job)) return News{news::MergeDropped{}};
+  if (const auto* name = std::get_if<Name>(&job)) return News{news::NameDropped{name->object, error}};
   return {};
 }
 
@@ -56,7 +59,7 @@ ObjectId CatalogueWriter::idOf(ObjectId object) const {
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const BeginSession& /*job*/) {
-  SCANTROVE_TRY(moveInto(session_, database_->beginSession(options_.source)));
+  SCANTROVE_TRY(moveInto(session_, database_->beginSession(options_.source, options_.camera)));
   return News{};
 }
 
@@ -151,6 +154,46 @@ Result<bool> CatalogueWriter::mayMerge(const std::vector<ObjectId>& pair) {
     if (!isSettled(*record)) return true;
   }
   return false;
+}
+
+CatalogueWriter::News CatalogueWriter::withRecords(CatalogueNews news, std::span<const ObjectId> objects) {
+  News all{std::move(news)};
+  Result<CatalogueEdits> now = feed_->reread(objects);
+  if (now) all.push_back(news::Edited{std::move(*now)});
+  return all;
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(const Name& job) {
+  const ObjectId object = idOf(job.object);
+  if (!object) return News{news::NameDropped{job.object, std::nullopt}};
+  const Result<ObjectId> holder = database_->resolve(object);
+  if (!holder) return fail(holder.error());
+  if (!*holder) return News{news::NameDropped{job.object, std::nullopt}};
+  const Result<ObjectNaming> naming = database_->nameByPerson(*holder, job.name);
+  if (!naming) return fail(naming.error());
+  if (!naming->object) {
+    return withRecords(
+        news::NameDropped{job.object,
+                          Error{"Another object in " + options_.database + " is called " + job.name + ".",
+                                "Choose another name, or merge the two if they are one."}},
+        std::array{object, *holder});
+  }
+  touched_.insert(naming->object);
+  namings_[job.naming] = *naming;
+  return withRecords(news::NameStored{job.object, job.naming, *naming},
+                     std::array{object, *holder, naming->object});
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(const TakeNameBack& job) {
+  const auto found = namings_.find(job.naming);
+  if (found == namings_.end()) return News{};  // it was dropped
+  const ObjectNaming naming = found->second;
+  const Result<bool> done = database_->takeNameBack(naming);
+  if (!done) return fail(done.error());
+  namings_.erase(found);
+  std::vector<ObjectId> changed{naming.object};
+  if (naming.merge) changed.insert(changed.end(), naming.merge->from.begin(), naming.merge->from.end());
+  return withRecords(news::NameTakenBack{naming.object}, changed);
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const EndSession& /*job*/) {

@@ -143,6 +143,33 @@ void CatalogueMirror::join(ObjectId into, ObjectId from) {
   if (const Eigen::Vector3f size_m = sizeOf(into); !size_m.isZero()) record.size_m = size_m;
 }
 
+const ObjectRecord* CatalogueMirror::named(const std::string& name) const {
+  for (const auto& [key, record] : records_) {
+    if (record.name == name) return &record;
+  }
+  return nullptr;
+}
+
+void CatalogueMirror::name(ObjectId object, const std::string& name) {
+  names_to_come_.emplace_back(object, name);
+  applyName(object, name);
+}
+
+void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
+  auto own = records_.find(holderOf(object));
+  if (own == records_.end()) return;
+  const ObjectRecord* other = named(name);
+  if (other != nullptr && other->id != own->first) {
+    if (isSettled(own->second)) return;
+    const ObjectId into = other->id;
+    join(into, own->first);
+    own = records_.find(into);
+  }
+  own->second.name = name;
+  own->second.named_by = NamedBy::person;
+  own->second.confirmed = true;
+}
+
 /// One piece of news.
 struct CatalogueMirror::Applied {
   CatalogueMirror& mirror;
@@ -157,6 +184,7 @@ struct CatalogueMirror::Applied {
       found->second.first_session = e.record.first_session;
       found->second.first_session_name = e.record.first_session_name;
     }
+    mirror.applyToCome();
     settleView(e.key);
   }
   void operator()(const news::ObjectRefused& e) const {
@@ -189,6 +217,9 @@ struct CatalogueMirror::Applied {
     }
   }
   void operator()(const news::MergeDropped&) const { endMerge(); }
+  void operator()(const news::NameStored&) const { endName(); }
+  void operator()(const news::NameDropped&) const { endName(); }
+  void operator()(const news::NameTakenBack&) const {}
   void operator()(const news::Edited& e) const { mirror.edit(e.edits); }
   void operator()(const news::Failed&) const {}
 
@@ -199,6 +230,9 @@ struct CatalogueMirror::Applied {
   }
   void endMerge() const {
     if (!mirror.merges_to_come_.empty()) mirror.merges_to_come_.erase(mirror.merges_to_come_.begin());
+  }
+  void endName() const {
+    if (!mirror.names_to_come_.empty()) mirror.names_to_come_.erase(mirror.names_to_come_.begin());
   }
 };
 
@@ -217,13 +251,17 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
     records_[record.id] = std::move(record);
   }
   for (const auto& [a, b] : edits.unmerged) kept_apart_.insert(std::minmax(keyOf(a), keyOf(b)));
-  // What the database does not know yet holds all the same.
+  applyToCome();
+}
+
+void CatalogueMirror::applyToCome() {
   for (const auto& [a, b] : merges_to_come_) {
     const ObjectRecord *first = record(holderOf(a)), *second = record(holderOf(b));
     if (first == nullptr || second == nullptr || first == second) continue;
     const bool first_holds = holdsBoth(*first, *second);
     join(first_holds ? first->id : second->id, first_holds ? second->id : first->id);
   }
+  for (const auto& [object, name] : names_to_come_) applyName(object, name);
 }
 
 }  // namespace scantrove

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -55,6 +56,12 @@ class CatalogueMirror {
   /// one of the two just now.
   void merge(ObjectId a, ObjectId b);
 
+  /// A person calls the object so, which confirms it. Where another one that the catalogue has is called so,
+  /// it becomes part of that, unless persons said what each is: then nothing changes.
+  void name(ObjectId object, const std::string& name);
+  /// The visible object of that name, or null.
+  [[nodiscard]] const ObjectRecord* named(const std::string& name) const;
+
   /// What the database made of it, and what others did.
   void apply(const CatalogueNews& news);
 
@@ -72,6 +79,9 @@ class CatalogueMirror {
   /// Views that the holder has and the database does not have yet.
   [[nodiscard]] int viewsToCome(ObjectId holder) const;
   void edit(const CatalogueEdits& edits);
+  void applyName(ObjectId object, const std::string& name);
+  /// What the database does not know yet holds all the same.
+  void applyToCome();
 
   Detector detector_;
   std::unordered_map<ObjectId, ObjectRecord> records_;
@@ -80,9 +90,10 @@ class CatalogueMirror {
   std::set<std::pair<ObjectId, ObjectId>> kept_apart_;                // smaller id first
 
   std::uint32_t next_key_ = kFirstKey;
-  std::unordered_map<ObjectId, ObjectId> ids_, keys_;          // of this scan's objects that are stored
-  std::map<ObjectId, int> views_to_come_;                      // by first object
-  std::vector<std::pair<ObjectId, ObjectId>> merges_to_come_;  // in order
+  std::unordered_map<ObjectId, ObjectId> ids_, keys_;            // of this scan's objects that are stored
+  std::map<ObjectId, int> views_to_come_;                        // by first object
+  std::vector<std::pair<ObjectId, ObjectId>> merges_to_come_;    // in order
+  std::vector<std::pair<ObjectId, std::string>> names_to_come_;  // likewise
 };
 
 }  // namespace scantrove

@@ -56,6 +56,21 @@ struct MergeStored {
 };
 /// Persons settled both objects meanwhile, or one of them is gone. Edits that say how it is follow.
 struct MergeDropped {};
+/// A person's name for an object is stored. Edits that say how it is follow.
+struct NameStored {
+  ObjectId key;
+  int number = 0;  ///< by which the scan knows the naming
+  ObjectNaming naming;
+};
+/// The object was deleted meanwhile, or another one is called so. Edits that say how it is follow.
+struct NameDropped {
+  ObjectId key;
+  std::optional<Error> why;  ///< none: it was deleted
+};
+/// A person's name was taken back, as far as nobody has said otherwise since. Edits follow.
+struct NameTakenBack {
+  ObjectId object;
+};
 struct Edited {
   CatalogueEdits edits;
 };
@@ -65,8 +80,8 @@ struct Failed {
 };
 }  // namespace news
 
-using CatalogueNews =
-    std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored, news::ViewDropped,
-                 news::MergeStored, news::MergeDropped, news::Edited, news::Failed>;
+using CatalogueNews = std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored,
+                                   news::ViewDropped, news::MergeStored, news::MergeDropped, news::NameStored,
+                                   news::NameDropped, news::NameTakenBack, news::Edited, news::Failed>;
 
 }  // namespace scantrove

@@ -31,6 +31,7 @@ void CatalogueWriter::Losses::count(const Job& job) {
   objects += std::holds_alternative<AddObject>(job) ? 1 : 0;
   views += std::holds_alternative<AddView>(job) ? 1 : 0;
   merges += std::holds_alternative<Merge>(job) ? 1 : 0;
+  names += std::holds_alternative<Name>(job) || std::holds_alternative<TakeNameBack>(job) ? 1 : 0;
 }
 
 // --- The scan's thread.
@@ -96,6 +97,16 @@ void CatalogueWriter::merge(ObjectId a, ObjectId b) {
   enqueue(Merge{a, b});
 }
 
+void CatalogueWriter::name(int naming, ObjectId object, const std::string& name) {
+  const std::scoped_lock lock(mutex_);
+  enqueue(Name{naming, object, name});
+}
+
+void CatalogueWriter::takeNameBack(int naming) {
+  const std::scoped_lock lock(mutex_);
+  enqueue(TakeNameBack{naming});
+}
+
 void CatalogueWriter::follow() {
   const std::scoped_lock lock(mutex_);
   is_follow_wanted_ = true;
@@ -139,7 +150,7 @@ Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
     spdlog::warn("The catalogue {} was busy for so long that views of {} were not kept.", options_.database,
                  countOf(static_cast<int>(without_room_.size()), "object", "objects"));
   }
-  if (jobs_.empty() && losses.objects + losses.views + losses.merges == 0) return {};
+  if (jobs_.empty() && losses.objects + losses.views + losses.merges + losses.names == 0) return {};
   const std::optional<Error>& reason = jobs_.empty() ? last_refusal_ : last_error_;
   return fail(
       lossesInWords(losses, reason.value_or(Error{"It did not answer for so long.", "Check its disk."})));
@@ -153,6 +164,7 @@ Error CatalogueWriter::lossesInWords(const Losses& losses, const Error& reason) 
   add(losses.objects, "new object", "new objects");
   add(losses.views, "view", "views");
   add(losses.merges, "merge", "merges");
+  add(losses.names, "name", "names");
   if (lost.empty()) lost = "the end of this scan";
   return {"The catalogue " + options_.database + " has not got " + lost + ". " + reason.what, reason.advice};
 }

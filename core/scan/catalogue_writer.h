@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 #include <utility>
@@ -39,6 +40,7 @@ class CatalogueWriter {
   struct Options {
     std::string database = {};                      ///< as ObjectDatabase::open takes it
     std::string source = {};                        ///< of the session that is begun
+    std::optional<Intrinsics> camera = {};          ///< its depth camera, where it is known
     std::function<void()> on_news = {};             ///< news wait to be taken; called on the writer's thread
     std::chrono::milliseconds retry{500};           ///< after a failure
     std::chrono::milliseconds patience{20000};      ///< of finish(), while nothing gets done
@@ -63,6 +65,11 @@ class CatalogueWriter {
   void addView(ObjectView view);
   /// Makes one of two objects, unless by the time persons settled both, parted them or deleted one.
   void merge(ObjectId a, ObjectId b);
+  /// A person calls the object so (see ObjectDatabase::nameByPerson), unless it was deleted by the time.
+  /// `naming`: a number for takeNameBack().
+  void name(int naming, ObjectId object, const std::string& name);
+  /// What that naming did is taken back, unless others have said otherwise by the time.
+  void takeNameBack(int naming);
   /// Asks for what others did to the catalogue.
   void follow();
 
@@ -87,12 +94,20 @@ class CatalogueWriter {
   struct Merge {
     ObjectId a, b;
   };
+  struct Name {
+    int naming = 0;
+    ObjectId object;
+    std::string name;
+  };
+  struct TakeNameBack {
+    int naming = 0;
+  };
   struct BeginSession {};
   struct EndSession {};
-  using Job = std::variant<BeginSession, AddObject, AddView, Merge, EndSession>;
+  using Job = std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, EndSession>;
   /// Kinds of jobs, for counting.
   struct Losses {
-    int objects = 0, views = 0, merges = 0;
+    int objects = 0, views = 0, merges = 0, names = 0;
     void count(const Job& job);
   };
   using News = std::vector<CatalogueNews>;
@@ -120,7 +135,11 @@ class CatalogueWriter {
   [[nodiscard]] Result<News> execute(AddObject& job);
   [[nodiscard]] Result<News> execute(AddView& job);
   [[nodiscard]] Result<News> execute(const Merge& job);
+  [[nodiscard]] Result<News> execute(const Name& job);
+  [[nodiscard]] Result<News> execute(const TakeNameBack& job);
   [[nodiscard]] Result<News> execute(const EndSession& job);
+  /// As they are now, behind `news`. What cannot be read now is as it was known.
+  [[nodiscard]] News withRecords(CatalogueNews news, std::span<const ObjectId> objects);
   [[nodiscard]] ObjectId idOf(ObjectId object) const;
   /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
   [[nodiscard]] Result<std::vector<ObjectId>> holdersOf(const Merge& job);
@@ -137,6 +156,7 @@ class CatalogueWriter {
   std::int64_t session_ = 0;
   std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
   std::set<ObjectId> touched_;                   // objects that this scan gave something
+  std::map<int, ObjectNaming> namings_;          // by the numbers that were given
   std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is no file
   bool is_failure_said_ = false;
 

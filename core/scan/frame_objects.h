@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -7,6 +8,12 @@
 #include "core/scan/scan_snapshot.h"
 
 namespace scantrove {
+
+/// An object as it is called now.
+struct NamedObject {
+  ObjectId object;
+  std::string name;
+};
 
 /// What one frame gave for the catalogue, and what of this and earlier ones was stored by now.
 struct FrameObjects {
@@ -17,6 +24,7 @@ struct FrameObjects {
   std::vector<ObjectRecord> added;  ///< stored
   std::vector<ObjectId> new_views;  ///< objects that got one; stored
   std::vector<ObjectMerge> merged;  ///< their regions turned out to be one; stored
+  std::vector<NamedObject> named;   ///< by a person who named a region; stored
   /// The catalogue could not be read or written. Said once until it works again; the scan goes on, and what
   /// could not be stored waits.
   std::optional<Error> catalogue_failure;

@@ -31,6 +31,13 @@ struct Announced {
   void operator()(const news::ObjectStored& e) const { objects.added.push_back(e.record); }
   void operator()(const news::ViewStored& e) const { objects.new_views.push_back(e.holder); }
   void operator()(const news::MergeStored& e) const { objects.merged.push_back(e.merge); }
+  void operator()(const news::NameStored& e) const {
+    objects.named.push_back({e.naming.object, e.naming.name});
+    if (e.naming.merge) objects.merged.push_back(*e.naming.merge);
+  }
+  void operator()(const news::NameDropped& e) const {
+    if (e.why) objects.catalogue_failure = e.why;
+  }
   void operator()(const news::Failed& e) const { objects.catalogue_failure = e.error; }
   void operator()(const auto& /*nothing that anybody waits for*/) const {}
 };
@@ -92,7 +99,13 @@ void ObjectCollector::takeNews(FrameObjects& objects) {
   for (const CatalogueNews& news : writer_->takeNews()) {
     catalogue_.apply(news);
     std::visit(Announced{objects}, news);
+    if (const auto* named = std::get_if<news::NameStored>(&news)) noteStored(*named);
     objects.has_news = true;
+  }
+  if (!refusals_.empty()) {
+    objects.catalogue_failure = refusals_.front();
+    objects.has_news = true;
+    refusals_.erase(refusals_.begin());
   }
   writer_->follow();
 }
@@ -137,8 +150,15 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
 
 ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   if (const ObjectId object = met_.objectOf(candidate.regions)) return object;
+  const std::string* wanted_name = wantedName(candidate);
   // The same thing under a new region.
-  if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) return object;
+  if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) {
+    // What a person deleted is not added again, but by a person.
+    if (wanted_name == nullptr) return object;
+    const auto other = not_these_.find(*candidate.regions.begin());
+    if (catalogue_.holderOf(object) && (other == not_these_.end() || other->second != object)) return object;
+  }
+  if (wanted_name != nullptr && !wanted_name->empty()) return {};  // what it looks like counts for less
   const std::optional<ObjectId> verdict = recognition_.verdict(candidate.regions);
   const ObjectRecord* known = verdict ? recordOf(catalogue_.holderOf(*verdict)) : nullptr;
   if (known == nullptr) return {};
@@ -153,12 +173,15 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
 
 std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& candidates,
                                                  const std::vector<ObjectId>& identities) const {
-  constexpr float kKnown = 0.3F, kConfirmed = 1;
+  constexpr float kKnown = 0.3F, kConfirmed = 1, kWanted = 3;
   std::vector<float> known;
-  for (const ObjectId object : identities) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const ObjectId object = identities[i];
     const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
     const bool is_confirmed = holder != nullptr && holder->confirmed;
     known.push_back(!object ? 0 : (is_confirmed ? kConfirmed : kKnown));
+    const std::string* wanted_name = wantedName(candidates[i]);
+    if (wanted_name != nullptr && !wanted_name->empty()) known.back() = kWanted;
   }
   return chooseDisjoint(candidates, known);
 }
@@ -175,16 +198,14 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
       known == nullptr || known->size_m.isZero() || !isMet(known->id) ||
       std::min(size_m, known->size_m.norm()) >= kViewFraction * std::max(size_m, known->size_m.norm());
   // A set that is much larger than the object holds more than it: its other regions stay free.
-  if (!is_alike) return;
+  const bool is_wanted = wantedName(candidate) != nullptr;
+  if (!is_alike && !is_wanted) return;
   if (known != nullptr && !isMet(known->id) && !CatalogueMirror::isOfThisScan(known->id))
     look.objects.recognised.push_back(*known);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
-  if (isClear(candidate)) keepNewDirection(identity, candidate, look);
-}
-
-bool ObjectCollector::isWanted(const Candidate& candidate) const {
-  return std::ranges::any_of(wanted_, [&](RegionId region) { return candidate.regions.contains(region); });
+  if (is_wanted || isClear(candidate)) keepNewDirection(identity, candidate, look);
+  if (is_wanted) fulfil(candidate, identity);
 }
 
 /// Two objects at one place are one, the second was met under other regions; those that were ever seen side
@@ -221,7 +242,7 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);
-  for (const RegionId region : candidate.regions) wanted_.erase(region);
+  fulfil(candidate, object);
 }
 
 void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look) {
@@ -249,6 +270,7 @@ std::optional<ObjectView> ObjectCollector::viewToKeep(const Candidate& candidate
 
 void ObjectCollector::regionsJoined(RegionId into, RegionId from) {
   recognition_.forgetRegion(from);
+  followWanted(into, from);
   const auto [kept, gone] = met_.regionsJoined(into, from);
   if (!kept) return;
   if (!catalogue_.holderOf(kept)) {

@@ -1,9 +1,11 @@
 #pragma once
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/catalogue_writer.h"
 #include "core/scan/frame_objects.h"
+#include "core/scan/kept_namings.h"
 #include "core/scan/met_objects.h"
 #include "core/scan/recognition_history.h"
 #include "core/scan/scan_report.h"
@@ -67,7 +70,32 @@ class ObjectCollector {
 
   /// A person says that the candidate with this region is an object: it is added when it is seen next, whole
   /// or not.
-  void addByPerson(RegionId region) { wanted_.insert(region); }
+  void addByPerson(RegionId region);
+  /// The same where it is no object yet; with a `name`, it gets that then. `name` is what the region is
+  /// called by now.
+  void want(RegionId region, const std::string& name);
+  /// A person says that it is none, or has nothing more to say of it.
+  void wantNoMore(RegionId region);
+  /// Regions that are waited for.
+  [[nodiscard]] const std::map<RegionId, std::string>& wanted() const { return wanted_; }
+
+  /// A person calls the region so: its object gets the name, and is confirmed; where the catalogue has one of
+  /// that name, the two are one from then on. Where it is no object, want() makes it one.
+  void nameByPerson(RegionId region, const std::string& name);
+  /// The newest such saying is taken back: what it did to the catalogue, unless somebody has said otherwise
+  /// since.
+  void takeNameBack(RegionId region, const std::string& name);
+  /// Whether this scan named the region so, and has not taken it back.
+  [[nodiscard]] bool hasNamed(RegionId region, const std::string& name) const;
+  /// What this scan's namings of regions did, as far as it is stored and not taken back.
+  [[nodiscard]] std::map<RegionId, std::vector<KeptNaming>> keptNamings() const;
+  /// All of these are one object.
+  [[nodiscard]] bool areOneObject(const RegionSet& regions) const;
+
+  /// Adds those of the candidates that are waited for, as one frame shows them, outside of its course.
+  [[nodiscard]] FrameObjects addWanted(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                       const SurfaceInColor& in_color,
+                                       const std::vector<Candidate>& candidates);
 
   /// The region is that object of the catalogue, as an earlier scan of this map found out.
   void bind(RegionId region, ObjectId object) { met_.bind({region}, catalogue_.keyOf(object)); }
@@ -116,6 +144,17 @@ class ObjectCollector {
   void collectOne(const Candidate& candidate, ObjectId identity, const Look& look);
   void joinDoubles(const std::vector<const Candidate*>& chosen);
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;
+  /// It is the region alone that a person waits for, and what the person calls it; none: no.
+  [[nodiscard]] const std::string* wantedName(const Candidate& candidate) const;
+  /// The object that the region is bound to and that is there; none: no.
+  [[nodiscard]] ObjectId boundTo(RegionId region) const;
+  /// Its object is called otherwise, by another of its regions.
+  [[nodiscard]] bool isCalledOtherwise(RegionId region, const std::string& name) const;
+  void nameObject(RegionId region, ObjectId object, const std::string& name, ObjectId earlier);
+  /// `from` is now part of `into`.
+  void followWanted(RegionId into, RegionId from);
+  /// What was waited for is there.
+  void fulfil(const Candidate& candidate, ObjectId object);
   void addToCatalogue(const Candidate& candidate, const Look& look);
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
   [[nodiscard]] const ObjectRecord* recordOf(ObjectId holder) const { return catalogue_.record(holder); }
@@ -129,7 +168,20 @@ class ObjectCollector {
 
   MetObjects met_;
   RecognitionHistory recognition_;
-  std::set<RegionId> wanted_;  // by a person, not added yet
+  std::map<RegionId, std::string> wanted_;  // by a person, not added yet; names, or empty
+  /// What a person said of an object by naming a region.
+  struct Naming {
+    int number = 0;
+    RegionId region;
+    std::string name;
+    ObjectId earlier;  // what the region was before, where it is another object now
+    std::optional<ObjectNaming> stored = {};
+  };
+  void noteStored(const news::NameStored& news);
+  std::vector<Naming> namings_;  // that are not taken back
+  int last_naming_ = 0;
+  std::map<RegionId, ObjectId> not_these_;  // a person said that the region is another than that
+  std::vector<Error> refusals_;             // to be told
   std::vector<std::pair<ObjectId, ObjectId>>
       joined_;  // whose regions were joined, or that stand at one place
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first

@@ -21,6 +21,23 @@ const RegionNote& OpenSession::noteOf(RegionId region) const {
   return pipeline_->editor().notes().of(region);
 }
 
+ObjectId OpenSession::objectOf(RegionId region) const { return recorder_->objectOf(region); }
+
+Result<void> OpenSession::setObject(RegionId region, ObjectId object) {
+  recorder_->setObject(region, object);
+  return recorder_->save(*pipeline_);
+}
+
+std::string OpenSession::fact(const std::string& name) const {
+  const auto found = scan_.facts.find(name);
+  return found == scan_.facts.end() ? std::string() : found->second;
+}
+
+void OpenSession::setFact(const std::string& name, const std::string& value) {
+  scan_.facts[name] = value;
+  recorder_->setFact(name, value);
+}
+
 int OpenSession::brickCount() const { return pipeline_->bricks().brickCount(); }
 
 Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::path& folder,
@@ -53,13 +70,10 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
     summary.box_world.extend(place);
     sums.try_emplace(region, Eigen::Vector3d::Zero()).first->second += place.cast<double>();
   }));
-  for (const SavedRegion& saved : scan_.regions) {
-    if (const auto found = regions.find(saved.region); found != regions.end())
-      found->second.object = saved.object;
-  }
   std::vector<RegionSummary> list;
   for (auto& [region, summary] : regions) {
     summary.region = region;
+    summary.object = objectOf(region);
     summary.centroid_world = (sums.at(region) / static_cast<double>(summary.voxels)).cast<float>();
     summary.note = pipeline_->editor().notes().of(region);
     list.push_back(std::move(summary));
@@ -78,11 +92,6 @@ const SavedFrame* OpenSession::frameAt(int source_index) const {
 const SavedFrame* OpenSession::frameOf(const SavedKeyFrame& key_frame) const {
   const auto found = std::ranges::find(scan_.frames, key_frame.frame, &SavedFrame::number);
   return found == scan_.frames.end() ? nullptr : &*found;
-}
-
-ObjectId OpenSession::objectOf(RegionId region) const {
-  const auto found = std::ranges::find(scan_.regions, region, &SavedRegion::region);
-  return found == scan_.regions.end() ? ObjectId{} : found->object;
 }
 
 Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {

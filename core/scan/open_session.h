@@ -41,13 +41,11 @@ class OpenSession {
   [[nodiscard]] const std::vector<SavedKeyFrame>& keyFrames() const { return scan_.key_frames; }
   /// The frame that a key frame shows; null: it is not known any more.
   [[nodiscard]] const SavedFrame* frameOf(const SavedKeyFrame& key_frame) const;
-  /// Of the session's catalogue; none: the region is no object.
-  [[nodiscard]] ObjectId objectOf(RegionId region) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// What could not be read, in sentences.
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
   /// Whether the scan came to its end.
-  [[nodiscard]] bool hasEnded() const { return scan_.facts.contains("ended"); }
+  [[nodiscard]] bool hasEnded() const { return !fact("ended").empty(); }
 
   /// All regions, by id. Error: the device failed.
   [[nodiscard]] Result<std::vector<RegionSummary>> regions();
@@ -68,6 +66,14 @@ class OpenSession {
   [[nodiscard]] Result<RegionEditor::Outcome> redo();
   [[nodiscard]] const OperationLog& history() const;
   [[nodiscard]] const RegionNote& noteOf(RegionId region) const;
+  /// The object that the region is, of the session's catalogue; none: not known.
+  [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  /// What the catalogue did (core/scan/session_catalogue.h): kept, but no operation. Error: it could not be
+  /// written.
+  [[nodiscard]] Result<void> setObject(RegionId region, ObjectId object);
+  /// A note for this program itself, by name; empty: there is none. Kept with the next setObject().
+  [[nodiscard]] std::string fact(const std::string& name) const;
+  void setFact(const std::string& name, const std::string& value);
   /// Of the map.
   [[nodiscard]] int brickCount() const;
 

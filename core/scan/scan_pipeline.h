@@ -104,14 +104,17 @@ class ScanPipeline {
     if (collector_) collector_->bind(region, object);
   }
 
+  /// What was said of regions in an earlier scan of this map holds for the catalogue, too: things that are no
+  /// objects of it become such when they are seen.
+  void wantAsSaid();
+
   /// Learns what became of the catalogue; processFrame does so by itself while there is a pose.
   [[nodiscard]] FrameObjects followCatalogue() {
     return collector_ ? collector_->followCatalogue() : FrameObjects{};
   }
-  /// Ends the collecting; see ObjectCollector::finish.
-  [[nodiscard]] Result<void> finishCatalogue(const std::function<void(const FrameObjects&)>& announce) {
-    return collector_ ? collector_->finish(announce) : Result<void>{};
-  }
+  /// Ends the collecting; see ObjectCollector::finish. What a person waits for and the last frame shows is
+  /// added first.
+  [[nodiscard]] Result<void> finishCatalogue(const std::function<void(const FrameObjects&)>& announce);
 
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
@@ -166,9 +169,17 @@ class ScanPipeline {
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events);
-  /// A person said that these are none.
-  void leaveOutBackground(std::vector<Candidate>& candidates) const;
-  [[nodiscard]] Result<RegionEditor::Outcome> finishEdit(Result<RegionEditor::Outcome> outcome);
+  /// A person said that these are none, or that a part of them is a thing of its own.
+  void leaveOutSaid(std::vector<Candidate>& candidates) const;
+  /// A person waits for these, whatever the rules say of them.
+  void addWanted(const DiscoveryInput& input, std::vector<Candidate>& candidates) const;
+  enum class Way { done, undone };
+  [[nodiscard]] Result<RegionEditor::Outcome> finishEdit(Result<RegionEditor::Outcome> outcome, Way way);
+  /// The catalogue's side of what a person said.
+  void followSaying(const RegionEditor::Outcome& outcome, Way way);
+  /// The region is waited for if a person takes it for a thing. False: it is not.
+  bool wantAsSaid(RegionId region);
+  [[nodiscard]] Result<void> addWantedAtEnd(const std::function<void(const FrameObjects&)>& announce);
   /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
   /// one.
   void keepKnown(const FrameObjects& objects);
@@ -211,6 +222,12 @@ class ScanPipeline {
   std::span<const Eigen::Vector3i> touched_;
   std::vector<Eigen::Vector3f> color_lab_;
   int frames_ = 0;  // given to processFrame
+
+  struct Seen {
+    RgbdFrame frame;
+    Eigen::Isometry3d T_world_camera;
+  };
+  std::optional<Seen> last_seen_;  // the last usable frame, where objects are collected
 };
 
 }  // namespace scantrove

@@ -8,6 +8,7 @@
 #include "core/scan/guarded.h"
 #include "core/scan/key_frame_files.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/scan/session_catalogue.h"
 
 namespace scantrove {
 namespace {
@@ -113,6 +114,10 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
       edit);
   snapshots_.addBricks(session_->pipeline().takeEditedBricks());
   if (outcome) {
+    const SaidHow how = std::holds_alternative<UndoEdit>(edit) ? SaidHow::undone : SaidHow::done;
+    const Result<void> told =
+        guarded("telling the catalogue", [&] { return followInCatalogue(*session_, *outcome, how); });
+    if (!told) listener_(CatalogueFailed{told.error()});
     listener_(Edited{edit, outcome->regions});
   } else {
     listener_(EditFailed{edit, outcome.error()});

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "core/base/overloaded.h"
@@ -54,11 +56,13 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
   SCANTROVE_TRY(run->openSession(info));
-  const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(request.database);
+  const std::string& file = run->request_.database;
+  const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
   CatalogueWriter::Options catalogue;
-  catalogue.database = request.database;
+  catalogue.database = file;
   catalogue.source = info.name;
+  catalogue.camera = info.intrinsics;
   catalogue.on_news = std::move(on_news);
   catalogue.patience = request.catalogue_patience;
   SCANTROVE_TRY(
@@ -75,7 +79,8 @@ Result<void> ScanRun::openSession(const SourceInfo& info) {
   SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request_.output_folder, way)));
   if (request_.resume) return readSession(info);
   SessionRecorder::Setup setup{.all_frames = request_.record_all};
-  setup.facts = factsOf({request_.source, info.intrinsics, request_.params, request_.database});
+  setup.facts = factsOf({request_.source, info.intrinsics, request_.params,
+                         databaseAsKept(request_.database, *request_.output_folder)});
   recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
   return {};
 }
@@ -91,6 +96,13 @@ Result<void> ScanRun::readSession(const SourceInfo& info) {
                 "Scan into a folder of its own.");
   }
   request_.params.fusion = setup->params.fusion;
+  if (request_.database.empty()) {
+    std::filesystem::path file = databaseFileOf(*setup, *request_.output_folder);
+    std::error_code ignored;
+    // Of a session that was taken elsewhere without it.
+    if (!std::filesystem::exists(file, ignored)) file = *request_.output_folder / "catalogue.sqlite";
+    request_.database = file.string();
+  }
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   return {};
 }
@@ -101,6 +113,8 @@ Result<void> ScanRun::resumeSession() {
   SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, true, damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
+  recorder_->setFact("ended", "");  // not this time, yet
+  recorder_->setFact("database", databaseAsKept(request_.database, *request_.output_folder));
   if (output_) output_->begin(*earlier_);
   earlier_.reset();
   return {};
@@ -177,6 +191,7 @@ void ScanRun::announce(const FrameObjects& objects) {
   for (const ObjectRecord& added : objects.added) listener_(ObjectAdded{added.id, added.name});
   for (const ObjectRecord& known : objects.recognised) listener_(ObjectRecognised{known.id, known.name});
   for (const ObjectId object : objects.new_views) listener_(ViewAdded{object});
+  for (const NamedObject& named : objects.named) listener_(ObjectNamed{named.object, named.name});
   for (const ObjectMerge& merge : objects.merged) listener_(ObjectsMerged{merge.into, merge.from});
   if (objects.catalogue_failure) listener_(CatalogueFailed{*objects.catalogue_failure});
 }

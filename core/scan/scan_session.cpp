@@ -53,6 +53,14 @@ class ScanSession::Worker {
       commands_.request.reset();
     });
   }
+  void close() {
+    cancelExport();
+    command([this] {
+      commands_.stop = true;
+      commands_.close = true;
+      commands_.request.reset();
+    });
+  }
   void addCandidate(RegionId region) {
     command([&] { commands_.wanted.push_back(region); });
   }
@@ -93,6 +101,7 @@ class ScanSession::Worker {
   struct Commands {
     std::optional<ScanRequest> request;
     bool stop = false;
+    bool close = false;  // nor look at what was scanned
     bool paused = false;
     int steps = 0;
     bool follow_catalogue = false;
@@ -177,6 +186,7 @@ class ScanSession::Worker {
     const bool is_after_scan = !request.source.empty();
     {
       const std::scoped_lock lock(mutex_);
+      if (commands_.close) return;
       is_running_ = !is_after_scan;  // who waits for the scan need not wait for this
       commands_.stop = false;
     }
@@ -210,11 +220,11 @@ class ScanSession::Worker {
   bool awaitReviewer(Commands& taken, const std::stop_token& token) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] {
-      return token.stop_requested() || commands_.request || !commands_.edits.empty() || commands_.key_frame ||
-             commands_.preview || commands_.dataset;
+      return token.stop_requested() || commands_.close || commands_.request || !commands_.edits.empty() ||
+             commands_.key_frame || commands_.preview || commands_.dataset;
     });
     taken.edits = takeEdits();
-    if ((token.stop_requested() || commands_.request) && taken.edits.empty()) return false;
+    if ((token.stop_requested() || commands_.close || commands_.request) && taken.edits.empty()) return false;
     taken.key_frame = std::exchange(commands_.key_frame, std::nullopt);
     taken.preview = std::exchange(commands_.preview, std::nullopt);
     taken.dataset = std::exchange(commands_.dataset, std::nullopt);
@@ -308,6 +318,7 @@ void ScanSession::pause() { worker_->pause(); }
 void ScanSession::resume() { worker_->resume(); }
 void ScanSession::step() { worker_->step(); }
 void ScanSession::stop() { worker_->stop(); }
+void ScanSession::close() { worker_->close(); }
 void ScanSession::wait() { worker_->wait(); }
 void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region); }
 void ScanSession::edit(ScanEdit edit) { worker_->edit(std::move(edit)); }

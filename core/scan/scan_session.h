@@ -28,7 +28,7 @@ struct ScanRequest {
   Poses poses = Poses::tracked;
   ScanParams params;
   std::string device;    ///< as chooseDevice takes it
-  std::string database;  ///< catalogue to search and add to
+  std::string database;  ///< catalogue to search and add to; empty, with `resume`: that of the session
   std::optional<std::filesystem::path>
       output_folder;    ///< where results go; none: nothing but the catalogue is written
   bool session = true;  ///< keep the scan there, so that it can be opened again
@@ -66,6 +66,10 @@ struct ObjectsMerged {
   ObjectId into;
   std::vector<ObjectId> from;
 };  ///< the regions of these objects turned out to be one
+struct ObjectNamed {
+  ObjectId object;
+  std::string name;
+};  ///< a person named a region: this object is called so now, and confirmed; it is committed
 struct CatalogueFailed {
   Error error;
 };  ///< the catalogue cannot be read or written for now; the scan goes on, what is found waits
@@ -110,8 +114,8 @@ struct ScanFinished {
 };
 using ScanEvent =
     std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
-                 CatalogueFailed, MapFailed, Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportStepped,
-                 ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
+                 ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed, ReviewOpened, ExportPreviewed,
+                 ExportStepped, ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
@@ -129,9 +133,10 @@ class ScanSession {
   void start(ScanRequest request);
   void pause();
   void resume();
-  void step();  ///< one frame while paused
-  void stop();  ///< ends the scan cleanly: results are written, ScanFinished follows
-  void wait();  ///< until the scan that runs has ended
+  void step();   ///< one frame while paused
+  void stop();   ///< ends the scan cleanly: results are written, ScanFinished follows
+  void close();  ///< the same, and the session is open no longer
+  void wait();   ///< until the scan that runs has ended
 
   /// A person says that the candidate with this region is an object: it is added when it is seen next.
   void addCandidate(RegionId region);

@@ -36,7 +36,14 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   // What was just read back is on disk.
   static_cast<void>(pipeline.kept().table.takeChanged(RegionTable::Follower::session));
   recorder->voxels_ = pipeline.voxelsOfFragments();
-  for (const SavedRegion& region : scan.regions) recorder->regions_[region.region] = region;
+  for (const SavedRegion& region : scan.regions) {
+    recorder->regions_[region.region] = region;
+    recorder->objects_[region.region] = region.object;
+    const auto namings = scan.facts.find(namingsFactOf(region.region));
+    if (namings == scan.facts.end()) continue;
+    recorder->earlier_namings_[region.region] = namingsFromJson(namings->second);
+    recorder->namings_[region.region] = namings->second;
+  }
   recorder->view_ = pipeline.kept().bricks.view();
   return recorder;
 }
@@ -67,6 +74,11 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
   });
 }
 
+ObjectId SessionRecorder::objectOf(RegionId region) const {
+  const auto found = objects_.find(region);
+  return found == objects_.end() ? ObjectId{} : found->second;
+}
+
 void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) {
   RegionTable& table = pipeline.kept().table;
   const std::vector<cl_int>& voxels = pipeline.voxelsOfFragments();
@@ -85,10 +97,10 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) 
   const ObjectCollector* collector = pipeline.collector();
   if (collector == nullptr) {
     // Without a catalogue regions are what they were.
-    for (const auto& [region, saved] : regions_) {
-      if (!saved.object || table.fragmentsOf(region).empty()) continue;
+    for (const auto& [region, object] : objects_) {
+      if (!object || table.fragmentsOf(region).empty()) continue;
       regions[region].region = region;
-      regions[region].object = saved.object;
+      regions[region].object = object;
     }
   } else {
     for (const RegionId region : table.regions()) {
@@ -110,6 +122,20 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) 
   regions_ = std::move(regions);
 }
 
+void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelta& delta) {
+  auto namings = earlier_namings_;
+  for (const auto& [region, kept] : collector.keptNamings())
+    namings[region].insert(namings[region].end(), kept.begin(), kept.end());
+  for (const auto& [region, text] : namings_) namings.try_emplace(region);
+  for (const auto& [region, kept] : namings) {
+    std::string text = namingsToJson(kept);
+    std::string& before = namings_[region];
+    if (text == before) continue;
+    before = std::move(text);
+    delta.facts[namingsFactOf(region)] = before;
+  }
+}
+
 void SessionRecorder::collectPages(ScanPipeline& pipeline, SavedDelta& delta) {
   BrickMap& bricks = pipeline.kept().bricks;
   for (const int page : bricks.pagesByPosition()) {
@@ -126,6 +152,7 @@ SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
   delta.facts["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   collectRegions(pipeline, delta);
+  if (const ObjectCollector* collector = pipeline.collector()) collectNamings(*collector, delta);
   if (EvidenceGraph* graph = pipeline.kept().merger.evidence()) {
     for (const auto& [a, b] : graph->takeChanged()) {
       const BorderEvidence* border = graph->find(a, b);
@@ -157,7 +184,7 @@ Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
 }
 
 Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
-  setup_.facts["ended"] = "yes";
+  setFact("ended", "yes");
   return save(pipeline);
 }
 

@@ -40,12 +40,18 @@ class SessionRecorder {
   [[nodiscard]] Result<void> save(ScanPipeline& pipeline);
   /// The same at the end of the scan.
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline);
+  /// Without a catalogue that says it: which object a region is from now on. None: it is none.
+  void setObject(RegionId region, ObjectId object) { objects_[region] = object; }
+  [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  /// What is to be kept of the whole scan with the next save.
+  void setFact(const std::string& name, const std::string& value) { setup_.facts[name] = value; }
   /// Why the session could not be written, once each time that this begins.
   [[nodiscard]] std::optional<Error> takeFailure() { return writer_->takeFailure(); }
 
  private:
   [[nodiscard]] SavedDelta collect(ScanPipeline& pipeline);
   void collectRegions(ScanPipeline& pipeline, SavedDelta& delta);
+  void collectNamings(const ObjectCollector& collector, SavedDelta& delta);
   void collectPages(ScanPipeline& pipeline, SavedDelta& delta);
   void hand(SavedDelta delta);
 
@@ -55,6 +61,9 @@ class SessionRecorder {
   std::vector<SavedFrame> frames_;      // not handed over yet
   std::vector<int> voxels_;             // of each fragment, as handed over
   std::map<RegionId, SavedRegion> regions_;
+  std::map<RegionId, ObjectId> objects_;                         // where no catalogue says them
+  std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one
+  std::map<RegionId, std::string> namings_;                      // as handed over
   std::uint64_t view_ = 0;  // of the map, when its pages were handed over
   std::chrono::steady_clock::time_point last_save_;
 };

@@ -90,6 +90,7 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
     for (const SavedRegion& region : scan.regions) {
       if (region.object) pipeline.bindObject(region.region, region.object);
     }
+    pipeline.wantAsSaid();
     if (!for_camera) return {};
     for (const SavedKeyFrame& key : scan.key_frames) {
       const auto of = std::ranges::find(scan.frames, key.frame, &SavedFrame::number);

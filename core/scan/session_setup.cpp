@@ -2,10 +2,32 @@
 
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <system_error>
 
 #include "core/scan/param_registry.h"
 
 namespace scantrove {
+
+namespace fs = std::filesystem;
+
+std::string databaseAsKept(const std::string& database, const fs::path& folder) {
+  if (database.empty() || database.find("://") != std::string::npos) return database;
+  const fs::path file = fs::absolute(database).lexically_normal();
+  const fs::path from_folder = file.lexically_relative(fs::absolute(folder).lexically_normal());
+  const bool is_in_folder = !from_folder.empty() && *from_folder.begin() != "..";
+  return (is_in_folder ? from_folder : file).string();
+}
+
+fs::path databaseFileOf(const SessionSetup& setup, const fs::path& folder) {
+  if (setup.database.empty()) return {};
+  const fs::path kept = setup.database;
+  std::error_code ignored;
+  // Sessions of the first version keep it as it was typed; and folders are moved with their catalogue.
+  for (const fs::path& file : {folder / kept, kept, folder / kept.filename()}) {
+    if (fs::exists(file, ignored)) return file;
+  }
+  return folder / kept;
+}
 
 SavedFacts factsOf(const SessionSetup& setup) {
   std::string params;

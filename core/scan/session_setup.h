@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "core/base/result.h"
@@ -15,6 +16,13 @@ struct SessionSetup {
   ScanParams params;
   std::string database;  ///< relative to the session's folder where it lies in it
 };
+
+/// How a session in `folder` keeps the name of its catalogue: relative to the folder where it lies in it,
+/// else absolute.
+[[nodiscard]] std::string databaseAsKept(const std::string& database, const std::filesystem::path& folder);
+/// The catalogue's file, from what a session in `folder` keeps.
+[[nodiscard]] std::filesystem::path databaseFileOf(const SessionSetup& setup,
+                                                   const std::filesystem::path& folder);
 
 /// As facts, and back. Error: they are not those of a session.
 [[nodiscard]] SavedFacts factsOf(const SessionSetup& setup);

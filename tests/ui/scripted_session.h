@@ -31,6 +31,7 @@ class ScriptedSession final : public SessionPort {
     commands.push_back("stop");
     finish();
   }
+  void close() override { commands.push_back("close"); }
   void addCandidate(RegionId region) override { added_candidates.push_back(region); }
   void edit(ScanEdit edit) override { edits.push_back(std::move(edit)); }
   void showKeyFrame(int place) override { key_frames_shown.push_back(place); }

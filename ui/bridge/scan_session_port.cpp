@@ -13,6 +13,7 @@ class ScanSessionPort final : public SessionPort {
   void resume() override { session_.resume(); }
   void step() override { session_.step(); }
   void stop() override { session_.stop(); }
+  void close() override { session_.close(); }
   void addCandidate(RegionId region) override { session_.addCandidate(region); }
   void edit(ScanEdit edit) override { session_.edit(std::move(edit)); }
   void showKeyFrame(int place) override { session_.showKeyFrame(place); }

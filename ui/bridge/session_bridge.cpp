@@ -66,6 +66,7 @@ void SessionBridge::announce(const ScanEvent& event) {
           },
           [this](const ViewAdded& e) { emit viewAdded(e.object); },
           [this](const ObjectsMerged& e) { emit objectsMerged(e.into); },
+          [this](const ObjectNamed& e) { emit objectNamed(e.object); },
           [this](const CatalogueFailed& e) {
             emit catalogueFailed(QString::fromStdString(e.error.message()));
           },

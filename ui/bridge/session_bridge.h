@@ -25,6 +25,7 @@ class SessionBridge : public QObject {
   void resume() { session_->resume(); }
   void step() { session_->step(); }
   void stop() { session_->stop(); }
+  void close() { session_->close(); }
   void addCandidate(RegionId region) { session_->addCandidate(region); }
   void edit(const ScanEdit& edit) { session_->edit(edit); }
   void showKeyFrame(int place) { session_->showKeyFrame(place); }
@@ -47,6 +48,7 @@ class SessionBridge : public QObject {
   void objectRecognised(scantrove::ObjectId object, const QString& name);
   void viewAdded(scantrove::ObjectId object);
   void objectsMerged(scantrove::ObjectId into);
+  void objectNamed(scantrove::ObjectId object);  ///< by a person who named a region
   /// The catalogue cannot be read or written for now; the scan goes on.
   void catalogueFailed(const QString& message);
   /// A part of the map cannot be written to disk for now, or not be read back; the scan goes on.

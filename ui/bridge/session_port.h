@@ -19,6 +19,7 @@ class SessionPort {
   virtual void resume() = 0;
   virtual void step() = 0;
   virtual void stop() = 0;
+  virtual void close() = 0;
   virtual void addCandidate(RegionId region) = 0;
   virtual void edit(ScanEdit edit) = 0;
   virtual void showKeyFrame(int place) = 0;

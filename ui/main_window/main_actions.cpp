@@ -22,6 +22,8 @@ MainActions::MainActions(QUndoGroup& undo_group, QObject* parent) : QObject(pare
   open_session = make("clock", tr("Open a &scan…"), {}, tr("Look at a scan that was kept, and label it"));
   export_data = make("image", tr("Make a &data set…"), tr("Ctrl+E"),
                      tr("Export the labelled scan (COCO, BOP, meshes, …)"));
+  close_scan = make("close", tr("&Close the scan"), tr("Ctrl+W"),
+                    tr("End it and go back to the first page; it is kept"));
   quit = make("", tr("&Quit"), tr("Ctrl+Q"), tr("End the program"));
 
   start = make("start", tr("&Start"), tr("Ctrl+R"), tr("Scan from the beginning, or go on when paused"));

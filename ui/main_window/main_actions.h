@@ -25,6 +25,7 @@ class MainActions : public QObject {
   QAction* open_catalogue;
   QAction* open_session;
   QAction* export_data;
+  QAction* close_scan;
   QAction* quit;
 
   QAction* start;

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/main_window/dock_arrangement.h"
+#include "ui/main_window/kept_scan_list.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/recent_sources.h"
@@ -120,10 +121,23 @@ bool MainWindow::onStartPage() const { return centre_->currentWidget() == start_
 
 void MainWindow::showStartPage() {
   start_->setRecent(recentSources());
+  showKeptScans();
   centre_->setCurrentWidget(start_);
   docks_->setScanShown(false);
   progress_->clear();
   time_line_->clear();
+}
+
+void MainWindow::closeScan() {
+  regions_->finishEditing();
+  controller_->close();
+  actions_->enableReview(false);
+  setWindowTitle(QStringLiteral("Scantrove"));
+  showStartPage();
+}
+
+void MainWindow::showKeptScans() {
+  start_->keptScans()->setScans(keptScansIn(ScanController::sessionsFolder()));
 }
 
 void MainWindow::showScene() {
@@ -193,13 +207,19 @@ void MainWindow::connectRegions() {
     has_snapshot_ = true;
     showScene();
   });
+  connect(start_->keptScans(), &KeptScans::chosen, this, &MainWindow::openSession);
+  connect(start_->keptScans(), &KeptScans::deleteWanted, this, [this](const QString& folder) {
+    const auto fail = [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); };
+    kept_scans_undo_.push(new DeleteScan(
+        folder, [this] { showKeptScans(); }, fail));
+  });
   connect(time_line_, &TimeLine::wanted, &bridge, &SessionBridge::showKeyFrame);
 }
 
 void MainWindow::connectUndo() {
   QUndoStack& of_catalogue = editor_.undoStack();
   QUndoStack& of_regions = regions_->undoStack();
-  for (QUndoStack* stack : {&of_catalogue, &of_regions}) {
+  for (QUndoStack* stack : {&of_catalogue, &of_regions, &kept_scans_undo_}) {
     undo_.addStack(stack);
     connect(stack, &QUndoStack::indexChanged, this, [this, stack] {
       if (stack->canUndo() || stack->canRedo()) undo_.setActiveStack(stack);
@@ -223,6 +243,7 @@ void MainWindow::connectCatalogue() {
   connect(&bridge, &SessionBridge::objectAdded, this, soon);
   connect(&bridge, &SessionBridge::viewAdded, this, soon);
   connect(&bridge, &SessionBridge::objectsMerged, this, soon);
+  connect(&bridge, &SessionBridge::objectNamed, this, soon);
   connect(&bridge, &SessionBridge::stateChanged, this, soon);
   connect(&editor_, &CatalogueEditor::edited, &bridge, &SessionBridge::catalogueChanged);
   connect(&editor_, &CatalogueEditor::failed, this,

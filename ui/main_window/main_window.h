@@ -2,6 +2,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <QUndoGroup>
+#include <QUndoStack>
 #include <memory>
 #include <vector>
 
@@ -93,7 +94,9 @@ class MainWindow : public QMainWindow {
   void showSnapshot(const ScanSnapshot& snapshot);
   void showState(ScanState state);
   void scanFailed(const QString& message);
+  void closeScan();
   void showStartPage();
+  void showKeptScans();
   void showScene();
   void followCatalogue();
   void chooseTheme(ThemeChoice choice);
@@ -101,6 +104,7 @@ class MainWindow : public QMainWindow {
   CatalogueEditor editor_;
   ObjectListModel model_;
   ScanController* controller_;
+  QUndoStack kept_scans_undo_;
   QUndoGroup undo_;  ///< of the catalogue's and the regions' steps those that a person works on
   MainActions* actions_;
   QStackedWidget* centre_ = nullptr;

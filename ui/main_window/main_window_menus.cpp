@@ -49,7 +49,7 @@ void MainWindow::makeMenus() {
   file->addSeparator();
   file->addAction(actions_->open_catalogue);
   file->addSeparator();
-  file->addAction(actions_->quit);
+  file->addActions({actions_->close_scan, actions_->quit});
 
   menuBar()
       ->addMenu(tr("&Scan"))
@@ -131,6 +131,7 @@ void MainWindow::connectActions() {
   on(actions_->next_picture, [this] { frames_->featureNext(); });
   on(actions_->frame_back, [this] { time_line_->step(-1); });
   on(actions_->frame_on, [this] { time_line_->step(1); });
+  on(actions_->close_scan, [this] { closeScan(); });
   on(actions_->quit, [this] { close(); });
   on(actions_->start, [this] { controller_->start(); });
   on(actions_->pause, [this] { controller_->togglePause(); });

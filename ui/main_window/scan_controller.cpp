@@ -107,6 +107,11 @@ void ScanController::stop() {
   if (bridge_.busy()) bridge_.stop();
 }
 
+void ScanController::close() {
+  bridge_.close();
+  source_.clear();
+}
+
 void ScanController::setParams(const ScanParams& params) {
   request_.params = params;
   bridge_.setParams(params);

@@ -36,6 +36,8 @@ class ScanController : public QObject {
   void togglePause();
   void step();  ///< one frame, and pause
   void stop();
+  /// Ends what there is to look at, too.
+  void close();
   void setParams(const ScanParams& params);
   void setDatabase(const QString& file) { request_.database = file.toStdString(); }
 

@@ -251,7 +251,9 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
           EXPECT_NEAR(point.normal_x, expected[i].normal.x(), 1e-5);
           EXPECT_NEAR(point.normal_y, expected[i].normal.y(), 1e-5);
           EXPECT_NEAR(point.normal_z, expected[i].normal.z(), 1e-5);
-          if (expected[i].normal.isZero()) EXPECT_EQ(point.height, 0);
+          if (expected[i].normal.isZero()) {
+            EXPECT_EQ(point.height, 0);
+          }
           const Eigen::Vector3f in_voxels = Eigen::Vector3f(point.x, point.y, point.z) / kVoxel_m;
           const Eigen::Vector3i local =
               Eigen::Vector3i(in_voxels.array().floor().cast<int>()) - 8 * bricks.positionOf(slots[b]);

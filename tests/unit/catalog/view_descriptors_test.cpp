@@ -38,6 +38,9 @@ class ViewDescriptors : public test::CatalogTest {
           "ALTER TABLE views DROP COLUMN box_x", "ALTER TABLE views DROP COLUMN box_y",
           "ALTER TABLE views DROP COLUMN box_width", "ALTER TABLE views DROP COLUMN box_height",
           "ALTER TABLE views DROP COLUMN frame_width", "ALTER TABLE views DROP COLUMN frame_height",
+          "ALTER TABLE sessions DROP COLUMN fx", "ALTER TABLE sessions DROP COLUMN fy",
+          "ALTER TABLE sessions DROP COLUMN cx", "ALTER TABLE sessions DROP COLUMN cy",
+          "ALTER TABLE sessions DROP COLUMN image_width", "ALTER TABLE sessions DROP COLUMN image_height",
           "DELETE FROM schema_migrations WHERE version > 1", "PRAGMA user_version = 1"}) {
       askSqlite(file(), sql);
     }

@@ -1,0 +1,215 @@
+#include "core/scan/catalogue_export.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <map>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "core/base/regular_file.h"
+#include "core/capture/intrinsics.h"
+#include "core/catalog/object_database.h"
+#include "core/dataset/export_text.h"
+#include "core/dataset/image_bytes.h"
+#include "core/dataset/staged_folder.h"
+#include "core/exchange/atomic_file.h"
+#include "core/exchange/gray_png.h"
+#include "core/scan/guarded.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// So often it is begun again because somebody began to write into the catalogue.
+constexpr int kMostExports = 3;
+
+std::string colorPng(const cv::Mat& color) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", color, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+ExportJson toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+ExportJson toJson(const Intrinsics& K) {
+  return {{"fx", K.fx}, {"fy", K.fy}, {"cx", K.cx}, {"cy", K.cy}, {"width", K.width}, {"height", K.height}};
+}
+
+/// Of the images of a view: the part of the camera's image that its box is, at their size.
+Intrinsics cropOf(const Intrinsics& K, const ObjectView& view) {
+  const cv::Rect& box = view.box_px;
+  const Intrinsics part{
+      K.fx, K.fy, K.cx - static_cast<float>(box.x), K.cy - static_cast<float>(box.y), box.width, box.height};
+  return part.resizedTo(view.color.cols, view.color.rows);
+}
+
+ExportJson viewToJson(const ObjectView& view, const std::map<std::int64_t, Intrinsics>& cameras) {
+  ExportJson T = ExportJson::array();
+  for (int row = 0; row < 4; ++row) {
+    const Eigen::RowVector4d numbers = view.T_world_camera.matrix().row(row);
+    T.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
+  }
+  ExportJson json{{"view", view.id},
+                  {"session", view.session},
+                  {"frame", view.frame_index},
+                  {"T_world_camera", T},
+                  {"direction", toJson(view.direction)},
+                  {"size_m", toJson(view.size_m)},
+                  {"box_px", nullptr},
+                  {"frame_px", nullptr},
+                  {"camera", nullptr},
+                  {"crop_camera", nullptr}};
+  const bool has_box = !view.frame_px.empty() && !view.box_px.empty();
+  if (has_box) {
+    const cv::Rect& box = view.box_px;
+    json["box_px"] = {box.x, box.y, box.width, box.height};
+    json["frame_px"] = {view.frame_px.width, view.frame_px.height};
+  }
+  const auto camera = cameras.find(view.session);
+  if (camera == cameras.end()) return json;
+  json["camera"] = toJson(camera->second);
+  const cv::Size of_camera(camera->second.width, camera->second.height);
+  if (has_box && of_camera == view.frame_px) json["crop_camera"] = toJson(cropOf(camera->second, view));
+  return json;
+}
+
+ExportJson objectToJson(const ObjectRecord& object, const std::string& folder, std::size_t views) {
+  return {{"id", object.id.value},
+          {"name", object.name},
+          {"folder", folder},
+          {"views", views},
+          {"named_by_person", object.named_by == NamedBy::person},
+          {"confirmed", object.confirmed},
+          {"size_m", toJson(object.size_m)},
+          {"first_session", object.first_session_name},
+          {"created", object.created}};
+}
+
+/// One export on its way into `folder`.
+class CatalogueJob {
+ public:
+  CatalogueJob(ObjectDatabase& database, fs::path folder) : database_(database), folder_(std::move(folder)) {}
+
+  Result<CatalogueExportSummary> run(const std::string& name, const ExportProgressCallback& progress,
+                                     const std::stop_token& cancel) {
+    const auto objects = database_.objects();
+    if (!objects) return fail(objects.error());
+    if (objects->empty())
+      return fail("The catalogue " + name + " has no objects: there is nothing to export.");
+    SCANTROVE_TRY(moveInto(cameras_, database_.cameras()));
+    const int total = static_cast<int>(objects->size());
+    ExportJson index = ExportJson::array();
+    for (const ObjectRecord& object : *objects) {
+      if (cancel.stop_requested()) return fail("The export was cancelled; nothing was written.");
+      if (progress) progress({summary_.objects, total, object.name});
+      SCANTROVE_TRY(writeObject(object, index));
+    }
+    const std::string text = jsonText(index);
+    SCANTROVE_TRY(write("objects.json", text));
+    const Result<std::string> back = readFile(folder_ / "objects.json");
+    if (!back || *back != text) return notReadBack("objects.json");
+    if (progress) progress({total, total, "done"});
+    return std::move(summary_);
+  }
+
+ private:
+  Result<void> writeObject(const ObjectRecord& object, ExportJson& index) {
+    const auto views = database_.views(object.id);
+    if (!views) return fail(views.error());
+    const std::string folder = safeFileName(object.id.value, object.name);
+    std::error_code failure;
+    fs::create_directories(folder_ / folder, failure);
+    if (failure) {
+      return fail("Cannot create the folder " + (folder_ / folder).string() + ": " + failure.message() + ".",
+                  "Check that it can be written to and that the disk is not full.");
+    }
+    for (const ObjectView& view : *views) SCANTROVE_TRY(writeView(folder, view));
+    if (!views->empty()) SCANTROVE_TRY(readBack(folder, views->front()));
+    if (const auto missing = object.views - static_cast<int>(views->size()); missing > 0)
+      summary_.skipped.push_back(std::to_string(missing) + " of the views of " + object.name +
+                                 " cannot be used and are left out.");
+    index.push_back(objectToJson(object, folder, views->size()));
+    ++summary_.objects;
+    return {};
+  }
+
+  static std::string stemOf(const std::string& folder, const ObjectView& view) {
+    return folder + '/' + fmt::format("{:06}", view.id);
+  }
+
+  Result<void> writeView(const std::string& folder, const ObjectView& view) {
+    const std::string stem = stemOf(folder, view);
+    if (!view.color.empty()) SCANTROVE_TRY(write(stem + ".color.png", colorPng(view.color)));
+    if (!view.mask.empty()) SCANTROVE_TRY(write(stem + ".mask.png", encodeMaskPng(view.mask)));
+    if (!view.depth_mm.empty()) SCANTROVE_TRY(write(stem + ".depth.png", encodeGrayPng(view.depth_mm)));
+    ++summary_.views;
+    return write(stem + ".json", jsonText(viewToJson(view, cameras_)));
+  }
+
+  Result<void> readBack(const std::string& folder, const ObjectView& view) const {
+    for (const auto& [ending, image] :
+         {std::pair(".color.png", &view.color), std::pair(".mask.png", &view.mask),
+          std::pair(".depth.png", &view.depth_mm)}) {
+      if (image->empty()) continue;
+      const std::string name = stemOf(folder, view) + ending;
+      const Result<std::string> bytes = readFile(folder_ / name);
+      if (!bytes || !isSameImage(decodePng(*bytes), *image)) return notReadBack(name);
+    }
+    return {};
+  }
+
+  Result<void> write(const std::string& name, const std::string& bytes) {
+    summary_.bytes += bytes.size();
+    return writeFileAtomically(folder_ / name, bytes, Durability::process);
+  }
+
+  [[nodiscard]] tl::unexpected<Error> notReadBack(const std::string& name) const {
+    return fail("What was written to " + (folder_ / name).string() + " does not read back.",
+                "Check the disk, and export again or to another one.");
+  }
+
+  ObjectDatabase& database_;
+  fs::path folder_;
+  std::map<std::int64_t, Intrinsics> cameras_;
+  CatalogueExportSummary summary_;
+};
+
+/// None: somebody began to write into the catalogue meanwhile.
+Result<std::optional<CatalogueExportSummary>> exportOnce(const std::string& database, const fs::path& folder,
+                                                         const ExportProgressCallback& progress,
+                                                         const std::stop_token& cancel) {
+  const auto catalogue = ObjectDatabase::openToRead(database);
+  if (!catalogue) return fail(catalogue.error());
+  auto staged = StagedFolder::create(folder);
+  if (!staged) return fail(staged.error());
+  Result<CatalogueExportSummary> summary =
+      CatalogueJob(**catalogue, staged->path()).run(database, progress, cancel);
+  if (!(*catalogue)->isStill()) return std::nullopt;
+  if (!summary) return fail(staged->inFinalWords(summary.error()));
+  if (const auto committed = staged->commit(); !committed)
+    return fail(staged->inFinalWords(committed.error()));
+  summary->folder = staged->place();
+  return std::move(*summary);
+}
+
+}  // namespace
+
+Result<CatalogueExportSummary> exportCatalogue(const std::string& database, const fs::path& folder,
+                                               const ExportProgressCallback& progress,
+                                               const std::stop_token& cancel) {
+  return guarded("exporting the catalogue", [&]() -> Result<CatalogueExportSummary> {
+    for (int i = 0; i < kMostExports; ++i) {
+      auto summary = exportOnce(database, folder, progress, cancel);
+      if (!summary) return fail(summary.error());
+      if (*summary) return std::move(**summary);
+    }
+    return fail("Another program keeps writing into the catalogue " + database + ".",
+                "Wait until it is done, or export a copy.");
+  });
+}
+
+}  // namespace scantrove

@@ -1,0 +1,159 @@
+// What ObjectCollector does because a person said something of a region.
+#include <algorithm>
+
+#include "core/scan/object_collector.h"
+
+namespace scantrove {
+
+ObjectId ObjectCollector::boundTo(RegionId region) const {
+  const ObjectId object = met_.objectOf(region);
+  return object && recordOf(catalogue_.holderOf(object)) != nullptr ? object : ObjectId{};
+}
+
+bool ObjectCollector::areOneObject(const RegionSet& regions) const {
+  const ObjectId first = catalogue_.holderOf(boundTo(*regions.begin()));
+  return first && std::ranges::all_of(regions, [&](RegionId region) {
+           return catalogue_.holderOf(boundTo(region)) == first;
+         });
+}
+
+void ObjectCollector::addByPerson(RegionId region) {
+  // Of one that was deleted it is no more.
+  if (met_.objectOf(region) && !boundTo(region)) met_.bind({region}, {});
+  wanted_.try_emplace(region);
+}
+
+void ObjectCollector::want(RegionId region, const std::string& name) {
+  if (boundTo(region)) return wantNoMore(region);
+  met_.bind({region}, {});
+  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  wanted_[region] = checked ? *checked : std::string();
+}
+
+void ObjectCollector::wantNoMore(RegionId region) { wanted_.erase(region); }
+
+void ObjectCollector::followWanted(RegionId into, RegionId from) {
+  const auto found = wanted_.find(from);
+  if (found == wanted_.end()) return;
+  wanted_.try_emplace(into, found->second);
+  wanted_.erase(found);
+}
+
+bool ObjectCollector::isWanted(const Candidate& candidate) const {
+  return std::ranges::any_of(wanted_, [&](const auto& wanted) {
+    // A name is that of the region alone.
+    return candidate.regions.contains(wanted.first) &&
+           (wanted.second.empty() || candidate.regions.size() == 1);
+  });
+}
+
+const std::string* ObjectCollector::wantedName(const Candidate& candidate) const {
+  if (candidate.regions.size() != 1) return nullptr;
+  const auto found = wanted_.find(*candidate.regions.begin());
+  return found == wanted_.end() ? nullptr : &found->second;
+}
+
+bool ObjectCollector::isCalledOtherwise(RegionId region, const std::string& name) const {
+  const ObjectId holder = catalogue_.holderOf(boundTo(region));
+  std::map<RegionId, std::string> names;  // by now
+  for (const Naming& naming : namings_) names[naming.region] = naming.name;
+  return std::ranges::any_of(names, [&](const auto& named) {
+    return named.first != region && named.second != name &&
+           catalogue_.holderOf(boundTo(named.first)) == holder;
+  });
+}
+
+void ObjectCollector::nameByPerson(RegionId region, const std::string& name) {
+  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  if (!checked) {
+    refusals_.push_back(
+        {"The catalogue has no object of the name that the region got. " + checked.error().what,
+         checked.error().advice});
+    return;
+  }
+  const ObjectId object = boundTo(region);
+  if (!object) return;
+  const ObjectRecord* record = recordOf(catalogue_.holderOf(object));
+  const ObjectRecord* called_so = catalogue_.named(*checked);
+  const bool is_other = called_so != nullptr && called_so->id != record->id;
+  if (isCalledOtherwise(region, *checked) || (is_other && isSettled(*record))) {
+    // It is another thing than that.
+    met_.bind({region}, {});
+    not_these_[region] = object;
+    return;
+  }
+  nameObject(region, object, *checked, {});
+}
+
+void ObjectCollector::nameObject(RegionId region, ObjectId object, const std::string& name,
+                                 ObjectId earlier) {
+  namings_.push_back({++last_naming_, region, name, earlier, {}});
+  catalogue_.name(object, name);
+  writer_->name(last_naming_, object, name);
+}
+
+bool ObjectCollector::hasNamed(RegionId region, const std::string& name) const {
+  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  return checked && std::ranges::any_of(namings_, [&](const Naming& naming) {
+           return naming.region == region && naming.name == *checked;
+         });
+}
+
+void ObjectCollector::noteStored(const news::NameStored& news) {
+  const auto found = std::ranges::find(namings_, news.number, &Naming::number);
+  if (found != namings_.end()) found->stored = news.naming;
+}
+
+std::map<RegionId, std::vector<KeptNaming>> ObjectCollector::keptNamings() const {
+  std::map<RegionId, std::vector<KeptNaming>> kept;
+  for (const Naming& naming : namings_) {
+    const ObjectId earlier = naming.earlier ? naming.earlier : met_.objectOf(naming.region);
+    if (naming.stored) kept[naming.region].push_back({*naming.stored, catalogue_.idOf(earlier), {}});
+  }
+  return kept;
+}
+
+void ObjectCollector::takeNameBack(RegionId region, const std::string& name) {
+  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  if (!checked) return;
+  const auto newest = std::find_if(namings_.rbegin(), namings_.rend(), [&](const Naming& naming) {
+    return naming.region == region && naming.name == *checked;
+  });
+  if (const auto other = not_these_.find(region); newest == namings_.rend() && other != not_these_.end()) {
+    // It has not been added yet.
+    met_.bind({region}, other->second);
+    not_these_.erase(other);
+  }
+  if (newest == namings_.rend()) return;
+  writer_->takeNameBack(newest->number);
+  if (newest->earlier) met_.bind({region}, newest->earlier);
+  namings_.erase(std::next(newest).base());
+}
+
+void ObjectCollector::fulfil(const Candidate& candidate, ObjectId object) {
+  for (const RegionId region : candidate.regions) {
+    const auto found = wanted_.find(region);
+    if (found == wanted_.end()) continue;
+    const std::string name = found->second;
+    if (!name.empty() && candidate.regions.size() > 1) continue;  // until it is seen alone
+    wanted_.erase(found);
+    const auto other = not_these_.find(region);
+    const ObjectId earlier = other == not_these_.end() ? ObjectId{} : other->second;
+    not_these_.erase(region);
+    if (!name.empty()) nameObject(region, object, name, earlier);
+  }
+}
+
+FrameObjects ObjectCollector::addWanted(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                        const SurfaceInColor& in_color,
+                                        const std::vector<Candidate>& candidates) {
+  FrameObjects objects;
+  takeNews(objects);
+  const Look look{frame, T_world_camera, in_color, objects};
+  for (const Candidate& candidate : candidates) {
+    if (wantedName(candidate) != nullptr) collectOne(candidate, identityOf(candidate), look);
+  }
+  return objects;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/catalog/object_record.h"
+
+namespace scantrove {
+
+/// What naming a region did to the catalogue, as its session keeps it, to take it back later.
+struct KeptNaming {
+  ObjectNaming naming;  ///< no name: it was made an object, and not named
+  ObjectId earlier;     ///< the object that the region was before; none: it was none
+  ObjectId made = {};   ///< the object that was made for it; none: it was there
+};
+
+/// The session's fact that keeps those of a region.
+[[nodiscard]] std::string namingsFactOf(RegionId region);
+/// The one that keeps the object that was made for a region and went with an undo: it comes back with a redo.
+[[nodiscard]] std::string goneObjectFactOf(RegionId region);
+/// As text, oldest first; empty for none.
+[[nodiscard]] std::string namingsToJson(const std::vector<KeptNaming>& namings);
+/// None for what was not written so.
+[[nodiscard]] std::vector<KeptNaming> namingsFromJson(const std::string& text);
+
+}  // namespace scantrove

@@ -1,0 +1,103 @@
+#include "core/scan/region_views.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/capture/color_projection.h"
+#include "core/catalog/thumbnail.h"
+#include "core/catalog/view_sphere.h"
+#include "core/discovery/region_candidate.h"
+#include "core/scan/candidate_crop.h"
+#include "core/scan/key_frame_choice.h"
+#include "core/scan/key_frame_files.h"
+#include "core/scan/map_view.h"
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove {
+namespace {
+
+/// All key frames are looked at in images of this width; so few pixels of a region are not worth a view.
+constexpr int kSmallWidth_px = 160, kLeastPixels = 8;
+/// What is cut off by the image's border counts for so much.
+constexpr float kOfCut = 0.4F;
+/// A view shows at least so much of the region as this part of the best one.
+constexpr float kLeastOfBest = 0.2F;
+constexpr float kBetweenViews_deg = 20;
+
+/// A key frame that shows the region.
+struct Showing {
+  const SavedKeyFrame* images;
+  const SavedFrame* frame;
+  float worth = 0;  ///< pixels, less where it is cut off
+  Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+};
+
+bool isCutOff(const cv::Rect& box, const Intrinsics& K) {
+  return box.x <= 0 || box.y <= 0 || box.br().x >= K.width || box.br().y >= K.height;
+}
+
+Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId region) {
+  std::map<int, const SavedFrame*> frames;
+  for (const SavedFrame& frame : session.frames()) frames[frame.number] = &frame;
+  const Intrinsics& K = session.setup().K;
+  const Intrinsics small = K.resizedTo(kSmallWidth_px, std::max(1, kSmallWidth_px * K.height / K.width));
+  std::vector<Showing> showing;
+  KeyFrameChoice choice;  // a session may have the images of every frame
+  for (const SavedKeyFrame& key : session.keyFrames()) {
+    const auto found = frames.find(key.frame);
+    if (found == frames.end() || !found->second->isUsable() || key.color_file.empty()) continue;
+    const Eigen::Isometry3d& T_world_camera = found->second->T_world_camera;
+    if (!choice.takes(T_world_camera)) continue;
+    const Result<MapView> view = viewMap(session.pipeline(), small, T_world_camera);
+    if (!view) return fail(view.error());
+    const std::optional<Candidate> seen = candidateOf(region, view->input(), kLeastPixels);
+    if (!seen) continue;
+    const auto pixels = static_cast<float>(seen->pixels);
+    showing.push_back({&key, found->second, isCutOff(seen->box_px, small) ? kOfCut * pixels : pixels,
+                       directionOf(*seen, T_world_camera)});
+  }
+  std::ranges::stable_sort(showing, std::greater<>(), &Showing::worth);
+  return showing;
+}
+
+/// None: its images cannot be read, or do not show the region.
+Result<std::optional<ObjectView>> cutFrom(OpenSession& session, const Showing& showing, RegionId region) {
+  const Result<RgbdFrame> frame = readKeyFrame(session.folder(), *showing.images, *showing.frame);
+  if (!frame || frame->color.empty()) return std::nullopt;
+  const Intrinsics& K = session.pipeline().workingIntrinsics();
+  const Result<MapView> view = viewMap(session.pipeline(), K, showing.frame->T_world_camera);
+  if (!view) return fail(view.error());
+  const std::optional<Candidate> seen = candidateOf(region, view->input(), kLeastPixels);
+  if (!seen) return std::nullopt;
+  const SurfaceInColor in_color =
+      locateInColor(frame->color_camera, K, view->T_world_camera, view->vertices_world);
+  std::optional<ObjectView> cut = cutView(*frame, view->T_world_camera, in_color, *seen);
+  if (cut) cut->descriptor = makeThumbnail(cut->color, cut->mask);
+  return cut;
+}
+
+}  // namespace
+
+Result<std::vector<ObjectView>> viewsOfRegion(OpenSession& session, RegionId region, std::size_t most) {
+  const Result<std::vector<Showing>> showing = framesThatShow(session, region);
+  if (!showing) return fail(showing.error());
+  std::vector<ObjectView> views;
+  ViewSphere directions;
+  float best = 0;
+  for (const Showing& one : *showing) {
+    if (views.size() >= most || one.worth < kLeastOfBest * best) break;
+    if (!directions.isNew(one.direction, kBetweenViews_deg)) continue;
+    Result<std::optional<ObjectView>> view = cutFrom(session, one, region);
+    if (!view) return fail(view.error());
+    if (!*view) continue;
+    best = std::max(best, one.worth);
+    directions.keep(one.direction);
+    views.push_back(std::move(**view));
+  }
+  return views;
+}
+
+}  // namespace scantrove

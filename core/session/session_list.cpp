@@ -1,0 +1,172 @@
+#include "core/session/session_list.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "core/database/database_connection.h"
+#include "core/labeling/region_partition.h"
+#include "core/session/session_schema.h"
+#include "core/session/session_store.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By one of a writer who begins while it is read, a reading is torn: so often it is begun again.
+constexpr int kMostTries = 3;
+
+double megabytesIn(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  std::error_code failure;
+  for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure),
+       end;
+       !failure && entry != end; entry.increment(failure)) {
+    std::error_code gone;
+    if (!entry->is_regular_file(gone)) continue;
+    const std::uintmax_t size = entry->file_size(gone);
+    if (!gone) bytes += size;
+  }
+  return static_cast<double>(bytes) / 1e6;
+}
+
+/// Somebody has a lock on the file: without trying to take it, which would keep others from it.
+bool isLocked(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return false;
+  const std::string inode = ":" + std::to_string(status.st_ino);
+  std::ifstream locks("/proc/locks");
+  for (std::string line; std::getline(locks, line);) {
+    // "1: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF"
+    std::istringstream words(line);
+    std::string number, kind, way, access, process, place;
+    words >> number >> kind >> way >> access >> process >> place;
+    if (kind == "FLOCK" && place.ends_with(inode)) return true;
+  }
+  return false;
+}
+
+/// The first value of the answer.
+Result<QVariant> ask(DatabaseConnection& database, const QString& sql) {
+  Result<QSqlQuery> answer = database.execute(sql);
+  if (!answer) return fail(answer.error());
+  return answer->next() ? answer->value(0) : QVariant();
+}
+
+Result<void> readCount(DatabaseConnection& database, const QString& sql, int& number) {
+  const Result<QVariant> answer = ask(database, sql);
+  if (!answer) return fail(answer.error());
+  number = answer->toInt();
+  return {};
+}
+
+Result<void> readText(DatabaseConnection& database, const QString& sql, std::string& text) {
+  const Result<QVariant> answer = ask(database, sql);
+  if (!answer) return fail(answer.error());
+  text = answer->toString().toStdString();
+  return {};
+}
+
+Result<void> readPicture(DatabaseConnection& database, SessionSummary& summary) {
+  std::string file;
+  SCANTROVE_TRY(readText(database,
+                         "SELECT color_file FROM key_frames WHERE color_file <> '' ORDER BY number LIMIT 1"
+                         " OFFSET (SELECT count(*) / 2 FROM key_frames WHERE color_file <> '')",
+                         file));
+  std::error_code ignored;
+  if (!file.empty() && fs::is_regular_file(summary.folder / file, ignored))
+    summary.picture = summary.folder / file;
+  return {};
+}
+
+Result<void> readNames(DatabaseConnection& database, SessionSummary& summary) {
+  summary.names.clear();
+  Result<QSqlQuery> names = database.execute(
+      "SELECT DISTINCT name FROM regions WHERE name <> '' AND region IN (SELECT region FROM fragments)"
+      " ORDER BY name");
+  if (!names) return fail(names.error());
+  while (names->next()) summary.names.push_back(names->value(0).toString().toStdString());
+  return {};
+}
+
+Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
+  const auto version = schema::versionToRead(database, schema::kSession, schema::sessionSteps(), 1);
+  if (!version) return fail(version.error());
+  SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'source'", summary.source));
+  SCANTROVE_TRY(
+      readText(database, "SELECT applied FROM schema_migrations WHERE version = 1", summary.started));
+  int ended = 0;
+  SCANTROVE_TRY(
+      readCount(database, "SELECT count(*) FROM facts WHERE name = 'ended' AND value <> ''", ended));
+  summary.ended = ended > 0;
+  SCANTROVE_TRY(readCount(database, "SELECT count(*) FROM frames", summary.frames));
+  SCANTROVE_TRY(readCount(database, "SELECT count(*) FROM frames WHERE state IN ('tracking', 'relocalised')",
+                          summary.tracked));
+  SCANTROVE_TRY(readCount(database, "SELECT count(*) FROM key_frames", summary.key_frames));
+  SCANTROVE_TRY(readCount(database,
+                          QString("SELECT count(*) FROM (SELECT region FROM fragments WHERE region > 0"
+                                  " GROUP BY region HAVING sum(voxels) >= %1)")
+                              .arg(kSliverVoxels),
+                          summary.regions));
+  SCANTROVE_TRY(readCount(database,
+                          "SELECT count(DISTINCT object) FROM regions WHERE object > 0"
+                          " AND region IN (SELECT region FROM fragments)",
+                          summary.objects));
+  SCANTROVE_TRY(readNames(database, summary));
+  return readPicture(database, summary);
+}
+
+/// All of one moment.
+Result<void> readSession(const fs::path& file, SessionSummary& summary) {
+  for (int i = 1;; ++i) {
+    const auto database = DatabaseConnection::openToRead(file.string());
+    if (!database) return fail(database.error());
+    Result<void> read = readTables(**database, summary);
+    if ((*database)->isStill() || i == kMostTries) return read;
+  }
+}
+
+SessionSummary summaryOf(const fs::path& folder) {
+  SessionSummary summary;
+  summary.folder = folder;
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  summary.name = (place.has_filename() ? place : place.parent_path()).filename().string();
+  summary.megabytes = megabytesIn(folder);
+  summary.in_use = isLocked(folder / "session.lock");
+  if (const Result<void> read = readSession(folder / "session.sqlite", summary); !read)
+    summary.damage = read.error().message();
+  return summary;
+}
+
+}  // namespace
+
+std::vector<SessionSummary> listSessions(const fs::path& folder) {
+  std::vector<SessionSummary> sessions;
+  if (SessionStore::isSession(folder)) sessions.push_back(summaryOf(folder));
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (SessionStore::isSession(entry->path())) sessions.push_back(summaryOf(entry->path()));
+  }
+  std::ranges::sort(sessions, [](const SessionSummary& a, const SessionSummary& b) {
+    return std::pair(b.started, a.name) < std::pair(a.started, b.name);
+  });
+  return sessions;
+}
+
+fs::path defaultScansFolder() {
+  // As the XDG Base Directory Specification has it: what is no absolute path does not count.
+  const char* data = std::getenv("XDG_DATA_HOME");
+  if (data != nullptr && fs::path(data).is_absolute()) return fs::path(data) / "scantrove" / "scans";
+  const char* home = std::getenv("HOME");
+  return fs::path(home != nullptr ? home : "/") / ".local" / "share" / "scantrove" / "scans";
+}
+
+}  // namespace scantrove

@@ -1,0 +1,235 @@
+// What the catalogue gets of a region that a person named.
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "tests/pipeline/collection/object_collector_fixture.h"
+#include "tests/support/other_program.h"
+
+namespace scantrove {
+namespace {
+
+using test::OtherProgram;
+using test::Thing;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class NamedRegions : public test::ObjectCollectorFixture {
+ protected:
+  /// As the pipeline does it when a region gets a name.
+  void name(const Thing& thing, const std::string& name) {
+    collector_->nameByPerson(thing.region, name);
+    collector_->want(thing.region, name);
+  }
+  /// The same where it loses it again.
+  void unname(const Thing& thing, const std::string& name) {
+    collector_->takeNameBack(thing.region, name);
+    collector_->wantNoMore(thing.region);
+  }
+  static Candidate part(const Thing& thing) {
+    Candidate candidate = thing.candidate();
+    candidate.is_whole = false;
+    candidate.outline = 0.2F;
+    return candidate;
+  }
+  ObjectRecord record(ObjectId id) {
+    const Result<ObjectRecord> record = person_->object(id);
+    EXPECT_TRUE(record) << record.error().message();
+    return record.value_or(ObjectRecord{});
+  }
+};
+
+TEST_F(NamedRegions, AnObjectGetsTheNameOfItsRegionAndLosesItByUndo) {
+  const ObjectId mug = study({mug_, box_}).added.at(0).id;
+  name(mug_, "blue mug");
+  const FrameObjects seen = look({mug_, box_});
+  EXPECT_EQ(seen.seen[0].name, "blue mug");
+  EXPECT_TRUE(seen.seen[0].confirmed);
+  EXPECT_EQ(record(mug).name, "blue mug");
+  EXPECT_TRUE(record(mug).confirmed);
+  unname(mug_, "blue mug");
+  EXPECT_EQ(look({mug_, box_}).seen[0].name, "Obj_1");
+  EXPECT_EQ(record(mug).name, "Obj_1");
+  EXPECT_FALSE(record(mug).confirmed);
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(NamedRegions, AnUndoLeavesWhatSomebodySaidSince) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  name(mug_, "mug");
+  settle();
+  ASSERT_TRUE(person_->rename(mug, "jug"));
+  unname(mug_, "mug");
+  static_cast<void>(look({mug_}));
+  EXPECT_EQ(record(mug).name, "jug");
+}
+
+TEST_F(NamedRegions, WhatIsNoObjectYetBecomesOneWhenItIsSeenWholeOrNot) {
+  name(mug_, "mug");
+  for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(look({}).added.empty());
+  const FrameObjects seen = lookAt({part(mug_)}, {mug_});
+  ASSERT_EQ(seen.added.size(), 1U);
+  EXPECT_EQ(seen.seen[0].name, "mug");
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].name, "mug");
+  EXPECT_TRUE(objects()[0].confirmed);
+  EXPECT_TRUE(collector_->wanted().empty());
+  EXPECT_EQ(collector_->objectOf(mug_.region), objects()[0].id);
+}
+
+TEST_F(NamedRegions, ANameGoesWithTheRegionThatItsOwnBecomesPartOf) {
+  name(mug_, "mug");
+  collector_->regionsJoined(box_.region, mug_.region);
+  static_cast<void>(lookAt({part(box_)}, {box_}));
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].name, "mug");
+}
+
+TEST_F(NamedRegions, WhatIsNotToBeOneAnyMoreIsNotAdded) {
+  name(mug_, "mug");
+  collector_->wantNoMore(mug_.region);
+  for (int frame = 0; frame < 3; ++frame) static_cast<void>(lookAt({part(mug_)}, {mug_}));
+  EXPECT_TRUE(objects().empty());
+}
+
+TEST_F(NamedRegions, ThereIsOneObjectOfAName) {
+  static_cast<void>(study({mug_}));
+  name(mug_, "mug");
+  static_cast<void>(look({mug_}));
+  // Another look of it in a later scan, which nobody recognises.
+  beginScan();
+  const Thing again{7, 1, RegionId{44}};
+  name(again, "mug");
+  const FrameObjects seen = look({again});
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].name, "mug");
+  EXPECT_EQ(objects()[0].views, 2);
+  EXPECT_EQ(collector_->objectOf(again.region), objects()[0].id);
+  EXPECT_EQ(seen.seen[0].object, objects()[0].id);
+  unname(again, "mug");
+  static_cast<void>(look({again}));
+  EXPECT_EQ(objects().size(), 2U) << "they are two again";
+  EXPECT_EQ(record(objects()[0].id).views, 1);
+}
+
+TEST_F(NamedRegions, AFoundOneBecomesPartOfTheOneOfThatName) {
+  const FrameObjects first = study({mug_, box_});
+  const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
+  name(mug_, "thing");
+  name(box_, "thing");
+  const FrameObjects seen = look({mug_, box_});
+  EXPECT_EQ(seen.seen[0].object, mug);
+  EXPECT_EQ(seen.seen[1].object, mug);
+  EXPECT_EQ(objects().size(), 1U);
+  unname(box_, "thing");
+  EXPECT_EQ(look({mug_, box_}).seen[1].object, box);
+  EXPECT_EQ(record(mug).name, "thing");
+  EXPECT_EQ(record(box).name, "Obj_2");
+}
+
+TEST_F(NamedRegions, APartOfAnObjectThatIsCalledOtherwiseIsAnObjectOfItsOwn) {
+  Candidate both = mug_.candidate();
+  both.regions = {mug_.region, box_.region};
+  for (int frame = 0; frame < 20; ++frame) static_cast<void>(lookAt({both}, {mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  name(mug_, "mug");
+  static_cast<void>(look({mug_, box_}));
+  name(box_, "handle");
+  static_cast<void>(look({mug_, box_}));
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_EQ(objects()[0].name, "mug");
+  EXPECT_EQ(objects()[1].name, "handle");
+  EXPECT_EQ(collector_->objectOf(box_.region), objects()[1].id);
+}
+
+TEST_F(NamedRegions, WhatAPersonKnowsIsNotTheOtherOneThatAPersonKnows) {
+  const FrameObjects first = study({mug_, box_});
+  name(mug_, "mug");
+  name(box_, "box");
+  static_cast<void>(look({mug_, box_}));
+  name(box_, "mug");  // it was not the box
+  for (int frame = 0; frame < 3; ++frame) static_cast<void>(look({mug_, box_}));
+  EXPECT_EQ(record(first.added.at(1).id).name, "box") << "there is one, all the same";
+  EXPECT_EQ(collector_->objectOf(box_.region), first.added.at(0).id);
+  collector_->takeNameBack(box_.region, "mug");
+  static_cast<void>(look({mug_, box_}));
+  EXPECT_EQ(collector_->objectOf(box_.region), first.added.at(1).id);
+}
+
+TEST_F(NamedRegions, WhatWasDeletedComesByANameAsAnotherOne) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  ASSERT_TRUE(person_->remove(std::array{mug}));
+  static_cast<void>(look({mug_}));
+  name(mug_, "mug");
+  static_cast<void>(look({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_NE(objects()[0].id, mug);
+  EXPECT_EQ(objects()[0].name, "mug");
+}
+
+TEST_F(NamedRegions, ANameThatIsNoneForTheCatalogueIsSaidOnce) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  name(mug_, "12");
+  const FrameObjects seen = look({mug_});
+  ASSERT_TRUE(seen.catalogue_failure);
+  EXPECT_THAT(seen.catalogue_failure->message(), HasSubstr("'12'"));
+  EXPECT_FALSE(look({mug_}).catalogue_failure);
+  EXPECT_EQ(record(mug).name, "Obj_1");
+}
+
+TEST_F(NamedRegions, ALockDelaysNamesAndTheyHoldMeanwhile) {
+  static_cast<void>(study({mug_, box_}));
+  waits_ = false;
+  {
+    OtherProgram other(file());
+    other.execute("BEGIN IMMEDIATE");
+    name(mug_, "mug");
+    name(cup_, "cup");
+    FrameObjects seen = look({mug_, box_, cup_});
+    EXPECT_EQ(seen.seen[0].name, "mug") << "it is called so at once";
+    collector_->regionsJoined(mug_.region, box_.region);
+    seen = look({mug_, cup_});
+    other.execute("ROLLBACK");
+  }
+  settle();
+  waits_ = true;
+  static_cast<void>(look({mug_, cup_}));
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_EQ(objects()[0].name, "mug");
+  EXPECT_EQ(objects()[0].views, 2) << "with those of the box";
+  EXPECT_EQ(objects()[1].name, "cup");
+  EXPECT_TRUE(objects()[1].confirmed);
+}
+
+TEST_F(NamedRegions, TheEndSaysWhichNamesAreNotStored) {
+  writer_.patience = std::chrono::milliseconds(100);
+  beginScan();
+  static_cast<void>(study({mug_}));
+  OtherProgram other(file());
+  waits_ = false;
+  other.execute("BEGIN IMMEDIATE");
+  name(mug_, "mug");
+  const Result<void> finished = collector_->finish([](const FrameObjects&) {});
+  ASSERT_FALSE(finished);
+  EXPECT_THAT(finished.error().message(), AllOf(HasSubstr("1 name"), HasSubstr("locked")));
+  other.execute("ROLLBACK");
+}
+
+TEST_F(NamedRegions, AreKeptForTheSession) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  name(mug_, "mug");
+  static_cast<void>(look({mug_}));
+  const auto kept = collector_->keptNamings();
+  ASSERT_EQ(kept.size(), 1U);
+  const KeptNaming& naming = kept.at(mug_.region).at(0);
+  EXPECT_EQ(naming.naming.object, mug);
+  EXPECT_EQ(naming.naming.earlier_name, "Obj_1");
+  const std::vector<KeptNaming> read = namingsFromJson(namingsToJson({naming}));
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].naming.name, "mug");
+  EXPECT_EQ(read[0].earlier, mug);
+  EXPECT_TRUE(namingsFromJson("[{]").empty());
+}
+
+}  // namespace
+}  // namespace scantrove

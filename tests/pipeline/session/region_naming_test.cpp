@@ -1,0 +1,178 @@
+// A region that gets a name is an object of the catalogue: during a scan, and in its session later.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/catalog/object_database.h"
+#include "core/scan/open_session.h"
+#include "core/scan/session_catalogue.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using test::ScanSessionTest;
+using testing::HasSubstr;
+
+class RegionNaming : public ScanSessionTest {
+ protected:
+  /// A scan that waits after some frames; regions in view, the largest first.
+  std::vector<RegionId> scanUntil(int frame, int frames) {
+    ScanRequest scan = request(frames);
+    scan.output_folder = folder_ / "scan";
+    scan.database = (folder_ / "scan" / "catalogue.sqlite").string();
+    scan.start_paused = true;
+    session_.start(scan);
+    for (int i = 0; i < frame; ++i) session_.step();
+    const auto snapshot = awaitSnapshot(frame);
+    if (!snapshot) return {};
+    std::map<int, int> pixels;
+    for (const int region : cv::Mat_<int>(snapshot->regions)) ++pixels[region];
+    pixels.erase(0);
+    std::vector<std::pair<int, int>> sizes;
+    for (const auto& [region, count] : pixels) sizes.emplace_back(-count, region);
+    std::ranges::sort(sizes);
+    std::vector<RegionId> regions;
+    for (const auto& [count, region] : sizes) regions.push_back(RegionId{static_cast<std::uint32_t>(region)});
+    return regions;
+  }
+  void edit(const ScanEdit& edit) {
+    const std::size_t before = log_.all<Edited>().size() + log_.all<EditFailed>().size();
+    session_.edit(edit);
+    for (int i = 0; i < 6000 && log_.all<Edited>().size() + log_.all<EditFailed>().size() == before; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(log_.all<EditFailed>().empty());
+  }
+  static Operation naming(RegionId region, const std::string& name) {
+    return {.kind = OperationKind::name, .regions = {region}, .name = name};
+  }
+  void goOn() {
+    session_.resume();
+    session_.wait();
+    EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    EXPECT_TRUE(log_.all<CatalogueFailed>().empty());
+  }
+  std::vector<ObjectRecord> objects() {
+    const auto database = ObjectDatabase::open((folder_ / "scan" / "catalogue.sqlite").string());
+    EXPECT_TRUE(database);
+    return database ? *(*database)->objects() : std::vector<ObjectRecord>();
+  }
+  std::vector<ObjectRecord> objectsCalled(const std::string& name) {
+    std::vector<ObjectRecord> called = objects();
+    std::erase_if(called, [&](const ObjectRecord& object) { return object.name != name; });
+    return called;
+  }
+  std::unique_ptr<OpenSession> open() {
+    auto session = OpenSession::open(folder_ / "scan");
+    EXPECT_TRUE(session) << session.error().message();
+    return session ? std::move(*session) : nullptr;
+  }
+};
+
+TEST_F(RegionNaming, WhileTheScanRuns) {
+  const std::vector<RegionId> regions = scanUntil(12, 30);
+  ASSERT_GE(regions.size(), 6U);
+  edit(naming(regions[3], "a thing"));
+  edit(naming(regions[4], "another"));
+  edit(naming(regions[5], "wall"));
+  edit(Operation{.kind = OperationKind::background, .regions = {regions[5]}});
+  edit(Operation{.kind = OperationKind::object, .regions = {regions[2]}});
+  goOn();
+  const std::vector<ObjectRecord> things = objectsCalled("a thing");
+  ASSERT_EQ(things.size(), 1U);
+  EXPECT_TRUE(things[0].confirmed);
+  EXPECT_EQ(things[0].named_by, NamedBy::person);
+  EXPECT_GE(things[0].views, 1);
+  EXPECT_EQ(objectsCalled("another").size(), 1U);
+  EXPECT_TRUE(objectsCalled("wall").empty()) << "background";
+  EXPECT_TRUE(std::ranges::any_of(log_.all<ObjectNamed>(), [&](const ObjectNamed& named) {
+    return named.object == things[0].id && named.name == "a thing";
+  }));
+  const auto session = open();
+  ASSERT_TRUE(session);
+  EXPECT_EQ(session->objectOf(regions[3]), things[0].id);
+  EXPECT_TRUE(session->objectOf(regions[2])) << "promoted, without a name";
+  EXPECT_EQ(catalogueFileOf(*session), folder_ / "scan" / "catalogue.sqlite");
+  // What was done in the scan is taken back later, in the catalogue, too.
+  for (int i = 0; i < 4; ++i) {
+    const auto undone = session->undo();
+    ASSERT_TRUE(undone);
+    EXPECT_TRUE(followInCatalogue(*session, *undone, SaidHow::undone)) << i;
+  }
+  EXPECT_TRUE(objectsCalled("another").empty());
+  EXPECT_EQ(objectsCalled("a thing").size(), 1U);
+}
+
+TEST_F(RegionNaming, IsTakenBackByAnUndo) {
+  const std::vector<RegionId> regions = scanUntil(12, 24);
+  ASSERT_GE(regions.size(), 5U);
+  edit(naming(regions[3], "first"));
+  for (int i = 0; i < 4; ++i) session_.step();
+  ASSERT_TRUE(awaitSnapshot(16));
+  edit(naming(regions[3], "second"));
+  edit(naming(regions[4], "not yet seen"));
+  edit(UndoEdit{});
+  edit(UndoEdit{});
+  goOn();
+  EXPECT_EQ(objectsCalled("first").size(), 1U);
+  EXPECT_TRUE(objectsCalled("second").empty());
+  EXPECT_TRUE(objectsCalled("not yet seen").empty());
+}
+
+TEST_F(RegionNaming, OfWhatTheLastFrameShowsIsNotLost) {
+  const std::vector<RegionId> regions = scanUntil(12, 200);
+  ASSERT_GE(regions.size(), 5U);
+  edit(naming(regions[3], "named last"));
+  session_.stop();
+  session_.wait();
+  ASSERT_EQ(objectsCalled("named last").size(), 1U);
+  const auto session = open();
+  ASSERT_TRUE(session);
+  EXPECT_EQ(session->objectOf(regions[3]), objectsCalled("named last")[0].id);
+}
+
+TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
+  const std::vector<RegionId> regions = scanUntil(12, 20);
+  ASSERT_GE(regions.size(), 5U);
+  goOn();
+  const std::size_t before = objects().size();
+  {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    const auto named = session->edit(naming(regions[3], "thing"));
+    ASSERT_TRUE(named);
+    const Result<ObjectId> object = nameInCatalogue(*session, regions[3], "thing");
+    ASSERT_TRUE(object) << object.error().message();
+    EXPECT_EQ(session->objectOf(regions[3]), *object);
+    EXPECT_FALSE(nameInCatalogue(*session, regions[3], "12")) << "no name for an object";
+  }
+  ASSERT_EQ(objectsCalled("thing").size(), 1U);
+  EXPECT_TRUE(objectsCalled("thing")[0].confirmed);
+  {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    EXPECT_EQ(session->objectOf(regions[3]), objectsCalled("thing")[0].id) << "it is kept";
+    const auto undone = session->undo();
+    ASSERT_TRUE(undone);
+    ASSERT_TRUE(followInCatalogue(*session, *undone, SaidHow::undone));
+  }
+  EXPECT_EQ(objects().size(), before);
+  EXPECT_TRUE(objectsCalled("thing").empty());
+}
+
+TEST_F(RegionNaming, WithoutItsCatalogueIsSaid) {
+  const std::vector<RegionId> regions = scanUntil(8, 10);
+  ASSERT_GE(regions.size(), 4U);
+  goOn();
+  std::filesystem::rename(folder_ / "scan" / "catalogue.sqlite", folder_ / "elsewhere.sqlite");
+  const auto session = open();
+  ASSERT_TRUE(session);
+  const Result<ObjectId> object = nameInCatalogue(*session, regions[3], "thing");
+  ASSERT_FALSE(object);
+  EXPECT_THAT(object.error().message(), HasSubstr("catalogue.sqlite"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "catalogue.sqlite")) << "none is made";
+}
+
+}  // namespace
+}  // namespace scantrove

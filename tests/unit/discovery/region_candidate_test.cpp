@@ -1,0 +1,47 @@
+#include "core/discovery/region_candidate.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "tests/unit/discovery/painted_scene.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedScene;
+
+TEST(RegionCandidate, IsTheRegionAsItIsSeen) {
+  PaintedScene scene;
+  const cv::Rect box(60, 40, 30, 24);
+  scene.paintBump(7, box, 1.2F);
+  const std::optional<Candidate> seen = candidateOf(RegionId{7}, scene.input(), 100);
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->regions, RegionSet{RegionId{7}});
+  EXPECT_EQ(seen->box_px, box);
+  EXPECT_EQ(seen->pixels, box.area());
+  EXPECT_EQ(cv::countNonZero(seen->mask), box.area());
+  EXPECT_FALSE(seen->is_whole);
+  EXPECT_NEAR(seen->size_m[0], 30 * 1.2F / 150, 0.05F);
+  EXPECT_LT((scene.T_world_camera.cast<float>() * seen->centroid_camera - seen->centroid_world).norm(),
+            1e-5F);
+  EXPECT_NEAR(seen->centroid_camera.z(), 1.1F, 0.1F);
+}
+
+TEST(RegionCandidate, MayBeWhatNoRuleLetsPass) {
+  PaintedScene scene;
+  EXPECT_TRUE(candidateOf(RegionId{1}, scene.input(), 100)) << "a wall that the image cuts off";
+}
+
+TEST(RegionCandidate, IsNoneWhereTooLittleIsSeen) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 40, 9, 9}, 1.2F);
+  EXPECT_FALSE(candidateOf(RegionId{7}, scene.input(), 100));
+  EXPECT_TRUE(candidateOf(RegionId{7}, scene.input(), 81));
+  EXPECT_FALSE(candidateOf(RegionId{8}, scene.input(), 0)) << "not in view";
+  for (Eigen::Vector4f& vertex : scene.vertices) vertex.setZero();
+  EXPECT_FALSE(candidateOf(RegionId{7}, scene.input(), 0)) << "labels without a surface";
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,214 @@
+#include "core/session/session_list.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "core/session/session_store.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// What a short scan keeps: two key frames of three frames, a large and a tiny region.
+SavedDelta shortScan() {
+  SavedDelta delta;
+  delta.facts["source"] = "demo";
+  for (int number = 0; number < 3; ++number) {
+    SavedFrame frame;
+    frame.number = number;
+    frame.state = number == 1 ? TrackingState::lost : TrackingState::tracking;
+    delta.frames.push_back(frame);
+  }
+  for (const int number : {0, 2}) {
+    SavedKeyFrame key;
+    key.frame = number;
+    key.color_file = "keyframes/00000" + std::to_string(number) + ".color.png";
+    delta.key_frames.push_back(key);
+  }
+  delta.fragments = {
+      {FragmentId{1}, RegionId{3}, 60}, {FragmentId{2}, RegionId{3}, 60}, {FragmentId{3}, RegionId{4}, 7}};
+  delta.regions = {{RegionId{3}, ObjectId{2}, {"red cup", "cup", false, false, false}},
+                   {RegionId{99}, ObjectId{5}, {"joined with another", "", false, false, false}}};
+  return delta;
+}
+
+std::unique_ptr<SessionStore> storeIn(const fs::path& folder, const SavedDelta& delta) {
+  auto store = SessionStore::create(folder);
+  EXPECT_TRUE(store) << store.error().message();
+  EXPECT_TRUE((*store)->save(delta));
+  std::ofstream(folder / "keyframes" / "000002.color.png") << std::string(2000, 'x');
+  return std::move(*store);
+}
+
+TEST(SessionList, SaysWhatThereIs) {
+  const TemporaryFolder folder;
+  SavedDelta delta = shortScan();
+  delta.facts["ended"] = "yes";
+  { static_cast<void>(storeIn(folder / "one", delta)); }
+  fs::create_directories(folder / "no session");
+  const std::vector<SessionSummary> sessions = listSessions(folder.path());
+  ASSERT_EQ(sessions.size(), 1U);
+  const SessionSummary& one = sessions[0];
+  EXPECT_EQ(one.damage, "");
+  EXPECT_EQ(one.folder, folder / "one");
+  EXPECT_EQ(one.name, "one");
+  EXPECT_EQ(one.source, "demo");
+  EXPECT_THAT(one.started, HasSubstr("T")) << "a time";
+  EXPECT_EQ(one.frames, 3);
+  EXPECT_EQ(one.tracked, 2);
+  EXPECT_EQ(one.key_frames, 2);
+  EXPECT_EQ(one.picture, folder / "one" / "keyframes" / "000002.color.png");
+  EXPECT_EQ(one.regions, 1) << "without slivers";
+  EXPECT_EQ(one.objects, 1) << "of regions that there are";
+  EXPECT_THAT(one.names, ElementsAre("red cup"));
+  EXPECT_TRUE(one.ended);
+  EXPECT_FALSE(one.isRecovered());
+  EXPECT_GT(one.megabytes, 0.002);
+  EXPECT_EQ(listSessions(folder / "one").size(), 1U) << "a session alone is listed, too";
+}
+
+TEST(SessionList, OneThatIsWrittenIsListedAndNotKeptFromBeingWritten) {
+  const TemporaryFolder folder;
+  const auto store = storeIn(folder / "one", shortScan());
+  std::vector<SessionSummary> sessions = listSessions(folder.path());
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_EQ(sessions[0].damage, "");
+  EXPECT_EQ(sessions[0].frames, 3) << "what is in the log alone";
+  SavedDelta more;
+  more.frames.emplace_back().number = 3;
+  EXPECT_TRUE(store->save(more));
+  sessions = listSessions(folder.path());
+  EXPECT_EQ(sessions.at(0).frames, 4);
+  if (!fs::exists("/proc/locks")) {
+    std::cerr << "NOT TESTED: whether a session is in use, for this system does not tell.\n";
+    return;
+  }
+  EXPECT_TRUE(sessions[0].in_use);
+  EXPECT_FALSE(sessions[0].isRecovered());
+}
+
+TEST(SessionList, OneThatBrokeOffIsRecovered) {
+  const TemporaryFolder folder;
+  { static_cast<void>(storeIn(folder / "one", shortScan())); }
+  const std::vector<SessionSummary> sessions = listSessions(folder.path());
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_FALSE(sessions[0].ended);
+  EXPECT_FALSE(sessions[0].in_use);
+  EXPECT_TRUE(sessions[0].isRecovered());
+}
+
+TEST(SessionList, ADamagedOneIsNamedAndTheOthersAreThere) {
+  const TemporaryFolder folder;
+  { static_cast<void>(storeIn(folder / "good", shortScan())); }
+  folder.write("letter/session.sqlite",
+               "This is a letter, and longer than the header of a database file.\n" + std::string(600, 'x'));
+  folder.write("empty/session.sqlite", "");
+  std::vector<std::string> damages;
+  std::vector<std::string> names;
+  for (const SessionSummary& session : listSessions(folder.path())) {
+    if (!session.damage.empty()) damages.push_back(session.name + ": " + session.damage);
+    if (session.damage.empty()) names.push_back(session.name);
+    EXPECT_FALSE(session.isRecovered() && !session.damage.empty());
+  }
+  EXPECT_THAT(names, ElementsAre("good"));
+  EXPECT_THAT(damages, testing::UnorderedElementsAre(
+                           testing::AllOf(HasSubstr("letter: "), HasSubstr("not a database")),
+                           testing::AllOf(HasSubstr("empty: "), HasSubstr("is empty"))));
+}
+
+TEST(SessionList, ChangesNothing) {
+  const TemporaryFolder folder;
+  { static_cast<void>(storeIn(folder / "one", shortScan())); }
+  const auto before = fs::last_write_time(folder / "one");
+  ASSERT_EQ(listSessions(folder.path()).size(), 1U);
+  EXPECT_EQ(fs::last_write_time(folder / "one"), before) << "no file came or went";
+}
+
+TEST(SessionList, WhereNothingIsThereIsNone) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(listSessions(folder.path()), IsEmpty());
+  EXPECT_THAT(listSessions(folder / "nowhere"), IsEmpty());
+}
+
+TEST(SessionList, ScansAreKeptWhereDataAre) {
+  const char* before = std::getenv("XDG_DATA_HOME");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("XDG_DATA_HOME", "/data", 1);
+  EXPECT_EQ(defaultScansFolder(), "/data/scantrove/scans");
+  ::setenv("XDG_DATA_HOME", "not/absolute", 1);
+  EXPECT_THAT(defaultScansFolder().string(), testing::EndsWith("/.local/share/scantrove/scans"));
+  if (before == nullptr) {
+    ::unsetenv("XDG_DATA_HOME");
+  } else {
+    ::setenv("XDG_DATA_HOME", kept.c_str(), 1);
+  }
+}
+
+/// The rights of somebody who may not write everywhere, which the superuser has to put on.
+class PlainRights {
+ public:
+  PlainRights() { is_on_ = ::geteuid() != 0 || ::seteuid(kNobody) == 0; }
+  ~PlainRights() {
+    if (::getuid() == 0) is_off_ = ::seteuid(0) == 0;
+  }
+  PlainRights(const PlainRights&) = delete;
+  PlainRights& operator=(const PlainRights&) = delete;
+  [[nodiscard]] bool isOn() const { return is_on_; }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  bool is_on_ = false, is_off_ = false;
+};
+
+TEST(ReadOnlySession, IsOneClearSentence) {
+  const TemporaryFolder folder;
+  { static_cast<void>(storeIn(folder / "scan", shortScan())); }
+  fs::remove(folder / "scan" / "session.lock");  // as in a copy on a disc
+  fs::permissions(folder.path(), fs::perms(0555));
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
+    fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0555 : 0444));
+  {
+    const PlainRights rights;
+    if (!rights.isOn()) {
+      std::cerr << "NOT TESTED: a session in a read-only folder, for the superuser may write everywhere.\n";
+    } else {
+      const auto opened = SessionStore::open(folder / "scan");
+      EXPECT_FALSE(opened);
+      if (!opened) {
+        EXPECT_THAT(opened.error().what, testing::AllOf(HasSubstr((folder / "scan").string()),
+                                                        HasSubstr("cannot be used: Permission denied")));
+        EXPECT_THAT(opened.error().advice, HasSubstr("write permission"));
+      }
+      const auto created = SessionStore::create(folder / "another");
+      EXPECT_FALSE(created);
+      if (!created) {
+        EXPECT_THAT(created.error().what,
+                    testing::AllOf(HasSubstr((folder / "another").string()), HasSubstr("Permission denied")));
+        EXPECT_FALSE(created.error().advice.empty());
+      }
+      const std::vector<SessionSummary> sessions = listSessions(folder.path());
+      EXPECT_EQ(sessions.size(), 1U);
+      if (!sessions.empty()) {
+        EXPECT_EQ(sessions[0].damage, "") << "it can be read";
+        EXPECT_EQ(sessions[0].frames, 3);
+      }
+    }
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
+    fs::permissions(entry.path(), fs::perms(0755));
+  fs::permissions(folder.path(), fs::perms(0755));
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,77 @@
+#include "ui/main_window/kept_scan_list.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <cmath>
+
+#include "core/session/session_list.h"
+#include "ui/panels/start_page.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kMostNamesInList = 3;
+
+QString detailsOf(const SessionSummary& scan) {
+  if (!scan.damage.empty()) return QString::fromStdString(scan.damage);
+  QStringList words;
+  const QDateTime started =
+      QDateTime::fromString(QString::fromStdString(scan.started), Qt::ISODate).toLocalTime();
+  if (started.isValid()) words << QLocale().toString(started, QLocale::ShortFormat);
+  if (scan.in_use) words << KeptScans::tr("in use");
+  if (scan.isRecovered()) words << KeptScans::tr("recovered");
+  words << KeptScans::tr("%1 frames").arg(scan.frames);
+  if (scan.objects > 0) words << KeptScans::tr("%1 objects").arg(scan.objects);
+  words << KeptScans::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
+  QStringList names;
+  for (const std::string& name : scan.names) {
+    if (static_cast<std::size_t>(names.size()) == kMostNamesInList) {
+      names << QStringLiteral("…");
+      break;
+    }
+    names << QString::fromStdString(name);
+  }
+  const QString line = words.join(QStringLiteral(" · "));
+  return names.isEmpty() ? line : line + QStringLiteral("\n") + names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+std::vector<KeptScan> keptScansIn(const QString& folder) {
+  std::vector<KeptScan> scans;
+  for (const SessionSummary& scan : listSessions(folder.toStdString())) {
+    // One that broke off before its first frame is nothing to look at.
+    if (scan.damage.empty() && scan.frames == 0) continue;
+    const QString source = QString::fromStdString(scan.source);
+    scans.push_back({QString::fromStdString(scan.folder.string()),
+                     source.isEmpty() ? QString::fromStdString(scan.name) : sourceTitle(source),
+                     detailsOf(scan), QString::fromStdString(scan.picture.string())});
+  }
+  return scans;
+}
+
+DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail fail)
+    : QUndoCommand(KeptScans::tr("Delete the scan %1").arg(QFileInfo(folder).fileName())),
+      folder_(folder),
+      done_(std::move(done)),
+      fail_(std::move(fail)) {}
+
+void DeleteScan::redo() {
+  if (!QFile::moveToTrash(folder_, &in_trash_)) {
+    setObsolete(true);
+    fail_(KeptScans::tr("%1 cannot be moved to the trash. It is still there.").arg(folder_));
+  }
+  done_();
+}
+
+void DeleteScan::undo() {
+  if (!QDir().rename(in_trash_, folder_)) {
+    fail_(KeptScans::tr("The scan cannot be taken out of the trash: it is in %1.").arg(in_trash_));
+  }
+  done_();
+}
+
+}  // namespace scantrove
