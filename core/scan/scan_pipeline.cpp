@@ -309,7 +309,7 @@ Result<void> ScanPipeline::addWantedAtEnd(const std::function<void(const FrameOb
 Result<void> ScanPipeline::finishCatalogue(const std::function<void(const FrameObjects&)>& announce) {
   if (!collector_) return {};
   // A device that failed keeps nothing from being stored that was found before.
-  const Result<void> added = guarded("adding what was named last", [&] { return addWantedAtEnd(announce); });
+  Result<void> added = guarded("adding what was named last", [&] { return addWantedAtEnd(announce); });
   SCANTROVE_TRY(collector_->finish(announce));
   return added;
 }
