@@ -53,6 +53,17 @@ TEST_F(SceneLooksTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
   }
 }
 
+TEST_F(SceneLooksTest, AnOutlineNotSeenInColourTakesTheColourBesideIt) {
+  std::vector<CloudBrick> bricks = seenWall(1, 1);
+  for (CloudBrick& brick : bricks) {
+    for (std::size_t i = 0; i < brick.points.size(); i += 3) brick.points[i].color = {};
+  }
+  scene_.setColoring(Coloring::scene);
+  show(bricks, {{0}, {7}});
+  render();
+  for (int x = 100; x < 140; ++x) EXPECT_TRUE(hasHueOf(pixel(x, 120), {30, 180, 60})) << x;
+}
+
 TEST_F(SceneLooksTest, BackgroundIsDimmedOrHiddenAndComesBack) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace scantrove {
@@ -77,6 +78,32 @@ float lightOn(const Eigen::Vector3f& normal) {
   static const Eigen::Vector3f fill = Eigen::Vector3f(-0.70F, -0.10F, -0.70F).normalized();
   const float lit = 0.72F * std::abs(normal.dot(key)) + 0.28F * std::abs(normal.dot(fill));
   return kAmbient + (1 - kAmbient) * std::min(1.0F, 1.25F * lit);
+}
+
+void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
+  constexpr int kReach_vox = 3;
+  const auto seen = [](const CloudBrick::Point& point) { return point.color.known(); };
+  if (std::all_of(points.begin(), points.end(), seen) || std::none_of(points.begin(), points.end(), seen)) {
+    return;
+  }
+  const float near_m = 1.8F * voxel_size_m;  // neighbours across an edge of the voxel, too
+  for (int step = 0; step < kReach_vox; ++step) {
+    const std::vector<CloudBrick::Point> before = points;
+    for (CloudBrick::Point& point : points) {
+      if (point.color.known()) continue;
+      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+      float count = 0;
+      for (const CloudBrick::Point& other : before) {
+        if (!other.color.known() || (other.centre() - point.centre()).squaredNorm() > near_m * near_m)
+          continue;
+        sum += Eigen::Vector3f(other.color.rgb[0], other.color.rgb[1], other.color.rgb[2]);
+        ++count;
+      }
+      if (count == 0) continue;
+      const auto mean = [&](int c) { return static_cast<std::uint8_t>(std::lround(sum[c] / count)); };
+      point.color = PackedColor::of(mean(0), mean(1), mean(2));
+    }
+  }
 }
 
 void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m) {

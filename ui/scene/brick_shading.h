@@ -34,6 +34,10 @@ using Neighbourhood = std::array<const CellNormals*, 27>;
 /// sensor's noise shows in every highlight.
 void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m);
 
+/// Gives points not seen in colour (along outlines, where colour may be of what is behind) the mean colour of
+/// those around them, as far as three voxels.
+void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m);
+
 /// Sum of a brick's cell normals, aligned with each other: its main surface.
 [[nodiscard]] Eigen::Vector3f mainNormal(const CellNormals& cells);
 

@@ -94,6 +94,7 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= mine.count[level];
   mine.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, mine.count);
   smoothNormals(mine.points, voxel_size_m);
+  spreadColors(mine.points, voxel_size_m);
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] += mine.count[level];
   // Normals are dear, and a surface that gains no points keeps its shape.
   const auto shaped = static_cast<std::ptrdiff_t>(mine.points_when_shaped);

@@ -19,12 +19,12 @@ class ViewActionsTest : public WindowTest {
   ViewActions& view() { return *window_->scenePane()->viewActions(); }
   const CloudLook& look() { return window_->scenePane()->view()->scene().cloud().look(); }
 
-  /// A wall before the sensor, 1.2 m wide and high, 1.17 m away.
+  /// A wall before the sensor, half a metre wide and high, 1.17 m away.
   void showWall() {
     window_->open(QStringLiteral("demo"));
     ScanSnapshot snapshot = snapshotOf(4);
-    for (int b = 0; b < 25 * 25; ++b) {
-      CloudBrick brick{Eigen::Vector3i(b % 25 - 12, b / 25 - 12, 25), 1, {}};
+    for (int b = 0; b < 11 * 11; ++b) {
+      CloudBrick brick{Eigen::Vector3i(b % 11 - 5, b / 11 - 5, 25), 1, {}};
       for (int i = 0; i < 64; ++i) {
         const Eigen::Vector3i voxel = 8 * brick.position + Eigen::Vector3i(i % 8, i / 8, 0);
         const Eigen::Vector3f centre = kVoxel_m * (voxel.cast<float>().array() + 0.5F);
