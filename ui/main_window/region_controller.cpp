@@ -96,6 +96,7 @@ void RegionController::connectFrames() {
     point(at);
     frames_.setTag(tagOf(at.region));
   });
+  connect(&frames_, &FramePanels::pointerMoved, scene_.view(), &SceneView::notePointing);
   connect(&frames_, &FramePanels::pointerLeft, this, [this] { selection_.hover({}); });
   connect(&frames_, &FramePanels::clicked, this, &RegionController::click);
   connect(&frames_, &FramePanels::doubleClicked, this,

@@ -50,6 +50,7 @@ void FramePanels::connectPointing(ImagePanel* panel) {
   connect(panel, &ImagePanel::pointedAt, this, [this, panel, at](const QPointF& fraction) {
     pointed_panel_ = panel;
     pointed_fraction_ = fraction;
+    emit pointerMoved();
     emit pointedAt(at(fraction));
   });
   connect(panel, &ImagePanel::pointerLeft, this, [this, panel] {

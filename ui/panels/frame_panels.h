@@ -43,6 +43,7 @@ class FramePanels : public QWidget {
 
  signals:
   void pointedAt(const scantrove::RegionPoint& point);
+  void pointerMoved();  ///< by the hand: pointedAt() also comes with each frame
   void pointerLeft();
   void clicked(const scantrove::RegionPoint& point, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const scantrove::RegionPoint& point, const QPoint& on_screen);

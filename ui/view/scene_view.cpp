@@ -21,6 +21,7 @@ constexpr double kTimeShareWhileScanning = 0.15;
 constexpr int kShortestInterval_ms = 150;  ///< while scanning
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
+constexpr int kPointing_ms = 150;
 constexpr std::size_t kRebuildWhileScanningPoints = 150'000;
 constexpr float kTurnPerPixel_rad = 0.006F;
 
@@ -111,7 +112,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
   setMouseTracking(true);
   draw_timer_.setSingleShot(true);
-  connect(&draw_timer_, &QTimer::timeout, this, QOverload<>::of(&QWidget::update));
+  connect(&draw_timer_, &QTimer::timeout, this, &SceneView::drawUnlessPointing);
   settle_timer_.setSingleShot(true);
   settle_timer_.setInterval(kSettle_ms);
   connect(&settle_timer_, &QTimer::timeout, this, [this] {
@@ -234,6 +235,19 @@ void SceneView::schedule() {
   draw_timer_.start(wait_ms);
 }
 
+void SceneView::drawUnlessPointing() {
+  // A drawing holds the window up: not between two steps of the pointer, who wants to see what it points at.
+  const bool is_pointing = scanning_ && !moving_ && since_pointed_.isValid() &&
+                           since_pointed_.elapsed() < kPointing_ms &&
+                           since_draw_.elapsed() < kLongestInterval_ms;
+  if (is_pointing) {
+    draw_timer_.start(kPointing_ms);
+    return;
+  }
+  is_old_ = true;
+  update();
+}
+
 PointBudget& SceneView::budget() {
   if (moving_) return moving_budget_;
   return scanning_ ? scanning_budget_ : still_budget_;
@@ -247,6 +261,7 @@ void SceneView::initializeGL() {
     window_.reset();
     doneCurrent();
   });
+  is_old_ = true;
 }
 
 void SceneView::paintGL() {
@@ -254,6 +269,13 @@ void SceneView::paintGL() {
   timer.start();
   const QSize pixels = size() * devicePixelRatioF();
   vtkGenericOpenGLRenderWindow& window = window_->vtk();
+  if (!std::exchange(is_old_, false) && pixels == drawn_size_) {
+    // Something that lies over the view changed: the picture is there already.
+    window.GetState()->Reset();
+    blitToWidget();
+    return;
+  }
+  drawn_size_ = pixels;
   window.SetSize(pixels.width(), pixels.height());
   window.SetScreenSize(pixels.width(), pixels.height());
   // Qt changed OpenGL's state behind VTK's back.
@@ -360,6 +382,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() == Qt::NoButton) {
+    notePointing();
     emit pointedAt(event->position());
     return;
   }

@@ -40,7 +40,12 @@ class SceneView : public QOpenGLWidget {
 
   [[nodiscard]] bool following() const { return scene_.following(); }
   /// Draws everything at full detail, however long it takes (for a picture of the window).
-  void setFullDetail(bool full) { full_detail_ = full; }
+  void setFullDetail(bool full) {
+    full_detail_ = full;
+    is_old_ = true;
+  }
+  /// A person moves the pointer over what the scan shows, here or elsewhere: drawing waits for a moment.
+  void notePointing() { since_pointed_.start(); }
 
   /// What the last drawing shows there. Widget coordinates.
   [[nodiscard]] RegionPoint at(const QPointF& place);
@@ -96,6 +101,7 @@ class SceneView : public QOpenGLWidget {
   void schedule();
   void interacted();
   void blitToWidget();
+  void drawUnlessPointing();
   [[nodiscard]] PointBudget& budget();
   void findIds();
   /// Of the region at that pixel of region_ids_.
@@ -105,7 +111,9 @@ class SceneView : public QOpenGLWidget {
   std::unique_ptr<RenderWindow> window_;
   QTimer draw_timer_;
   QTimer settle_timer_;  ///< after the last movement: back to full detail
-  QElapsedTimer since_draw_;
+  QElapsedTimer since_draw_, since_pointed_;
+  QSize drawn_size_;
+  bool is_old_ = true;                      ///< what was drawn
   QPointF last_mouse_;                      ///< on the screen
   std::optional<QPointF> press_, band_to_;  ///< in the widget
   bool is_dragged_ = false;                 ///< since the press

@@ -1,0 +1,174 @@
+// How quickly a region lights up after the pointer came to it, while a scan runs in the window; and, when it
+// has ended, whether all views say the same of random places. Needs a display (or xvfb-run).
+//   pointing_benchmark SOURCE [--moves N] [--places N] [--still]
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <clocale>
+#include <iostream>
+#include <random>
+#include <thread>
+
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/region_controller.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/color_panel.h"
+#include "ui/panels/frame_panels.h"
+#include "ui/panels/scene_overlay.h"
+#include "ui/theme/icon.h"
+#include "ui/theme/theme.h"
+
+namespace scantrove {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Hears when a widget is painted.
+class PaintListener : public QObject {
+ public:
+  explicit PaintListener(QWidget* widget) { widget->installEventFilter(this); }
+  bool painted = false;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint) painted = true;
+    return QObject::eventFilter(watched, event);
+  }
+};
+
+/// Moves the pointer in a view like a hand would, from another thread, and waits until that view was painted
+/// with what is there. None: nothing is there, or it was lit already.
+std::optional<double> timeOfLighting(MainWindow& window, QWidget& view, QWidget& painted,
+                                     const QPointF& place) {
+  const RegionId before = window.regions().selection().hovered();
+  PaintListener listener(&painted);
+  const Clock::time_point start = Clock::now();
+  std::thread hand([&] {
+    QCoreApplication::postEvent(&view, new QMouseEvent(QEvent::MouseMove, place, view.mapToGlobal(place),
+                                                       Qt::NoButton, Qt::NoButton, Qt::NoModifier));
+  });
+  hand.join();
+  while (millisecondsSince(start) < 1000) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    const RegionId now = window.regions().selection().hovered();
+    if (now != before && now && listener.painted) return millisecondsSince(start);
+    if (now == before) listener.painted = false;
+  }
+  return std::nullopt;
+}
+
+void say(const char* what, std::vector<double> ms) {
+  if (ms.empty()) return;
+  std::sort(ms.begin(), ms.end());
+  std::cout << what << ": " << ms.size() << " times, median " << ms[ms.size() / 2] << " ms, p95 "
+            << ms[ms.size() * 95 / 100] << " ms, most " << ms.back() << " ms\n";
+}
+
+void wait(int ms) {
+  const Clock::time_point start = Clock::now();
+  while (millisecondsSince(start) < ms) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+void comparePlaces(MainWindow& window, int places) {
+  SceneView* const view = window.scenePane()->view();
+  const FramePanels& frames = *window.framePanels();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.02, 0.98);
+  int compared = 0, same = 0;
+  view->fitAll();
+  wait(3000);
+  for (int i = 0; i < 40 * places && compared < places; ++i) {
+    const QPointF fraction(unit(random), unit(random));
+    const RegionPoint in_frame = frames.pointing().at(fraction, FramePointing::Picture::other);
+    if (!in_frame.region || !in_frame.point_world) continue;
+    const auto place = view->scene().viewpoint().placeOf(
+        *in_frame.point_world, static_cast<float>(view->width()) / static_cast<float>(view->height()));
+    if (!place) continue;
+    const RegionPoint in_scene =
+        view->at({(place->x() + 1) / 2.0 * view->width(), (1 - place->y()) / 2.0 * view->height()});
+    // Something else may stand before it from there.
+    if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.02F) continue;
+    ++compared;
+    same += in_scene.region == in_frame.region ? 1 : 0;
+  }
+  std::cout << "places: " << compared << ", the same region in 3D " << same << '\n';
+}
+
+int run(const std::string& source, int moves, int places, bool still) {
+  WindowOptions options;
+  const QTemporaryDir folder;
+  options.database = (folder.path() + QStringLiteral("/catalogue.sqlite")).toStdString();
+  options.width = 1480;
+  options.height = 920;
+  MainWindow window(makeScanSessionPort, options);
+  window.show();
+  bool has_ended = false, is_open = false;
+  SessionBridge& bridge = window.controller().bridge();
+  QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [&](const ScanReport& report) {
+    has_ended = true;
+    std::cout << "scan: " << report.fps << " fps, median frame " << report.frame_median_ms << " ms\n";
+  });
+  QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [&] { is_open = true; });
+  window.open(QString::fromStdString(source));
+  wait(8000);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.1, 0.9);
+  std::vector<double> in_scene, in_picture;
+  SceneView* const view = window.scenePane()->view();
+  ColorPanel* const color = window.framePanels()->colorPanel();
+  for (int i = 0; i < moves && !has_ended && !still; ++i) {
+    const auto scene = timeOfLighting(window, *view, *window.scenePane()->overlay(),
+                                      {unit(random) * view->width(), unit(random) * view->height()});
+    if (scene) in_scene.push_back(*scene);
+    QCoreApplication::postEvent(view, new QEvent(QEvent::Leave));
+    wait(60);
+    const auto picture = timeOfLighting(window, *color, *color, color->placeOf({unit(random), unit(random)}));
+    if (picture) in_picture.push_back(*picture);
+    QCoreApplication::postEvent(color, new QEvent(QEvent::Leave));
+    wait(60);
+  }
+  say("3D view", in_scene);
+  say("colour", in_picture);
+  while (!is_open) wait(100);
+  wait(2000);
+  comparePlaces(window, places);
+  return 0;
+}
+
+}  // namespace
+}  // namespace scantrove
+
+int main(int argc, char** argv) {
+  std::string source = "demo";
+  int moves = 60, places = 500;
+  bool still = false;
+  CLI::App app{"How quickly and how rightly regions are pointed at"};
+  app.add_option("SOURCE", source);
+  app.add_option("--moves", moves, "of the pointer, while the scan runs");
+  app.add_option("--places", places, "to compare when it has ended");
+  app.add_flag("--still", still, "do not move the pointer: for the scan's own rate");
+  CLI11_PARSE(app, argc, argv);
+  const QTemporaryDir home;
+  for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+    qputenv(variable, home.path().toLocal8Bit());
+  QSurfaceFormat::setDefaultFormat(scantrove::SceneView::surfaceFormat());
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  QApplication::setOrganizationName(QStringLiteral("scantrove"));
+  QApplication::setApplicationName(QStringLiteral("scantrove-benchmark"));
+  scantrove::initialiseResources();
+  scantrove::Theme::instance().choose(scantrove::ThemeChoice::dark);
+  return scantrove::run(source, moves, places, still);
+}
