@@ -19,6 +19,7 @@
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/panels/color_panel.h"
+#include "ui/panels/export_dialog.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/message_bar.h"
@@ -130,6 +131,10 @@ void MainWindow::showStartPage() {
 
 void MainWindow::closeScan() {
   regions_->finishEditing();
+  if (export_ != nullptr) {
+    delete export_;  // cancels what it waits for
+    export_ = nullptr;
+  }
   controller_->close();
   actions_->enableReview(false);
   setWindowTitle(QStringLiteral("Scantrove"));

@@ -227,6 +227,8 @@ void MainWindow::showExport() {
   connect(&bridge, &SessionBridge::exportFinished, export_, &ExportDialog::showDone);
   connect(&bridge, &SessionBridge::exportFailed, export_, &ExportDialog::showFailure);
   export_->show();
+  export_->raise();
+  export_->activateWindow();
 }
 
 void MainWindow::showHelp() {

@@ -105,7 +105,7 @@ TEST_F(ScanSessionTest, GivenPosesAreRefusedWhereThereAreNone) {
 
 // What the window needs to show the scene as it is.
 TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColoursAndWhereItsSurfaceIs) {
-  session_.start(request(6));
+  session_.start(request(20));
   session_.wait();
   const auto last = session_.snapshots().collect();
   ASSERT_TRUE(last);
@@ -122,7 +122,8 @@ TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColoursAndWhereItsSurfaceIs) {
   }
   ASSERT_GT(points, 10'000U);
   EXPECT_GT(static_cast<double>(with_normal), 0.95 * static_cast<double>(points));
-  EXPECT_GT(static_cast<double>(with_color), 0.8 * static_cast<double>(points));
+  // Bricks take turns in being coloured (ColorIntegrator), so not all have been by now.
+  EXPECT_GT(static_cast<double>(with_color), 0.5 * static_cast<double>(points));
   EXPECT_GT(colors.size(), 500U);
 }
 
