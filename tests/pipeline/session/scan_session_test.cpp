@@ -123,7 +123,7 @@ TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColoursAndWhereItsSurfaceIs) {
   ASSERT_GT(points, 10'000U);
   EXPECT_GT(static_cast<double>(with_normal), 0.95 * static_cast<double>(points));
   // Bricks take turns in being coloured (ColorIntegrator), so not all have been by now.
-  EXPECT_GT(static_cast<double>(with_color), 0.5 * static_cast<double>(points));
+  EXPECT_GT(static_cast<double>(with_color), 0.4 * static_cast<double>(points));
   EXPECT_GT(colors.size(), 500U);
 }
 
