@@ -20,10 +20,11 @@ QString detailsOf(const SessionSummary& scan) {
   QStringList words;
   const QDateTime started =
       QDateTime::fromString(QString::fromStdString(scan.started), Qt::ISODate).toLocalTime();
-  if (started.isValid()) words << QLocale().toString(started, QLocale::ShortFormat);
+  if (started.isValid()) words << QLocale().toString(started, QStringLiteral("d MMM, HH:mm"));
   if (scan.in_use) words << KeptScans::tr("in use");
   if (scan.isRecovered()) words << KeptScans::tr("recovered");
-  words << KeptScans::tr("%1 frames").arg(scan.frames);
+  QStringList lines{words.join(QStringLiteral(" · "))};
+  words = {KeptScans::tr("%1 frames").arg(scan.frames)};
   if (scan.objects > 0) words << KeptScans::tr("%1 objects").arg(scan.objects);
   words << KeptScans::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
   QStringList names;
@@ -34,8 +35,9 @@ QString detailsOf(const SessionSummary& scan) {
     }
     names << QString::fromStdString(name);
   }
-  const QString line = words.join(QStringLiteral(" · "));
-  return names.isEmpty() ? line : line + QStringLiteral("\n") + names.join(QStringLiteral(", "));
+  lines << words.join(QStringLiteral(" · "));
+  if (!names.isEmpty()) lines << names.join(QStringLiteral(", "));
+  return lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "ui/panels/kept_scans.h"
 
-#include <QAction>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QImageReader>
 #include <QLabel>
 #include <QMenu>
+#include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -95,12 +95,15 @@ QWidget* KeptScans::makeCard(const KeptScan& scan) {
   row->addLayout(texts, 1);
   for (QLabel* label : card->findChildren<QLabel*>()) label->setAttribute(Qt::WA_TransparentForMouseEvents);
   connect(card, &QToolButton::clicked, this, [this, folder = scan.folder] { emit chosen(folder); });
-  auto* remove = new QAction(icon(QStringLiteral("delete")), tr("&Delete (can be undone)"), card);
-  remove->setShortcut(QKeySequence(Qt::Key_Delete));
-  remove->setShortcutContext(Qt::WidgetShortcut);
-  connect(remove, &QAction::triggered, this, [this, folder = scan.folder] { emit deleteWanted(folder); });
-  card->addAction(remove);
-  card->setContextMenuPolicy(Qt::ActionsContextMenu);
+  const auto remove = [this, folder = scan.folder] { emit deleteWanted(folder); };
+  // As the card's own action it would make a menu of the button.
+  auto* key = new QShortcut(QKeySequence(Qt::Key_Delete), card, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(key, &QShortcut::activated, this, remove);
+  auto* menu = new QMenu(card);
+  menu->addAction(icon(QStringLiteral("delete")), tr("&Delete (can be undone)"), this, remove);
+  card->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(card, &QWidget::customContextMenuRequested, menu,
+          [card, menu](const QPoint& place) { menu->popup(card->mapToGlobal(place)); });
   return card;
 }
 
