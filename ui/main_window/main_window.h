@@ -48,6 +48,9 @@ class MainWindow : public QMainWindow {
   /// Looks at a scan that was kept.
   void openSession(const QString& folder);
 
+  /// Ends what is scanned or looked at, and shows the first page.
+  void closeScan();
+
   [[nodiscard]] ScanController& controller() { return *controller_; }
   [[nodiscard]] RegionController& regions() { return *regions_; }
   [[nodiscard]] TimeLine* timeLine() const { return time_line_; }
@@ -94,7 +97,6 @@ class MainWindow : public QMainWindow {
   void showSnapshot(const ScanSnapshot& snapshot);
   void showState(ScanState state);
   void scanFailed(const QString& message);
-  void closeScan();
   void showStartPage();
   void showKeptScans();
   void showScene();

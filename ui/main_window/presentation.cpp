@@ -50,6 +50,9 @@ Presentation::Presentation(MainWindow& window)
           [this](ObjectId, const QString& name) { say(tr("Recognised: %1").arg(name)); });
   connect(&bridge, &SessionBridge::preparingDevice, this,
           [this] { say(tr("Preparing the processor (once)")); });
+  connect(&bridge, &SessionBridge::stateChanged, this, [this] {
+    if (is_on_) hideOthers();
+  });
   connect(&bridge, &SessionBridge::scanFinished, this, &Presentation::scanHasEnded);
   connect(&bridge, &SessionBridge::scanFailed, this, &Presentation::scanHasEnded);
 }
@@ -57,21 +60,30 @@ Presentation::Presentation(MainWindow& window)
 void Presentation::begin() {
   if (std::exchange(is_on_, true)) return;
   was_maximised_ = window_.isMaximized();
+  hideOthers();
+  window_.showFullScreen();
+  ScanController& controller = window_.controller();
+  if (!controller.bridge().busy()) {
+    catalogue_ = std::make_unique<QTemporaryDir>();
+    catalogue_before_ = QString::fromStdString(controller.request().database);
+    controller.setDatabase(catalogue_->filePath(QStringLiteral("catalogue.sqlite")));
+    controller.setKeepsScans(false);
+  }
+  qApp->installEventFilter(this);
+  untouched_.start();
+  turning_.start();
+  say(tr("Scantrove"));
+}
+
+void Presentation::hideOthers() {
   QList<QWidget*> others{window_.menuBar(), window_.statusBar()};
   for (QToolBar* bar : window_.findChildren<QToolBar*>()) others << bar;
   for (QDockWidget* dock : window_.docks().docks()) others << dock;
-  hidden_.clear();
   for (QWidget* widget : others) {
     if (widget->isHidden()) continue;
     hidden_ << widget;
     widget->hide();
   }
-  window_.showFullScreen();
-  window_.controller().setKeepsScans(false);
-  qApp->installEventFilter(this);
-  untouched_.start();
-  turning_.start();
-  say(tr("Scantrove"));
 }
 
 void Presentation::end() {
@@ -80,7 +92,12 @@ void Presentation::end() {
   turning_.stop();
   again_.stop();
   caption_->hide();
-  window_.controller().setKeepsScans(true);
+  if (catalogue_ != nullptr) {
+    window_.closeScan();
+    window_.controller().setKeepsScans(true);
+    window_.controller().setDatabase(catalogue_before_);
+    catalogue_.reset();
+  }
   for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
   was_maximised_ ? window_.showMaximized() : window_.showNormal();
 }

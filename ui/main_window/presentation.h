@@ -1,7 +1,9 @@
 #pragma once
 #include <QElapsedTimer>
 #include <QObject>
+#include <QTemporaryDir>
 #include <QTimer>
+#include <memory>
 
 class QLabel;
 class QWidget;
@@ -28,6 +30,8 @@ class Presentation : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// All but the 3D view; what comes with a scan, too.
+  void hideOthers();
   void say(const QString& text);
   void turn();
   void placeCaption();
@@ -38,6 +42,9 @@ class Presentation : public QObject {
   QTimer turning_, caption_goes_, again_;
   QElapsedTimer untouched_;
   QList<QWidget*> hidden_;  ///< for the time of it
+  /// While it shows scans of its own: their catalogue. A person's is not filled with the demo's things.
+  std::unique_ptr<QTemporaryDir> catalogue_;
+  QString catalogue_before_;
   bool was_maximised_ = false;
   bool is_on_ = false;
 };
