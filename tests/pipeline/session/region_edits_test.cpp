@@ -239,6 +239,40 @@ TEST_F(JoinAndCut, HoldToTheEndAndWhenTheScanGoesOn) {
   EXPECT_TRUE(ear_.failures().empty());
 }
 
+TEST_F(JoinAndCut, AreTakenBackAfterMoreFrames) {
+  ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
+  ScanRequest wanted = request(0, 60);
+  wanted.start_paused = true;
+  session.start(wanted);
+  for (int i = 0; i < kEditedAfter; ++i) session.step();
+  const auto snapshot = snapshotAfter(session, kEditedAfter);
+  ASSERT_NE(snapshot, nullptr);
+  const std::vector<RegionId> regions = regionsIn(*snapshot);
+  const std::vector<cv::Point> large = insideOf(*snapshot, regions[0]);
+  here_ = large[large.size() / 20];
+  there_ = large[large.size() - large.size() / 20];
+  Operation cut;
+  cut.kind = OperationKind::cut;
+  cut.regions = {regions[0]};
+  cut.here_world = {pointAt(*snapshot, here_)};
+  cut.there_world = {pointAt(*snapshot, there_)};
+  session.edit(cut);
+  ASSERT_EQ(ear_.edit(1).size(), 2U);
+  for (int i = 0; i < 12; ++i) session.step();
+  ASSERT_NE(snapshotAfter(session, kEditedAfter + 12), nullptr);
+  session.edit(UndoEdit{});
+  ASSERT_FALSE(ear_.edit(2).empty());
+  session.resume();
+  session.wait();
+  session.close();
+  auto kept = OpenSession::open(folder_ / "scan");
+  ASSERT_TRUE(kept) << kept.error().message();
+  const auto here = (*kept)->at(kEditedAfter - 1, 2 * here_.x, 2 * here_.y);
+  const auto there = (*kept)->at(kEditedAfter - 1, 2 * there_.x, 2 * there_.y);
+  ASSERT_TRUE(here && there);
+  EXPECT_EQ(here->region, there->region);
+}
+
 TEST(RegionEdits, WhatCannotBeDoneIsSaidAndTheScanGoesOn) {
   const QtMainThread qt;
   const TemporaryFolder folder;
