@@ -1,5 +1,6 @@
 #include "core/discovery/region_look.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>

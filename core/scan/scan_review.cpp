@@ -28,8 +28,9 @@ FrameResult resultOf(const FrameLabelWriter::FinalView& view, const Intrinsics& 
   result.vertices_world.assign(view.depths_m.size(), Eigen::Vector4f::Zero());
   for (std::size_t i = 0; i < view.depths_m.size(); ++i) {
     if (!(view.depths_m[i] > 0)) continue;
+    const std::size_t row = i / static_cast<std::size_t>(view.width);
     const auto x = static_cast<float>(i % static_cast<std::size_t>(view.width));
-    const auto y = static_cast<float>(i / static_cast<std::size_t>(view.width));
+    const auto y = static_cast<float>(row);
     result.vertices_world[i] << T_world_camera * K.backProject(x, y, view.depths_m[i]), 1;
   }
   return result;

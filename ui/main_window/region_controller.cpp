@@ -433,9 +433,9 @@ void RegionController::editFailed(const ScanEdit& edit, const QString& message) 
 }
 
 QString RegionController::inWords(const Operation& operation) const {
-  const QString what = operation.regions.size() == 1
-                           ? selection_.title(operation.regions.front())
-                           : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
+  QString what = operation.regions.size() == 1
+                     ? selection_.title(operation.regions.front())
+                     : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
   switch (operation.kind) {
     case OperationKind::name:
     case OperationKind::accept:

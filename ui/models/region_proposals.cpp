@@ -19,7 +19,7 @@ const QString kRejectionsKey = QStringLiteral("proposals/rejected");
 QByteArray bytesOf(const RegionLook& look) {
   QByteArray bytes(reinterpret_cast<const char*>(look.size_m.data()), 3 * sizeof(float));
   bytes.append(reinterpret_cast<const char*>(look.colors.data()),
-               static_cast<qsizetype>(look.colors.size() * sizeof(float)));
+               static_cast<qsizetype>(look.colors.size()) * static_cast<qsizetype>(sizeof(float)));
   return bytes;
 }
 

@@ -3,8 +3,10 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace scantrove {
@@ -64,10 +66,10 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
   const float radius_m = 0.5F * drawn_px * distance / view_.pixels_per_metre_at_1m;
   // Pixels whose centres it may cover, and the one that it lies in.
   const int own_x = static_cast<int>(x), own_y = static_cast<int>(y);
-  const int first_x = std::max(0, static_cast<int>(x - half + 0.5F));
-  const int last_x = std::min(width_ - 1, std::max(own_x, static_cast<int>(x + half - 0.5F)));
-  const int first_y = std::max(0, static_cast<int>(y - half + 0.5F));
-  const int last_y = std::min(height_ - 1, std::max(own_y, static_cast<int>(y + half - 0.5F)));
+  const int first_x = std::max(0, static_cast<int>(std::ceil(x - half - 0.5F)));
+  const int last_x = std::min(width_ - 1, std::max(own_x, static_cast<int>(std::floor(x + half - 0.5F))));
+  const int first_y = std::max(0, static_cast<int>(std::ceil(y - half - 0.5F)));
+  const int last_y = std::min(height_ - 1, std::max(own_y, static_cast<int>(std::floor(y + half - 0.5F))));
   for (int v = first_y; v <= last_y; ++v) {
     for (int u = first_x; u <= last_x; ++u) {
       const float dx = (static_cast<float>(u) + 0.5F - x) / half;
