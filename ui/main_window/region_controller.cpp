@@ -6,10 +6,8 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSettings>
-#include <QUndoCommand>
 #include <cmath>
 
-#include "core/base/overloaded.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/view_actions.h"
 #include "ui/panels/frame_panels.h"
