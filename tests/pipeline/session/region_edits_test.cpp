@@ -162,6 +162,22 @@ class JoinAndCut : public testing::Test {
     return request;
   }
 
+  /// Cuts the largest region between two places far apart, here_ and there_.
+  void cutLargest(ScanSession& session, const ScanSnapshot& snapshot) {
+    const RegionId region = regionsIn(snapshot).at(0);
+    const std::vector<cv::Point> inside = insideOf(snapshot, region);
+    ASSERT_GT(inside.size(), 100U);
+    here_ = inside[inside.size() / 20];
+    there_ = inside[inside.size() - inside.size() / 20];
+    Operation cut;
+    cut.kind = OperationKind::cut;
+    cut.regions = {region};
+    cut.here_world = {pointAt(snapshot, here_)};
+    cut.there_world = {pointAt(snapshot, there_)};
+    session.edit(cut);
+    ASSERT_EQ(ear_.edit(1).size(), 2U);
+  }
+
   void scanAndEdit(int frames) {
     ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
     ScanRequest wanted = request(0, frames);
@@ -172,22 +188,12 @@ class JoinAndCut : public testing::Test {
     ASSERT_NE(snapshot, nullptr);
     const std::vector<RegionId> regions = regionsIn(*snapshot);
     ASSERT_GE(regions.size(), 4U);
-    const std::vector<cv::Point> large = insideOf(*snapshot, regions[0]);
     const std::vector<cv::Point> first = insideOf(*snapshot, regions[1]),
                                  second = insideOf(*snapshot, regions[2]);
-    ASSERT_GT(large.size(), 100U);
     ASSERT_FALSE(first.empty() || second.empty());
-    here_ = large[large.size() / 20];
-    there_ = large[large.size() - large.size() / 20];
     one_ = first[first.size() / 2];
     other_ = second[second.size() / 2];
-    Operation cut;
-    cut.kind = OperationKind::cut;
-    cut.regions = {regions[0]};
-    cut.here_world = {pointAt(*snapshot, here_)};
-    cut.there_world = {pointAt(*snapshot, there_)};
-    session.edit(cut);
-    ASSERT_EQ(ear_.edit(1).size(), 2U);
+    ASSERT_NO_FATAL_FAILURE(cutLargest(session, *snapshot));
     Operation join;
     join.kind = OperationKind::join;
     join.regions = {regions[1], regions[2]};
@@ -247,17 +253,7 @@ TEST_F(JoinAndCut, AreTakenBackAfterMoreFrames) {
   for (int i = 0; i < kEditedAfter; ++i) session.step();
   const auto snapshot = snapshotAfter(session, kEditedAfter);
   ASSERT_NE(snapshot, nullptr);
-  const std::vector<RegionId> regions = regionsIn(*snapshot);
-  const std::vector<cv::Point> large = insideOf(*snapshot, regions[0]);
-  here_ = large[large.size() / 20];
-  there_ = large[large.size() - large.size() / 20];
-  Operation cut;
-  cut.kind = OperationKind::cut;
-  cut.regions = {regions[0]};
-  cut.here_world = {pointAt(*snapshot, here_)};
-  cut.there_world = {pointAt(*snapshot, there_)};
-  session.edit(cut);
-  ASSERT_EQ(ear_.edit(1).size(), 2U);
+  ASSERT_NO_FATAL_FAILURE(cutLargest(session, *snapshot));
   for (int i = 0; i < 12; ++i) session.step();
   ASSERT_NE(snapshotAfter(session, kEditedAfter + 12), nullptr);
   session.edit(UndoEdit{});
