@@ -50,7 +50,8 @@ Json toJson(const RegionSummary& region) {
             {"object", nullptr},
             {"is_object", region.note.object || static_cast<bool>(region.object)},
             {"background", region.note.background},
-            {"rejected", region.note.rejected}};
+            {"rejected", region.note.rejected},
+            {"seen_share", region.seen_from.share()}};
   if (region.object) json["object"] = region.object.value;
   return json;
 }

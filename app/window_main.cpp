@@ -1,4 +1,5 @@
 #include "app/window_main.h"
+#include "app/command.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -20,8 +21,6 @@
 namespace scantrove {
 namespace {
 
-constexpr int kDone = 0;
-constexpr int kJobFailed = 1;
 constexpr int kSettle_ms = 1500;  ///< until the last snapshot is drawn
 
 bool isSet(const char* variable) {

@@ -21,6 +21,7 @@ FragmentId RegionTable::newFragmentBeside(FragmentId fragment) {
   const RegionId region = regionOf(fragment);
   std::vector<FragmentId> members = members_.at(region).fragments;
   members.insert(std::ranges::upper_bound(members, cut), cut);
+  seen_from_[cut.value] = seen_from_[fragment.value];
   assign(region, std::move(members));
   ++version_;
   return cut;
@@ -31,9 +32,11 @@ FragmentId RegionTable::takeNumber() {
   if (free_.empty()) {
     fragment.value = static_cast<std::uint32_t>(regions_.size());
     regions_.emplace_back();
+    seen_from_.emplace_back();
   } else {
     fragment = free_.back();
     free_.pop_back();
+    seen_from_[fragment.value] = {};
   }
   return fragment;
 }
@@ -53,6 +56,16 @@ std::span<const FragmentId> RegionTable::fragmentsOf(RegionId region) const {
   const auto found = members_.find(region);
   if (found == members_.end()) return {};
   return found->second.fragments;
+}
+
+ViewCoverage RegionTable::seenFrom(FragmentId fragment) const {
+  return fragment.value < seen_from_.size() ? seen_from_[fragment.value] : ViewCoverage{};
+}
+
+ViewCoverage RegionTable::seenFrom(RegionId region) const {
+  ViewCoverage all;
+  for (const FragmentId fragment : fragmentsOf(region)) all.add(seenFrom(fragment));
+  return all;
 }
 
 void RegionTable::setKnown(RegionId region, bool known) {
@@ -105,6 +118,7 @@ void RegionTable::restore(std::vector<RegionId> regions, RegionId last_region) {
   if (regions.empty()) regions.emplace_back();
   *this = RegionTable();
   regions_.resize(regions.size());
+  seen_from_.resize(regions.size());
   last_region_ = last_region.value;
   for (auto number = static_cast<std::uint32_t>(regions.size()); number-- > 1;) {
     const FragmentId fragment{number};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/labeling/view_coverage.h"
 
 namespace scantrove {
 
@@ -38,7 +39,7 @@ class RegionTable {
  public:
   /// A fragment that no voxel holds yet: a region of its own.
   FragmentId newFragment();
-  /// A fragment that no voxel holds yet, cut out of `fragment`: of the same region.
+  /// A fragment that no voxel holds yet, cut out of `fragment`: of the same region, seen from the same sides.
   FragmentId newFragmentBeside(FragmentId fragment);
   /// A fragment that no voxel holds any more.
   void free(FragmentId fragment);
@@ -49,6 +50,16 @@ class RegionTable {
   [[nodiscard]] const std::vector<RegionId>& regions() const { return regions_; }
   /// Fragments of a region, in rising order; empty for one that is no more.
   [[nodiscard]] std::span<const FragmentId> fragmentsOf(RegionId region) const;
+
+  /// The fragment is seen from there: `direction` from it to the camera, world.
+  void look(FragmentId fragment, const Eigen::Vector3f& direction) {
+    seen_from_.at(fragment.value).look(direction);
+  }
+  /// From where it was seen; from nowhere: there is no such fragment.
+  [[nodiscard]] ViewCoverage seenFrom(FragmentId fragment) const;
+  /// Of all its fragments.
+  [[nodiscard]] ViewCoverage seenFrom(RegionId region) const;
+  void restoreSeen(FragmentId fragment, ViewCoverage seen_from) { seen_from_.at(fragment.value) = seen_from; }
 
   /// A region that a person or the catalogue knows: it keeps its identity when it is joined with others.
   void setKnown(RegionId region, bool known);
@@ -96,7 +107,8 @@ class RegionTable {
   void setRegion(FragmentId fragment, RegionId region);
 
   std::vector<RegionId> regions_{RegionId{}};
-  std::vector<FragmentId> free_;  // to be used again, lowest last
+  std::vector<ViewCoverage> seen_from_{ViewCoverage{}};  // by fragment, as regions_
+  std::vector<FragmentId> free_;                         // to be used again, lowest last
   std::map<RegionId, Region> members_;
   /// What a follower has not taken yet.
   struct Changes {

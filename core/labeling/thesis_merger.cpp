@@ -5,10 +5,10 @@
 namespace scantrove {
 namespace {
 
-using Overlaps = OverlapGraph<RegionId>;
+using RegionOverlaps = OverlapGraph<RegionId>;
 
-void joinComponent(const Overlaps& graph, const std::vector<std::uint32_t>& component, RegionTable& table,
-                   RegionEvents& events) {
+void joinComponent(const RegionOverlaps& graph, const std::vector<std::uint32_t>& component,
+                   RegionTable& table, RegionEvents& events) {
   const std::uint32_t largest = *std::ranges::max_element(
       component, {}, [&](std::uint32_t patch) { return graph.patch_areas_px[patch]; });
   for (const std::uint32_t patch : component) {
@@ -19,10 +19,10 @@ void joinComponent(const Overlaps& graph, const std::vector<std::uint32_t>& comp
 }
 
 /// The components that qualifying edges make of the patches.
-void joinComponents(const Overlaps& graph, float threshold, RegionTable& table, RegionEvents& events) {
+void joinComponents(const RegionOverlaps& graph, float threshold, RegionTable& table, RegionEvents& events) {
   std::vector<std::vector<std::uint32_t>> segments_of(graph.patches.size());
   std::vector<std::vector<std::uint32_t>> patches_of(graph.segment_areas_px.size());
-  for (const Overlaps::Edge& edge : graph.edges) {
+  for (const RegionOverlaps::Edge& edge : graph.edges) {
     if (!graph.qualifies(edge, threshold)) continue;
     segments_of[edge.patch].push_back(edge.segment);
     patches_of[edge.segment].push_back(edge.patch);
@@ -57,7 +57,7 @@ RegionMerger::Outcome ThesisMerger::merge(const MergeInput& input, RegionTable& 
   std::vector<RegionId> projected(input.projected.size());
   std::ranges::transform(input.projected, projected.begin(),
                          [&](FragmentId fragment) { return table.regionOf(fragment); });
-  const Overlaps graph = buildOverlapGraph<RegionId>(segments, projected);
+  const RegionOverlaps graph = buildOverlapGraph<RegionId>(segments, projected);
   std::vector<FragmentId> fragment_of_patch;
   for (const RegionId region : graph.patches) fragment_of_patch.push_back(table.fragmentsOf(region).front());
   joinComponents(graph, params.overlap_threshold, table, outcome.events);
@@ -65,7 +65,7 @@ RegionMerger::Outcome ThesisMerger::merge(const MergeInput& input, RegionTable& 
   // Each segment is its largest overlap that qualifies; all that qualify are one region by now.
   std::vector<FragmentId> fragment_of_segment(segments.areas.size());
   std::vector<int> largest_overlap_px(segments.areas.size(), 0);
-  for (const Overlaps::Edge& edge : graph.edges) {
+  for (const RegionOverlaps::Edge& edge : graph.edges) {
     if (edge.overlap_px <= largest_overlap_px[edge.segment]) continue;
     if (!graph.qualifies(edge, params.overlap_threshold)) continue;
     largest_overlap_px[edge.segment] = edge.overlap_px;

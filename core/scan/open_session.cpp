@@ -74,6 +74,7 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
   for (auto& [region, summary] : regions) {
     summary.region = region;
     summary.object = objectOf(region);
+    summary.seen_from = table.seenFrom(region);
     summary.centroid_world = (sums.at(region) / static_cast<double>(summary.voxels)).cast<float>();
     summary.note = pipeline_->editor().notes().of(region);
     list.push_back(std::move(summary));

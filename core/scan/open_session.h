@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/editing/region_editor.h"
+#include "core/labeling/view_coverage.h"
 #include "core/scan/session_setup.h"
 #include "core/session/saved_scan.h"
 
@@ -24,7 +25,8 @@ struct RegionSummary {
   Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
   Eigen::AlignedBox3f box_world;
   RegionNote note;
-  ObjectId object;  ///< of the session's catalogue
+  ObjectId object;         ///< of the session's catalogue
+  ViewCoverage seen_from;  ///< by the camera
 };
 
 /// A session that is looked at, edited and exported without a camera. What an operation changed is on disk

@@ -7,6 +7,7 @@
 #include "core/base/ids.h"
 #include "core/editing/operation_log.h"
 #include "core/editing/region_notes.h"
+#include "core/labeling/view_coverage.h"
 
 namespace scantrove {
 
@@ -15,7 +16,8 @@ struct RegionInfo {
   RegionId region;
   std::int64_t voxels = 0;
   RegionNote note;
-  ObjectId object;  ///< of the catalogue; none: it is not one
+  ObjectId object;              ///< of the catalogue; none: it is not one
+  ViewCoverage seen_from = {};  ///< of all its fragments
 };
 
 /// All regions of a scan, by rising id.

@@ -17,6 +17,7 @@
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/motion_filter.h"
 #include "core/labeling/label_cloud.h"
+#include "core/labeling/look_recorder.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
@@ -212,6 +213,7 @@ class ScanPipeline {
   std::unique_ptr<LabelCloud> cloud_;
   RegionTable table_;
   std::unique_ptr<RegionMerger> merger_;
+  LookRecorder looks_;
   std::optional<EditableCloud> editable_;
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;

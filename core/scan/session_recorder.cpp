@@ -36,6 +36,8 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   // What was just read back is on disk.
   static_cast<void>(pipeline.kept().table.takeChanged(RegionTable::Follower::session));
   recorder->voxels_ = pipeline.voxelsOfFragments();
+  for (std::uint32_t fragment = 0; fragment < pipeline.regionTable().regions().size(); ++fragment)
+    recorder->seen_from_.push_back(pipeline.regionTable().seenFrom(FragmentId{fragment}));
   for (const SavedRegion& region : scan.regions) {
     recorder->regions_[region.region] = region;
     recorder->objects_[region.region] = region.object;
@@ -86,11 +88,14 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) 
   for (const FragmentId fragment : table.takeChanged(RegionTable::Follower::session))
     is_changed[fragment.value] = true;
   voxels_.resize(table.regions().size(), 0);
+  seen_from_.resize(table.regions().size());
   for (std::uint32_t fragment = 1; fragment < table.regions().size(); ++fragment) {
     const int now = fragment < voxels.size() ? voxels[fragment] : 0;
-    if (!is_changed[fragment] && now == voxels_[fragment]) continue;
+    const ViewCoverage seen_from = table.seenFrom(FragmentId{fragment});
+    if (!is_changed[fragment] && now == voxels_[fragment] && seen_from == seen_from_[fragment]) continue;
     voxels_[fragment] = now;
-    delta.fragments.push_back({FragmentId{fragment}, table.regions()[fragment], now});
+    seen_from_[fragment] = seen_from;
+    delta.fragments.push_back({FragmentId{fragment}, table.regions()[fragment], now, seen_from});
   }
   std::map<RegionId, SavedRegion> regions;
   for (const auto& [region, note] : pipeline.editor().notes().all()) regions[region] = {region, {}, note};

@@ -57,9 +57,10 @@ class SessionRecorder {
 
   std::unique_ptr<SessionWriter> writer_;
   Setup setup_;
-  std::map<int, int> number_of_frame_;  // by index of the source, for those that may be understood late
-  std::vector<SavedFrame> frames_;      // not handed over yet
-  std::vector<int> voxels_;             // of each fragment, as handed over
+  std::map<int, int> number_of_frame_;   // by index of the source, for those that may be understood late
+  std::vector<SavedFrame> frames_;       // not handed over yet
+  std::vector<int> voxels_;              // of each fragment, as handed over
+  std::vector<ViewCoverage> seen_from_;  // likewise
   std::map<RegionId, SavedRegion> regions_;
   std::map<RegionId, ObjectId> objects_;                         // where no catalogue says them
   std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one

@@ -28,6 +28,7 @@ void restoreRegions(ScanPipeline::Kept& kept, const SavedScan& scan) {
   if (const auto found = scan.facts.find("last_region"); found != scan.facts.end())
     last.value = static_cast<std::uint32_t>(std::strtoul(found->second.c_str(), nullptr, 10));
   kept.table.restore(std::move(regions), last);
+  for (const SavedFragment& one : scan.fragments) kept.table.restoreSeen(one.fragment, one.seen_from);
   kept.cloud.restoreVoxelCounts(std::move(voxels));
   if (EvidenceGraph* graph = kept.merger.evidence()) {
     for (const SavedBorder& border : scan.borders) {

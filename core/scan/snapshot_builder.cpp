@@ -147,18 +147,24 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
         locateInColor(frame_.color_camera, snapshot.K, result_.pose.T_world_camera, result_.vertices_world)
             .places;
   }
-  std::map<RegionId, std::int64_t> voxels;
+  struct Whole {
+    std::int64_t voxels = 0;
+    ViewCoverage seen_from;
+  };
+  std::map<RegionId, Whole> regions;
   const std::vector<RegionId>& region_of = pipeline.regionTable().regions();
   const std::vector<cl_int>& of_fragment = pipeline.voxelsOfFragments();
   for (std::size_t fragment = 1; fragment < std::min(region_of.size(), of_fragment.size()); ++fragment) {
-    if (region_of[fragment] && of_fragment[fragment] > 0)
-      voxels[region_of[fragment]] += of_fragment[fragment];
+    if (!region_of[fragment] || of_fragment[fragment] <= 0) continue;
+    Whole& whole = regions[region_of[fragment]];
+    whole.voxels += of_fragment[fragment];
+    whole.seen_from.add(pipeline.regionTable().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
   }
   auto infos = std::make_shared<RegionInfos>();
-  infos->reserve(voxels.size());
-  for (const auto& [region, count] : voxels) {
+  infos->reserve(regions.size());
+  for (const auto& [region, whole] : regions) {
     const ObjectId object = object_of_ ? object_of_(region) : pipeline.objectOf(region);
-    infos->push_back({region, count, pipeline.editor().notes().of(region), object});
+    infos->push_back({region, whole.voxels, pipeline.editor().notes().of(region), object, whole.seen_from});
   }
   snapshot.region_infos = std::move(infos);
   auto operations = std::make_shared<std::vector<DoneOperation>>();

@@ -12,6 +12,7 @@
 #include "core/capture/intrinsics.h"
 #include "core/editing/operation_log.h"
 #include "core/labeling/border_evidence.h"
+#include "core/labeling/view_coverage.h"
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
@@ -42,6 +43,7 @@ struct SavedFragment {
   FragmentId fragment;
   RegionId region;  ///< none: the fragment is no more
   int voxels = 0;
+  ViewCoverage seen_from = {};
 };
 
 struct SavedRegion {

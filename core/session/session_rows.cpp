@@ -52,6 +52,22 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   return e;
 }
 
+QByteArray toBytes(const ViewCoverage& coverage) {
+  QByteArray bytes(coverage.cells().none() ? 0 : ViewCoverage::kCells / 8, 0);
+  for (qsizetype i = 0; i < 8 * bytes.size(); ++i) {
+    if (coverage.cells()[static_cast<std::size_t>(i)])
+      bytes[i / 8] = static_cast<char>(bytes[i / 8] | 1 << i % 8);
+  }
+  return bytes;
+}
+
+ViewCoverage coverageFrom(const QByteArray& bytes) {
+  ViewCoverage::Cells cells;
+  for (qsizetype i = 0; i < std::min<qsizetype>(8 * bytes.size(), ViewCoverage::kCells); ++i)
+    cells[static_cast<std::size_t>(i)] = (bytes[i / 8] >> i % 8 & 1) != 0;
+  return ViewCoverage(cells);
+}
+
 /// Size and, where colour has a camera of its own, that camera.
 std::string colorToJson(const SavedKeyFrame& key) {
   Json json{{"size", {key.color_width, key.color_height}}};
@@ -137,8 +153,9 @@ Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta) 
 Result<void> writeRegions(DatabaseConnection& database, const SavedDelta& delta) {
   for (const SavedFragment& one : delta.fragments) {
     if (one.region) {
-      SCANTROVE_TRY(database.execute("INSERT OR REPLACE INTO fragments VALUES (?, ?, ?)",
-                                     {one.fragment.value, one.region.value, one.voxels}));
+      SCANTROVE_TRY(
+          database.execute("INSERT OR REPLACE INTO fragments VALUES (?, ?, ?, ?)",
+                           {one.fragment.value, one.region.value, one.voxels, toBytes(one.seen_from)}));
     } else {
       SCANTROVE_TRY(database.execute("DELETE FROM fragments WHERE fragment = ?", {one.fragment.value}));
     }
@@ -236,8 +253,8 @@ Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& d
                          }));
   SCANTROVE_TRY(readRows(
       database, "SELECT * FROM fragments ORDER BY fragment", "fragments", damages, [&](QSqlQuery& row) {
-        scan.fragments.push_back(
-            {FragmentId{row.value(0).toUInt()}, RegionId{row.value(1).toUInt()}, row.value(2).toInt()});
+        scan.fragments.push_back({FragmentId{row.value(0).toUInt()}, RegionId{row.value(1).toUInt()},
+                                  row.value(2).toInt(), coverageFrom(row.value(3).toByteArray())});
         return true;
       }));
   SCANTROVE_TRY(

@@ -12,10 +12,14 @@
 #include <algorithm>
 #include <atomic>
 #include <clocale>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <random>
 #include <thread>
 
+#include "core/synthetic/scene.h"
+#include "core/synthetic/synthetic_source.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
@@ -81,12 +85,42 @@ void wait(int ms) {
   while (millisecondsSince(start) < ms) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 
-void comparePlaces(MainWindow& window, int places) {
+/// What is truly there: the instance at a place (in fractions of the picture) of a frame of the demo.
+using Truth = std::function<int(const QPointF&)>;
+
+Truth truthOf(const std::string& source, int frame_index) {
+  if (source != "demo") return {};
+  auto made = makeSyntheticSource(SyntheticOptions{});
+  if (!made) return {};
+  return [scene = std::shared_ptr<SyntheticSource>(std::move(*made)), frame_index](const QPointF& fraction) {
+    const Intrinsics K = SyntheticOptions{}.K;
+    const Eigen::Isometry3d T_world_camera = scene->pose(frame_index);
+    const Eigen::Vector3f ray = K.backProject(static_cast<float>(fraction.x()) * K.width - 0.5F,
+                                              static_cast<float>(fraction.y()) * K.height - 0.5F, 1);
+    const RayHit hit =
+        scene->scene().cast(T_world_camera.translation(), T_world_camera.linear() * ray.cast<double>());
+    return static_cast<int>(hit.instance);
+  };
+}
+
+/// Of places picked as (region, instance): those whose region is mostly of that instance.
+double rightOf(const std::vector<std::pair<RegionId, int>>& picked) {
+  std::map<RegionId, std::map<int, int>> of_region;
+  for (const auto& [region, instance] : picked) ++of_region[region][instance];
+  int right = 0;
+  for (const auto& [region, instances] : of_region) {
+    right += std::ranges::max_element(instances, {}, [](const auto& one) { return one.second; })->second;
+  }
+  return 100.0 * right / std::max<double>(1, static_cast<double>(picked.size()));
+}
+
+void comparePlaces(MainWindow& window, const Truth& truth, int places) {
   SceneView* const view = window.scenePane()->view();
   const FramePanels& frames = *window.framePanels();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.02, 0.98);
   int compared = 0, same = 0;
+  std::vector<std::pair<RegionId, int>> in_frames, in_scenes;  // with the instance that is there
   view->fitAll();
   wait(3000);
   for (int i = 0; i < 40 * places && compared < places; ++i) {
@@ -102,8 +136,16 @@ void comparePlaces(MainWindow& window, int places) {
     if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.02F) continue;
     ++compared;
     same += in_scene.region == in_frame.region ? 1 : 0;
+    if (!truth) continue;
+    const int instance = truth(fraction);
+    in_frames.emplace_back(in_frame.region, instance);
+    in_scenes.emplace_back(in_scene.region, instance);
   }
   std::cout << "places: " << compared << ", the same region in 3D " << same << '\n';
+  if (truth) {
+    std::cout << "of the instance that is truly there: in the pictures " << rightOf(in_frames) << " %, in 3D "
+              << rightOf(in_scenes) << " %\n";
+  }
 }
 
 int run(const std::string& source, int moves, int places, bool still) {
@@ -115,11 +157,15 @@ int run(const std::string& source, int moves, int places, bool still) {
   MainWindow window(makeScanSessionPort, options);
   window.show();
   bool has_ended = false, is_open = false;
+  int frame_index = -1;
   SessionBridge& bridge = window.controller().bridge();
   QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [&](const ScanReport& report) {
     has_ended = true;
     std::cout << "scan: " << report.fps << " fps, median frame " << report.frame_median_ms << " ms\n";
   });
+  QObject::connect(
+      &bridge, &SessionBridge::snapshotArrived, &window,
+      [&](const std::shared_ptr<const ScanSnapshot>& snapshot) { frame_index = snapshot->frame_index; });
   QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [&] { is_open = true; });
   window.open(QString::fromStdString(source));
   wait(8000);
@@ -143,7 +189,7 @@ int run(const std::string& source, int moves, int places, bool still) {
   say("colour", in_picture);
   while (!is_open) wait(100);
   wait(2000);
-  comparePlaces(window, places);
+  comparePlaces(window, truthOf(source, frame_index), places);
   return 0;
 }
 

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/kept_scan_list.h"
 #include "ui/main_window/main_actions.h"
@@ -52,6 +53,7 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   makeCentre();
   makeDocks(options.params);
   regions_ = new RegionController(controller_->bridge(), *scene_, *frames_, *this);
+  guide_ = new CoverageGuide(regions_->selection(), *scene_, model_, this);
   docks_->add({tr("History"), "historyDock", tr("Ctrl+4"), Qt::RightDockWidgetArea, kFramesWidth, true},
               new HistoryPanel(undo_));
   presentation_ = new Presentation(*this);
@@ -280,6 +282,7 @@ void MainWindow::beginScan(const QString& source) {
   scene_->view()->scene().setVoxelSize(controller_->request().params.fusion.voxel_size_m);
   frames_->clear();
   regions_->beginScan();
+  guide_->beginScan();
   time_line_->clear();
   actions_->enableReview(false);
   model_.beginScan();
@@ -294,6 +297,7 @@ void MainWindow::showSnapshot(const ScanSnapshot& snapshot) {
   }
   regions_->showSnapshot(snapshot);
   scene_->view()->showSnapshot(snapshot);
+  guide_->showSnapshot(snapshot);
   frames_->showSnapshot(snapshot);
   status_->showSnapshot(snapshot);
   progress_->showSnapshot(snapshot);

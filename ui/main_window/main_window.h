@@ -16,6 +16,7 @@ class QStackedWidget;
 
 namespace scantrove {
 
+class CoverageGuide;
 class DockArrangement;
 class ExportDialog;
 class FramePanels;
@@ -53,6 +54,7 @@ class MainWindow : public QMainWindow {
 
   [[nodiscard]] ScanController& controller() { return *controller_; }
   [[nodiscard]] RegionController& regions() { return *regions_; }
+  [[nodiscard]] CoverageGuide& guide() { return *guide_; }
   [[nodiscard]] TimeLine* timeLine() const { return time_line_; }
   [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
   [[nodiscard]] CatalogueEditor& editor() { return editor_; }
@@ -114,6 +116,7 @@ class MainWindow : public QMainWindow {
   ScenePane* scene_ = nullptr;
   TimeLine* time_line_ = nullptr;
   RegionController* regions_ = nullptr;
+  CoverageGuide* guide_ = nullptr;
   ExportDialog* export_ = nullptr;
   Presentation* presentation_ = nullptr;
   MessageBar* messages_ = nullptr;

@@ -7,6 +7,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/main_window.h"
@@ -73,7 +74,7 @@ void MainWindow::makeMenus() {
   regions->addActions({actions_->undo, actions_->redo});
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction()});
+  view->addActions({scene_->followAction(), scene_->fitAction(), scene_->gridAction(), guide_->action()});
   view->addSeparator();
   scene_->viewActions()->addTo(view);
   view->addSeparator();

@@ -36,6 +36,12 @@ QString viewsInWords(int views) {
   return views == 1 ? ObjectListModel::tr("1 view") : ObjectListModel::tr("%1 views").arg(views);
 }
 
+QString sidesInWords(const SeenSides& seen) {
+  return seen.isComplete()
+             ? ObjectListModel::tr("seen from all sides")
+             : ObjectListModel::tr("seen from %1 of %2 sides").arg(seen.count()).arg(SeenSides::kSides);
+}
+
 ObjectListModel::ObjectListModel(CatalogueEditor& editor, QObject* parent)
     : QAbstractListModel(parent), editor_(editor), pictures_(kPictureCache_bytes) {
   connect(&editor_, &CatalogueEditor::opened, this, &ObjectListModel::readAll);
@@ -75,16 +81,23 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
       return recognised_.contains(record.id);
     case AddedNowRole:
       return added_.contains(record.id);
+    case SeenSidesRole: {
+      const auto sides = seen_sides_.find(record.id);
+      return sides == seen_sides_.end() ? QVariant() : QVariant::fromValue(sides->second);
+    }
     default:
       return {};
   }
 }
 
 QString ObjectListModel::toolTip(const ObjectRecord& record) const {
-  return tr("<b>%1</b><br>%2, %3<br>First seen in: %4<br>%5")
-      .arg(QString::fromStdString(record.name).toHtmlEscaped(), sizeText(record), viewsInWords(record.views),
-           QString::fromStdString(record.first_session_name).toHtmlEscaped(),
-           record.confirmed ? tr("Confirmed") : tr("Not yet confirmed: F2 names it, Return confirms it"));
+  const auto sides = seen_sides_.find(record.id);
+  return tr("<b>%1</b><br>%2, %3<br>%4First seen in: %5<br>%6")
+      .arg(
+          QString::fromStdString(record.name).toHtmlEscaped(), sizeText(record), viewsInWords(record.views),
+          sides == seen_sides_.end() ? QString() : tr("In this scan %1<br>").arg(sidesInWords(sides->second)),
+          QString::fromStdString(record.first_session_name).toHtmlEscaped(),
+          record.confirmed ? tr("Confirmed") : tr("Not yet confirmed: F2 names it, Return confirms it"));
 }
 
 QImage ObjectListModel::picture(ObjectId object) const {
@@ -161,8 +174,10 @@ void ObjectListModel::beginScan() {
   added_.clear();
   recognised_.clear();
   in_view_.clear();
+  seen_sides_.clear();
   if (!rows_.empty()) {
-    emit dataChanged(index(0), index(rowCount() - 1), {InViewRole, RecognisedRole, AddedNowRole});
+    emit dataChanged(index(0), index(rowCount() - 1),
+                     {InViewRole, RecognisedRole, AddedNowRole, SeenSidesRole});
   }
 }
 
@@ -186,6 +201,17 @@ void ObjectListModel::setInView(const std::vector<SeenObject>& seen) {
                                 std::back_inserter(different));
   in_view_ = std::move(now);
   for (const ObjectId object : different) emitRow(object, {InViewRole});
+}
+
+void ObjectListModel::setSeenSides(std::map<ObjectId, SeenSides> sides) {
+  const auto before = std::exchange(seen_sides_, std::move(sides));
+  for (const auto& [object, seen] : seen_sides_) {
+    const auto same = before.find(object);
+    if (same == before.end() || same->second != seen) emitRow(object, {SeenSidesRole});
+  }
+  for (const auto& [object, seen] : before) {
+    if (!seen_sides_.contains(object)) emitRow(object, {SeenSidesRole});
+  }
 }
 
 ObjectId ObjectListModel::objectAt(const QModelIndex& index) const {

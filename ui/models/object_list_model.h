@@ -2,9 +2,11 @@
 #include <QAbstractListModel>
 #include <QCache>
 #include <QImage>
+#include <map>
 #include <set>
 #include <vector>
 
+#include "core/labeling/view_coverage.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/models/catalogue_editor.h"
 
@@ -25,6 +27,7 @@ class ObjectListModel : public QAbstractListModel {
     InViewRole,      ///< seen in the frame shown now
     RecognisedRole,  ///< known before this scan and met in it
     AddedNowRole,    ///< added by this scan
+    SeenSidesRole,   ///< SeenSides, in this scan; invalid: it is not in it
   };
 
   explicit ObjectListModel(CatalogueEditor& editor, QObject* parent = nullptr);
@@ -36,6 +39,8 @@ class ObjectListModel : public QAbstractListModel {
   void markAdded(ObjectId object);
   void markRecognised(ObjectId object);
   void setInView(const std::vector<SeenObject>& seen);
+  /// Of the objects that this scan has.
+  void setSeenSides(std::map<ObjectId, SeenSides> sides);
 
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
@@ -69,9 +74,12 @@ class ObjectListModel : public QAbstractListModel {
   std::set<ObjectId> in_view_;
   std::set<ObjectId> added_;
   std::set<ObjectId> recognised_;
+  std::map<ObjectId, SeenSides> seen_sides_;
 };
 
 /// "1 view", "7 views".
 [[nodiscard]] QString viewsInWords(int views);
+/// "seen from 7 of 12 sides", "seen from all sides".
+[[nodiscard]] QString sidesInWords(const SeenSides& seen);
 
 }  // namespace scantrove

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/models/object_list_model.h"
+#include "ui/panels/coverage_ring.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
@@ -17,6 +18,7 @@ constexpr int kPicture = 54;
 constexpr int kPadding = 8;
 constexpr int kConfirmedWidth = 26;  ///< of the tick beside the name
 constexpr int kLineGap = 2;
+constexpr int kRing = 22;  ///< of the sides that were seen
 
 QRect pictureRect(const QRect& row) {
   return {row.left() + kPadding + 4, row.top() + (row.height() - kPicture) / 2, kPicture, kPicture};
@@ -86,7 +88,7 @@ void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem
   const QString details =
       QStringLiteral("%1 · %2").arg(viewsInWords(index.data(ObjectListModel::ViewCountRole).toInt()),
                                     index.data(ObjectListModel::SizeTextRole).toString());
-  rest.setTop(paintLine(painter, rest.adjusted(0, 0, kConfirmedWidth, 0), small, details).bottom() + 3);
+  rest.setTop(paintLine(painter, rest, small, details).bottom() + 3);
   if (tagged) {
     paintTag(painter, rest.topLeft(), tag_font,
              recognised ? ObjectDelegate::tr("known") : ObjectDelegate::tr("new"),
@@ -126,6 +128,10 @@ void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   if (index.data(ObjectListModel::ConfirmedRole).toBool()) {
     icon(QStringLiteral("confirm"), colors.good)
         .paint(painter, QRect(card.right() - kPadding - 18, card.top() + 11, 18, 18));
+  }
+  if (const QVariant sides = index.data(ObjectListModel::SeenSidesRole); sides.isValid()) {
+    const QRectF square(card.right() - kPadding - kRing, card.bottom() - kPadding - kRing, kRing, kRing);
+    paintCoverageRing(painter, square, sides.value<SeenSides>(), colors);
   }
   painter->restore();
 }

@@ -2,8 +2,10 @@
 
 #include <QPainter>
 
+#include "ui/panels/coverage_ring.h"
 #include "ui/panels/image_panel.h"
 #include "ui/panels/region_picture.h"
+#include "ui/theme/theme.h"
 
 namespace scantrove {
 
@@ -37,6 +39,30 @@ void SceneOverlay::setHint(const QString& hint) {
   update();
 }
 
+void SceneOverlay::setSeenSides(const std::optional<SeenSides>& seen, const QString& words) {
+  if (seen == seen_sides_ && words == sides_in_words_) return;
+  seen_sides_ = seen;
+  sides_in_words_ = words;
+  update();
+}
+
+void SceneOverlay::setMark(const std::optional<QPointF>& place, const QString& word) {
+  if (place == mark_ && word == mark_word_) return;
+  mark_ = place;
+  mark_word_ = word;
+  update();
+}
+
+void SceneOverlay::paintSeenSides(QPainter& painter) const {
+  constexpr double kRing = 44;
+  constexpr double kMargin = 14;
+  const QRectF square(kMargin, height() - kMargin - kRing, kRing, kRing);
+  paintCoverageRing(&painter, square, *seen_sides_, Theme::instance().colors());
+  const double chip_height = chipSize(painter, sides_in_words_).height();
+  paintChip(painter, {square.right() + 10, square.center().y() - chip_height / 2}, sides_in_words_,
+            Qt::white);
+}
+
 void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -48,6 +74,8 @@ void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRect(band_);
   }
   if (pointer_) paintPointerTag(painter, *pointer_, rect(), tag_);
+  if (seen_sides_) paintSeenSides(painter);
+  if (mark_) paintChip(painter, *mark_ + QPointF(14, -10), mark_word_, QColor(0xff, 0xb0, 0x20));
   if (hint_.isEmpty()) return;
   const QSizeF size = chipSize(painter, hint_);
   paintChip(painter, {(width() - size.width()) / 2, 14}, hint_, QColor(0xff, 0xd0, 0x00));

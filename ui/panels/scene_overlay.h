@@ -4,6 +4,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/labeling/view_coverage.h"
+
 namespace scantrove {
 
 /// Lies over the 3D view and lets the mouse through: what is lit up, the tag beside the pointer, the band
@@ -22,16 +24,27 @@ class SceneOverlay : public QWidget {
   void setBand(const QRectF& band);
   void setHint(const QString& hint);
   [[nodiscard]] const QString& hint() const { return hint_; }
+  /// Of what is selected, in the lower left corner, with `words`; none: nothing is.
+  void setSeenSides(const std::optional<SeenSides>& seen, const QString& words);
+  /// A word at a place of the scene; none: no place, or not in the picture.
+  void setMark(const std::optional<QPointF>& place, const QString& word);
+  [[nodiscard]] const std::optional<QPointF>& mark() const { return mark_; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintSeenSides(QPainter& painter) const;
+
   QImage lit_;
   std::optional<QPointF> pointer_;
   QStringList tag_;
   QRectF band_;
   QString hint_;
+  std::optional<SeenSides> seen_sides_;
+  QString sides_in_words_;
+  std::optional<QPointF> mark_;
+  QString mark_word_;
 };
 
 }  // namespace scantrove

@@ -39,7 +39,8 @@ LabelCloudScene::LabelCloudScene()
       cloud_(renderer_),
       sensor_(renderer_),
       grid_(renderer_),
-      measure_(renderer_) {
+      measure_(renderer_),
+      arrow_(renderer_) {
   const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
   command->SetCallback(enableProgramPointSize);
   renderer_->AddObserver(vtkCommand::StartEvent, command);
@@ -57,6 +58,7 @@ void LabelCloudScene::clear() {
   cloud_.clear();
   sensor_.clear();
   measure_.show({});
+  arrow_.hide();
   viewpoint_ = OrbitCamera();
   grid_.place({0, 1, 1.5F}, -Eigen::Vector3f::UnitY(), 2);
   following_ = true;
@@ -161,6 +163,7 @@ bool LabelCloudScene::prepare(int width_px, int height_px, std::size_t point_bud
                               std::size_t rebuild_budget) {
   Eigen::AlignedBox3f all = cloud_.bounds();
   all.extend(sensor_.bounds());
+  all.extend(arrow_.bounds());
   vtkCamera* camera = renderer_->GetActiveCamera();
   viewpoint_.applyTo(camera, all);
   if (const std::optional<float> cut_m = cutDistance()) {

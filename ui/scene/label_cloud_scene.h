@@ -7,10 +7,12 @@
 #include <set>
 #include <vector>
 
+#include "core/labeling/view_coverage.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunks.h"
 #include "ui/scene/ground_grid.h"
 #include "ui/scene/measure_line.h"
+#include "ui/scene/move_arrow.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/sensor_track.h"
 
@@ -71,6 +73,14 @@ class LabelCloudScene {
   /// A measured line through these points; none: no line.
   void showMeasure(const std::vector<Eigen::Vector3f>& points) { measure_.show(points); }
 
+  /// An arrow around `centre`; see MoveArrow::show.
+  void showArrow(const Eigen::Vector3f& centre, const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+    arrow_.show(centre, up_, from, to);
+  }
+  void hideArrow() { arrow_.hide(); }
+  /// Up, and the side of things from which the sensor saw them first.
+  [[nodiscard]] SideAxes sideAxes() const { return SideAxes::of(up_, -R_world_camera_.col(2)); }
+
   /// To call right before rendering into a viewport of this size; see CloudChunks::prepare.
   bool prepare(int width_px, int height_px, std::size_t point_budget, std::size_t rebuild_budget);
 
@@ -90,6 +100,7 @@ class LabelCloudScene {
   SensorTrack sensor_;
   GroundGrid grid_;
   MeasureLine measure_;
+  MoveArrow arrow_;
   OrbitCamera viewpoint_;
   bool following_ = true;
   bool has_pose_ = false;

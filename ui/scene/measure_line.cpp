@@ -2,32 +2,13 @@
 
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 
+#include "ui/scene/on_top.h"
+
 namespace scantrove {
-namespace {
-
-vtkSmartPointer<vtkActor> addOnTop(vtkRenderer* renderer, vtkPolyData* data) {
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputData(data);
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetLineWidth(3);
-  actor->PickableOff();
-  actor->VisibilityOff();
-  // Nearer than all else, yet in order among themselves.
-  actor->GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Depth::Impl", true, "  gl_FragDepth = 0.001 * gl_FragCoord.z;\n", false);
-  renderer->AddActor(actor);
-  return actor;
-}
-
-}  // namespace
-
 MeasureLine::MeasureLine(vtkRenderer* renderer)
     : line_data_(vtkSmartPointer<vtkPolyData>::New()),
       ends_data_(vtkSmartPointer<vtkPolyData>::New()),

@@ -40,11 +40,14 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
   const float column = (float)(pixel % width);
   const float row = (float)(pixel / width);
 
-  // Voxels whose centres lie in the box of half side `reach`; one more on each side against rounding.
+  // Voxels whose centres may lie within reach, along each axis; a little more against rounding. Two or three of them for a
+  // reach of one voxel.
   const float per_metre = 1.0f / voxel_size;
-  const int x0 = (int)floor((vertex.x - reach) * per_metre - 0.5f), x1 = (int)ceil((vertex.x + reach) * per_metre - 0.5f);
-  const int y0 = (int)floor((vertex.y - reach) * per_metre - 0.5f), y1 = (int)ceil((vertex.y + reach) * per_metre - 0.5f);
-  const int z0 = (int)floor((vertex.z - reach) * per_metre - 0.5f), z1 = (int)ceil((vertex.z + reach) * per_metre - 0.5f);
+  const float around = reach * per_metre + 1e-3f;
+  const float3 at = (float3)(vertex.x, vertex.y, vertex.z) * per_metre - 0.5f;
+  const int x0 = (int)ceil(at.x - around), x1 = (int)floor(at.x + around);
+  const int y0 = (int)ceil(at.y - around), y1 = (int)floor(at.y + around);
+  const int z0 = (int)ceil(at.z - around), z1 = (int)floor(at.z + around);
   int bx = 0, by = 0, bz = 0, slot = BRICK_NONE;
   for (int z = z0; z <= z1; ++z) {
     const float dz = vertex.z - ((float)z + 0.5f) * voxel_size;

@@ -23,7 +23,10 @@ SavedDelta someDelta(int seed) {
   frame.state = TrackingState::relocalised;
   frame.T_world_camera = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY());
   delta.frames.push_back(frame);
-  delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed});
+  ViewCoverage seen_from;
+  seen_from.look({1, 2, -3});
+  seen_from.look({-1, 0, static_cast<float>(seed)});
+  delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed, seen_from});
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   BorderEvidence evidence;
   evidence.looks = 3.25F;
@@ -71,6 +74,7 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_TRUE(scan->frames[1].T_world_camera.isApprox(last.frames[0].T_world_camera, 1e-12));
   ASSERT_EQ(scan->fragments.size(), 1U);
   EXPECT_EQ(scan->fragments[0].voxels, 102);
+  EXPECT_EQ(scan->fragments[0].seen_from, last.fragments[0].seen_from);
   ASSERT_EQ(scan->regions.size(), 1U);
   EXPECT_EQ(scan->regions[0], last.regions[0]);
   ASSERT_EQ(scan->borders.size(), 1U);
@@ -176,6 +180,26 @@ TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
   const auto none = SessionStore::open(folder.path());
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().message(), HasSubstr(folder.path().string()));
+}
+
+TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhere) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1)));
+  {
+    const auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
+    ASSERT_TRUE(connection);
+    ASSERT_TRUE((*connection)->execute("ALTER TABLE fragments DROP COLUMN seen_from"));
+    ASSERT_TRUE((*connection)->execute("DELETE FROM schema_migrations WHERE version > 1"));
+    ASSERT_TRUE((*connection)->execute("PRAGMA user_version = 1"));
+  }
+  const auto store = SessionStore::open(folder.path() / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const Result<SavedScan> scan = (*store)->load();
+  ASSERT_TRUE(scan) << scan.error().message();
+  ASSERT_EQ(scan->fragments.size(), 1U);
+  EXPECT_EQ(scan->fragments[0].voxels, 101);
+  EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
+  ASSERT_TRUE((*store)->save(someDelta(2)));
 }
 
 TEST(SessionStore, AScanGivesWayToANewOneUnlessItIsLabelled) {

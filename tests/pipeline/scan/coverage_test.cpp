@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/synthetic_scan.h"
+
+namespace scantrove {
+namespace {
+
+using test::SyntheticScan;
+
+/// The region that most pixels of an instance are of, over some frames.
+RegionId regionOf(const SyntheticScan& scan, int instance) {
+  std::map<int, int> pixels;
+  for (std::size_t i = 0; i < scan.frames.size(); i += 20) {
+    const cv::Mat regions = scan.finalRegions(scan.frames[i]);
+    for (int p = 0; p < static_cast<int>(regions.total()); ++p) {
+      if (scan.frames[i].instances.ptr<int>()[p] == instance) ++pixels[regions.ptr<int>()[p]];
+    }
+  }
+  pixels.erase(0);
+  const auto most = std::ranges::max_element(pixels, {}, [](const auto& one) { return one.second; });
+  return most == pixels.end() ? RegionId{} : RegionId{static_cast<std::uint32_t>(most->first)};
+}
+
+// Coverage of each object of a table top against the directions in which the camera truly saw it: exact
+// poses, exact instances, caps of the reach of a look. Differing directions make up less than a tenth of the
+// sphere.
+TEST(Coverage, IsThatOfTheTrueViewDirections) {
+  SyntheticOptions options;
+  options.frames = 720;  // the camera goes on, around the table
+  options.stride = 8;
+  SyntheticScan scan(options, {}, true);  // steps are wide: the poses are the true ones
+  scan.run();
+  ASSERT_EQ(scan.frames.size(), 90U);
+
+  std::mt19937 random(3);
+  std::normal_distribution<float> normal;
+  std::vector<Eigen::Vector3f> sphere;
+  for (int i = 0; i < 4000; ++i)
+    sphere.push_back(Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized());
+
+  // The scan's world is the first camera's.
+  const Eigen::Isometry3d T_truth_scan =
+      scan.frames.front().true_pose * scan.frames.front().pose.T_world_camera.inverse();
+  int compared = 0;
+  for (const InstanceName& instance : scan.source().scene().instances()) {
+    if (!instance.is_object) continue;
+    const int id = static_cast<int>(scan.source().scene().find(instance.name));
+    const Eigen::Vector3d centre = scan.source().scene().boundsOf(static_cast<std::uint16_t>(id)).center();
+    std::vector<Eigen::Vector3f> looks;
+    for (const SyntheticScan::Frame& frame : scan.frames) {
+      if (cv::countNonZero(frame.instances == id) * LookRecorder::kLeastPart <
+          static_cast<int>(frame.instances.total()))
+        continue;
+      looks.emplace_back((frame.true_pose.translation() - centre).normalized().cast<float>());
+    }
+    const RegionId region = regionOf(scan, id);
+    if (looks.empty() || !region) continue;
+    const ViewCoverage coverage = scan.pipeline().regionTable().seenFrom(region);
+    const float least = std::cos(ViewCoverage::kReach_deg * static_cast<float>(M_PI) / 180);
+    int is_wrong = 0;
+    int is_seen = 0;
+    for (const Eigen::Vector3f& direction : sphere) {
+      const bool truly = std::ranges::any_of(
+          looks, [&](const Eigen::Vector3f& look) { return look.dot(direction) >= least; });
+      const Eigen::Vector3f in_scan =
+          (T_truth_scan.linear().transpose() * direction.cast<double>()).cast<float>();
+      is_seen += truly ? 1 : 0;
+      is_wrong += truly != coverage.covers(in_scan) ? 1 : 0;
+    }
+    std::cout << instance.name << ": truly " << is_seen / 4000.0 << ", measured " << coverage.share()
+              << ", differing " << is_wrong / 4000.0 << '\n';
+    EXPECT_LT(is_wrong, 400) << instance.name;
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+}
+
+}  // namespace
+}  // namespace scantrove

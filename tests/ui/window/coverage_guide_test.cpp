@@ -1,0 +1,132 @@
+// What the window says of the sides from which things were seen.
+#include <gtest/gtest.h>
+
+#include <QAction>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/main_window/coverage_guide.h"
+#include "ui/main_window/region_controller.h"
+#include "ui/main_window/scene_pane.h"
+#include "ui/panels/scene_overlay.h"
+
+namespace scantrove::test {
+namespace {
+
+constexpr RegionId kThing{5};
+
+/// A thing of 5 cm, 1.5 m ahead of a level camera at the origin (y down) that looks along +z.
+class CoverageGuideTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    window_->open(QStringLiteral("demo"));
+    fromInFront_.look({0, 0, -1});
+  }
+
+  ScanSnapshot thingSeen(int frame, const ViewCoverage& from, const RegionNote& note = {}) {
+    ScanSnapshot snapshot = snapshotOf(frame);
+    snapshot.changed_regions = {{FragmentId{1}, kThing}};
+    snapshot.region_infos = std::make_shared<const RegionInfos>(RegionInfos{
+        {.region = kThing, .voxels = 4000, .note = note, .object = objects_.front(), .seen_from = from}});
+    CloudBrick brick{Eigen::Vector3i(0, 0, 32), static_cast<std::uint64_t>(frame) + 1, {}};
+    for (int i = 0; i < 64; ++i) {
+      const Eigen::Vector3f in_brick(Eigen::Vector3i(i % 8, i / 8, 0).cast<float>().array() + 0.5F);
+      const Eigen::Vector3f place = (brick.position.cast<float>() * 8 + in_brick) * 3 / 512;
+      brick.points.push_back({place.x(), place.y(), place.z(), FragmentId{1}, {}, 0, {}});
+    }
+    snapshot.changed_bricks.push_back(brick);
+    return snapshot;
+  }
+
+  void show(ScanSnapshot snapshot) {
+    session_->post(std::move(snapshot));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return session_->snapshots().empty(); }, 4000));
+  }
+
+  CoverageGuide& guide() { return window_->guide(); }
+  SceneOverlay* overlay() { return window_->scenePane()->overlay(); }
+
+  ViewCoverage fromInFront_;
+};
+
+ViewCoverage fromAllAround() {
+  ViewCoverage coverage;
+  for (int i = 0; i < 36; ++i) {
+    const float angle = static_cast<float>(i) * 0.1745F;
+    coverage.look({std::cos(angle), -0.4F, std::sin(angle)});  // y is down
+  }
+  return coverage;
+}
+
+TEST_F(CoverageGuideTest, AnArrowLeadsToASideThatWasNotSeen) {
+  show(thingSeen(1, fromInFront_));
+  EXPECT_FALSE(guide().shown());
+  window_->regions().selection().select(kThing);
+  ASSERT_TRUE(guide().shown());
+  EXPECT_GE(guide().shown()->count(), 1);
+  EXPECT_LE(guide().shown()->count(), 3);  // one look
+  ASSERT_TRUE(guide().leadsTo());
+  EXPECT_FALSE(fromInFront_.covers(*guide().leadsTo()));
+  EXPECT_LT(guide().leadsTo()->y(), 0);  // from above the thing, not from under it
+}
+
+TEST_F(CoverageGuideTest, TheArrowIsLabelledWhereItIsInThePicture) {
+  show(thingSeen(1, fromInFront_));
+  window_->regions().selection().select(kThing);
+  window_->scenePane()->view()->scene().viewpoint().lookAt({0, -2, -3}, {0, 0, 1.5F});
+  window_->scenePane()->view()->redraw();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return overlay()->mark().has_value(); }, 4000));
+  EXPECT_TRUE(QRectF(overlay()->rect()).contains(*overlay()->mark()));
+  window_->regions().selection().select(RegionId{});
+  EXPECT_FALSE(overlay()->mark());
+}
+
+TEST_F(CoverageGuideTest, WhatWasSeenFromAllSidesIsCompleteAndNeedsNoArrow) {
+  show(thingSeen(1, fromAllAround()));
+  window_->regions().selection().select(kThing);
+  ASSERT_TRUE(guide().shown());
+  EXPECT_TRUE(guide().shown()->isComplete());
+  EXPECT_FALSE(guide().leadsTo());
+}
+
+TEST_F(CoverageGuideTest, LooksThatComeWhileItIsSelectedCount) {
+  show(thingSeen(1, fromInFront_));
+  window_->regions().selection().select(kThing);
+  const int before = guide().shown()->count();
+  ViewCoverage more = fromInFront_;
+  more.look({1, 0, 0});
+  show(thingSeen(2, more));
+  EXPECT_GT(guide().shown()->count(), before);
+}
+
+TEST_F(CoverageGuideTest, BackgroundIsNothingToWalkAround) {
+  RegionNote wall;
+  wall.background = true;
+  show(thingSeen(1, fromInFront_, wall));
+  window_->regions().selection().select(kThing);
+  EXPECT_FALSE(guide().shown());
+  EXPECT_FALSE(guide().leadsTo());
+}
+
+TEST_F(CoverageGuideTest, TheArrowCanBeSwitchedOffAndThatIsRemembered) {
+  show(thingSeen(1, fromInFront_));
+  window_->regions().selection().select(kThing);
+  ASSERT_TRUE(guide().leadsTo());
+  guide().action()->trigger();
+  EXPECT_FALSE(guide().leadsTo());
+  EXPECT_TRUE(guide().shown()) << "the ring stays";
+  EXPECT_FALSE(QSettings().value(QStringLiteral("view/guide")).toBool());
+  guide().action()->trigger();
+  EXPECT_TRUE(guide().leadsTo());
+}
+
+TEST_F(CoverageGuideTest, ObjectsOfTheScanHaveRingsInTheList) {
+  show(thingSeen(1, fromAllAround()));
+  const QVariant seen = rowOf(objects_[0]).data(ObjectListModel::SeenSidesRole);
+  ASSERT_TRUE(seen.isValid());
+  EXPECT_TRUE(seen.value<SeenSides>().isComplete());
+  EXPECT_FALSE(rowOf(objects_[1]).data(ObjectListModel::SeenSidesRole).isValid());
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,128 @@
+#include "ui/main_window/coverage_guide.h"
+
+#include <QAction>
+#include <QSettings>
+#include <algorithm>
+#include <map>
+
+#include "ui/main_window/scene_pane.h"
+#include "ui/models/object_list_model.h"
+#include "ui/models/region_selection.h"
+#include "ui/panels/scene_overlay.h"
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+namespace {
+
+const QString kGuideKey = QStringLiteral("view/guide");
+/// How far from a thing one stands to look at it.
+constexpr float kNearest_m = 0.4F;
+constexpr float kFarthest_m = 1.2F;
+constexpr int kBoxHolds_ms = 1000;  // while the selection grows
+
+}  // namespace
+
+CoverageGuide::CoverageGuide(RegionSelection& selection, ScenePane& scene, ObjectListModel& objects,
+                             QObject* parent)
+    : QObject(parent),
+      selection_(selection),
+      scene_(scene),
+      objects_(objects),
+      action_(new QAction(icon(QStringLiteral("guide")), tr("Show where to m&ove"), this)) {
+  action_->setCheckable(true);
+  action_->setChecked(QSettings().value(kGuideKey, true).toBool());
+  action_->setShortcut(QKeySequence(tr("Shift+G")));
+  action_->setToolTip(tr("For what is selected: an arrow to the side that was not seen yet (%1)")
+                          .arg(action_->shortcut().toString(QKeySequence::NativeText)));
+  connect(action_, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(kGuideKey, on);
+    update();
+  });
+  connect(&selection_, &RegionSelection::selectionChanged, this, [this] {
+    since_box_.invalidate();
+    update();
+  });
+  connect(scene_.view(), &SceneView::drawn, this, &CoverageGuide::placeLabel, Qt::QueuedConnection);
+}
+
+void CoverageGuide::beginScan() {
+  camera_.reset();
+  update();
+}
+
+void CoverageGuide::showSnapshot(const ScanSnapshot& snapshot) {
+  const bool goes_on = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
+  camera_.reset();
+  if (goes_on && snapshot.pose.usable()) camera_ = snapshot.pose.T_world_camera.translation().cast<float>();
+  showObjects();
+  update();
+}
+
+void CoverageGuide::showObjects() {
+  std::map<ObjectId, ViewCoverage> seen_from;
+  for (const RegionInfo& info : selection_.infos()) {
+    if (info.object) seen_from[info.object].add(info.seen_from);
+  }
+  const SideAxes axes = scene_.view()->scene().sideAxes();
+  std::map<ObjectId, SeenSides> sides;
+  for (const auto& [object, coverage] : seen_from) sides[object] = sidesOf(coverage, axes);
+  objects_.setSeenSides(std::move(sides));
+}
+
+void CoverageGuide::update() {
+  ViewCoverage coverage;
+  bool is_thing = !selection_.selected().empty();
+  for (const RegionId region : selection_.selected()) {
+    const RegionInfo* const info = selection_.info(region);
+    is_thing = is_thing && info != nullptr && !info->note.background && !info->note.rejected;
+    if (is_thing) coverage.add(info->seen_from);
+  }
+  shown_.reset();
+  const bool had_arrow = leads_to_.has_value();
+  leads_to_.reset();
+  if (is_thing) {
+    shown_ = sidesOf(coverage, scene_.view()->scene().sideAxes());
+    showArrow(*shown_);
+  }
+  scene_.overlay()->setSeenSides(shown_, shown_ ? sidesInWords(*shown_) : QString());
+  if (!leads_to_) scene_.view()->scene().hideArrow();
+  if (had_arrow || leads_to_) scene_.view()->redraw();
+  placeLabel();
+}
+
+void CoverageGuide::showArrow(const SeenSides& seen) {
+  if (!camera_ || !action_->isChecked()) return;
+  if (!since_box_.isValid() || since_box_.hasExpired(kBoxHolds_ms)) findBox();
+  if (box_.isEmpty()) return;
+  LabelCloudScene& scene = scene_.view()->scene();
+  const SideAxes axes = scene.sideAxes();
+  const Eigen::Vector3f from = *camera_ - box_.center();
+  leads_to_ = nextDirection(seen, axes, from);
+  const float level = (from - from.dot(axes.up) * axes.up).norm();
+  if (!leads_to_ || !(level > 0.02F)) return leads_to_.reset();
+  const float distance_m = std::clamp(from.norm(), kNearest_m, kFarthest_m);
+  const Eigen::Vector3f to = distance_m * *leads_to_;
+  head_ = box_.center() + to;
+  scene.showArrow(box_.center(), from.normalized() * distance_m, to);
+}
+
+void CoverageGuide::findBox() {
+  const std::vector<RegionId>& selected = selection_.selected();
+  box_ = scene_.view()->scene().cloud().boundsOf({selected.begin(), selected.end()});
+  since_box_.start();
+}
+
+void CoverageGuide::placeLabel() {
+  SceneView* const view = scene_.view();
+  const float aspect = static_cast<float>(view->width()) / static_cast<float>(std::max(1, view->height()));
+  std::optional<Eigen::Vector2f> place;
+  if (leads_to_) place = view->scene().viewpoint().placeOf(head_, aspect);
+  std::optional<QPointF> in_view;
+  if (place && place->cwiseAbs().maxCoeff() <= 1) {
+    in_view = QPointF((1 + static_cast<double>(place->x())) * view->width() / 2,
+                      (1 - static_cast<double>(place->y())) * view->height() / 2);
+  }
+  scene_.overlay()->setMark(in_view, tr("Move here"));
+}
+
+}  // namespace scantrove
