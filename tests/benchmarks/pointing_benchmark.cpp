@@ -95,8 +95,8 @@ Truth truthOf(const std::string& source, int frame_index) {
   return [scene = std::shared_ptr<SyntheticSource>(std::move(*made)), frame_index](const QPointF& fraction) {
     const Intrinsics K = SyntheticOptions{}.K;
     const Eigen::Isometry3d T_world_camera = scene->pose(frame_index);
-    const Eigen::Vector3f ray = K.backProject(static_cast<float>(fraction.x()) * K.width - 0.5F,
-                                              static_cast<float>(fraction.y()) * K.height - 0.5F, 1);
+    const Eigen::Vector3f ray = K.backProject(static_cast<float>(fraction.x() * K.width - 0.5),
+                                              static_cast<float>(fraction.y() * K.height - 0.5), 1);
     const RayHit hit =
         scene->scene().cast(T_world_camera.translation(), T_world_camera.linear() * ray.cast<double>());
     return static_cast<int>(hit.instance);

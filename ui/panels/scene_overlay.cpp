@@ -78,7 +78,7 @@ void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
   if (mark_) paintChip(painter, *mark_ + QPointF(14, -10), mark_word_, QColor(0xff, 0xb0, 0x20));
   if (hint_.isEmpty()) return;
   const QSizeF size = chipSize(painter, hint_);
-  paintChip(painter, {(width() - size.width()) / 2, 14}, hint_, QColor(0xff, 0xd0, 0x00));
+  paintChip(painter, {(width() - size.width()) / 2, 58}, hint_, QColor(0xff, 0xd0, 0x00));
 }
 
 }  // namespace scantrove

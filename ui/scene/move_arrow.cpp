@@ -14,9 +14,9 @@
 namespace scantrove {
 namespace {
 
-constexpr int kSteps = 32;          // of the arc
-constexpr int kHeadSides = 16;      // of the cone
-constexpr float kHeadPart = 0.16F;  // its length, of the distance to the centre
+constexpr int kSteps = 32;         // of the arc
+constexpr int kHeadSides = 16;     // of the cone
+constexpr float kHeadPart = 0.1F;  // its length, of the distance to the centre
 
 /// Points on the way, the first at `from`, the last at `to`; see MoveArrow::show.
 std::vector<Eigen::Vector3f> arc(const Eigen::Vector3f& centre, const Eigen::Vector3f& up,
