@@ -8,7 +8,7 @@
 namespace scantrove {
 
 Result<EdgeWeigher> EdgeWeigher::create(ComputeContext& compute) {
-  Result<Kernel> kernel = compute.kernel(kernels::weigh_edges, "weigh_edges");
+  Result<Kernel> kernel = compute.kernel(kernels::segmentation, "weigh_edges");
   if (!kernel) return fail(kernel.error());
   return EdgeWeigher(compute, std::move(*kernel));
 }
