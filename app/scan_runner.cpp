@@ -60,7 +60,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
         return finished->report;
       }
       if (std::holds_alternative<PreparingDevice>(*event))
-        progress.say("Preparing the processor (first time only).");
+        progress.say("Preparing the processor (once).");
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
       if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
       if (const auto* failure = std::get_if<MapFailed>(&*event)) progress.say(failure->error.message());

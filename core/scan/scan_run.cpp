@@ -282,6 +282,8 @@ void ScanRun::fillReport(ScanReport& report) {
     const DurationSummary time = summarise(stage.all_ms);
     report.stages.push_back({stage.name, time.median_ms, time.p95_ms});
   }
+  constexpr std::size_t kSlowest = 8;
+  report.slowest_frames = slowestFrames(pipeline_->timer().stages(), kSlowest);
   for (const auto& [name, total_ms] : compute_->kernelTimes()) {
     report.kernels.push_back({name, total_ms / std::max(1, frames_.read)});
   }

@@ -25,7 +25,8 @@ struct ScanProgress {
 /// thread, the worker's.
 class SnapshotBuilder {
  public:
-  /// In one snapshot while scanning: bounds what it takes from a frame.
+  /// In one snapshot while scanning, and read out at a time at its end: bounds what it takes from a frame,
+  /// and of memory.
   static constexpr std::size_t kMostBricks = 1500;
 
   /// `first_version`: above that of all bricks that the window has already.
@@ -61,6 +62,9 @@ class SnapshotBuilder {
                                   std::size_t most_bricks);
   [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
                                               ScanSnapshot& snapshot);
+  /// The `count` bricks that have waited longest.
+  [[nodiscard]] Result<void> addWaiting(ScanPipeline& pipeline, std::size_t count,
+                                        std::vector<CloudBrick>& to);
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
