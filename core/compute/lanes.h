@@ -28,10 +28,12 @@ class Lanes {
     return range(width, height, columns(), count_ / columns());
   }
 
-  /// The work-groups of the first two, and of the last: with one lane neighbouring pixels, which are read
-  /// together; else the driver's choice.
-  [[nodiscard]] cl::NDRange rowGroup() const { return count_ == 1 ? cl::NDRange(32, 4) : cl::NullRange; }
-  [[nodiscard]] cl::NDRange blockGroup() const { return count_ == 1 ? cl::NDRange(8, 8) : cl::NullRange; }
+  /// The work-groups of the first two, of the last, and where each work-item does one pixel. One size for
+  /// images of any: PoCL compiles a kernel anew for every size of its groups, and its own choice follows the
+  /// image's. With one lane, neighbours that read neighbouring pixels.
+  [[nodiscard]] cl::NDRange rowGroup() const { return count_ == 1 ? cl::NDRange(32, 4) : cl::NDRange(4, 8); }
+  [[nodiscard]] cl::NDRange blockGroup() const { return count_ == 1 ? cl::NDRange(8, 8) : cl::NDRange(4, 8); }
+  [[nodiscard]] static cl::NDRange pixelGroup() { return {64, 4}; }
 
  private:
   explicit Lanes(int count) : count_(count) {}

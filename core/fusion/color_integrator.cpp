@@ -105,7 +105,7 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
   fit(ratings_, count);
   constexpr float kInNoise = 3;  // standard deviations
   const cl_float2 apart{{kAcross_vox * map.voxelSize(), kInNoise * params_.depth_noise_m}};
-  rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), cl::NullRange,
+  rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), Lanes::pixelGroup(),
                       surface.maps.vertices_world, surface.maps.normals_world, readings.vertices_camera,
                       hidden_, K.width, K.height, toKernel(surface.maps.T_world_camera.inverse()),
                       pointOf(surface.maps.T_world_camera), pointOf(T_world_color), K.fx,

@@ -87,6 +87,7 @@ void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eige
 }
 
 void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
+  if (!has_cloud_) return;
   for (const Eigen::Vector3i& brick : bricks) {
     if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
   }

@@ -39,6 +39,9 @@ class SnapshotBuilder {
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
+  /// Snapshots hold no bricks from now on.
+  void leaveOutCloud() { has_cloud_ = false; }
+
   /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
   void setShownKeyFrame(int place) { shown_key_frame_ = place; }
@@ -69,6 +72,7 @@ class SnapshotBuilder {
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;
+  bool has_cloud_ = true;
   RgbdFrame frame_;
   FrameResult result_;
   cv::Mat last_seen_;  // colour image of the last frame with a pose
