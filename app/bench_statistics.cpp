@@ -87,6 +87,11 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
     text << std::setw(8) << quarter.last_frame << std::setw(11) << quarter.bricks << std::setw(11)
          << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
   }
+  if (!report.slowest_frames.empty()) text << "\nslowest        frame ms   of which above its median\n";
+  for (const SlowFrame& slow : report.slowest_frames) {
+    text << std::left << std::setw(14) << slow.frame + 1 << std::right << std::setw(9) << slow.total_ms
+         << "   " << slow.stage << ' ' << slow.stage_ms << '\n';
+  }
   if (!report.kernels.empty()) text << "\nkernel                    mean ms a frame\n";
   for (const ScanReport::Kernel& kernel : report.kernels) {
     text << std::left << std::setw(30) << kernel.name << std::right << std::setw(11) << std::setprecision(2)
@@ -118,6 +123,13 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
                     {"frame_median_ms", quarter.frame_median_ms},
                     {"map_median_ms", quarter.map_median_ms}});
   }
+  Json slowest = Json::array();
+  for (const SlowFrame& slow : report.slowest_frames) {
+    slowest.push_back({{"frame", slow.frame + 1},
+                       {"total_ms", slow.total_ms},
+                       {"stage", slow.stage},
+                       {"stage_ms", slow.stage_ms}});
+  }
   Json growth;
   if (const auto map = mapGrowthOf(samples)) {
     growth = {{"around_frame_50_ms", map->early_ms}, {"at_end_ms", map->late_ms}, {"ratio", map->ratio()}};
@@ -128,6 +140,7 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
           {"lost", report.frames.lost},
           {"fps", report.fps},
           {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
+          {"slowest_frames", slowest},
           {"peak_memory_mb", report.peak_memory_mb},
           {"stages", stages},
           {"kernels", kernels},

@@ -43,6 +43,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
   EventQueue events;
   ProgressLine progress;
   bool is_stopping = false;
+  request.cloud = false;  // what is watched are numbers
   listenForStop();
   ScanSession session([&](const ScanEvent& event) { events.push(event); });
   session.start(std::move(request));
@@ -59,8 +60,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
         showLatest();  // the last one was posted before this event
         return finished->report;
       }
-      if (std::holds_alternative<PreparingDevice>(*event))
-        progress.say("Preparing the processor (first time only).");
+      if (std::holds_alternative<PreparingDevice>(*event)) progress.say("Preparing the processor (once).");
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
       if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
       if (const auto* failure = std::get_if<MapFailed>(&*event)) progress.say(failure->error.message());

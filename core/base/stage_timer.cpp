@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
 namespace scantrove {
 
@@ -19,7 +21,7 @@ std::size_t StageTimer::indexOf(std::string_view name) {
   const auto found =
       std::find_if(stages_.begin(), stages_.end(), [&](const Stage& s) { return s.name == name; });
   if (found != stages_.end()) return static_cast<std::size_t>(found - stages_.begin());
-  stages_.push_back({std::string(name), 0, {}});
+  stages_.push_back({std::string(name), 0, {}, {}});
   return stages_.size() - 1;
 }
 
@@ -39,8 +41,33 @@ void StageTimer::endFrame() {
     Stage& stage = stages_[pending.stage];
     stage.last_ms = pending.duration_ms;
     stage.all_ms.push_back(pending.duration_ms);
+    stage.frames.push_back(frames_);
   }
   pending_.clear();
+  ++frames_;
+}
+
+std::vector<SlowFrame> slowestFrames(const std::vector<StageTimer::Stage>& stages, std::size_t most) {
+  std::map<std::size_t, SlowFrame> by_frame;
+  std::map<std::size_t, double> above_median_ms;
+  for (const StageTimer::Stage& stage : stages) {
+    const double median_ms = summarise(stage.all_ms).median_ms;
+    for (std::size_t i = 0; i < stage.all_ms.size(); ++i) {
+      SlowFrame& slow = by_frame[stage.frames[i]];
+      slow.frame = stage.frames[i];
+      slow.total_ms += stage.all_ms[i];
+      const double above_ms = stage.all_ms[i] - median_ms;
+      if (!slow.stage.empty() && above_ms <= above_median_ms[slow.frame]) continue;
+      above_median_ms[slow.frame] = above_ms;
+      slow.stage = stage.name;
+      slow.stage_ms = stage.all_ms[i];
+    }
+  }
+  std::vector<SlowFrame> slowest;
+  for (auto& [frame, slow] : by_frame) slowest.push_back(std::move(slow));
+  std::ranges::stable_sort(slowest, std::greater{}, &SlowFrame::total_ms);
+  if (slowest.size() > most) slowest.resize(most);
+  return slowest;
 }
 
 }  // namespace scantrove

@@ -22,6 +22,7 @@ class StageTimer {
     std::string name;
     double last_ms = 0;
     std::vector<double> all_ms;
+    std::vector<std::size_t> frames;  ///< of each of these, counted from 0
   };
 
   /// Runs `work` as the stage `name` and returns what it returns.
@@ -65,6 +66,19 @@ class StageTimer {
 
   std::vector<Stage> stages_;
   std::vector<Pending> pending_;
+  std::size_t frames_ = 0;
 };
+
+/// A frame that took long, and the stage that was the farthest above its own median.
+struct SlowFrame {
+  std::size_t frame = 0;  ///< counted from 0
+  double total_ms = 0;    ///< of all stages
+  std::string stage;
+  double stage_ms = 0;
+};
+
+/// At most so many, the slowest first.
+[[nodiscard]] std::vector<SlowFrame> slowestFrames(const std::vector<StageTimer::Stage>& stages,
+                                                   std::size_t most);
 
 }  // namespace scantrove

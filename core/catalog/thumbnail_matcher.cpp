@@ -29,11 +29,10 @@ cl::NDRange range(int x, int y, int z) {
 
 Result<ThumbnailMatcher> ThumbnailMatcher::create(ComputeContext& compute) {
   ThumbnailMatcher matcher(compute);
-  SCANTROVE_TRY(moveInto(matcher.warp_queries_, compute.kernel(kernels::warp_queries, "warp_queries")));
-  SCANTROVE_TRY(moveInto(matcher.shrink_queries_, compute.kernel(kernels::warp_queries, "shrink_queries")));
-  SCANTROVE_TRY(moveInto(matcher.score_warps_, compute.kernel(kernels::match_thumbnails, "score_warps")));
-  SCANTROVE_TRY(
-      moveInto(matcher.refine_matches_, compute.kernel(kernels::match_thumbnails, "refine_matches")));
+  SCANTROVE_TRY(moveInto(matcher.warp_queries_, compute.kernel(kernels::catalog, "warp_queries")));
+  SCANTROVE_TRY(moveInto(matcher.shrink_queries_, compute.kernel(kernels::catalog, "shrink_queries")));
+  SCANTROVE_TRY(moveInto(matcher.score_warps_, compute.kernel(kernels::catalog, "score_warps")));
+  SCANTROVE_TRY(moveInto(matcher.refine_matches_, compute.kernel(kernels::catalog, "refine_matches")));
   return matcher;
 }
 

@@ -33,6 +33,7 @@ Result<std::unique_ptr<ComputeContext>> ComputeContext::create(const Options& op
   compute->is_cpu_ = (device->getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
   compute->profiling_ = options.profiling;
   compute->on_compiling_ = options.on_compiling;
+  SCANTROVE_TRY(moveInto(compute->lanes_, Lanes::choose(*device, options.lanes)));
   try {
     compute->context_ = cl::Context(*device);
     compute->queue_ =
@@ -47,10 +48,11 @@ Result<std::unique_ptr<ComputeContext>> ComputeContext::create(const Options& op
 
 Result<Kernel> ComputeContext::kernel(const KernelSource& source, const std::string& function,
                                       const std::string& build_options) {
-  const std::string key = std::string(source.path) + '\n' + build_options;
+  const std::string options = "-DLANES=" + std::to_string(lanes_.count()) + " " + build_options;
+  const std::string key = std::string(source.path) + '\n' + options;
   auto found = programs_.find(key);
   if (found == programs_.end()) {
-    Result<cl::Program> program = build(source, build_options);
+    Result<cl::Program> program = build(source, options);
     if (!program) return fail(program.error());
     found = programs_.emplace(key, std::move(*program)).first;
   }

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/compute/kernel.h"
 #include "core/compute/kernel_source.h"
+#include "core/compute/lanes.h"
 #include "core/compute/opencl.h"
 
 namespace scantrove {
@@ -26,6 +27,7 @@ class ComputeContext {
   struct Options {
     std::string device;      ///< see chooseDevice
     bool profiling = false;  ///< measure every kernel; see kernelTimes
+    int lanes = 0;           ///< see Lanes::choose
     /// Called once, at the first kernel that the driver had to compile instead of taking it from its cache:
     /// the rest will take long too.
     std::function<void()> on_compiling = {};
@@ -36,7 +38,8 @@ class ComputeContext {
   ComputeContext(const ComputeContext&) = delete;
   ComputeContext& operator=(const ComputeContext&) = delete;
 
-  /// The kernel `function` of `source`, built on first use with `build_options` and kept.
+  /// The kernel `function` of `source`, built on first use with `build_options` and kept. They are told
+  /// lanes() as LANES.
   /// Error: the build failed; the message holds device, options and the whole compiler log.
   [[nodiscard]] Result<Kernel> kernel(const KernelSource& source, const std::string& function,
                                       const std::string& build_options = {});
@@ -48,6 +51,9 @@ class ComputeContext {
 
   /// True where device memory is the host's: mapping a buffer costs no copy.
   [[nodiscard]] bool isCpu() const { return is_cpu_; }
+
+  /// Of all kernels.
+  [[nodiscard]] const Lanes& lanes() const { return lanes_; }
 
   void finish() { queue_.finish(); }
 
@@ -64,6 +70,7 @@ class ComputeContext {
   std::string device_name_;
   DeviceMemory memory_;
   bool is_cpu_ = false;
+  Lanes lanes_;
   bool profiling_ = false;
   std::function<void()> on_compiling_;
   std::map<std::string, cl::Program> programs_;

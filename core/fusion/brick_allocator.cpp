@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "core/base/check.h"
 #include "core/compute/kernel_types.h"
@@ -11,25 +10,25 @@
 namespace scantrove {
 namespace {
 
-constexpr int kGroupPixels = 16;          // pixels of a group of find_missing_bricks
+constexpr int kLeastWidth_px = 16;        // of images, so that the lanes of any device fit
 constexpr std::size_t kSeenSize = 32768;  // list_missing_bricks.cl
 constexpr std::size_t kFirstListSize = 16384;
 
 // Rays of a 120 degree view are at most twice as long as their depth.
-std::string bandOptions(const FusionParams& params) {
+// The most faces of bricks that the band of a reading can cross along one axis.
+cl_int crossingsOf(const FusionParams& params) {
   const int crossings = static_cast<int>(std::ceil(2.0F * params.truncation_vox * 1.5F / BRICK_SIDE));
-  return "-DBAND_CROSSINGS=" + std::to_string(std::max(1, crossings));
+  return std::max(1, crossings);
 }
 
 }  // namespace
 
 Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const FusionParams& params) {
   BrickAllocator result(compute, params);
-  const std::string options = bandOptions(params);
-  SCANTROVE_TRY(moveInto(result.find_missing_bricks_,
-                         compute.kernel(kernels::find_missing_bricks, "find_missing_bricks", options)));
-  SCANTROVE_TRY(moveInto(result.list_missing_bricks_,
-                         compute.kernel(kernels::list_missing_bricks, "list_missing_bricks", options)));
+  SCANTROVE_TRY(
+      moveInto(result.find_missing_bricks_, compute.kernel(kernels::fusion, "find_missing_bricks")));
+  SCANTROVE_TRY(
+      moveInto(result.list_missing_bricks_, compute.kernel(kernels::fusion, "list_missing_bricks")));
   result.seen_ = Buffer<cl_uint>(compute.context(), kSeenSize);
   result.list_ = Buffer<cl_int4>(compute.context(), kFirstListSize);
   result.count_ = Buffer<cl_int>(compute.context(), 1);
@@ -38,9 +37,8 @@ Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const Fus
 
 int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                              const Eigen::Isometry3d& T_world_camera) {
-  SCANTROVE_CHECK(frame.K.width >= kGroupPixels);
-  const cl::NDRange groups(static_cast<std::size_t>((frame.K.width + kGroupPixels - 1) / kGroupPixels),
-                           static_cast<std::size_t>(frame.K.height));
+  SCANTROVE_CHECK(frame.K.width >= kLeastWidth_px);
+  const cl::NDRange groups = compute_->lanes().overRows(frame.K.width, frame.K.height);
   const std::size_t group_count = groups.get()[0] * groups.get()[1];
   if (missing_.size() < group_count) missing_ = Buffer<cl_uchar>(compute_->context(), group_count);
   const double voxel_size_m = map.voxelSize();
@@ -48,10 +46,10 @@ int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const Dep
       window.fromCamera(T_world_camera, BRICK_SIDE * voxel_size_m, voxel_size_m);
   const float truncation_m = params_.truncation_vox * map.voxelSize();
   const cl_float2 depth_range{{params_.min_depth_m, params_.max_depth_m}};
-  find_missing_bricks_.launch(groups, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height,
-                              toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy),
+  find_missing_bricks_.launch(groups, compute_->lanes().rowGroup(), frame.depth_m, frame.K.width,
+                              frame.K.height, toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy),
                               toKernel(Eigen::Isometry3d(T_window_camera)), truncation_m, depth_range,
-                              window.cells(), map.pageSlots(), window.size(), missing_);
+                              window.cells(), map.pageSlots(), window.size(), crossingsOf(params_), missing_);
 
   std::vector<cl_int4> found = listMissing(map, window, frame, T_world_camera, groups);
   if (found.empty()) return 0;
@@ -77,10 +75,10 @@ std::vector<cl_int4> BrickAllocator::listMissing(const BrickMap& map, const Bric
   while (true) {
     seen_.fill(compute_->queue(), 0);
     count_.fill(compute_->queue(), 0);
-    list_missing_bricks_.launch(groups, cl::NullRange, frame.depth_m, frame.K.width, frame.K.height, K,
-                                T_window_camera, truncation_m, depth_range, window.cells(), map.pageSlots(),
-                                window.size(), missing_, seen_, list_, static_cast<cl_int>(list_.size()),
-                                count_);
+    list_missing_bricks_.launch(groups, compute_->lanes().rowGroup(), frame.depth_m, frame.K.width,
+                                frame.K.height, K, T_window_camera, truncation_m, depth_range, window.cells(),
+                                map.pageSlots(), window.size(), crossingsOf(params_), missing_, seen_, list_,
+                                static_cast<cl_int>(list_.size()), count_);
     cl_int count = 0;
     count_.read(compute_->queue(), std::span(&count, 1));
     const auto found = static_cast<std::size_t>(count);

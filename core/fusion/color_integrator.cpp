@@ -3,26 +3,26 @@
 #include <algorithm>
 #include <limits>
 #include <opencv2/imgproc.hpp>
-#include <string>
 #include <utility>
 
 #include "core/base/check.h"
 #include "core/compute/kernel_types.h"
+#include "core/fusion/kernels/brick_work.h"
+#include "core/fusion/kernels/color_voxel.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kCell_px = 2;             // cells of rate_pixels
 constexpr int kSample_px = 6;           // one pixel in each square of so many is asked which bricks it sees
 constexpr float kColorBand_vox = 1.5F;  // voxels so far from the surface have its colour
 constexpr float kAcross_vox = 2;        // a voxel of the band is so near to the surface of its pixel
 constexpr int kWidest_px = 1280;        // of the colour image; voxels are coarser than pixels of a larger one
 constexpr unsigned kTurns = 64;         // a brick has one of these; a large view takes some of them a frame
-constexpr std::size_t kGroup = 8;       // bricks that one work-group does
+constexpr std::size_t kGroup = 8;       // bricks that one work-group does with vectors
 
 constexpr std::size_t cells(int pixels) {
-  return static_cast<std::size_t>((pixels + kCell_px - 1) / kCell_px);
+  return static_cast<std::size_t>((pixels + COLOR_CELL - 1) / COLOR_CELL);
 }
 
 /// Of three bytes a pixel without gaps, and no wider than is of use.
@@ -48,11 +48,9 @@ cl_float4 pointOf(const Eigen::Isometry3d& T) {
 }  // namespace
 
 Result<ColorIntegrator> ColorIntegrator::create(ComputeContext& compute, const FusionParams& params) {
-  const std::string options = "-DCELL=" + std::to_string(kCell_px);
   ColorIntegrator result(compute, params);
-  SCANTROVE_TRY(moveInto(result.rate_pixels_, compute.kernel(kernels::rate_pixels, "rate_pixels", options)));
-  SCANTROVE_TRY(
-      moveInto(result.color_bricks_, compute.kernel(kernels::color_bricks, "color_bricks", options)));
+  SCANTROVE_TRY(moveInto(result.rate_pixels_, compute.kernel(kernels::fusion, "rate_pixels")));
+  SCANTROVE_TRY(moveInto(result.color_bricks_, compute.kernel(kernels::fusion, "color_bricks")));
   return result;
 }
 
@@ -83,8 +81,9 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
     return toKernel(T);
   };
   const auto band = static_cast<cl_int>(32767 * std::min(kColorBand_vox / params_.truncation_vox, 1.0F));
-  color_bricks_.launch(cl::NDRange(host_bricks_.size()), cl::NDRange(kGroup), bricks_,
-                       static_cast<cl_int>(host_bricks_.size()),
+  const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
+  color_bricks_.launch(cl::NDRange(items * host_bricks_.size()), cl::NDRange(items > 1 ? items : kGroup),
+                       bricks_, static_cast<cl_int>(host_bricks_.size()),
                        cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(frame_)}},
                        fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy),
                        cl_int2{{K.width, K.height}}, depths_, ratings_, fromBricks(T_world_color),
@@ -106,7 +105,7 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
   fit(ratings_, count);
   constexpr float kInNoise = 3;  // standard deviations
   const cl_float2 apart{{kAcross_vox * map.voxelSize(), kInNoise * params_.depth_noise_m}};
-  rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), cl::NullRange,
+  rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), Lanes::pixelGroup(),
                       surface.maps.vertices_world, surface.maps.normals_world, readings.vertices_camera,
                       hidden_, K.width, K.height, toKernel(surface.maps.T_world_camera.inverse()),
                       pointOf(surface.maps.T_world_camera), pointOf(T_world_color), K.fx,

@@ -9,7 +9,6 @@ namespace scantrove {
 struct DepthPlane {
   int width = 0;
   int height = 0;
-  int runs = 0;  ///< of PLANE_RUN pixels a row
   int stride = 0;
   Buffer<cl_float> metres;
 
@@ -17,8 +16,7 @@ struct DepthPlane {
   DepthPlane(ComputeContext& compute, int width_px, int height_px)
       : width(width_px),
         height(height_px),
-        runs((width_px + PLANE_RUN - 1) / PLANE_RUN),
-        stride(runs * PLANE_RUN + 2 * PLANE_PAD),
+        stride((width_px + PLANE_RUN - 1) / PLANE_RUN * PLANE_RUN + 2 * PLANE_PAD),
         metres(compute.context(),
                static_cast<std::size_t>(stride) * static_cast<std::size_t>(height + 2 * PLANE_PAD)) {
     metres.fill(compute.queue(), 0.0F);

@@ -82,13 +82,15 @@ DepthPreprocessor::DepthPreprocessor(ComputeContext& compute, const Intrinsics& 
 }
 
 Result<void> DepthPreprocessor::buildKernels() {
-  const std::string block = std::to_string(std::max(blockOf(ratio_x_), blockOf(ratio_y_)));
-  SCANTROVE_TRY(moveInto(convert_, compute_.kernel(kernels::convert_depth, "convert_depth")));
-  SCANTROVE_TRY(
-      moveInto(reduce_, compute_.kernel(kernels::reduce_depth, "reduce_depth", "-DBLOCK=" + block)));
-  SCANTROVE_TRY(moveInto(halve_, compute_.kernel(kernels::halve_depth, "halve_depth")));
-  SCANTROVE_TRY(moveInto(filter_, compute_.kernel(kernels::filter_depth, "filter_depth")));
-  return moveInto(build_surface_, compute_.kernel(kernels::build_surface, "build_surface"));
+  SCANTROVE_TRY(moveInto(convert_, compute_.kernel(kernels::fusion, "convert_depth")));
+  if (!halves()) {
+    const std::string block = std::to_string(std::max(blockOf(ratio_x_), blockOf(ratio_y_)));
+    SCANTROVE_TRY(
+        moveInto(reduce_, compute_.kernel(kernels::reduce_depth, "reduce_depth", "-DBLOCK=" + block)));
+  }
+  SCANTROVE_TRY(moveInto(halve_, compute_.kernel(kernels::fusion, "halve_depth")));
+  SCANTROVE_TRY(moveInto(filter_, compute_.kernel(kernels::fusion, "filter_depth")));
+  return moveInto(build_surface_, compute_.kernel(kernels::fusion, "build_surface"));
 }
 
 const DepthPyramid& DepthPreprocessor::process(const RgbdFrame& frame) {
@@ -113,13 +115,14 @@ void DepthPreprocessor::upload(const RgbdFrame& frame) {
 }
 
 void DepthPreprocessor::reduceAndFilter() {
-  if (ratio_x_ == 2.0F && ratio_y_ == 2.0F) {
+  if (halves()) {
     halve(pyramid_.depth_m, pyramid_.K.width, 0, reduced_);
   } else {
     reduce();
   }
-  filter_.launch(imageRange(reduced_.runs, reduced_.height), cl::NullRange, reduced_.metres,
-                 cl_int{reduced_.runs}, cl_int{reduced_.height}, cl_int{reduced_.stride},
+  const Lanes& lanes = compute_.lanes();
+  filter_.launch(lanes.overRows(reduced_.width, reduced_.height), lanes.rowGroup(), reduced_.metres,
+                 cl_int{reduced_.width}, cl_int{reduced_.height}, cl_int{reduced_.stride},
                  cl_float{kRangeBase_m}, cl_float{kRangeInNoise * params_.depth_noise_m},
                  planes_.front().metres);
 }
@@ -133,13 +136,14 @@ void DepthPreprocessor::reduce() {
 
 void DepthPreprocessor::halve(const Buffer<cl_float>& large, int large_stride, int large_pad,
                               DepthPlane& small) {
-  halve_.launch(imageRange((small.width + 7) / 8, small.height), cl::NullRange, large, cl_int{large_stride},
+  const Lanes& lanes = compute_.lanes();
+  halve_.launch(lanes.overEights(small.width, small.height), lanes.rowGroup(), large, cl_int{large_stride},
                 cl_int{large_pad}, cl_int{small.width}, cl_int{small.height}, cl_int{small.stride},
                 small.metres);
 }
 
 void DepthPreprocessor::buildSurface(const DepthPlane& plane, DepthPyramid::Level& level) {
-  build_surface_.launch(imageRange(plane.width, plane.height), cl::NullRange, plane.metres,
+  build_surface_.launch(imageRange(plane.width, plane.height), Lanes::pixelGroup(), plane.metres,
                         cl_int{plane.width}, cl_int{plane.height}, cl_int{plane.stride},
                         toKernel(level.K.fx, level.K.fy, level.K.cx, level.K.cy), level.vertices_camera,
                         level.normals_camera);

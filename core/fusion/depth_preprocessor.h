@@ -32,6 +32,7 @@ class DepthPreprocessor {
   void upload(const RgbdFrame& frame);
   void reduceAndFilter();
   void reduce();
+  [[nodiscard]] bool halves() const { return ratio_x_ == 2.0F && ratio_y_ == 2.0F; }
   void halve(const Buffer<cl_float>& large, int large_stride, int large_pad, DepthPlane& small);
   void buildSurface(const DepthPlane& plane, DepthPyramid::Level& level);
 

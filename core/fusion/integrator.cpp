@@ -1,32 +1,27 @@
 #include "core/fusion/integrator.h"
 
 #include <algorithm>
-#include <string>
 
 #include "core/compute/kernel_types.h"
+#include "core/fusion/kernels/brick_work.h"
+#include "core/fusion/kernels/depth_tiles.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kDepthTile = 8;            // pixels; the tiles of reduce_depth_tiles
-constexpr std::size_t kGroupBricks = 8;  // bricks that one work-group of integrate_bricks does
+constexpr std::size_t kGroupBricks = 8;  // bricks that one work-group of integrate_bricks does with vectors
 
-constexpr std::size_t depthTiles(int pixels) {
-  return static_cast<std::size_t>((pixels + kDepthTile - 1) / kDepthTile);
-}
+constexpr std::size_t depthTiles(int pixels) { return static_cast<std::size_t>(DEPTH_TILES(pixels)); }
 
 }  // namespace
 
 Result<Integrator> Integrator::create(ComputeContext& compute, const FusionParams& params) {
-  const std::string options = "-DTILE=" + std::to_string(kDepthTile);
   Integrator result(compute, params);
-  SCANTROVE_TRY(moveInto(result.reduce_depth_tiles_,
-                         compute.kernel(kernels::reduce_depth_tiles, "reduce_depth_tiles", options)));
-  SCANTROVE_TRY(moveInto(result.find_brick_readings_,
-                         compute.kernel(kernels::find_brick_readings, "find_brick_readings", options)));
+  SCANTROVE_TRY(moveInto(result.reduce_depth_tiles_, compute.kernel(kernels::fusion, "reduce_depth_tiles")));
   SCANTROVE_TRY(
-      moveInto(result.integrate_bricks_, compute.kernel(kernels::integrate_bricks, "integrate_bricks")));
+      moveInto(result.find_brick_readings_, compute.kernel(kernels::fusion, "find_brick_readings")));
+  SCANTROVE_TRY(moveInto(result.integrate_bricks_, compute.kernel(kernels::fusion, "integrate_bricks")));
   return result;
 }
 
@@ -63,9 +58,10 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
                              params_.max_depth_m, extents_);
   find_brick_readings_.launch(cl::NDRange(slots.size()), cl::NDRange(64), bricks_, count, T, K, frame.K.width,
                               frame.K.height, extents_, params_.max_depth_m, readings_);
-  integrate_bricks_.launch(cl::NDRange(slots.size()), cl::NDRange(kGroupBricks), bricks_, count, readings_, T,
-                           K, frame.K.width, frame.K.height, frame.depth_m, params_.max_depth_m, truncation_m,
-                           max_weight, map.voxels(), empty_);
+  const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
+  integrate_bricks_.launch(cl::NDRange(items * slots.size()), cl::NDRange(items > 1 ? items : kGroupBricks),
+                           bricks_, count, readings_, T, K, frame.K.width, frame.K.height, frame.depth_m,
+                           params_.max_depth_m, truncation_m, max_weight, map.voxels(), empty_);
 }
 
 std::vector<Eigen::Vector3i> Integrator::takeEmptyBricks() {

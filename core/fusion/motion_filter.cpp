@@ -45,14 +45,11 @@ cl::NDRange pixelsOf(const Intrinsics& K) {
 Result<std::unique_ptr<MotionFilter>> MotionFilter::create(ComputeContext& compute,
                                                            const FusionParams& params) {
   std::unique_ptr<MotionFilter> filter(new MotionFilter(compute, params));
-  SCANTROVE_TRY(
-      moveInto(filter->leave_out_depth_, compute.kernel(kernels::leave_out_moving, "leave_out_depth")));
-  SCANTROVE_TRY(
-      moveInto(filter->leave_out_fresh_, compute.kernel(kernels::leave_out_fresh, "leave_out_fresh")));
+  SCANTROVE_TRY(moveInto(filter->leave_out_depth_, compute.kernel(kernels::fusion, "leave_out_depth")));
+  SCANTROVE_TRY(moveInto(filter->leave_out_fresh_, compute.kernel(kernels::fusion, "leave_out_fresh")));
   filter->fresh_counts_ = {compute.context(), 2};
-  SCANTROVE_TRY(moveInto(filter->doubt_surface_, compute.kernel(kernels::doubt_surface, "doubt_surface")));
-  SCANTROVE_TRY(
-      moveInto(filter->leave_out_surface_, compute.kernel(kernels::leave_out_moving, "leave_out_surface")));
+  SCANTROVE_TRY(moveInto(filter->doubt_surface_, compute.kernel(kernels::fusion, "doubt_surface")));
+  SCANTROVE_TRY(moveInto(filter->leave_out_surface_, compute.kernel(kernels::fusion, "leave_out_surface")));
   return filter;
 }
 

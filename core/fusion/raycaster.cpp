@@ -2,33 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "core/compute/kernel_types.h"
+#include "core/fusion/kernels/ray_layout.h"
 #include "core/fusion/view_depths.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
-namespace {
-
-constexpr int kRayTile = 8;  // pixels; what a work-item of cast_rays does at a time
-constexpr std::size_t kPad = 4;
-constexpr float kNoPlane = 1e30F;  // fit_planes.cl
-constexpr const char* kPlaneOptions = " -DR=3 -DSLOPE=3.0f";
-
-constexpr int rayTiles(int pixels) { return (pixels + kRayTile - 1) / kRayTile; }
-
-}  // namespace
-
 Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams& params) {
-  const std::string options = "-DPAD=" + std::to_string(kPad);
   Raycaster result(compute, params);
-  SCANTROVE_TRY(moveInto(result.cast_rays_,
-                         compute.kernel(kernels::cast_rays, "cast_rays", options + " -DSECANT_STEPS=3")));
-  SCANTROVE_TRY(moveInto(result.fit_planes_,
-                         compute.kernel(kernels::fit_planes, "fit_planes", options + kPlaneOptions)));
-  SCANTROVE_TRY(moveInto(result.orient_surface_,
-                         compute.kernel(kernels::orient_surface, "orient_surface", options + kPlaneOptions)));
+  SCANTROVE_TRY(moveInto(result.cast_rays_, compute.kernel(kernels::fusion, "cast_rays")));
+  SCANTROVE_TRY(moveInto(result.fit_planes_, compute.kernel(kernels::fusion, "fit_planes")));
+  SCANTROVE_TRY(moveInto(result.orient_surface_, compute.kernel(kernels::fusion, "orient_surface")));
   return result;
 }
 
@@ -40,23 +25,24 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
       window.fromCamera(surface.T_world_camera, BRICK_SIDE * voxel_size_m, voxel_size_m);
   const Eigen::Vector3d origin_m = window.firstBrick().cast<double>() * (BRICK_SIDE * voxel_size_m);
   const Intrinsics& K = surface.K;
-  const auto columns = static_cast<std::size_t>(rayTiles(K.width));
-  const auto rows = static_cast<std::size_t>(K.height);
-  const std::size_t padded = (8 * columns + 2 * kPad) * (rows + 2 * kPad);
+  const std::size_t padded =
+      static_cast<std::size_t>(RAY_STRIDE(K.width)) * static_cast<std::size_t>(K.height + 2 * RAY_PAD);
   if (depths_.size() != padded) {
     depths_ = Buffer<cl_float>(compute_->context(), padded);
     depths_.fill(compute_->queue(), 0.0F);
     planes_ = Buffer<cl_float>(compute_->context(), 4 * padded);
-    planes_.fill(compute_->queue(), kNoPlane);
+    planes_.fill(compute_->queue(), NO_PLANE);
   }
   const cl_float4 kernel_K = toKernel(K.fx, K.fy, K.cx, K.cy);
   const cl_float16 T_window_camera = toKernel(Eigen::Isometry3d(T));
-  cast_rays_.launch(cl::NDRange(columns, (rows + 1) / 2), cl::NullRange, ranges_, K.width, K.height, kernel_K,
-                    T_window_camera, params_.truncation_vox, window.cells(), map.pageSlots(), window.size(),
-                    map.voxels(), depths_);
-  fit_planes_.launch(cl::NDRange(columns, rows), cl::NullRange, depths_, K.width, K.height, K.fx, planes_);
-  orient_surface_.launch(cl::NDRange(columns, rows), cl::NullRange, depths_, planes_, K.width, K.height,
-                         kernel_K, T_window_camera, map.voxelSize(),
+  const Lanes& lanes = compute_->lanes();
+  cast_rays_.launch(lanes.overBlocks(K.width, K.height), lanes.blockGroup(), ranges_, K.width, K.height,
+                    kernel_K, T_window_camera, params_.truncation_vox, window.cells(), map.pageSlots(),
+                    window.size(), map.voxels(), depths_);
+  const cl::NDRange eights = lanes.overEights(K.width, K.height);
+  fit_planes_.launch(eights, lanes.rowGroup(), depths_, K.width, K.height, K.fx, planes_);
+  orient_surface_.launch(eights, lanes.rowGroup(), depths_, planes_, K.width, K.height, kernel_K,
+                         T_window_camera, map.voxelSize(),
                          toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
                                   static_cast<float>(origin_m.z()), 0.0F),
                          surface.vertices_world, surface.normals_world);
@@ -66,8 +52,8 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
 // bricks.
 void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, const SurfaceMaps& surface) {
   const Intrinsics& K = surface.K;
-  const int columns = rayTiles(K.width);
-  const int rows = rayTiles(K.height);
+  const int columns = RAY_TILES(K.width);
+  const int rows = RAY_TILES(K.height);
   const auto pitch = static_cast<std::size_t>(columns);
   const std::size_t count = pitch * static_cast<std::size_t>(rows);
   host_ranges_.assign(count, {{params_.max_depth_m, kNearestView_m}});
@@ -76,8 +62,8 @@ void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, c
   const Eigen::Isometry3d T_camera_world = surface.T_world_camera.inverse();
   const auto bound = [](float low, float high, float nearest, float farthest, float focal, float centre,
                         int count_of) {
-    const float from = (focal * std::min(low / nearest, low / farthest) + centre) / kRayTile;
-    const float to = (focal * std::max(high / nearest, high / farthest) + centre) / kRayTile;
+    const float from = (focal * std::min(low / nearest, low / farthest) + centre) / RAY_TILE;
+    const float to = (focal * std::max(high / nearest, high / farthest) + centre) / RAY_TILE;
     const float last = static_cast<float>(count_of) - 0.5F;
     return std::pair(static_cast<int>(std::clamp(from, 0.0F, last)),
                      static_cast<int>(std::clamp(to, -1.0F, last)));

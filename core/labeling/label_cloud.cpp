@@ -24,12 +24,12 @@ Result<std::unique_ptr<LabelCloud>> LabelCloud::create(ComputeContext& compute) 
 }
 
 Result<void> LabelCloud::buildKernels() {
-  SCANTROVE_TRY(moveInto(project_labels_, compute_.kernel(kernels::project_labels, "project_labels")));
-  SCANTROVE_TRY(moveInto(list_uncovered_bricks_,
-                         compute_.kernel(kernels::list_uncovered_bricks, "list_uncovered_bricks")));
-  SCANTROVE_TRY(moveInto(update_labels_, compute_.kernel(kernels::update_labels, "update_labels")));
-  SCANTROVE_TRY(moveInto(extract_points_, compute_.kernel(kernels::extract_points, "extract_points")));
-  return moveInto(relabel_voxels_, compute_.kernel(kernels::relabel_voxels, "relabel_voxels"));
+  SCANTROVE_TRY(moveInto(project_labels_, compute_.kernel(kernels::labeling, "project_labels")));
+  SCANTROVE_TRY(
+      moveInto(list_uncovered_bricks_, compute_.kernel(kernels::labeling, "list_uncovered_bricks")));
+  SCANTROVE_TRY(moveInto(update_labels_, compute_.kernel(kernels::labeling, "update_labels")));
+  SCANTROVE_TRY(moveInto(extract_points_, compute_.kernel(kernels::labeling, "extract_points")));
+  return moveInto(relabel_voxels_, compute_.kernel(kernels::labeling, "relabel_voxels"));
 }
 
 std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {

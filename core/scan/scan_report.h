@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/stage_timer.h"
 #include "core/scan/frame_counts.h"
 #include "core/scan/scan_params.h"
 
@@ -24,6 +25,7 @@ struct ScanReport {
     double p95_ms = 0;
   };
   std::vector<Stage> stages;
+  std::vector<SlowFrame> slowest_frames;  ///< the slowest first
   struct Kernel {
     std::string name;
     double mean_ms = 0;  ///< a frame, on the device

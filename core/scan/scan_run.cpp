@@ -40,6 +40,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
                                                LatestValue<ScanSnapshot>& mailbox,
                                                std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
+  if (!request.cloud) run->snapshots_.leaveOutCloud();
   SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
   const SourceInfo& info = run->source_->info();
   const bool poses_given = request.poses == ScanRequest::Poses::given;
@@ -282,6 +283,8 @@ void ScanRun::fillReport(ScanReport& report) {
     const DurationSummary time = summarise(stage.all_ms);
     report.stages.push_back({stage.name, time.median_ms, time.p95_ms});
   }
+  constexpr std::size_t kSlowest = 8;
+  report.slowest_frames = slowestFrames(pipeline_->timer().stages(), kSlowest);
   for (const auto& [name, total_ms] : compute_->kernelTimes()) {
     report.kernels.push_back({name, total_ms / std::max(1, frames_.read)});
   }

@@ -87,6 +87,7 @@ void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eige
 }
 
 void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
+  if (!has_cloud_) return;
   for (const Eigen::Vector3i& brick : bricks) {
     if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
   }
@@ -176,30 +177,44 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
   snapshot.operations = std::move(operations);
 }
 
-Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
-                                               ScanSnapshot& snapshot) {
-  const auto count = static_cast<std::ptrdiff_t>(std::min(most_bricks, waiting_.size()));
-  const std::vector<Eigen::Vector3i> bricks(waiting_.begin(), waiting_.begin() + count);
+Result<void> SnapshotBuilder::addWaiting(ScanPipeline& pipeline, std::size_t count,
+                                         std::vector<CloudBrick>& to) {
+  const auto end = waiting_.begin() + static_cast<std::ptrdiff_t>(count);
+  const std::vector<Eigen::Vector3i> bricks(waiting_.begin(), end);
   const Result<LabelCloud::Extract> extract = pipeline.extractCloud(bricks);
   if (!extract) return fail(extract.error());
-  waiting_.erase(waiting_.begin(), waiting_.begin() + count);
+  waiting_.erase(waiting_.begin(), end);
+  for (std::size_t i = 0; i < bricks.size(); ++i) {
+    is_waiting_.erase(bricks[i]);
+    const std::span points =
+        std::span(extract->points).subspan(extract->first[i], extract->first[i + 1] - extract->first[i]);
+    const auto is_shown = [](const LabelPoint& point) { return std::abs(point.height) <= kHalfSheet; };
+    CloudBrick brick;
+    brick.position = bricks[i];
+    brick.version = version_;
+    brick.points.reserve(static_cast<std::size_t>(std::ranges::count_if(points, is_shown)));
+    for (const LabelPoint& point : points) {
+      if (is_shown(point)) brick.points.push_back(cloudPoint(point));
+    }
+    to.push_back(std::move(brick));
+  }
+  return {};
+}
+
+Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
+                                               ScanSnapshot& snapshot) {
+  ++version_;
+  std::vector<CloudBrick> changed;
+  const std::size_t count = std::min(most_bricks, waiting_.size());
+  changed.reserve(count);
+  while (changed.size() < count)
+    SCANTROVE_TRY(addWaiting(pipeline, std::min(count - changed.size(), kMostBricks), changed));
   // What a snapshot that was never collected held goes with this one.
   if (const auto uncollected = mailbox_.collect()) {
     snapshot.changed_bricks = uncollected->changed_bricks;
     snapshot.changed_regions = uncollected->changed_regions;
   }
-  ++version_;
-  for (std::size_t i = 0; i < bricks.size(); ++i) {
-    is_waiting_.erase(bricks[i]);
-    CloudBrick brick;
-    brick.position = bricks[i];
-    brick.version = version_;
-    for (std::uint32_t p = extract->first[i]; p < extract->first[i + 1]; ++p) {
-      const LabelPoint& point = extract->points[p];
-      if (std::abs(point.height) <= kHalfSheet) brick.points.push_back(cloudPoint(point));
-    }
-    snapshot.changed_bricks.push_back(std::move(brick));
-  }
+  std::ranges::move(changed, std::back_inserter(snapshot.changed_bricks));
   std::ranges::move(pipeline.takeRegionChanges(), std::back_inserter(snapshot.changed_regions));
   return {};
 }

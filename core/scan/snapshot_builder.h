@@ -25,7 +25,8 @@ struct ScanProgress {
 /// thread, the worker's.
 class SnapshotBuilder {
  public:
-  /// In one snapshot while scanning: bounds what it takes from a frame.
+  /// In one snapshot while scanning, and read out at a time at its end: bounds what it takes from a frame,
+  /// and of memory.
   static constexpr std::size_t kMostBricks = 1500;
 
   /// `first_version`: above that of all bricks that the window has already.
@@ -37,6 +38,9 @@ class SnapshotBuilder {
 
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
+
+  /// Snapshots hold no bricks from now on.
+  void leaveOutCloud() { has_cloud_ = false; }
 
   /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
@@ -61,10 +65,14 @@ class SnapshotBuilder {
                                   std::size_t most_bricks);
   [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
                                               ScanSnapshot& snapshot);
+  /// The `count` bricks that have waited longest.
+  [[nodiscard]] Result<void> addWaiting(ScanPipeline& pipeline, std::size_t count,
+                                        std::vector<CloudBrick>& to);
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;
+  bool has_cloud_ = true;
   RgbdFrame frame_;
   FrameResult result_;
   cv::Mat last_seen_;  // colour image of the last frame with a pose

@@ -8,7 +8,7 @@
 namespace scantrove {
 
 Result<EdgeWeigher> EdgeWeigher::create(ComputeContext& compute) {
-  Result<Kernel> kernel = compute.kernel(kernels::weigh_edges, "weigh_edges");
+  Result<Kernel> kernel = compute.kernel(kernels::segmentation, "weigh_edges");
   if (!kernel) return fail(kernel.error());
   return EdgeWeigher(compute, std::move(*kernel));
 }
@@ -31,7 +31,7 @@ void EdgeWeigher::weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& nor
   const float focal_px = std::min(surface.K.fx, surface.K.fy);
   kernel_.launch(
       cl::NDRange(static_cast<std::size_t>(surface.K.width), static_cast<std::size_t>(surface.K.height)),
-      cl::NullRange, surface.vertices_world, normals, keys_, depths_, surface.K.width, surface.K.height,
+      Lanes::pixelGroup(), surface.vertices_world, normals, keys_, depths_, surface.K.width, surface.K.height,
       params.neighbours, toKernel(row[0], row[1], row[2], row[3]), params.max_distance_factor / focal_px,
       params.min_max_distance_m);
   keys_.read(compute_->queue(), std::span<cl_ushort4>(edges.keys));

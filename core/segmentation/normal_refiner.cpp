@@ -7,11 +7,11 @@
 namespace scantrove {
 
 Result<NormalRefiner> NormalRefiner::create(ComputeContext& compute) {
-  Result<Kernel> invert = compute.kernel(kernels::refine_normals, "invert_depth");
+  Result<Kernel> invert = compute.kernel(kernels::segmentation, "invert_depth");
   if (!invert) return fail(invert.error());
-  Result<Kernel> fit = compute.kernel(kernels::refine_normals, "fit_planes");
+  Result<Kernel> fit = compute.kernel(kernels::segmentation, "fit_planes");
   if (!fit) return fail(fit.error());
-  Result<Kernel> choose = compute.kernel(kernels::refine_normals, "choose_normals");
+  Result<Kernel> choose = compute.kernel(kernels::segmentation, "choose_normals");
   if (!choose) return fail(choose.error());
   return NormalRefiner(compute, std::move(*invert), std::move(*fit), std::move(*choose));
 }
@@ -36,14 +36,13 @@ const Buffer<cl_float4>& NormalRefiner::refine(const SurfaceMaps& surface, const
   const Eigen::Matrix4d T_camera_world = surface.T_world_camera.inverse().matrix();
   const Eigen::RowVector4f row = T_camera_world.row(2).cast<float>();
   const cl::NDRange pixels(static_cast<std::size_t>(K.width), static_cast<std::size_t>(K.height));
-  invert_.launch(pixels, cl::NullRange, surface.vertices_world, inverse_depth_, K.width, K.height,
+  invert_.launch(pixels, Lanes::pixelGroup(), surface.vertices_world, inverse_depth_, K.width, K.height,
                  toKernel(row[0], row[1], row[2], row[3]));
-  const cl::NDRange vectors(static_cast<std::size_t>((K.width + WINDOW_LANES - 1) / WINDOW_LANES),
-                            static_cast<std::size_t>(K.height));
-  fit_.launch(vectors, cl::NullRange, inverse_depth_, planes_, concavity_, K.width, K.height,
-              toKernel(K.fx, K.fy, K.cx, K.cy), params.normal_gate_m);
-  choose_.launch(pixels, cl::NullRange, inverse_depth_, planes_, concavity_, normals_, K.width, K.height,
-                 toKernel(surface.T_world_camera), params.normal_gate_m, params.concave_from_m);
+  const Lanes& lanes = compute_->lanes();
+  fit_.launch(lanes.overRows(K.width, K.height), lanes.rowGroup(), inverse_depth_, planes_, concavity_,
+              K.width, K.height, toKernel(K.fx, K.fy, K.cx, K.cy), params.normal_gate_m);
+  choose_.launch(pixels, Lanes::pixelGroup(), inverse_depth_, planes_, concavity_, normals_, K.width,
+                 K.height, toKernel(surface.T_world_camera), params.normal_gate_m, params.concave_from_m);
   return normals_;
 }
 

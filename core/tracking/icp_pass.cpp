@@ -9,11 +9,11 @@
 namespace scantrove {
 namespace {
 
-// A CPU core runs long runs without a group; a GPU needs many short ones. A float sum holds at most group *
-// run terms.
-constexpr int kCpuRun_px = 600;
-constexpr int kGpuGroup = 32;
-constexpr int kGpuRun_px = 8;
+// A core with vectors does long runs without a group; a GPU needs many short ones. A float sum holds at most
+// group * run terms.
+constexpr int kLongRun_px = 600;
+constexpr int kShortRuns = 32;  // of a group
+constexpr int kShortRun_px = 8;
 
 // Standard deviation of a right model's surface from the true one: half a voxel, and what is left in the
 // camera's calibration.
@@ -39,8 +39,9 @@ IcpGates IcpGates::of(float distance_m, float depth_noise_m) {
 
 Result<IcpPass> IcpPass::create(ComputeContext& compute) {
   IcpPass pass(compute);
-  pass.group_ = compute.isCpu() ? 1 : kGpuGroup;
-  pass.run_ = compute.isCpu() ? kCpuRun_px : kGpuRun_px;
+  const bool has_vectors = compute.lanes().count() > 1;
+  pass.group_ = has_vectors ? 1 : kShortRuns;
+  pass.run_ = has_vectors ? kLongRun_px : kShortRun_px;
   SCANTROVE_TRY(moveInto(pass.kernel_, compute.kernel(kernels::accumulate_icp, "accumulate_icp",
                                                       "-DGROUP=" + std::to_string(pass.group_))));
   return pass;

@@ -1,5 +1,6 @@
 # Texts that become part of the program, byte for byte:
 #  * scantrove_embed_kernels(<module> <file.cl>...): OpenCL sources, see core/compute/kernel_source.h;
+#  * scantrove_embed_program(<module> <file.cl>...): several of them as one;
 #  * scantrove_embed_migrations(<module> <NNN_name.sql>...): a schema, see core/database/migrations.h.
 # Run as a script (cmake -P) with KIND, ROOT, INPUTS, OUTPUT and MODULE this file is also what writes the C++ source.
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -12,8 +13,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
     set(${out} "${bytes}0x00" PARENT_SCOPE)
   endfunction()
 
-  # The text of an OpenCL file in which lines of the form  #include "core/..."  are replaced by that file, with #line
-  # directives that keep the compiler's messages pointing into the real files.
+  # The text of an OpenCL file in which lines of the form  #include "core/..."  are replaced by that file the first time and
+  # by nothing from then on, with #line directives that keep the compiler's messages pointing into the real files.
   function(expand_includes path out)
     file(READ "${ROOT}/${path}" text)
     set(result "#line 1 \"${path}\"\n")
@@ -29,16 +30,29 @@ if(CMAKE_SCRIPT_MODE_FILE)
       string(REGEX REPLACE "[^\n]" "" newlines "${before}")
       string(LENGTH "${newlines}" count)
       math(EXPR line_number "${line_number} + ${count} + 1")
-      expand_includes("${included}" inner)
+      get_property(has_been GLOBAL PROPERTY "included_${included}")
+      set(inner "")
+      if(NOT has_been)
+        set_property(GLOBAL PROPERTY "included_${included}" TRUE)
+        expand_includes("${included}" inner)
+      endif()
       string(APPEND result "${before}${inner}\n#line ${line_number} \"${path}\"\n")
     endwhile()
     set(${out} "${result}${text}" PARENT_SCOPE)
   endfunction()
 
-  if(KIND STREQUAL "kernel")
-    file(RELATIVE_PATH path "${ROOT}" "${INPUTS}")
-    get_filename_component(identifier "${INPUTS}" NAME_WE)
-    expand_includes("${path}" text)
+  if(KIND STREQUAL "kernel" OR KIND STREQUAL "program")
+    set(text "")
+    foreach(input IN LISTS INPUTS)
+      file(RELATIVE_PATH path "${ROOT}" "${input}")
+      get_filename_component(identifier "${input}" NAME_WE)
+      expand_includes("${path}" expanded)
+      string(APPEND text "${expanded}")
+    endforeach()
+    if(KIND STREQUAL "program")
+      set(identifier ${MODULE})
+      get_filename_component(path "${path}" DIRECTORY)
+    endif()
     bytes_of("${text}" bytes)
     file(WRITE "${OUTPUT}" "// Made from ${path}; do not edit.
 #include \"core/compute/kernel_source.h\"
@@ -97,23 +111,20 @@ function(scantrove_embed target kind output inputs)
   target_sources(${target} PRIVATE "${output}")
 endfunction()
 
-# Each kernel file verb_noun.cl is reachable as scantrove::kernels::verb_noun after
-# #include "embedded/<module>_kernels.h".
-function(scantrove_embed_kernels module)
-  # Headers that kernels may include: any change rebuilds every embedded kernel (they are few and small).
+# Headers that kernels may include: any change rebuilds every embedded kernel (they are few and small).
+macro(scantrove_includable_by_kernels)
   file(GLOB includable CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/core/*/kernels/*.clh"
                                          "${PROJECT_SOURCE_DIR}/core/*/kernels/*.h")
+endmacro()
+
+# The source `identifier` becomes reachable as scantrove::kernels::<identifier> after
+# #include "embedded/<module>_kernels.h".
+function(scantrove_declare_kernels module)
   set(generated "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded")
+  set_property(GLOBAL APPEND PROPERTY "scantrove_kernels_of_${module}" ${ARGN})
+  get_property(identifiers GLOBAL PROPERTY "scantrove_kernels_of_${module}")
   set(declarations "")
-  foreach(kernel IN LISTS ARGN)
-    get_filename_component(identifier "${kernel}" NAME_WE)
-    get_property(taken GLOBAL PROPERTY "scantrove_kernel_${identifier}")
-    if(taken)
-      message(FATAL_ERROR "Two kernel files are called ${identifier}.cl: in ${taken} and in ${module}. Rename one.")
-    endif()
-    set_property(GLOBAL PROPERTY "scantrove_kernel_${identifier}" ${module})
-    scantrove_embed(scantrove_${module} kernel "${generated}/${identifier}.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${kernel}"
-                    ${includable})
+  foreach(identifier IN LISTS identifiers)
     string(APPEND declarations "extern const KernelSource ${identifier};\n")
   endforeach()
   file(CONFIGURE OUTPUT "${generated}/${module}_kernels.h" CONTENT
@@ -123,6 +134,34 @@ namespace scantrove::kernels {
 ${declarations}}  // namespace scantrove::kernels
 " @ONLY)
   target_include_directories(scantrove_${module} PUBLIC "${CMAKE_CURRENT_BINARY_DIR}/generated")
+endfunction()
+
+# Each kernel file verb_noun.cl is a source of its own, verb_noun.
+function(scantrove_embed_kernels module)
+  scantrove_includable_by_kernels()
+  set(generated "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded")
+  foreach(kernel IN LISTS ARGN)
+    get_filename_component(identifier "${kernel}" NAME_WE)
+    get_property(taken GLOBAL PROPERTY "scantrove_kernel_${identifier}")
+    if(taken)
+      message(FATAL_ERROR "Two kernel files are called ${identifier}.cl: in ${taken} and in ${module}. Rename one.")
+    endif()
+    set_property(GLOBAL PROPERTY "scantrove_kernel_${identifier}" ${module})
+    scantrove_embed(scantrove_${module} kernel "${generated}/${identifier}.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${kernel}"
+                    ${includable})
+    scantrove_declare_kernels(${module} ${identifier})
+  endforeach()
+endfunction()
+
+# All the kernel files together are one source, called as the module: a driver's compiler reads its headers once for all of
+# them, which takes longer than a kernel. What they define has one name in all of them.
+function(scantrove_embed_program module)
+  scantrove_includable_by_kernels()
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE inputs)
+  set(SCANTROVE_EMBED_MODULE ${module})
+  scantrove_embed(scantrove_${module} program "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded/${module}.cpp" "${inputs}"
+                  ${includable})
+  scantrove_declare_kernels(${module} ${module})
 endfunction()
 
 # Reachable as scantrove::schema::<module>Steps().

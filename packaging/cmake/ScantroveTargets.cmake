@@ -17,16 +17,20 @@ if(SCANTROVE_SANITIZE)
   target_link_options(scantrove_settings INTERFACE -fsanitize=${SCANTROVE_SANITIZE})
 endif()
 
-# scantrove_module(<name> SOURCES ... [KERNELS ...] [LINK ...] [PRECOMPILED core|window])
-# Declares the static library scantrove_<name>; kernels are embedded (Embed.cmake), heavy foreign headers precompiled
+# scantrove_module(<name> SOURCES ... [PROGRAM ...] [KERNELS ...] [LINK ...] [PRECOMPILED core|window])
+# Declares the static library scantrove_<name>; kernels are embedded (Embed.cmake), those of PROGRAM as one source, those of
+# KERNELS each as its own; heavy foreign headers are precompiled
 # (ScantrovePrecompiled.cmake).
 function(scantrove_module name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;KERNELS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;PROGRAM;KERNELS;LINK" ${ARGN})
   add_library(scantrove_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(scantrove_${name} PUBLIC scantrove_settings ${ARG_LINK})
   scantrove_compile_together(scantrove_${name})
   if(ARG_PRECOMPILED)
     scantrove_precompile(scantrove_${name} ${ARG_PRECOMPILED})
+  endif()
+  if(ARG_PROGRAM)
+    scantrove_embed_program(${name} ${ARG_PROGRAM})
   endif()
   if(ARG_KERNELS)
     scantrove_embed_kernels(${name} ${ARG_KERNELS})

@@ -22,4 +22,20 @@ void onEachDevice(Check&& check) {
   }
 }
 
+/// The same with kernels for every number of lanes.
+template <class Check>
+void onEachWidth(Check&& check) {
+  const std::vector<DeviceInfo> devices = listDevices();
+  ASSERT_FALSE(devices.empty()) << "no OpenCL device: install pocl-opencl-icd";
+  for (const DeviceInfo& device : devices) {
+    for (const int lanes : {1, 4, 8, 16}) {
+      SCOPED_TRACE(device.name + ", " + std::to_string(lanes) + " lanes");
+      auto compute = ComputeContext::create({.device = std::to_string(device.index), .lanes = lanes});
+      ASSERT_TRUE(compute) << compute.error().message();
+      ASSERT_EQ((*compute)->lanes().count(), lanes);
+      check(**compute);
+    }
+  }
+}
+
 }  // namespace scantrove::test

@@ -115,7 +115,7 @@ void StatusStrip::clear() {
 
 QString StatusStrip::stateText() const {
   const bool under_way = state_ == ScanState::starting || state_ == ScanState::scanning;
-  if (under_way && is_preparing_) return tr("Preparing the processor (first time only)");
+  if (under_way && is_preparing_) return tr("Preparing the processor (once)");
   if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
   return stateInWords(state_);
 }

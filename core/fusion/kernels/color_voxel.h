@@ -10,6 +10,9 @@
 #define COLOR_WEIGHT(voxel) ((voxel) >> 24)
 #define COLOR_VOXEL(red, green, blue, weight) ((red) | ((green) << 8) | ((blue) << 16) | ((weight) << 24))
 
+/* Pixels of the depth camera are rated by cells of COLOR_CELL^2. */
+#define COLOR_CELL 2
+
 /* A view weighs COLOR_WEIGHT_ONE at 1 m, straight on; see rate_pixels.cl. */
 #define COLOR_WEIGHT_ONE 32.0f
 #define COLOR_WEIGHT_OF_VIEW_MAX 64.0f

@@ -5,32 +5,33 @@
 // It is bilateral with polynomial instead of exponential weights; pairs keep a slope at an edge or border where it is, which single
 // neighbours would drag inwards. A pixel without reading stays 0, and a neighbour without reading lies beyond s of
 // every reading.
-// One work-item: PLANE_RUN = 16 pixels of a row, as vectors. input, output: depth planes of one size.
+// One work-item: LANES pixels of a row. input, output: depth planes of one size.
+#include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/depth_plane.clh"
 
 #define PAIR(du, dv, g)                                                            \
   {                                                                                \
-    const float16 after = vload16(0, centre + (dv) * stride + (du)) - z;           \
-    const float16 before = vload16(0, centre - (dv) * stride - (du)) - z;          \
-    float16 k = fmax(1.0f - after * after * inverse_s2, 0.0f) *                    \
-                fmax(1.0f - before * before * inverse_s2, 0.0f);                   \
+    const floatN after = LOAD(centre + (dv) * stride + (du)) - z;                  \
+    const floatN before = LOAD(centre - (dv) * stride - (du)) - z;                 \
+    floatN k = fmax(1.0f - after * after * inverse_s2, 0.0f) *                     \
+               fmax(1.0f - before * before * inverse_s2, 0.0f);                    \
     k = k * k * (g);                                                               \
     sum = fma(k, after + before, sum);                                             \
     weight += k;                                                                   \
   }
 
-kernel void filter_depth(global const float* restrict input, const int runs, const int height, const int stride,
+kernel void filter_depth(global const float* restrict input, const int width, const int height, const int stride,
                          const float range_base, const float range_z2, global float* restrict output) {
-  const int run = (int)get_global_id(0);
+  const int u = LANES * (int)get_global_id(0);
   const int v = (int)get_global_id(1);
-  if (run >= runs || v >= height) return;
-  const int index = plane_index(stride, run * PLANE_RUN, v);
+  if (u >= width || v >= height) return;
+  const int index = plane_index(stride, u, v);
   global const float* centre = input + index;
-  const float16 z = vload16(0, centre);
-  const float16 s = range_base + range_z2 * z * z;
-  const float16 inverse_s2 = 1.0f / (s * s);
-  float16 sum = 0.0f;
-  float16 weight = 0.0f;
+  const floatN z = LOAD(centre);
+  const floatN s = range_base + range_z2 * z * z;
+  const floatN inverse_s2 = 1.0f / (s * s);
+  floatN sum = 0.0f;
+  floatN weight = 0.0f;
   PAIR(1, 0, 0.80073740f)
   PAIR(2, 0, 0.41111229f)
   PAIR(-2, 1, 0.32919299f)
@@ -43,5 +44,5 @@ kernel void filter_depth(global const float* restrict input, const int runs, con
   PAIR(0, 2, 0.41111229f)
   PAIR(1, 2, 0.32919299f)
   PAIR(2, 2, 0.16901332f)
-  vstore16(z + sum / (1.0f + 2.0f * weight), 0, output + index);
+  STORE(z + sum / (1.0f + 2.0f * weight), output + index);
 }

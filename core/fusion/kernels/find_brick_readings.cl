@@ -2,8 +2,10 @@
 // its corners spans: bounds, not exact. Smallest is 0 where some voxel may meet none, largest is 0 where all do.
 //
 // One work-item: one brick, its corners in a float8. bricks: brick_count of (x, y, z, slot), counted from the window's first
-// brick. T_camera_window: voxels from the window's first to camera metres. extents: see reduce_depth_tiles (TILE is a build
-// option of both). readings: brick_count, metres.
+// brick. T_camera_window: voxels from the window's first to camera metres. extents: see reduce_depth_tiles.
+// readings: brick_count, metres.
+#include "core/fusion/kernels/depth_tiles.h"
+
 #define NEAR_M 0.01f
 
 inline float smallest(const float8 a) {
@@ -36,11 +38,11 @@ kernel void find_brick_readings(global const int4* bricks, const int brick_count
   const float bottom = -smallest(-v);
   float2 reading = (float2)(max_depth_m, 0.0f);
   if (right >= 0.0f && left < (float)width && bottom >= 0.0f && top < (float)height) {
-    const int tiles_x = (width + TILE - 1) / TILE;
-    const int first_x = (int)fmax(left, 0.0f) / TILE;
-    const int first_y = (int)fmax(top, 0.0f) / TILE;
-    const int last_x = (int)fmin(right, (float)(width - 1)) / TILE;
-    const int last_y = (int)fmin(bottom, (float)(height - 1)) / TILE;
+    const int tiles_x = DEPTH_TILES(width);
+    const int first_x = (int)fmax(left, 0.0f) / DEPTH_TILE;
+    const int first_y = (int)fmax(top, 0.0f) / DEPTH_TILE;
+    const int last_x = (int)fmin(right, (float)(width - 1)) / DEPTH_TILE;
+    const int last_y = (int)fmin(bottom, (float)(height - 1)) / DEPTH_TILE;
     for (int ty = first_y; ty <= last_y; ++ty) {
       for (int tx = first_x; tx <= last_x; ++tx) {
         const float2 extent = extents[ty * tiles_x + tx];

@@ -1,13 +1,15 @@
+#include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/brick_layout.h"
+#include "core/fusion/kernels/brick_work.h"
 
 // Averages a depth image into the signed distance of bricks (Curless and Levoy 1996):
 //   sdf = D(pi(p)) - z(p),   d = min(sdf / truncation, 1)   for voxels with sdf > -truncation,
 //   d' = (d W + d w) / (W + w),   W' = min(W + w, W_max),   w = 1 observation.
 // D is read at the nearest pixel; z is along the optical axis, as depth cameras measure it.
 //
-// One work-item: one brick, two rows of 8 voxels along x at a time as a float16 (PoCL does not vectorise this over work-items by
-// itself). bricks: brick_count of (x, y, z, slot), counted from the window's first brick.
-// readings: bounds of the readings that each brick may meet (see find_brick_readings). They tell most rows that lie wholly
+// BRICK_ITEMS work-items, which are a work-group where they are several: one brick, LANES voxels at a time.
+// bricks: brick_count of (x, y, z, slot), counted from the window's first brick.
+// readings: bounds of the readings that each brick may meet (see find_brick_readings). They tell most voxels that lie wholly
 // behind (left as they are) or in front (free space, d = 1) of the surface without a look at the image.
 // T_camera_window: voxels from the window's first to camera metres. depth_m: width * height metres; only readings in
 // (0, max_depth_m] count. voxels: BRICK_VOXELS a slot, TsdfVoxel as one uint (distance low, weight high).
@@ -17,32 +19,27 @@
 #define ROUNDING_M 1e-4f
 #define HALF_TRUNCATION 16384
 
-// The running average of what two rows of voxels have and what they have `seen` now.
-inline uint16 average(const uint16 voxels, const float16 seen, const float max_weight) {
-  const int16 old = as_int16(voxels);
-  const float16 old_distance = convert_float16((old << 16) >> 16);
-  const float16 old_weight = convert_float16((old >> 16) & 0xffff);
-  const float16 sum = old_weight + WEIGHT_ONE;
-  const float16 mean = (old_distance * old_weight + seen * WEIGHT_ONE) / sum;
+// The running average of what voxels have and what they have `seen` now.
+inline uintN average(const uintN voxels, const floatN seen, const float max_weight) {
+  const intN old = as_intN(voxels);
+  const floatN old_distance = convert_floatN((old << 16) >> 16);
+  const floatN old_weight = convert_floatN((old >> 16) & 0xffff);
+  const floatN sum = old_weight + WEIGHT_ONE;
+  const floatN mean = (old_distance * old_weight + seen * WEIGHT_ONE) / sum;
   // Rounds half up: mean is in [-32767, 32767].
-  const int16 rounded = convert_int16(mean + 32768.5f) - 32768;
-  const float16 weight = sum < max_weight ? sum : max_weight;
-  return as_uint16((rounded & 0xffff) | (convert_int16(weight) << 16));
+  const intN rounded = convert_intN(mean + 32768.5f) - 32768;
+  const floatN weight = sum < max_weight ? sum : max_weight;
+  return as_uintN((rounded & 0xffff) | (convert_intN(weight) << 16));
 }
 
-kernel void integrate_bricks(global const int4* restrict bricks, const int brick_count,
-                             global const float2* restrict readings, const float16 T_camera_window, const float4 K,
-                             const int width, const int height, global const float* restrict depth_m,
-                             const float max_depth_m, const float truncation_m, const float max_weight,
-                             global uint16* restrict voxels, global uchar* restrict empty) {
-  const int number = (int)get_global_id(0);
-  if (number >= brick_count) return;
-  empty[number] = 0;
-  if (readings[number].y == 0.0f) return;
-  const int4 brick = bricks[number];
-  const float behind = readings[number].y + truncation_m + ROUNDING_M;
-  const float in_front = readings[number].x - truncation_m - ROUNDING_M;
-  const float16 T = T_camera_window;
+// Returns how many of the work-item's runs of LANES voxels hold nothing but free space.
+inline int integrate_brick(const int4 brick, const int item, const float2 reading, const float16 T, const float4 K,
+                           const int width, const int height, global const float* restrict depth_m,
+                           const float max_depth_m, const float truncation_m, const float max_weight,
+                           global uintN* restrict voxels) {
+  if (reading.y == 0.0f) return 0;
+  const float behind = reading.y + truncation_m + ROUNDING_M;
+  const float in_front = reading.x - truncation_m - ROUNDING_M;
   const float centre_to_corner = 0.5f * (fabs(T.s8) + fabs(T.s9) + fabs(T.sa));
   const float x = (float)(BRICK_SIDE * brick.x) + 0.5f;
   const float y = (float)(BRICK_SIDE * brick.y) + 0.5f;
@@ -50,52 +47,73 @@ kernel void integrate_bricks(global const int4* restrict bricks, const int brick
   const float first_x = T.s0 * x + T.s1 * y + T.s2 * z + T.s3;
   const float first_y = T.s4 * x + T.s5 * y + T.s6 * z + T.s7;
   const float first_z = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
-  const float16 right = (float16)(0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7);
-  const float16 down = (float16)(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
-  const float16 rows_x = right * T.s0 + down * T.s1;
-  const float16 rows_y = right * T.s4 + down * T.s5;
-  const float16 rows_z = right * T.s8 + down * T.s9;
-  const float nearest_of_rows = fmin(7.0f * T.s8, 0.0f) + fmin(T.s9, 0.0f);
-  const float farthest_of_rows = fmax(7.0f * T.s8, 0.0f) + fmax(T.s9, 0.0f);
+  const floatN right = convert_floatN(LANE_X);
+  const floatN down = convert_floatN(LANE_Y);
+  const floatN run_x = right * T.s0 + down * T.s1;
+  const floatN run_y = right * T.s4 + down * T.s5;
+  const floatN run_z = right * T.s8 + down * T.s9;
+  const float nearest_of_run = fmin((float)(LANES_X - 1) * T.s8, 0.0f) + fmin((float)(LANES_Y - 1) * T.s9, 0.0f);
+  const float farthest_of_run = fmax((float)(LANES_X - 1) * T.s8, 0.0f) + fmax((float)(LANES_Y - 1) * T.s9, 0.0f);
 
-  int free_rows = 0;
-  for (int rows = 0; rows < BRICK_VOXELS / 16; ++rows) {
-    const float row_y = (float)(2 * (rows & 3));
-    const float row_z = (float)(rows >> 2);
-    const float camera_first_z = first_z + T.s9 * row_y + T.sa * row_z;
-    if (camera_first_z + nearest_of_rows > behind) continue;
-    const int index = brick.w * (BRICK_VOXELS / 16) + rows;
-    if (camera_first_z + farthest_of_rows < in_front) {
-      const uint16 fresh = average(voxels[index], 32767.0f, max_weight);
+  int free_runs = 0;
+  for (int run = item; run < BRICK_VOXELS / LANES; run += BRICK_ITEMS(LANES)) {
+    const int first = LANES * run;           /* its first voxel */
+    const float column = (float)(first & 7); /* 0 where a run holds whole rows */
+    const float row_y = (float)((first >> 3) & 7);
+    const float row_z = (float)(first >> 6);
+    const float start_x = LANES < 8 ? first_x + T.s0 * column : first_x;
+    const float start_y = LANES < 8 ? first_y + T.s4 * column : first_y;
+    const float start_z = LANES < 8 ? first_z + T.s8 * column : first_z;
+    const float camera_first_z = start_z + T.s9 * row_y + T.sa * row_z;
+    if (camera_first_z + nearest_of_run > behind) continue;
+    const int index = brick.w * (BRICK_VOXELS / LANES) + run;
+    if (camera_first_z + farthest_of_run < in_front) {
+      const uintN fresh = average(voxels[index], 32767.0f, max_weight);
       voxels[index] = fresh;
-      const int16 near = (as_int16(fresh) << 16) >> 16 < HALF_TRUNCATION;
-      const int8 some = near.lo | near.hi;
-      const int4 fewer = some.lo | some.hi;
-      const int far_off = camera_first_z + farthest_of_rows + centre_to_corner < in_front;
-      if (far_off && (fewer.x | fewer.y | fewer.z | fewer.w) == 0) ++free_rows;
+      const intN near = (as_intN(fresh) << 16) >> 16 < HALF_TRUNCATION;
+      const int far_off = camera_first_z + farthest_of_run + centre_to_corner < in_front;
+      if (far_off && !any_lane(near)) ++free_runs;
       continue;
     }
-    const float16 camera_x = rows_x + (first_x + T.s1 * row_y + T.s2 * row_z);
-    const float16 camera_y = rows_y + (first_y + T.s5 * row_y + T.s6 * row_z);
-    const float16 camera_z = rows_z + camera_first_z;
-    const float16 inverse_z = 1.0f / camera_z;
-    const float16 u = camera_x * inverse_z * K.x + (K.z + 0.5f);
-    const float16 v = camera_y * inverse_z * K.y + (K.w + 0.5f);
-    const int16 inside = (camera_z > 0.0f) & (u >= 0.0f) & (u < (float)width) & (v >= 0.0f) & (v < (float)height);
-    const int16 pixel = inside ? convert_int16(v) * width + convert_int16(u) : 0;
-    const float16 depth =
-        (float16)(depth_m[pixel.s0], depth_m[pixel.s1], depth_m[pixel.s2], depth_m[pixel.s3], depth_m[pixel.s4],
-                  depth_m[pixel.s5], depth_m[pixel.s6], depth_m[pixel.s7], depth_m[pixel.s8], depth_m[pixel.s9],
-                  depth_m[pixel.sa], depth_m[pixel.sb], depth_m[pixel.sc], depth_m[pixel.sd], depth_m[pixel.se],
-                  depth_m[pixel.sf]);
-    const float16 distance = (depth - camera_z) * (1.0f / truncation_m);
-    const int16 update = inside & (depth > 0.0f) & (depth <= max_depth_m) & (distance > -1.0f);
-    const int8 some = update.lo | update.hi;
-    const int4 fewer = some.lo | some.hi;
-    if ((fewer.x | fewer.y | fewer.z | fewer.w) == 0) continue;
-    const float16 seen = update ? (distance < 1.0f ? distance : 1.0f) * 32767.0f : 0.0f;
-    const uint16 old = voxels[index];
+    const floatN camera_x = run_x + (start_x + T.s1 * row_y + T.s2 * row_z);
+    const floatN camera_y = run_y + (start_y + T.s5 * row_y + T.s6 * row_z);
+    const floatN camera_z = run_z + camera_first_z;
+    const floatN inverse_z = 1.0f / camera_z;
+    const floatN u = camera_x * inverse_z * K.x + (K.z + 0.5f);
+    const floatN v = camera_y * inverse_z * K.y + (K.w + 0.5f);
+    const intN inside = (camera_z > 0.0f) & (u >= 0.0f) & (u < (float)width) & (v >= 0.0f) & (v < (float)height);
+    const intN pixel = inside ? convert_intN(v) * width + convert_intN(u) : 0;
+    const floatN depth = GATHER(floatN, depth_m, pixel);
+    const floatN distance = (depth - camera_z) * (1.0f / truncation_m);
+    const intN update = inside & (depth > 0.0f) & (depth <= max_depth_m) & (distance > -1.0f);
+    if (!any_lane(update)) continue;
+    const floatN seen = update ? (distance < 1.0f ? distance : 1.0f) * 32767.0f : 0.0f;
+    const uintN old = voxels[index];
     voxels[index] = update ? average(old, seen, max_weight) : old;
   }
-  empty[number] = free_rows == BRICK_VOXELS / 16;
+  return free_runs;
+}
+
+kernel void integrate_bricks(global const int4* restrict bricks, const int brick_count,
+                             global const float2* restrict readings, const float16 T_camera_window, const float4 K,
+                             const int width, const int height, global const float* restrict depth_m,
+                             const float max_depth_m, const float truncation_m, const float max_weight,
+                             global uintN* restrict voxels, global uchar* restrict empty) {
+  const int number = (int)get_global_id(0) / BRICK_ITEMS(LANES);
+  const int item = (int)get_global_id(0) % BRICK_ITEMS(LANES);
+  int free_runs = 0;
+  if (number < brick_count) {
+    free_runs = integrate_brick(bricks[number], item, readings[number], T_camera_window, K, width, height, depth_m,
+                                max_depth_m, truncation_m, max_weight, voxels);
+  }
+#if BRICK_ITEMS(LANES) == 1
+  if (number < brick_count) empty[number] = free_runs == BRICK_VOXELS / LANES;
+#else
+  local int free_of_brick;
+  if (item == 0) free_of_brick = 0;
+  barrier(CLK_LOCAL_MEM_FENCE);
+  if (free_runs > 0) atomic_add(&free_of_brick, free_runs);
+  barrier(CLK_LOCAL_MEM_FENCE);
+  if (item == 0 && number < brick_count) empty[number] = free_of_brick == BRICK_VOXELS / LANES;
+#endif
 }

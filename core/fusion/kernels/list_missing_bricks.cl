@@ -1,3 +1,4 @@
+#include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/brick_band.clh"
 
 // Lists the missing bricks of the groups of pixels that find_missing_bricks marked: (x, y, z, 0) counted from the window's first
@@ -31,17 +32,17 @@ inline void list_brick(const int x, const int y, const int z, global uint* seen,
 kernel void list_missing_bricks(global const float* depth_m, const int width, const int height, const float4 K,
                                 const float16 T_window_camera, const float truncation_m, const float2 depth_range,
                                 global const int* cells, global const int* page_slots, const int4 window_size,
-                                global const uchar* missing, global uint* seen, global int4* list, const int capacity,
-                                global int* count) {
+                                const int crossings, global const uchar* missing, global uint* seen,
+                                global int4* list, const int capacity, global int* count) {
   const int group = (int)get_global_id(0);
   const int v = (int)get_global_id(1);
-  const int groups = (width + 15) / 16;
+  const int groups = (width + LANES - 1) / LANES;
   if (group >= groups || v >= height || !missing[v * groups + group]) return;
-  for (int u = 16 * group; u < min(16 * group + 16, width); ++u) {
+  for (int u = LANES * group; u < min(LANES * group + LANES, width); ++u) {
     const float z = depth_m[v * width + u];
     if (!(z >= depth_range.x && z <= depth_range.y)) continue;
     const Band b = band_of_pixel(K, T_window_camera, (float)u, (float)v, z - truncation_m, z + truncation_m);
-    for (int candidate = 0; candidate <= 3 * BAND_CROSSINGS; ++candidate) {
+    for (int candidate = 0; candidate <= 3 * crossings; ++candidate) {
       const int axis = candidate == 0 ? 3 : (candidate - 1) % 3;
       const int k = (candidate + 2) / 3;
       const float a = axis == 0 ? b.ax : axis == 1 ? b.ay : b.az;

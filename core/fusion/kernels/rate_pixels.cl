@@ -1,4 +1,4 @@
-// How well a colour image shows the surface, by cells of CELL * CELL pixels of the depth camera; of a cell its first pixel
+// How well a colour image shows the surface, by cells of COLOR_CELL * COLOR_CELL pixels of the depth camera; of a cell its first pixel
 // is looked at, with vertex V, normal n and z along the depth camera's axis:
 //   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; a whole number from 1 to
 //            COLOR_WEIGHT_OF_VIEW_MAX.
@@ -30,13 +30,13 @@ kernel void rate_pixels(global const float4* restrict vertices, global const flo
                         global float* restrict depths, global uint* restrict ratings) {
   const int column = (int)get_global_id(0);
   const int row = (int)get_global_id(1);
-  const int columns = (width + CELL - 1) / CELL;
-  if (column >= columns || row >= (height + CELL - 1) / CELL) return;
+  const int columns = (width + COLOR_CELL - 1) / COLOR_CELL;
+  if (column >= columns || row >= (height + COLOR_CELL - 1) / COLOR_CELL) return;
   const int cell = row * columns + column;
   depths[cell] = 0.0f;
   ratings[cell] = 0u;
-  const int u = CELL * column;
-  const int v = CELL * row;
+  const int u = COLOR_CELL * column;
+  const int v = COLOR_CELL * row;
   const int pixel = v * width + u;
   const float4 vertex = vertices[pixel];
   const float4 normal = normals[pixel];

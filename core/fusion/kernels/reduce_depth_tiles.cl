@@ -1,20 +1,22 @@
-// extent(tile) = (smallest, largest) depth reading of a tile of TILE x TILE pixels (a build option); smallest is 0 where a pixel
+// extent(tile) = (smallest, largest) depth reading of a tile of DEPTH_TILE^2 pixels; smallest is 0 where a pixel
 // has none, largest is 0 where all have none.
 //
 // One work-item: one tile. depth_m: width * height metres, only what lies in (0, max_depth_m] is a reading. extents: one pair a
-// tile, row by row, ceil(width / TILE) a row.
+// tile, row by row, DEPTH_TILES(width) a row.
+#include "core/fusion/kernels/depth_tiles.h"
+
 kernel void reduce_depth_tiles(global const float* depth_m, const int width, const int height, const float max_depth_m,
                                global float2* extents) {
-  const int tiles_x = (width + TILE - 1) / TILE;
+  const int tiles_x = DEPTH_TILES(width);
   const int tx = (int)get_global_id(0);
   const int ty = (int)get_global_id(1);
-  if (tx >= tiles_x || ty * TILE >= height) return;
-  const int right = min(width, (tx + 1) * TILE);
-  const int bottom = min(height, (ty + 1) * TILE);
+  if (tx >= tiles_x || ty * DEPTH_TILE >= height) return;
+  const int right = min(width, (tx + 1) * DEPTH_TILE);
+  const int bottom = min(height, (ty + 1) * DEPTH_TILE);
   float largest = 0.0f;
   float smallest = max_depth_m;
-  for (int v = ty * TILE; v < bottom; ++v) {
-    for (int u = tx * TILE; u < right; ++u) {
+  for (int v = ty * DEPTH_TILE; v < bottom; ++v) {
+    for (int u = tx * DEPTH_TILE; u < right; ++u) {
       const float reading = depth_m[v * width + u];
       const float z = (reading > 0.0f && reading <= max_depth_m) ? reading : 0.0f;
       largest = z > largest ? z : largest;

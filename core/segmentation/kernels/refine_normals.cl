@@ -1,4 +1,5 @@
 #include "core/compute/kernels/common.clh"
+#include "core/compute/kernels/lanes.clh"
 #include "core/segmentation/kernels/window_layout.h"
 
 // Normals for segmentation, from the vertices alone: smooth on flat and convex surface, sharp where it is
@@ -25,31 +26,30 @@ kernel void invert_depth(global const float4* vertices, global float* inverse_de
   inverse_depth[(y + WINDOW_RADIUS) * WINDOW_STRIDE(width) + x + WINDOW_RADIUS] = valid ? 1.0f / z : 0.0f;
 }
 
-/// One work-item: the windows around WINDOW_LANES pixels in a row, in explicit vectors (the compiler does
-/// not make them by itself here: 11 times slower). planes: four images of height rows of `WINDOW_STRIDE`:
+/// One work-item: the windows around LANES pixels in a row. planes: four images of height rows of `WINDOW_STRIDE`:
 /// the normal's x, y, z in the camera frame and the window's RMS distance from its plane in metres, FLT_MAX
 /// where there are too few readings. concavity: the same shape, metres by which the rim stands out above
 /// the middle. What is written right of the image means nothing.
 kernel void fit_planes(global const float* restrict inverse_depth, global float* restrict planes,
                        global float* restrict concavity, const int width, const int height, const float4 K,
                        const float gate) {
-  const int x = get_global_id(0) * WINDOW_LANES;
+  const int x = get_global_id(0) * LANES;
   const int y = get_global_id(1);
   if (x >= width || y >= height) return;
   const int stride = WINDOW_STRIDE(width);
-  const float16 middle = vload16(0, inverse_depth + (y + WINDOW_RADIUS) * stride + x + WINDOW_RADIUS);
-  const float16 z = 1.0f / fmax(middle, 1e-6f);
-  const float16 reach = gate * fmax(z * z, 1.0f) * middle * middle;  // the gate as a difference of inverse depths
-  float16 n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0, w = 0, uw = 0, vw = 0, ww = 0, ru = 0, rv = 0, rr = 0, rw = 0;
+  const floatN middle = LOAD(inverse_depth + (y + WINDOW_RADIUS) * stride + x + WINDOW_RADIUS);
+  const floatN z = 1.0f / fmax(middle, 1e-6f);
+  const floatN reach = gate * fmax(z * z, 1.0f) * middle * middle;  // the gate as a difference of inverse depths
+  floatN n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0, w = 0, uw = 0, vw = 0, ww = 0, ru = 0, rv = 0, rr = 0, rw = 0;
 #pragma unroll
   for (int dy = -WINDOW_RADIUS; dy <= WINDOW_RADIUS; ++dy) {
 #pragma unroll
     for (int dx = -WINDOW_RADIUS; dx <= WINDOW_RADIUS; ++dx) {
-      const float16 reading = vload16(0, inverse_depth + (y + WINDOW_RADIUS + dy) * stride + x + WINDOW_RADIUS + dx);
-      const float16 e = reading - middle;
-      const int16 same = reading > 0.0f && fabs(e) <= reach;
-      const float16 one = select((float16)(0.0f), (float16)(1.0f), same);
-      const float16 ew = select((float16)(0.0f), e, same);
+      const floatN reading = LOAD(inverse_depth + (y + WINDOW_RADIUS + dy) * stride + x + WINDOW_RADIUS + dx);
+      const floatN e = reading - middle;
+      const intN same = reading > 0.0f && fabs(e) <= reach;
+      const floatN one = select((floatN)(0.0f), (floatN)(1.0f), same);
+      const floatN ew = select((floatN)(0.0f), e, same);
       const float fx = (float)dx, fy = (float)dy, r = fx * fx + fy * fy;
       n += one;
       u += fx * one;
@@ -67,34 +67,34 @@ kernel void fit_planes(global const float* restrict inverse_depth, global float*
       ww += ew * e;
     }
   }
-  const float16 share = 1.0f / fmax(n, 1.0f);
-  const float16 cuu = uu - u * u * share, cuv = uv - u * v * share, cvv = vv - v * v * share;
-  const float16 cuw = uw - u * w * share, cvw = vw - v * w * share, cww = ww - w * w * share;
-  const float16 determinant = cuu * cvv - cuv * cuv;
-  const int16 fits = middle > 0.0f && n >= 5.0f && determinant > 1e-3f;
-  const float16 scale = 1.0f / select((float16)(1.0f), determinant, fits);
-  const float16 A = (cuw * cvv - cvw * cuv) * scale;
-  const float16 B = (cvw * cuu - cuw * cuv) * scale;
-  const float16 C = middle + (w - A * u - B * v) * share;
-  const float16 column = (float)x + (float16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const float16 mx = A * K.x, my = B * K.y, mz = C + A * (K.z - column) + B * (K.w - (float)y);
-  const float16 per_length = 1.0f / sqrt(fmax(mx * mx + my * my + mz * mz, 1e-30f));
-  const float16 to_metres = z * per_length;  // of a residual in inverse depth: distance from the plane
-  const float16 rms = sqrt(fmax(cww - A * cuw - B * cvw, 0.0f) * share) * to_metres;
+  const floatN share = 1.0f / fmax(n, 1.0f);
+  const floatN cuu = uu - u * u * share, cuv = uv - u * v * share, cvv = vv - v * v * share;
+  const floatN cuw = uw - u * w * share, cvw = vw - v * w * share, cww = ww - w * w * share;
+  const floatN determinant = cuu * cvv - cuv * cuv;
+  const intN fits = middle > 0.0f && n >= 5.0f && determinant > 1e-3f;
+  const floatN scale = 1.0f / select((floatN)(1.0f), determinant, fits);
+  const floatN A = (cuw * cvv - cvw * cuv) * scale;
+  const floatN B = (cvw * cuu - cuw * cuv) * scale;
+  const floatN C = middle + (w - A * u - B * v) * share;
+  const floatN column = (float)x + convert_floatN(LANE);
+  const floatN mx = A * K.x, my = B * K.y, mz = C + A * (K.z - column) + B * (K.w - (float)y);
+  const floatN per_length = 1.0f / sqrt(fmax(mx * mx + my * my + mz * mz, 1e-30f));
+  const floatN to_metres = z * per_length;  // of a residual in inverse depth: distance from the plane
+  const floatN rms = sqrt(fmax(cww - A * cuw - B * cvw, 0.0f) * share) * to_metres;
 
   // Slope of the residual over r = dx^2 + dy^2, times the rim's r.
-  const float16 r = uu + vv;
-  const float16 crw = (rw - r * w * share) - A * (ru - r * u * share) - B * (rv - r * v * share);
-  const float16 crr = rr - r * r * share;
-  const float16 rise = crw / fmax(crr, 1e-6f) * (float)(WINDOW_RADIUS * WINDOW_RADIUS) * to_metres;
+  const floatN r = uu + vv;
+  const floatN crw = (rw - r * w * share) - A * (ru - r * u * share) - B * (rv - r * v * share);
+  const floatN crr = rr - r * r * share;
+  const floatN rise = crw / fmax(crr, 1e-6f) * (float)(WINDOW_RADIUS * WINDOW_RADIUS) * to_metres;
 
   const int target = y * stride + x;
   const int image = height * stride;
-  vstore16(-mx * per_length, 0, planes + target);
-  vstore16(-my * per_length, 0, planes + target + image);
-  vstore16(-mz * per_length, 0, planes + target + 2 * image);
-  vstore16(select((float16)(FLT_MAX), rms, fits), 0, planes + target + 3 * image);
-  vstore16(rise, 0, concavity + target);
+  STORE(-mx * per_length, planes + target);
+  STORE(-my * per_length, planes + target + image);
+  STORE(-mz * per_length, planes + target + 2 * image);
+  STORE(select((floatN)(FLT_MAX), rms, fits), planes + target + 3 * image);
+  STORE(rise, concavity + target);
 }
 
 /// One work-item: the normal of one pixel, in the world: (x, y, z, 1), or all 0 where no window around it

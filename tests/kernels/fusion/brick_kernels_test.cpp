@@ -2,6 +2,7 @@
 #include <random>
 
 #include "core/compute/kernel_types.h"
+#include "core/fusion/kernels/depth_tiles.h"
 #include "embedded/fusion_kernels.h"
 #include "tests/kernels/fusion/fusion_test_support.h"
 #include "tests/reference/brick_reference.h"
@@ -12,7 +13,7 @@ namespace {
 using reference::DepthExtent;
 using reference::TiledDepth;
 
-constexpr int kTile = 8;
+constexpr int kTile = DEPTH_TILE;
 constexpr float kMaxDepth_m = 5.0F;
 
 /// A wall with a ball in front; in the upper half holes, as every number that is no reading.
@@ -26,8 +27,8 @@ std::vector<float> depthWithHoles(const Intrinsics& K) {
   return depth;
 }
 
-Kernel kernelOf(ComputeContext& compute, const KernelSource& source, const char* name) {
-  auto kernel = compute.kernel(source, name, "-DTILE=" + std::to_string(kTile));
+Kernel kernelOf(ComputeContext& compute, const char* name) {
+  auto kernel = compute.kernel(kernels::fusion, name);
   EXPECT_TRUE(kernel) << kernel.error().message();
   return *kernel;
 }
@@ -39,7 +40,7 @@ Buffer<cl_float2> reduce(ComputeContext& compute, const Intrinsics& K, const std
   const auto columns = static_cast<std::size_t>((K.width + kTile - 1) / kTile);
   const auto rows = static_cast<std::size_t>((K.height + kTile - 1) / kTile);
   Buffer<cl_float2> extents(compute.context(), columns * rows);
-  kernelOf(compute, kernels::reduce_depth_tiles, "reduce_depth_tiles")
+  kernelOf(compute, "reduce_depth_tiles")
       .launch(cl::NDRange(columns, rows), cl::NullRange, depth, cl_int{K.width}, cl_int{K.height},
               kMaxDepth_m, extents);
   return extents;
@@ -89,7 +90,7 @@ TEST(FindBrickReadings, BoundsWhatVoxelsMeetAndMatchesTheFormula) {
     Buffer<cl_int4> list(compute.context(), bricks.size());
     list.write(compute.queue(), bricks);
     Buffer<cl_float2> readings(compute.context(), bricks.size());
-    kernelOf(compute, kernels::find_brick_readings, "find_brick_readings")
+    kernelOf(compute, "find_brick_readings")
         .launch(cl::NDRange(bricks.size()), cl::NullRange, list, static_cast<cl_int>(bricks.size()),
                 toKernel(kernel_T), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width}, cl_int{K.height},
                 reduce(compute, K, depth_m), kMaxDepth_m, readings);

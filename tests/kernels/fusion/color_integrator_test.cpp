@@ -95,7 +95,7 @@ void makeHoles(ComputeContext& compute, ColorShot& shot) {
 }
 
 TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     FusionParams params = colorParams();
     params.voxel_size_m = 0.012F;  // all bricks in every frame
     const PaintedScene scene = paintedBallOnWall();
@@ -170,7 +170,7 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
 }
 
 TEST(ColorIntegrator, WhatStandsBehindKeepsItsColour) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
     const auto sides = [](const Eigen::Vector3d& p) {
@@ -203,7 +203,7 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColour) {
 }
 
 TEST(ColorIntegrator, ColoursNothingWhereThereIsNoReading) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, params);
@@ -244,7 +244,7 @@ Eigen::Vector3d aheadAt(ComputeContext& compute, const BrickMap& map, double z_m
 }
 
 TEST(ColorIntegrator, TheMeanFollowsSmallChangesHoweverSure) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
     const cv::Size size(K.width, K.height);
@@ -265,7 +265,7 @@ TEST(ColorIntegrator, TheMeanFollowsSmallChangesHoweverSure) {
 }
 
 TEST(ColorIntegrator, NearViewsOutweighFarOnes) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
     const cv::Size size(K.width, K.height);
@@ -288,7 +288,7 @@ TEST(ColorIntegrator, NearViewsOutweighFarOnes) {
 }
 
 TEST(ColorIntegrator, DoesNothingWithoutColour) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
     ColorShot shot =
@@ -302,7 +302,7 @@ TEST(ColorIntegrator, DoesNothingWithoutColour) {
 }
 
 TEST(ColorIntegrator, ALargeViewIsColouredInTurns) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     FusionParams params = colorParams();
     params.voxel_size_m = 0.005F;

@@ -31,7 +31,7 @@ std::vector<Eigen::Isometry3d> poses() {
 }
 
 TEST(Integrator, EqualsTheDenseVolumeVoxelByVoxel) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = coarse();
     const Intrinsics K = test::oddCamera();
     const double truncation_m = params.truncation_vox * params.voxel_size_m;
@@ -84,7 +84,7 @@ TEST(Integrator, EqualsTheDenseVolumeVoxelByVoxel) {
 }
 
 TEST(Integrator, CountsObservationsUpToTheLargestWeight) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     FusionParams params = coarse();
     params.max_weight = 5;
     const Intrinsics K = test::oddCamera();
@@ -104,7 +104,7 @@ TEST(Integrator, CountsObservationsUpToTheLargestWeight) {
 }
 
 TEST(Integrator, AllocatesTheBricksThatTheBandTouches) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = coarse();
     const Intrinsics K = test::oddCamera();
     const double truncation_m = params.truncation_vox * params.voxel_size_m;
@@ -143,7 +143,7 @@ TEST(Integrator, AllocatesTheBricksThatTheBandTouches) {
 }
 
 TEST(Integrator, MakesNothingOfReadingsThatAreNone) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     auto map = test::makeMap(compute);
     std::vector<float> depth(static_cast<std::size_t>(K.pixels()), 0.0F);
@@ -176,7 +176,7 @@ TEST(Integrator, MakesNothingOfReadingsThatAreNone) {
 }
 
 TEST(Integrator, CarvesWhatIsGone) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     auto map = test::makeMap(compute, coarse());
     const std::vector<float> near_wall(static_cast<std::size_t>(K.pixels()), 0.8F);
@@ -193,7 +193,7 @@ TEST(Integrator, CarvesWhatIsGone) {
 
 // A wall that goes and comes back: its bricks cost nothing while it is away, and it is seen where it was.
 TEST(Integrator, LaysAsideWhatIsFreeSpaceAndTakesItUpAgain) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     const FusionParams params = coarse();
     auto map = test::makeMap(compute, params);
@@ -229,7 +229,7 @@ TEST(Integrator, LaysAsideWhatIsFreeSpaceAndTakesItUpAgain) {
 }
 
 TEST(Integrator, GivesTheSameBitsForTheSameInput) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     std::vector<TsdfVoxel> results[2];
     std::vector<Eigen::Vector3i> bricks[2];

@@ -89,7 +89,7 @@ void fuse(ComputeContext& compute, DenseMap& map, const AnalyticScene& scene, co
 }
 
 TEST(Raycaster, SeesNothingInAnEmptyMap) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     auto map = test::makeMap(compute);
     const Maps maps = castFrom(compute, *map, Eigen::Isometry3d::Identity(), test::oddCamera());
     for (std::size_t i = 0; i < maps.vertices.size(); ++i) {
@@ -101,7 +101,7 @@ TEST(Raycaster, SeesNothingInAnEmptyMap) {
 }
 
 TEST(Raycaster, PlaneIsWithinAMillimetre) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.3}, {0.3, -0.2, -1});
     const Intrinsics K = test::oddCamera();
@@ -122,7 +122,7 @@ TEST(Raycaster, PlaneIsWithinAMillimetre) {
 }
 
 TEST(Raycaster, SphereOnWallIsWithinAThirdOfAVoxel) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.3}, {0, 0, -1}).sphere({0.05, -0.03, 0}, 0.25);
     const Intrinsics K = test::oddCamera();
@@ -141,7 +141,7 @@ TEST(Raycaster, SphereOnWallIsWithinAThirdOfAVoxel) {
 
 // Normals decide what is segmented, from the first frame on.
 TEST(Raycaster, NormalsOfOneNoisyFrameAreUsable) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.6}, {0.3, 0.4, -1}).sphere({0.1, 0, 0.3}, 0.3);
     const Intrinsics K{580, 580, 320, 240, 640, 480};
@@ -159,7 +159,7 @@ TEST(Raycaster, NormalsOfOneNoisyFrameAreUsable) {
 }
 
 TEST(Raycaster, AgreesWithPlainRayMarching) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.3}, {0.1, 0.2, -1})
         .sphere({0.05, -0.03, 0}, 0.2)
@@ -200,7 +200,7 @@ TEST(Raycaster, AgreesWithPlainRayMarching) {
 }
 
 TEST(Raycaster, SeesNoSurfaceFromBehind) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 1}, {0, 0, -1});
     const Intrinsics K = test::oddCamera();
@@ -214,7 +214,7 @@ TEST(Raycaster, SeesNoSurfaceFromBehind) {
 }
 
 TEST(Raycaster, DoesNotDependOnWhatElseWasScanned) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.3}, {0.3, -0.2, -1}).sphere({0.05, -0.03, 0}, 0.2);
     const Intrinsics K = test::oddCamera();
@@ -238,7 +238,7 @@ TEST(Raycaster, DoesNotDependOnWhatElseWasScanned) {
 }
 
 TEST(Raycaster, WorksKilometresAway) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d away(2000, -3000, 1500);
     AnalyticScene scene;
     scene.plane(away + Eigen::Vector3d(0, 0, 0.3), {0.3, -0.2, -1});

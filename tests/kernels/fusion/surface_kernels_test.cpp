@@ -13,11 +13,10 @@ namespace {
 
 using reference::InverseDepthPlane;
 using reference::SurfaceReference;
-using test::onEachDevice;
+using test::onEachWidth;
 
 constexpr int kPad = 4;
 constexpr float kNoPlane = 1e30F;
-constexpr const char* kOptions = "-DPAD=4 -DR=3 -DSLOPE=3.0f";
 // Neighbours this near to the slope that decides (relatively), or planes this near in cost, may go either way
 // in float.
 constexpr double kUndecided = 1e-3;
@@ -94,13 +93,13 @@ Buffer<cl_float> padded(ComputeContext& compute, const Case& c) {
   return buffer;
 }
 
-cl::NDRange itemsOf(const Intrinsics& K) {
-  return {static_cast<std::size_t>((K.width + 7) / 8), static_cast<std::size_t>(K.height)};
+cl::NDRange itemsOf(const ComputeContext& compute, const Intrinsics& K) {
+  return compute.lanes().overEights(K.width, K.height);
 }
 
 TEST(FitPlanes, MatchesTheFormula) {
-  onEachDevice([](ComputeContext& compute) {
-    auto kernel = compute.kernel(kernels::fit_planes, "fit_planes", kOptions);
+  onEachWidth([](ComputeContext& compute) {
+    auto kernel = compute.kernel(kernels::fusion, "fit_planes");
     ASSERT_TRUE(kernel) << kernel.error().message();
     int fitted = 0;
     int undecided = 0;
@@ -109,8 +108,8 @@ TEST(FitPlanes, MatchesTheFormula) {
       const PaddedImage image(c.K.width, c.K.height);
       Buffer<cl_float> planes(compute.context(), 4 * image.size());
       planes.fill(compute.queue(), kNoPlane);
-      kernel->launch(itemsOf(c.K), cl::NullRange, padded(compute, c), cl_int{c.K.width}, cl_int{c.K.height},
-                     cl_float{c.K.fx}, planes);
+      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), padded(compute, c), cl_int{c.K.width},
+                     cl_int{c.K.height}, cl_float{c.K.fx}, planes);
       const std::vector<float> actual = planes.read(compute.queue());
       const SurfaceReference reference(c.K, c.depth, {});
       for (int v = 0; v < c.K.height; ++v) {
@@ -139,8 +138,8 @@ TEST(FitPlanes, MatchesTheFormula) {
 }
 
 TEST(OrientSurface, MatchesTheFormula) {
-  onEachDevice([](ComputeContext& compute) {
-    auto kernel = compute.kernel(kernels::orient_surface, "orient_surface", kOptions);
+  onEachWidth([](ComputeContext& compute) {
+    auto kernel = compute.kernel(kernels::fusion, "orient_surface");
     ASSERT_TRUE(kernel) << kernel.error().message();
     constexpr float kVoxel_m = 0.006F;
     const Eigen::Vector3d origin_m(-3.3, 120.75, 0.5);                    // of the window, in the world
@@ -172,9 +171,9 @@ TEST(OrientSurface, MatchesTheFormula) {
       planes.write(compute.queue(), values);
       const auto pixels = static_cast<std::size_t>(c.K.pixels());
       Buffer<cl_float4> vertices(compute.context(), pixels), normals(compute.context(), pixels);
-      kernel->launch(itemsOf(c.K), cl::NullRange, padded(compute, c), planes, cl_int{c.K.width},
-                     cl_int{c.K.height}, toKernel(c.K.fx, c.K.fy, c.K.cx, c.K.cy), toKernel(T_window_camera),
-                     kVoxel_m,
+      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), padded(compute, c), planes,
+                     cl_int{c.K.width}, cl_int{c.K.height}, toKernel(c.K.fx, c.K.fy, c.K.cx, c.K.cy),
+                     toKernel(T_window_camera), kVoxel_m,
                      toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
                               static_cast<float>(origin_m.z()), 0.0F),
                      vertices, normals);

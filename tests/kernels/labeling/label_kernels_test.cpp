@@ -57,7 +57,7 @@ struct LabelledMap {
 
 std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& map,
                                    const std::vector<Eigen::Vector4f>& vertices) {
-  auto kernel = compute.kernel(kernels::project_labels, "project_labels");
+  auto kernel = compute.kernel(kernels::labeling, "project_labels");
   EXPECT_TRUE(kernel) << kernel.error().message();
   std::vector<cl_float4> values;
   for (const Eigen::Vector4f& v : vertices) values.push_back({{v.x(), v.y(), v.z(), v.w()}});
@@ -169,7 +169,7 @@ TEST(ListUncoveredBricks, AreThoseWithinReachThatDoNotExist) {
     for (const Eigen::Vector3i& b : existing) expected.erase({b.x(), b.y(), b.z()});
     ASSERT_GT(expected.size(), 300U);
 
-    auto kernel = compute.kernel(kernels::list_uncovered_bricks, "list_uncovered_bricks");
+    auto kernel = compute.kernel(kernels::labeling, "list_uncovered_bricks");
     ASSERT_TRUE(kernel) << kernel.error().message();
     Buffer<cl_float4> vertices(compute.context(), values.size());
     vertices.write(compute.queue(), values);

@@ -32,7 +32,7 @@ std::vector<cl_float4> refine(ComputeContext& compute, const Intrinsics& K,
 
 TEST(RefineNormals, PlanesAndValleysAreExactRidgesAreSmooth) {
   const Intrinsics K{260, 260, 31.5F, 23.5F, 64, 48};
-  test::onEachDevice([&](ComputeContext& compute) {
+  test::onEachWidth([&](ComputeContext& compute) {
     for (const bool convex : {false, true}) {
       const reference::RenderedFaces scene = reference::render(reference::wedge(convex, 0.8), K);
       const std::vector<cl_float4> normals =
@@ -83,7 +83,7 @@ TEST(RefineNormals, EqualsTheFormula) {
   }
   const SegmentationParams params;
   const reference::NormalReference reference(K, z, kRadius_px, params.normal_gate_m);
-  test::onEachDevice([&](ComputeContext& compute) {
+  test::onEachWidth([&](ComputeContext& compute) {
     const std::vector<cl_float4> normals = refine(compute, K, T_world_camera, vertices, params);
     int own = 0, moved = 0;
     for (int y = 0; y < K.height; ++y) {
@@ -128,7 +128,7 @@ TEST(RefineNormals, EqualsTheFormula) {
 }
 
 TEST(RefineNormals, EmptyFrameHasNone) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K{100, 100, 8, 6, 17, 13};
     const std::vector<cl_float4> nothing(17 * 13, cl_float4{{0, 0, 0, 0}});
     for (const cl_float4& n : refine(compute, K, Eigen::Isometry3d::Identity(), nothing, {})) {

@@ -82,7 +82,7 @@ TEST(ConvertDepth, KeepsTheRangeAndDropsTheRest) {
     Buffer<cl_ushort> input(compute.context(), units.size());
     Buffer<cl_float> output(compute.context(), units.size());
     input.write(compute.queue(), units);
-    Kernel kernel = kernelOf(compute, kernels::convert_depth, "convert_depth");
+    Kernel kernel = kernelOf(compute, kernels::fusion, "convert_depth");
     kernel.launch(cl::NDRange(units.size()), cl::NDRange(4), input, static_cast<cl_int>(units.size()), 0.001F,
                   0.3F, 5.0F, output);
     const std::vector<float> z = output.read(compute.queue());
@@ -93,24 +93,24 @@ TEST(ConvertDepth, KeepsTheRangeAndDropsTheRest) {
 }
 
 TEST(HalveDepth, MatchesTheFormula) {
-  onEachDevice([](ComputeContext& compute) {
-    Kernel kernel = kernelOf(compute, kernels::halve_depth, "halve_depth");
+  onEachWidth([](ComputeContext& compute) {
+    Kernel kernel = kernelOf(compute, kernels::fusion, "halve_depth");
     for (const auto& [width, height] : {std::pair(640, 480), {317, 233}, {33, 34}, {2, 2}}) {
       const DepthImage large = testImage(width, height, 7);
       DepthPlane small(compute, width / 2, height / 2);
-      const auto items = cl::NDRange(static_cast<std::size_t>((small.width + 7) / 8),
-                                     static_cast<std::size_t>(small.height));
+      const cl::NDRange items = compute.lanes().overEights(small.width, small.height);
+      const cl::NDRange group = compute.lanes().rowGroup();
       const DepthImage expected = reference::reduceDepth(large, small.width, small.height, 2, 2);
 
       Buffer<cl_float> image(compute.context(), large.z.size());
       image.write(compute.queue(), large.z);
-      kernel.launch(items, cl::NullRange, image, cl_int{width}, cl_int{0}, cl_int{small.width},
-                    cl_int{small.height}, cl_int{small.stride}, small.metres);
+      kernel.launch(items, group, image, cl_int{width}, cl_int{0}, cl_int{small.width}, cl_int{small.height},
+                    cl_int{small.stride}, small.metres);
       expectSame(read(compute, small), expected);
 
       const DepthPlane plane = planeOf(compute, large);
-      kernel.launch(items, cl::NullRange, plane.metres, cl_int{plane.stride}, cl_int{PLANE_PAD},
-                    cl_int{small.width}, cl_int{small.height}, cl_int{small.stride}, small.metres);
+      kernel.launch(items, group, plane.metres, cl_int{plane.stride}, cl_int{PLANE_PAD}, cl_int{small.width},
+                    cl_int{small.height}, cl_int{small.stride}, small.metres);
       expectSame(read(compute, small), expected);
     }
   });
@@ -153,15 +153,14 @@ TEST(ReduceDepth, MatchesTheFormulaAtAnyRatio) {
 }
 
 TEST(FilterDepth, MatchesTheFormula) {
-  onEachDevice([](ComputeContext& compute) {
-    Kernel kernel = kernelOf(compute, kernels::filter_depth, "filter_depth");
+  onEachWidth([](ComputeContext& compute) {
+    Kernel kernel = kernelOf(compute, kernels::fusion, "filter_depth");
     for (const auto& [width, height] : {std::pair(320, 240), {317, 233}, {5, 3}}) {
       const DepthImage image = testImage(width, height, 3);
       const DepthPlane input = planeOf(compute, image);
       DepthPlane output(compute, width, height);
-      kernel.launch(cl::NDRange(static_cast<std::size_t>(input.runs), static_cast<std::size_t>(height)),
-                    cl::NullRange, input.metres, cl_int{input.runs}, cl_int{height}, cl_int{input.stride},
-                    0.008F, 0.008F, output.metres);
+      kernel.launch(compute.lanes().overRows(width, height), compute.lanes().rowGroup(), input.metres,
+                    cl_int{width}, cl_int{height}, cl_int{input.stride}, 0.008F, 0.008F, output.metres);
       expectSame(read(compute, output), reference::filterDepth(image, 0.008, 0.008));
     }
   });
@@ -169,7 +168,7 @@ TEST(FilterDepth, MatchesTheFormula) {
 
 TEST(BuildSurface, MatchesTheFormula) {
   onEachDevice([](ComputeContext& compute) {
-    Kernel kernel = kernelOf(compute, kernels::build_surface, "build_surface");
+    Kernel kernel = kernelOf(compute, kernels::fusion, "build_surface");
     for (const auto& [width, height] : {std::pair(320, 240), {317, 233}, {1, 1}}) {
       const Intrinsics K{290,   291,   static_cast<float>(width) / 2, static_cast<float>(height) / 2,
                          width, height};

@@ -21,7 +21,7 @@ int countValid(const std::vector<cl_float4>& map) {
 }
 
 TEST(DepthPreprocessor, PyramidHasTheShapesOfTheHeader) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     struct Case {
       int width, height, working, level_width, level_height;
     };
@@ -53,7 +53,7 @@ TEST(DepthPreprocessor, PyramidHasTheShapesOfTheHeader) {
 }
 
 TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d point(0, 0, 1.5), normal = Eigen::Vector3d(0.4, -0.3, -1).normalized();
     AnalyticScene scene;
     scene.plane(point, normal);
@@ -78,7 +78,7 @@ TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
 }
 
 TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d centre(0, 0, 1.4);
     AnalyticScene scene;
     scene.sphere(centre, 0.3).plane({0, 0, 2.5}, {0, 0, -1});
@@ -111,7 +111,7 @@ TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
 }
 
 TEST(DepthPreprocessor, FramesWithoutReadingsGiveEmptyMaps) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const auto preprocessor = make(compute, kKinect);
     RgbdFrame frame;
     for (const int value : {0, 65535}) {
@@ -129,7 +129,7 @@ TEST(DepthPreprocessor, FramesWithoutReadingsGiveEmptyMaps) {
 }
 
 TEST(DepthPreprocessor, HolesHoldNoNumbersThatAreNone) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const auto preprocessor = make(compute, kKinect);
     RgbdFrame frame;
     frame.depth = cv::Mat::zeros(480, 640, CV_16UC1);

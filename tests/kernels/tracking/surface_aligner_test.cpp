@@ -59,7 +59,7 @@ std::vector<Eigen::Vector4d> widened(const std::vector<cl_float4>& map) {
 }
 
 TEST(IcpPass, SumsMatchTheFormula) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
     const Eigen::Isometry3d T_model = pose(2, -3, 1, 0.05, -0.02, 0.1);
@@ -97,7 +97,7 @@ TEST(IcpPass, SumsMatchTheFormula) {
 }
 
 TEST(IcpPass, TellsWhatCameFromWhatIsSeenThrough) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const AnalyticScene known = roomCorner();
     AnalyticScene with_ball = roomCorner();
@@ -122,7 +122,7 @@ TEST(IcpPass, TellsWhatCameFromWhatIsSeenThrough) {
 
 // A noisier camera leaves larger residuals: they are no reason to distrust it when its noise is known.
 TEST(IcpPass, ResidualsAreCountedInTheNoiseOfTheCamera) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const SurfaceMaps model = mapsOf(compute, roomCorner(), kWorking, Eigen::Isometry3d::Identity());
     auto pass = IcpPass::create(compute);
     ASSERT_TRUE(pass) << pass.error().message();
@@ -151,7 +151,7 @@ TEST(IcpPass, ResidualsAreCountedInTheNoiseOfTheCamera) {
 }
 
 TEST(SurfaceAligner, RecoversKnownMotions) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
     const Eigen::Isometry3d T_model = pose(3, 2, -1, 0.1, 0.0, -0.1);
@@ -173,7 +173,7 @@ TEST(SurfaceAligner, RecoversKnownMotions) {
 }
 
 TEST(SurfaceAligner, SameInputSamePose) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const AnalyticScene scene = roomCorner();
     Rig rig(compute);
     const SurfaceMaps model = mapsOf(compute, scene, kWorking, Eigen::Isometry3d::Identity());

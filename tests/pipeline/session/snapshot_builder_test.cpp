@@ -97,6 +97,16 @@ TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
   EXPECT_EQ(idle->trail->size(), 1U);
 }
 
+TEST_F(SnapshotBuilderTest, LeavesTheCloudOutWhereNobodyLooksAtIt) {
+  builder_.leaveOutCloud();
+  ASSERT_FALSE(addFrame().empty());
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  const auto snapshot = mailbox_.collect();
+  ASSERT_TRUE(snapshot);
+  EXPECT_TRUE(snapshot->changed_bricks.empty());
+  EXPECT_FALSE(snapshot->changed_regions.empty());
+}
+
 TEST_F(SnapshotBuilderTest, WhileTheCameraIsLostShowsWhatItSawLast) {
   addFrame();
   const auto tracked = nextWhenDue();

@@ -33,6 +33,25 @@ TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
   EXPECT_EQ(timer.stages()[1].last_ms, 1);
 }
 
+TEST(SlowestFrames, NameTheStageThatIsFarthestAboveItsMedian) {
+  StageTimer timer;
+  for (int frame = 0; frame < 9; ++frame) {
+    timer.add("fuse", frame == 4 ? 12 : 10);
+    if (frame != 2) timer.add("track", frame == 4 ? 9 : frame == 7 ? 4 : 3);  // lost in frame 2
+    timer.endFrame();
+  }
+  const std::vector<SlowFrame> slowest = slowestFrames(timer.stages(), 2);
+  ASSERT_EQ(slowest.size(), 2U);
+  EXPECT_EQ(slowest[0].frame, 4U);
+  EXPECT_EQ(slowest[0].total_ms, 21);
+  EXPECT_EQ(slowest[0].stage, "track");
+  EXPECT_EQ(slowest[0].stage_ms, 9);
+  EXPECT_EQ(slowest[1].frame, 7U);
+  EXPECT_EQ(slowestFrames(timer.stages(), 100).size(), 9U);
+  EXPECT_EQ(slowestFrames(timer.stages(), 100).back().frame, 2U);
+  EXPECT_TRUE(slowestFrames({}, 3).empty());
+}
+
 TEST(StageTimer, HandsBackTheResultOfTheWork) {
   StageTimer timer;
   EXPECT_EQ(timer.time("add", [] { return 1 + 2; }), 3);

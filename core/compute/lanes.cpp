@@ -1,0 +1,42 @@
+#include "core/compute/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace scantrove {
+namespace {
+
+constexpr std::array kWidths = {16, 8, 4, 1};
+
+int widthOf(const cl::Device& device) {
+  if ((device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) == 0) return 1;
+  const cl_uint floats = std::max(device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>(),
+                                  device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
+  return *std::ranges::find_if(kWidths, [&](int width) { return width == 1 || cl_uint(width) <= floats; });
+}
+
+bool isWidth(int lanes) { return std::ranges::find(kWidths, lanes) != kWidths.end(); }
+
+}  // namespace
+
+Result<Lanes> Lanes::choose(const cl::Device& device, int wanted) {
+  std::string said = std::to_string(wanted);
+  if (wanted == 0) {
+    const char* from_environment = std::getenv("SCANTROVE_LANES");
+    if (from_environment == nullptr || *from_environment == '\0') return Lanes(widthOf(device));
+    said = from_environment;
+    const auto [end, failure] = std::from_chars(said.data(), said.data() + said.size(), wanted);
+    if (failure != std::errc{} || end != said.data() + said.size()) wanted = 0;
+  }
+  if (!isWidth(wanted)) {
+    return fail("Kernels cannot do '" + said + "' values at a time.",
+                "SCANTROVE_LANES is 1, 4, 8 or 16; without it the device's own width is taken.");
+  }
+  return Lanes(wanted);
+}
+
+}  // namespace scantrove

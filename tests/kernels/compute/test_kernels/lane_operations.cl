@@ -1,0 +1,14 @@
+// Of the values at the places `from` those below 0, except in lane 2; else 100 * row + column of the lane in its block.
+// any: not 0 where a work-item met one below 0. One work-item: LANES values.
+#include "core/compute/kernels/lanes.clh"
+
+kernel void pick_negative(global const float* values, global const int* from, global float* picked, global int* any) {
+  const int item = (int)get_global_id(0);
+  const intN place = EACH_LANE(intN, ELEMENT_AT, from, LANES * item + LANE);
+  const floatN value = GATHER(floatN, values, place);
+  const intN negative = value < 0.0f;
+  const intN second = LANE == 2;
+  const floatN block = convert_floatN(100 * LANE_Y + LANE_X);
+  any[item] = any_lane(negative);
+  STORE((negative & ~second) ? value : block, picked + LANES * item);
+}
