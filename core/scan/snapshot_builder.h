@@ -21,8 +21,8 @@ struct ScanProgress {
 };
 
 /// Makes the snapshots of one scan. Works only when the window has collected the last one and enough time has
-/// passed, and sends a bounded number of label-cloud bricks each time, those that waited longest first. One
-/// thread, the worker's.
+/// passed, and sends a bounded number of label-cloud bricks each time: those that a person changed, then
+/// those that waited longest. One thread, the worker's.
 class SnapshotBuilder {
  public:
   /// In one snapshot while scanning: bounds what it takes from a frame.
@@ -38,6 +38,11 @@ class SnapshotBuilder {
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
+  /// Around something that a person does to the regions: what that changes is sent before all else, and
+  /// marked.
+  void beginEdit(ScanPipeline& pipeline) { keepRegionChanges(pipeline, false); }
+  void endEdit(ScanPipeline& pipeline);
+
   /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
   void setShownKeyFrame(int place) { shown_key_frame_ = place; }
@@ -46,6 +51,8 @@ class SnapshotBuilder {
     frame_ = std::move(frame);
     result_ = std::move(result);
   }
+  /// The same frame, segmented anew.
+  void showSegments(SegmentMap segments) { result_.segments = std::move(segments); }
   /// Who says what object a region is, when the pipeline does not.
   void setObjects(std::function<ObjectId(RegionId)> object_of) { object_of_ = std::move(object_of); }
 
@@ -61,6 +68,7 @@ class SnapshotBuilder {
                                   std::size_t most_bricks);
   [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
                                               ScanSnapshot& snapshot);
+  void keepRegionChanges(ScanPipeline& pipeline, bool by_person);
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
@@ -71,6 +79,8 @@ class SnapshotBuilder {
   std::vector<Eigen::Vector3f> trail_;
   std::deque<Eigen::Vector3i> waiting_;                            // bricks, by position: slots change hands
   std::unordered_set<Eigen::Vector3i, BrickHash> is_waiting_;      // the same
+  std::unordered_set<Eigen::Vector3i, BrickHash> is_edited_;       // of those that wait
+  std::vector<RegionChange> region_changes_;                       // that wait
   std::uint64_t version_;                                          // of the bricks that are sent
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
   std::chrono::steady_clock::time_point last_post_;

@@ -30,6 +30,32 @@ TEST_F(SceneTest, MergedRegionsAreRecoloured) {
   EXPECT_TRUE(hasHueOf(pixel(140, 120), regionColor(RegionId{7})));
 }
 
+// While a scan changes everything, what a person changed is drawn first.
+TEST_F(SceneTest, WhatAPersonChangedIsDrawnBeforeWhatWaitsLonger) {
+  std::vector<CloudBrick> bricks = wall(512, 1, 2);
+  for (CloudBrick& brick : bricks) {
+    const bool is_within = (brick.position.head<2>().array() >= 0).all() && brick.position.x() < 8 &&
+                           brick.position.y() < 16;  // one chunk
+    if (!is_within) continue;
+    for (CloudBrick::Point& point : brick.points) point.fragment = FragmentId{3};
+  }
+  show(bricks, {{}, RegionId{1}, RegionId{2}, RegionId{3}});
+  render();
+  ASSERT_TRUE(hasHueOf(pixel(130, 130), regionColor(RegionId{3})));
+  show({}, {{}, RegionId{11}, RegionId{12}});
+  const auto drawOne = [&] { return scene_.prepare(kSize, kSize, 1'000'000, 1); };
+  EXPECT_FALSE(drawOne());
+  ScanSnapshot snapshot;
+  snapshot.changed_regions = {{FragmentId{3}, RegionId{33}, true}};
+  scene_.update(snapshot);
+  EXPECT_FALSE(drawOne());
+  window_->Render();
+  pixels_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  window_->GetPixelData(0, 0, kSize - 1, kSize - 1, 0, pixels_);
+  EXPECT_TRUE(hasHueOf(pixel(130, 130), regionColor(RegionId{33})));
+  EXPECT_FALSE(scene_.cloud().upToDate()) << "the others still wait";
+}
+
 TEST_F(SceneTest, NewerBrickReplacesAndOlderIsIgnored) {
   show(wall(64, 1, 1, 5), {{0}, {7}, {9}});
   show(wall(64, 2, 2, 4), {{0}, {7}, {9}});

@@ -107,7 +107,7 @@ void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>&
 
 void RegionController::editFailed(const ScanEdit& edit, const QString& message) {
   emit failed(message);
-  setCutting(Cutting::no);
+  cutter_->end();
   const auto* const operation = std::get_if<Operation>(&edit);
   for (int i = undo_.count() - 1; operation != nullptr && i >= 0; --i) {
     const auto* const command = dynamic_cast<const Command*>(undo_.command(i));

@@ -1,6 +1,7 @@
 #include "ui/panels/scene_overlay.h"
 
 #include <QPainter>
+#include <utility>
 
 #include "ui/panels/image_panel.h"
 #include "ui/panels/region_picture.h"
@@ -31,6 +32,18 @@ void SceneOverlay::setBand(const QRectF& band) {
   update();
 }
 
+void SceneOverlay::setStroke(const QPolygonF& places, const QColor& color) {
+  if (places.isEmpty() && stroke_.places.isEmpty()) return;
+  stroke_ = {color, places};
+  update();
+}
+
+void SceneOverlay::setMarks(std::vector<Marks> marks) {
+  if (marks.empty() && marks_.empty()) return;
+  marks_ = std::move(marks);
+  update();
+}
+
 void SceneOverlay::setHint(const QString& hint) {
   if (hint == hint_) return;
   hint_ = hint;
@@ -47,6 +60,8 @@ void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
     painter.drawRect(band_);
   }
+  for (const Marks& marks : marks_) paintMarks(painter, marks.places, marks.color);
+  if (!stroke_.places.isEmpty()) paintStroke(painter, stroke_.places, stroke_.color);
   if (pointer_) paintPointerTag(painter, *pointer_, rect(), tag_);
   if (hint_.isEmpty()) return;
   const QSizeF size = chipSize(painter, hint_);

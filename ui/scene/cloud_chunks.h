@@ -49,8 +49,8 @@ class CloudChunks {
   [[nodiscard]] const CloudLook& look() const { return look_; }
 
   /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
-  /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed. Returns true
-  /// when all chunks in view are up to date.
+  /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed: first, and a
+  /// few times as many, of those that a person changed. Returns true when all chunks in view are up to date.
   bool prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
                std::size_t rebuild_budget);
 

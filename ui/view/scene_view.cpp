@@ -5,13 +5,9 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
-#include <QApplication>
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace scantrove {
@@ -23,33 +19,6 @@ constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
 constexpr int kPointing_ms = 150;
 constexpr std::size_t kRebuildWhileScanningPoints = 150'000;
-constexpr float kTurnPerPixel_rad = 0.006F;
-
-/// Between two points of a coarse cloud nothing is drawn: a pixel there belongs to the surface around it.
-void closeGaps(cv::Mat& ids) {
-  const cv::Mat open = ids.clone();
-  for (int y = 1; y + 1 < ids.rows; ++y) {
-    const auto* above = open.ptr<int>(y - 1);
-    const auto* row = open.ptr<int>(y);
-    const auto* below = open.ptr<int>(y + 1);
-    auto* out = ids.ptr<int>(y);
-    for (int x = 1; x + 1 < ids.cols; ++x) {
-      if (row[x] != 0) continue;
-      if (row[x - 1] != 0 && row[x - 1] == row[x + 1]) {
-        out[x] = row[x - 1];
-      } else if (above[x] != 0 && above[x] == below[x]) {
-        out[x] = above[x];
-      } else if (above[x - 1] != 0 && above[x - 1] == below[x + 1]) {
-        out[x] = above[x - 1];
-      } else if (above[x + 1] != 0 && above[x + 1] == below[x - 1]) {
-        out[x] = above[x + 1];
-      }
-    }
-  }
-}
-
-constexpr float kIdsPerPixel = 0.5F;  ///< resolution of pointing
-constexpr int kGapPasses = 2;
 
 }  // namespace
 
@@ -158,6 +127,12 @@ void SceneView::clearScene() {
 
 void SceneView::showSnapshot(const ScanSnapshot& snapshot) {
   scene_.update(snapshot);
+  const auto isByPerson = [](const auto& change) { return change.by_person; };
+  if (std::ranges::any_of(snapshot.changed_regions, isByPerson) ||
+      std::ranges::any_of(snapshot.changed_bricks, isByPerson)) {
+    is_awaited_ = true;
+    draw_timer_.start(0);
+  }
   schedule();
 }
 
@@ -237,13 +212,14 @@ void SceneView::schedule() {
 
 void SceneView::drawUnlessPointing() {
   // A drawing holds the window up: not between two steps of the pointer, who wants to see what it points at.
-  const bool is_pointing = scanning_ && !moving_ && since_pointed_.isValid() &&
+  const bool is_pointing = scanning_ && !moving_ && !is_awaited_ && since_pointed_.isValid() &&
                            since_pointed_.elapsed() < kPointing_ms &&
                            since_draw_.elapsed() < kLongestInterval_ms;
   if (is_pointing) {
     draw_timer_.start(kPointing_ms);
     return;
   }
+  is_awaited_ = false;
   is_old_ = true;
   update();
 }
@@ -295,7 +271,7 @@ void SceneView::paintGL() {
   draw_ms_ += 0.3 * (took_ms - draw_ms_);
   if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
   since_draw_.start();
-  are_ids_old_ = true;
+  pointing_.setDrawn(pixels, devicePixelRatioF());
   emit drawn();
   if (!complete) schedule();
 }
@@ -329,151 +305,19 @@ void SceneView::interacted() {
   draw_timer_.start(0);
 }
 
-void SceneView::findIds() {
-  if (!are_ids_old_ || window_ == nullptr) return;
-  are_ids_old_ = false;
-  const QSize pixels = size() * devicePixelRatioF();
-  scene_.drawIds(pixels.width(), pixels.height(), kIdsPerPixel / static_cast<float>(devicePixelRatioF()),
-                 ids_);
-  region_ids_.create(ids_.height(), ids_.width(), CV_32SC1);
-  std::transform(
-      ids_.fragments().begin(), ids_.fragments().end(), region_ids_.begin<int>(),
-      [this](FragmentId fragment) { return static_cast<int>(scene_.cloud().regionOf(fragment).value); });
-  for (int pass = 0; pass < kGapPasses; ++pass) closeGaps(region_ids_);
-}
-
-std::optional<Eigen::Vector3f> SceneView::surfaceNear(int x, int y) const {
-  const int region = region_ids_.at<int>(y, x);
-  for (int reach = 0; region != 0 && reach <= kGapPasses; ++reach) {
-    for (int v = std::max(0, y - reach); v <= std::min(region_ids_.rows - 1, y + reach); ++v) {
-      for (int u = std::max(0, x - reach); u <= std::min(region_ids_.cols - 1, x + reach); ++u) {
-        if (region_ids_.at<int>(v, u) != region) continue;
-        if (auto point = ids_.pointAt(u, v)) return point;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-const cv::Mat& SceneView::regionIds() {
-  findIds();
-  return region_ids_;
-}
+const cv::Mat& SceneView::regionIds() { return pointing_.regionIds(); }
 
 RegionPoint SceneView::at(const QPointF& place) {
-  findIds();
-  if (region_ids_.empty() || width() < 1 || height() < 1) return {};
-  const int x = static_cast<int>(place.x() / width() * region_ids_.cols);
-  const int y = static_cast<int>(place.y() / height() * region_ids_.rows);
-  if (x < 0 || y < 0 || x >= region_ids_.cols || y >= region_ids_.rows) return {};
-  return {RegionId{static_cast<std::uint32_t>(region_ids_.at<int>(y, x))}, surfaceNear(x, y)};
+  if (width() < 1 || height() < 1) return {};
+  return pointing_.at({place.x() / width(), place.y() / height()});
 }
 
-QRectF SceneView::band() const {
-  return press_ && band_to_ ? QRectF(*press_, *band_to_).normalized() & QRectF(rect()) : QRectF();
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-  last_mouse_ = event->globalPosition();
-  press_ = event->position();
-  is_dragged_ = false;
-  setFocus(Qt::MouseFocusReason);
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() == Qt::NoButton) {
-    notePointing();
-    emit pointedAt(event->position());
-    return;
-  }
-  if (press_ && !is_dragged_) {
-    if ((event->position() - *press_).manhattanLength() < QApplication::startDragDistance()) return;
-    is_dragged_ = true;
-    emit pointerLeft();
-  }
-  // On the screen: a message that appears above the view moves the view under the mouse.
-  const QPointF step = event->globalPosition() - last_mouse_;
-  last_mouse_ = event->globalPosition();
-  if (event->buttons().testFlag(Qt::LeftButton) && event->modifiers().testFlag(Qt::ControlModifier)) {
-    band_to_ = event->position();
-    emit bandChanged();
-    return;
-  }
-  const auto dx = static_cast<float>(step.x());
-  const auto dy = static_cast<float>(step.y());
-  const auto tall = static_cast<float>(std::max(1, height()));
-  const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
-  if (event->buttons().testFlag(Qt::MiddleButton) || (event->buttons().testFlag(Qt::LeftButton) && shifted)) {
-    scene_.viewpoint().pan(-dx / tall, dy / tall);
-  } else if (event->buttons().testFlag(Qt::LeftButton)) {
-    scene_.viewpoint().orbit(-dx * kTurnPerPixel_rad, dy * kTurnPerPixel_rad);
-  } else if (event->buttons().testFlag(Qt::RightButton)) {
-    scene_.viewpoint().zoom(std::exp(dy * 0.006F));
-  } else {
-    return;
-  }
-  interacted();
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  const QRectF drawn_band = band();
-  const bool was_pressed = std::exchange(press_, std::nullopt).has_value();
-  if (std::exchange(band_to_, std::nullopt)) {
-    emit bandChanged();
-    emit bandDrawn(drawn_band);
-  } else if (was_pressed && !is_dragged_ && event->button() == Qt::LeftButton) {
-    emit clicked(event->position(), event->modifiers());
-  } else if (was_pressed && !is_dragged_ && event->button() == Qt::RightButton) {
-    emit menuWanted(event->position(), event->globalPosition().toPoint());
-  }
-  is_dragged_ = false;
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  press_.reset();  // its release is no click
-  if (event->button() == Qt::LeftButton) emit doubleClicked(event->position());
-}
-
-void SceneView::leaveEvent(QEvent* /*event*/) { emit pointerLeft(); }
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-  scene_.viewpoint().zoom(std::exp(-static_cast<float>(event->angleDelta().y()) / 120.0F * 0.14F));
-  interacted();
-  event->accept();
-}
-
-void SceneView::keyPressEvent(QKeyEvent* event) {
-  constexpr float kStep_rad = 0.10F;
-  OrbitCamera& viewpoint = scene_.viewpoint();
-  const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
-  switch (event->key()) {
-    case Qt::Key_Left:
-      shifted ? viewpoint.pan(-0.05F, 0) : viewpoint.orbit(kStep_rad, 0);
-      break;
-    case Qt::Key_Right:
-      shifted ? viewpoint.pan(0.05F, 0) : viewpoint.orbit(-kStep_rad, 0);
-      break;
-    case Qt::Key_Up:
-      shifted ? viewpoint.pan(0, 0.05F) : viewpoint.orbit(0, kStep_rad);
-      break;
-    case Qt::Key_Down:
-      shifted ? viewpoint.pan(0, -0.05F) : viewpoint.orbit(0, -kStep_rad);
-      break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      viewpoint.zoom(0.88F);
-      break;
-    case Qt::Key_Minus:
-      viewpoint.zoom(1 / 0.88F);
-      break;
-    case Qt::Key_Home:
-      fitAll();
-      return;
-    default:
-      QOpenGLWidget::keyPressEvent(event);
-      return;
-  }
-  interacted();
+std::optional<QPointF> SceneView::placeOf(const Eigen::Vector3f& point_world) {
+  const float aspect = static_cast<float>(width()) / static_cast<float>(std::max(1, height()));
+  const auto place = scene_.viewpoint().placeOf(point_world, aspect);
+  if (!place || place->cwiseAbs().maxCoeff() > 1) return std::nullopt;
+  return QPointF((static_cast<double>(place->x()) + 1) / 2 * width(),
+                 (1 - static_cast<double>(place->y())) / 2 * height());
 }
 
 }  // namespace scantrove

@@ -10,14 +10,17 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/common/region_point.h"
+#include "ui/common/stroke_path.h"
 #include "ui/scene/label_cloud_scene.h"
 #include "ui/view/point_budget.h"
+#include "ui/view/scene_pointing.h"
 
 namespace scantrove {
 
 /// The 3D view: the one place where Qt and VTK meet. VTK draws into its own framebuffer inside Qt's OpenGL
 /// context, which is then copied to the widget's. Draws seldom while a scan runs, so that most of the machine
-/// stays with the scan, and coarser while the person turns the view.
+/// stays with the scan, at once what a person did to the regions, and coarser while the person turns the
+/// view.
 ///
 /// Left drag turns, middle or Shift+left drag moves, right drag or wheel zooms, Ctrl+left drag draws a band;
 /// arrow keys, + and - and Home do the same from the keyboard. What is pointed at and clicked is told.
@@ -49,8 +52,15 @@ class SceneView : public QOpenGLWidget {
 
   /// What the last drawing shows there. Widget coordinates.
   [[nodiscard]] RegionPoint at(const QPointF& place);
+  /// Where a point of the world is seen, hidden or not. Widget coordinates; none: not in the view.
+  [[nodiscard]] std::optional<QPointF> placeOf(const Eigen::Vector3f& point_world);
   /// CV_32SC1: the region in each pixel of the last drawing, at about half its size.
   [[nodiscard]] const cv::Mat& regionIds();
+  /// While on, a left drag that begins on a region draws a stroke, and strokeAt() says what lies under it;
+  /// one that begins beside everything turns the view as ever. Turned off, a stroke on its way is given up.
+  void setDrawsStrokes(bool draws);
+  /// What is being drawn, widget coordinates; empty: nothing is.
+  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.places(); }
   /// Of the band that is being drawn, widget coordinates; empty: none is.
   [[nodiscard]] QRectF band() const;
   void setColoring(Coloring coloring);
@@ -81,6 +91,9 @@ class SceneView : public QOpenGLWidget {
   void menuWanted(const QPointF& place, const QPoint& on_screen);
   void bandChanged();
   void bandDrawn(const QRectF& band);
+  void strokeAt(const scantrove::RegionPoint& point);
+  void strokeChanged();
+  void strokeEnded(Qt::KeyboardModifiers modifiers);
   void cleared();
 
  protected:
@@ -103,9 +116,8 @@ class SceneView : public QOpenGLWidget {
   void blitToWidget();
   void drawUnlessPointing();
   [[nodiscard]] PointBudget& budget();
-  void findIds();
-  /// Of the region at that pixel of region_ids_.
-  [[nodiscard]] std::optional<Eigen::Vector3f> surfaceNear(int x, int y) const;
+  void beginStroke(const QMouseEvent& event);
+  void drawStroke(const QPointF& to);
 
   LabelCloudScene scene_;
   std::unique_ptr<RenderWindow> window_;
@@ -114,12 +126,14 @@ class SceneView : public QOpenGLWidget {
   QElapsedTimer since_draw_, since_pointed_;
   QSize drawn_size_;
   bool is_old_ = true;                      ///< what was drawn
+  bool is_awaited_ = false;                 ///< what a person did is not drawn yet
   QPointF last_mouse_;                      ///< on the screen
   std::optional<QPointF> press_, band_to_;  ///< in the widget
   bool is_dragged_ = false;                 ///< since the press
-  CloudIds ids_;
-  cv::Mat region_ids_;
-  bool are_ids_old_ = true;
+  bool is_given_up_ = false;                ///< the stroke of this press: the rest of the drag does nothing
+  bool draws_strokes_ = false;
+  StrokePath stroke_;
+  ScenePointing pointing_{scene_};
   double draw_ms_ = 30;  ///< smoothed time of drawing
   PointBudget moving_budget_{45, 6e4, 1e5};
   PointBudget scanning_budget_{90, 1.5e5, 2e5};
