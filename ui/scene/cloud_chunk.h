@@ -60,6 +60,8 @@ class CloudChunk {
   void show(bool visible);
   [[nodiscard]] bool inView() const { return in_view_; }
 
+  [[nodiscard]] vtkProp* prop() const { return actor_; }
+
   /// Something that concerns all points is another: it must be drawn anew.
   void markAll() { dirty_ = true; }
 

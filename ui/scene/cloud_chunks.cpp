@@ -62,7 +62,7 @@ void CloudChunks::clear() {
   drawn_point_count_ = 0;
 }
 
-void CloudChunks::update(const std::vector<CloudBrick>& changed,
+void CloudChunks::update(std::span<const CloudBrick> changed,
                          const std::vector<RegionChange>& changed_regions) {
   recolor(changed_regions);
   std::ptrdiff_t growth = 0;
@@ -172,6 +172,22 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   if (!dirty.empty())
     chooseLevels(camera, width_px, height_px, point_budget);  // shows what is new, sized right
   return true;
+}
+
+std::map<vtkProp*, std::size_t> CloudChunks::divide(std::size_t points) const {
+  std::map<vtkProp*, std::size_t> part_of;
+  std::size_t part = 0, in_part = 0;
+  for (const auto& [key, chunk] : chunks_) {
+    if (!chunk->inView() || !chunk->shown()) continue;
+    const std::size_t count = chunk->pointCount(chunk->level());
+    if (in_part > 0 && in_part + count > points) {
+      ++part;
+      in_part = 0;
+    }
+    in_part += count;
+    part_of[chunk->prop()] = part;
+  }
+  return part_of;
 }
 
 void CloudChunks::addTo(CloudIds& ids) const {

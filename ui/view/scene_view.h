@@ -14,8 +14,11 @@
 #include "ui/scene/label_cloud_scene.h"
 #include "ui/view/point_budget.h"
 #include "ui/view/scene_pointing.h"
+#include "ui/view/snapshot_arrivals.h"
 
 namespace scantrove {
+
+class QtRenderWindow;
 
 /// The 3D view: the one place where Qt and VTK meet. VTK draws into its own framebuffer inside Qt's OpenGL
 /// context, which is then copied to the widget's. Draws seldom while a scan runs, so that most of the machine
@@ -36,7 +39,8 @@ class SceneView : public QOpenGLWidget {
 
   [[nodiscard]] LabelCloudScene& scene() { return scene_; }
   void clearScene();
-  void showSnapshot(const ScanSnapshot& snapshot);
+  /// Its bricks come into view a few at a time.
+  void showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot);
   /// While true, drawing takes about a sixth of the time at most.
   void setScanning(bool scanning);
   void setColors(const LabelCloudScene::Colors& colors);
@@ -99,6 +103,7 @@ class SceneView : public QOpenGLWidget {
  protected:
   void initializeGL() override;
   void paintGL() override;
+  void resizeGL(int width, int height) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -108,20 +113,28 @@ class SceneView : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  class RenderWindow;
-
   /// Draws as soon as the share of time allows.
   void schedule();
   void interacted();
+  void takeOver();
+  /// When nothing moves: a step of a drawing with much detail, which would hold the window up if it were made
+  /// at once. The last one shows it.
+  void drawStill();
+  void render(const QSize& pixels);
+  void noteDrawn(const QSize& pixels, double took_ms);
   void blitToWidget();
   void drawUnlessPointing();
+  /// Something moves or comes: what is drawn will be drawn anew soon.
+  [[nodiscard]] bool hurries() const;
   [[nodiscard]] PointBudget& budget();
   void beginStroke(const QMouseEvent& event);
   void drawStroke(const QPointF& to);
 
   LabelCloudScene scene_;
-  std::unique_ptr<RenderWindow> window_;
+  SnapshotArrivals arrivals_{scene_};
+  std::unique_ptr<QtRenderWindow> window_;
   QTimer draw_timer_;
+  QTimer arrival_timer_;
   QTimer settle_timer_;  ///< after the last movement: back to full detail
   QElapsedTimer since_draw_, since_pointed_;
   QSize drawn_size_;
@@ -134,7 +147,10 @@ class SceneView : public QOpenGLWidget {
   bool draws_strokes_ = false;
   StrokePath stroke_;
   ScenePointing pointing_{scene_};
-  double draw_ms_ = 30;  ///< smoothed time of drawing
+  bool is_in_parts_ = false;  ///< a still drawing is on its way in VTK's framebuffer
+  double still_ms_ = 0;       ///< what it took so far
+  double draw_ms_ = 30;       ///< smoothed time of drawing
+  PointBudget part_budget_{40, 2e4, 5e4};
   PointBudget moving_budget_{45, 6e4, 1e5};
   PointBudget scanning_budget_{90, 1.5e5, 2e5};
   PointBudget still_budget_{600, 5e5, 1e6};
