@@ -112,7 +112,8 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   }
   const auto largest =
       std::ranges::max_element(points, {}, [](const auto& entry) { return entry.second.size(); });
-  const auto [left, right] = std::ranges::minmax_element(largest->second, {}, &Eigen::Vector3f::x);
+  const auto [left, right] = std::ranges::minmax_element(
+      largest->second, {}, [](const Eigen::Vector3f& point) { return point.x(); });
   const Bricks changed = addFrame();
   ASSERT_GT(changed.size(), SnapshotBuilder::kMostBricks) << "all of these wait";
   Operation cut{.kind = OperationKind::cut, .regions = {largest->first}};
