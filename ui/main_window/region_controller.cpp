@@ -159,6 +159,7 @@ void RegionController::connectBridge() {
 void RegionController::beginScan() {
   cutter_->end();
   selection_.reset();
+  ++proposal_number_;
   proposals_.clear();
   undo_.clear();
   knows_history_ = false;
