@@ -20,8 +20,6 @@ constexpr std::array<WriteFormat, 9> kWriters{exportCoco,  exportBop,      expor
                                               exportMasks, exportPlyCloud, exportPcdCloud,
                                               exportMesh,  exportTum,      exportScannet};
 
-bool hasImages(DatasetFormat format) { return format <= DatasetFormat::masks; }
-
 Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& options, const StagedFolder& folder,
                                  const ExportProgressCallback& progress, const std::stop_token& cancel) {
   ExportJob job(scan, options, folder.path(), progress, cancel);
@@ -55,6 +53,8 @@ const std::vector<std::string>& datasetFormatNames() {
                                                "pcd",  "mesh", "tum",  "scannet"};
   return kNames;
 }
+
+bool hasImages(DatasetFormat format) { return format <= DatasetFormat::masks; }
 
 Result<DatasetFormat> parseDatasetFormat(std::string_view name) {
   const auto& names = datasetFormatNames();

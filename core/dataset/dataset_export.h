@@ -18,6 +18,9 @@ enum class DatasetFormat { coco, bop, yolo, masks, ply, pcd, mesh, tum, scannet 
 /// "coco", "bop", ... in the order of the enumeration.
 [[nodiscard]] const std::vector<std::string>& datasetFormatNames();
 
+/// Key frames with masks; the others are clouds, meshes or a trajectory.
+[[nodiscard]] bool hasImages(DatasetFormat format);
+
 /// Error: names `name` and lists what there is.
 [[nodiscard]] Result<DatasetFormat> parseDatasetFormat(std::string_view name);
 

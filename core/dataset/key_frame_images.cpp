@@ -5,7 +5,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
-#include <unordered_set>
 #include <utility>
 
 #include "core/base/regular_file.h"
@@ -48,33 +47,6 @@ Result<void> takeImage(LabelledImage& image, const cv::Mat& color) {
   return {};
 }
 
-/// What is read of a frame. Error: the frame is unusable, the others need not be.
-Result<std::pair<LabelledImage, cv::Mat>> readKeyFrame(LabelledScan& scan, const KeyFrameInfo& frame) {
-  LabelledImage image;
-  image.frame = frame;
-  image.stem = fmt::format("{:06}", frame.index);
-  const auto depth = scan.depth(frame.index);
-  if (!depth) return fail(depth.error());
-  SCANTROVE_TRY(checkSize(*depth, frame.K_depth, frame, "depth"));
-  cv::Mat color;
-  if (frame.color_file.empty()) {
-    image.K = frame.K_depth;
-    image.T_world_camera = frame.T_world_depth;
-    KeyFrameInfo alone = frame;
-    alone.K_color = frame.K_depth;
-    alone.T_color_depth.setIdentity();
-    image.depth_m = registerDepth(alone, *depth);
-  } else {
-    SCANTROVE_TRY(moveInto(color, scan.color(frame.index)));
-    SCANTROVE_TRY(checkSize(color, frame.K_color, frame, "colour"));
-    SCANTROVE_TRY(takeImage(image, color));
-    image.K = frame.K_color;
-    image.T_world_camera = frame.colorCameraPose();
-    image.depth_m = registerDepth(frame, *depth);
-  }
-  return std::pair(std::move(image), std::move(color));
-}
-
 void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
   int last = 0;
   bool is_kept = false;
@@ -90,14 +62,54 @@ void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
 
 }  // namespace
 
+Result<KeyFrameImage> readKeyFrameImage(LabelledScan& scan, const KeyFrameInfo& frame) {
+  KeyFrameImage read;
+  auto& [image, color] = read;
+  image.frame = frame;
+  image.stem = fmt::format("{:06}", frame.index);
+  const auto depth = scan.depth(frame.index);
+  if (!depth) return fail(depth.error());
+  SCANTROVE_TRY(checkSize(*depth, frame.K_depth, frame, "depth"));
+  if (frame.color_file.empty()) {
+    image.K = frame.K_depth;
+    image.T_world_camera = frame.T_world_depth;
+    KeyFrameInfo alone = frame;
+    alone.K_color = frame.K_depth;
+    alone.T_color_depth.setIdentity();
+    image.depth_m = registerDepth(alone, *depth);
+  } else {
+    SCANTROVE_TRY(moveInto(color, scan.color(frame.index)));
+    SCANTROVE_TRY(checkSize(color, frame.K_color, frame, "colour"));
+    SCANTROVE_TRY(takeImage(image, color));
+    image.K = frame.K_color;
+    image.T_world_camera = frame.colorCameraPose();
+    image.depth_m = registerDepth(frame, *depth);
+  }
+  return read;
+}
+
+Result<void> labelImage(LabelledScan& scan, KeyFrameImage& read, const std::unordered_set<int>& kept) {
+  LabelledImage& image = read.image;
+  const auto map = scan.look(image.K, image.T_world_camera);
+  if (!map) return fail(map.error());
+  image.regions = refineRegions(*map, {image.depth_m, read.color}, image.K.fx);
+  keepOnly(image.regions, kept);
+  return {};
+}
+
+std::unordered_set<int> idsOf(const std::vector<LabelledRegion>& regions) {
+  std::unordered_set<int> ids;
+  for (const LabelledRegion& region : regions) ids.insert(static_cast<int>(region.id));
+  return ids;
+}
+
 Result<void> forEachLabelledImage(ExportJob& job, bool needs_color, const UseLabelledImage& use) {
   LabelledScan& scan = job.scan();
   const auto frames = scan.keyFrames(job.options().all_frames);
   if (!frames) return fail(frames.error());
   if (frames->empty())
     return fail("The scan " + scan.name() + " has no key frames: there are no images to export.");
-  std::unordered_set<int> kept;
-  for (const LabelledRegion& region : job.chosen()) kept.insert(static_cast<int>(region.id));
+  const std::unordered_set<int> kept = idsOf(job.chosen());
   int done = 0;
   const auto total = static_cast<int>(frames->size());
   for (const KeyFrameInfo& frame : *frames) {
@@ -106,17 +118,13 @@ Result<void> forEachLabelledImage(ExportJob& job, bool needs_color, const UseLab
       job.summary().skipped.push_back(nameOf(frame) + " has no colour image.");
       continue;
     }
-    auto read = readKeyFrame(scan, frame);
+    auto read = readKeyFrameImage(scan, frame);
     if (!read) {
       job.summary().skipped.push_back(nameOf(frame) + " was left out: " + read.error().what);
       continue;
     }
-    auto& [image, color] = *read;
-    const auto map = scan.look(image.K, image.T_world_camera);
-    if (!map) return fail(map.error());
-    image.regions = refineRegions(*map, {image.depth_m, color}, image.K.fx);
-    keepOnly(image.regions, kept);
-    SCANTROVE_TRY(use(image));
+    SCANTROVE_TRY(labelImage(scan, *read, kept));
+    SCANTROVE_TRY(use(read->image));
     ++job.summary().images;
   }
   if (job.summary().images > 0) return {};

@@ -3,6 +3,8 @@
 #include <functional>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "core/dataset/export_job.h"
 
@@ -23,6 +25,18 @@ struct LabelledImage {
   /// CV_8UC1, 255 = the region.
   [[nodiscard]] cv::Mat maskOf(std::uint32_t region) const { return regions == static_cast<int>(region); }
 };
+
+/// A key frame whose labels need not be known yet.
+struct KeyFrameImage {
+  LabelledImage image;
+  cv::Mat color;  ///< CV_8UC3; empty without colour
+};
+/// Without labels. Error: the frame is unusable; the others need not be.
+[[nodiscard]] Result<KeyFrameImage> readKeyFrameImage(LabelledScan& scan, const KeyFrameInfo& frame);
+/// Finds its labels in the map, those of `kept` only. Error: the map.
+[[nodiscard]] Result<void> labelImage(LabelledScan& scan, KeyFrameImage& read,
+                                      const std::unordered_set<int>& kept);
+[[nodiscard]] std::unordered_set<int> idsOf(const std::vector<LabelledRegion>& regions);
 
 /// What a format makes of one frame.
 using UseLabelledImage = std::function<Result<void>(const LabelledImage&)>;

@@ -114,7 +114,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   result.pose =
       stage("track", [&] { return tracker_ ? tracker_->track(frame, *depth, followed_) : givenPose(frame); });
   touched_ = {};
-  if (!result.pose.usable()) return result;
+  has_pose_ = result.pose.usable();
+  if (!has_pose_) return result;
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
 
   const DepthPyramid* still = nullptr;
@@ -311,6 +312,21 @@ Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometr
       view.depths_m.push_back(v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F);
     }
     return view;
+  });
+}
+
+Result<SegmentMap> ScanPipeline::segmentAgain() {
+  return guarded("segmenting the frame again", [&]() -> Result<SegmentMap> {
+    return has_pose_ ? segmenter_->segment(surface_, params_.segmentation) : SegmentMap{};
+  });
+}
+
+Result<SegmentMap> ScanPipeline::segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
+                                                const SegmentationParams& params) {
+  return guarded("segmenting a view of the map", [&]() -> Result<SegmentMap> {
+    SurfaceMaps surface;
+    map_->raycast(T_world_camera, working_K_, surface);
+    return segmenter_->segment(surface, params);
   });
 }
 

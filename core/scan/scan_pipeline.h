@@ -144,6 +144,11 @@ class ScanPipeline {
   }
   [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera,
                                                               const Intrinsics& K);
+  /// S_t of the last frame anew, by the present parameters; of a frame without a pose: empty. Of what the map
+  /// shows from somewhere. Neither changes map or labels. Error: the device failed.
+  [[nodiscard]] Result<SegmentMap> segmentAgain();
+  [[nodiscard]] Result<SegmentMap> segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
+                                                  const SegmentationParams& params);
   struct RegionCount {
     int regions = 0;  ///< of at least kSliverVoxels voxels
     int slivers = 0;  ///< smaller ones
@@ -219,8 +224,9 @@ class ScanPipeline {
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<ObjectCollector> collector_;
 
-  SurfaceMaps surface_;   // V_t, N_t of the last usable frame
-  SurfaceMaps followed_;  // what of it the camera is followed by
+  SurfaceMaps surface_;    // V_t, N_t of the last usable frame
+  bool has_pose_ = false;  // the last frame: surface_ is of it
+  SurfaceMaps followed_;   // what of it the camera is followed by
   std::span<const Eigen::Vector3i> touched_;
   std::vector<Eigen::Vector3f> color_lab_;
   int frames_ = 0;  // given to processFrame

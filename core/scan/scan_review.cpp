@@ -42,7 +42,7 @@ ScanReview::ScanReview(std::unique_ptr<OpenSession> session, ScanSession::Listen
                        LatestValue<ScanSnapshot>& mailbox)
     : session_(std::move(session)), listener_(std::move(listener)), snapshots_(mailbox, kVersionsOfScan) {}
 
-Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
+Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request, const ScanParams& params,
                                                      ScanSession::Listener listener,
                                                      LatestValue<ScanSnapshot>& mailbox) {
   auto session = OpenSession::open(*request.output_folder, request.device);
@@ -50,6 +50,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
   for (const std::string& damage : (*session)->damages()) listener(MapFailed{{damage, ""}});
   std::unique_ptr<ScanReview> review(new ScanReview(std::move(*session), std::move(listener), mailbox));
   OpenSession& opened = *review->session_;
+  review->segmentation_ = params.segmentation;
 
   std::vector<int> numbers;
   std::vector<Eigen::Vector3f> trail;
@@ -94,8 +95,30 @@ Result<void> ScanReview::lookAgain() {
     frame = RgbdFrame{};
     frame->index = saved.source_index;
   }
+  SCANTROVE_TRY(segment());
   snapshots_.setShownKeyFrame(shown_);
-  snapshots_.showFrame(std::move(*frame), resultOf(*view, pipeline.workingIntrinsics(), saved));
+  FrameResult result = resultOf(*view, pipeline.workingIntrinsics(), saved);
+  result.segments = segments_;
+  snapshots_.showFrame(std::move(*frame), std::move(result));
+  return post();
+}
+
+Result<void> ScanReview::segment() {
+  if (segmented_ == shown_) return {};
+  const SavedFrame& saved = *session_->frameOf(*key_frames_[static_cast<std::size_t>(shown_)]);
+  SCANTROVE_TRY(
+      moveInto(segments_, session_->pipeline().segmentMapFrom(saved.T_world_camera, segmentation_)));
+  segmented_ = shown_;
+  return {};
+}
+
+Result<void> ScanReview::setParams(const ScanParams& params) {
+  if (params.segmentation == segmentation_) return {};
+  segmentation_ = params.segmentation;
+  segmented_ = -1;
+  if (shown_ < 0) return {};
+  SCANTROVE_TRY(segment());
+  snapshots_.showSegments(segments_);
   return post();
 }
 
@@ -109,11 +132,12 @@ Result<void> ScanReview::post() {
 }
 
 Result<void> ScanReview::edit(const ScanEdit& edit) {
+  snapshots_.beginEdit(session_->pipeline());
   const Result<RegionEditor::Outcome> outcome = std::visit(
       Overloaded{[&](const Operation& operation) { return session_->edit(operation); },
                  [&](UndoEdit) { return session_->undo(); }, [&](RedoEdit) { return session_->redo(); }},
       edit);
-  snapshots_.addBricks(session_->pipeline().takeEditedBricks());
+  snapshots_.endEdit(session_->pipeline());
   if (outcome) {
     const SaidHow how = std::holds_alternative<UndoEdit>(edit) ? SaidHow::undone : SaidHow::done;
     const Result<void> told =
@@ -134,6 +158,17 @@ void ScanReview::previewExport(const ExportOptions& options) {
     listener_(ExportPreviewed{*preview});
   } else {
     listener_(ExportFailed{preview.error()});
+  }
+}
+
+void ScanReview::sampleExport(const ExportOptions& options, std::optional<int> place) {
+  SessionScan scan(*session_);
+  const Result<ExportSample> sample = guarded("looking at an image of the data set",
+                                              [&] { return scantrove::sampleExport(scan, options, place); });
+  if (sample) {
+    listener_(ExportSampled{*sample});
+  } else {
+    listener_(ExportFailed{sample.error()});
   }
 }
 

@@ -14,8 +14,9 @@ namespace scantrove {
 /// later. Tells the same news as a scan. One thread, the worker's.
 class ScanReview {
  public:
-  /// Error: as of OpenSession::open.
+  /// Key frames are segmented by `params`. Error: as of OpenSession::open.
   [[nodiscard]] static Result<std::unique_ptr<ScanReview>> open(const ScanRequest& request,
+                                                                const ScanParams& params,
                                                                 ScanSession::Listener listener,
                                                                 LatestValue<ScanSnapshot>& mailbox);
 
@@ -25,11 +26,16 @@ class ScanReview {
   /// cannot be read; the device failed.
   [[nodiscard]] Result<void> showKeyFrame(int place);
 
+  /// Shows the key frame segmented by these; nothing else comes of them. Error: the device failed.
+  [[nodiscard]] Result<void> setParams(const ScanParams& params);
+
   /// Does what a person says, keeps it in the session, and tells how it went. Error: the device failed.
   [[nodiscard]] Result<void> edit(const ScanEdit& edit);
 
   /// Tells ExportPreviewed or ExportFailed.
   void previewExport(const ExportOptions& options);
+  /// Tells ExportSampled or ExportFailed.
+  void sampleExport(const ExportOptions& options, std::optional<int> place);
   /// Tells ExportStepped, then ExportFinished or ExportFailed.
   void exportDataset(const ExportOptions& options, const std::stop_token& cancel);
 
@@ -39,12 +45,17 @@ class ScanReview {
   [[nodiscard]] Result<void> post();
   /// The key frame that is shown, with the labels as they are now.
   [[nodiscard]] Result<void> lookAgain();
+  /// S_t of the key frame that is shown: of what the map shows from there.
+  [[nodiscard]] Result<void> segment();
 
   std::unique_ptr<OpenSession> session_;
   ScanSession::Listener listener_;
   SnapshotBuilder snapshots_;
   std::vector<const SavedKeyFrame*> key_frames_;  // with a pose
   int shown_ = -1;                                // of key_frames_
+  SegmentationParams segmentation_;
+  SegmentMap segments_;  // of the key frame segmented_, by segmentation_
+  int segmented_ = -1;
 };
 
 }  // namespace scantrove

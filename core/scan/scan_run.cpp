@@ -221,13 +221,21 @@ Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
 }
 
 void ScanRun::edit(const ScanEdit& edit) {
+  snapshots_.beginEdit(*pipeline_);
   const Result<RegionEditor::Outcome> outcome = doEdit(edit);
-  snapshots_.addBricks(pipeline_->takeEditedBricks());
+  snapshots_.endEdit(*pipeline_);
   if (outcome) {
     listener_(Edited{edit, outcome->regions});
   } else {
     listener_(EditFailed{edit, outcome.error()});
   }
+}
+
+Result<void> ScanRun::segmentAgain() {
+  Result<SegmentMap> segments = pipeline_->segmentAgain();
+  if (!segments) return fail(segments.error());
+  snapshots_.showSegments(std::move(*segments));
+  return {};
 }
 
 ScanProgress ScanRun::progress(ScanState state) const {

@@ -73,6 +73,9 @@ class ScanSession::Worker {
   void previewExport(ExportOptions options) {
     command([&] { commands_.preview = std::move(options); });
   }
+  void sampleExport(ExportOptions options, std::optional<int> place) {
+    command([&] { commands_.sample = {std::move(options), place}; });
+  }
   void exportDataset(ExportOptions options) {
     command([&] {
       export_stop_ = std::stop_source();
@@ -111,6 +114,7 @@ class ScanSession::Worker {
     std::optional<ScanParams> params;
     std::optional<int> key_frame;
     std::optional<ExportOptions> preview, dataset;
+    std::optional<std::pair<ExportOptions, std::optional<int>>> sample;
     std::stop_token export_stop;
   };
 
@@ -137,6 +141,7 @@ class ScanSession::Worker {
         late = std::exchange(commands_.last_edits, {});
         is_running_ = true;
       }
+      params_ = request->params;
       for (const ScanEdit& edit : late)
         listener_(EditFailed{edit, {"The scan that it was about has ended.", ""}});
       const bool is_open = request->source.empty() || runScan(*request);
@@ -192,8 +197,8 @@ class ScanSession::Worker {
     }
     changed_.notify_all();
     if (!is_after_scan) enter(ScanState::starting);
-    Result<std::unique_ptr<ScanReview>> review =
-        guarded("opening the session", [&] { return ScanReview::open(request, listener_, mailbox); });
+    Result<std::unique_ptr<ScanReview>> review = guarded(
+        "opening the session", [&] { return ScanReview::open(request, params_, listener_, mailbox); });
     if (!review) return failWith(review.error());
     FirstError outcome;
     outcome.note(guarded("showing the session", [&] { return (*review)->showAll(); }));
@@ -210,8 +215,10 @@ class ScanSession::Worker {
 
   Result<void> serve(ScanReview& review, Commands& commands) {
     for (const ScanEdit& edit : commands.edits) SCANTROVE_TRY(review.edit(edit));
+    if (commands.params) SCANTROVE_TRY(review.setParams(*commands.params));
     if (commands.key_frame) SCANTROVE_TRY(review.showKeyFrame(*commands.key_frame));
     if (commands.preview) review.previewExport(*commands.preview);
+    if (commands.sample) review.sampleExport(commands.sample->first, commands.sample->second);
     if (commands.dataset) review.exportDataset(*commands.dataset, commands.export_stop);
     return {};
   }
@@ -221,12 +228,15 @@ class ScanSession::Worker {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] {
       return token.stop_requested() || commands_.close || commands_.request || !commands_.edits.empty() ||
-             commands_.key_frame || commands_.preview || commands_.dataset;
+             commands_.params || commands_.key_frame || commands_.preview || commands_.sample ||
+             commands_.dataset;
     });
     taken.edits = takeEdits();
     if ((token.stop_requested() || commands_.close || commands_.request) && taken.edits.empty()) return false;
+    taken.params = std::exchange(commands_.params, std::nullopt);
     taken.key_frame = std::exchange(commands_.key_frame, std::nullopt);
     taken.preview = std::exchange(commands_.preview, std::nullopt);
+    taken.sample = std::exchange(commands_.sample, std::nullopt);
     taken.dataset = std::exchange(commands_.dataset, std::nullopt);
     taken.export_stop = export_stop_.get_token();
     return true;
@@ -236,17 +246,21 @@ class ScanSession::Worker {
     for (;;) {
       Commands commands;
       SCANTROVE_TRY(awaitTurn(run, commands));
-      if (commands.params) run.setParams(*commands.params);
+      if (commands.params) {
+        run.setParams(*commands.params);
+        params_ = *commands.params;
+      }
       for (const RegionId region : commands.wanted) run.addCandidate(region);
       for (const ScanEdit& edit : commands.edits) run.edit(edit);
-      if (commands.preview || commands.dataset) refuseExport();
+      if (commands.preview || commands.sample || commands.dataset) refuseExport();
       if (commands.stop) return {};
       if (commands.paused && commands.steps == 0) {
-        const bool is_news = commands.follow_catalogue && run.followCatalogue();
-        if ((is_news || !commands.edits.empty()) && run.hasFrames())
-          SCANTROVE_TRY(run.showNow(ScanState::paused));
+        SCANTROVE_TRY(showPaused(run, commands));
         continue;
       }
+      // Who has just done something sees it before the next frame is through.
+      if (!commands.edits.empty() && !commands.paused && run.hasFrames())
+        SCANTROVE_TRY(run.showWhenDue(ScanState::scanning));
       enter(commands.paused ? ScanState::paused : ScanState::scanning);
       run.startClock();
       Result<ScanRun::Step> step = run.step();
@@ -263,12 +277,22 @@ class ScanSession::Worker {
     }
   }
 
+  /// What commands change of the frame that a paused scan shows.
+  Result<void> showPaused(ScanRun& run, const Commands& commands) {
+    const bool is_news = commands.follow_catalogue && run.followCatalogue();
+    if (!run.hasFrames()) return {};
+    if (commands.params) SCANTROVE_TRY(run.segmentAgain());
+    if (!is_news && !commands.params && commands.edits.empty()) return {};
+    return run.showNow(ScanState::paused);
+  }
+
   /// Waits while paused without a command, then takes the commands of the moment.
   Result<void> awaitTurn(ScanRun& run, Commands& taken) {
     std::unique_lock lock(mutex_);
     const auto has_command = [this] {
       return !commands_.paused || commands_.stop || commands_.steps > 0 || commands_.follow_catalogue ||
-             commands_.params || commands_.preview || commands_.dataset || !commands_.edits.empty();
+             commands_.params || commands_.preview || commands_.sample || commands_.dataset ||
+             !commands_.edits.empty();
     };
     if (!has_command()) {
       lock.unlock();
@@ -289,6 +313,7 @@ class ScanSession::Worker {
     taken.edits = takeEdits();
     taken.params = std::exchange(commands_.params, std::nullopt);
     taken.preview = std::exchange(commands_.preview, std::nullopt);
+    taken.sample = std::exchange(commands_.sample, std::nullopt);
     taken.dataset = std::exchange(commands_.dataset, std::nullopt);
     return {};
   }
@@ -307,6 +332,7 @@ class ScanSession::Worker {
   std::condition_variable changed_;
   Commands commands_;  // guarded by mutex_
   bool is_running_ = false;
+  ScanParams params_;             // as they were set last; the worker's
   std::stop_source export_stop_;  // guarded by mutex_
   std::jthread thread_;           // last: it uses all of the above
 };
@@ -324,6 +350,9 @@ void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region);
 void ScanSession::edit(ScanEdit edit) { worker_->edit(std::move(edit)); }
 void ScanSession::showKeyFrame(int place) { worker_->showKeyFrame(place); }
 void ScanSession::previewExport(ExportOptions options) { worker_->previewExport(std::move(options)); }
+void ScanSession::sampleExport(ExportOptions options, std::optional<int> place) {
+  worker_->sampleExport(std::move(options), place);
+}
 void ScanSession::exportDataset(ExportOptions options) { worker_->exportDataset(std::move(options)); }
 void ScanSession::cancelExport() { worker_->cancelExport(); }
 void ScanSession::catalogueChanged() { worker_->catalogueChanged(); }

@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
 #include "core/dataset/dataset_export.h"
+#include "core/dataset/export_sample.h"
 #include "core/editing/operation.h"
 #include "core/scan/scan_params.h"
 #include "core/scan/scan_report.h"
@@ -94,6 +95,9 @@ struct ReviewOpened {};  ///< the session of the scan that has ended, or that wa
 struct ExportPreviewed {
   ExportPreview preview;
 };
+struct ExportSampled {
+  ExportSample sample;
+};
 struct ExportStepped {
   ExportProgress progress;
 };
@@ -113,10 +117,10 @@ struct ScanFailed {
 struct ScanFinished {
   ScanReport report;
 };
-using ScanEvent =
-    std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded, ObjectsMerged,
-                 ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed, ReviewOpened, ExportPreviewed,
-                 ExportStepped, ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
+using ScanEvent = std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
+                               ObjectsMerged, ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed,
+                               ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished,
+                               ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.
@@ -149,16 +153,19 @@ class ScanSession {
   /// Of a session that is open: shows a key frame, by its place in ScanSnapshot::key_frames; of several that
   /// were asked for meanwhile the last.
   void showKeyFrame(int place);
-  /// What a data set would hold, and makes one. ExportPreviewed, ExportStepped, ExportFinished, ExportFailed
-  /// follow. While no session is open: ExportFailed.
+  /// What a data set would hold, one of its images (of several that were asked for meanwhile the last), and
+  /// makes one. ExportPreviewed; ExportSampled; ExportStepped, ExportFinished, ExportFailed follow. While no
+  /// session is open: ExportFailed.
   void previewExport(ExportOptions options);
+  void sampleExport(ExportOptions options, std::optional<int> place);
   void exportDataset(ExportOptions options);
   void cancelExport();
 
   /// The catalogue was edited. Frames see that by themselves; this is for a scan that is paused.
   void catalogueChanged();
 
-  /// Replaces the parameters before the next frame (those of fusion need a new scan).
+  /// Replaces the parameters before the next frame (those of fusion need a new scan). The frame that a paused
+  /// scan, or an open session, shows is segmented by them at once: of ScanSnapshot only `segments` changes.
   void setParams(const ScanParams& params);
 
   [[nodiscard]] ScanState state() const;  ///< any thread

@@ -50,12 +50,14 @@ struct CloudBrick {
   Eigen::Vector3i position;  ///< in units of bricks
   std::uint64_t version = 0;
   std::vector<Point> points;  ///< replaces all earlier points of this brick
+  bool by_person = false;     ///< who changed it, and waits for it to be seen
 };
 
 /// A fragment is part of another region than before; of none: no voxel holds it any more.
 struct RegionChange {
   FragmentId fragment;
   RegionId region;
+  bool by_person = false;  ///< who said so, and waits for it to be seen
 };
 
 /// What the window shows: one immutable value, made by the worker, collected from the mailbox by the window.

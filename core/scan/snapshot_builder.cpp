@@ -6,6 +6,7 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <unordered_set>
+#include <utility>
 
 #include "core/fusion/kernels/color_voxel.h"
 
@@ -91,6 +92,23 @@ void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
   for (const Eigen::Vector3i& brick : bricks) {
     if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
   }
+}
+
+void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) {
+  for (RegionChange change : pipeline.takeRegionChanges()) {
+    change.by_person = by_person;
+    region_changes_.push_back(change);
+  }
+}
+
+void SnapshotBuilder::endEdit(ScanPipeline& pipeline) {
+  keepRegionChanges(pipeline, true);
+  const std::vector<Eigen::Vector3i> edited = pipeline.takeEditedBricks();
+  if (edited.empty() || !has_cloud_) return;
+  is_edited_.insert(edited.begin(), edited.end());
+  std::erase_if(waiting_, [this](const Eigen::Vector3i& brick) { return is_edited_.contains(brick); });
+  waiting_.insert(waiting_.begin(), is_edited_.begin(), is_edited_.end());
+  is_waiting_.insert(edited.begin(), edited.end());
 }
 
 Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
@@ -192,6 +210,7 @@ Result<void> SnapshotBuilder::addWaiting(ScanPipeline& pipeline, std::size_t cou
     CloudBrick brick;
     brick.position = bricks[i];
     brick.version = version_;
+    brick.by_person = is_edited_.erase(bricks[i]) > 0;
     brick.points.reserve(static_cast<std::size_t>(std::ranges::count_if(points, is_shown)));
     for (const LabelPoint& point : points) {
       if (is_shown(point)) brick.points.push_back(cloudPoint(point));
@@ -215,7 +234,8 @@ Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size
     snapshot.changed_regions = uncollected->changed_regions;
   }
   std::ranges::move(changed, std::back_inserter(snapshot.changed_bricks));
-  std::ranges::move(pipeline.takeRegionChanges(), std::back_inserter(snapshot.changed_regions));
+  keepRegionChanges(pipeline, false);
+  std::ranges::move(std::exchange(region_changes_, {}), std::back_inserter(snapshot.changed_regions));
   return {};
 }
 

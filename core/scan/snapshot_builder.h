@@ -21,8 +21,8 @@ struct ScanProgress {
 };
 
 /// Makes the snapshots of one scan. Works only when the window has collected the last one and enough time has
-/// passed, and sends a bounded number of label-cloud bricks each time, those that waited longest first. One
-/// thread, the worker's.
+/// passed, and sends a bounded number of label-cloud bricks each time: those that a person changed, then
+/// those that waited longest. One thread, the worker's.
 class SnapshotBuilder {
  public:
   /// In one snapshot while scanning, and read out at a time at its end: bounds what it takes from a frame,
@@ -41,6 +41,10 @@ class SnapshotBuilder {
 
   /// Snapshots hold no bricks from now on.
   void leaveOutCloud() { has_cloud_ = false; }
+  /// Around something that a person does to the regions: what that changes is sent before all else, and
+  /// marked.
+  void beginEdit(ScanPipeline& pipeline) { keepRegionChanges(pipeline, false); }
+  void endEdit(ScanPipeline& pipeline);
 
   /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
@@ -50,6 +54,8 @@ class SnapshotBuilder {
     frame_ = std::move(frame);
     result_ = std::move(result);
   }
+  /// The same frame, segmented anew.
+  void showSegments(SegmentMap segments) { result_.segments = std::move(segments); }
   /// Who says what object a region is, when the pipeline does not.
   void setObjects(std::function<ObjectId(RegionId)> object_of) { object_of_ = std::move(object_of); }
 
@@ -68,6 +74,7 @@ class SnapshotBuilder {
   /// The `count` bricks that have waited longest.
   [[nodiscard]] Result<void> addWaiting(ScanPipeline& pipeline, std::size_t count,
                                         std::vector<CloudBrick>& to);
+  void keepRegionChanges(ScanPipeline& pipeline, bool by_person);
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
@@ -79,6 +86,8 @@ class SnapshotBuilder {
   std::vector<Eigen::Vector3f> trail_;
   std::deque<Eigen::Vector3i> waiting_;                            // bricks, by position: slots change hands
   std::unordered_set<Eigen::Vector3i, BrickHash> is_waiting_;      // the same
+  std::unordered_set<Eigen::Vector3i, BrickHash> is_edited_;       // of those that wait
+  std::vector<RegionChange> region_changes_;                       // that wait
   std::uint64_t version_;                                          // of the bricks that are sent
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second
   std::chrono::steady_clock::time_point last_post_;

@@ -15,6 +15,8 @@ struct SegmentationParams {
   float normal_gate_m = 0.01F;
   /// A window whose rim stands out so far is concave: its normals are kept sharp.
   float concave_from_m = 0.0003F;
+
+  bool operator==(const SegmentationParams&) const = default;
 };
 
 }  // namespace scantrove

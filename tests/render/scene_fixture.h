@@ -64,9 +64,15 @@ class SceneTest : public testing::Test {
     renderFromHere(budget);
   }
 
-  void renderFromHere(std::size_t budget = 1'000'000) {
-    scene_.prepare(kSize, kSize, budget, 10'000'000);
+  /// Whether all that changed was rebuilt.
+  bool renderFromHere(std::size_t budget = 1'000'000, std::size_t rebuild_budget = 10'000'000) {
+    const bool is_complete = scene_.prepare(kSize, kSize, budget, rebuild_budget);
     window_->Render();
+    readPixels();
+    return is_complete;
+  }
+
+  void readPixels() {
     pixels_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
     window_->GetPixelData(0, 0, kSize - 1, kSize - 1, 0, pixels_);
   }

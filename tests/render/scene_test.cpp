@@ -30,6 +30,57 @@ TEST_F(SceneTest, MergedRegionsAreRecoloured) {
   EXPECT_TRUE(hasHueOf(pixel(140, 120), regionColor(RegionId{7})));
 }
 
+// While a scan changes everything, what a person changed is drawn first.
+TEST_F(SceneTest, WhatAPersonChangedIsDrawnBeforeWhatWaitsLonger) {
+  std::vector<CloudBrick> bricks = wall(512, 1, 2);
+  for (CloudBrick& brick : bricks) {
+    const bool is_within = (brick.position.head<2>().array() >= 0).all() && brick.position.x() < 8 &&
+                           brick.position.y() < 16;  // one chunk
+    if (!is_within) continue;
+    for (CloudBrick::Point& point : brick.points) point.fragment = FragmentId{3};
+  }
+  show(bricks, {{}, RegionId{1}, RegionId{2}, RegionId{3}});
+  render();
+  ASSERT_TRUE(hasHueOf(pixel(130, 130), regionColor(RegionId{3})));
+  show({}, {{}, RegionId{11}, RegionId{12}});
+  EXPECT_FALSE(renderFromHere(1'000'000, 1)) << "one chunk at a time";
+  ScanSnapshot snapshot;
+  snapshot.changed_regions = {{FragmentId{3}, RegionId{33}, true}};
+  scene_.update(snapshot);
+  EXPECT_FALSE(renderFromHere(1'000'000, 1));
+  EXPECT_TRUE(hasHueOf(pixel(130, 130), regionColor(RegionId{33})));
+  EXPECT_FALSE(scene_.cloud().upToDate()) << "the others still wait";
+}
+
+// A drawing in parts is the one that would have been made at once.
+TEST_F(SceneTest, PartsDrawnOneOverTheOtherAreTheWhole) {
+  show(wall(512, 1, 2), {{}, RegionId{4}, RegionId{9}});
+  scene_.setGridVisible(true);
+  render();
+  const auto pixels = [this] {
+    const auto* first = pixels_->GetPointer(0);
+    return std::vector<unsigned char>(first, first + pixels_->GetNumberOfValues());
+  };
+  const std::vector<unsigned char> whole = pixels();
+  scene_.viewpoint().orbit(0.5F, 0.2F);  // something else is there before
+  renderFromHere();
+  ASSERT_NE(pixels(), whole);
+  scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
+  scene_.viewpoint().lookAt({0, 0, 0}, {0, 0, 1});
+  scene_.prepare(test::kSize, test::kSize, 1'000'000, 10'000'000);
+  scene_.beginParts(20'000);
+  int parts = 0;
+  do {
+    ++parts;
+    window_->Render();
+  } while (scene_.nextPart());
+  readPixels();
+  EXPECT_EQ(parts, 4) << "one for each chunk in view";
+  EXPECT_EQ(pixels(), whole);
+  renderFromHere();
+  EXPECT_EQ(pixels(), whole) << "and all at once again";
+}
+
 TEST_F(SceneTest, NewerBrickReplacesAndOlderIsIgnored) {
   show(wall(64, 1, 1, 5), {{0}, {7}, {9}});
   show(wall(64, 2, 2, 4), {{0}, {7}, {9}});

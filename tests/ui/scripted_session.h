@@ -1,6 +1,8 @@
 #pragma once
 #include <QString>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/bridge/session_port.h"
@@ -36,6 +38,9 @@ class ScriptedSession final : public SessionPort {
   void edit(ScanEdit edit) override { edits.push_back(std::move(edit)); }
   void showKeyFrame(int place) override { key_frames_shown.push_back(place); }
   void previewExport(ExportOptions options) override { previews.push_back(std::move(options)); }
+  void sampleExport(ExportOptions options, std::optional<int> place) override {
+    samples.emplace_back(std::move(options), place);
+  }
   void exportDataset(ExportOptions options) override { exports.push_back(std::move(options)); }
   void cancelExport() override { commands.push_back("cancel export"); }
   void catalogueChanged() override { ++catalogue_changes; }
@@ -60,6 +65,7 @@ class ScriptedSession final : public SessionPort {
   std::vector<ScanEdit> edits;
   std::vector<int> key_frames_shown;
   std::vector<ExportOptions> previews, exports;
+  std::vector<std::pair<ExportOptions, std::optional<int>>> samples;
 
  private:
   void enter(ScanState state) {

@@ -18,6 +18,9 @@ class ScanSessionPort final : public SessionPort {
   void edit(ScanEdit edit) override { session_.edit(std::move(edit)); }
   void showKeyFrame(int place) override { session_.showKeyFrame(place); }
   void previewExport(ExportOptions options) override { session_.previewExport(std::move(options)); }
+  void sampleExport(ExportOptions options, std::optional<int> place) override {
+    session_.sampleExport(std::move(options), place);
+  }
   void exportDataset(ExportOptions options) override { session_.exportDataset(std::move(options)); }
   void cancelExport() override { session_.cancelExport(); }
   void catalogueChanged() override { session_.catalogueChanged(); }

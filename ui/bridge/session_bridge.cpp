@@ -75,6 +75,7 @@ void SessionBridge::announce(const ScanEvent& event) {
           [this](const EditFailed& e) { emit editFailed(e.edit, QString::fromStdString(e.error.message())); },
           [this](const ReviewOpened&) { emit reviewOpened(); },
           [this](const ExportPreviewed& e) { emit exportPreviewed(e.preview); },
+          [this](const ExportSampled& e) { emit exportSampled(e.sample); },
           [this](const ExportStepped& e) { emit exportStepped(e.progress); },
           [this](const ExportFinished& e) { emit exportFinished(e.summary); },
           [this](const ExportFailed& e) { emit exportFailed(QString::fromStdString(e.error.message())); },

@@ -30,6 +30,9 @@ class SessionBridge : public QObject {
   void edit(const ScanEdit& edit) { session_->edit(edit); }
   void showKeyFrame(int place) { session_->showKeyFrame(place); }
   void previewExport(const ExportOptions& options) { session_->previewExport(options); }
+  void sampleExport(const ExportOptions& options, std::optional<int> place) {
+    session_->sampleExport(options, place);
+  }
   void exportDataset(const ExportOptions& options) { session_->exportDataset(options); }
   void cancelExport() { session_->cancelExport(); }
   void catalogueChanged() { session_->catalogueChanged(); }
@@ -60,6 +63,7 @@ class SessionBridge : public QObject {
   /// The session of the scan that has ended, or that was opened, can be worked with.
   void reviewOpened();
   void exportPreviewed(const scantrove::ExportPreview& preview);
+  void exportSampled(const scantrove::ExportSample& sample);
   void exportStepped(const scantrove::ExportProgress& progress);
   void exportFinished(const scantrove::ExportSummary& summary);
   void exportFailed(const QString& message);

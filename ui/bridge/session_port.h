@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/base/latest_value.h"
 #include "core/scan/scan_session.h"
@@ -24,6 +25,7 @@ class SessionPort {
   virtual void edit(ScanEdit edit) = 0;
   virtual void showKeyFrame(int place) = 0;
   virtual void previewExport(ExportOptions options) = 0;
+  virtual void sampleExport(ExportOptions options, std::optional<int> place) = 0;
   virtual void exportDataset(ExportOptions options) = 0;
   virtual void cancelExport() = 0;
   virtual void catalogueChanged() = 0;

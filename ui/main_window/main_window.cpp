@@ -177,7 +177,7 @@ void MainWindow::connectSession() {
   SessionBridge& bridge = controller_->bridge();
   connect(controller_, &ScanController::opening, this, &MainWindow::beginScan);
   connect(&bridge, &SessionBridge::snapshotArrived, this,
-          [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(*snapshot); });
+          [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(snapshot); });
   connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
   connect(&bridge, &SessionBridge::preparingDevice, status_, &StatusStrip::showPreparing);
   connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
@@ -290,13 +290,14 @@ void MainWindow::beginScan(const QString& source) {
   showScene();
 }
 
-void MainWindow::showSnapshot(const ScanSnapshot& snapshot) {
+void MainWindow::showSnapshot(const std::shared_ptr<const ScanSnapshot>& collected) {
+  const ScanSnapshot& snapshot = *collected;
   if (!has_snapshot_) {
     has_snapshot_ = true;
     if (controller_->hasSource()) rememberSource(controller_->source());
   }
   regions_->showSnapshot(snapshot);
-  scene_->view()->showSnapshot(snapshot);
+  scene_->view()->showSnapshot(collected);
   guide_->showSnapshot(snapshot);
   frames_->showSnapshot(snapshot);
   status_->showSnapshot(snapshot);

@@ -96,7 +96,7 @@ class MainWindow : public QMainWindow {
   void showAbout();
 
   void beginScan(const QString& source);
-  void showSnapshot(const ScanSnapshot& snapshot);
+  void showSnapshot(const std::shared_ptr<const ScanSnapshot>& collected);
   void showState(ScanState state);
   void scanFailed(const QString& message);
   void showStartPage();

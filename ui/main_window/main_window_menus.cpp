@@ -221,6 +221,8 @@ void MainWindow::showExport() {
   export_ = new ExportDialog(QFileInfo(controller_->sessionFolder()).fileName(), this);
   SessionBridge& bridge = controller_->bridge();
   connect(export_, &ExportDialog::previewWanted, &bridge, &SessionBridge::previewExport);
+  connect(export_, &ExportDialog::sampleWanted, &bridge, &SessionBridge::sampleExport);
+  connect(&bridge, &SessionBridge::exportSampled, export_, &ExportDialog::showSample);
   connect(export_, &ExportDialog::exportWanted, &bridge, &SessionBridge::exportDataset);
   connect(export_, &ExportDialog::cancelWanted, &bridge, &SessionBridge::cancelExport);
   connect(&bridge, &SessionBridge::exportPreviewed, export_, &ExportDialog::showPreview);

@@ -8,7 +8,7 @@ RegionActions::RegionActions(QObject* parent) : QObject(parent) {
   name = make("rename", tr("&Name…"), {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2},
               tr("Say what it is; the catalogue gets an object of that name"));
   join = make("merge", tr("&Join"), {Qt::Key_J}, tr("The selected regions are one thing"));
-  cut = make("", tr("&Cut…"), {Qt::Key_C}, tr("Two places that you click on are two things"));
+  cut = make("", tr("&Cut…"), {Qt::Key_C}, tr("Two places that you draw over, or click on, are two things"));
   finer = make("", tr("&Finer"), {Qt::Key_Plus, Qt::Key_Equal}, tr("Take this region apart"));
   coarser = make("", tr("C&oarser"), {Qt::Key_Minus},
                  tr("Join it with the neighbour that it most likely belongs to"));

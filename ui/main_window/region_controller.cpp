@@ -29,11 +29,13 @@ RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, Fram
       scene_(scene),
       frames_(frames),
       actions_(this),
+      cutter_(new RegionCutter(scene, frames, selection_, this)),
       name_editor_(new RegionNameEditor(&window)) {
   connectFrames();
   connectScene();
   connectActions();
   connectBridge();
+  connectCutter();
   connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateActions);
@@ -64,7 +66,7 @@ void RegionController::connectFrames() {
   connect(&frames_, &FramePanels::clicked, this, &RegionController::click);
   connect(&frames_, &FramePanels::doubleClicked, this,
           [this](const RegionPoint& at, const QPoint& on_screen) {
-            if (!at.region) return;
+            if (!at.region || cutter_->wantsStroke()) return;
             selection_.select(at.region);
             editName(on_screen);
           });
@@ -93,6 +95,7 @@ void RegionController::connectScene() {
             click(view->at(place), modifiers);
           });
   connect(view, &SceneView::doubleClicked, this, [this, view](const QPointF& place) {
+    if (cutter_->wantsStroke()) return;
     const RegionPoint at = view->at(place);
     if (!at.region) {
       view->fitAll();
@@ -125,11 +128,10 @@ void RegionController::connectActions() {
   }
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_.name, [this] {
-    if (cutting_ == Cutting::shown) return setCutting(Cutting::no);  // Return: keep it
-    editName(last_place_);
+    if (!cutter_->accept()) editName(last_place_);
   });
   on(actions_.join, [this] { doOnAll(OperationKind::join); });
-  on(actions_.cut, [this] { beginCut(); });
+  on(actions_.cut, [this] { cutter_->begin(); });
   on(actions_.finer, [this] { doOnEach(OperationKind::finer); });
   on(actions_.coarser, [this] { doOnEach(OperationKind::coarser); });
   on(actions_.background, [this](bool checked) { doOnAll(OperationKind::background, checked); });
@@ -155,8 +157,9 @@ void RegionController::connectBridge() {
 }
 
 void RegionController::beginScan() {
-  setCutting(Cutting::no);
+  cutter_->end();
   selection_.reset();
+  ++proposal_number_;
   proposals_.clear();
   undo_.clear();
   knows_history_ = false;
@@ -175,8 +178,8 @@ void RegionController::finishEditing() {
 void RegionController::point(const RegionPoint& at) { selection_.hover(at.region); }
 
 void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
-  if (cutting_ == Cutting::here || cutting_ == Cutting::there) return clickCut(at, modifiers);
-  if (cutting_ == Cutting::shown) setCutting(Cutting::no);
+  if (cutter_->wantsStroke()) return cutter_->click(at, modifiers);
+  cutter_->end();
   last_place_ = QCursor::pos();
   const bool also = modifiers.testFlag(Qt::ControlModifier);
   if (also && !at.region) return;
@@ -241,52 +244,17 @@ void RegionController::rememberName(const QString& name) {
   updateActions();
 }
 
-void RegionController::beginCut() {
-  cut_ = Operation{};
-  cut_.kind = OperationKind::cut;
-  setCutting(Cutting::here);
-}
-
-void RegionController::clickCut(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
-  if (!at.region || !at.point_world) return;
-  if (!cut_.regions.empty() && cut_.regions.front() != at.region) {
-    emit failed(tr("These are two regions already: %1 and %2. Click on two places of one region.")
-                    .arg(selection_.title(cut_.regions.front()), selection_.title(at.region)));
-    return;
-  }
-  cut_.regions = {at.region};
-  // Shift: more of the same side.
-  const bool more = modifiers.testFlag(Qt::ShiftModifier);
-  if (cutting_ == Cutting::here || more) {
-    (cutting_ == Cutting::here ? cut_.here_world : cut_.there_world).push_back(*at.point_world);
-    selection_.select(at.region);
-    if (!more) setCutting(Cutting::there);
-    return;
-  }
-  cut_.there_world.push_back(*at.point_world);
-  perform(cut_);
-  setCutting(Cutting::shown);
-}
-
-void RegionController::setCutting(Cutting cutting) {
-  cutting_ = cutting;
-  QString hint;
-  if (cutting == Cutting::here)
-    hint = tr("Cut: click on the part that is to come off (Shift: more of it; Escape: no)");
-  if (cutting == Cutting::there) hint = tr("Cut: now click on what stays (Escape: no)");
-  if (cutting == Cutting::shown) hint = tr("Cut. Return keeps it, Escape takes it back");
-  scene_.overlay()->setHint(hint);
-  const Qt::CursorShape shape =
-      cutting == Cutting::here || cutting == Cutting::there ? Qt::CrossCursor : Qt::ArrowCursor;
-  scene_.view()->setCursor(shape);
-  updateActions();
+void RegionController::connectCutter() {
+  connect(cutter_, &RegionCutter::changed, this, &RegionController::updateActions);
+  connect(cutter_, &RegionCutter::regionChosen, this, [this](RegionId region) { selection_.select(region); });
+  connect(cutter_, &RegionCutter::cutWanted, this, [this](const Operation& cut) { perform(cut); });
+  connect(cutter_, &RegionCutter::failed, this, &RegionController::failed);
 }
 
 void RegionController::letGo() {
-  if (cutting_ != Cutting::no) {
-    if (cutting_ == Cutting::shown) undo_.undo();
-    setCutting(Cutting::no);
-    return;
+  if (cutter_->isActive()) {
+    if (cutter_->isShown()) undo_.undo();
+    return cutter_->end();
   }
   selection_.select(RegionId{});
 }
@@ -325,7 +293,9 @@ void RegionController::updateActions() {
   actions_.enableFor(selected.size(), first != nullptr && first->note.background,
                      first != nullptr && first->note.rejected);
   actions_.cut->setEnabled(!selection_.infos().empty());
-  if (cutting_ != Cutting::no) actions_.let_go->setEnabled(true);
+  if (!cutter_->isActive()) return;
+  actions_.let_go->setEnabled(true);
+  actions_.name->setEnabled(true);  // Return is the cut's
 }
 
 QString RegionController::sizeOf(RegionId region) {
@@ -356,6 +326,7 @@ QStringList RegionController::tagOf(RegionId region) {
   if (info->note.rejected) facts << tr("rejected");
   if (info->object) facts << tr("object");
   lines << facts.join(QStringLiteral(" · "));
+  if (const QString next = cutter_->nextInWords(); !next.isEmpty()) lines << next;
   return lines;
 }
 

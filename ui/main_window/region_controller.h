@@ -11,6 +11,7 @@
 #include "ui/bridge/session_bridge.h"
 #include "ui/common/region_point.h"
 #include "ui/main_window/region_actions.h"
+#include "ui/main_window/region_cutter.h"
 #include "ui/models/region_proposals.h"
 #include "ui/models/region_selection.h"
 #include "ui/panels/region_name_editor.h"
@@ -48,7 +49,6 @@ class RegionController : public QObject {
  private:
   class Command;
   friend class Command;
-  enum class Cutting { no, here, there, shown };
 
   void connectFrames();
   void connectScene();
@@ -61,9 +61,7 @@ class RegionController : public QObject {
   void editName(const QPoint& on_screen);
   void giveName(const QString& name, const QString& category);
 
-  void beginCut();
-  void clickCut(const RegionPoint& point, Qt::KeyboardModifiers modifiers);
-  void setCutting(Cutting cutting);
+  void connectCutter();
   void letGo();
 
   /// One operation on all that is selected, or one for each.
@@ -97,15 +95,15 @@ class RegionController : public QObject {
   RegionProposals proposals_;
   RegionActions actions_;
   QUndoStack undo_;
+  RegionCutter* cutter_;
   RegionNameEditor* name_editor_;
   QPointer<QWidget> focus_before_name_;
   std::function<QStringList()> known_names_;
   std::set<RegionId> background_;
   std::map<RegionId, QString> sizes_;  ///< as they were asked for since the last news
   std::optional<QPointF> pointer_in_scene_;
-  QPoint last_place_;  ///< on the screen, that was clicked or pointed at
-  Cutting cutting_ = Cutting::no;
-  Operation cut_;
+  QPoint last_place_;       ///< on the screen, that was clicked or pointed at
+  int proposal_number_ = 0;  ///< of the proposal that is being made
   bool is_telling_ = true;  ///< a command's undo and redo reach the scan
   bool knows_history_ = false;
 };

@@ -1,6 +1,12 @@
 // What is done to the regions, and how it is taken back.
+#include <QFuture>
+#include <QPromise>
+#include <QThreadPool>
 #include <QUndoCommand>
+#include <map>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scene_pane.h"
@@ -9,6 +15,12 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kVoxelsToPropose = 150;  ///< smaller ones have no look
+
+RegionProposals::Looks looksOf(const std::map<RegionId, std::vector<LookPoint>>& points) {
+  RegionProposals::Looks looks;
+  for (const auto& [region, of_region] : points) looks[region] = lookOf(of_region);
+  return looks;
+}
 
 }  // namespace
 
@@ -107,7 +119,7 @@ void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>&
 
 void RegionController::editFailed(const ScanEdit& edit, const QString& message) {
   emit failed(message);
-  setCutting(Cutting::no);
+  cutter_->end();
   const auto* const operation = std::get_if<Operation>(&edit);
   for (int i = undo_.count() - 1; operation != nullptr && i >= 0; --i) {
     const auto* const command = dynamic_cast<const Command*>(undo_.command(i));
@@ -147,17 +159,26 @@ QString RegionController::inWords(const Operation& operation) const {
 
 void RegionController::proposeLike(const Operation& naming) {
   if (naming.name.empty() || naming.regions.empty()) return;
-  RegionProposals::Looks looks;
-  for (const auto& [region, points] : scene_.view()->scene().cloud().pointsOfRegions(kVoxelsToPropose)) {
-    const RegionInfo* const info = selection_.info(region);
-    const bool is_named = region == naming.regions.front();
-    if (info == nullptr ||
-        (!is_named && (info->note.background || info->note.rejected || !info->note.name.empty())))
-      continue;
-    looks[region] = lookOf(points);
-  }
-  proposals_.propose(naming.regions.front(), QString::fromStdString(naming.name),
-                     QString::fromStdString(naming.category), looks);
+  auto points = scene_.view()->scene().cloud().pointsOfRegions(kVoxelsToPropose);
+  std::erase_if(points, [&](const auto& entry) {
+    const RegionInfo* const info = selection_.info(entry.first);
+    const bool is_named = entry.first == naming.regions.front();
+    return info == nullptr ||
+           (!is_named && (info->note.background || info->note.rejected || !info->note.name.empty()));
+  });
+  // In a large scan that takes a while, and nobody waits for it.
+  const auto promise = std::make_shared<QPromise<RegionProposals::Looks>>();
+  promise->start();
+  QThreadPool::globalInstance()->start([promise, of_region = std::move(points)] {
+    promise->addResult(looksOf(of_region));
+    promise->finish();
+  });
+  const int number = ++proposal_number_;
+  promise->future().then(this, [this, naming, number](const RegionProposals::Looks& looks) {
+    if (number != proposal_number_) return;  // something else was named meanwhile, or another scan begun
+    proposals_.propose(naming.regions.front(), QString::fromStdString(naming.name),
+                       QString::fromStdString(naming.category), looks);
+  });
 }
 
 void RegionController::accept(const std::vector<Proposal>& accepted) {

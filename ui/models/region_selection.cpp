@@ -35,7 +35,7 @@ void RegionSelection::follow(const ScanSnapshot& snapshot) {
 }
 
 void RegionSelection::takeChanges(const std::vector<RegionChange>& changes) {
-  for (const auto& [fragment, region] : changes) {
+  for (const auto& [fragment, region, by_person] : changes) {
     if (fragment.value >= region_of_.size()) region_of_.resize(fragment.value + std::size_t{1});
     region_of_[fragment.value] = region;
   }

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/panels/export_sample_view.h"
 #include "ui/panels/file_dialogs.h"
 
 namespace scantrove {
@@ -61,6 +62,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
       folder_(new QLineEdit),
       all_frames_(new QCheckBox(tr("All frames that were &kept, not only key frames"))),
       background_(new QCheckBox(tr("Also &background and what was rejected"))),
+      sample_(new ExportSampleView),
       said_(new QLabel),
       bar_(new QProgressBar),
       export_(new QPushButton(tr("&Export"))),
@@ -101,6 +103,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   column->setContentsMargins(16, 16, 16, 14);
   column->setSpacing(12);
   column->addLayout(form);
+  column->addWidget(sample_);
   column->addWidget(said_);
   column->addWidget(bar_);
   column->addLayout(buttons);
@@ -108,7 +111,12 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   ask_.setSingleShot(true);
   ask_.setInterval(kAskAfter_ms);
   connect(&ask_, &QTimer::timeout, this, [this] {
-    if (!is_working_) emit previewWanted(options());
+    if (is_working_) return;
+    emit previewWanted(options());
+    emit sampleWanted(options(), sample_->place());
+  });
+  connect(sample_, &ExportSampleView::placeWanted, this, [this](int place) {
+    if (!is_working_) emit sampleWanted(options(), place);
   });
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
   connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
@@ -171,6 +179,10 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
                            .arg(std::max(1L, std::lround(preview.megabytes))));
 }
 
+void ExportDialog::showSample(const ExportSample& sample) {
+  if (!is_working_) sample_->showSample(sample);
+}
+
 void ExportDialog::begin() {
   done_folder_.clear();
   QSettings().setValue(kFormatKey, format_->currentIndex());
@@ -213,7 +225,8 @@ void ExportDialog::setWorking(bool working) {
   is_working_ = working;
   bar_->setVisible(working);
   bar_->setMaximum(0);
-  for (QWidget* widget : std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_, export_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{format_, folder_, all_frames_, background_, sample_, export_})
     widget->setEnabled(!working);
   cancel_->setText(working ? tr("Cancel") : tr("Close"));
   show_folder_->setVisible(false);

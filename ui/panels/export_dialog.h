@@ -2,7 +2,10 @@
 #include <QDialog>
 #include <QTimer>
 
+#include <optional>
+
 #include "core/dataset/dataset_export.h"
+#include "core/dataset/export_sample.h"
 
 class QCheckBox;
 class QComboBox;
@@ -13,8 +16,10 @@ class QPushButton;
 
 namespace scantrove {
 
-/// Asks what data set is to be made of a scan, says what it will hold, and shows how far it is. Blocks
-/// nothing: the scan can be looked at meanwhile.
+class ExportSampleView;
+
+/// Asks what data set is to be made of a scan, says what it will hold, shows its images, and how far it is.
+/// Blocks nothing: the scan can be looked at meanwhile.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -25,10 +30,12 @@ class ExportDialog : public QDialog {
   [[nodiscard]] ExportOptions options() const;
   void setFolder(const QString& folder);
   [[nodiscard]] QString said() const;
+  [[nodiscard]] ExportSampleView* sampleView() const { return sample_; }
   [[nodiscard]] bool isWorking() const { return is_working_; }
 
  public slots:
   void showPreview(const scantrove::ExportPreview& preview);
+  void showSample(const scantrove::ExportSample& sample);
   void showProgress(const scantrove::ExportProgress& progress);
   void showDone(const scantrove::ExportSummary& summary);
   void showFailure(const QString& message);
@@ -36,6 +43,7 @@ class ExportDialog : public QDialog {
 
  signals:
   void previewWanted(const scantrove::ExportOptions& options);
+  void sampleWanted(const scantrove::ExportOptions& options, std::optional<int> place);
   void exportWanted(const scantrove::ExportOptions& options);
   void cancelWanted();
 
@@ -55,6 +63,7 @@ class ExportDialog : public QDialog {
   QLineEdit* folder_;
   QCheckBox* all_frames_;
   QCheckBox* background_;
+  ExportSampleView* sample_;
   QLabel* said_;
   QProgressBar* bar_;
   QPushButton* export_;

@@ -1,6 +1,7 @@
 #include "ui/panels/frame_panels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/panels/color_panel.h"
 #include "ui/panels/depth_panel.h"
@@ -69,6 +70,9 @@ void FramePanels::connectPointing(ImagePanel* panel) {
   connect(panel, &ImagePanel::menuWanted, this, [this, at](const QPointF& fraction, const QPoint& on_screen) {
     emit menuWanted(at(fraction), on_screen);
   });
+  connect(panel, &ImagePanel::strokeAt, this,
+          [this, at](const QPointF& fraction) { emit strokeAt(at(fraction)); });
+  connect(panel, &ImagePanel::strokeEnded, this, &FramePanels::strokeEnded);
   connect(panel, &ImagePanel::bandDrawn, this,
           [this, panel](const QRectF& fractions, Qt::KeyboardModifiers modifiers) {
             emit bandDrawn(pointing_.regionsIn(fractions, pictureOf(panel)), modifiers);
@@ -89,6 +93,29 @@ void FramePanels::showLit() {
   const bool is_same = in_color.data == pointing_.regionIds(FramePointing::Picture::other).data;
   for (ImagePanel* panel : panels_) {
     panel->setLit(panel == color_ && !is_same ? litPicture(in_color, lit_hovered_, lit_selected_) : lit);
+  }
+}
+
+void FramePanels::setStrokeColor(const std::optional<QColor>& color) {
+  for (ImagePanel* panel : panels_) panel->setStrokeColor(color);
+}
+
+void FramePanels::setMarks(std::vector<PlaceMarks> marks) {
+  marks_ = std::move(marks);
+  showMarks();
+}
+
+void FramePanels::showMarks() {
+  for (ImagePanel* panel : panels_) {
+    std::vector<ImagePanel::Marks> shown;
+    for (const auto& [color, places] : marks_) {
+      QPolygonF fractions;
+      for (const Eigen::Vector3f& place : places) {
+        if (const auto at = pointing_.placeOf(place, pictureOf(panel))) fractions << *at;
+      }
+      if (!fractions.isEmpty()) shown.push_back({color, fractions});
+    }
+    panel->setMarks(std::move(shown));
   }
 }
 
@@ -114,6 +141,7 @@ void FramePanels::showSnapshot(const ScanSnapshot& snapshot) {
   showRegions();
   pointing_.show(snapshot);
   showLit();
+  showMarks();
   // Another surface may have come under the pointer.
   if (pointed_panel_ != nullptr) emit pointedAt(pointing_.at(pointed_fraction_, pictureOf(pointed_panel_)));
 }

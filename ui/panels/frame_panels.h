@@ -2,10 +2,12 @@
 #include <QPoint>
 #include <QStringList>
 #include <QWidget>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/common/place_marks.h"
 #include "ui/common/region_point.h"
 #include "ui/panels/frame_pointing.h"
 #include "ui/panels/image_conversion.h"
@@ -34,6 +36,10 @@ class FramePanels : public QWidget {
   void setLit(RegionId hovered, const std::vector<RegionId>& selected);
   /// Beside the pointer, in the picture that it is in.
   void setTag(const QStringList& tag);
+  /// With a colour, drags on the pictures draw strokes of it: strokeAt() says what lies under them.
+  void setStrokeColor(const std::optional<QColor>& color);
+  /// Marks places of the surface in all pictures that show them.
+  void setMarks(std::vector<PlaceMarks> marks);
   [[nodiscard]] const FramePointing& pointing() const { return pointing_; }
   [[nodiscard]] ImagePanel* featured() const { return panels_[featured_]; }
   [[nodiscard]] const std::vector<ImagePanel*>& panels() const { return panels_; }
@@ -48,6 +54,8 @@ class FramePanels : public QWidget {
   void clicked(const scantrove::RegionPoint& point, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const scantrove::RegionPoint& point, const QPoint& on_screen);
   void menuWanted(const scantrove::RegionPoint& point, const QPoint& on_screen);
+  void strokeAt(const scantrove::RegionPoint& point);
+  void strokeEnded(Qt::KeyboardModifiers modifiers);
   void bandDrawn(const std::vector<scantrove::RegionId>& regions, Qt::KeyboardModifiers modifiers);
 
  public:
@@ -60,6 +68,7 @@ class FramePanels : public QWidget {
   void arrange();
   void showRegions();
   void showLit();
+  void showMarks();
   void connectPointing(ImagePanel* panel);
   [[nodiscard]] FramePointing::Picture pictureOf(const ImagePanel* panel) const;
 
@@ -76,6 +85,7 @@ class FramePanels : public QWidget {
   FramePointing pointing_;
   RegionId lit_hovered_;
   std::vector<RegionId> lit_selected_;
+  std::vector<PlaceMarks> marks_;
   ImagePanel* pointed_panel_ = nullptr;  ///< that the pointer is in
   QPointF pointed_fraction_;
   DepthRange range_;

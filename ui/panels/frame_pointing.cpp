@@ -8,6 +8,9 @@
 namespace scantrove {
 namespace {
 
+/// What lies behind the surface by more than that, of its distance, is hidden.
+constexpr float kHidden = 0.03F;
+
 /// Pixel of an image that a fraction lies in.
 cv::Point pixelAt(const QPointF& fraction, const cv::Mat& image) {
   return {std::clamp(static_cast<int>(fraction.x() * image.cols), 0, image.cols - 1),
@@ -22,12 +25,16 @@ void FramePointing::show(const ScanSnapshot& snapshot) {
   K_ = snapshot.K;
   T_world_camera_ = snapshot.pose.T_world_camera.cast<float>();
   pixel_in_color_.release();
+  color_places_.release();
   regions_in_color_ = regions_;
-  if (!regions_.empty() && snapshot.color_places.size() == regions_.size()) mapColor(snapshot.color_places);
+  if (regions_.empty() || snapshot.color_places.size() != regions_.size()) return;
+  color_places_ = snapshot.color_places;
+  mapColor(color_places_);
 }
 
 void FramePointing::clear() {
-  for (cv::Mat* image : {&regions_, &depth_m_, &pixel_in_color_, &regions_in_color_}) image->release();
+  for (cv::Mat* image : {&regions_, &depth_m_, &color_places_, &pixel_in_color_, &regions_in_color_})
+    image->release();
 }
 
 void FramePointing::mapColor(const cv::Mat& color_places) {
@@ -78,6 +85,22 @@ RegionPoint FramePointing::at(const QPointF& fraction, Picture picture) const {
         T_world_camera_ * K_.backProject(static_cast<float>(pixel.x), static_cast<float>(pixel.y), z);
   }
   return point;
+}
+
+std::optional<QPointF> FramePointing::placeOf(const Eigen::Vector3f& point_world, Picture picture) const {
+  if (depth_m_.empty()) return std::nullopt;
+  const Eigen::Vector3f point = T_world_camera_.inverse() * point_world;
+  if (!(point.z() > 0)) return std::nullopt;
+  const cv::Point pixel(static_cast<int>(std::lround(K_.fx * point.x() / point.z() + K_.cx)),
+                        static_cast<int>(std::lround(K_.fy * point.y() / point.z() + K_.cy)));
+  if (!cv::Rect({}, depth_m_.size()).contains(pixel)) return std::nullopt;
+  const float z = depth_m_.at<float>(pixel);
+  if (!(z > 0) || point.z() - z > kHidden * z) return std::nullopt;
+  if (picture == Picture::color && !color_places_.empty()) {
+    const auto& place = color_places_.at<cv::Vec2f>(pixel);
+    return QPointF(place[0], place[1]);
+  }
+  return QPointF((pixel.x + 0.5) / depth_m_.cols, (pixel.y + 0.5) / depth_m_.rows);
 }
 
 const cv::Mat& FramePointing::regionIds(Picture picture) const {

@@ -2,6 +2,7 @@
 #include <QPointF>
 #include <QRectF>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
@@ -20,6 +21,8 @@ class FramePointing {
   void clear();
 
   [[nodiscard]] RegionPoint at(const QPointF& fraction, Picture picture) const;
+  /// Where a point of the world is seen; none: not in the picture, or something stands before it.
+  [[nodiscard]] std::optional<QPointF> placeOf(const Eigen::Vector3f& point_world, Picture picture) const;
   /// CV_32SC1 region ids by pixel of the picture at the working resolution; empty: no frame.
   [[nodiscard]] const cv::Mat& regionIds(Picture picture) const;
   [[nodiscard]] std::vector<RegionId> regionsIn(const QRectF& fractions, Picture picture) const;
@@ -28,6 +31,7 @@ class FramePointing {
   void mapColor(const cv::Mat& color_places);
 
   cv::Mat regions_, depth_m_;  // CV_32SC1, CV_32FC1
+  cv::Mat color_places_;       // as of the snapshot; empty: the pictures lie over each other
   cv::Mat pixel_in_color_;  // CV_32SC1: place in `regions_`, row by row, that a pixel of the colour picture
                             // shows; -1: none. Empty: the same one
   cv::Mat regions_in_color_;

@@ -48,7 +48,9 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Tab, Shift+Tab"), tr("Next and previous region by size"));
   line(tr("Return, double click"), tr("Name it"));
   line(tr("1 … 9"), tr("Give it a recent name"));
-  line(tr("J, C"), tr("Join; cut between two places"));
+  line(tr("J"), tr("Join"));
+  line(tr("C, then two strokes or clicks"), tr("Cut: draw over what comes off, then over what stays"));
+  line(tr("Shift, Return, Escape in a cut"), tr("More of the same side; keep it; take it back"));
   line(tr("+ and −"), tr("Finer, coarser (with nothing selected: zoom)"));
   line(tr("B, O, Del"), tr("Background; an object; not an object"));
   line(tr("Escape"), tr("Let go"));

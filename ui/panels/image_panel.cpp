@@ -57,6 +57,20 @@ void ImagePanel::setTag(const QStringList& tag) {
   update();
 }
 
+void ImagePanel::setStrokeColor(const std::optional<QColor>& color) {
+  if (color == stroke_color_) return;
+  stroke_color_ = color;
+  if (!stroke_.isEmpty()) is_given_up_ = true;
+  stroke_.clear();
+  update();
+}
+
+void ImagePanel::setMarks(std::vector<Marks> marks) {
+  if (marks.empty() && marks_.empty()) return;
+  marks_ = std::move(marks);
+  update();
+}
+
 void ImagePanel::setPicture(const QImage& picture) {
   picture_ = picture;
   update();
@@ -104,6 +118,17 @@ void ImagePanel::paintPointing(QPainter& painter) {
     painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
     painter.drawRect(band());
   }
+  for (const Marks& marks : marks_) {
+    QPolygonF places;
+    for (const QPointF& fraction : marks.fractions) places << placeOf(fraction);
+    paintMarks(painter, places, marks.color);
+  }
+  if (!stroke_.isEmpty() && stroke_color_) {
+    painter.save();
+    painter.setClipRect(pictureRect());
+    paintStroke(painter, stroke_.places(), *stroke_color_);
+    painter.restore();
+  }
   if (pointer_ && !is_band_) paintPointerTag(painter, *pointer_, rect(), tag_);
 }
 
@@ -148,15 +173,43 @@ void ImagePanel::paintTitle(QPainter& painter, const QRectF& card) {
 void ImagePanel::paintOverlay(QPainter& /*painter*/, const QRectF& /*rect*/) {}
 
 void ImagePanel::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) pressed_ = event->position();
+  if (event->button() != Qt::LeftButton) return;
+  pressed_ = event->position();
+  is_given_up_ = false;
+}
+
+void ImagePanel::drag() {
+  const bool far = (*pointer_ - *pressed_).manhattanLength() > QApplication::startDragDistance();
+  if (is_band_ || is_given_up_ || !far) return;
+  if (!stroke_color_) {
+    is_band_ = true;
+  } else if (stroke_.isEmpty()) {
+    stroke_.begin(*pressed_);
+    drawStroke({*pressed_});
+  }
+}
+
+void ImagePanel::drawStroke(const QPolygonF& places) {
+  for (const QPointF& place : places) {
+    if (const auto fraction = fractionAt(place)) emit strokeAt(*fraction);
+    if (stroke_.isEmpty()) return;  // who listens gave it up
+  }
+}
+
+void ImagePanel::endStroke(const QMouseEvent& event) {
+  drawStroke(stroke_.extend(event.position()));
+  stroke_.clear();
+  emit strokeEnded(event.modifiers());
 }
 
 void ImagePanel::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->position();
-  setCursor(titleRect().contains(*pointer_) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  const Qt::CursorShape usual = stroke_color_ ? Qt::CrossCursor : Qt::ArrowCursor;
+  setCursor(titleRect().contains(*pointer_) ? Qt::PointingHandCursor : usual);
   const bool drags = pressed_ && event->buttons().testFlag(Qt::LeftButton) && !picture_.isNull();
-  if (drags && (*pointer_ - *pressed_).manhattanLength() > QApplication::startDragDistance()) is_band_ = true;
-  if (is_band_) {
+  if (drags) drag();
+  if (!stroke_.isEmpty()) drawStroke(stroke_.extend(*pointer_));
+  if (is_band_ || is_given_up_ || !stroke_.isEmpty()) {
     update();
     return;
   }
@@ -174,6 +227,8 @@ void ImagePanel::mouseReleaseEvent(QMouseEvent* event) {
   const QRectF drawn = band();
   pressed_.reset();
   update();
+  if (std::exchange(is_given_up_, false)) return;
+  if (!stroke_.isEmpty()) return endStroke(*event);
   if (std::exchange(is_band_, false)) {
     const QRectF frame = pictureRect();
     if (drawn.isEmpty()) return;

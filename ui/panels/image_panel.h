@@ -1,9 +1,13 @@
 #pragma once
+#include <QColor>
 #include <QImage>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
 #include <optional>
+#include <vector>
+
+#include "ui/common/stroke_path.h"
 
 namespace scantrove {
 
@@ -24,6 +28,18 @@ class ImagePanel : public QWidget {
   /// Shown beside the pointer while that is in this panel.
   void setTag(const QStringList& tag);
   [[nodiscard]] const QStringList& tag() const { return tag_; }
+  /// With a colour, a drag that begins on the picture draws a stroke of it; without, a band. A stroke on its
+  /// way is given up.
+  void setStrokeColor(const std::optional<QColor>& color);
+  /// What is being drawn, widget coordinates; empty: nothing is.
+  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.places(); }
+  /// Places that were drawn before, in fractions of the picture, in one colour each.
+  struct Marks {
+    QColor color;
+    QPolygonF fractions;
+  };
+  void setMarks(std::vector<Marks> marks);
+  [[nodiscard]] const std::vector<Marks>& marks() const { return marks_; }
   [[nodiscard]] const QImage& picture() const { return picture_; }
   [[nodiscard]] const QString& title() const { return title_; }
   /// Where the picture is drawn, in widget coordinates; empty when there is none.
@@ -41,6 +57,8 @@ class ImagePanel : public QWidget {
   void doubleClicked(const QPointF& fraction);
   void menuWanted(const QPointF& fraction, const QPoint& on_screen);
   void bandDrawn(const QRectF& fractions, Qt::KeyboardModifiers modifiers);
+  void strokeAt(const QPointF& fraction);
+  void strokeEnded(Qt::KeyboardModifiers modifiers);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -57,6 +75,9 @@ class ImagePanel : public QWidget {
  private:
   void paintTitle(QPainter& painter, const QRectF& card);
   void paintPointing(QPainter& painter);
+  void drag();
+  void drawStroke(const QPolygonF& places);
+  void endStroke(const QMouseEvent& event);
   [[nodiscard]] QFont smallFont() const;
   /// None: outside of the picture.
   [[nodiscard]] std::optional<QPointF> fractionAt(const QPointF& place) const;
@@ -67,6 +88,10 @@ class ImagePanel : public QWidget {
   QStringList tag_;
   std::optional<QPointF> pointer_, pressed_;  ///< widget coordinates
   bool is_band_ = false;
+  std::optional<QColor> stroke_color_;
+  StrokePath stroke_;
+  bool is_given_up_ = false;  ///< the stroke of this press: the rest of the drag does nothing
+  std::vector<Marks> marks_;
   bool is_double_click_ = false;
 };
 

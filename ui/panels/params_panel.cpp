@@ -105,7 +105,7 @@ QWidget* ParamsPanel::makeDetailSlider() {
   k_slider_->setAccessibleName(tr("Segment size, k"));
   k_slider_->setToolTip(
       tr("The one parameter of the segmentation: a larger k gives fewer, larger segments. "
-         "Works at once, also while scanning."));
+         "Works at once: on the frames that come, and on the one that a paused or finished scan shows."));
   layout->addWidget(k_slider_);
   auto* ends = new QHBoxLayout;
   for (const QString& text : {tr("finer"), tr("coarser")}) {

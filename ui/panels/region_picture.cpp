@@ -12,6 +12,9 @@ constexpr QRgb kHoverFill = 0x4dffffffU;
 constexpr QRgb kHoverLine = 0xffffffffU;
 constexpr QRgb kSelectedFill = 0x59ffd000U;
 constexpr QRgb kSelectedLine = 0xffffd000U;
+constexpr double kStrokeWidth_px = 4;
+constexpr double kMarkRadius_px = 2.5;
+const QColor kStrokeCasing(12, 14, 18, 200);
 
 }  // namespace
 
@@ -78,6 +81,26 @@ void paintPointerTag(QPainter& painter, const QPointF& pointer, const QRectF& ro
     painter.drawText(QRectF(tag.left() + 8, tag.top() + 4 + line_height * i, tag.width() - 16, line_height),
                      Qt::AlignVCenter | Qt::AlignLeft, text[i]);
   }
+  painter.restore();
+}
+
+void paintStroke(QPainter& painter, const QPolygonF& places, const QColor& color) {
+  painter.save();
+  painter.setBrush(Qt::NoBrush);
+  const auto draw = [&](const QColor& line_color, double width_px) {
+    painter.setPen(QPen(line_color, width_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    places.size() == 1 ? painter.drawPoint(places.first()) : painter.drawPolyline(places);
+  };
+  draw(kStrokeCasing, kStrokeWidth_px + 3);
+  draw(color, kStrokeWidth_px);
+  painter.restore();
+}
+
+void paintMarks(QPainter& painter, const QPolygonF& places, const QColor& color) {
+  painter.save();
+  painter.setPen(QPen(kStrokeCasing, 1));
+  painter.setBrush(color);
+  for (const QPointF& place : places) painter.drawEllipse(place, kMarkRadius_px, kMarkRadius_px);
   painter.restore();
 }
 

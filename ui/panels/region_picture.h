@@ -1,5 +1,7 @@
 #pragma once
+#include <QColor>
 #include <QImage>
+#include <QPolygonF>
 #include <QRectF>
 #include <opencv2/core/mat.hpp>
 #include <set>
@@ -19,6 +21,11 @@ namespace scantrove {
 
 /// A name tag beside the pointer, within `room`. `text`: lines; the first is the name.
 void paintPointerTag(QPainter& painter, const QPointF& pointer, const QRectF& room, const QStringList& text);
+
+/// A line along `places` (of the painter) that is to be seen on any picture, as a person draws it.
+void paintStroke(QPainter& painter, const QPolygonF& places, const QColor& color);
+/// A dot at each of the places, for what was drawn before.
+void paintMarks(QPainter& painter, const QPolygonF& places, const QColor& color);
 
 /// Regions of which at least half of the pixels lie in `band` (pixels of `region_ids`).
 [[nodiscard]] std::vector<RegionId> regionsIn(const cv::Mat& region_ids, const cv::Rect& band);

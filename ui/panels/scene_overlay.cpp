@@ -1,6 +1,7 @@
 #include "ui/panels/scene_overlay.h"
 
 #include <QPainter>
+#include <utility>
 
 #include "ui/panels/coverage_ring.h"
 #include "ui/panels/image_panel.h"
@@ -30,6 +31,18 @@ void SceneOverlay::setTag(const std::optional<QPointF>& pointer, const QStringLi
 
 void SceneOverlay::setBand(const QRectF& band) {
   band_ = band;
+  update();
+}
+
+void SceneOverlay::setStroke(const QPolygonF& places, const QColor& color) {
+  if (places.isEmpty() && stroke_.places.isEmpty()) return;
+  stroke_ = {color, places};
+  update();
+}
+
+void SceneOverlay::setMarks(std::vector<Marks> marks) {
+  if (marks.empty() && marks_.empty()) return;
+  marks_ = std::move(marks);
   update();
 }
 
@@ -73,6 +86,8 @@ void SceneOverlay::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(QColor(0xff, 0xd0, 0x00, 40));
     painter.drawRect(band_);
   }
+  for (const Marks& marks : marks_) paintMarks(painter, marks.places, marks.color);
+  if (!stroke_.places.isEmpty()) paintStroke(painter, stroke_.places, stroke_.color);
   if (pointer_) paintPointerTag(painter, *pointer_, rect(), tag_);
   if (seen_sides_) paintSeenSides(painter);
   if (mark_) paintChip(painter, *mark_ + QPointF(14, -10), mark_word_, QColor(0xff, 0xb0, 0x20));

@@ -1,15 +1,18 @@
 #pragma once
+#include <QColor>
 #include <QImage>
+#include <QPolygonF>
 #include <QStringList>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 #include "core/labeling/view_coverage.h"
 
 namespace scantrove {
 
-/// Lies over the 3D view and lets the mouse through: what is lit up, the tag beside the pointer, the band
-/// that is being drawn, and a hint at the top.
+/// Lies over the 3D view and lets the mouse through: what is lit up, the tag beside the pointer, the band or
+/// stroke that is being drawn, what was drawn before, and a hint at the top.
 class SceneOverlay : public QWidget {
   Q_OBJECT
 
@@ -22,6 +25,16 @@ class SceneOverlay : public QWidget {
   void setTag(const std::optional<QPointF>& pointer, const QStringList& tag);
   [[nodiscard]] const QStringList& tag() const { return tag_; }
   void setBand(const QRectF& band);
+  /// Widget coordinates; no places: none.
+  void setStroke(const QPolygonF& places, const QColor& color);
+  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.places; }
+  /// Places, widget coordinates, in one colour each.
+  struct Marks {
+    QColor color;
+    QPolygonF places;
+  };
+  void setMarks(std::vector<Marks> marks);
+  [[nodiscard]] const std::vector<Marks>& marks() const { return marks_; }
   void setHint(const QString& hint);
   [[nodiscard]] const QString& hint() const { return hint_; }
   /// Of what is selected, in the lower left corner, with `words`; none: nothing is.
@@ -40,6 +53,8 @@ class SceneOverlay : public QWidget {
   std::optional<QPointF> pointer_;
   QStringList tag_;
   QRectF band_;
+  Marks stroke_;
+  std::vector<Marks> marks_;
   QString hint_;
   std::optional<SeenSides> seen_sides_;
   QString sides_in_words_;

@@ -105,15 +105,17 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
   }
   for (const CloudBrick::Point& p : brick.points) bounds_.extend(Eigen::Vector3f(p.x, p.y, p.z));
   dirty_ = true;
+  urgent_ = urgent_ || brick.by_person;
   return growth;
 }
 
-void CloudChunk::markIfUses(const std::vector<bool>& changed) {
-  if (dirty_) return;
+void CloudChunk::markIfUses(const std::vector<bool>& changed, bool urgently) {
+  if (dirty_ && (urgent_ || !urgently)) return;
   for (const auto& [key, brick] : bricks_) {
     for (const CloudBrick::Point& p : brick.points) {
       if (p.fragment.value < changed.size() && changed[p.fragment.value]) {
         dirty_ = true;
+        urgent_ = urgent_ || urgently;
         return;
       }
     }
@@ -183,6 +185,7 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
   mapper_->SetInputData(data);
   built_level_ = wanted_level_;
   dirty_ = false;
+  urgent_ = false;
 }
 
 void CloudChunk::relightAround(const BrickKey& key) {

@@ -46,8 +46,11 @@ class CloudChunk {
   /// grew.
   std::ptrdiff_t setBrick(const CloudBrick& brick, float voxel_size_m);
 
-  /// The chunk must be drawn anew when it holds a fragment for which `changed[fragment]` is true.
-  void markIfUses(const std::vector<bool>& changed);
+  /// The chunk must be drawn anew when it holds a fragment for which `changed[fragment]` is true; `urgently`:
+  /// somebody waits for it.
+  void markIfUses(const std::vector<bool>& changed, bool urgently = false);
+  /// Somebody waits for it to be drawn anew.
+  [[nodiscard]] bool urgent() const { return urgent_; }
 
   void setLevel(std::size_t level);
   [[nodiscard]] std::size_t level() const { return wanted_level_; }
@@ -56,6 +59,8 @@ class CloudChunk {
   /// In view or not; chunks out of view are neither drawn nor rebuilt.
   void show(bool visible);
   [[nodiscard]] bool inView() const { return in_view_; }
+
+  [[nodiscard]] vtkProp* prop() const { return actor_; }
 
   /// Something that concerns all points is another: it must be drawn anew.
   void markAll() { dirty_ = true; }
@@ -115,6 +120,7 @@ class CloudChunk {
   std::size_t wanted_level_ = 0;
   std::size_t built_level_ = kLevelStride.size();  ///< none yet
   bool dirty_ = true;
+  bool urgent_ = false;
   bool in_view_ = false;
   float diameter_m_ = 0, least_px_ = 1;  ///< of the points as they are drawn
   SplatOverlap overlap_ = SplatOverlap::exact;

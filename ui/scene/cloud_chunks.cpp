@@ -15,6 +15,7 @@ namespace {
 constexpr float kMiddle = 0.4F;           ///< of the view: so far from its centre, in half heights
 constexpr float kMostVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
 constexpr float kSmallBlock_px = 6;       ///< what is as small is none
+constexpr std::size_t kUrgentTimes = 4;   ///< the usual budget, for what a person waits for
 
 std::size_t coarsestWithin(float voxels) {
   std::size_t level = 0;
@@ -61,7 +62,7 @@ void CloudChunks::clear() {
   drawn_point_count_ = 0;
 }
 
-void CloudChunks::update(const std::vector<CloudBrick>& changed,
+void CloudChunks::update(std::span<const CloudBrick> changed,
                          const std::vector<RegionChange>& changed_regions) {
   recolor(changed_regions);
   std::ptrdiff_t growth = 0;
@@ -78,8 +79,8 @@ void CloudChunks::update(const std::vector<CloudBrick>& changed,
 }
 
 void CloudChunks::recolor(const std::vector<RegionChange>& changes) {
-  std::vector<bool> changed;
-  for (const auto& [fragment, region] : changes) {
+  std::vector<bool> changed, by_person;
+  for (const auto& [fragment, region, is_by_person] : changes) {
     if (fragment.value >= region_of_fragment_.size())
       region_of_fragment_.resize(fragment.value + std::size_t{1});
     RegionId& known = region_of_fragment_[fragment.value];
@@ -87,10 +88,15 @@ void CloudChunks::recolor(const std::vector<RegionChange>& changes) {
     known = region;
     changed.resize(region_of_fragment_.size(), false);
     changed[fragment.value] = true;
+    if (!is_by_person) continue;
+    by_person.resize(region_of_fragment_.size(), false);
+    by_person[fragment.value] = true;
   }
   if (changed.empty()) return;
-  changed.resize(region_of_fragment_.size(), false);
-  for (auto& [key, chunk] : chunks_) chunk->markIfUses(changed);
+  for (auto& [key, chunk] : chunks_) {
+    if (!by_person.empty()) chunk->markIfUses(by_person, true);
+    chunk->markIfUses(changed);
+  }
 }
 
 void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget) {
@@ -148,14 +154,17 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
     ++chunk->waiting_rounds;
     dirty.push_back(chunk.get());
   }
-  // Longest waiting first, so that none starves; what was never shown before that.
+  // Longest waiting first, so that none starves; what was never shown before that; what a person changed
+  // before all.
   std::sort(dirty.begin(), dirty.end(), [](const CloudChunk* a, const CloudChunk* b) {
+    if (a->urgent() != b->urgent()) return a->urgent();
     if (a->shown() != b->shown()) return !a->shown();
     return a->waiting_rounds > b->waiting_rounds;
   });
   std::size_t spent = 0;
   for (CloudChunk* chunk : dirty) {
-    if (spent > 0 && spent + chunk->pointCount(chunk->level()) > rebuild_budget) return false;
+    const std::size_t budget = (chunk->urgent() ? kUrgentTimes : 1) * rebuild_budget;
+    if (spent > 0 && spent + chunk->pointCount(chunk->level()) > budget) return false;
     chunk->rebuild(region_of_fragment_, look_, voxel_size_m_);
     chunk->waiting_rounds = 0;
     spent += chunk->pointCount(chunk->level());
@@ -163,6 +172,22 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   if (!dirty.empty())
     chooseLevels(camera, width_px, height_px, point_budget);  // shows what is new, sized right
   return true;
+}
+
+std::map<vtkProp*, std::size_t> CloudChunks::divide(std::size_t points) const {
+  std::map<vtkProp*, std::size_t> part_of;
+  std::size_t part = 0, in_part = 0;
+  for (const auto& [key, chunk] : chunks_) {
+    if (!chunk->inView() || !chunk->shown()) continue;
+    const std::size_t count = chunk->pointCount(chunk->level());
+    if (in_part > 0 && in_part + count > points) {
+      ++part;
+      in_part = 0;
+    }
+    in_part += count;
+    part_of[chunk->prop()] = part;
+  }
+  return part_of;
 }
 
 void CloudChunks::addTo(CloudIds& ids) const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "core/discovery/region_look.h"
@@ -16,6 +17,7 @@
 
 class vtkRenderer;
 class vtkCamera;
+class vtkProp;
 
 namespace scantrove {
 
@@ -36,7 +38,7 @@ class CloudChunks {
 
   /// Takes over the changed bricks (older versions than the stored are ignored) and the fragments that are of
   /// other regions now; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
-  void update(const std::vector<CloudBrick>& changed, const std::vector<RegionChange>& changed_regions);
+  void update(std::span<const CloudBrick> changed, const std::vector<RegionChange>& changed_regions);
 
   void setColoring(Coloring coloring);
   /// These regions are background, and look like that from now on.
@@ -49,10 +51,13 @@ class CloudChunks {
   [[nodiscard]] const CloudLook& look() const { return look_; }
 
   /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
-  /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed. Returns true
-  /// when all chunks in view are up to date.
+  /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed: first, and a
+  /// few times as many, of those that a person changed. Returns true when all chunks in view are up to date.
   bool prepare(vtkCamera* camera, int width_px, int height_px, std::size_t point_budget,
                std::size_t rebuild_budget);
+
+  /// Divides what is drawn into parts of about so many points; which part each actor is of.
+  [[nodiscard]] std::map<vtkProp*, std::size_t> divide(std::size_t points) const;
 
   /// What is shown, into `ids`, which has begun.
   void addTo(CloudIds& ids) const;

@@ -6,6 +6,7 @@
 #include <vtk_glew.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/scene/up_direction.h"
 
@@ -40,7 +41,8 @@ LabelCloudScene::LabelCloudScene()
       sensor_(renderer_),
       grid_(renderer_),
       measure_(renderer_),
-      arrow_(renderer_) {
+      arrow_(renderer_),
+      parts_(renderer_) {
   const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
   command->SetCallback(enableProgramPointSize);
   renderer_->AddObserver(vtkCommand::StartEvent, command);
@@ -67,8 +69,20 @@ void LabelCloudScene::clear() {
   up_ = -Eigen::Vector3f::UnitY();
 }
 
-void LabelCloudScene::update(const ScanSnapshot& snapshot) {
-  cloud_.update(snapshot.changed_bricks, snapshot.changed_regions);
+void LabelCloudScene::updateBricks(std::span<const CloudBrick> changed) {
+  cloud_.update(changed, {});
+  if (has_pose_ && cloud_.pointCount() > std::max(kFirstLevelingPoints, 2 * points_at_leveling_)) levelOut();
+}
+
+void LabelCloudScene::beginParts(std::size_t points) {
+  std::map<vtkProp*, std::size_t> part_of = cloud_.divide(points);
+  std::size_t last = 0;
+  for (const auto& [prop, part] : part_of) last = std::max(last, part);
+  parts_.begin(std::move(part_of), last + 1);
+}
+
+void LabelCloudScene::updateAllButBricks(const ScanSnapshot& snapshot) {
+  cloud_.update({}, snapshot.changed_regions);
   sensor_.setPose(snapshot.pose, snapshot.K);
   sensor_.setTrail(snapshot.trail);
   if (snapshot.frame_index < 0) return;
@@ -79,7 +93,6 @@ void LabelCloudScene::update(const ScanSnapshot& snapshot) {
     up_ = -R_world_camera_.col(1);
     viewpoint_.setUp(up_);
   }
-  if (cloud_.pointCount() > std::max(kFirstLevelingPoints, 2 * points_at_leveling_)) levelOut();
   if (following_ && snapshot.pose.usable()) {
     // From behind and above the sensor's shoulder, at what lies in front of it.
     const Eigen::Vector3f centre = T_world_camera.translation();
@@ -161,6 +174,7 @@ std::optional<Eigen::Vector3f> LabelCloudScene::pick(float x, float y, int width
 
 bool LabelCloudScene::prepare(int width_px, int height_px, std::size_t point_budget,
                               std::size_t rebuild_budget) {
+  parts_.end();
   Eigen::AlignedBox3f all = cloud_.bounds();
   all.extend(sensor_.bounds());
   all.extend(arrow_.bounds());

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "core/labeling/view_coverage.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunks.h"
+#include "ui/scene/drawing_parts.h"
 #include "ui/scene/ground_grid.h"
 #include "ui/scene/measure_line.h"
 #include "ui/scene/move_arrow.h"
@@ -41,7 +43,13 @@ class LabelCloudScene {
   void setGridVisible(bool visible) { grid_.setVisible(visible); }
 
   /// Takes over what is new in the snapshot; draws nothing.
-  void update(const ScanSnapshot& snapshot);
+  void update(const ScanSnapshot& snapshot) {
+    updateAllButBricks(snapshot);
+    updateBricks(snapshot.changed_bricks);
+  }
+  /// The same in two steps; the bricks may come in several.
+  void updateAllButBricks(const ScanSnapshot& snapshot);
+  void updateBricks(std::span<const CloudBrick> changed);
 
   /// The viewpoint trails the sensor and looks where it looks; any call of viewpoint() by the person's hand
   /// should end it.
@@ -84,6 +92,11 @@ class LabelCloudScene {
   /// To call right before rendering into a viewport of this size; see CloudChunks::prepare.
   bool prepare(int width_px, int height_px, std::size_t point_budget, std::size_t rebuild_budget);
 
+  /// After prepare(): the drawings that follow are of a part of the scene each, with about so many points,
+  /// one over the other. nextPart() after each but the last tells that there is one more.
+  void beginParts(std::size_t points);
+  bool nextPart() { return parts_.next(); }
+
   /// What the last drawing shows, at `scale` of its size.
   void drawIds(int width_px, int height_px, float scale, CloudIds& ids) const {
     ids.begin(renderer_->GetActiveCamera(), width_px, height_px, scale);
@@ -101,6 +114,7 @@ class LabelCloudScene {
   GroundGrid grid_;
   MeasureLine measure_;
   MoveArrow arrow_;
+  DrawingParts parts_;
   OrbitCamera viewpoint_;
   bool following_ = true;
   bool has_pose_ = false;

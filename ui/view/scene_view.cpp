@@ -1,107 +1,18 @@
 #include "ui/view/scene_view.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLState.h>
-
-#include <QApplication>
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "ui/view/qt_render_window.h"
 
 namespace scantrove {
 namespace {
 
-constexpr double kTimeShareWhileScanning = 0.15;
-constexpr int kShortestInterval_ms = 150;  ///< while scanning
-constexpr int kLongestInterval_ms = 2000;
 constexpr int kSettle_ms = 350;
-constexpr int kPointing_ms = 150;
-constexpr std::size_t kRebuildWhileScanningPoints = 150'000;
-constexpr float kTurnPerPixel_rad = 0.006F;
-
-/// Between two points of a coarse cloud nothing is drawn: a pixel there belongs to the surface around it.
-void closeGaps(cv::Mat& ids) {
-  const cv::Mat open = ids.clone();
-  for (int y = 1; y + 1 < ids.rows; ++y) {
-    const auto* above = open.ptr<int>(y - 1);
-    const auto* row = open.ptr<int>(y);
-    const auto* below = open.ptr<int>(y + 1);
-    auto* out = ids.ptr<int>(y);
-    for (int x = 1; x + 1 < ids.cols; ++x) {
-      if (row[x] != 0) continue;
-      if (row[x - 1] != 0 && row[x - 1] == row[x + 1]) {
-        out[x] = row[x - 1];
-      } else if (above[x] != 0 && above[x] == below[x]) {
-        out[x] = above[x];
-      } else if (above[x - 1] != 0 && above[x - 1] == below[x + 1]) {
-        out[x] = above[x - 1];
-      } else if (above[x + 1] != 0 && above[x + 1] == below[x - 1]) {
-        out[x] = above[x + 1];
-      }
-    }
-  }
-}
-
-constexpr float kIdsPerPixel = 0.5F;  ///< resolution of pointing
-constexpr int kGapPasses = 2;
+constexpr double kTakeOver_ms = 15;  ///< at a time
 
 }  // namespace
-
-/// VTK's render window in Qt's context. Answers VTK's questions about the context.
-class SceneView::RenderWindow {
- public:
-  RenderWindow(SceneView& view, vtkRenderer* renderer)
-      : view_(view), window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
-    window_->SetOwnContext(0);
-    window_->SetFrameBlitModeToNoBlit();
-    window_->SetMultiSamples(0);
-    window_->SetReadyForRendering(true);
-    window_->SetMapped(1);
-    window_->SetIsDirect(1);
-    window_->SetSupportsOpenGL(1);
-    observe(vtkCommand::WindowMakeCurrentEvent, onMakeCurrent);
-    observe(vtkCommand::WindowIsCurrentEvent, onIsCurrent);
-    window_->AddRenderer(renderer);
-    window_->OpenGLInitContext();
-  }
-
-  ~RenderWindow() { window_->Finalize(); }
-  RenderWindow(const RenderWindow&) = delete;
-  RenderWindow& operator=(const RenderWindow&) = delete;
-
-  [[nodiscard]] vtkGenericOpenGLRenderWindow& vtk() { return *window_; }
-
- private:
-  using Callback = void (*)(vtkObject*, unsigned long, void*, void*);
-
-  void observe(unsigned long event, Callback callback) {
-    const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
-    command->SetCallback(callback);
-    command->SetClientData(&view_);
-    window_->AddObserver(event, command);
-  }
-
-  /// makeCurrent() also binds Qt's framebuffer: harmful while VTK is drawing into its own. Only when needed.
-  static void onMakeCurrent(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* /*data*/) {
-    auto* view = static_cast<SceneView*>(client);
-    if (QOpenGLContext::currentContext() != view->context()) view->makeCurrent();
-  }
-
-  static void onIsCurrent(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* data) {
-    const auto* view = static_cast<SceneView*>(client);
-    *static_cast<bool*>(data) =
-        view->context() != nullptr && QOpenGLContext::currentContext() == view->context();
-  }
-
-  SceneView& view_;
-  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
-};
 
 SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
   setFormat(surfaceFormat());
@@ -111,6 +22,10 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
   setAccessibleDescription(
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
   setMouseTracking(true);
+  // What was drawn stays until the next drawing is complete.
+  setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+  arrival_timer_.setSingleShot(true);
+  connect(&arrival_timer_, &QTimer::timeout, this, &SceneView::takeOver);
   draw_timer_.setSingleShot(true);
   connect(&draw_timer_, &QTimer::timeout, this, &SceneView::drawUnlessPointing);
   settle_timer_.setSingleShot(true);
@@ -149,6 +64,7 @@ QSurfaceFormat SceneView::surfaceFormat() {
 
 void SceneView::clearScene() {
   if (window_ != nullptr) makeCurrent();
+  arrivals_.clear();
   scene_.clear();
   if (window_ != nullptr) doneCurrent();
   emit followingChanged(scene_.following());
@@ -156,8 +72,17 @@ void SceneView::clearScene() {
   schedule();
 }
 
-void SceneView::showSnapshot(const ScanSnapshot& snapshot) {
-  scene_.update(snapshot);
+void SceneView::showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot) {
+  arrivals_.add(snapshot);
+  const auto isByPerson = [](const auto& change) { return change.by_person; };
+  is_awaited_ = is_awaited_ || std::ranges::any_of(snapshot->changed_regions, isByPerson) ||
+                std::ranges::any_of(snapshot->changed_bricks, isByPerson);
+  takeOver();
+  if (is_awaited_) draw_timer_.start(0);
+}
+
+void SceneView::takeOver() {
+  if (!arrivals_.takeOver(kTakeOver_ms)) arrival_timer_.start(0);
   schedule();
 }
 
@@ -186,7 +111,7 @@ void SceneView::fitAll() {
 
 void SceneView::turn(float yaw) {
   scene_.viewpoint().orbit(yaw, 0);
-  schedule();
+  scanning_ ? schedule() : redraw(true);
 }
 
 void SceneView::setGridVisible(bool visible) {
@@ -217,44 +142,8 @@ void SceneView::fit(const Eigen::AlignedBox3f& box) {
   schedule();
 }
 
-void SceneView::redraw(bool moving) {
-  if (!moving) return schedule();
-  moving_ = true;
-  settle_timer_.start();
-  draw_timer_.start(0);
-}
-
-void SceneView::schedule() {
-  if (draw_timer_.isActive()) return;
-  int wait_ms = 0;
-  if (scanning_ && !moving_) {
-    const int interval_ms = std::clamp(static_cast<int>(draw_ms_ / kTimeShareWhileScanning),
-                                       kShortestInterval_ms, kLongestInterval_ms);
-    wait_ms = std::max(0, interval_ms - static_cast<int>(since_draw_.elapsed()));
-  }
-  draw_timer_.start(wait_ms);
-}
-
-void SceneView::drawUnlessPointing() {
-  // A drawing holds the window up: not between two steps of the pointer, who wants to see what it points at.
-  const bool is_pointing = scanning_ && !moving_ && since_pointed_.isValid() &&
-                           since_pointed_.elapsed() < kPointing_ms &&
-                           since_draw_.elapsed() < kLongestInterval_ms;
-  if (is_pointing) {
-    draw_timer_.start(kPointing_ms);
-    return;
-  }
-  is_old_ = true;
-  update();
-}
-
-PointBudget& SceneView::budget() {
-  if (moving_) return moving_budget_;
-  return scanning_ ? scanning_budget_ : still_budget_;
-}
-
 void SceneView::initializeGL() {
-  window_ = std::make_unique<RenderWindow>(*this, scene_.renderer());
+  window_ = std::make_unique<QtRenderWindow>(*this, scene_.renderer());
   // A new context (the view moved to another window) knows nothing of the old one's framebuffers.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
     makeCurrent();
@@ -264,216 +153,19 @@ void SceneView::initializeGL() {
   is_old_ = true;
 }
 
-void SceneView::paintGL() {
-  QElapsedTimer timer;
-  timer.start();
-  const QSize pixels = size() * devicePixelRatioF();
-  vtkGenericOpenGLRenderWindow& window = window_->vtk();
-  if (!std::exchange(is_old_, false) && pixels == drawn_size_) {
-    // Something that lies over the view changed: the picture is there already.
-    window.GetState()->Reset();
-    blitToWidget();
-    return;
-  }
-  drawn_size_ = pixels;
-  window.SetSize(pixels.width(), pixels.height());
-  window.SetScreenSize(pixels.width(), pixels.height());
-  // Qt changed OpenGL's state behind VTK's back.
-  window.GetState()->Reset();
-  window.GetState()->Push();
-  const std::size_t rebuild_budget = scanning_ && !full_detail_ ? kRebuildWhileScanningPoints : 10'000'000;
-  const std::size_t points = full_detail_ ? static_cast<std::size_t>(PointBudget::kMost) : budget().points();
-  const bool hurry = (moving_ || scanning_) && !full_detail_;
-  scene_.setOverlap(hurry ? SplatOverlap::quick : SplatOverlap::exact);
-  const bool complete = scene_.prepare(pixels.width(), pixels.height(), points, rebuild_budget);
-  const double prepared_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  window.Render();
-  window.GetState()->Pop();
-  blitToWidget();
-
-  const double took_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  draw_ms_ += 0.3 * (took_ms - draw_ms_);
-  if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
-  since_draw_.start();
-  are_ids_old_ = true;
-  emit drawn();
-  if (!complete) schedule();
-}
-
-void SceneView::blitToWidget() {
-  QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
-  vtkOpenGLFramebufferObject* source = window_->vtk().GetDisplayFramebuffer();
-  const QSize pixels = size() * devicePixelRatioF();
-  source->Bind(GL_READ_FRAMEBUFFER);
-  source->ActivateReadBuffer(0);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glDisable(GL_SCISSOR_TEST);
-  gl->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(),
-                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  // VTK leaves transparency in the picture; the widget must be opaque.
-  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  gl->glClearColor(0, 0, 0, 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
-void SceneView::interacted() {
-  moving_ = true;
-  settle_timer_.start();
-  if (scene_.following()) {
-    scene_.setFollowing(false);
-    emit followingChanged(false);
-  }
-  draw_timer_.stop();
-  draw_timer_.start(0);
-}
-
-void SceneView::findIds() {
-  if (!are_ids_old_ || window_ == nullptr) return;
-  are_ids_old_ = false;
-  const QSize pixels = size() * devicePixelRatioF();
-  scene_.drawIds(pixels.width(), pixels.height(), kIdsPerPixel / static_cast<float>(devicePixelRatioF()),
-                 ids_);
-  region_ids_.create(ids_.height(), ids_.width(), CV_32SC1);
-  std::transform(
-      ids_.fragments().begin(), ids_.fragments().end(), region_ids_.begin<int>(),
-      [this](FragmentId fragment) { return static_cast<int>(scene_.cloud().regionOf(fragment).value); });
-  for (int pass = 0; pass < kGapPasses; ++pass) closeGaps(region_ids_);
-}
-
-std::optional<Eigen::Vector3f> SceneView::surfaceNear(int x, int y) const {
-  const int region = region_ids_.at<int>(y, x);
-  for (int reach = 0; region != 0 && reach <= kGapPasses; ++reach) {
-    for (int v = std::max(0, y - reach); v <= std::min(region_ids_.rows - 1, y + reach); ++v) {
-      for (int u = std::max(0, x - reach); u <= std::min(region_ids_.cols - 1, x + reach); ++u) {
-        if (region_ids_.at<int>(v, u) != region) continue;
-        if (auto point = ids_.pointAt(u, v)) return point;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-const cv::Mat& SceneView::regionIds() {
-  findIds();
-  return region_ids_;
-}
+const cv::Mat& SceneView::regionIds() { return pointing_.regionIds(); }
 
 RegionPoint SceneView::at(const QPointF& place) {
-  findIds();
-  if (region_ids_.empty() || width() < 1 || height() < 1) return {};
-  const int x = static_cast<int>(place.x() / width() * region_ids_.cols);
-  const int y = static_cast<int>(place.y() / height() * region_ids_.rows);
-  if (x < 0 || y < 0 || x >= region_ids_.cols || y >= region_ids_.rows) return {};
-  return {RegionId{static_cast<std::uint32_t>(region_ids_.at<int>(y, x))}, surfaceNear(x, y)};
+  if (width() < 1 || height() < 1) return {};
+  return pointing_.at({place.x() / width(), place.y() / height()});
 }
 
-QRectF SceneView::band() const {
-  return press_ && band_to_ ? QRectF(*press_, *band_to_).normalized() & QRectF(rect()) : QRectF();
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-  last_mouse_ = event->globalPosition();
-  press_ = event->position();
-  is_dragged_ = false;
-  setFocus(Qt::MouseFocusReason);
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() == Qt::NoButton) {
-    notePointing();
-    emit pointedAt(event->position());
-    return;
-  }
-  if (press_ && !is_dragged_) {
-    if ((event->position() - *press_).manhattanLength() < QApplication::startDragDistance()) return;
-    is_dragged_ = true;
-    emit pointerLeft();
-  }
-  // On the screen: a message that appears above the view moves the view under the mouse.
-  const QPointF step = event->globalPosition() - last_mouse_;
-  last_mouse_ = event->globalPosition();
-  if (event->buttons().testFlag(Qt::LeftButton) && event->modifiers().testFlag(Qt::ControlModifier)) {
-    band_to_ = event->position();
-    emit bandChanged();
-    return;
-  }
-  const auto dx = static_cast<float>(step.x());
-  const auto dy = static_cast<float>(step.y());
-  const auto tall = static_cast<float>(std::max(1, height()));
-  const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
-  if (event->buttons().testFlag(Qt::MiddleButton) || (event->buttons().testFlag(Qt::LeftButton) && shifted)) {
-    scene_.viewpoint().pan(-dx / tall, dy / tall);
-  } else if (event->buttons().testFlag(Qt::LeftButton)) {
-    scene_.viewpoint().orbit(-dx * kTurnPerPixel_rad, dy * kTurnPerPixel_rad);
-  } else if (event->buttons().testFlag(Qt::RightButton)) {
-    scene_.viewpoint().zoom(std::exp(dy * 0.006F));
-  } else {
-    return;
-  }
-  interacted();
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  const QRectF drawn_band = band();
-  const bool was_pressed = std::exchange(press_, std::nullopt).has_value();
-  if (std::exchange(band_to_, std::nullopt)) {
-    emit bandChanged();
-    emit bandDrawn(drawn_band);
-  } else if (was_pressed && !is_dragged_ && event->button() == Qt::LeftButton) {
-    emit clicked(event->position(), event->modifiers());
-  } else if (was_pressed && !is_dragged_ && event->button() == Qt::RightButton) {
-    emit menuWanted(event->position(), event->globalPosition().toPoint());
-  }
-  is_dragged_ = false;
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  press_.reset();  // its release is no click
-  if (event->button() == Qt::LeftButton) emit doubleClicked(event->position());
-}
-
-void SceneView::leaveEvent(QEvent* /*event*/) { emit pointerLeft(); }
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-  scene_.viewpoint().zoom(std::exp(-static_cast<float>(event->angleDelta().y()) / 120.0F * 0.14F));
-  interacted();
-  event->accept();
-}
-
-void SceneView::keyPressEvent(QKeyEvent* event) {
-  constexpr float kStep_rad = 0.10F;
-  OrbitCamera& viewpoint = scene_.viewpoint();
-  const bool shifted = event->modifiers().testFlag(Qt::ShiftModifier);
-  switch (event->key()) {
-    case Qt::Key_Left:
-      shifted ? viewpoint.pan(-0.05F, 0) : viewpoint.orbit(kStep_rad, 0);
-      break;
-    case Qt::Key_Right:
-      shifted ? viewpoint.pan(0.05F, 0) : viewpoint.orbit(-kStep_rad, 0);
-      break;
-    case Qt::Key_Up:
-      shifted ? viewpoint.pan(0, 0.05F) : viewpoint.orbit(0, kStep_rad);
-      break;
-    case Qt::Key_Down:
-      shifted ? viewpoint.pan(0, -0.05F) : viewpoint.orbit(0, -kStep_rad);
-      break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      viewpoint.zoom(0.88F);
-      break;
-    case Qt::Key_Minus:
-      viewpoint.zoom(1 / 0.88F);
-      break;
-    case Qt::Key_Home:
-      fitAll();
-      return;
-    default:
-      QOpenGLWidget::keyPressEvent(event);
-      return;
-  }
-  interacted();
+std::optional<QPointF> SceneView::placeOf(const Eigen::Vector3f& point_world) {
+  const float aspect = static_cast<float>(width()) / static_cast<float>(std::max(1, height()));
+  const auto place = scene_.viewpoint().placeOf(point_world, aspect);
+  if (!place || place->cwiseAbs().maxCoeff() > 1) return std::nullopt;
+  return QPointF((static_cast<double>(place->x()) + 1) / 2 * width(),
+                 (1 - static_cast<double>(place->y())) / 2 * height());
 }
 
 }  // namespace scantrove

@@ -10,14 +10,20 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/common/region_point.h"
+#include "ui/common/stroke_path.h"
 #include "ui/scene/label_cloud_scene.h"
 #include "ui/view/point_budget.h"
+#include "ui/view/scene_pointing.h"
+#include "ui/view/snapshot_arrivals.h"
 
 namespace scantrove {
 
+class QtRenderWindow;
+
 /// The 3D view: the one place where Qt and VTK meet. VTK draws into its own framebuffer inside Qt's OpenGL
 /// context, which is then copied to the widget's. Draws seldom while a scan runs, so that most of the machine
-/// stays with the scan, and coarser while the person turns the view.
+/// stays with the scan, at once what a person did to the regions, and coarser while the person turns the
+/// view.
 ///
 /// Left drag turns, middle or Shift+left drag moves, right drag or wheel zooms, Ctrl+left drag draws a band;
 /// arrow keys, + and - and Home do the same from the keyboard. What is pointed at and clicked is told.
@@ -33,7 +39,8 @@ class SceneView : public QOpenGLWidget {
 
   [[nodiscard]] LabelCloudScene& scene() { return scene_; }
   void clearScene();
-  void showSnapshot(const ScanSnapshot& snapshot);
+  /// Its bricks come into view a few at a time.
+  void showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot);
   /// While true, drawing takes about a sixth of the time at most.
   void setScanning(bool scanning);
   void setColors(const LabelCloudScene::Colors& colors);
@@ -49,8 +56,15 @@ class SceneView : public QOpenGLWidget {
 
   /// What the last drawing shows there. Widget coordinates.
   [[nodiscard]] RegionPoint at(const QPointF& place);
+  /// Where a point of the world is seen, hidden or not. Widget coordinates; none: not in the view.
+  [[nodiscard]] std::optional<QPointF> placeOf(const Eigen::Vector3f& point_world);
   /// CV_32SC1: the region in each pixel of the last drawing, at about half its size.
   [[nodiscard]] const cv::Mat& regionIds();
+  /// While on, a left drag that begins on a region draws a stroke, and strokeAt() says what lies under it;
+  /// one that begins beside everything turns the view as ever. Turned off, a stroke on its way is given up.
+  void setDrawsStrokes(bool draws);
+  /// What is being drawn, widget coordinates; empty: nothing is.
+  [[nodiscard]] const QPolygonF& stroke() const { return stroke_.places(); }
   /// Of the band that is being drawn, widget coordinates; empty: none is.
   [[nodiscard]] QRectF band() const;
   void setColoring(Coloring coloring);
@@ -81,11 +95,15 @@ class SceneView : public QOpenGLWidget {
   void menuWanted(const QPointF& place, const QPoint& on_screen);
   void bandChanged();
   void bandDrawn(const QRectF& band);
+  void strokeAt(const scantrove::RegionPoint& point);
+  void strokeChanged();
+  void strokeEnded(Qt::KeyboardModifiers modifiers);
   void cleared();
 
  protected:
   void initializeGL() override;
   void paintGL() override;
+  void resizeGL(int width, int height) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -95,32 +113,44 @@ class SceneView : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  class RenderWindow;
-
   /// Draws as soon as the share of time allows.
   void schedule();
   void interacted();
+  void takeOver();
+  /// When nothing moves: a step of a drawing with much detail, which would hold the window up if it were made
+  /// at once. The last one shows it.
+  void drawStill();
+  void render(const QSize& pixels);
+  void noteDrawn(const QSize& pixels, double took_ms);
   void blitToWidget();
   void drawUnlessPointing();
+  /// Something moves or comes: what is drawn will be drawn anew soon.
+  [[nodiscard]] bool hurries() const;
   [[nodiscard]] PointBudget& budget();
-  void findIds();
-  /// Of the region at that pixel of region_ids_.
-  [[nodiscard]] std::optional<Eigen::Vector3f> surfaceNear(int x, int y) const;
+  void beginStroke(const QMouseEvent& event);
+  void drawStroke(const QPointF& to);
 
   LabelCloudScene scene_;
-  std::unique_ptr<RenderWindow> window_;
+  SnapshotArrivals arrivals_{scene_};
+  std::unique_ptr<QtRenderWindow> window_;
   QTimer draw_timer_;
+  QTimer arrival_timer_;
   QTimer settle_timer_;  ///< after the last movement: back to full detail
   QElapsedTimer since_draw_, since_pointed_;
   QSize drawn_size_;
   bool is_old_ = true;                      ///< what was drawn
+  bool is_awaited_ = false;                 ///< what a person did is not drawn yet
   QPointF last_mouse_;                      ///< on the screen
   std::optional<QPointF> press_, band_to_;  ///< in the widget
   bool is_dragged_ = false;                 ///< since the press
-  CloudIds ids_;
-  cv::Mat region_ids_;
-  bool are_ids_old_ = true;
-  double draw_ms_ = 30;  ///< smoothed time of drawing
+  bool is_given_up_ = false;                ///< the stroke of this press: the rest of the drag does nothing
+  bool draws_strokes_ = false;
+  StrokePath stroke_;
+  ScenePointing pointing_{scene_};
+  bool is_in_parts_ = false;  ///< a still drawing is on its way in VTK's framebuffer
+  double still_ms_ = 0;       ///< what it took so far
+  double draw_ms_ = 30;       ///< smoothed time of drawing
+  PointBudget part_budget_{40, 2e4, 5e4};
   PointBudget moving_budget_{45, 6e4, 1e5};
   PointBudget scanning_budget_{90, 1.5e5, 2e5};
   PointBudget still_budget_{600, 5e5, 1e6};

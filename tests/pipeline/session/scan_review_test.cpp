@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <opencv2/core.hpp>
 
 #include "core/scan/open_session.h"
 #include "tests/pipeline/session/scan_session_fixture.h"
@@ -44,6 +45,12 @@ class ScanReviewTest : public ScanSessionTest {
     pixels.erase(0);
     const auto most = std::ranges::max_element(pixels, {}, [](const auto& entry) { return entry.second; });
     return most == pixels.end() ? RegionId{} : RegionId{static_cast<std::uint32_t>(most->first)};
+  }
+
+  static int segmentsIn(const ScanSnapshot& snapshot) {
+    double most = 0;
+    cv::minMaxLoc(snapshot.segments, nullptr, &most);
+    return static_cast<int>(most);
   }
 
   static Operation naming(RegionId region, const std::string& name) {
@@ -102,6 +109,7 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   const auto frame = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });
   ASSERT_NE(frame, nullptr);
   EXPECT_EQ(frame->frame_index, frame->key_frames->front());
+  EXPECT_EQ(frame->segments.size(), frame->regions.size());
 
   session_.edit(naming(largestIn(*frame), "table"));
   log_.await<Edited>();
@@ -111,6 +119,12 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   session_.previewExport(options);
   log_.await<ExportPreviewed>();
   EXPECT_GE(log_.all<ExportPreviewed>().front().preview.regions, 1);
+  session_.sampleExport(options, 0);
+  log_.await<ExportSampled>();
+  const ExportSample sample = log_.all<ExportSampled>().front().sample;
+  EXPECT_EQ(sample.frame, frame->frame_index);
+  EXPECT_GE(sample.masks, 1);
+  EXPECT_FALSE(sample.picture.empty());
   session_.exportDataset(options);
   log_.await<ExportFinished>();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "masks" / "labels.json"));
@@ -121,6 +135,34 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   log_.await<ExportFailed>();
   session_.edit(UndoEdit{});
   log_.await<Edited>(2);
+}
+
+// The segments of a key frame are those of the view, and follow k at once; nothing else does.
+TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
+  ScanRequest wanted = reviewed();
+  session_.start(wanted);
+  log_.await<ReviewOpened>();
+  const auto first = awaitShown([](const ScanSnapshot& s) { return s.key_frames && s.shown_key_frame >= 0; });
+  ASSERT_NE(first, nullptr);
+  const int few = segmentsIn(*first);
+  EXPECT_GE(few, 3);
+  const cv::Mat is_surface = first->depth_fused_m > 0, is_in_segment = first->segments > 0;
+  const int all = cv::countNonZero(is_surface);
+  EXPECT_GT(cv::countNonZero(is_surface & is_in_segment), all * 9 / 10);
+
+  wanted.params.segmentation.k /= 20;
+  session_.setParams(wanted.params);
+  const auto finer = awaitShown([&](const ScanSnapshot& s) { return segmentsIn(s) > few; });
+  ASSERT_NE(finer, nullptr);
+  EXPECT_EQ(cv::norm(finer->regions, first->regions, cv::NORM_INF), 0);
+  EXPECT_EQ(finer->shown_key_frame, first->shown_key_frame);
+  EXPECT_TRUE(finer->changed_bricks.empty());
+  EXPECT_TRUE(finer->changed_regions.empty());
+  // And the next one that is shown, too.
+  session_.showKeyFrame(0);
+  const auto next = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });
+  ASSERT_NE(next, nullptr);
+  EXPECT_GT(segmentsIn(*next), few);
 }
 
 TEST_F(ScanReviewTest, WhatIsNoSessionIsSaid) {

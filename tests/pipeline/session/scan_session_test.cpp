@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <opencv2/core.hpp>
 #include <set>
 #include <tuple>
 
@@ -55,6 +58,68 @@ TEST_F(ScanSessionTest, StopEndsAScanCleanlyWithItsResults) {
   EXPECT_EQ(session_.state(), ScanState::finished);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "report.json"));
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "cloud.ply"));
+}
+
+// While paused, a person tries segment sizes out: they see them, and the scan does not.
+TEST_F(ScanSessionTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) {
+  const auto segmentsIn = [](const ScanSnapshot& snapshot) {
+    double most = 0;
+    cv::minMaxLoc(snapshot.segments, nullptr, &most);
+    return static_cast<int>(most);
+  };
+  const auto isSame = [](const cv::Mat& a, const cv::Mat& b) {
+    return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0;
+  };
+  ScanRequest tried = request(6);
+  tried.start_paused = true;
+  tried.output_folder = folder_ / "tried";
+  session_.start(tried);
+  log_.awaitState(ScanState::paused);
+  std::shared_ptr<const ScanSnapshot> before;
+  for (int step = 1; step <= 3; ++step) {
+    session_.step();
+    before = awaitSnapshot(step);
+    ASSERT_TRUE(before);
+  }
+  ScanParams params = tried.params;
+  for (const float k : {params.segmentation.k / 20, params.segmentation.k * 20}) {
+    ScanParams other = params;
+    other.segmentation.k = k;
+    session_.setParams(other);
+    const auto after = awaitSnapshot(3);
+    ASSERT_TRUE(after);
+    if (k < params.segmentation.k) {
+      EXPECT_GT(segmentsIn(*after), segmentsIn(*before));
+    } else {
+      EXPECT_LT(segmentsIn(*after), segmentsIn(*before));
+    }
+    EXPECT_EQ(after->state, ScanState::paused);
+    EXPECT_EQ(after->frames.done(), 3);
+    EXPECT_TRUE(isSame(after->regions, before->regions));
+    EXPECT_TRUE(isSame(after->depth_fused_m, before->depth_fused_m));
+    EXPECT_EQ(after->map_bricks, before->map_bricks);
+    EXPECT_TRUE(after->changed_bricks.empty());
+    EXPECT_TRUE(after->changed_regions.empty());
+  }
+  session_.setParams(params);
+  const auto back = awaitSnapshot(3);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(isSame(back->segments, before->segments));
+  session_.resume();
+  session_.wait();
+
+  ScanRequest plain = request(6);
+  plain.database = (folder_ / "other.sqlite").string();
+  plain.output_folder = folder_ / "plain";
+  session_.start(plain);
+  session_.wait();
+  const auto bytesOf = [&](const char* of) {
+    std::ifstream file(folder_ / of / "cloud.ply", std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string cloud = bytesOf("plain");
+  ASSERT_GT(cloud.size(), 10'000U);
+  EXPECT_TRUE(bytesOf("tried") == cloud) << "the scan that went on is another";
 }
 
 TEST_F(ScanSessionTest, PauseHoldsAndResumeGoesOn) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <map>
@@ -105,6 +106,60 @@ TEST_F(SnapshotBuilderTest, LeavesTheCloudOutWhereNobodyLooksAtIt) {
   ASSERT_TRUE(snapshot);
   EXPECT_TRUE(snapshot->changed_bricks.empty());
   EXPECT_FALSE(snapshot->changed_regions.empty());
+}
+
+// However much waits: what a person did comes with the next snapshot, and is marked.
+TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
+  static_cast<void>(addFrame());
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  const auto all = mailbox_.collect();
+  // The largest region, between its leftmost and its rightmost point.
+  std::map<RegionId, std::vector<Eigen::Vector3f>> points;
+  for (const CloudBrick& brick : all->changed_bricks) {
+    EXPECT_FALSE(brick.by_person);
+    for (const CloudBrick::Point& point : brick.points)
+      points[pipeline_->regionTable().regionOf(point.fragment)].push_back(point.centre());
+  }
+  const auto largest =
+      std::ranges::max_element(points, {}, [](const auto& entry) { return entry.second.size(); });
+  const auto [left, right] = std::ranges::minmax_element(
+      largest->second, {}, [](const Eigen::Vector3f& point) { return point.x(); });
+  const Bricks changed = addFrame();
+  ASSERT_GT(changed.size(), SnapshotBuilder::kMostBricks) << "all of these wait";
+  Operation cut{.kind = OperationKind::cut, .regions = {largest->first}};
+  cut.here_world = {*left};
+  cut.there_world = {*right};
+  builder_.beginEdit(*pipeline_);
+  const auto outcome = pipeline_->edit(cut);
+  builder_.endEdit(*pipeline_);
+  ASSERT_TRUE(outcome) << outcome.error().message();
+
+  const auto shown = nextWhenDue();
+  ASSERT_TRUE(shown);
+  const auto isByPerson = [](const auto& change) { return change.by_person; };
+  const auto edited = std::ranges::count_if(shown->changed_bricks, isByPerson);
+  EXPECT_GT(edited, 0);
+  for (std::ptrdiff_t i = 0; i < edited; ++i)
+    EXPECT_TRUE(shown->changed_bricks[static_cast<std::size_t>(i)].by_person) << i;
+  EXPECT_GT(std::ranges::count_if(shown->changed_regions, isByPerson), 0);
+  // Nothing is lost or sent twice by that.
+  Bricks sent = bricksOf(*shown);
+  std::size_t count = shown->changed_bricks.size();
+  for (auto next = nextWhenDue(); !next->changed_bricks.empty(); next = nextWhenDue()) {
+    EXPECT_EQ(std::ranges::count_if(next->changed_bricks, isByPerson), 0);
+    sent.merge(bricksOf(*next));
+    count += next->changed_bricks.size();
+  }
+  EXPECT_EQ(sent.size(), count);
+  EXPECT_TRUE(std::ranges::includes(sent, changed));
+  // Taken back: only regions change.
+  builder_.beginEdit(*pipeline_);
+  ASSERT_TRUE(pipeline_->undo());
+  builder_.endEdit(*pipeline_);
+  const auto undone = nextWhenDue();
+  ASSERT_TRUE(undone);
+  ASSERT_FALSE(undone->changed_regions.empty());
+  EXPECT_TRUE(std::ranges::all_of(undone->changed_regions, isByPerson));
 }
 
 TEST_F(SnapshotBuilderTest, WhileTheCameraIsLostShowsWhatItSawLast) {

@@ -152,6 +152,25 @@ TEST_F(RegionEditorTest, ACutGoesThroughAFragmentAndHolds) {
   EXPECT_EQ(regionAt(41), regionAt(58));
 }
 
+// What was drawn over stays on its side, however near the other one lies.
+TEST_F(RegionEditorTest, ACutByStrokesKeepsAllThatWasDrawnOverTogether) {
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {regionAt(10), regionAt(30)}}));
+  const RegionId region = regionAt(10);
+  Operation cut{.kind = OperationKind::cut, .regions = {region}};
+  // One click each would part the 40 voxels in the middle.
+  for (int x = 0; x <= 30; ++x)
+    cut.here_world.push_back({0.01F * static_cast<float>(x) + 0.005F, 0.055F, 0.005F});
+  for (int x = 34; x <= 39; ++x)
+    cut.there_world.push_back({0.01F * static_cast<float>(x) + 0.005F, 0.055F, 0.005F});
+  const auto outcome = apply(cut);
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  ASSERT_EQ(outcome->regions.size(), 2U);
+  for (int x = 0; x <= 30; ++x) EXPECT_EQ(regionAt(x), outcome->regions[0]) << x;
+  for (int x = 35; x <= 39; ++x) EXPECT_EQ(regionAt(x), outcome->regions[1]) << x;
+  ASSERT_TRUE(editor_.undo());
+  for (int x = 0; x < 40; ++x) EXPECT_EQ(regionAt(x), region) << x;
+}
+
 TEST_F(RegionEditorTest, ACutAtOnePlaceIsRefusedAndChangesNothing) {
   const auto before = table_.regions();
   const auto refused = apply({.kind = OperationKind::cut,

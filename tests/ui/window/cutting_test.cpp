@@ -1,0 +1,207 @@
+// Cutting a region by strokes, with real mouse events.
+#include <QImage>
+#include <algorithm>
+
+#include "tests/ui/window/pointing_fixture.h"
+#include "ui/main_window/region_cutter.h"
+#include "ui/panels/help_dialog.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/scene_overlay.h"
+
+namespace scantrove::test {
+namespace {
+
+class CuttingTest : public PointingTest {
+ protected:
+  /// As a hand draws: few events, far apart. `release`: else the button stays down.
+  static void draw(QWidget* widget, const QPoint& from, const QPoint& to,
+                   Qt::KeyboardModifiers modifiers = {}, bool release = true) {
+    QTest::mousePress(widget, Qt::LeftButton, modifiers, from);
+    for (int i = 1; i <= 4; ++i) move(widget, from + (to - from) * i / 4, modifiers);
+    if (release) QTest::mouseRelease(widget, Qt::LeftButton, modifiers, to);
+  }
+  /// QTest's own has no buttons.
+  static void move(QWidget* widget, const QPoint& to, Qt::KeyboardModifiers modifiers) {
+    QMouseEvent event(QEvent::MouseMove, QPointF(to), widget->mapToGlobal(QPointF(to)), Qt::NoButton,
+                      Qt::LeftButton, modifiers);
+    QApplication::sendEvent(widget, &event);
+  }
+  QPoint inPicture(std::size_t i, double x, double y) { return panel(i)->placeOf({x, y}).toPoint(); }
+  void drawInPicture(std::size_t i, const QPointF& from, const QPointF& to,
+                     Qt::KeyboardModifiers modifiers = {}, bool release = true) {
+    draw(panel(i), inPicture(i, from.x(), from.y()), inPicture(i, to.x(), to.y()), modifiers, release);
+  }
+  /// x of a place in the world that the pictures show at that fraction of their width.
+  static float worldX(double fraction) { return static_cast<float>((320 * fraction - 160) * 1.5 / 290); }
+  SceneOverlay* overlay() { return window_->scenePane()->overlay(); }
+  /// How many pixels of it are of about that colour.
+  static int pixelsLike(QWidget* widget, const QColor& color) {
+    const QImage shown = widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    int count = 0;
+    for (int y = 0; y < shown.height(); ++y) {
+      for (int x = 0; x < shown.width(); ++x) {
+        const QColor there = shown.pixelColor(x, y);
+        const int off =
+            std::max({std::abs(there.red() - color.red()), std::abs(there.green() - color.green()),
+                      std::abs(there.blue() - color.blue())});
+        count += off < 24 ? 1 : 0;
+      }
+    }
+    return count;
+  }
+};
+
+TEST_F(CuttingTest, TwoStrokesInAPictureGiveManyPlacesOfEachSide) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("1 of 2")));
+  drawInPicture(0, {0.05, 0.3}, {0.05, 0.7});
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("2 of 2")));
+  EXPECT_TRUE(session_->edits.empty());
+  drawInPicture(0, {0.3, 0.3}, {0.45, 0.3});
+  ASSERT_NE(lastOperation(), nullptr);
+  const Operation& cut = *lastOperation();
+  EXPECT_EQ(cut.kind, OperationKind::cut);
+  EXPECT_EQ(cut.regions, std::vector{RegionId{5}});
+  ASSERT_GT(cut.here_world.size(), 10U);
+  ASSERT_GT(cut.there_world.size(), 5U);
+  for (const Eigen::Vector3f& place : cut.here_world) EXPECT_NEAR(place.x(), worldX(0.05), 0.02F);
+  EXPECT_NEAR(cut.here_world.back().y() - cut.here_world.front().y(), 0.4F * 240 * 1.5F / 290, 0.03F);
+  // Without gaps, though the hand made four steps: as far apart as a cut takes around each.
+  for (std::size_t i = 1; i < cut.here_world.size(); ++i)
+    EXPECT_LT((cut.here_world[i] - cut.here_world[i - 1]).norm(), 0.03F) << i;
+  EXPECT_NEAR(cut.there_world.front().x(), worldX(0.3), 0.02F);
+  EXPECT_NEAR(cut.there_world.back().x(), worldX(0.45), 0.02F);
+  EXPECT_TRUE(selection().selected() == std::vector{RegionId{5}}) << "no band was drawn";
+}
+
+TEST_F(CuttingTest, TheStrokeIsSeenWhileTheButtonIsDownAndMarksStayInAllViews) {
+  window_->framePanels()->feature(panel(4));
+  QTest::keyClick(panel(0), Qt::Key_C);
+  const int red_before = pixelsLike(panel(0), RegionCutter::kHereColor);
+  drawInPicture(0, {0.1, 0.2}, {0.1, 0.8}, {}, false);
+  EXPECT_GT(panel(0)->stroke().size(), 10);
+  EXPECT_GT(pixelsLike(panel(0), RegionCutter::kHereColor), red_before + 50);
+  QTest::mouseRelease(panel(0), Qt::LeftButton, {}, inPicture(0, 0.1, 0.8));
+  EXPECT_TRUE(panel(0)->stroke().isEmpty());
+  for (std::size_t i = 0; i < 5; ++i) {
+    ASSERT_EQ(panel(i)->marks().size(), 1U) << i;
+    EXPECT_EQ(panel(i)->marks()[0].color, RegionCutter::kHereColor);
+    for (const QPointF& fraction : panel(i)->marks()[0].fractions) EXPECT_NEAR(fraction.x(), 0.1, 0.02);
+  }
+  const int blue_before = pixelsLike(panel(4), RegionCutter::kThereColor);
+  drawInPicture(4, {0.4, 0.2}, {0.4, 0.8}, {}, false);
+  EXPECT_GT(pixelsLike(panel(4), RegionCutter::kThereColor), blue_before + 50) << "the second colour";
+  QTest::mouseRelease(panel(4), Qt::LeftButton, {}, inPicture(4, 0.4, 0.8));
+  EXPECT_EQ(panel(2)->marks().size(), 2U);
+  QTest::keyClick(panel(0), Qt::Key_Return);
+  EXPECT_TRUE(panel(2)->marks().empty()) << "it is kept";
+  EXPECT_EQ(session_->edits.size(), 1U);
+}
+
+TEST_F(CuttingTest, StrokesInTheSceneTakeTheSurfaceUnderThem) {
+  view()->fitAll();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{5}).isNull(); }, kPatience_ms));
+  const QPoint middle = placeInScene(RegionId{5});
+  const QPoint reach(0, view()->height() / 8);
+  ASSERT_EQ(view()->at(middle - reach).region, RegionId{5});
+  ASSERT_EQ(view()->at(middle + reach).region, RegionId{5});
+  view()->setFocus();
+  QTest::keyClick(view(), Qt::Key_C);
+  const Eigen::Vector3f eye = view()->scene().viewpoint().eye();
+  draw(view(), middle - reach, middle + reach, {}, false);
+  EXPECT_GT(overlay()->stroke().size(), 10);
+  EXPECT_GT(pixelsLike(overlay(), RegionCutter::kHereColor), 50);
+  QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + reach);
+  EXPECT_TRUE(overlay()->stroke().isEmpty());
+  EXPECT_EQ(view()->scene().viewpoint().eye(), eye) << "the view is not turned";
+  ASSERT_EQ(overlay()->marks().size(), 1U);
+  const QPoint aside(view()->width() / 12, 0);
+  ASSERT_EQ(view()->at(middle - aside).region, RegionId{5});
+  QTest::mouseClick(view(), Qt::LeftButton, {}, middle - aside);  // a stroke of one place
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{5}});
+  EXPECT_GT(lastOperation()->here_world.size(), 5U);
+  EXPECT_EQ(lastOperation()->there_world.size(), 1U);
+  for (const Eigen::Vector3f& place : lastOperation()->here_world)
+    EXPECT_NEAR(place.z(), 256.5F * 3 / 512, 0.01F) << "on the surface";
+}
+
+TEST_F(CuttingTest, ADragBesideTheSceneStillTurnsIt) {
+  view()->fitAll();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{5}).isNull(); }, kPatience_ms));
+  view()->setFocus();
+  QTest::keyClick(view(), Qt::Key_C);
+  const Eigen::Vector3f eye = view()->scene().viewpoint().eye();
+  ASSERT_FALSE(view()->at(QPointF(3, 3)).region);
+  draw(view(), QPoint(3, 3), QPoint(120, 60));
+  EXPECT_NE(view()->scene().viewpoint().eye(), eye);
+  EXPECT_TRUE(overlay()->marks().empty());
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("1 of 2")));
+}
+
+TEST_F(CuttingTest, OnlyTheRegionInWhichAStrokeBeginsIsCut) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  drawInPicture(0, {0.3, 0.3}, {0.7, 0.3});  // beyond its edge
+  EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
+  drawInPicture(0, {0.8, 0.6}, {0.95, 0.6});
+  EXPECT_TRUE(session_->edits.empty()) << "they are two regions already";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("2 of 2"))) << "it may be tried again";
+  drawInPicture(0, {0.05, 0.6}, {0.1, 0.6});
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{5}});
+  for (const Eigen::Vector3f& place : lastOperation()->here_world) EXPECT_LT(place.x(), worldX(0.5));
+}
+
+TEST_F(CuttingTest, ShiftDrawsMoreOfTheSameSide) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  drawInPicture(0, {0.05, 0.2}, {0.05, 0.4}, Qt::ShiftModifier);
+  drawInPicture(0, {0.1, 0.6}, {0.1, 0.8}, Qt::ShiftModifier);
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("1 of 2")));
+  QTest::keyClick(panel(0), Qt::Key_Return);
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("2 of 2")));
+  EXPECT_FALSE(nameField()->isVisible()) << "Return is the cut's";
+  drawInPicture(0, {0.4, 0.2}, {0.4, 0.4});
+  ASSERT_NE(lastOperation(), nullptr);
+  const auto& here = lastOperation()->here_world;
+  EXPECT_NEAR(here.front().x(), worldX(0.05), 0.02F);
+  EXPECT_NEAR(here.back().x(), worldX(0.1), 0.02F);
+}
+
+TEST_F(CuttingTest, EscapeGivesAStrokeUpAndUndoTakesACutBack) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  drawInPicture(0, {0.1, 0.2}, {0.1, 0.8}, {}, false);
+  QTest::keyClick(panel(0), Qt::Key_Escape);
+  EXPECT_TRUE(panel(0)->stroke().isEmpty());
+  QTest::mouseRelease(panel(0), Qt::LeftButton, {}, inPicture(0, 0.1, 0.8));
+  EXPECT_TRUE(overlay()->hint().isEmpty());
+  EXPECT_TRUE(panel(0)->marks().empty());
+  drawInPicture(0, {0.02, 0.02}, {0.98, 0.98});
+  EXPECT_EQ(selection().selected().size(), 2U) << "drags are bands again";
+  EXPECT_TRUE(session_->edits.empty());
+
+  QTest::keyClick(panel(0), Qt::Key_C);
+  drawInPicture(0, {0.1, 0.2}, {0.1, 0.8});
+  drawInPicture(0, {0.4, 0.2}, {0.4, 0.8});
+  ASSERT_EQ(session_->edits.size(), 1U);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(session_->edits.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits.back()));
+  QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
+  ASSERT_EQ(session_->edits.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<RedoEdit>(session_->edits.back()));
+}
+
+TEST_F(CuttingTest, WhatToDoNextIsSaidBesideThePointer) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  QTest::mouseMove(panel(0), inPicture(0, 0.2, 0.3));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{5}; }, kPatience_ms));
+  EXPECT_EQ(panel(0)->tag().value(2), QStringLiteral("Draw over the part that comes off"));
+  drawInPicture(0, {0.1, 0.2}, {0.1, 0.8});
+  QTest::mouseMove(panel(0), inPicture(0, 0.25, 0.3));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return panel(0)->tag().value(2) == QStringLiteral("Draw over what stays"); }, kPatience_ms));
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,93 @@
+#include "ui/panels/export_sample_view.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPixmap>
+#include <QShortcut>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/image_conversion.h"
+
+namespace scantrove {
+namespace {
+
+constexpr QSize kPictureSize(400, 300);
+
+}  // namespace
+
+ExportSampleView::ExportSampleView(QWidget* parent)
+    : QWidget(parent), picture_(new QLabel), said_(new QLabel), back_(new QToolButton), on_(new QToolButton) {
+  picture_->setFixedHeight(kPictureSize.height());
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setWordWrap(true);
+  picture_->setAccessibleName(tr("An image of the data set with its masks"));
+  said_->setAlignment(Qt::AlignCenter);
+  said_->setProperty("muted", true);
+  back_->setArrowType(Qt::LeftArrow);
+  back_->setToolTip(tr("The image before (Page up)"));
+  back_->setAccessibleName(tr("The image before"));
+  on_->setArrowType(Qt::RightArrow);
+  on_->setToolTip(tr("The image after (Page down)"));
+  on_->setAccessibleName(tr("The image after"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(back_);
+  row->addWidget(said_, 1);
+  row->addWidget(on_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  column->addWidget(picture_);
+  column->addLayout(row);
+  connect(back_, &QToolButton::clicked, this, [this] { step(-1); });
+  connect(on_, &QToolButton::clicked, this, [this] { step(1); });
+  for (const auto& [key, by] : {std::pair(Qt::Key_PageUp, -1), std::pair(Qt::Key_PageDown, 1)}) {
+    auto* shortcut = new QShortcut(QKeySequence(key), this);
+    connect(shortcut, &QShortcut::activated, this, [this, by = by] { step(by); });
+  }
+  updateButtons();
+}
+
+void ExportSampleView::showSample(const ExportSample& sample) {
+  count_ = sample.count;
+  setVisible(count_ > 0);
+  place_ = count_ > 0 ? std::optional(sample.place) : std::nullopt;
+  updateButtons();
+  if (!sample.picture.empty()) {
+    const QImage picture = colorPicture(sample.picture);
+    const double ratio = devicePixelRatioF();
+    QPixmap shown = QPixmap::fromImage(
+        picture.scaled(kPictureSize * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    shown.setDevicePixelRatio(ratio);
+    picture_->setPixmap(shown);
+  } else {
+    picture_->setText(sample.problem.empty()
+                          ? QString()
+                          : tr("This image is left out: %1").arg(QString::fromStdString(sample.problem)));
+  }
+  said_->setText(tr("Frame %1 — %2 of %3 — %n masks", nullptr, sample.masks)
+                     .arg(sample.frame)
+                     .arg(sample.place + 1)
+                     .arg(sample.count));
+}
+
+QString ExportSampleView::said() const { return said_->text(); }
+
+bool ExportSampleView::hasPicture() const { return !picture_->pixmap().isNull(); }
+
+void ExportSampleView::step(int by) {
+  if (!place_ || !isEnabled()) return;
+  const int wanted = std::clamp(*place_ + by, 0, count_ - 1);
+  if (wanted == *place_) return;
+  place_ = wanted;  // several quick steps add up
+  updateButtons();
+  emit placeWanted(wanted);
+}
+
+void ExportSampleView::updateButtons() {
+  back_->setEnabled(place_ && *place_ > 0);
+  on_->setEnabled(place_ && *place_ + 1 < count_);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,38 @@
+#pragma once
+#include <QPointF>
+#include <QSize>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+#include "ui/common/region_point.h"
+#include "ui/scene/label_cloud_scene.h"
+
+namespace scantrove {
+
+/// Which region, and which point of its surface, the last drawing of the scene shows where. Found when it is
+/// asked for first, at about half the resolution of the widget. One thread, the window's.
+class ScenePointing {
+ public:
+  explicit ScenePointing(const LabelCloudScene& scene) : scene_(scene) {}
+
+  /// There is a new drawing of `pixels`; the screen has `ratio` of them a pixel of the widget.
+  void setDrawn(const QSize& pixels, double ratio);
+
+  /// CV_32SC1: the region in each pixel of the last drawing, 0 = none; empty: nothing was drawn yet.
+  [[nodiscard]] const cv::Mat& regionIds();
+  /// `fraction`: of the drawing's width and height, from the top left.
+  [[nodiscard]] RegionPoint at(const QPointF& fraction);
+
+ private:
+  /// Of the region at that pixel of region_ids_.
+  [[nodiscard]] std::optional<Eigen::Vector3f> surfaceNear(int x, int y) const;
+
+  const LabelCloudScene& scene_;
+  QSize pixels_;
+  double ratio_ = 1;
+  CloudIds ids_;
+  cv::Mat region_ids_;
+  bool is_old_ = false;
+};
+
+}  // namespace scantrove

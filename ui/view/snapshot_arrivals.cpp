@@ -1,0 +1,39 @@
+#include "ui/view/snapshot_arrivals.h"
+
+#include <algorithm>
+#include <chrono>
+#include <span>
+#include <utility>
+
+#include "ui/scene/label_cloud_scene.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kBricksAtATime = 64;
+
+}  // namespace
+
+void SnapshotArrivals::add(std::shared_ptr<const ScanSnapshot> snapshot) {
+  scene_.updateAllButBricks(*snapshot);
+  if (!snapshot->changed_bricks.empty()) waiting_.push_back({std::move(snapshot)});
+}
+
+bool SnapshotArrivals::takeOver(double most_ms) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto isOver = [&] {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >
+           most_ms;
+  };
+  while (!waiting_.empty() && !isOver()) {
+    auto& [snapshot, next] = waiting_.front();
+    const std::span<const CloudBrick> rest = std::span(snapshot->changed_bricks).subspan(next);
+    const std::size_t count = std::min(kBricksAtATime, rest.size());
+    scene_.updateBricks(rest.first(count));
+    next += count;
+    if (count == rest.size()) waiting_.pop_front();
+  }
+  return waiting_.empty();
+}
+
+}  // namespace scantrove
