@@ -176,7 +176,7 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColour) {
     const auto sides = [](const Eigen::Vector3d& p) {
       return p.z() > 0.9 ? Eigen::Vector3d(20, 200, 40) : Eigen::Vector3d(220, 30, 60);
     };
-    PaintedScene wall{wallAt(1.2, {}).shape, sides};
+    PaintedScene wall{wallAt(1.2, Eigen::Vector3d::Zero()).shape, sides};
     PaintedScene with_board = wall;
     with_board.shape.box({-0.3, -0.3, 0.79}, {0.05, 0.3, 0.8});
     ColorRig rig(compute, params);
