@@ -14,6 +14,7 @@
 namespace scantrove::test {
 
 inline constexpr int kPatience_ms = 4000;
+inline constexpr std::size_t kPoints = 2UL * 8 * 8 * 64;  ///< of twoRegions()
 
 /// Region 5 on the left half of the pictures, 7 on the right; in 3D two squares side by side.
 class PointingTest : public WindowTest {
@@ -23,6 +24,9 @@ class PointingTest : public WindowTest {
     window_->open(QStringLiteral("demo"));
     session_->post(twoRegions(4));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !panel(4)->picture().isNull(); }, kPatience_ms));
+    // Into the 3D view the scene comes bit by bit.
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view()->scene().cloud().pointCount() == kPoints; }, kPatience_ms));
   }
 
   ScanSnapshot twoRegions(int frame) {

@@ -17,7 +17,6 @@ namespace scantrove::test {
 namespace {
 
 TEST_F(PointingTest, ThePointerLightsARegionUpInAllViewsAndSaysItsName) {
-  // Into the 3D view the scene comes bit by bit.
   ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{7}).isNull(); }, kPatience_ms));
   QTest::mouseMove(panel(0), panel(0)->placeOf({0.8, 0.3}).toPoint());
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{7}; }, kPatience_ms));
