@@ -127,7 +127,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     motion_->apply(*depth, map_->bricks(), surface_);
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
-  if (tracker_) stage("track", [&] { tracker_->learn(frame, *depth, surface_); });
+  if (tracker_) stage("track", [&] { result.is_place = tracker_->learn(frame, *depth, surface_); });
 
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
   const std::vector<FragmentId> projected = stage("project", [&] {
