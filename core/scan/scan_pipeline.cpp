@@ -147,6 +147,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
          working_K_, T_world_camera, cloud_->voxelsOfFragments()},
         table_, params_.labeling);
   });
+  for (std::size_t i = 0; i < merged.carved.size(); ++i)
+    editor_->cutOut(merged.carved[i], merged.carved_from[i]);
   result.regions = std::move(merged.map);
   touched_ = stage("update", [&] {
     return cloud_->update(surface_, result.regions, merged.carved, params_.labeling, map_->bricks());
