@@ -29,7 +29,8 @@ class RegionEditor {
   /// Error: there is no such region, a cut whose two sides are one place, nothing to take apart, ...; then
   /// nothing was changed.
   [[nodiscard]] Result<Outcome> apply(const Operation& operation, const LabelingParams& params);
-  /// Takes the newest operation back, and no more than that: what frames changed meanwhile stays. Error:
+  /// Takes the newest operation back, and no more than that: what frames changed meanwhile stays, and what
+  /// they cut out of regions meanwhile goes where the rest of it goes. Error:
   /// there is none.
   [[nodiscard]] Result<Outcome> undo();
   [[nodiscard]] Result<Outcome> redo();
@@ -41,6 +42,9 @@ class RegionEditor {
   void restoreNote(RegionId region, const RegionNote& note) { setNote(region, note); }
   void useMerger(RegionMerger& merger) { merger_ = &merger; }
   void forget(FragmentId fragment) { log_.forget(fragment); }
+  /// A frame has shown that `part` is something else than the rest of `fragment`: what was done to that was
+  /// done to it, and is taken back with it.
+  void cutOut(FragmentId part, FragmentId fragment) { log_.cutOut(part, fragment); }
 
  private:
   using Fragments = std::vector<FragmentId>;

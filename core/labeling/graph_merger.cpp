@@ -140,6 +140,7 @@ void GraphMerger::carve(const MergeInput& input, const Overlaps& overlaps, std::
     carved_from_[cut.segment] = cut.fragment;
     carved_[cut.segment] = carved;
     outcome.carved.push_back(carved);
+    outcome.carved_from.push_back(cut.fragment);
     for (int look = 0; look < FragmentCutter::kLooks; ++look) {
       graph_.between(cut.fragment, carved).add(cut.contact, 0);
     }

@@ -32,9 +32,10 @@ struct MergeInput {
 class RegionMerger {
  public:
   struct Outcome {
-    RegionMap map;                   ///< S_cloud,t
-    RegionEvents events;             ///< what this frame changed
-    std::vector<FragmentId> carved;  ///< cut out of others in this frame: take their voxels at once
+    RegionMap map;                        ///< S_cloud,t
+    RegionEvents events;                  ///< what this frame changed
+    std::vector<FragmentId> carved;       ///< cut out of others in this frame: take their voxels at once
+    std::vector<FragmentId> carved_from;  ///< of which each of these was a part until now
   };
 
   virtual ~RegionMerger() = default;

@@ -126,7 +126,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     motion_->apply(*depth, map_->bricks(), surface_);
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
-  if (tracker_) stage("track", [&] { tracker_->learn(frame, *depth, surface_); });
+  if (tracker_) stage("track", [&] { result.is_place = tracker_->learn(frame, *depth, surface_); });
 
   result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
   const std::vector<FragmentId> projected = stage("project", [&] {
@@ -146,6 +146,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
          working_K_, T_world_camera, cloud_->voxelsOfFragments()},
         table_, params_.labeling);
   });
+  for (std::size_t i = 0; i < merged.carved.size(); ++i)
+    editor_->cutOut(merged.carved[i], merged.carved_from[i]);
   result.regions = std::move(merged.map);
   touched_ = stage("update", [&] {
     return cloud_->update(surface_, result.regions, merged.carved, params_.labeling, map_->bricks());

@@ -49,6 +49,7 @@ struct FrameResult {
   std::vector<Eigen::Vector4f> normals_world;   ///< N_t likewise
   FrameObjects objects;
   std::vector<LateFrame> late;  ///< earlier ones that were understood with this one
+  bool is_place = false;        ///< the camera finds its way by this frame from now on
 };
 
 /// One frame through every stage of the thesis. Owns map, label cloud and region table; cost per frame does
@@ -96,6 +97,11 @@ class ScanPipeline {
     RegionEditor& editor;
   };
   [[nodiscard]] Kept kept() { return {map_->bricks(), *cloud_, table_, *merger_, *editor_}; }
+  /// An earlier camera of this map was there; those that are not lost, in order. Whether the camera found its
+  /// way by that frame: then recallPlace() wants it.
+  [[nodiscard]] bool recallPose(const Eigen::Isometry3d& T_world_camera) {
+    return tracker_ && tracker_->passBy(T_world_camera);
+  }
   /// An earlier frame of this map, taken from there: by it a camera finds its way back. May throw cl::Error.
   void recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   /// The camera is somewhere on the map, perhaps there. May throw cl::Error.

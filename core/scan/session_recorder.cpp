@@ -62,8 +62,9 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
         {known->second, late.index, late.timestamp_s, late.pose.state, late.pose.T_world_camera});
   }
   if (writer_->isFailing()) return;
-  const bool is_key = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
-  if (!is_key && !setup_.all_frames) return;
+  const bool is_new = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
+  // A camera that goes on later finds its way by the same frames as if it had never stopped.
+  if (!is_new && !result.is_place && !setup_.all_frames) return;
   const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
                          result.pose.T_world_camera};
   writer_->post([frame, number, saved](SessionStore& store) -> Result<void> {

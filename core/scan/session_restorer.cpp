@@ -1,6 +1,7 @@
 #include "core/scan/session_restorer.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -69,6 +70,24 @@ Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedSca
   return {};
 }
 
+/// The camera's way is gone once more: so the same frames become its places, and it has left the same ones.
+void restorePlaces(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
+                   std::vector<std::string>& damages) {
+  std::map<int, const SavedKeyFrame*> images;
+  for (const SavedKeyFrame& key : scan.key_frames) images[key.frame] = &key;
+  for (const SavedFrame& frame : scan.frames) {
+    if (!frame.isUsable() || !pipeline.recallPose(frame.T_world_camera)) continue;
+    const auto key = images.find(frame.number);
+    if (key == images.end()) continue;
+    const Result<RgbdFrame> seen = readKeyFrame(session.folder(), *key->second, frame);
+    if (seen) {
+      pipeline.recallPlace(*seen, frame.T_world_camera);
+    } else {
+      damages.push_back(seen.error().message());
+    }
+  }
+}
+
 }  // namespace
 
 Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& damages) {
@@ -93,16 +112,7 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
     }
     pipeline.wantAsSaid();
     if (!for_camera) return {};
-    for (const SavedKeyFrame& key : scan.key_frames) {
-      const auto of = std::ranges::find(scan.frames, key.frame, &SavedFrame::number);
-      if (of == scan.frames.end()) continue;
-      const Result<RgbdFrame> frame = readKeyFrame(session.folder(), key, *of);
-      if (!frame) {
-        damages.push_back(frame.error().message());
-        continue;
-      }
-      pipeline.recallPlace(*frame, of->T_world_camera);
-    }
+    restorePlaces(pipeline, session, scan, damages);
     const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),
                                    [](const SavedFrame& frame) { return frame.isUsable(); });
     if (last != scan.frames.rend()) pipeline.resumeAt(last->T_world_camera);

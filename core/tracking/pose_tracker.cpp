@@ -213,19 +213,27 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
 void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
   last_ = T_world_camera;
   is_lost_ = true;
+  // The place that was learnt last was seen from elsewhere: it says nothing about the surface in view there.
+  last_frame_ = {};
+  last_landmarks_.reset();
 }
 
-void PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
+bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
+  key_frames_.leaveAllBut(T_world_camera);
+  return key_frames_.isDue(T_world_camera);
+}
+
+bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
   last_frame_ = frame;
   K_depth_ = depth.K;
   last_landmarks_.reset();
-  key_frames_.leaveAllBut(model.T_world_camera);
-  if (!key_frames_.isDue(model.T_world_camera)) return;
+  if (!passBy(model.T_world_camera)) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
-  if (thumbnail.empty()) return;
+  if (thumbnail.empty()) return false;
   const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
   key_frames_.add({model.T_world_camera, lastLandmarks(model), std::move(thumbnail),
                    KeptSurface(level.K, level.vertices_camera.read(compute_.queue()))});
+  return true;
 }
 
 const ColorView& PoseTracker::viewOf(Search& search) {

@@ -37,11 +37,14 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate track(const RgbdFrame& frame, const DepthPyramid& depth,
                                    const SurfaceMaps& model);
   /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
-  void learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
+  /// Whether the frame became a place: one that the camera finds its way by from now on.
+  bool learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
 
-  /// The camera is somewhere on a map that was made earlier, perhaps there. Its places are made known by
-  /// learn(), for frames of that time.
+  /// The camera is somewhere on a map that was made earlier, perhaps there. The places of that time are those
+  /// that passBy() and learn() were told of, in the order of their frames.
   void resumeAt(const Eigen::Isometry3d& T_world_camera);
+  /// A camera of that time was there. Whether its frame was a place; then learn() wants to see it.
+  [[nodiscard]] bool passBy(const Eigen::Isometry3d& T_world_camera);
 
   /// A frame that was not trusted when it came.
   struct UncertainFrame {

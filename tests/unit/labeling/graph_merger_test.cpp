@@ -97,11 +97,13 @@ TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
   scan.look(kLeak, 10);
   ASSERT_EQ(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY));
   const RegionId whole = scan.regionAt(kX, kY);
+  const FragmentId born = scan.fragmentAt(kX, kY);
   const std::vector<Rectangle> smaller_right{PaintedFrame::kLeft,
                                              {kMiddle, 0, 55, PaintedFrame::kHeight - 1}};
   RegionMerger::Outcome outcome;
   for (int i = 0; i < 30 && outcome.carved.empty(); ++i) outcome = scan.look(smaller_right);
   ASSERT_EQ(outcome.carved.size(), 1U);
+  EXPECT_EQ(outcome.carved_from, std::vector{born});
   EXPECT_EQ(scan.fragmentAt(kOtherX, kY), outcome.carved.front()) << "its voxels change at once";
   EXPECT_THAT(outcome.events.parted, testing::IsEmpty()) << "a cut alone parts nothing";
   EXPECT_EQ(scan.regionAt(kOtherX, kY), whole);
