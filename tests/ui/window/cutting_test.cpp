@@ -33,6 +33,16 @@ class CuttingTest : public PointingTest {
   }
   /// x of a place in the world that the pictures show at that fraction of their width.
   static float worldX(double fraction) { return static_cast<float>((320 * fraction - 160) * 1.5 / 290); }
+  /// All of the scene is in view, and drawn like that.
+  void showAllOfScene() {
+    bool is_drawn = false;
+    const auto heard = QObject::connect(view(), &SceneView::drawn, [&] { is_drawn = true; });
+    view()->fitAll();
+    const bool came = QTest::qWaitFor([&] { return is_drawn; }, kPatience_ms);
+    QObject::disconnect(heard);
+    ASSERT_TRUE(came);
+    ASSERT_FALSE(placeInScene(RegionId{5}).isNull());
+  }
   SceneOverlay* overlay() { return window_->scenePane()->overlay(); }
   /// How many pixels of it are of about that colour.
   static int pixelsLike(QWidget* widget, const QColor& color) {
@@ -99,8 +109,7 @@ TEST_F(CuttingTest, TheStrokeIsSeenWhileTheButtonIsDownAndMarksStayInAllViews) {
 }
 
 TEST_F(CuttingTest, StrokesInTheSceneTakeTheSurfaceUnderThem) {
-  view()->fitAll();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{5}).isNull(); }, kPatience_ms));
+  showAllOfScene();
   const QPoint middle = placeInScene(RegionId{5});
   const QPoint reach(0, view()->height() / 8);
   ASSERT_EQ(view()->at(middle - reach).region, RegionId{5});
@@ -127,8 +136,7 @@ TEST_F(CuttingTest, StrokesInTheSceneTakeTheSurfaceUnderThem) {
 }
 
 TEST_F(CuttingTest, ADragBesideTheSceneStillTurnsIt) {
-  view()->fitAll();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !placeInScene(RegionId{5}).isNull(); }, kPatience_ms));
+  showAllOfScene();
   view()->setFocus();
   QTest::keyClick(view(), Qt::Key_C);
   const Eigen::Vector3f eye = view()->scene().viewpoint().eye();
