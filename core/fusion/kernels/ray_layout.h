@@ -2,10 +2,10 @@
 #ifndef SCANTROVE_RAY_LAYOUT_H
 #define SCANTROVE_RAY_LAYOUT_H
 
-#define RAY_TILE                                                                                          \
-  8               /* pixels; rays of a tile of RAY_TILE^2 share their range, and rows are filled up to it \
-                   */
-#define RAY_PAD 4 /* pixels around an image, so that windows of planes need no test of its bounds */
+// Rays of a tile of RAY_TILE x RAY_TILE pixels share their range, and rows are filled up to it. RAY_PAD
+// pixels lie around an image, so that windows of planes need no test of its bounds.
+#define RAY_TILE 8
+#define RAY_PAD 4
 #define RAY_TILES(pixels) (((pixels) + RAY_TILE - 1) / RAY_TILE)
 #define RAY_STRIDE(width) (RAY_TILE * RAY_TILES(width) + 2 * RAY_PAD)
 
