@@ -102,9 +102,9 @@ class RegionController : public QObject {
   std::set<RegionId> background_;
   std::map<RegionId, QString> sizes_;  ///< as they were asked for since the last news
   std::optional<QPointF> pointer_in_scene_;
-  QPoint last_place_;       ///< on the screen, that was clicked or pointed at
+  QPoint last_place_;        ///< on the screen, that was clicked or pointed at
   int proposal_number_ = 0;  ///< of the proposal that is being made
-  bool is_telling_ = true;  ///< a command's undo and redo reach the scan
+  bool is_telling_ = true;   ///< a command's undo and redo reach the scan
   bool knows_history_ = false;
 };
 
