@@ -85,6 +85,7 @@ class GapWatch {
       QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
       is_done = is_over();
     }
+    note(since_tick_, tick_gaps_);  // that which is not over yet
     timer_.stop();
     say(what, static_cast<double>(all.elapsed()) / 1000);
     return is_done;
