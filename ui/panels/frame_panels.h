@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/scan/scan_snapshot.h"
-#include "ui/common/place_marks.h"
 #include "ui/common/region_point.h"
+#include "ui/models/place_marks.h"
 #include "ui/panels/frame_pointing.h"
 #include "ui/panels/image_conversion.h"
 

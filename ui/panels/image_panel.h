@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/common/stroke_path.h"
+#include "ui/models/stroke_path.h"
 
 namespace scantrove {
 

@@ -32,7 +32,10 @@ class QtRenderWindow {
   QtRenderWindow(const QtRenderWindow&) = delete;
   QtRenderWindow& operator=(const QtRenderWindow&) = delete;
 
-  [[nodiscard]] vtkGenericOpenGLRenderWindow& vtk() { return *window_; }
+  /// Draws the scene, so many pixels of it, into VTK's framebuffer.
+  void draw(const QSize& pixels);
+  /// Copies what was drawn last, of that size, to the widget's framebuffer, which is bound then.
+  void copyToWidget(const QSize& pixels);
 
  private:
   using Callback = void (*)(vtkObject*, unsigned long, void*, void*);

@@ -10,7 +10,7 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/common/region_point.h"
-#include "ui/common/stroke_path.h"
+#include "ui/models/stroke_path.h"
 #include "ui/scene/label_cloud_scene.h"
 #include "ui/view/point_budget.h"
 #include "ui/view/scene_pointing.h"
@@ -120,9 +120,7 @@ class SceneView : public QOpenGLWidget {
   /// When nothing moves: a step of a drawing with much detail, which would hold the window up if it were made
   /// at once. The last one shows it.
   void drawStill();
-  void render(const QSize& pixels);
   void noteDrawn(const QSize& pixels, double took_ms);
-  void blitToWidget();
   void drawUnlessPointing();
   /// Something moves or comes: what is drawn will be drawn anew soon.
   [[nodiscard]] bool hurries() const;

@@ -1,9 +1,4 @@
 // When the 3D view draws, how much of the scene, and how it gets to the screen.
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLState.h>
-
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
 #include <algorithm>
 #include <utility>
 
@@ -91,7 +86,7 @@ void SceneView::drawStill() {
     return;
   }
   makeCurrent();
-  render(pixels);
+  window_->draw(pixels);
   doneCurrent();
   const double took_ms = millisecondsOf(timer);
   still_ms_ += took_ms;
@@ -105,17 +100,6 @@ void SceneView::drawStill() {
   still_budget_.learn(scene_.cloud().drawnPointCount(), still_ms_);
   noteDrawn(pixels, still_ms_);
   update();
-}
-
-void SceneView::render(const QSize& pixels) {
-  vtkGenericOpenGLRenderWindow& window = window_->vtk();
-  window.SetSize(pixels.width(), pixels.height());
-  window.SetScreenSize(pixels.width(), pixels.height());
-  // Qt changed OpenGL's state behind VTK's back.
-  window.GetState()->Reset();
-  window.GetState()->Push();
-  window.Render();
-  window.GetState()->Pop();
 }
 
 void SceneView::noteDrawn(const QSize& pixels, double took_ms) {
@@ -136,8 +120,7 @@ void SceneView::paintGL() {
     // Something that lies over the view changed: the picture is there already. That which is being drawn is
     // not.
     if (is_in_parts_) return;
-    window_->vtk().GetState()->Reset();
-    blitToWidget();
+    window_->copyToWidget(pixels);
     return;
   }
   QElapsedTimer timer;
@@ -151,30 +134,12 @@ void SceneView::paintGL() {
       full_detail_ ? static_cast<std::size_t>(PointBudget::kMost) : budget().points(),
       (scanning_ || !arrivals_.isEmpty()) && !full_detail_ ? kRebuildAtATimePoints : kRebuildAllPoints);
   const double prepared_ms = millisecondsOf(timer);
-  render(pixels);
-  blitToWidget();
+  window_->draw(pixels);
+  window_->copyToWidget(pixels);
   const double took_ms = millisecondsOf(timer);
   if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
   noteDrawn(pixels, took_ms);
   if (!complete || !hurries()) schedule();  // the rest; or the same with much detail
-}
-
-void SceneView::blitToWidget() {
-  QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
-  vtkOpenGLFramebufferObject* source = window_->vtk().GetDisplayFramebuffer();
-  const QSize pixels = size() * devicePixelRatioF();
-  source->Bind(GL_READ_FRAMEBUFFER);
-  source->ActivateReadBuffer(0);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glDisable(GL_SCISSOR_TEST);
-  gl->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(),
-                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  // VTK leaves transparency in the picture; the widget must be opaque.
-  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  gl->glClearColor(0, 0, 0, 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace scantrove
