@@ -1,11 +1,11 @@
 #include <QTemporaryDir>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/bench_statistics.h"
 #include "app/command.h"
 #include "app/core_application.h"
 #include "app/frame_use.h"
+#include "app/json_output.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
 
@@ -32,7 +32,7 @@ Result<void> bench(ScanRequest request, bool json) {
   if (!report) return fail(report.error());
   SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options));
   if (json) {
-    std::cout << benchJson(*report, samples).dump(1) << '\n';
+    printJson(benchJson(*report, samples));
   } else {
     std::cout << benchTable(*report, samples);
   }

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/json_output.h"
 #include "core/base/stage_timer.h"
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double sumOfMedians(const ScanReport& report) {
   double sum = 0;

@@ -1,10 +1,10 @@
 #include "app/catalogue_evaluation.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/core_application.h"
+#include "app/json_output.h"
 #include "app/true_objects.h"
 #include "core/capture/pose_files.h"
 #include "core/catalog/object_database.h"
@@ -14,8 +14,6 @@ namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 struct Entry {
   ObjectRecord record;
   std::vector<ObjectView> views;  // of the session that is judged

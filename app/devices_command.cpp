@@ -1,15 +1,13 @@
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/json_output.h"
 #include "core/capture/camera_doctor.h"
 #include "core/capture/cameras.h"
 #include "core/compute/device_choice.h"
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// All that is listed.
 struct Found {
@@ -95,7 +93,7 @@ Json toJson(const CameraDiagnosis& found) {
           {"remarks", toJson(found.remarks)}};
 }
 
-void printJson(const Found& found) {
+void printFoundAsJson(const Found& found) {
   Json json = {{"opencl", Json::array()}, {"cameras", Json::array()}, {"usb", Json::array()}};
   for (const DeviceInfo& device : found.devices) {
     json["opencl"].push_back({{"index", device.index},
@@ -113,7 +111,7 @@ void printJson(const Found& found) {
     }
   }
   for (const CameraDiagnosis& diagnosis : found.usb) json["usb"].push_back(toJson(diagnosis));
-  std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  printJson(json);
 }
 
 void printText(const Found& found) {
@@ -134,7 +132,7 @@ void addDevicesCommand(CLI::App& app, CommandOutcome&) {
       ->type_name("DIR");
   sub->callback([json, root] {
     const Found found{listDevices(), listCameras(), examineCameras(*root)};
-    *json ? printJson(found) : printText(found);
+    *json ? printFoundAsJson(found) : printText(found);
   });
 }
 

@@ -1,8 +1,8 @@
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/catalogue_evaluation.h"
 #include "app/command.h"
+#include "app/json_output.h"
 #include "app/number_check.h"
 #include "app/segmentation_evaluation.h"
 #include "core/capture/trajectory_reader.h"
@@ -10,8 +10,6 @@
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct EvaluateCommand {
   std::string estimate;

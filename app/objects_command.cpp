@@ -4,16 +4,14 @@
 #include <filesystem>
 #include <iomanip>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/json_output.h"
 #include "core/catalog/object_database.h"
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ObjectsCommand {
   std::string database;
@@ -67,10 +65,6 @@ Json toJson(const ObjectView& view) {
           {"direction", {view.direction.x(), view.direction.y(), view.direction.z()}}};
 }
 
-void print(const Json& json) {
-  std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-}
-
 std::string sizeText(const ObjectRecord& object) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(0) << object.size_m.x() * 100 << " x " << object.size_m.y() * 100
@@ -94,7 +88,7 @@ Result<void> list(ObjectDatabase& database, const ObjectsCommand& command) {
   }
   Json json = Json::array();
   for (const ObjectRecord& object : *objects) json.push_back(toJson(object));
-  print(json);
+  printJson(json);
   return {};
 }
 
@@ -107,7 +101,7 @@ Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
     Json json = toJson(*object);
     json["views"] = Json::array();
     for (const ObjectView& view : *views) json["views"].push_back(toJson(view));
-    print(json);
+    printJson(json);
     return {};
   }
   printObject(*object);
@@ -124,7 +118,7 @@ Result<void> report(ObjectDatabase& database, ObjectId id, const ObjectsCommand&
   const auto object = database.object(id);
   if (!object) return fail(object.error());
   if (command.json) {
-    print(toJson(*object));
+    printJson(toJson(*object));
   } else {
     printObject(*object);
   }
@@ -166,17 +160,18 @@ Result<void> remove(ObjectDatabase& database, const ObjectsCommand& command) {
   if (!object) return fail(object.error());
   SCANTROVE_TRY(database.remove({&object->id, 1}));
   if (command.json) {
-    print({{"deleted", object->id.value}});
+    printJson({{"deleted", object->id.value}});
   } else {
     std::cout << "deleted " << object->name << '\n';
   }
   return {};
 }
 
-using Action = Result<void> (*)(ObjectDatabase&, const ObjectsCommand&);
+using ObjectsAction = Result<void> (*)(ObjectDatabase&, const ObjectsCommand&);
 
 CLI::App* addAction(CLI::App& parent, const std::string& name, const std::string& help,
-                    const std::shared_ptr<ObjectsCommand>& command, CommandOutcome& outcome, Action action) {
+                    const std::shared_ptr<ObjectsCommand>& command, CommandOutcome& outcome,
+                    ObjectsAction action) {
   CLI::App* sub = parent.add_subcommand(name, help);
   sub->add_option("--database", command->database, "the catalogue")->required()->type_name("DB");
   sub->add_flag("--json", command->json, "as JSON");
@@ -195,7 +190,7 @@ void addObjectsCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ObjectsCommand>();
   CLI::App* objects = app.add_subcommand("objects", "List and edit the objects of a catalogue");
   objects->require_subcommand(1);
-  const auto add = [&](const char* name, const char* help, Action action) {
+  const auto add = [&](const char* name, const char* help, ObjectsAction action) {
     return addAction(*objects, name, help, command, outcome, action);
   };
   const auto take_object = [&](CLI::App* sub, const char* what) {

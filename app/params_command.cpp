@@ -1,15 +1,13 @@
 #include <iomanip>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/json_output.h"
 #include "app/scan_options.h"
 #include "core/scan/param_registry.h"
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ParamsCommand {
   std::string config;
@@ -38,7 +36,7 @@ void printTable(const ScanParams& params) {
   }
 }
 
-void printJson(const ScanParams& params) {
+void printParamsAsJson(const ScanParams& params) {
   Json list = Json::array();
   for (const ParamInfo& info : paramRegistry()) {
     const bool is_number = info.choices.empty();
@@ -55,7 +53,7 @@ void printJson(const ScanParams& params) {
     entry["help"] = info.help;
     list.push_back(std::move(entry));
   }
-  std::cout << list.dump(1) << '\n';
+  printJson(list);
 }
 
 }  // namespace
@@ -72,7 +70,7 @@ void addParamsCommand(CLI::App& app, CommandOutcome&) {
   sub->add_flag("--json", command->json, "as JSON");
   sub->callback([command] {
     const ScanParams params = paramsFrom(command->config, command->settings);
-    command->json ? printJson(params) : printTable(params);
+    command->json ? printParamsAsJson(params) : printTable(params);
   });
 }
 

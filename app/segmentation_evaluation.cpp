@@ -1,8 +1,8 @@
 #include "app/segmentation_evaluation.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "app/json_output.h"
 #include "app/label_images.h"
 #include "core/exchange/label_image_writer.h"
 
@@ -10,8 +10,6 @@ namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kSeriesLength = 20;  // of thesis fig. 4.9
 
 Json toJson(const SizedCoverage& sized) {

@@ -1,24 +1,20 @@
 #include <charconv>
-#include <filesystem>
 #include <iomanip>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/json_output.h"
+#include "app/session_list_command.h"
 #include "core/base/text.h"
 #include "core/scan/open_session.h"
 #include "core/scan/session_catalogue.h"
 #include "core/session/operation_json.h"
-#include "core/session/session_list.h"
 
 namespace scantrove {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct SessionCommand {
   std::string folder;
@@ -33,10 +29,6 @@ struct SessionCommand {
   std::string pixel;
   std::vector<std::string> here, there;
 };
-
-void print(const Json& json) {
-  std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-}
 
 Json toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -96,17 +88,17 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
   for (const auto& entry : session.history().entries())
     done += entry.state == OperationLog::State::done ? 1U : 0U;
   if (command.json) {
-    print({{"source", session.setup().source},
-           {"frames", session.frames().size()},
-           {"tracked", usable},
-           {"key_frames", session.keyFrames().size()},
-           {"bricks", session.brickCount()},
-           {"regions", regions->size()},
-           {"named", named},
-           {"objects", objects},
-           {"operations", done},
-           {"ended", session.hasEnded()},
-           {"damages", session.damages()}});
+    printJson({{"source", session.setup().source},
+               {"frames", session.frames().size()},
+               {"tracked", usable},
+               {"key_frames", session.keyFrames().size()},
+               {"bricks", session.brickCount()},
+               {"regions", regions->size()},
+               {"named", named},
+               {"objects", objects},
+               {"operations", done},
+               {"ended", session.hasEnded()},
+               {"damages", session.damages()}});
     return {};
   }
   std::cout << "source      " << session.setup().source
@@ -124,7 +116,7 @@ Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
   if (command.json) {
     Json json = Json::array();
     for (const RegionSummary& region : *regions) json.push_back(toJson(region));
-    print(json);
+    printJson(json);
     return {};
   }
   for (const RegionSummary& region : *regions) {
@@ -143,7 +135,8 @@ Result<void> showAt(OpenSession& session, const SessionCommand& command) {
   if (!place) return fail(place.error());
   const RegionNote& note = session.noteOf(place->region);
   if (command.json) {
-    print({{"region", place->region.value}, {"name", note.name}, {"point_m", toJson(place->point_world)}});
+    printJson(
+        {{"region", place->region.value}, {"name", note.name}, {"point_m", toJson(place->point_world)}});
   } else {
     std::cout << place->region.value << (note.name.empty() ? "" : "  ") << note.name << '\n';
   }
@@ -156,7 +149,7 @@ Result<void> report(const Result<RegionEditor::Outcome>& outcome, const SessionC
   Json regions = Json::array();
   for (const RegionId region : outcome->regions) regions.push_back(region.value);
   if (command.json) {
-    print({{"regions", regions}});
+    printJson({{"regions", regions}});
     return {};
   }
   const char* separator = "";
@@ -254,7 +247,7 @@ Result<void> history(OpenSession& session, const SessionCommand& command) {
     json.push_back(std::move(one));
   }
   if (command.json) {
-    print(json);
+    printJson(json);
     return {};
   }
   for (const OperationLog::Entry& entry : session.history().entries()) {
@@ -267,10 +260,11 @@ Result<void> history(OpenSession& session, const SessionCommand& command) {
   return {};
 }
 
-using Action = Result<void> (*)(OpenSession&, const SessionCommand&);
+using SessionAction = Result<void> (*)(OpenSession&, const SessionCommand&);
 
 CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
-                    const std::shared_ptr<SessionCommand>& command, CommandOutcome& outcome, Action action) {
+                    const std::shared_ptr<SessionCommand>& command, CommandOutcome& outcome,
+                    SessionAction action) {
   CLI::App* sub = parent.add_subcommand(name, help);
   sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to")->required();
   sub->add_flag("--json", command->json, "as JSON");
@@ -286,78 +280,13 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
   return sub;
 }
 
-Json toJson(const SessionSummary& session) {
-  return {{"path", session.folder.string()},
-          {"name", session.name},
-          {"started", session.started},
-          {"source", session.source},
-          {"frames", session.frames},
-          {"tracked", session.tracked},
-          {"key_frames", session.key_frames},
-          {"regions", session.regions},
-          {"named", session.names},
-          {"objects", session.objects},
-          {"megabytes", session.megabytes},
-          {"ended", session.ended},
-          {"in_use", session.in_use},
-          {"recovered", session.isRecovered()},
-          {"picture", session.picture.string()},
-          {"damage", session.damage}};
-}
-
-void printSession(const SessionSummary& session) {
-  if (!session.damage.empty()) {
-    std::cout << session.name << "  damaged: " << session.damage << '\n';
-    return;
-  }
-  std::cout << session.name << "  " << session.started.substr(0, 16) << "  " << session.source << "  "
-            << session.frames << " frames, " << session.regions << " regions, " << session.names.size()
-            << " named, " << session.objects << " objects, " << std::fixed << std::setprecision(1)
-            << session.megabytes << " MB"
-            << (session.in_use ? "  in use" : (session.ended ? "" : "  recovered: the scan broke off"))
-            << '\n';
-  const char* separator = "    ";
-  for (const std::string& name : session.names) std::cout << std::exchange(separator, ", ") << name;
-  if (!session.names.empty()) std::cout << '\n';
-}
-
-Result<void> listAll(const SessionCommand& command) {
-  const std::filesystem::path folder =
-      command.folder.empty() ? defaultScansFolder() : std::filesystem::path(command.folder);
-  std::error_code failure;
-  if (!command.folder.empty() && !std::filesystem::is_directory(folder, failure)) {
-    return fail("There is no folder " + folder.string() + ".", "Give the folder that holds sessions.");
-  }
-  const std::vector<SessionSummary> sessions = listSessions(folder);
-  if (command.json) {
-    Json json = Json::array();
-    for (const SessionSummary& session : sessions) json.push_back(toJson(session));
-    print(json);
-    return {};
-  }
-  for (const SessionSummary& session : sessions) printSession(session);
-  if (sessions.empty()) std::cerr << "There are no sessions in " << folder.string() << ".\n";
-  return {};
-}
-
-void addListAction(CLI::App& parent, const std::shared_ptr<SessionCommand>& command,
-                   CommandOutcome& outcome) {
-  CLI::App* sub = parent.add_subcommand("list", "The sessions in a folder, newest first");
-  sub->add_option("DIR", command->folder, "folder with sessions (default: $XDG_DATA_HOME/scantrove/scans)");
-  sub->add_flag("--json", command->json, "as JSON");
-  sub->callback([command, &outcome] {
-    const CoreApplication qt;
-    if (const auto done = listAll(*command); !done) outcome.failWith(done.error());
-  });
-}
-
 }  // namespace
 
 void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<SessionCommand>();
   CLI::App* parent = app.add_subcommand("session", "Look at scans and edit their regions");
   parent->require_subcommand(1);
-  const auto add = [&](const char* name, const char* help, Action action) {
+  const auto add = [&](const char* name, const char* help, SessionAction action) {
     return addAction(*parent, name, help, command, outcome, action);
   };
   const auto takeRegions = [&](CLI::App* sub) {
@@ -376,7 +305,7 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
     sub->add_flag("--no-catalogue", command->without_catalogue, "in the session only, not in its catalogue");
     return sub;
   };
-  addListAction(*parent, command, outcome);
+  addSessionList(*parent, outcome);
   add("show", "What there is: frames, map, regions, operations", show);
   add("regions", "All regions", listRegions);
   CLI::App* at = add("at", "The region that a pixel of a frame shows", showAt);

@@ -52,5 +52,5 @@ endfunction()
 
 # Not all at once: a change to one file is compiled again in seconds, and all cores have something to do.
 function(scantrove_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SCANTROVE_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SCANTROVE_UNITY} UNITY_BUILD_BATCH_SIZE 18)
 endfunction()

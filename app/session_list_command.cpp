@@ -1,0 +1,89 @@
+#include "app/session_list_command.h"
+
+#include <filesystem>
+#include <iomanip>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/core_application.h"
+#include "app/json_output.h"
+#include "core/session/session_list.h"
+
+namespace scantrove {
+namespace {
+
+struct SessionListCommand {
+  std::string folder;
+  bool json = false;
+};
+
+Json toJson(const SessionSummary& session) {
+  return {{"path", session.folder.string()},
+          {"name", session.name},
+          {"started", session.started},
+          {"source", session.source},
+          {"frames", session.frames},
+          {"tracked", session.tracked},
+          {"key_frames", session.key_frames},
+          {"regions", session.regions},
+          {"named", session.names},
+          {"objects", session.objects},
+          {"megabytes", session.megabytes},
+          {"ended", session.ended},
+          {"in_use", session.in_use},
+          {"recovered", session.isRecovered()},
+          {"picture", session.picture.string()},
+          {"damage", session.damage}};
+}
+
+void printSession(const SessionSummary& session) {
+  if (!session.damage.empty()) {
+    std::cout << session.name << "  damaged: " << session.damage << '\n';
+    return;
+  }
+  std::cout << session.name << "  " << session.started.substr(0, 16) << "  " << session.source << "  "
+            << session.frames << " frames, " << session.regions << " regions, " << session.names.size()
+            << " named, " << session.objects << " objects, " << std::fixed << std::setprecision(1)
+            << session.megabytes << " MB"
+            << (session.in_use ? "  in use" : (session.ended ? "" : "  recovered: the scan broke off"))
+            << '\n';
+  const char* separator = "    ";
+  for (const std::string& name : session.names) std::cout << std::exchange(separator, ", ") << name;
+  if (!session.names.empty()) std::cout << '\n';
+}
+
+Result<void> listAll(const SessionListCommand& command) {
+  const std::filesystem::path folder =
+      command.folder.empty() ? defaultScansFolder() : std::filesystem::path(command.folder);
+  std::error_code failure;
+  if (!command.folder.empty() && !std::filesystem::is_directory(folder, failure)) {
+    return fail("There is no folder " + folder.string() + ".", "Give the folder that holds sessions.");
+  }
+  const std::vector<SessionSummary> sessions = listSessions(folder);
+  if (command.json) {
+    Json json = Json::array();
+    for (const SessionSummary& session : sessions) json.push_back(toJson(session));
+    printJson(json);
+    return {};
+  }
+  for (const SessionSummary& session : sessions) printSession(session);
+  if (sessions.empty()) std::cerr << "There are no sessions in " << folder.string() << ".\n";
+  return {};
+}
+
+}  // namespace
+
+void addSessionList(CLI::App& parent, CommandOutcome& outcome) {
+  auto command = std::make_shared<SessionListCommand>();
+  CLI::App* sub = parent.add_subcommand("list", "The sessions in a folder, newest first");
+  sub->add_option("DIR", command->folder, "folder with sessions (default: $XDG_DATA_HOME/scantrove/scans)");
+  sub->add_flag("--json", command->json, "as JSON");
+  sub->callback([command, &outcome] {
+    const CoreApplication qt;
+    if (const auto done = listAll(*command); !done) outcome.failWith(done.error());
+  });
+}
+
+}  // namespace scantrove
