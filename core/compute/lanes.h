@@ -28,6 +28,14 @@ class Lanes {
     return range(width, height, columns(), count_ / columns());
   }
 
+  /// Where it does so many pixels of an image one after the other, so that what it knows of one helps with
+  /// the next; and the work-group.
+  [[nodiscard]] cl::NDRange inTurn(std::size_t pixels) const {
+    const auto count = static_cast<std::size_t>(count_);
+    return cl::NDRange((pixels + count - 1) / count);
+  }
+  [[nodiscard]] cl::NDRange inTurnGroup() const { return cl::NDRange(count_ == 1 ? 64 : 8); }
+
   /// The work-groups of the first two, of the last, and where each work-item does one pixel. One size for
   /// images of any: PoCL compiles a kernel anew for every size of its groups, and its own choice follows the
   /// image's. With one lane, neighbours that read neighbouring pixels.

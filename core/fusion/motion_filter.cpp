@@ -93,9 +93,10 @@ const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const Brick
   const std::size_t pixels = surface.vertices_world.size();
   if (settled_normals_.size() != pixels) settled_normals_ = {compute_.context(), pixels};
   fresh_counts_.fill(compute_.queue(), 0);
-  leave_out_fresh_.launch(cl::NDRange(pixels), cl::NullRange, surface.vertices_world, surface.normals_world,
-                          static_cast<cl_int>(pixels), bricks.table(), bricks.tableMask(), bricks.voxels(),
-                          1 / bricks.voxelSize(), kSettled, settled_normals_, fresh_counts_);
+  leave_out_fresh_.launch(compute_.lanes().inTurn(pixels), compute_.lanes().inTurnGroup(),
+                          surface.vertices_world, surface.normals_world, static_cast<cl_int>(pixels),
+                          bricks.table(), bricks.tableMask(), bricks.voxels(), 1 / bricks.voxelSize(),
+                          kSettled, settled_normals_, fresh_counts_);
   std::array<cl_int, 2> counts{};
   fresh_counts_.read(compute_.queue(), std::span<cl_int>(counts));
   settled_ = surface;

@@ -35,7 +35,8 @@ Result<void> LabelCloud::buildKernels() {
 std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
   const int pixels = surface.K.pixels();
   fit(projected_, static_cast<std::size_t>(pixels));
-  project_labels_.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
+  const Lanes& lanes = compute_.lanes();
+  project_labels_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
                          surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(),
                          bricks.labels(), 1.0F / bricks.voxelSize(), projected_);
   std::vector<FragmentId> result(static_cast<std::size_t>(pixels));
@@ -78,7 +79,8 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, 
   count_.fill(compute_.queue(), 0);
   ++stamp_;
   const Intrinsics& K = surface.K;
-  update_labels_.launch(cl::NDRange(static_cast<std::size_t>(K.pixels())), cl::NDRange(64),
+  const Lanes& lanes = compute_.lanes();
+  update_labels_.launch(lanes.inTurn(static_cast<std::size_t>(K.pixels())), lanes.inTurnGroup(),
                         surface.vertices_world, new_labels_, map.table(), map.tableMask(),
                         toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
                         cl_int{K.width}, cl_int{K.height}, map.voxelSize(), reach,
@@ -206,10 +208,11 @@ void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<Tsd
 }
 
 void LabelCloud::makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& map) {
+  const Lanes& lanes = compute_.lanes();
   const int pixels = surface.K.pixels();
   for (;;) {
     count_.fill(compute_.queue(), 0);
-    list_uncovered_bricks_.launch(cl::NDRange(static_cast<std::size_t>(pixels)), cl::NDRange(64),
+    list_uncovered_bricks_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
                                   surface.vertices_world, cl_int{pixels}, map.table(), map.tableMask(), reach,
                                   1.0F / (map.voxelSize() * BRICK_SIDE), count_, missing_,
                                   cl_int{kMissingCapacity});

@@ -1,6 +1,7 @@
 #include "core/scan/scan_pipeline.h"
 
 #include <algorithm>
+#include <future>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -128,7 +129,10 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   });
   if (tracker_) stage("track", [&] { result.is_place = tracker_->learn(frame, *depth, surface_); });
 
-  result.segments = stage("segment", [&] { return segmenter_->segment(surface_, params_.segmentation); });
+  // The partition is one thread's; what does not need it goes on beside it.
+  stage("segment", [&] { segmenter_->weigh(surface_, params_.segmentation); });
+  std::future<SegmentMap> segments =
+      std::async(std::launch::async, [this] { return segmenter_->partition(params_.segmentation); });
   const std::vector<FragmentId> projected = stage("project", [&] {
     readSurface(result);
     return cloud_->project(surface_, map_->bricks());
@@ -140,11 +144,12 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
                                  frame);
     return located;
   });
+  const std::span<const Eigen::Vector3f> lab = stage("color", [&] { return labColors(frame, in_color); });
+  result.segments = stage("segment", [&] { return segments.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
-    return merger_->merge(
-        {result.segments, projected, result.vertices_world, result.normals_world, labColors(frame, in_color),
-         working_K_, T_world_camera, cloud_->voxelsOfFragments()},
-        table_, params_.labeling);
+    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, lab,
+                           working_K_, T_world_camera, cloud_->voxelsOfFragments()},
+                          table_, params_.labeling);
   });
   for (std::size_t i = 0; i < merged.carved.size(); ++i)
     editor_->cutOut(merged.carved[i], merged.carved_from[i]);

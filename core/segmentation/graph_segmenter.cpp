@@ -18,14 +18,12 @@ Result<std::unique_ptr<GraphSegmenter>> GraphSegmenter::create(ComputeContext& c
   return std::unique_ptr<GraphSegmenter>(new GraphSegmenter(std::move(*refiner), std::move(*weigher)));
 }
 
-SegmentMap GraphSegmenter::segment(const SurfaceMaps& surface, const SegmentationParams& params) {
+void GraphSegmenter::weigh(const SurfaceMaps& surface, const SegmentationParams& params) {
   const bool refine = params.refine_normals && surface.K.pixels() > 0;
   weigher_.weigh(surface, refine ? refiner_.refine(surface, params) : surface.normals_world, params, edges_);
-  partition(params);
-  return number();
 }
 
-void GraphSegmenter::partition(const SegmentationParams& params) {
+SegmentMap GraphSegmenter::partition(const SegmentationParams& params) {
   const std::span<const std::uint16_t> keys(
       edges_.keys.empty() ? nullptr : reinterpret_cast<const std::uint16_t*>(edges_.keys.data()),
       edges_.keys.size() * EDGE_DIRECTIONS);
@@ -46,6 +44,7 @@ void GraphSegmenter::partition(const SegmentationParams& params) {
     const std::uint32_t pixel = edge / EDGE_DIRECTIONS;
     components_.absorb(pixel, pixel + offset[edge % EDGE_DIRECTIONS], edgeWeight(keys[edge]), min_pixels);
   }
+  return number();
 }
 
 SegmentMap GraphSegmenter::number() {

@@ -16,17 +16,24 @@ namespace scantrove {
 
 /// Single-frame segmentation S_t of V_t, N_t: edge weights of eq. 3.5 on the device, then the graph
 /// segmentation of Felzenszwalb and Huttenlocher (eq. 3.1 - 3.4) on the host. Deterministic. One thread, the
-/// compute context's.
+/// compute context's, but for partition().
 class GraphSegmenter {
  public:
   [[nodiscard]] static Result<std::unique_ptr<GraphSegmenter>> create(ComputeContext& compute);
 
-  [[nodiscard]] SegmentMap segment(const SurfaceMaps& surface, const SegmentationParams& params);
+  [[nodiscard]] SegmentMap segment(const SurfaceMaps& surface, const SegmentationParams& params) {
+    weigh(surface, params);
+    return partition(params);
+  }
+
+  /// The two steps of segment(). First the device's; then the host's, which another thread may do while the
+  /// device does something else.
+  void weigh(const SurfaceMaps& surface, const SegmentationParams& params);
+  [[nodiscard]] SegmentMap partition(const SegmentationParams& params);
 
  private:
   GraphSegmenter(NormalRefiner refiner, EdgeWeigher weigher);
 
-  void partition(const SegmentationParams& params);
   /// Numbers the components 1, 2, ... by their first pixel.
   [[nodiscard]] SegmentMap number();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "core/tracking/motion_prediction.h"
 
@@ -43,7 +44,9 @@ Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute
 }
 
 PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
+  finishLearning();
   PoseEstimate pose;
+  tracked_view_.reset();
   if (!last_) {
     pose = begin(depth);
   } else {
@@ -51,6 +54,7 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
     pose = registerAndJudge(search);
     if (!pose.usable() || !search.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
+    tracked_view_ = std::move(search.view);
   }
   remember(frame, pose);
   return pose;
@@ -211,29 +215,44 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
 }
 
 void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
+  finishLearning();
   last_ = T_world_camera;
   is_lost_ = true;
   // The place that was learnt last was seen from elsewhere: it says nothing about the surface in view there.
   last_frame_ = {};
+  last_view_.reset();
   last_landmarks_.reset();
 }
 
 bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
+  finishLearning();
   key_frames_.leaveAllBut(T_world_camera);
   return key_frames_.isDue(T_world_camera);
 }
 
 bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
+  finishLearning();
   last_frame_ = frame;
   K_depth_ = depth.K;
+  last_view_ = std::exchange(tracked_view_, std::nullopt);
   last_landmarks_.reset();
   if (!passBy(model.T_world_camera)) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
   if (thumbnail.empty()) return false;
   const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
-  key_frames_.add({model.T_world_camera, lastLandmarks(model), std::move(thumbnail),
-                   KeptSurface(level.K, level.vertices_camera.read(compute_.queue()))});
+  // Nobody asks for a place before the next frame: its features are looked for beside the rest of this one.
+  learning_ =
+      std::async(std::launch::async, [this, T_world_camera = model.T_world_camera, thumbnail, K = level.K,
+                                      readings = level.vertices_camera.read(compute_.queue()),
+                                      surface = model.vertices_world.read(compute_.queue())] {
+        last_landmarks_ = landmarksOf(lastView(), T_world_camera, surface);
+        return KeyFrame{T_world_camera, *last_landmarks_, thumbnail, KeptSurface(K, readings)};
+      });
   return true;
+}
+
+void PoseTracker::finishLearning() {
+  if (learning_.valid()) key_frames_.add(learning_.get());
 }
 
 const ColorView& PoseTracker::viewOf(Search& search) {
@@ -241,10 +260,15 @@ const ColorView& PoseTracker::viewOf(Search& search) {
   return *search.view;
 }
 
+const ColorView& PoseTracker::lastView() {
+  if (!last_view_) last_view_ = finder_.find(grayViewOf(last_frame_, K_depth_));
+  return *last_view_;
+}
+
 const Landmarks& PoseTracker::lastLandmarks(const SurfaceMaps& model) {
   if (!last_landmarks_) {
-    const ColorView view = finder_.find(grayViewOf(last_frame_, K_depth_));
-    last_landmarks_ = landmarksOf(view, model.T_world_camera, model.vertices_world.read(compute_.queue()));
+    last_landmarks_ =
+        landmarksOf(lastView(), model.T_world_camera, model.vertices_world.read(compute_.queue()));
   }
   return *last_landmarks_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,7 +24,8 @@ namespace scantrove {
 /// Where the camera is, frame by frame. Owns all that is known about poses. A frame's pose is predicted from
 /// the motion so far, registered by ICP against the map's surface and judged; what is not trusted is
 /// recovered: from landmarks of the last view and of key frames, which find the camera anywhere that it has
-/// been. One thread, the context's; may throw cl::Error.
+/// been. One thread, the context's; may throw cl::Error. (The features of a new place are found by another,
+/// until the next call.)
 class PoseTracker {
  public:
   /// Fills the map's surface as seen from a pose.
@@ -92,7 +94,10 @@ class PoseTracker {
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                    PoseOrigin origin) const;
+  /// What learn() left to another thread is done.
+  void finishLearning();
   [[nodiscard]] const ColorView& viewOf(Search& search);
+  [[nodiscard]] const ColorView& lastView();
   [[nodiscard]] const Landmarks& lastLandmarks(const SurfaceMaps& model);
 
   ComputeContext& compute_;
@@ -110,11 +115,14 @@ class PoseTracker {
 
   RgbdFrame last_frame_;                     // the last usable one
   Intrinsics K_depth_;                       // of its depth images
-  std::optional<Landmarks> last_landmarks_;  // its own, once asked for
+  std::optional<ColorView> last_view_;       // of its image, once asked for
+  std::optional<Landmarks> last_landmarks_;  // likewise
+  std::optional<ColorView> tracked_view_;    // of the frame that track() saw last, if it was asked for
   KeyFrames key_frames_;
   const KeyFrame* place_ = nullptr;  // the one whose surface place_surface_ holds
   SurfaceMaps place_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
+  std::future<KeyFrame> learning_;        // uses what is above: goes first
 };
 
 }  // namespace scantrove

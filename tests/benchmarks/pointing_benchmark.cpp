@@ -85,22 +85,42 @@ void wait(int ms) {
   while (millisecondsSince(start) < ms) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
 }
 
-/// What is truly there: the instance at a place (in fractions of the picture) of a frame of the demo.
-using Truth = std::function<int(const QPointF&)>;
+/// What is truly there: what a ray in the demo's world meets, and where the camera of a frame sees a place of
+/// its picture (in fractions).
+struct Truth {
+  std::shared_ptr<SyntheticSource> source;
+  int frame_index = 0;
+  Eigen::Isometry3d T_scene_map = Eigen::Isometry3d::Identity();
 
-Truth truthOf(const std::string& source, int frame_index) {
+  /// Where the viewer of the 3D view sees a place (in metres on the map); none: something else is there, or
+  /// not drawn yet.
+  [[nodiscard]] std::optional<int> seenFrom(const Eigen::Vector3f& eye, const Eigen::Vector3f& point) const {
+    constexpr double kSame_m = 0.02;
+    const Eigen::Vector3d from = T_scene_map * eye.cast<double>();
+    const Eigen::Vector3d direction = (T_scene_map * point.cast<double>() - from).normalized();
+    const RayHit hit = along(from, direction);
+    if (std::abs(hit.distance - (point - eye).cast<double>().norm()) > kSame_m) return std::nullopt;
+    return static_cast<int>(hit.instance);
+  }
+  [[nodiscard]] RayHit along(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
+    return source->scene().cast(from, direction);
+  }
+  [[nodiscard]] RayHit inPicture(const QPointF& fraction) const {
+    const Intrinsics K = SyntheticOptions{}.K;
+    const Eigen::Isometry3d T_world_camera = source->pose(frame_index);
+    const Eigen::Vector3f ray = K.backProject(static_cast<float>(fraction.x() * K.width - 0.5),
+                                              static_cast<float>(fraction.y() * K.height - 0.5), 1);
+    return along(T_world_camera.translation(), T_world_camera.linear() * ray.cast<double>());
+  }
+};
+
+std::optional<Truth> truthOf(const std::string& source, int frame_index,
+                             const Eigen::Isometry3d& T_map_camera) {
   if (source != "demo") return {};
   auto made = makeSyntheticSource(SyntheticOptions{});
   if (!made) return {};
-  return [scene = std::shared_ptr<SyntheticSource>(std::move(*made)), frame_index](const QPointF& fraction) {
-    const Intrinsics K = SyntheticOptions{}.K;
-    const Eigen::Isometry3d T_world_camera = scene->pose(frame_index);
-    const Eigen::Vector3f ray = K.backProject(static_cast<float>(fraction.x() * K.width - 0.5),
-                                              static_cast<float>(fraction.y() * K.height - 0.5), 1);
-    const RayHit hit =
-        scene->scene().cast(T_world_camera.translation(), T_world_camera.linear() * ray.cast<double>());
-    return static_cast<int>(hit.instance);
-  };
+  const Eigen::Isometry3d T_scene_map = (*made)->pose(frame_index) * T_map_camera.inverse();
+  return Truth{std::shared_ptr<SyntheticSource>(std::move(*made)), frame_index, T_scene_map};
 }
 
 /// Of places picked as (region, instance): those whose region is mostly of that instance.
@@ -114,7 +134,7 @@ double rightOf(const std::vector<std::pair<RegionId, int>>& picked) {
   return 100.0 * right / std::max<double>(1, static_cast<double>(picked.size()));
 }
 
-void comparePlaces(MainWindow& window, const Truth& truth, int places) {
+void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int places) {
   SceneView* const view = window.scenePane()->view();
   const FramePanels& frames = *window.framePanels();
   std::mt19937 random(1);
@@ -136,16 +156,24 @@ void comparePlaces(MainWindow& window, const Truth& truth, int places) {
     if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.02F) continue;
     ++compared;
     same += in_scene.region == in_frame.region ? 1 : 0;
-    if (!truth) continue;
-    const int instance = truth(fraction);
-    in_frames.emplace_back(in_frame.region, instance);
-    in_scenes.emplace_back(in_scene.region, instance);
+    if (truth) in_frames.emplace_back(in_frame.region, static_cast<int>(truth->inPicture(fraction).instance));
   }
   std::cout << "places: " << compared << ", the same region in 3D " << same << '\n';
-  if (truth) {
-    std::cout << "of the instance that is truly there: in the pictures " << rightOf(in_frames) << " %, in 3D "
-              << rightOf(in_scenes) << " %\n";
+  if (!truth) return;
+  // The 3D view is asked for itself: what is drawn at a place, and what the viewer would see there.
+  int other = 0;
+  for (int i = 0; i < 40 * places && static_cast<int>(in_scenes.size()) < places; ++i) {
+    const RegionPoint at = view->at({unit(random) * view->width(), unit(random) * view->height()});
+    if (!at.region || !at.point_world) continue;
+    const auto instance = truth->seenFrom(view->scene().viewpoint().eye(), *at.point_world);
+    if (instance) {
+      in_scenes.emplace_back(at.region, *instance);
+    } else {
+      ++other;
+    }
   }
+  std::cout << "of the instance that is truly there: in the pictures " << rightOf(in_frames) << " %, in 3D "
+            << rightOf(in_scenes) << " % (and " << other << " places where another surface is nearer)\n";
 }
 
 int run(const std::string& source, int moves, int places, bool still) {
@@ -158,14 +186,18 @@ int run(const std::string& source, int moves, int places, bool still) {
   window.show();
   bool has_ended = false, is_open = false;
   int frame_index = -1;
+  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
   SessionBridge& bridge = window.controller().bridge();
   QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [&](const ScanReport& report) {
     has_ended = true;
     std::cout << "scan: " << report.fps << " fps, median frame " << report.frame_median_ms << " ms\n";
   });
-  QObject::connect(
-      &bridge, &SessionBridge::snapshotArrived, &window,
-      [&](const std::shared_ptr<const ScanSnapshot>& snapshot) { frame_index = snapshot->frame_index; });
+  QObject::connect(&bridge, &SessionBridge::snapshotArrived, &window,
+                   [&](const std::shared_ptr<const ScanSnapshot>& snapshot) {
+                     if (!snapshot->pose.usable()) return;
+                     frame_index = snapshot->frame_index;
+                     T_map_camera = snapshot->pose.T_world_camera;
+                   });
   QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [&] { is_open = true; });
   window.open(QString::fromStdString(source));
   wait(8000);
@@ -189,7 +221,7 @@ int run(const std::string& source, int moves, int places, bool still) {
   say("colour", in_picture);
   while (!is_open) wait(100);
   wait(2000);
-  comparePlaces(window, truthOf(source, frame_index), places);
+  comparePlaces(window, truthOf(source, frame_index, T_map_camera), places);
   return 0;
 }
 

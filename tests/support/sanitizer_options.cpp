@@ -29,12 +29,13 @@ const char* __lsan_default_suppressions() {
 
 // Libraries built without the thread sanitizer, whose locks it does not see: OpenNI2 and its drivers, Qt's
 // lock of its list of database connections, and GDAL, which OpenCV loads and which orders its locks when it
-// starts.
+// starts. And OpenCV's own counting of who holds an image: the last one to let go frees it.
 const char* __tsan_default_suppressions() {
   return "race:libOpenNI2\n"
          "race:OpenNI2/Drivers\n"
          "mutex:libOpenNI2\n"
          "race:QReadWriteLock\n"
+         "race:cv::Mat::deallocate\n"
          "thread:OpenNI2/Drivers\n"
          "deadlock:libgdal\n";
 }
