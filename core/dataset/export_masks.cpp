@@ -54,7 +54,6 @@ Result<void> exportMasks(ExportJob& job) {
     return job.write(last_name, encodeGrayPng(last_mask));
   };
   SCANTROVE_TRY(forEachLabelledImage(job, false, writeOne));
-  ;
   const ExportJson legend = legendOf(job.chosen());
   ExportJson labels = ExportJson::object();
   for (const auto& [id, entry] : legend.items())

@@ -25,6 +25,12 @@ std::string plyHeader(const LabelledMesh& mesh, const PlyContent& content, const
   return header + "end_header\n";
 }
 
+/// The first number's lowest byte must not be a line's end: assimp takes it for a part of the header, and all
+/// that follows one byte too early. The number next to it is as good.
+void keepOffTheHeader(std::string& bytes, std::size_t data_begin) {
+  if (bytes.size() > data_begin && bytes[data_begin] == '\n') ++bytes[data_begin];
+}
+
 }  // namespace
 
 std::string encodePly(const LabelledMesh& mesh, const PlyContent& content, const std::string& comment) {
@@ -32,6 +38,7 @@ std::string encodePly(const LabelledMesh& mesh, const PlyContent& content, const
   const auto put = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
+  const std::size_t data_begin = bytes.size();
   constexpr std::size_t kMostVertexBytes = 32, kFaceBytes = 13;
   bytes.reserve(bytes.size() + mesh.vertices.size() * kMostVertexBytes + mesh.faces.size() * kFaceBytes);
   for (const SurfacePoint& vertex : mesh.vertices) {
@@ -45,6 +52,7 @@ std::string encodePly(const LabelledMesh& mesh, const PlyContent& content, const
     put(std::uint8_t{3});
     put(mesh.faces[i]);
   }
+  keepOffTheHeader(bytes, data_begin);
   return bytes;
 }
 

@@ -2,10 +2,12 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
+#include <bit>
 #include <cstring>
 
 #include "core/capture/pose_files.h"
 #include "core/dataset/glb_file.h"
+#include "core/dataset/ply_file.h"
 #include "tests/unit/dataset/exported.h"
 #include "tests/unit/dataset/ply_reader.h"
 
@@ -41,6 +43,24 @@ TEST(PlyExport, ReadsBackInPcl) {
   EXPECT_EQ(ply.values.at("nz").back(), double{truth.vertices.back().normal_world.z()});
   EXPECT_EQ(exported.json("labels.json").size(), 5U) << "all regions, those without a name too";
   EXPECT_EQ(exported.summary.points, truth.vertices.size());
+}
+
+TEST(PlyFile, DataDoNotBeginLikeTheEndOfALine) {
+  // assimp skips line ends behind the header; what follows was read one byte too early, and refused.
+  LabelledMesh mesh;
+  mesh.vertices.resize(3);
+  mesh.vertices[0].position_world_m = {std::bit_cast<float>(0x3f80000aU), 2, 3};
+  mesh.vertices[1].position_world_m = mesh.vertices[0].position_world_m;
+  mesh.faces.push_back({0, 1, 2});
+  const std::string bytes = encodePly(mesh, {}, "metres");
+  const std::size_t data = bytes.find("end_header\n") + std::strlen("end_header\n");
+  float first = 0;
+  std::memcpy(&first, bytes.data() + data, sizeof first);
+  EXPECT_NE(bytes[data], '\n');
+  EXPECT_EQ(first, std::bit_cast<float>(0x3f80000bU));  // the number next to it
+  constexpr std::size_t kVertexBytes = 6 * sizeof(float) + 3 + sizeof(std::uint32_t);
+  std::memcpy(&first, bytes.data() + data + kVertexBytes, sizeof first);
+  EXPECT_EQ(first, mesh.vertices[1].position_world_m.x()) << "of the others none is touched";
 }
 
 TEST(PcdExport, ReadsBackInPclWithTheFirstCamera) {
