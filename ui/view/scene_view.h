@@ -125,6 +125,8 @@ class SceneView : public QOpenGLWidget {
   /// Something moves or comes: what is drawn will be drawn anew soon.
   [[nodiscard]] bool hurries() const;
   [[nodiscard]] PointBudget& budget();
+  /// The next picture's points, as many as may be drawn in a hurry.
+  void prepareHastily(const QSize& pixels);
   void beginStroke(const QMouseEvent& event);
   void drawStroke(const QPointF& to);
 
@@ -137,6 +139,8 @@ class SceneView : public QOpenGLWidget {
   QElapsedTimer since_draw_, since_pointed_;
   QSize drawn_size_;
   bool is_old_ = true;                      ///< what was drawn
+  bool is_prepared_ = false;                ///< the next picture
+  bool is_complete_ = false;                ///< nothing is to be made ready for more of them
   bool is_awaited_ = false;                 ///< what a person did is not drawn yet
   QPointF last_mouse_;                      ///< on the screen
   std::optional<QPointF> press_, band_to_;  ///< in the widget
@@ -150,7 +154,7 @@ class SceneView : public QOpenGLWidget {
   double draw_ms_ = 30;       ///< smoothed time of drawing
   PointBudget part_budget_{40, 2e4, 5e4};
   PointBudget moving_budget_{45, 6e4, 1e5};
-  PointBudget scanning_budget_{90, 1.5e5, 2e5};
+  PointBudget scanning_budget_{40, 8e4, 1.2e5};
   PointBudget still_budget_{600, 5e5, 1e6};
   bool scanning_ = false;
   bool moving_ = false;

@@ -60,8 +60,23 @@ void SceneView::drawUnlessPointing() {
   is_awaited_ = false;
   if (!hurries() && window_ != nullptr && isVisible()) return drawStill();
   is_in_parts_ = false;
+  if (scanning_ && !moving_ && !full_detail_ && !is_prepared_) {
+    // Two short holds rather than a long one: first what is new, then, when the window has done what else it
+    // has to do, the picture.
+    prepareHastily(size() * devicePixelRatioF());
+    is_prepared_ = true;
+    draw_timer_.start(0);
+    return;
+  }
   is_old_ = true;
   update();
+}
+
+void SceneView::prepareHastily(const QSize& pixels) {
+  scene_.setOverlap(SplatOverlap::quick);
+  const bool more_comes = scanning_ || !arrivals_.isEmpty();
+  is_complete_ = scene_.prepare(pixels.width(), pixels.height(), budget().points(),
+                                more_comes ? kRebuildAtATimePoints : kRebuildAllPoints);
 }
 
 bool SceneView::hurries() const { return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty(); }
@@ -127,19 +142,22 @@ void SceneView::paintGL() {
   timer.start();
   is_old_ = is_in_parts_ = false;
   drawn_size_ = pixels;
-  if (full_detail_) arrivals_.takeOver(1e9);
-  scene_.setOverlap(full_detail_ ? SplatOverlap::exact : SplatOverlap::quick);
-  const bool complete = scene_.prepare(
-      pixels.width(), pixels.height(),
-      full_detail_ ? static_cast<std::size_t>(PointBudget::kMost) : budget().points(),
-      (scanning_ || !arrivals_.isEmpty()) && !full_detail_ ? kRebuildAtATimePoints : kRebuildAllPoints);
+  if (full_detail_) {
+    arrivals_.takeOver(1e9);
+    scene_.setOverlap(SplatOverlap::exact);
+    constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMost);
+    is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
+  } else if (!is_prepared_) {
+    prepareHastily(pixels);
+  }
+  is_prepared_ = false;
   const double prepared_ms = millisecondsOf(timer);
   window_->draw(pixels);
   window_->copyToWidget(pixels);
   const double took_ms = millisecondsOf(timer);
   if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
   noteDrawn(pixels, took_ms);
-  if (!complete || !hurries()) schedule();  // the rest; or the same with much detail
+  if (!is_complete_ || !hurries()) schedule();  // the rest; or the same with much detail
 }
 
 }  // namespace scantrove
