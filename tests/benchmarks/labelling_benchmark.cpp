@@ -3,7 +3,7 @@
 // Needs a display.
 //   labelling_benchmark SOURCE --script FILE [--pictures DIR] [--data DIR]
 // A script has one command a line; # begins a comment:
-//   at N          wait until the scan shows frame N
+//   pause N       hold the scan a little before frame N, then go there frame by frame
 //   review        wait until the scan has ended and is open
 //   show N        turn the key frames until that of frame N, or the last before it, is shown
 //   click U V [ctrl|shift|right|double]    in the colour picture, in pixels of a 640 x 480 image
@@ -53,7 +53,7 @@ class Person {
     const QString command = line.section(QLatin1Char(' '), 0, 0);
     const QString rest = line.section(QLatin1Char(' '), 1).trimmed();
     const QStringList words = rest.split(QLatin1Char(' '));
-    if (command == "at") return waitFor([&] { return shown_ && shown_->frame_index >= words[0].toInt(); });
+    if (command == "pause") return pauseAt(words[0].toInt());
     if (command == "review") return waitFor([&] { return in_review_ && !shown_->key_frames->empty(); });
     if (command == "show") return showKeyFrame(words[0].toInt());
     if (command == "click" && words.size() >= 2) return click(words);
@@ -113,6 +113,22 @@ class Person {
     done = done && run("xdotool", press);
     if (holds) done = done && run("xdotool", {"keyup", how});
     return done && wait(120);
+  }
+
+  /// A scan does not stand at once: what is in the picture then would depend on how fast the machine is.
+  bool pauseAt(int frame) {
+    constexpr int kEarlier = 30, kStands_ms = 800;
+    const auto shown = [&] { return shown_ ? shown_->frame_index : -1; };
+    if (!waitFor([&] { return shown() >= frame - kEarlier; }) || !press({"key", "space"}, 1)) return false;
+    for (int last = -1; last != shown();) {
+      last = shown();
+      wait(kStands_ms);
+    }
+    while (shown() < frame) {
+      const int last = shown();
+      if (!press({"key", "n"}, 1) || !waitFor([&] { return shown() != last; })) return false;
+    }
+    return shown() == frame;
   }
 
   bool showKeyFrame(int frame) {
