@@ -58,6 +58,7 @@ void SceneView::drawUnlessPointing() {
     return;
   }
   is_awaited_ = false;
+  if (!scanning_ || moving_) is_prepared_ = false;
   if (!hurries() && window_ != nullptr && isVisible()) return drawStill();
   is_in_parts_ = false;
   if (scanning_ && !moving_ && !full_detail_ && !is_prepared_) {
@@ -147,7 +148,7 @@ void SceneView::paintGL() {
     scene_.setOverlap(SplatOverlap::exact);
     constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMost);
     is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
-  } else if (!is_prepared_) {
+  } else if (!is_prepared_ || !scanning_ || moving_) {
     prepareHastily(pixels);
   }
   is_prepared_ = false;

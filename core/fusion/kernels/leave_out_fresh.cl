@@ -1,6 +1,7 @@
 // Normals of the surface that has been seen at least `settled` (TsdfVoxel::weight) at its voxel; elsewhere all 0. counts: pixels
 // with surface that has not, and with surface; both are added to.
-// One work-item: LANES pixels, one after the other. vertices: world, w = 0: no surface. voxels: slots x 512 TsdfVoxel as uint (weight high).
+// One work-item: LANES pixels, one after the other. vertices: world, w = 0: no surface. voxels: slots x 512 TsdfVoxel as uint
+// (weight high).
 #include "core/fusion/kernels/brick_lookup.clh"
 
 kernel void leave_out_fresh(global const float4* vertices, global const float4* normals, const int pixels,
