@@ -1,6 +1,7 @@
 #include "core/labeling/label_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,7 +16,7 @@ constexpr int kMissingCapacity = 1 << 16;
 }  // namespace
 
 LabelCloud::LabelCloud(ComputeContext& compute)
-    : compute_(compute), count_(compute.context(), 1), missing_(compute.context(), kMissingCapacity) {}
+    : compute_(compute), counts_(compute.context(), 2), missing_(compute.context(), kMissingCapacity) {}
 
 Result<std::unique_ptr<LabelCloud>> LabelCloud::create(ComputeContext& compute) {
   std::unique_ptr<LabelCloud> cloud(new LabelCloud(compute));
@@ -25,8 +26,6 @@ Result<std::unique_ptr<LabelCloud>> LabelCloud::create(ComputeContext& compute) 
 
 Result<void> LabelCloud::buildKernels() {
   SCANTROVE_TRY(moveInto(project_labels_, compute_.kernel(kernels::labeling, "project_labels")));
-  SCANTROVE_TRY(
-      moveInto(list_uncovered_bricks_, compute_.kernel(kernels::labeling, "list_uncovered_bricks")));
   SCANTROVE_TRY(moveInto(update_labels_, compute_.kernel(kernels::labeling, "update_labels")));
   SCANTROVE_TRY(moveInto(extract_points_, compute_.kernel(kernels::labeling, "extract_points")));
   return moveInto(relabel_voxels_, compute_.kernel(kernels::labeling, "relabel_voxels"));
@@ -59,13 +58,6 @@ void LabelCloud::fitFragments(std::uint32_t highest) {
 std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
                                                     std::span<const FragmentId> carved,
                                                     const LabelingParams& params, BrickMap& map) {
-  const float reach = params.update_distance_vox * map.voxelSize();
-  makeMissingBricks(surface, reach, map);
-  if (const auto slots = static_cast<std::size_t>(std::max(1, map.slotEnd())); stamps_.size() < slots) {
-    fit(stamps_, slots);
-    fit(touched_, slots);
-    stamps_.fill(compute_.queue(), -1);
-  }
   new_labels_host_.resize(merged.fragments.size());
   std::uint32_t highest = 0;
   std::ranges::transform(merged.fragments, new_labels_host_.begin(), [&](FragmentId fragment) {
@@ -76,25 +68,57 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, 
   fitFragments(highest);
   fit(new_labels_, new_labels_host_.size());
   new_labels_.write(compute_.queue(), new_labels_host_);
-  count_.fill(compute_.queue(), 0);
+  touched_bricks_.clear();
+  std::vector<Eigen::Vector3i> missing = writeLabels(surface, params, false, map);
+  while (!missing.empty()) {
+    map.allocate(missing);
+    fitStamps(map);
+    for (const Eigen::Vector3i& brick : missing) {
+      if (const int slot = map.slotOf(brick); slot != BRICK_NONE)
+        stamps_.fill(compute_.queue(), LABEL_BRICK_NEW, static_cast<std::size_t>(slot), 1);
+    }
+    missing = writeLabels(surface, params, true, map);
+  }
+  fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
+  return touched_bricks_;
+}
+
+std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface, const LabelingParams& params,
+                                                     bool only_new, const BrickMap& map) {
+  fitStamps(map);
+  counts_.fill(compute_.queue(), 0);
   ++stamp_;
   const Intrinsics& K = surface.K;
   const Lanes& lanes = compute_.lanes();
   update_labels_.launch(lanes.inTurn(static_cast<std::size_t>(K.pixels())), lanes.inTurnGroup(),
                         surface.vertices_world, new_labels_, map.table(), map.tableMask(),
                         toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
-                        cl_int{K.width}, cl_int{K.height}, map.voxelSize(), reach,
-                        static_cast<cl_int>(params.voxel_confidence ? 1 : 0), cl_int{stamp_}, map.labels(),
-                        fragment_voxels_, stamps_, count_, touched_);
-  cl_int count = 0;
-  count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
-  touched_slots_.resize(static_cast<std::size_t>(count));
+                        cl_int{K.width}, cl_int{K.height}, map.voxelSize(),
+                        params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
+                        cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.labels(), fragment_voxels_, stamps_,
+                        counts_, touched_, missing_, cl_int{kMissingCapacity});
+  std::array<cl_int, 2> counts{};
+  counts_.read(compute_.queue(), std::span<cl_int>(counts));
+  touched_slots_.resize(static_cast<std::size_t>(counts[0]));
   touched_.read(compute_.queue(), std::span<cl_int>(touched_slots_));
   // Slots may be others' by the time that somebody asks.
-  touched_bricks_.clear();
   for (const cl_int slot : touched_slots_) touched_bricks_.push_back(map.positionOf(slot));
-  fragment_voxels_.read(compute_.queue(), std::span<cl_int>(fragment_voxels_host_));
-  return touched_bricks_;
+  std::vector<cl_int4> found(static_cast<std::size_t>(std::min(counts[1], cl_int{kMissingCapacity})));
+  missing_.read(compute_.queue(), std::span<cl_int4>(found));
+  std::vector<Eigen::Vector3i> missing;
+  for (const cl_int4& m : found) missing.emplace_back(m.s[0], m.s[1], m.s[2]);
+  sortBricks(missing);
+  const auto repeated = std::ranges::unique(missing);
+  missing.erase(repeated.begin(), repeated.end());
+  return missing;
+}
+
+void LabelCloud::fitStamps(const BrickMap& map) {
+  const auto slots = static_cast<std::size_t>(std::max(1, map.slotEnd()));
+  if (stamps_.size() >= slots) return;
+  fit(stamps_, slots);
+  fit(touched_, slots);
+  stamps_.fill(compute_.queue(), -1);
 }
 
 void LabelCloud::relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map) {
@@ -205,27 +229,6 @@ void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<Tsd
   run(1);
   extract.points.resize(before + static_cast<std::size_t>(total));
   points_.read(compute_.queue(), std::span<LabelPoint>(extract.points).subspan(before));
-}
-
-void LabelCloud::makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& map) {
-  const Lanes& lanes = compute_.lanes();
-  const int pixels = surface.K.pixels();
-  for (;;) {
-    count_.fill(compute_.queue(), 0);
-    list_uncovered_bricks_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
-                                  surface.vertices_world, cl_int{pixels}, map.table(), map.tableMask(), reach,
-                                  1.0F / (map.voxelSize() * BRICK_SIDE), count_, missing_,
-                                  cl_int{kMissingCapacity});
-    cl_int count = 0;
-    count_.read(compute_.queue(), std::span<cl_int>(&count, 1));
-    if (count == 0) return;
-    std::vector<cl_int4> missing(static_cast<std::size_t>(std::min(count, cl_int{kMissingCapacity})));
-    missing_.read(compute_.queue(), std::span<cl_int4>(missing));
-    std::vector<Eigen::Vector3i> wanted;
-    for (const cl_int4& m : missing) wanted.emplace_back(m.s[0], m.s[1], m.s[2]);
-    sortBricks(wanted);
-    map.allocate(wanted);
-  }
 }
 
 }  // namespace scantrove

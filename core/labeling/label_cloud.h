@@ -57,8 +57,12 @@ class LabelCloud {
 
   /// Room to count the voxels of fragments up to `highest`.
   void fitFragments(std::uint32_t highest);
-  /// Allocates every brick that a voxel within `reach` of a vertex lies in.
-  void makeMissingBricks(const SurfaceMaps& surface, float reach, BrickMap& map);
+  /// Writes new_labels_ to all voxels, or only to those of new bricks. Gives the bricks that there are not:
+  /// their voxels have not taken their labels.
+  [[nodiscard]] std::vector<Eigen::Vector3i> writeLabels(const SurfaceMaps& surface,
+                                                         const LabelingParams& params, bool only_new,
+                                                         const BrickMap& map);
+  void fitStamps(const BrickMap& map);
   /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
   void extractListed(std::span<const cl_int4> listed, const Buffer<TsdfVoxel>& voxels,
                      const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors, float voxel_size_m,
@@ -69,8 +73,8 @@ class LabelCloud {
   }
 
   ComputeContext& compute_;
-  Kernel project_labels_, list_uncovered_bricks_, update_labels_, extract_points_, relabel_voxels_;
-  Buffer<cl_int> stamps_, touched_, count_, offsets_;
+  Kernel project_labels_, update_labels_, extract_points_, relabel_voxels_;
+  Buffer<cl_int> stamps_, touched_, counts_, offsets_;
   Buffer<cl_int4> listed_, missing_;
   Buffer<TsdfVoxel> stored_voxels_;
   Buffer<cl_uint> stored_labels_, stored_colors_;

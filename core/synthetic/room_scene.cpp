@@ -17,6 +17,18 @@ Gaze throughRoom(double t) {
   return alongSpline(kWay, 1.33, t);
 }
 
+/// Two mugs and three books that nothing but their places tells apart: who names one is offered the others.
+void addEquals(SyntheticScene& scene, double z) {
+  const Material glaze{Pattern::bands, rgb(0xe4572e), rgb(0xfbf0e0), {}, 0.024F, 0.45F};
+  addMug(scene, "mug", {-0.86, 1.10, z, -60}, glaze);
+  addMug(scene, "mug, equal", {-0.66, 1.06, z, -75}, glaze);
+  const Material cover{Pattern::bookCover, rgb(0xc2571a), rgb(0xf7ead2), rgb(0x2f6f73), 0.03F, 0, true, 5};
+  const Vec3 pocket{0.11, 0.16, 0.026};
+  addBook(scene, "pocket book", {-0.88, 1.37, z, 8}, pocket, cover);
+  addBook(scene, "pocket book, second", {-0.40, 1.60, z, -4}, pocket, cover);
+  addBook(scene, "pocket book, third", {0.40, 1.33, z, 14}, pocket, cover);
+}
+
 void addThingsOnTable(SyntheticScene& scene, double z) {
   addLamp(scene, "lamp", {-0.84, 1.60, z}, {Pattern::bands, rgb(0xf5dfa6), rgb(0xe9c46a), {}, 0.03F});
   addBook(scene, "book, red", {-0.575, 1.60, z}, {0.15, 0.22, 0.032},
@@ -36,9 +48,8 @@ void addThingsOnTable(SyntheticScene& scene, double z) {
          {Pattern::canLabel, rgb(0x285ea8), rgb(0xf6f1de), rgb(0xe9a23b), 0.03F, 0.25F});
   addBottle(scene, "bottle", {0.20, 1.40, z},
             {Pattern::canLabel, rgb(0x7a4a21), rgb(0xf2e2b6), rgb(0x49290f), 0.03F, 0.5F});
-  addMug(scene, "mug", {-0.80, 1.12, z, -60},
-         {Pattern::bands, rgb(0xe4572e), rgb(0xfbf0e0), {}, 0.024F, 0.45F});
-  addRing(scene, "toy ring", {-0.50, 1.08, z},
+  addEquals(scene, z);
+  addRing(scene, "toy ring", {-0.46, 1.08, z},
           {Pattern::stripes, rgb(0x3fa7d6), rgb(0xfac05e), {}, 0.0487F, 0.2F});
   addLBlock(scene, "L block", {-0.18, 1.08, z, -120}, {0.15, 0.085, 0.13}, 0.045, 0.005,
             {Pattern::wood, rgb(0xd68c45), {}, {}, 0.03F});

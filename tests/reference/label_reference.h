@@ -85,27 +85,4 @@ struct FusedVoxel {
   return points;
 }
 
-/// Adds the bricks that meet the box `vertex` +- reach; nothing where a face of the box lies so near a
-/// brick's face that rounding decides.
-inline std::optional<std::set<Voxel>> bricksAround(const Eigen::Vector4f& vertex, double reach_m,
-                                                   double brick_m) {
-  std::set<Voxel> bricks;
-  if (!(vertex.w() > 0)) return bricks;
-  Eigen::Vector3i low, high;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double p = static_cast<double>(vertex[axis]);
-    low[axis] = cellOf(p - reach_m, brick_m);
-    high[axis] = cellOf(p + reach_m, brick_m);
-    for (const double face : {(p - reach_m) / brick_m, (p + reach_m) / brick_m}) {
-      if (std::abs(face - std::round(face)) < 1e-5) return std::nullopt;
-    }
-  }
-  for (int z = low.z(); z <= high.z(); ++z) {
-    for (int y = low.y(); y <= high.y(); ++y) {
-      for (int x = low.x(); x <= high.x(); ++x) bricks.insert({x, y, z});
-    }
-  }
-  return bricks;
-}
-
 }  // namespace scantrove::reference

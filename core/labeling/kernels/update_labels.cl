@@ -5,18 +5,21 @@
 // the pixel, and write those that are seen in it. The result is the same, and no voxel is written twice.
 // With confidence: a voxel that holds the same fragment gains one (up to the cap), one of another loses one and
 // changes at zero, or at once where LABEL_AT_ONCE says so; without: it is overwritten.
-// One work-item: LANES pixels, one after the other.
+// A voxel whose brick does not exist is told of and left for another run, with only_new: once its brick has been made, it
+// alone takes its label then.
+// One work-item: LANES pixels.
 //   vertices         pixels x float4, world, w = 0: no surface
 //   new_labels       pixels, S_cloud,t as fragments, with LABEL_AT_ONCE
-//   labels           slots x 512 label voxels, in/out; every brick within reach exists
+//   labels           slots x 512 label voxels, in/out
 //   fragment_voxels  voxels that hold each fragment, in/out
-//   stamps           slots, in/out: number of the update in which the slot was last listed, so that it is listed once
-//   touched, count   out: slots in which a voxel was visited
-#include "core/compute/kernels/common.clh"
+//   stamps           slots, in/out: number of the run in which the slot was last listed, so that it is listed once;
+//                    LABEL_BRICK_NEW: not in any
+//   touched          out: slots in which a voxel was visited, counts[0] of them
+//   missing          capacity x int4, out: bricks that do not exist, with repetitions; counts[1] of them, those beyond the
+//                    capacity are not stored
+#include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
 #include "core/labeling/kernels/label_voxel.h"
-
-#define SURELY_OFF 0.55f /* pixels from a pixel's centre: not seen in it, however the numbers are rounded */
 
 inline uint changed_voxel(const uint voxel, const uint new_label, const int use_confidence) {
   const uint label = new_label & LABEL_MAX;
@@ -26,21 +29,6 @@ inline uint changed_voxel(const uint voxel, const uint new_label, const int use_
   if (held == label) return LABEL_VOXEL(held, min(confidence + 1u, LABEL_CONFIDENCE_MAX));
   const bool gives_way = confidence <= 1u || (new_label & LABEL_AT_ONCE) != 0u;
   return gives_way ? LABEL_VOXEL(label, 1u) : LABEL_VOXEL(held, confidence - 1u);
-}
-
-// Whether the voxel with centre (x, y, z) is within reach of the vertex, and seen in the pixel (column, row). One number at a
-// time: vectors of three are taken apart and put together again all the time.
-inline bool is_of_pixel(const float x, const float y, const float z, const float4 vertex, const float reach_squared,
-                        const float16 T, const float4 K, const float column, const float row) {
-  const float dx = vertex.x - x, dy = vertex.y - y, dz = vertex.z - z;
-  if (!(dx * dx + dy * dy + dz * dz < reach_squared)) return false;
-  const float px = T.s0 * x + T.s1 * y + T.s2 * z + T.s3;
-  const float py = T.s4 * x + T.s5 * y + T.s6 * z + T.s7;
-  const float pz = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
-  if (!(pz > 0.0f)) return false;
-  const float u = K.x * px / pz + K.z + 0.5f;
-  const float v = K.y * py / pz + K.w + 0.5f;
-  return u >= column && u < column + 1.0f && v >= row && v < row + 1.0f;
 }
 
 // Voxels that have been found to take a label, until there are so many of them; so the memory is waited for once.
@@ -54,7 +42,7 @@ typedef struct {
 
 inline void change_waiting(WaitingVoxels* waiting, const int use_confidence, const int stamp, global uint* labels,
                            volatile global int* fragment_voxels, volatile global int* stamps,
-                           volatile global int* count, global int* touched) {
+                           volatile global int* counts, global int* touched) {
   uint before[MOST_WAITING];
   for (int i = 0; i < waiting->count; ++i) before[i] = labels[waiting->places[i]];
   for (int i = 0; i < waiting->count; ++i) {
@@ -65,75 +53,106 @@ inline void change_waiting(WaitingVoxels* waiting, const int use_confidence, con
       atomic_inc(fragment_voxels + LABEL_OF(after));
     }
     const int slot = waiting->slots[i];
-    if (stamps[slot] != stamp && atomic_xchg(stamps + slot, stamp) != stamp) touched[atomic_inc(count)] = slot;
+    if (stamps[slot] != stamp && atomic_xchg(stamps + slot, stamp) != stamp) touched[atomic_inc(counts)] = slot;
   }
   waiting->count = 0;
 }
 
+#define X_AT(vertices, i) (vertices)[i].x
+#define Y_AT(vertices, i) (vertices)[i].y
+#define Z_AT(vertices, i) (vertices)[i].z
+#define W_AT(vertices, i) (vertices)[i].w
+
+// Voxel n of a cube of side^3; per_side = 65536 / side + 1: divisions take long. Right for sides up to 12.
+inline int3 voxel_in_cube(const int n, const int side, const int per_side) {
+  const int row = (n * per_side) >> 16;
+  const int slice = (row * per_side) >> 16;
+  return (int3)(n - row * side, row - slice * side, slice);
+}
+
+// What the lanes' pixels have to be asked for one by one.
+typedef struct {
+  int x0[LANES], y0[LANES], z0[LANES]; /* the first voxel of the cube around the vertex */
+  int found[LANES];                    /* bit i: voxel from + i of the cube is the pixel's */
+} Pixels;
+
 kernel void update_labels(global const float4* vertices, global const uint* new_labels,
                           global const BrickEntry* table, const uint mask, const float16 T_camera_world,
                           const float4 K, const int width, const int height, const float voxel_size,
-                          const float reach, const int use_confidence, const int stamp, global uint* labels,
-                          volatile global int* fragment_voxels, volatile global int* stamps,
-                          volatile global int* count, global int* touched) {
+                          const float reach, const int use_confidence, const int stamp, const int only_new,
+                          global uint* labels, volatile global int* fragment_voxels, volatile global int* stamps,
+                          volatile global int* counts, global int* touched, global int4* missing,
+                          const int capacity) {
   const float16 T = T_camera_world;
   const float per_metre = 1.0f / voxel_size;
   const float around = reach * per_metre + 1e-3f; /* voxels; a little more against rounding */
   const int first = LANES * (int)get_global_id(0);
-  const int end = min(first + LANES, width * height);
+  const int last = width * height - 1;
+  const intN pixel = min(first + LANE, (intN)last);
+  const uintN label = GATHER(uintN, new_labels, pixel);
+  const floatN vertex_x = EACH_LANE(floatN, X_AT, vertices, pixel);
+  const floatN vertex_y = EACH_LANE(floatN, Y_AT, vertices, pixel);
+  const floatN vertex_z = EACH_LANE(floatN, Z_AT, vertices, pixel);
+  const floatN vertex_w = EACH_LANE(floatN, W_AT, vertices, pixel);
+  const intN active = (first + LANE <= last) & (vertex_w > 0.0f) & (label != 0u);
+  if (!any_lane(active)) return;
+  const intN row = pixel / width;
+  const intN column = pixel - row * width;
+
+  // Voxels whose centres may lie within reach, along each axis: two or three of them for a reach of one voxel.
+  const int side = (int)floor(2.0f * around) + 1;
+  const int per_side = 65536 / side + 1;
+  const floatN x0 = ceil(vertex_x * per_metre - 0.5f - around);
+  const floatN y0 = ceil(vertex_y * per_metre - 0.5f - around);
+  const floatN z0 = ceil(vertex_z * per_metre - 0.5f - around);
+  const floatN left = convert_floatN(column), top = convert_floatN(row);
+
+  Pixels pixels;
+  STORE(convert_intN(x0), pixels.x0);
+  STORE(convert_intN(y0), pixels.y0);
+  STORE(convert_intN(z0), pixels.z0);
   KnownBrick known = no_brick_known();
   WaitingVoxels waiting;
   waiting.count = 0;
-  for (int pixel = first; pixel < end; ++pixel) {
-    const float4 vertex = vertices[pixel];
-    const uint label = new_labels[pixel];
-    if (!(vertex.w > 0.0f) || label == 0u) continue;
-    const float column = (float)(pixel % width);
-    const float row = (float)(pixel / width);
-
-    // Voxels whose centres may lie within reach, along each axis: two or three of them for a reach of one voxel.
-    const float3 at = vertex.xyz * per_metre - 0.5f;
-    const int x0 = (int)ceil(at.x - around), x1 = (int)floor(at.x + around);
-    const int y0 = (int)ceil(at.y - around), y1 = (int)floor(at.y + around);
-    const int z0 = (int)ceil(at.z - around), z1 = (int)floor(at.z + around);
-    // Most of them are seen in other pixels. How far to the right of the pixel's centre, and below it, a voxel is seen, times
-    // its depth, and that depth are linear in x, y, z: what is clearly elsewhere is told by sums.
-    const float3 start = transform_point(T, ((float3)((float)x0, (float)y0, (float)z0) + 0.5f) * voxel_size);
-    const float a = K.z - column, b = K.w - row;
-    const float3 right_by = (K.x * T.s012 + a * T.s89a) * voxel_size;
-    const float3 below_by = (K.y * T.s456 + b * T.s89a) * voxel_size;
-    const float3 off_by = T.s89a * (SURELY_OFF * voxel_size);
-    float right_z = K.x * start.x + a * start.z, below_z = K.y * start.y + b * start.z, off_z = SURELY_OFF * start.z;
-    for (int z = z0; z <= z1; ++z) {
-      float right_y = right_z, below_y = below_z, off_y = off_z;
-      for (int y = y0; y <= y1; ++y) {
-        float right = right_y, below = below_y, off = off_y;
-        for (int x = x0; x <= x1; ++x) {
-          const bool may_be = fabs(right) <= off && fabs(below) <= off;
-          right += right_by.x;
-          below += below_by.x;
-          off += off_by.x;
-          if (!may_be) continue;
-          if (!is_of_pixel(((float)x + 0.5f) * voxel_size, ((float)y + 0.5f) * voxel_size,
-                           ((float)z + 0.5f) * voxel_size, vertex, reach * reach, T, K, column, row)) {
-            continue;
-          }
-          const int slot = find_near(&known, table, mask, x >> BRICK_SHIFT, y >> BRICK_SHIFT, z >> BRICK_SHIFT);
-          if (slot == BRICK_NONE) continue;
-          waiting.slots[waiting.count] = slot;
-          waiting.places[waiting.count] = slot * BRICK_VOXELS + (x & 7) + 8 * ((y & 7) + 8 * (z & 7));
-          waiting.labels[waiting.count] = label;
-          if (++waiting.count == MOST_WAITING)
-            change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, count, touched);
+  const int voxels = side * side * side;
+  for (int from = 0; from < voxels; from += 32) {
+    intN found = 0;
+    for (int i = 0; i < 32 && from + i < voxels; ++i) {
+      const int3 n = voxel_in_cube(from + i, side, per_side);
+      const floatN x = (x0 + (float)n.x + 0.5f) * voxel_size;
+      const floatN y = (y0 + (float)n.y + 0.5f) * voxel_size;
+      const floatN z = (z0 + (float)n.z + 0.5f) * voxel_size;
+      const floatN dx = vertex_x - x, dy = vertex_y - y, dz = vertex_z - z;
+      const intN near = active & (dx * dx + dy * dy + dz * dz < reach * reach);
+      if (!any_lane(near)) continue;
+      const floatN depth = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
+      const floatN u = K.x * (T.s0 * x + T.s1 * y + T.s2 * z + T.s3) / depth + K.z + 0.5f;
+      const floatN v = K.y * (T.s4 * x + T.s5 * y + T.s6 * z + T.s7) / depth + K.w + 0.5f;
+      const intN seen = near & (depth > 0.0f) & (u >= left) & (u < left + 1.0f) & (v >= top) & (v < top + 1.0f);
+      found |= seen ? (intN)(1 << i) : (intN)0;
+    }
+    STORE(found, pixels.found);
+    for (int lane = 0; lane < LANES; ++lane) {
+      for (uint bits = (uint)pixels.found[lane]; bits != 0u; bits &= bits - 1u) {
+        const int3 n = voxel_in_cube(from + 31 - (int)clz(bits & -bits), side, per_side);
+        const int vx = pixels.x0[lane] + n.x, vy = pixels.y0[lane] + n.y, vz = pixels.z0[lane] + n.z;
+        const int bx = vx >> BRICK_SHIFT, by = vy >> BRICK_SHIFT, bz = vz >> BRICK_SHIFT;
+        const bool is_known = known.x == bx && known.y == by && known.z == bz;
+        const int slot = find_near(&known, table, mask, bx, by, bz);
+        if (slot == BRICK_NONE) {
+          if (is_known) continue;
+          const int place = atomic_inc(counts + 1);
+          if (place < capacity) missing[place] = (int4)(bx, by, bz, 0);
+          continue;
         }
-        right_y += right_by.y;
-        below_y += below_by.y;
-        off_y += off_by.y;
+        if (only_new && stamps[slot] != LABEL_BRICK_NEW && stamps[slot] != stamp) continue;
+        waiting.slots[waiting.count] = slot;
+        waiting.places[waiting.count] = slot * BRICK_VOXELS + (vx & 7) + 8 * ((vy & 7) + 8 * (vz & 7));
+        waiting.labels[waiting.count] = new_labels[first + lane];
+        if (++waiting.count == MOST_WAITING)
+          change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, counts, touched);
       }
-      right_z += right_by.z;
-      below_z += below_by.z;
-      off_z += off_by.z;
     }
   }
-  change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, count, touched);
+  change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, counts, touched);
 }

@@ -138,64 +138,6 @@ TEST(ProjectLabels, GivesNothingWhereThereIsNoVertex) {
   });
 }
 
-/// Vertices whose boxes meet many bricks, some of them without surface.
-std::vector<Eigen::Vector4f> scatteredVertices(std::size_t count) {
-  std::mt19937 random(8);
-  std::uniform_real_distribution<float> coordinate(-0.3F, 0.3F);
-  std::vector<Eigen::Vector4f> vertices;
-  for (std::size_t i = 0; i < count; ++i) {
-    vertices.emplace_back(coordinate(random), coordinate(random), coordinate(random),
-                          i % 7 == 0 ? 0.0F : 1.0F);
-  }
-  return vertices;
-}
-
-TEST(ListUncoveredBricks, AreThoseWithinReachThatDoNotExist) {
-  onEachDevice([](ComputeContext& compute) {
-    constexpr float kVoxel_m = 0.006F;
-    BrickMap bricks(compute, kVoxel_m);
-    const std::vector<Eigen::Vector3i> existing = bricksAroundOrigin(2);
-    bricks.allocate(existing);
-    const float reach_m = 1.3F * kVoxel_m;
-    const float brick_m = 8 * kVoxel_m;
-    std::set<Voxel> expected;
-    std::vector<cl_float4> values;
-    for (const Eigen::Vector4f& vertex : scatteredVertices(401)) {
-      const auto around = reference::bricksAround(vertex, reach_m, brick_m);
-      if (!around) continue;
-      expected.insert(around->begin(), around->end());
-      values.push_back({{vertex.x(), vertex.y(), vertex.z(), vertex.w()}});
-    }
-    for (const Eigen::Vector3i& b : existing) expected.erase({b.x(), b.y(), b.z()});
-    ASSERT_GT(expected.size(), 300U);
-
-    auto kernel = compute.kernel(kernels::labeling, "list_uncovered_bricks");
-    ASSERT_TRUE(kernel) << kernel.error().message();
-    Buffer<cl_float4> vertices(compute.context(), values.size());
-    vertices.write(compute.queue(), values);
-    Buffer<cl_int> count(compute.context(), 1);
-    const auto list = [&](std::size_t capacity, std::vector<cl_int4>& missing) {
-      Buffer<cl_int4> buffer(compute.context(), capacity + 1);
-      buffer.fill(compute.queue(), cl_int4{{77, 77, 77, 77}});
-      count.fill(compute.queue(), 0);
-      kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), vertices,
-                     static_cast<cl_int>(values.size()), bricks.table(), bricks.tableMask(), reach_m,
-                     1.0F / brick_m, count, buffer, static_cast<cl_int>(capacity));
-      missing = buffer.read(compute.queue());
-      return static_cast<std::size_t>(count.read(compute.queue())[0]);
-    };
-    std::vector<cl_int4> missing;
-    const std::size_t found = list(20000, missing);
-    ASSERT_LE(found, 20000U);
-    std::set<Voxel> listed;
-    for (std::size_t i = 0; i < found; ++i)
-      listed.insert({missing[i].s[0], missing[i].s[1], missing[i].s[2]});
-    EXPECT_EQ(listed, expected);
-    EXPECT_EQ(list(5, missing), found) << "those that do not fit are counted";
-    EXPECT_EQ(missing[5].s[0], 77) << "and not written";
-  });
-}
-
 TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
   onEachDevice([](ComputeContext& compute) {
     constexpr float kVoxel_m = 0.006F;
