@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace scantrove {
@@ -63,15 +64,17 @@ void markHidden(SurfaceInColor& seen, const cv::Mat& depths_m) {
     }
   }
   cv::morphologyEx(nearest, nearest, cv::MORPH_OPEN, {});  // fills cells that lie between a surface's pixels
-  for (int v = 0; v < size.height; ++v) {
-    const auto* places = seen.places.ptr<cv::Vec2f>(v);
-    const auto* row = depths_m.ptr<float>(v);
-    auto* hidden = seen.hidden.ptr<std::uint8_t>(v);
-    for (int u = 0; u < size.width; ++u) {
-      const bool is_seen = isInside(places[u]) && row[u] <= kHidingStep * cellOf(places[u]);
-      hidden[u] = is_seen ? 0 : 255;
+  cv::parallel_for_({0, size.height}, [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      const auto* places = seen.places.ptr<cv::Vec2f>(v);
+      const auto* row = depths_m.ptr<float>(v);
+      auto* hidden = seen.hidden.ptr<std::uint8_t>(v);
+      for (int u = 0; u < size.width; ++u) {
+        const bool is_seen = isInside(places[u]) && row[u] <= kHidingStep * cellOf(places[u]);
+        hidden[u] = is_seen ? 0 : 255;
+      }
     }
-  }
+  });
 }
 
 }  // namespace
@@ -92,20 +95,22 @@ SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const Int
   const Eigen::Matrix3f from_ray = to_places * camera->T_color_depth.linear().cast<float>();
   seen.places.create(K.height, K.width, CV_32FC2);
   cv::Mat depths_m = cv::Mat::zeros(K.height, K.width, CV_32FC1);
-  const Eigen::Vector4f* vertex = vertices_world.data();
-  for (int v = 0; v < K.height; ++v) {
-    auto* places = seen.places.ptr<cv::Vec2f>(v);
-    auto* row = depths_m.ptr<float>(v);
-    for (int u = 0; u < K.width; ++u, ++vertex) {
-      if (vertex->w() > 0) {
-        const Eigen::Vector4f p = from_world * *vertex;
-        places[u] = placeOf(p.head<3>());
-        row[u] = p.z();
-      } else {
-        places[u] = placeOf(from_ray * K.backProject(static_cast<float>(u), static_cast<float>(v), 1));
+  cv::parallel_for_({0, K.height}, [&](const cv::Range& rows) {
+    const Eigen::Vector4f* vertex = &vertices_world[static_cast<std::size_t>(rows.start * K.width)];
+    for (int v = rows.start; v < rows.end; ++v) {
+      auto* places = seen.places.ptr<cv::Vec2f>(v);
+      auto* row = depths_m.ptr<float>(v);
+      for (int u = 0; u < K.width; ++u, ++vertex) {
+        if (vertex->w() > 0) {
+          const Eigen::Vector4f p = from_world * *vertex;
+          places[u] = placeOf(p.head<3>());
+          row[u] = p.z();
+        } else {
+          places[u] = placeOf(from_ray * K.backProject(static_cast<float>(u), static_cast<float>(v), 1));
+        }
       }
     }
-  }
+  });
   markHidden(seen, depths_m);
   return seen;
 }

@@ -23,9 +23,9 @@ class Lanes {
   [[nodiscard]] cl::NDRange overEights(int width, int height) const {
     return range(width, height, columns(), 1);
   }
-  /// Where its lanes lie in rows of at most eight.
-  [[nodiscard]] cl::NDRange overBlocks(int width, int height) const {
-    return range(width, height, columns(), count_ / columns());
+  /// Where its lanes lie in rows of at most eight, and it does so many of these blocks side by side.
+  [[nodiscard]] cl::NDRange overBlocks(int width, int height, int blocks = 1) const {
+    return range(width, height, blocks * columns(), count_ / columns());
   }
 
   /// Where it does so many pixels of an image one after the other, so that what it knows of one helps with

@@ -1,5 +1,6 @@
 #include "core/fusion/free_space.h"
 
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -18,10 +19,10 @@ constexpr float kNoReading_m = 1e6F;
 cv::Mat FreeSpace::contradicting(const DepthView& now) const {
   SCANTROVE_CHECK(now.z_m.type() == CV_32FC1 && now.z_m.cols == now.K.width && now.z_m.rows == now.K.height);
   cv::Mat votes = cv::Mat::zeros(now.z_m.size(), CV_8UC1);
-  for (const Witness& witness : witnesses_) {
+  const auto askOfRows = [&](const Witness& witness, const cv::Range& rows) {
     const Eigen::Affine3f T((witness.T_camera_world * now.T_world_camera).cast<float>());
     const Intrinsics& K = witness.K;
-    for (int v = 0; v < now.z_m.rows; ++v) {
+    for (int v = rows.start; v < rows.end; ++v) {
       const auto* z = now.z_m.ptr<float>(v);
       auto* vote = votes.ptr<std::uint8_t>(v);
       for (int u = 0; u < now.z_m.cols; ++u) {
@@ -38,7 +39,10 @@ cv::Mat FreeSpace::contradicting(const DepthView& now) const {
         if (seen > q.z() + kBefore.at(q.z(), depth_noise_m_)) ++vote[u];
       }
     }
-  }
+  };
+  cv::parallel_for_({0, now.z_m.rows}, [&](const cv::Range& rows) {
+    for (const Witness& witness : witnesses_) askOfRows(witness, rows);
+  });
   return votes >= kWitnessesNeeded;
 }
 

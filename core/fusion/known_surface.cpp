@@ -1,5 +1,7 @@
 #include "core/fusion/known_surface.h"
 
+#include <opencv2/core/utility.hpp>
+#include <span>
 #include <vector>
 
 namespace scantrove {
@@ -8,9 +10,13 @@ KnownSurface::KnownSurface(ComputeContext& compute, const SurfaceMaps& surface)
     : view_{surface.K, surface.T_world_camera, cv::Mat(surface.K.height, surface.K.width, CV_32FC1)} {
   const std::vector<cl_float4> vertices = surface.vertices_world.read(compute.queue());
   const Eigen::RowVector4f depth_row = surface.T_world_camera.inverse().matrix().row(2).cast<float>();
-  auto* z = view_.z_m.ptr<float>();
-  for (const cl_float4& v : vertices)
-    *z++ = v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F;
+  cv::parallel_for_({0, view_.z_m.rows}, [&](const cv::Range& rows) {
+    auto* z = view_.z_m.ptr<float>(rows.start);
+    const auto columns = static_cast<std::size_t>(view_.z_m.cols);
+    for (const cl_float4& v : std::span(vertices).subspan(static_cast<std::size_t>(rows.start) * columns,
+                                                          static_cast<std::size_t>(rows.size()) * columns))
+      *z++ = v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F;
+  });
 }
 
 cv::Mat KnownSurface::standings(const DepthView& now, float depth_noise_m) const {
@@ -31,11 +37,13 @@ cv::Mat KnownSurface::standings(const DepthView& now, float depth_noise_m) const
     if (q.z() < known - kBefore.at(q.z(), depth_noise_m)) return Standing::before;
     return q.z() > known + kBehind.at(q.z(), depth_noise_m) ? Standing::behind : Standing::fits;
   };
-  for (int v = 0; v < now.z_m.rows; ++v) {
-    const auto* z = now.z_m.ptr<float>(v);
-    auto* standing = standings.ptr<std::uint8_t>(v);
-    for (int u = 0; u < now.z_m.cols; ++u) standing[u] = static_cast<std::uint8_t>(standingOf(u, v, z[u]));
-  }
+  cv::parallel_for_({0, now.z_m.rows}, [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      const auto* z = now.z_m.ptr<float>(v);
+      auto* standing = standings.ptr<std::uint8_t>(v);
+      for (int u = 0; u < now.z_m.cols; ++u) standing[u] = static_cast<std::uint8_t>(standingOf(u, v, z[u]));
+    }
+  });
   return standings;
 }
 

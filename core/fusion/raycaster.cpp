@@ -36,9 +36,9 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
   const cl_float4 kernel_K = toKernel(K.fx, K.fy, K.cx, K.cy);
   const cl_float16 T_window_camera = toKernel(Eigen::Isometry3d(T));
   const Lanes& lanes = compute_->lanes();
-  cast_rays_.launch(lanes.overBlocks(K.width, K.height), lanes.blockGroup(), ranges_, K.width, K.height,
-                    kernel_K, T_window_camera, params_.truncation_vox, window.cells(), map.pageSlots(),
-                    window.size(), map.voxels(), depths_);
+  cast_rays_.launch(lanes.overBlocks(K.width, K.height, RAY_BLOCKS(lanes.count())), lanes.blockGroup(),
+                    ranges_, K.width, K.height, kernel_K, T_window_camera, params_.truncation_vox,
+                    window.cells(), map.pageSlots(), window.size(), map.voxels(), depths_);
   const cl::NDRange eights = lanes.overEights(K.width, K.height);
   fit_planes_.launch(eights, lanes.rowGroup(), depths_, K.width, K.height, K.fx, planes_);
   orient_surface_.launch(eights, lanes.rowGroup(), depths_, planes_, K.width, K.height, kernel_K,

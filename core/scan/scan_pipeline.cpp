@@ -67,16 +67,7 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
 
 template <class Work>
 auto ScanPipeline::stage(std::string_view name, Work&& work) {
-  return timer_.time(name, [&] {
-    if constexpr (std::is_void_v<decltype(work())>) {
-      work();
-      compute_.finish();
-    } else {
-      auto result = work();
-      compute_.finish();
-      return result;
-    }
-  });
+  return timer_.time(name, [&] { return work(); });
 }
 
 Result<FrameResult> ScanPipeline::processFrame(const RgbdFrame& frame) {

@@ -5,7 +5,8 @@
 // as their distance and a little more, find the pair of samples around it; then secant steps in the trilinear field find its zero.
 // A ray that comes from - to + first has met a surface from behind and sees none.
 //
-// One work-item: LANES_X * LANES_Y pixels.
+// One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side: while the voxels of one come from memory, which takes
+// most of the time, the next is looked at.
 // ranges: (nearest, farthest) camera z of the bricks in view per tile of RAY_TILE^2 pixels, ceil(width / RAY_TILE) a row;
 // nearest >= farthest = none. T_window_camera: camera metres to voxels of the window. depths: camera z, 0 = no surface,
 // (height + 2 RAY_PAD) rows of RAY_STRIDE(width); only the inner ones are written.
@@ -14,6 +15,27 @@
 #define UNSEEN_GAP 3.0f   /* voxels */
 #define BEHIND_FACE 0.05f /* voxels past a brick's face, to be safely in the next */
 #define SECANT_STEPS 3
+
+// The rays o + t d of a block, t = camera z in metres. Of each: how far it has come, and the distance at the last voxel seen.
+typedef struct Rays {
+  floatN dx, dy, dz;
+  floatN inverse_x, inverse_y, inverse_z;
+  floatN t_voxel; /* one voxel along the ray */
+  floatN t;
+  floatN t_before;
+  floatN before; /* the distance at t_before; 0 = unknown */
+  intN active;
+  intN met;
+  float farthest;
+} Rays;
+
+// The voxels that the rays have come to.
+typedef struct Sample {
+  intN x, y, z;
+  intN slot;
+  intN seen;
+  floatN distance;
+} Sample;
 
 // Where the ray leaves the cube of `side` (a power of two) voxels around voxel i, along one axis.
 inline floatN leave_cube(const float o, const floatN d, const floatN inverse_d, const intN i, const intN side) {
@@ -25,95 +47,133 @@ inline floatN leave_cube(const float o, const floatN d, const floatN inverse_d, 
 // 1 / d, or so much that the ray never leaves along this axis.
 inline floatN inverse_of(const floatN d) { return fabs(d) > 1e-6f ? 1.0f / d : (d > 0.0f ? 1e6f : -1e6f); }
 
-kernel void cast_rays(global const float2* ranges, const int width, const int height, const float4 K,
-                      const float16 T_window_camera, const float truncation_vox, global const int* cells,
-                      global const int* page_slots, const int4 window_size, global const uint* voxels,
-                      global float* depths) {
-  const int u = LANES_X * (int)get_global_id(0);
-  const int v = LANES_Y * (int)get_global_id(1);
-  if (u >= width || v >= height) return;
-  const float2 range = ranges[v / RAY_TILE * RAY_TILES(width) + u / RAY_TILE];
-  const Field field = {cells, page_slots, voxels, window_size};
-
-  // p(t) = o + t d, t = camera z in metres.
-  const float16 T = T_window_camera;
+inline Rays begin_rays(const float2 range, const int u, const int v, const int width, const int height, const float4 K,
+                       const float16 T) {
+  Rays rays;
   const floatN lane_x = convert_floatN(LANE_X);
   const floatN lane_y = convert_floatN(LANE_Y);
   const floatN cx = (lane_x + (float)u - K.z) / K.x;
   const floatN cy = (lane_y + (float)v - K.w) / K.y;
-  const float ox = T.s3, oy = T.s7, oz = T.sb;
-  const floatN dx = cx * T.s0 + (cy * T.s1 + T.s2);
-  const floatN dy = cx * T.s4 + (cy * T.s5 + T.s6);
-  const floatN dz = cx * T.s8 + (cy * T.s9 + T.sa);
-  const floatN inverse_x = inverse_of(dx), inverse_y = inverse_of(dy), inverse_z = inverse_of(dz);
-  const floatN t_voxel = 1.0f / sqrt(dx * dx + dy * dy + dz * dz);
+  rays.dx = cx * T.s0 + (cy * T.s1 + T.s2);
+  rays.dy = cx * T.s4 + (cy * T.s5 + T.s6);
+  rays.dz = cx * T.s8 + (cy * T.s9 + T.sa);
+  rays.inverse_x = inverse_of(rays.dx);
+  rays.inverse_y = inverse_of(rays.dy);
+  rays.inverse_z = inverse_of(rays.dz);
+  rays.t_voxel = 1.0f / sqrt(rays.dx * rays.dx + rays.dy * rays.dy + rays.dz * rays.dz);
+  rays.farthest = range.y;
+  rays.active = (lane_x < (float)(width - u)) & (lane_y < (float)(height - v)) & (range.x < range.y ? -1 : 0);
+  rays.met = 0;
+  rays.t = range.x;
+  rays.t_before = 0.0f;
+  rays.before = 0.0f;
+  return rays;
+}
 
-  intN active = (lane_x < (float)(width - u)) & (lane_y < (float)(height - v)) &
-                (range.x < range.y ? -1 : 0);
-  intN met = 0;
-  floatN t = range.x;
-  floatN t_before = 0.0f;
-  floatN before = 0.0f; /* the distance at t_before; 0 = unknown */
-  floatN now = 0.0f;
-  while (any_lane(active)) {
-    const intN x = voxel_of(ox + t * dx);
-    const intN y = voxel_of(oy + t * dy);
-    const intN z = voxel_of(oz + t * dz);
-    const intN page = field_page(&field, x, y, z);
-    const intN slot = field_slot(&field, page, x, y, z);
-    intN seen;
-    now = field_voxel(&field, slot, x, y, z, &seen);
+inline Sample look(const Field* field, const float3 o, const Rays* rays) {
+  Sample at;
+  at.x = voxel_of(o.x + rays->t * rays->dx);
+  at.y = voxel_of(o.y + rays->t * rays->dy);
+  at.z = voxel_of(o.z + rays->t * rays->dz);
+  at.slot = field_slot(field, field_page(field, at.x, at.y, at.z), at.x, at.y, at.z);
+  at.distance = field_voxel(field, at.slot, at.x, at.y, at.z, &at.seen);
+  return at;
+}
 
-    const intN met_now = active & seen & (before > 0.0f) & (now <= 0.0f);
-    const intN from_behind = seen & (before < 0.0f) & (now > 0.0f);
-    met |= met_now;
-    active &= ~(met_now | from_behind);
-    floatN next = t + t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : UNSEEN_STEP);
-    if (any_lane(active & (slot < 0))) {
-      const intN side = (intN)BRICK_SIDE << (slot < 0 ? -1 - slot : 0);
-      const floatN leave = fmin(leave_cube(ox, dx, inverse_x, x, side),
-                                fmin(leave_cube(oy, dy, inverse_y, y, side), leave_cube(oz, dz, inverse_z, z, side)));
-      next = slot < 0 ? (leave > t ? leave : t) + BEHIND_FACE * t_voxel : next;
-    }
-    // Voxels never seen (a speck without depth) do not hide the surface that the last distance has announced.
-    const intN lost = ~seen & (t - t_before > (fabs(before) * truncation_vox + UNSEEN_GAP) * t_voxel);
-    before = active ? (seen ? now : (lost ? 0.0f : before)) : before;
-    t_before = active & seen ? t : t_before;
-    t = active ? next : t;
-    active &= t < range.y;
-    // `now` of the lanes that met their surface is used below.
-    if (any_lane(met_now)) {
-      t = met_now ? t_before + (t - t_before) * before / (before - now) : t;
-    }
+inline void step_on(Rays* rays, const Sample* at, const float3 o, const float truncation_vox) {
+  const floatN now = at->distance;
+  const intN seen = at->seen;
+  const intN met_now = rays->active & seen & (rays->before > 0.0f) & (now <= 0.0f);
+  const intN from_behind = seen & (rays->before < 0.0f) & (now > 0.0f);
+  rays->met |= met_now;
+  rays->active &= ~(met_now | from_behind);
+  const floatN t = rays->t;
+  floatN next = t + rays->t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : UNSEEN_STEP);
+  if (any_lane(rays->active & (at->slot < 0))) {
+    const intN side = (intN)BRICK_SIDE << (at->slot < 0 ? -1 - at->slot : 0);
+    const floatN leave = fmin(leave_cube(o.x, rays->dx, rays->inverse_x, at->x, side),
+                              fmin(leave_cube(o.y, rays->dy, rays->inverse_y, at->y, side),
+                                   leave_cube(o.z, rays->dz, rays->inverse_z, at->z, side)));
+    next = at->slot < 0 ? (leave > t ? leave : t) + BEHIND_FACE * rays->t_voxel : next;
   }
+  // Where the pair of samples around the surface has been found, the place between them.
+  const floatN between = rays->t_before + (t - rays->t_before) * rays->before / (rays->before - now);
+  // Voxels never seen (a speck without depth) do not hide the surface that the last distance has announced.
+  const intN lost =
+      ~seen & (t - rays->t_before > (fabs(rays->before) * truncation_vox + UNSEEN_GAP) * rays->t_voxel);
+  rays->before = rays->active ? (seen ? now : (lost ? 0.0f : rays->before)) : rays->before;
+  rays->t_before = rays->active & seen ? t : rays->t_before;
+  rays->t = rays->active ? next : (met_now ? between : t);
+  rays->active &= rays->t < rays->farthest;
+}
 
-  floatN depth = 0.0f;
-  if (any_lane(met)) {
-    intN known;
-    const floatN metres = truncation_vox * t_voxel; /* of camera z for one truncation along the ray */
-    floatN t0 = t;
-    floatN f0 = field_at(&field, ox + t0 * dx, oy + t0 * dy, oz + t0 * dz, &known);
-    met &= known;
-    floatN t1 = t0 + f0 * metres;
+// The zero of the trilinear field near rays->t, 0 where there is none.
+inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays, const float truncation_vox) {
+  if (!any_lane(rays->met)) return 0.0f;
+  intN known;
+  const floatN metres = truncation_vox * rays->t_voxel; /* of camera z for one truncation along the ray */
+  floatN t0 = rays->t;
+  floatN f0 = field_at(field, o.x + t0 * rays->dx, o.y + t0 * rays->dy, o.z + t0 * rays->dz, &known);
+  const intN met = rays->met & known;
+  floatN t1 = t0 + f0 * metres;
 #pragma unroll
-    for (int i = 0; i < SECANT_STEPS; ++i) {
-      const floatN f1 = field_at(&field, ox + t1 * dx, oy + t1 * dy, oz + t1 * dz, &known);
-      const floatN slope = (f1 - f0) / (t1 - t0);
-      // A slope that is not clearly downwards says nothing: step by the distance instead.
-      const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;
-      const floatN limit = 2.0f * t_voxel;
-      const floatN t2 = t1 + (step > limit ? limit : (step < -limit ? -limit : step));
-      t0 = known ? t1 : t0;
-      f0 = known ? f1 : f0;
-      t1 = known ? t2 : t0;
-    }
-    depth = (met & (t1 > 0.0f)) ? t1 : 0.0f;
+  for (int i = 0; i < SECANT_STEPS; ++i) {
+    const floatN f1 = field_at(field, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
+    const floatN slope = (f1 - f0) / (t1 - t0);
+    // A slope that is not clearly downwards says nothing: step by the distance instead.
+    const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;
+    const floatN limit = 2.0f * rays->t_voxel;
+    const floatN t2 = t1 + (step > limit ? limit : (step < -limit ? -limit : step));
+    t0 = known ? t1 : t0;
+    f0 = known ? f1 : f0;
+    t1 = known ? t2 : t0;
   }
-  global float* out = depths + (v + RAY_PAD) * RAY_STRIDE(width) + u + RAY_PAD;
-#if LANES_Y == 2
-  STORE_H(depth.lo, out);
-  if (v + 1 < height) STORE_H(depth.hi, out + RAY_STRIDE(width));
+  return (met & (t1 > 0.0f)) ? t1 : 0.0f;
+}
+
+kernel void cast_rays(global const float2* ranges, const int width, const int height,
+                      const float4 K, const float16 T_window_camera, const float truncation_vox, global const int* cells,
+                      global const int* page_slots, const int4 window_size, global const uint* voxels,
+                      global float* depths) {
+  const int first = RAY_BLOCKS(LANES) * LANES_X * (int)get_global_id(0);
+  const int v = LANES_Y * (int)get_global_id(1);
+  if (first >= width || v >= height) return;
+  const Field field = {cells, page_slots, voxels, window_size};
+  const float3 o = (float3)(T_window_camera.s3, T_window_camera.s7, T_window_camera.sb);
+
+  Rays rays[RAY_BLOCKS(LANES)];
+#pragma unroll
+  for (int k = 0; k < RAY_BLOCKS(LANES); ++k) {
+    // A block beyond the image has no active rays.
+    const int u = first + k * LANES_X;
+    const float2 range = ranges[v / RAY_TILE * RAY_TILES(width) + min(u, width - 1) / RAY_TILE];
+    rays[k] = begin_rays(range, u, v, width, height, K, T_window_camera);
+  }
+#if RAY_BLOCKS(LANES) == 2
+  while (any_lane(rays[0].active | rays[1].active)) {
+    const Sample at_0 = look(&field, o, &rays[0]);
+    const Sample at_1 = look(&field, o, &rays[1]);
+    step_on(&rays[0], &at_0, o, truncation_vox);
+    step_on(&rays[1], &at_1, o, truncation_vox);
+  }
 #else
-  STORE(depth, out);
+  while (any_lane(rays[0].active)) {
+    const Sample at = look(&field, o, &rays[0]);
+    step_on(&rays[0], &at, o, truncation_vox);
+  }
 #endif
+
+#pragma unroll
+  for (int k = 0; k < RAY_BLOCKS(LANES); ++k) {
+    const int u = first + k * LANES_X;
+    if (u >= width) continue;
+    const floatN depth = refined_depth(&field, o, &rays[k], truncation_vox);
+    global float* out = depths + (v + RAY_PAD) * RAY_STRIDE(width) + u + RAY_PAD;
+#if LANES_Y == 2
+    STORE_H(depth.lo, out);
+    if (v + 1 < height) STORE_H(depth.hi, out + RAY_STRIDE(width));
+#else
+    STORE(depth, out);
+#endif
+  }
 }

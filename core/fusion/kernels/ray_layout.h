@@ -9,6 +9,8 @@
 #define RAY_TILES(pixels) (((pixels) + RAY_TILE - 1) / RAY_TILE)
 #define RAY_STRIDE(width) (RAY_TILE * RAY_TILES(width) + 2 * RAY_PAD)
 
+#define RAY_BLOCKS(lanes) ((lanes) < 8 ? 1 : 2) /* blocks of lanes of a work-item, cast_rays.cl */
+
 #define FIT_RADIUS 3   /* pixels; a plane is fitted to (2 FIT_RADIUS + 1)^2 of them */
 #define FIT_SLOPE 3.0f /* see fit_planes.cl */
 #define NO_PLANE 1e30f /* residual where there is none */
