@@ -11,7 +11,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kThinnest_m = 0.02F;  ///< what a flat thing is taken for: its noise says nothing
+constexpr float kThinnest_m = 0.02F;   ///< what a flat thing is taken for: its noise says nothing
+constexpr float kColorUnknown = 0.5F;  ///< of what size says, where one has colour and the other none
 
 /// Where a value lies between bins: the lower one, and the share of the upper one.
 struct Between {
@@ -75,8 +76,9 @@ float likeness(const RegionLook& a, const RegionLook& b) {
     sum_a += a.colors[bin];
     sum_b += b.colors[bin];
   }
-  if (sum_a < 0.5F || sum_b < 0.5F) return by_size;
-  return by_size * shared;
+  const bool has_a = sum_a > 0.5F, has_b = sum_b > 0.5F;
+  if (has_a && has_b) return by_size * shared;
+  return has_a == has_b ? by_size : kColorUnknown * by_size;
 }
 
 }  // namespace scantrove

@@ -23,7 +23,8 @@ struct RegionLook {
 [[nodiscard]] RegionLook lookOf(std::span<const LookPoint> points);
 
 /// 0 .. 1: how much the two look like one thing seen twice. 1 - half of the mean difference of the sides in
-/// octaves, times the shared part of their colours; of size alone where one has no colour.
+/// octaves, times the shared part of their colours; of size alone where neither has colour, and half of that
+/// where one has none.
 [[nodiscard]] float likeness(const RegionLook& a, const RegionLook& b);
 
 }  // namespace scantrove

@@ -20,13 +20,13 @@ Gaze throughRoom(double t) {
 /// Two mugs and three books that nothing but their places tells apart: who names one is offered the others.
 void addEquals(SyntheticScene& scene, double z) {
   const Material glaze{Pattern::bands, rgb(0xe4572e), rgb(0xfbf0e0), {}, 0.024F, 0.45F};
-  addMug(scene, "mug", {-0.86, 1.10, z, -60}, glaze);
-  addMug(scene, "mug, equal", {-0.66, 1.06, z, -75}, glaze);
+  addMug(scene, "mug", {-0.50, 1.08, z, -60}, glaze);
+  addMug(scene, "mug, equal", {-0.06, 1.24, z, -75}, glaze);
   const Material cover{Pattern::bookCover, rgb(0xc2571a), rgb(0xf7ead2), rgb(0x2f6f73), 0.03F, 0, true, 5};
-  const Vec3 pocket{0.11, 0.16, 0.026};
-  addBook(scene, "pocket book", {-0.88, 1.37, z, 8}, pocket, cover);
+  const Vec3 pocket{0.12, 0.17, 0.04};
+  addBook(scene, "pocket book", {-0.58, 1.33, z, 8}, pocket, cover);
   addBook(scene, "pocket book, second", {-0.40, 1.60, z, -4}, pocket, cover);
-  addBook(scene, "pocket book, third", {0.40, 1.33, z, 14}, pocket, cover);
+  addBook(scene, "pocket book, third", {0.28, 1.36, z, 14}, pocket, cover);
 }
 
 void addThingsOnTable(SyntheticScene& scene, double z) {
@@ -40,16 +40,16 @@ void addThingsOnTable(SyntheticScene& scene, double z) {
   addVase(scene, "vase", {-0.27, 1.60, z}, {Pattern::bands, rgb(0x9c4f6c), rgb(0xf0d9df), {}, 0.04F, 0.35F});
   addCarton(scene, "tea box", {0.02, 1.62, z, -8}, {0.15, 0.08, 0.19},
             {Pattern::boxLabel, rgb(0x5aa9a3), rgb(0x24565b), rgb(0xfbf3dd), 0.03F, 0.05F, true, 8});
-  addCactus(scene, "cactus", {0.33, 1.58, z, 150});
-  addTeapot(scene, "teapot", {-0.60, 1.30, z, -30},
+  addCactus(scene, "cactus", {0.37, 1.58, z, 150});
+  addTeapot(scene, "teapot", {-0.82, 1.34, z, -30},
             {Pattern::speckle, rgb(0x3d6b8a), rgb(0xdfe9ee), {}, 0.012F, 0.5F});
   addBowl(scene, "bowl", {-0.26, 1.32, z}, {Pattern::bands, rgb(0x4f9d69), rgb(0xe9edc9), {}, 0.03F, 0.35F});
   addCan(scene, "can", {0.02, 1.37, z},
          {Pattern::canLabel, rgb(0x285ea8), rgb(0xf6f1de), rgb(0xe9a23b), 0.03F, 0.25F});
-  addBottle(scene, "bottle", {0.20, 1.40, z},
+  addBottle(scene, "bottle", {0.20, 1.61, z},
             {Pattern::canLabel, rgb(0x7a4a21), rgb(0xf2e2b6), rgb(0x49290f), 0.03F, 0.5F});
   addEquals(scene, z);
-  addRing(scene, "toy ring", {-0.46, 1.08, z},
+  addRing(scene, "toy ring", {-0.78, 1.10, z},
           {Pattern::stripes, rgb(0x3fa7d6), rgb(0xfac05e), {}, 0.0487F, 0.2F});
   addLBlock(scene, "L block", {-0.18, 1.08, z, -120}, {0.15, 0.085, 0.13}, 0.045, 0.005,
             {Pattern::wood, rgb(0xd68c45), {}, {}, 0.03F});

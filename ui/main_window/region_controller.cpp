@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSettings>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/main_window/scene_pane.h"
@@ -266,8 +267,12 @@ void RegionController::showProposal() {
 }
 
 RegionId RegionController::pointedOut() const {
-  if (selection_.hovered()) return selection_.hovered();
-  return proposals_.first() != nullptr ? proposals_.first()->region : RegionId{};
+  const Proposal* const asked = proposals_.first();
+  const RegionId hovered = selection_.hovered();
+  // The pointer mostly still rests on what was just named and is lit anyway.
+  const bool is_lit = std::ranges::find(selection_.selected(), hovered) != selection_.selected().end();
+  if (hovered && (asked == nullptr || !is_lit)) return hovered;
+  return asked != nullptr ? asked->region : RegionId{};
 }
 
 void RegionController::light() {

@@ -74,7 +74,7 @@ class RegionController : public QObject {
   void editFailed(const ScanEdit& edit, const QString& message);
   [[nodiscard]] QString inWords(const Operation& operation) const;
 
-  /// Under the pointer; or what is proposed, while that is nowhere.
+  /// Under the pointer; or what is proposed, while that is nowhere or on what is selected.
   [[nodiscard]] RegionId pointedOut() const;
   void light();
   void lightScene();
