@@ -96,7 +96,7 @@ SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const Int
   seen.places.create(K.height, K.width, CV_32FC2);
   cv::Mat depths_m = cv::Mat::zeros(K.height, K.width, CV_32FC1);
   cv::parallel_for_({0, K.height}, [&](const cv::Range& rows) {
-    const Eigen::Vector4f* vertex = &vertices_world[static_cast<std::size_t>(rows.start * K.width)];
+    const Eigen::Vector4f* vertex = vertices_world.data() + std::ptrdiff_t{rows.start} * K.width;
     for (int v = rows.start; v < rows.end; ++v) {
       auto* places = seen.places.ptr<cv::Vec2f>(v);
       auto* row = depths_m.ptr<float>(v);

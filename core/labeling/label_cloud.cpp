@@ -108,8 +108,7 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
   std::vector<Eigen::Vector3i> missing;
   for (const cl_int4& m : found) missing.emplace_back(m.s[0], m.s[1], m.s[2]);
   sortBricks(missing);
-  const auto repeated = std::ranges::unique(missing);
-  missing.erase(repeated.begin(), repeated.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
   return missing;
 }
 

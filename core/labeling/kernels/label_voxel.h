@@ -9,7 +9,7 @@
 #define LABEL_VOXEL(label, confidence) (((label) << 8) | (confidence))
 #define LABEL_CONFIDENCE_MAX 10u
 #define LABEL_MAX 0xffffffu
-#define LABEL_BRICK_NEW (-2) /* stamp of a brick that was made for an update, update_labels.cl */
+#define LABEL_BRICK_NEW (-2)      /* stamp of a brick that was made for an update, update_labels.cl */
 #define LABEL_AT_ONCE 0x80000000u /* of a pixel's new label: voxels take it whatever they hold */
 
 /* A labelled voxel near the surface, as extract_points writes it. */
