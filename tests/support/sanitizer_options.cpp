@@ -40,6 +40,22 @@ const char* __tsan_default_suppressions() {
          "deadlock:libgdal\n";
 }
 
+}  // extern "C"
+
+#ifdef __SANITIZE_THREAD__
+// OpenCV's threads are TBB's, of whose locks the thread sanitizer sees nothing either: what a loop over an
+// image writes on one of them would be a race with whoever reads it afterwards. So they all run on their
+// caller's.
+namespace cv {
+void setNumThreads(int threads) __attribute__((weak));  // a program need not have OpenCV
+}
+__attribute__((constructor)) static void runLoopsOnOneThread() {
+  if (cv::setNumThreads != nullptr) cv::setNumThreads(0);
+}
+#endif
+
+extern "C" {
+
 // Plug-ins stay loaded: the report could not name the library of a leak otherwise.
 int dlclose(void* /*library*/) { return 0; }
 
