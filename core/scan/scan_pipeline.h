@@ -205,7 +205,8 @@ class ScanPipeline {
   void forgetFragments();
   [[nodiscard]] Error outOfMemory(int frame_index) const;
 
-  /// Times `work` as a stage, waiting for the device so that each stage pays for itself.
+  /// Times `work` as a stage. What it leaves running on the device is paid for by the stage that waits for
+  /// it.
   template <class Work>
   auto stage(std::string_view name, Work&& work);
 
