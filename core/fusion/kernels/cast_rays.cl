@@ -5,8 +5,8 @@
 // as their distance and a little more, find the pair of samples around it; then secant steps in the trilinear field find its zero.
 // A ray that comes from - to + first has met a surface from behind and sees none.
 //
-// One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side: while the voxels of one come from memory, which takes
-// most of the time, the next is looked at.
+// One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side: while the voxels of one come from memory,
+// which takes most of the time, the next is looked at.
 // ranges: (nearest, farthest) camera z of the bricks in view per tile of RAY_TILE^2 pixels, ceil(width / RAY_TILE) a row;
 // nearest >= farthest = none. T_window_camera: camera metres to voxels of the window. depths: camera z, 0 = no surface,
 // (height + 2 RAY_PAD) rows of RAY_STRIDE(width); only the inner ones are written.

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <random>
 #include <set>
 
@@ -191,6 +193,47 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
   EXPECT_GT(labelled, vertices.size() * 8 / 10);
   // Vertices and centres within an ulp of a border, as above.
   EXPECT_LE(different, labelled / 1000);
+}
+
+// Voxels of bricks that there are not yet take their labels in a second run, which writes to no other: with
+// confidence, to write twice is seen.
+TEST_P(LabelCloudTest, WhichBricksExistBeforehandChangesNoVoxel) {
+  using Contents = std::map<std::array<int, 3>, std::vector<cl_uint>>;  // of the bricks with labels
+  const Eigen::Isometry3d T = cameraAt(0, 0, 0);
+  const SurfaceMaps surface = toSurface(renderScene(T), T);
+  const auto writtenTo = [&](std::span<const Eigen::Vector3i> existing, std::vector<cl_int>& counts) {
+    BrickMap map(*compute_, kVoxel);
+    map.allocate(existing);
+    auto cloud = LabelCloud::create(*compute_);
+    EXPECT_TRUE(cloud);
+    std::set<std::array<int, 3>> touched;
+    for (const Eigen::Vector3i& b : (*cloud)->update(surface, randomPatches(3, 1), {}, {}, map))
+      EXPECT_TRUE(touched.insert({b.x(), b.y(), b.z()}).second) << "listed once";
+    counts = (*cloud)->voxelsOfFragments();
+    const std::vector<cl_uint> voxels = test::usedPart(*compute_, map, map.labels());
+    Contents contents;
+    for (int slot = 0; slot < map.brickCount(); ++slot) {
+      const auto first = voxels.begin() + std::ptrdiff_t{slot} * BRICK_VOXELS;
+      const std::vector<cl_uint> brick(first, first + BRICK_VOXELS);
+      if (std::ranges::all_of(brick, [](cl_uint voxel) { return voxel == 0; })) continue;
+      const Eigen::Vector3i& at = map.positionOf(slot);
+      contents[{at.x(), at.y(), at.z()}] = brick;
+    }
+    EXPECT_EQ(touched.size(), contents.size());
+    return contents;
+  };
+  std::vector<cl_int> counts_of_none, counts;
+  const Contents expected = writtenTo({}, counts_of_none);
+  ASSERT_GT(expected.size(), 40U);
+  std::vector<Eigen::Vector3i> all, half;
+  for (const auto& [at, voxels] : expected) {
+    all.emplace_back(at[0], at[1], at[2]);
+    if (all.size() % 2 == 0) half.push_back(all.back());
+  }
+  for (const std::span<const Eigen::Vector3i> existing : {std::span<const Eigen::Vector3i>(half), {all}}) {
+    EXPECT_EQ(writtenTo(existing, counts), expected) << existing.size() << " of " << all.size();
+    EXPECT_EQ(counts, counts_of_none);
+  }
 }
 
 /// Updates of one view, and the fragments that the cloud then holds.
