@@ -56,7 +56,7 @@ Result<ColorIntegrator> ColorIntegrator::create(ComputeContext& compute, const F
 
 void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const RgbdFrame& frame) {
   if (frame.color.empty()) return;
-  ++frame_;
+  ++turns_.frame;
   const Intrinsics& K = surface.maps.K;
   const Eigen::Isometry3d& T_world_camera = surface.maps.T_world_camera;
   const double voxel_size_m = map.voxelSize();
@@ -84,7 +84,7 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
   const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
   color_bricks_.launch(cl::NDRange(items * host_bricks_.size()), cl::NDRange(items > 1 ? items : kGroup),
                        bricks_, static_cast<cl_int>(host_bricks_.size()),
-                       cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(frame_)}},
+                       cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(turns_.frame)}},
                        fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy),
                        cl_int2{{K.width, K.height}}, depths_, ratings_, fromBricks(T_world_color),
                        toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
@@ -125,7 +125,7 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
     const int slot = map.slotOf(brick);
     if (slot == BRICK_NONE) return;
     std::uint32_t& listed_in = listed_in_[static_cast<std::size_t>(slot)];
-    if (std::exchange(listed_in, frame_) == frame_) return;
+    if (std::exchange(listed_in, turns_.frame) == turns_.frame) return;
     const Eigen::Vector3i local = brick - first;
     host_bricks_.push_back({{local.x(), local.y(), local.z(), slot}});
   };
@@ -133,7 +133,7 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
     return (p * bricks_per_metre).array().floor().cast<int>();
   };
   const auto height = static_cast<int>(vertices_world.size()) / width;
-  const unsigned choice = brick_hash(static_cast<int>(frame_), 0, 0);
+  const unsigned choice = brick_hash(static_cast<int>(turns_.frame), 0, 0);
   const int first_u = static_cast<int>(choice % kSample_px);
   const int first_v = static_cast<int>(choice / kSample_px % kSample_px);
   Eigen::Vector3i last_low = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
@@ -161,9 +161,9 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
   const unsigned turns = std::max(1U, most);
   std::erase_if(host_bricks_, [&](const cl_int4& b) {
     const unsigned turn = brick_hash(first.x() + b.s[0], first.y() + b.s[1], first.z() + b.s[2]) % kTurns;
-    return (turn + kTurns - turn_) % kTurns >= turns;
+    return (turn + kTurns - turns_.first) % kTurns >= turns;
   });
-  turn_ = (turn_ + turns) % kTurns;
+  turns_.first = (turns_.first + turns) % kTurns;
 }
 
 }  // namespace scantrove

@@ -35,6 +35,14 @@ class ColorIntegrator {
   /// Nothing happens where the frame has no colour.
   void integrate(BrickMap& map, const Surface& surface, const RgbdFrame& frame);
 
+  /// Which bricks and pixels are next.
+  struct Turns {
+    std::uint32_t frame = 0;  ///< frames with colour so far
+    std::uint32_t first = 0;  ///< turn of the bricks that the next frame begins with
+  };
+  [[nodiscard]] Turns turns() const { return turns_; }
+  void goOnFrom(Turns turns) { turns_ = turns; }
+
  private:
   ColorIntegrator(ComputeContext& compute, const FusionParams& params)
       : compute_(&compute), params_(params) {}
@@ -57,8 +65,7 @@ class ColorIntegrator {
   Buffer<cl_int4> bricks_;
   std::vector<cl_int4> host_bricks_;
   std::vector<std::uint32_t> listed_in_;  ///< by slot: number of the frame that listed it last
-  std::uint32_t frame_ = 0;
-  unsigned turn_ = 0;  ///< the first of the next frame
+  Turns turns_;
 };
 
 }  // namespace scantrove

@@ -29,11 +29,17 @@ Result<std::unique_ptr<DenseMap>> DenseMap::create(ComputeContext& compute, cons
 void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera) {
   const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
   const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
-  // What the last frame found empty: by now the device has long answered.
-  bricks_.makeDormant(integrator_.takeEmptyBricks());
+  settle();
   lookAt(frustum);
   if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum);
   integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
+}
+
+void DenseMap::settle() {
+  const std::vector<Eigen::Vector3i> empty = integrator_.takeEmptyBricks();
+  if (empty.empty()) return;
+  bricks_.lookAt({});  // a view of its own: who keeps what changed learns of it
+  bricks_.makeDormant(empty);
 }
 
 void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface) {

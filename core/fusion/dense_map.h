@@ -28,6 +28,11 @@ class DenseMap {
   /// view.
   void integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera);
 
+  /// Lays aside the bricks that the last frame found empty. Waits until the device has integrated it; the
+  /// next integrate() does this by itself. A map that is kept after this is the one that the next frame
+  /// meets.
+  void settle();
+
   /// V_t and N_t from `T_world_camera` for camera `K`; buffers of `surface` are made or resized as needed.
   void raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface);
 

@@ -41,21 +41,21 @@ cv::Mat FreeSpace::contradicting(const DepthView& now) const {
     }
   };
   cv::parallel_for_({0, now.z_m.rows}, [&](const cv::Range& rows) {
-    for (const Witness& witness : witnesses_) askOfRows(witness, rows);
+    for (const Witness& witness : seen_.witnesses) askOfRows(witness, rows);
   });
   return votes >= kWitnessesNeeded;
 }
 
 void FreeSpace::add(const DepthView& view) {
-  if (views_++ % kViewsPerWitness != 0) return;
+  if (seen_.views++ % kViewsPerWitness != 0) return;
   cv::Mat readings = view.z_m.clone();
   const cv::Mat none = readings <= 0;
   readings.setTo(kNoReading_m, none);
   cv::Mat nearest;
   cv::erode(readings, nearest, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
   nearest.setTo(0, none);
-  witnesses_.push_back({view.K, view.T_world_camera.inverse(), nearest});
-  if (witnesses_.size() > kWitnesses) witnesses_.pop_front();
+  seen_.witnesses.push_back({view.K, view.T_world_camera.inverse(), nearest});
+  if (seen_.witnesses.size() > kWitnesses) seen_.witnesses.pop_front();
 }
 
 }  // namespace scantrove

@@ -1,6 +1,7 @@
 #pragma once
 #include <deque>
 #include <opencv2/core/mat.hpp>
+#include <utility>
 
 #include "core/fusion/depth_view.h"
 
@@ -20,14 +21,22 @@ class FreeSpace {
   /// The next view. Every fourth is kept, the last seven of them: about a second of a recording.
   void add(const DepthView& view);
 
- private:
+  /// One of the last views.
   struct Witness {
     Intrinsics K;
-    Eigen::Isometry3d T_camera_world;
+    Eigen::Isometry3d T_camera_world = Eigen::Isometry3d::Identity();
     cv::Mat nearest_m;  ///< CV_32FC1: the nearest of the readings around each reading; 0 where there is none
   };
-  std::deque<Witness> witnesses_;
-  int views_ = 0;
+  /// All that it knows.
+  struct Memory {
+    std::deque<Witness> witnesses;
+    int views = 0;  ///< that it was given
+  };
+  [[nodiscard]] const Memory& memory() const { return seen_; }
+  void goOnFrom(Memory memory) { seen_ = std::move(memory); }
+
+ private:
+  Memory seen_;
   float depth_noise_m_;
 };
 

@@ -35,6 +35,9 @@ class MotionFilter {
   /// until the next call.
   [[nodiscard]] const SurfaceMaps& settled(const SurfaceMaps& surface, const BrickMap& bricks);
 
+  /// The views that it judges the next frame by.
+  [[nodiscard]] FreeSpace& freeSpace() { return free_space_; }
+
   /// Pixels of the last frame that move: CV_8UC1, 255 or 0, smaller than the frame; empty when there are
   /// none.
   [[nodiscard]] const cv::Mat& moving() const { return moving_; }

@@ -6,10 +6,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string_view>
 
 #include "core/base/regular_file.h"
@@ -202,11 +202,15 @@ Result<const ParamInfo*> findParam(const std::string& key) {
       (similar.empty() ? "" : "Did you mean " + similar + "? ") + "'scantrove params' lists them all.");
 }
 
+/// The shortest text that reads as the same number again: a session's map goes on only with voxels of just
+/// its size.
 std::string plain(double value) {
-  std::ostringstream out;
-  out.precision(6);
-  out << value;
-  return out.str();
+  std::array<char, 400> text{};
+  const auto write = [&](auto number) {
+    return std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed).ptr;
+  };
+  const auto single = static_cast<float>(value);
+  return {text.data(), static_cast<double>(single) == value ? write(single) : write(value)};
 }
 
 Result<void> setNumber(ScanParams& params, const ParamInfo& info, double value) {

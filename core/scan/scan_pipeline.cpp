@@ -177,6 +177,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     last_seen_ = {frame, T_world_camera};
   }
   if (tracker_) result.late = integrateLate();
+  stage("integrate", [&] { map_->settle(); });
   return result;
 }
 
@@ -203,21 +204,6 @@ void ScanPipeline::tellOf(const RegionEvents& events) {
   }
   if (!collector_) return;
   for (const auto& [from, part] : events.parted) collector_->regionsParted(from, part);
-}
-
-void ScanPipeline::recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
-  if (!tracker_) return;
-  const DepthPyramid& depth = preprocessor_->process(frame);
-  working_K_ = depth.levels.front().K;
-  map_->raycast(T_world_camera, working_K_, surface_);
-  tracker_->learn(frame, depth, surface_);
-}
-
-void ScanPipeline::resumeAt(const Eigen::Isometry3d& T_world_camera) {
-  if (!tracker_) return;
-  map_->raycast(T_world_camera, working_K_, surface_);
-  followed_ = surface_;
-  tracker_->resumeAt(T_world_camera);
 }
 
 void ScanPipeline::keepKnown(const FrameObjects& objects) {

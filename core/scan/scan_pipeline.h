@@ -22,6 +22,7 @@
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
 #include "core/meshing/mesh_extractor.h"
+#include "core/scan/camera_memory.h"
 #include "core/scan/editable_cloud.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
@@ -97,7 +98,14 @@ class ScanPipeline {
     RegionEditor& editor;
   };
   [[nodiscard]] Kept kept() { return {map_->bricks(), *cloud_, table_, *merger_, *editor_}; }
-  /// An earlier camera of this map was there; those that are not lost, in order. Whether the camera found its
+  /// What the camera of a scan that goes on in this map is followed by. None before the first usable frame.
+  /// May throw cl::Error.
+  [[nodiscard]] std::optional<CameraMemory> cameraMemory();
+  /// The map's last frame was that one's. False: it does not tell enough. May throw cl::Error.
+  [[nodiscard]] bool goOnFrom(CameraMemory memory);
+
+  /// Where the map's camera was when its scan broke off is told frame by frame:
+  /// an earlier camera of this map was there; those that are not lost, in order. Whether the camera found its
   /// way by that frame: then recallPlace() wants it.
   [[nodiscard]] bool recallPose(const Eigen::Isometry3d& T_world_camera) {
     return tracker_ && tracker_->passBy(T_world_camera);

@@ -191,7 +191,11 @@ Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
 
 Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
   setFact("ended", "yes");
-  return save(pipeline);
+  const std::optional<CameraMemory> memory = pipeline.cameraMemory();
+  SavedDelta delta = collect(pipeline);
+  if (memory) delta.camera = {setup_.frames - 1, toWords(*memory)};
+  hand(std::move(delta));
+  return writer_->flush();
 }
 
 }  // namespace scantrove

@@ -88,6 +88,27 @@ void restorePlaces(ScanPipeline& pipeline, SessionWriter& session, const SavedSc
   }
 }
 
+/// Of a scan that was stopped after its last frame; none: it broke off.
+Result<std::optional<CameraMemory>> loadCamera(SessionWriter& session, const SavedScan& scan) {
+  std::optional<SavedCamera> camera;
+  session.post([&](SessionStore& store) -> Result<void> { return moveInto(camera, store.loadCamera()); });
+  SCANTROVE_TRY(session.flush());
+  const bool is_of_end = camera && !scan.frames.empty() && camera->frame == scan.frames.back().number;
+  return is_of_end ? cameraMemoryFrom(camera->words) : std::nullopt;
+}
+
+Result<void> restoreCamera(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
+                           std::vector<std::string>& damages) {
+  std::optional<CameraMemory> memory;
+  SCANTROVE_TRY(moveInto(memory, loadCamera(session, scan)));
+  if (memory && pipeline.goOnFrom(std::move(*memory))) return {};
+  restorePlaces(pipeline, session, scan, damages);
+  const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),
+                                 [](const SavedFrame& frame) { return frame.isUsable(); });
+  if (last != scan.frames.rend()) pipeline.resumeAt(last->T_world_camera);
+  return {};
+}
+
 }  // namespace
 
 Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& damages) {
@@ -111,12 +132,7 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
       if (region.object) pipeline.bindObject(region.region, region.object);
     }
     pipeline.wantAsSaid();
-    if (!for_camera) return {};
-    restorePlaces(pipeline, session, scan, damages);
-    const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),
-                                   [](const SavedFrame& frame) { return frame.isUsable(); });
-    if (last != scan.frames.rend()) pipeline.resumeAt(last->T_world_camera);
-    return {};
+    return for_camera ? restoreCamera(pipeline, session, scan, damages) : Result<void>();
   });
 }
 

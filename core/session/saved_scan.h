@@ -64,6 +64,12 @@ struct SavedPage {
   std::vector<std::uint32_t> words;                    ///< StoredPage::toWords
 };
 
+/// What is known of the camera when a scan stops, as toWords() of CameraMemory has it.
+struct SavedCamera {
+  int frame = 0;  ///< SavedFrame::number of the last one
+  std::vector<std::uint32_t> words;
+};
+
 /// What holds for the whole scan, by name.
 using SavedFacts = std::map<std::string, std::string>;
 
@@ -77,9 +83,10 @@ struct SavedDelta {
   std::vector<SavedBorder> borders;
   std::vector<OperationLog::Entry> operations;
   std::vector<SavedPage> pages;
+  std::optional<SavedCamera> camera;
 };
 
-/// A scan as it was read back, but for its map, which is read page by page.
+/// A scan as it was read back, but for its map, which is read page by page, and what is known of its camera.
 struct SavedScan {
   SavedFacts facts;
   std::vector<SavedFrame> frames;  ///< by number

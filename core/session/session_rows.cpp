@@ -4,11 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
 
+#include "core/fusion/packed_words.h"
 #include "core/session/operation_json.h"
 
 namespace scantrove::rows {
@@ -192,6 +194,14 @@ Result<void> writeOperations(DatabaseConnection& database, const SavedDelta& del
   return {};
 }
 
+Result<void> writeCamera(DatabaseConnection& database, const SavedCamera& camera) {
+  const PackedWords packed = packWords(camera.words);
+  SCANTROVE_TRY(database.execute("INSERT OR REPLACE INTO camera VALUES (1, ?, ?, ?, ?)",
+                                 {camera.frame, QByteArray(packed.bytes.data(), std::ssize(packed.bytes)),
+                                  packed.unpacked_bytes, static_cast<qlonglong>(packed.checksum)}));
+  return {};
+}
+
 /// Reads all rows of `sql`: take(row) gives false for one that is not what it should be.
 template <class Take>
 Result<void> readRows(DatabaseConnection& database, const char* sql, const char* called,
@@ -226,6 +236,7 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
   }
   SCANTROVE_TRY(writeFrames(database, delta));
   SCANTROVE_TRY(writeRegions(database, delta));
+  if (delta.camera) SCANTROVE_TRY(writeCamera(database, *delta.camera));
   return writeOperations(database, delta);
 }
 
@@ -287,6 +298,18 @@ Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& d
         return true;
       }));
   return scan;
+}
+
+Result<std::optional<SavedCamera>> readCamera(DatabaseConnection& database) {
+  Result<QSqlQuery> row = database.execute("SELECT frame, packed, unpacked_bytes, checksum FROM camera");
+  if (!row) return fail(row.error());
+  if (!row->next()) return std::nullopt;
+  const QByteArray bytes = row->value(1).toByteArray();
+  auto words = unpackWords({{bytes.begin(), bytes.end()},
+                            row->value(2).toUInt(),
+                            static_cast<std::uint64_t>(row->value(3).toLongLong())});
+  if (!words) return std::nullopt;
+  return SavedCamera{row->value(0).toInt(), std::move(*words)};
 }
 
 }  // namespace scantrove::rows

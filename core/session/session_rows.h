@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,8 @@ namespace scantrove::rows {
 
 /// All rows; those that are not what they should be are left out, with a sentence for each kind.
 [[nodiscard]] Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages);
+
+/// None: nothing was kept, or it is damaged.
+[[nodiscard]] Result<std::optional<SavedCamera>> readCamera(DatabaseConnection& database);
 
 }  // namespace scantrove::rows

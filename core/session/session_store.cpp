@@ -178,6 +178,8 @@ Result<std::vector<std::uint32_t>> SessionStore::loadPage(const Eigen::Vector3i&
   return std::move(*words);
 }
 
+Result<std::optional<SavedCamera>> SessionStore::loadCamera() { return rows::readCamera(*database_); }
+
 std::uint64_t SessionStore::liveBytes() const {
   std::uint64_t bytes = 0;
   for (const auto& [position, place] : pages_) bytes += place.bytes;

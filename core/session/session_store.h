@@ -39,6 +39,8 @@ class SessionStore {
   [[nodiscard]] Result<SavedScan> load();
   /// A page of the map. Error: it is damaged.
   [[nodiscard]] Result<std::vector<std::uint32_t>> loadPage(const Eigen::Vector3i& position);
+  /// None: the scan broke off before it was kept, or it is damaged.
+  [[nodiscard]] Result<std::optional<SavedCamera>> loadCamera();
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
 
   /// Writes the map anew without what is outdated, if that is much.

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/capture/intrinsics.h"
@@ -18,6 +19,12 @@ class KeptSurface {
   /// `vertices_camera`: by pixel of `K`, w = 0: none.
   KeptSurface(const Intrinsics& K, std::span<const cl_float4> vertices_camera);
 
+  /// `units`: as of another.
+  KeptSurface(const Intrinsics& K, cv::Mat units) : K_(K), units_(std::move(units)) {}
+
+  [[nodiscard]] const Intrinsics& K() const { return K_; }
+  /// CV_16UC1, 0 = none.
+  [[nodiscard]] const cv::Mat& units() const { return units_; }
   [[nodiscard]] bool empty() const { return units_.empty(); }
 
   struct Points {
@@ -32,7 +39,7 @@ class KeptSurface {
 
  private:
   Intrinsics K_;
-  cv::Mat units_;  // CV_16UC1, 0 = none
+  cv::Mat units_;
 };
 
 }  // namespace scantrove

@@ -26,12 +26,16 @@ struct KeyFrame {
 /// The places that the camera has seen, one key frame for each direction of view. One thread.
 class KeyFrames {
  public:
+  KeyFrames() = default;
+  explicit KeyFrames(std::deque<KeyFrame> key_frames) : key_frames_(std::move(key_frames)) {}
+
   /// Whether the camera looks at something from where no key frame was.
   [[nodiscard]] bool isDue(const Eigen::Isometry3d& T_world_camera) const;
   /// Those that are there stay where they are.
   void add(KeyFrame key_frame) { key_frames_.push_back(std::move(key_frame)); }
   /// The camera is there now: places that it is away from are left.
   void leaveAllBut(const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] const std::deque<KeyFrame>& all() const { return key_frames_; }
   [[nodiscard]] std::size_t size() const { return key_frames_.size(); }
 
   /// The one that sees most like a camera there, or null: none is near.

@@ -108,7 +108,7 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
                                PoseOrigin::search);
     if (found.usable()) return found;
   }
-  if (is_lost_) {
+  if (is_lost_ || has_gone_on_) {
     if (const auto found = relocalise(search)) return *found;
   }
   return by_surface;
@@ -116,7 +116,7 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
 
 SeenLandmarks PoseTracker::cornersNear(const Search& search, const Eigen::Isometry3d& guess) {
   const GrayView now = grayViewOf(search.frame, search.depth.K);
-  const GrayView last = grayViewOf(last_frame_, K_depth_);
+  const GrayView& last = lastGray();
   if (now.image.empty() || last.image.empty()) return {};
   const SurfaceInView surface(last.K, search.model.T_world_camera * last.T_color_depth.inverse(),
                               search.model.vertices_world.read(compute_.queue()));
@@ -188,6 +188,7 @@ void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
   before_last_ = pose.usable() && !is_lost_ ? last_ : std::nullopt;
   if (pose.usable()) last_ = pose.T_world_camera;
   is_lost_ = !pose.usable();
+  has_gone_on_ = false;
   last_uncertain_.reset();
   if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing)
     last_uncertain_ = pose.T_world_camera;
@@ -214,12 +215,29 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
   return pose;
 }
 
+std::optional<PoseTracker::Memory> PoseTracker::memory() {
+  finishLearning();
+  if (!last_) return std::nullopt;
+  return Memory{*last_, before_last_, is_lost_, lastGray(), key_frames_.all()};
+}
+
+void PoseTracker::goOnFrom(Memory memory) {
+  resumeAt(memory.last);
+  before_last_ = memory.before_last;
+  is_lost_ = memory.is_lost;
+  has_gone_on_ = true;
+  last_gray_ = std::move(memory.last_view);
+  key_frames_ = KeyFrames(std::move(memory.places));
+  place_ = nullptr;
+}
+
 void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
   finishLearning();
   last_ = T_world_camera;
   is_lost_ = true;
   // The place that was learnt last was seen from elsewhere: it says nothing about the surface in view there.
   last_frame_ = {};
+  last_gray_.reset();
   last_view_.reset();
   last_landmarks_.reset();
 }
@@ -234,6 +252,7 @@ bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const
   finishLearning();
   last_frame_ = frame;
   K_depth_ = depth.K;
+  last_gray_.reset();
   last_view_ = std::exchange(tracked_view_, std::nullopt);
   last_landmarks_.reset();
   if (!passBy(model.T_world_camera)) return false;
@@ -260,8 +279,13 @@ const ColorView& PoseTracker::viewOf(Search& search) {
   return *search.view;
 }
 
+const GrayView& PoseTracker::lastGray() {
+  if (!last_gray_) last_gray_ = grayViewOf(last_frame_, K_depth_);
+  return *last_gray_;
+}
+
 const ColorView& PoseTracker::lastView() {
-  if (!last_view_) last_view_ = finder_.find(grayViewOf(last_frame_, K_depth_));
+  if (!last_view_) last_view_ = finder_.find(lastGray());
   return *last_view_;
 }
 

@@ -42,6 +42,20 @@ class PoseTracker {
   /// Whether the frame became a place: one that the camera finds its way by from now on.
   bool learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
 
+  /// What the next frame's pose is found by, beside the map.
+  struct Memory {
+    Eigen::Isometry3d last = Eigen::Isometry3d::Identity();  ///< pose of the last usable frame
+    std::optional<Eigen::Isometry3d> before_last;  ///< of the frame before it, if that was usable too
+    bool is_lost = false;                          ///< the last frame was not usable
+    GrayView last_view;                            ///< of the last usable frame
+    std::deque<KeyFrame> places;
+  };
+  /// None before the first usable frame. Of frames that are uncertain it does not tell.
+  [[nodiscard]] std::optional<Memory> memory();
+  /// Goes on where a tracker of the same map stopped: a camera that went on, too, is followed as if nothing
+  /// had been; one that is elsewhere is looked for at once.
+  void goOnFrom(Memory memory);
+
   /// The camera is somewhere on a map that was made earlier, perhaps there. The places of that time are those
   /// that passBy() and learn() were told of, in the order of their frames.
   void resumeAt(const Eigen::Isometry3d& T_world_camera);
@@ -94,6 +108,7 @@ class PoseTracker {
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                    PoseOrigin origin) const;
+  [[nodiscard]] const GrayView& lastGray();
   /// What learn() left to another thread is done.
   void finishLearning();
   [[nodiscard]] const ColorView& viewOf(Search& search);
@@ -110,12 +125,14 @@ class PoseTracker {
   std::optional<Eigen::Isometry3d> last_;         // pose of the last usable frame
   std::optional<Eigen::Isometry3d> before_last_;  // of the frame before it, if that was usable too
   std::optional<Eigen::Isometry3d>
-      last_uncertain_;    // of the frame before, when it was neither trusted nor lost
-  bool is_lost_ = false;  // the frame before was not usable
+      last_uncertain_;        // of the frame before, when it was neither trusted nor lost
+  bool is_lost_ = false;      // the frame before was not usable
+  bool has_gone_on_ = false;  // the next frame is the first after goOnFrom()
 
   RgbdFrame last_frame_;                     // the last usable one
   Intrinsics K_depth_;                       // of its depth images
-  std::optional<ColorView> last_view_;       // of its image, once asked for
+  std::optional<GrayView> last_gray_;        // its image, once asked for
+  std::optional<ColorView> last_view_;       // likewise
   std::optional<Landmarks> last_landmarks_;  // likewise
   std::optional<ColorView> tracked_view_;    // of the frame that track() saw last, if it was asked for
   KeyFrames key_frames_;

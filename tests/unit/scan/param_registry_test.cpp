@@ -39,7 +39,19 @@ TEST(ParamRegistry, WhatIsSetIsWhatIsRead) {
       ScanParams again;
       const Result<void> done = applySetting(again, info.key + "=" + info.text(params));
       ASSERT_TRUE(done) << done.error().message();
-      EXPECT_NEAR(info.get(again), value, 1e-4 * std::abs(value)) << info.key;
+      EXPECT_EQ(info.get(again), info.get(params)) << info.key;
+    }
+  }
+}
+
+TEST(ParamRegistry, TextSaysNumbersToTheLastBit) {
+  ScanParams params;
+  for (const float voxel_size_m : {3.0F / 512.0F, 0.01F, 0.1F / 3.0F, 0.0078125F}) {
+    params.fusion.voxel_size_m = voxel_size_m;
+    for (const ParamInfo& info : paramRegistry()) {
+      ScanParams again;
+      ASSERT_TRUE(applySetting(again, info.key + "=" + info.text(params))) << info.key;
+      EXPECT_EQ(info.get(again), info.get(params)) << info.key << " " << info.text(params);
     }
   }
 }

@@ -1,0 +1,171 @@
+#include "core/scan/camera_memory.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "core/base/byte_stream.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::uint32_t kVersion = 1;
+/// Larger images are none that a camera takes.
+constexpr int kLargestSide = 1 << 16;
+
+void put(ByteWriter& to, bool flag) { to.put(static_cast<std::uint32_t>(flag)); }
+
+bool getFlag(ByteReader& from) { return from.get<std::uint32_t>() != 0; }
+
+void put(ByteWriter& to, const Eigen::Isometry3d& T) {
+  to.putAll(std::span<const double>(T.data(), static_cast<std::size_t>(T.matrix().size())));
+}
+
+Eigen::Isometry3d getPose(ByteReader& from) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  from.getAll(std::span<double>(T.data(), static_cast<std::size_t>(T.matrix().size())));
+  return T;
+}
+
+std::size_t bytesOfRow(const cv::Mat& image) {
+  return static_cast<std::size_t>(image.cols) * image.elemSize();
+}
+
+void put(ByteWriter& to, const cv::Mat& image) {
+  to.put(image.rows);
+  to.put(image.cols);
+  to.put(image.type());
+  for (int row = 0; row < image.rows; ++row)
+    to.putAll(std::span<const unsigned char>(image.ptr(row), bytesOfRow(image)));
+}
+
+bool isOf(const Intrinsics& K, const cv::Mat& image) {
+  return image.empty() || (image.cols == K.width && image.rows == K.height);
+}
+
+/// Empty, or of `type`; else the reader is not ok() any more.
+cv::Mat getImage(ByteReader& from, int type) {
+  const int rows = from.get<int>(), cols = from.get<int>(), kept_type = from.get<int>();
+  if (rows == 0 || cols == 0) return {};
+  const bool is_image =
+      rows > 0 && cols > 0 && rows < kLargestSide && cols < kLargestSide && kept_type == type;
+  if (!is_image || from.bytesLeft() / static_cast<std::size_t>(cols) < static_cast<std::size_t>(rows)) {
+    from.refuse();
+    return {};
+  }
+  cv::Mat image(rows, cols, type);
+  for (int row = 0; row < rows; ++row)
+    from.getAll(std::span<unsigned char>(image.ptr(row), bytesOfRow(image)));
+  return image;
+}
+
+void put(ByteWriter& to, const KeyFrame& place) {
+  put(to, place.T_world_camera);
+  to.putList(std::span<const cv::Point3f>(place.landmarks.points_world));
+  put(to, place.landmarks.descriptors);
+  put(to, place.thumbnail);
+  to.put(place.surface.K());
+  put(to, place.surface.units());
+  put(to, place.is_left);
+}
+
+KeyFrame getPlace(ByteReader& from) {
+  KeyFrame place;
+  place.T_world_camera = getPose(from);
+  place.landmarks.points_world = from.getList<cv::Point3f>();
+  place.landmarks.descriptors = getImage(from, CV_8UC1);
+  place.thumbnail = getImage(from, CV_32FC1);
+  const auto K = from.get<Intrinsics>();
+  place.surface = KeptSurface(K, getImage(from, CV_16UC1));
+  place.is_left = getFlag(from);
+  if (place.landmarks.points_world.size() != static_cast<std::size_t>(place.landmarks.descriptors.rows) ||
+      !isOf(K, place.surface.units()))
+    from.refuse();
+  return place;
+}
+
+void put(ByteWriter& to, const PoseTracker::Memory& tracker) {
+  put(to, tracker.last);
+  put(to, tracker.before_last.has_value());
+  if (tracker.before_last) put(to, *tracker.before_last);
+  put(to, tracker.is_lost);
+  put(to, tracker.last_view.image);
+  to.put(tracker.last_view.K);
+  put(to, tracker.last_view.T_color_depth);
+  to.put(static_cast<std::uint64_t>(tracker.places.size()));
+  for (const KeyFrame& place : tracker.places) put(to, place);
+}
+
+PoseTracker::Memory getTracker(ByteReader& from) {
+  PoseTracker::Memory tracker;
+  tracker.last = getPose(from);
+  if (getFlag(from)) tracker.before_last = getPose(from);
+  tracker.is_lost = getFlag(from);
+  tracker.last_view.image = getImage(from, CV_8UC1);
+  tracker.last_view.K = from.get<Intrinsics>();
+  tracker.last_view.T_color_depth = getPose(from);
+  if (!isOf(tracker.last_view.K, tracker.last_view.image)) from.refuse();
+  const auto places = from.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < places && from.ok(); ++i) tracker.places.push_back(getPlace(from));
+  return tracker;
+}
+
+void put(ByteWriter& to, const FreeSpace::Memory& free_space) {
+  to.put(free_space.views);
+  to.put(static_cast<std::uint64_t>(free_space.witnesses.size()));
+  for (const FreeSpace::Witness& witness : free_space.witnesses) {
+    to.put(witness.K);
+    put(to, witness.T_camera_world);
+    put(to, witness.nearest_m);
+  }
+}
+
+FreeSpace::Memory getFreeSpace(ByteReader& from) {
+  FreeSpace::Memory free_space;
+  free_space.views = from.get<int>();
+  const auto witnesses = from.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < witnesses && from.ok(); ++i) {
+    FreeSpace::Witness witness;
+    witness.K = from.get<Intrinsics>();
+    witness.T_camera_world = getPose(from);
+    witness.nearest_m = getImage(from, CV_32FC1);
+    if (!isOf(witness.K, witness.nearest_m)) from.refuse();
+    free_space.witnesses.push_back(std::move(witness));
+  }
+  return free_space;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
+  ByteWriter to;
+  to.put(kVersion);
+  put(to, memory.tracker.has_value());
+  if (memory.tracker) put(to, *memory.tracker);
+  put(to, memory.free_space);
+  to.put(memory.color_turns);
+  to.put(memory.K);
+  put(to, memory.T_world_camera);
+  for (const auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
+    to.putList(std::span<const cl_float4>(*maps));
+  return to.take();
+}
+
+std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> words) {
+  ByteReader from(words);
+  if (from.get<std::uint32_t>() != kVersion) return std::nullopt;
+  CameraMemory memory;
+  if (getFlag(from)) memory.tracker = getTracker(from);
+  memory.free_space = getFreeSpace(from);
+  memory.color_turns = from.get<ColorIntegrator::Turns>();
+  memory.K = from.get<Intrinsics>();
+  memory.T_world_camera = getPose(from);
+  for (auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
+    *maps = from.getList<cl_float4>();
+  const auto pixels = static_cast<std::size_t>(memory.K.width) * static_cast<std::size_t>(memory.K.height);
+  const bool is_whole = from.isAtEnd() && memory.vertices_world.size() == pixels &&
+                        memory.normals_world.size() == pixels &&
+                        (!memory.tracker || memory.followed_normals_world.size() == pixels);
+  return is_whole ? std::optional(std::move(memory)) : std::nullopt;
+}
+
+}  // namespace scantrove

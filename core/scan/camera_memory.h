@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/capture/intrinsics.h"
+#include "core/compute/opencl.h"
+#include "core/fusion/color_integrator.h"
+#include "core/fusion/free_space.h"
+#include "core/tracking/pose_tracker.h"
+
+namespace scantrove {
+
+/// What a scan knows of its camera between two frames, beside the map: one that goes on with it finds the
+/// poses, to the last bit, that a scan finds which never stopped. (Frames whose poses are uncertain are not
+/// looked at again.)
+struct CameraMemory {
+  std::optional<PoseTracker::Memory> tracker;  ///< none: poses are given
+  FreeSpace::Memory free_space;
+  ColorIntegrator::Turns color_turns;
+  /// SurfaceMaps of the last usable frame, on the host.
+  Intrinsics K;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::vector<cl_float4> vertices_world, normals_world;
+  std::vector<cl_float4>
+      followed_normals_world;  ///< of what the camera is followed by; empty: poses are given
+};
+
+/// As it goes to disk.
+[[nodiscard]] std::vector<std::uint32_t> toWords(const CameraMemory& memory);
+/// None: `words` are not of this version's toWords().
+[[nodiscard]] std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> words);
+
+}  // namespace scantrove

@@ -1,0 +1,55 @@
+// What a scan that goes on in an earlier map learns of its camera, and what it leaves behind for the next.
+#include <utility>
+
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove {
+
+std::optional<CameraMemory> ScanPipeline::cameraMemory() {
+  if (surface_.vertices_world.size() == 0) return std::nullopt;
+  CameraMemory memory;
+  if (tracker_) memory.tracker = tracker_->memory();
+  memory.free_space = motion_->freeSpace().memory();
+  memory.color_turns = color_integrator_->turns();
+  memory.K = surface_.K;
+  memory.T_world_camera = surface_.T_world_camera;
+  memory.vertices_world = surface_.vertices_world.read(compute_.queue());
+  memory.normals_world = surface_.normals_world.read(compute_.queue());
+  if (tracker_) memory.followed_normals_world = followed_.normals_world.read(compute_.queue());
+  return memory;
+}
+
+bool ScanPipeline::goOnFrom(CameraMemory memory) {
+  if (tracker_ && !memory.tracker) return false;
+  const auto sent = [&](const std::vector<cl_float4>& values) {
+    Buffer<cl_float4> buffer(compute_.context(), values.size());
+    buffer.write(compute_.queue(), values);
+    return buffer;
+  };
+  working_K_ = memory.K;
+  surface_ = {memory.K, memory.T_world_camera, sent(memory.vertices_world), sent(memory.normals_world)};
+  motion_->freeSpace().goOnFrom(std::move(memory.free_space));
+  color_integrator_->goOnFrom(memory.color_turns);
+  if (!tracker_) return true;
+  followed_ = surface_;
+  followed_.normals_world = sent(memory.followed_normals_world);
+  tracker_->goOnFrom(std::move(*memory.tracker));
+  return true;
+}
+
+void ScanPipeline::recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+  if (!tracker_) return;
+  const DepthPyramid& depth = preprocessor_->process(frame);
+  working_K_ = depth.levels.front().K;
+  map_->raycast(T_world_camera, working_K_, surface_);
+  tracker_->learn(frame, depth, surface_);
+}
+
+void ScanPipeline::resumeAt(const Eigen::Isometry3d& T_world_camera) {
+  if (!tracker_) return;
+  map_->raycast(T_world_camera, working_K_, surface_);
+  followed_ = surface_;
+  tracker_->resumeAt(T_world_camera);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,109 @@
+#include "core/scan/camera_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace scantrove::test {
+namespace {
+
+Eigen::Isometry3d poseOf(double x) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.translate(Eigen::Vector3d(x, 0.2, -0.3)).rotate(Eigen::AngleAxisd(x, Eigen::Vector3d::UnitY()));
+  return T;
+}
+
+cv::Mat imageOf(int width, int height, int type, int value) {
+  cv::Mat image(height, width, type);
+  for (int v = 0; v < height; ++v)
+    std::fill_n(image.ptr(v), static_cast<std::size_t>(width) * image.elemSize(),
+                static_cast<unsigned char>(value + v));
+  return image;
+}
+
+KeyFrame placeOf(double x) {
+  const Intrinsics K{50, 51, 3, 2, 7, 5};
+  KeyFrame place;
+  place.T_world_camera = poseOf(x);
+  place.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
+  place.landmarks.descriptors = imageOf(32, 2, CV_8UC1, 7);
+  place.thumbnail = imageOf(40, 30, CV_32FC1, 1);
+  place.surface = KeptSurface(K, imageOf(7, 5, CV_16UC1, 9));
+  place.is_left = x > 1;
+  return place;
+}
+
+CameraMemory memoryOf(bool with_tracker) {
+  const Intrinsics K{60, 61, 1.5F, 1, 4, 3};
+  CameraMemory memory;
+  if (with_tracker) {
+    memory.tracker.emplace();
+    memory.tracker->last = poseOf(0.5);
+    memory.tracker->before_last = poseOf(0.4);
+    memory.tracker->is_lost = true;
+    memory.tracker->last_view = {imageOf(4, 3, CV_8UC1, 80), K, poseOf(0.01)};
+    memory.tracker->places = {placeOf(0.9), placeOf(1.1)};
+    memory.followed_normals_world.assign(12, {{0, 0, 1, 1}});
+  }
+  memory.free_space.views = 29;
+  memory.free_space.witnesses.push_back({K, poseOf(2), imageOf(4, 3, CV_32FC1, 3)});
+  memory.color_turns = {17, 5};
+  memory.K = K;
+  memory.T_world_camera = poseOf(0.6);
+  memory.vertices_world.assign(12, {{1, 2, 3, 1}});
+  memory.normals_world.assign(12, {{0, 1, 0, 1}});
+  return memory;
+}
+
+TEST(CameraMemory, ComesBackAsItWas) {
+  for (const bool with_tracker : {true, false}) {
+    const std::vector<std::uint32_t> words = toWords(memoryOf(with_tracker));
+    const auto back = cameraMemoryFrom(words);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(toWords(*back), words);
+    EXPECT_EQ(back->free_space.views, 29);
+    EXPECT_EQ(back->color_turns.frame, 17U);
+    EXPECT_EQ(back->T_world_camera.matrix(), poseOf(0.6).matrix());
+    EXPECT_EQ(back->vertices_world[11].s[2], 3);
+    ASSERT_EQ(back->tracker.has_value(), with_tracker);
+    if (!with_tracker) continue;
+    EXPECT_EQ(back->tracker->before_last->matrix(), poseOf(0.4).matrix());
+    EXPECT_TRUE(back->tracker->is_lost);
+    ASSERT_EQ(back->tracker->places.size(), 2U);
+    EXPECT_EQ(back->tracker->places[1].landmarks.points_world[1].z, 6);
+    EXPECT_EQ(back->tracker->places[1].surface.units().at<std::uint16_t>(4, 6), 13 * 257);
+    EXPECT_TRUE(back->tracker->places[1].is_left);
+    EXPECT_FALSE(back->tracker->places[0].is_left);
+  }
+}
+
+TEST(CameraMemory, WithoutBeforeLastHasNone) {
+  CameraMemory memory = memoryOf(true);
+  memory.tracker->before_last.reset();
+  const auto back = cameraMemoryFrom(toWords(memory));
+  ASSERT_TRUE(back);
+  EXPECT_FALSE(back->tracker->before_last);
+}
+
+// Cut off anywhere it is refused; with any word changed it is refused or whole: the address sanitizer sees
+// that nothing is read beyond what there is.
+TEST(CameraMemory, DamageIsRefused) {
+  const std::vector<std::uint32_t> words = toWords(memoryOf(true));
+  for (std::size_t length = 0; length < words.size(); ++length)
+    EXPECT_FALSE(cameraMemoryFrom(std::span(words).first(length))) << length;
+  std::vector<std::uint32_t> longer = words;
+  longer.push_back(0);
+  EXPECT_FALSE(cameraMemoryFrom(longer));
+  int refused = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    for (const std::uint32_t value : {0xffffffffU, 0x7fffffffU, 0x0000ffffU}) {
+      std::vector<std::uint32_t> changed = words;
+      changed[i] = value;
+      refused += cameraMemoryFrom(changed) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(refused, 40);  // the version, sizes, types and counts
+}
+
+}  // namespace
+}  // namespace scantrove::test
