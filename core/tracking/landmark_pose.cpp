@@ -2,10 +2,11 @@
 
 #include <opencv2/calib3d.hpp>
 
+#include "core/tracking/feature_matching.h"
+
 namespace scantrove {
 namespace {
 
-constexpr int kFarthestBits = 64;  // of 256 that may differ between descriptors of one point
 constexpr float kReprojection_px = 3.0F;
 constexpr int kTries = 300;
 constexpr double kConfidence = 0.999;
@@ -21,18 +22,17 @@ Eigen::Isometry3d toIsometry(const cv::Mat& rotation, const cv::Mat& translation
 
 }  // namespace
 
-std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landmarks) {
+std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landmarks,
+                                   const std::optional<Eigen::Isometry3d>& about) {
   if (static_cast<int>(view.pixels.size()) < kLeastInliers ||
       static_cast<int>(landmarks.points_world.size()) < kLeastInliers)
     return std::nullopt;
-  std::vector<cv::DMatch> matches;
-  cv::BFMatcher(cv::NORM_HAMMING, true).match(view.descriptors, landmarks.descriptors, matches);
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
-  for (const cv::DMatch& match : matches) {
-    if (match.distance > kFarthestBits) continue;
-    points.push_back(landmarks.points_world[static_cast<std::size_t>(match.trainIdx)]);
-    pixels.push_back(view.pixels[static_cast<std::size_t>(match.queryIdx)]);
+  for (const auto& [feature, landmark] :
+       about ? matchNear(view, landmarks, *about) : matchAll(view, landmarks)) {
+    points.push_back(landmarks.points_world[static_cast<std::size_t>(landmark)]);
+    pixels.push_back(view.pixels[static_cast<std::size_t>(feature)]);
   }
   if (static_cast<int>(points.size()) < kLeastInliers) return std::nullopt;
 

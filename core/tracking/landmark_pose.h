@@ -13,9 +13,11 @@ struct LandmarkPose {
   SeenLandmarks seen;  ///< those that were found again where this pose has them
 };
 
-/// Where the camera of `view` stands by the landmarks that it shows: mutual nearest descriptors, P3P in
-/// RANSAC (Lepetit, Moreno-Noguer and Fua 2009; OpenCV), refined over the inliers. None: too few were found
-/// again. The same input gives the same pose. Any thread.
-[[nodiscard]] std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landmarks);
+/// Where the camera of `view` stands by the landmarks that it shows: mutual nearest descriptors (near where
+/// they are expected from `about`, the depth camera's pose, if it is given), P3P in RANSAC (Lepetit,
+/// Moreno-Noguer and Fua 2009; OpenCV), refined over the inliers. None: too few were found again. The same
+/// input gives the same pose. Any thread.
+[[nodiscard]] std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landmarks,
+                                                 const std::optional<Eigen::Isometry3d>& about = {});
 
 }  // namespace scantrove

@@ -30,6 +30,15 @@ constexpr std::size_t kManyLandmarks = 100;
 bool isWellFounded(const LandmarkPose& pose) {
   return pose.seen.pixels.size() >= 20 && pose.seen.cells() >= 5;
 }
+/// A view from so near shows the same surface.
+constexpr double kSameView_rad = 0.06;
+constexpr double kSameView_m = 0.06;
+bool isAlmostFrom(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const Eigen::Isometry3d motion = a.inverse() * b;
+  return Eigen::AngleAxisd(motion.linear()).angle() < kSameView_rad &&
+         motion.translation().norm() < kSameView_m;
+}
+
 /// Corners by which a camera can be followed from one frame to the next.
 constexpr std::size_t kFewestCorners = 10;
 constexpr int kFewestCells = 4;
@@ -51,9 +60,12 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
     pose = begin(depth);
   } else {
     Search search{frame, depth, model};
+    if (!was_firm_) beginView(search);  // recover() asks for it, and is rarely called but for one frame
     pose = registerAndJudge(search);
     if (!pose.usable() || !search.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
+    was_firm_ = search.is_firm;
+    if (search.coming_view.valid()) search.view = search.coming_view.get();
     tracked_view_ = std::move(search.view);
   }
   remember(frame, pose);
@@ -95,7 +107,8 @@ PoseEstimate PoseTracker::registerAndJudge(Search& search) const {
 }
 
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
-  if (auto found = followLandmarks(search)) {
+  if (!is_lost_) beginCorners(search, by_surface.T_world_camera);
+  if (auto found = followLandmarks(search, by_surface)) {
     if (is_lost_) found->state = TrackingState::relocalised;
     return *found;
   }
@@ -114,35 +127,43 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
   return by_surface;
 }
 
-SeenLandmarks PoseTracker::cornersNear(const Search& search, const Eigen::Isometry3d& guess) {
-  const GrayView now = grayViewOf(search.frame, search.depth.K);
-  const GrayView& last = lastGray();
-  if (now.image.empty() || last.image.empty()) return {};
-  const SurfaceInView surface(last.K, search.model.T_world_camera * last.T_color_depth.inverse(),
-                              search.model.vertices_world.read(compute_.queue()));
-  return followCorners(last, surface, now, guess * now.T_color_depth.inverse());
+void PoseTracker::beginView(Search& search) {
+  search.coming_view =
+      std::async(std::launch::async, [this, gray = grayOf(search)] { return finder_.find(gray); });
 }
 
-std::optional<PoseEstimate> PoseTracker::followFlow(const Search& search, const Eigen::Isometry3d& guess) {
-  const SeenLandmarks seen = cornersNear(search, guess);
+void PoseTracker::beginCorners(Search& search, const Eigen::Isometry3d& guess) {
+  if (grayOf(search).image.empty() || lastGray().image.empty()) return;
+  search.coming_corners =
+      std::async(std::launch::async,
+                 [last = lastGray(), now = *search.gray, guess, T_model = search.model.T_world_camera,
+                  vertices = search.model.vertices_world.read(compute_.queue())] {
+                   const SurfaceInView surface(last.K, T_model * last.T_color_depth.inverse(), vertices);
+                   return followCorners(last, surface, now, guess * now.T_color_depth.inverse());
+                 });
+}
+
+std::optional<PoseEstimate> PoseTracker::followFlow(Search& search, const Eigen::Isometry3d& guess) {
+  const SeenLandmarks& seen = cornersOf(search);
   if (seen.pixels.size() < kFewestCorners || seen.cells() < kFewestCells) return std::nullopt;
   const PoseEstimate pose = judge(aligner_->align(search.depth, search.model, std::span(&guess, 1), &seen),
                                   guess, PoseOrigin::landmarks);
   return pose.usable() ? std::optional(pose) : std::nullopt;
 }
 
-std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search) {
+std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search, const PoseEstimate& by_surface) {
   const ColorView& view = viewOf(search);
   if (view.pixels.empty()) return std::nullopt;
+  const auto about = by_surface.usable() ? std::optional(by_surface.T_world_camera) : std::nullopt;
   std::optional<LandmarkPose> seen;
   // A key frame rather than the last one: poses that are measured by the same landmarks do not drift.
-  if (const KeyFrame* near = key_frames_.nearest(*last_)) seen = locate(view, near->landmarks);
+  if (const KeyFrame* near = key_frames_.nearest(*last_)) seen = locate(view, near->landmarks, about);
   if (!seen || seen->seen.pixels.size() < kManyLandmarks) {
-    const auto by_last = locate(view, lastLandmarks(search.model));
+    const auto by_last = locate(view, lastLandmarks(search.model), about);
     if (by_last && (!seen || by_last->seen.pixels.size() > 2 * seen->seen.pixels.size())) seen = by_last;
   }
   if (!seen || !isWellFounded(*seen)) return std::nullopt;
-  if (!is_lost_) seen->seen.append(cornersNear(search, seen->T_world_camera));
+  if (!is_lost_) seen->seen.append(cornersOf(search));
   const PoseEstimate pose = verify(search, seen->T_world_camera, &seen->seen);
   return pose.usable() ? std::optional(pose) : std::nullopt;
 }
@@ -165,11 +186,14 @@ std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
 
 PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& guess,
                                  const SeenLandmarks* landmarks) {
-  view_model_(guess, verified_);
+  const bool is_in_view = !is_lost_ && isAlmostFrom(search.model.T_world_camera, guess);
+  if (!is_in_view) view_model_(guess, verified_);
   const PoseOrigin origin = landmarks == nullptr ? PoseOrigin::search
                             : is_lost_           ? PoseOrigin::place
                                                  : PoseOrigin::landmarks;
-  return judge(aligner_->align(search.depth, verified_, std::span(&guess, 1), landmarks), guess, origin);
+  return judge(
+      aligner_->align(search.depth, is_in_view ? search.model : verified_, std::span(&guess, 1), landmarks),
+      guess, origin);
 }
 
 PoseEstimate PoseTracker::withoutDrift(const DepthPyramid& depth, PoseEstimate pose) {
@@ -274,9 +298,21 @@ void PoseTracker::finishLearning() {
   if (learning_.valid()) key_frames_.add(learning_.get());
 }
 
+const GrayView& PoseTracker::grayOf(Search& search) {
+  if (!search.gray) search.gray = grayViewOf(search.frame, search.depth.K);
+  return *search.gray;
+}
+
 const ColorView& PoseTracker::viewOf(Search& search) {
-  if (!search.view) search.view = finder_.find(grayViewOf(search.frame, search.depth.K));
+  if (search.coming_view.valid()) search.view = search.coming_view.get();
+  if (!search.view) search.view = finder_.find(grayOf(search));
   return *search.view;
+}
+
+const SeenLandmarks& PoseTracker::cornersOf(Search& search) {
+  if (search.coming_corners.valid()) search.corners = search.coming_corners.get();
+  if (!search.corners) search.corners.emplace();
+  return *search.corners;
 }
 
 const GrayView& PoseTracker::lastGray() {

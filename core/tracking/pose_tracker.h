@@ -80,8 +80,13 @@ class PoseTracker {
     const RgbdFrame& frame;
     const DepthPyramid& depth;
     const SurfaceMaps& model;
-    std::optional<ColorView> view = {};
     bool is_firm = false;  ///< the surface determines the pose well
+    // What the colour image shows, once asked for, and what other threads are at:
+    std::optional<GrayView> gray = {};
+    std::optional<ColorView> view = {};
+    std::optional<SeenLandmarks> corners = {};  ///< of the last image, found again in this one
+    std::future<ColorView> coming_view = {};
+    std::future<SeenLandmarks> coming_corners = {};
   };
 
   PoseTracker(ComputeContext& compute, const FusionParams& params, ModelView view_model)
@@ -92,14 +97,16 @@ class PoseTracker {
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
   [[nodiscard]] PoseEstimate registerAndJudge(Search& search) const;
   [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
-  /// Corners of the last image found again in this one.
-  [[nodiscard]] SeenLandmarks cornersNear(const Search& search, const Eigen::Isometry3d& guess);
+  /// Begins to look for what viewOf() and cornersOf() are asked for soon.
+  void beginView(Search& search);
+  void beginCorners(Search& search, const Eigen::Isometry3d& guess);
   /// By such corners alone, from a guess nearby.
-  [[nodiscard]] std::optional<PoseEstimate> followFlow(const Search& search, const Eigen::Isometry3d& guess);
+  [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search, const Eigen::Isometry3d& guess);
   /// By features of the nearest key frame or the last image.
-  [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search);
+  [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search, const PoseEstimate& by_surface);
   [[nodiscard]] std::optional<PoseEstimate> relocalise(Search& search);
-  /// Registers against the map as seen from `guess`, with the landmarks, if any, that led there.
+  /// Registers against the map as seen from `guess`, or near there, with the landmarks, if any, that led
+  /// there.
   [[nodiscard]] PoseEstimate verify(const Search& search, const Eigen::Isometry3d& guess,
                                     const SeenLandmarks* landmarks);
   /// Where the camera has come back to: by what it saw there then, without the drift of the map since.
@@ -111,7 +118,9 @@ class PoseTracker {
   [[nodiscard]] const GrayView& lastGray();
   /// What learn() left to another thread is done.
   void finishLearning();
+  [[nodiscard]] static const GrayView& grayOf(Search& search);
   [[nodiscard]] const ColorView& viewOf(Search& search);
+  [[nodiscard]] static const SeenLandmarks& cornersOf(Search& search);
   [[nodiscard]] const ColorView& lastView();
   [[nodiscard]] const Landmarks& lastLandmarks(const SurfaceMaps& model);
 
@@ -127,6 +136,7 @@ class PoseTracker {
   std::optional<Eigen::Isometry3d>
       last_uncertain_;        // of the frame before, when it was neither trusted nor lost
   bool is_lost_ = false;      // the frame before was not usable
+  bool was_firm_ = true;      // the surface determined its pose well
   bool has_gone_on_ = false;  // the next frame is the first after goOnFrom()
 
   RgbdFrame last_frame_;                     // the last usable one
