@@ -35,6 +35,8 @@ class CandidateFinder {
   [[nodiscard]] virtual std::vector<Candidate> find(const DiscoveryInput& input) = 0;
   /// `from` is now part of `into`: its history goes with it.
   virtual void regionsJoined(RegionId into, RegionId from) = 0;
+  /// `from` is not as large any more.
+  virtual void regionParted(RegionId from) = 0;
 };
 
 /// The rules of thesis 5.1 (central, persistent in size, size in range, not flat, not eccentric, off the

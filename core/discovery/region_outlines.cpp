@@ -106,7 +106,7 @@ void OutlineSteps::operator+=(const OutlineSteps& other) {
 }
 
 float OutlineSteps::own() const {
-  const int shown = known() - hidden;
+  const int shown = known() - hidden - cut;
   return shown == 0 ? 0 : static_cast<float>(open + folded) / static_cast<float>(shown);
 }
 

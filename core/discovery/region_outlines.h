@@ -22,8 +22,8 @@ struct OutlineSteps {
   void operator+=(const OutlineSteps& other);
   [[nodiscard]] int touching() const { return folded + smooth + ridged; }
   [[nodiscard]] int known() const { return open + touching() + hidden + cut; }
-  /// Part of what is known and not hidden that is the thing's own edge: open, or a fold. 0 where that is
-  /// nothing.
+  /// Part of what is known, and neither hidden nor cut off, that is the thing's own edge: open, or a fold. 0
+  /// where that is nothing.
   [[nodiscard]] float own() const;
   /// Part of what is known that lies behind something nearer.
   [[nodiscard]] float hiddenPart() const;

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <functional>
 
 #include "core/base/check.h"
 #include "core/discovery/candidate_finder.h"
 #include "core/discovery/look_history.h"
 #include "core/discovery/oriented_box.h"
+#include "core/discovery/reach_history.h"
 #include "core/discovery/region_hypotheses.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
@@ -14,6 +16,8 @@ namespace {
 
 /// A set is one way to see its regions only where its outline is not clearly worse than theirs.
 constexpr float kOutlineSlack = 0.05F;
+/// Of a thing that the border cuts off so much must be seen, along each axis.
+constexpr float kMostOfThing = 0.6F;
 /// Parts of a set may be smaller than what must be seen of a thing.
 constexpr int kLeastPartOfThing = 8;
 
@@ -50,16 +54,21 @@ class RuleBasedFinder final : public CandidateFinder {
   void regionsJoined(RegionId into, RegionId from) override {
     sizes_.follow(into, from);
     looks_.follow(into, from);
+    reaches_.forget(into);
+    reaches_.forget(from);
   }
+  void regionParted(RegionId from) override { reaches_.forget(from); }
 
   std::vector<Candidate> find(const DiscoveryInput& input) override {
     SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
     const RegionCensus census = counter_.count(input.regions);
     const RegionOutlines outlines(input, params_);
+    const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height, params_);
     const std::vector<RegionHypothesis> hypotheses =
-        proposeHypotheses(wholeRegions(census, input), outlines, input);
+        proposeHypotheses(wholeRegions(census, visible, input), outlines, input);
     rememberSizes(hypotheses);
     looks_.nextFrame();
+    reaches_.add(input, visible, params_.max_size_m);
 
     std::vector<Candidate> candidates;
     for (const RegionHypothesis& hypothesis : hypotheses) {
@@ -76,14 +85,25 @@ class RuleBasedFinder final : public CandidateFinder {
       candidates.push_back(toCandidate(hypothesis, box, input));
       look(outline, input, candidates.back());
     }
+    for (const RegionExtent& extent : cutRegions(census, visible, input)) {
+      const RegionHypothesis hypothesis{{extent.region}, extent, visibleArea(extent, input)};
+      const OutlineSteps outline = outlines.of(hypothesis.regions);
+      if (!isNotBackground(outline, params_)) continue;
+      OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
+      box.size_m = reaches_.sizeOf(extent.region);
+      std::sort(box.size_m.begin(), box.size_m.end(), std::greater<>());
+      if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
+      candidates.push_back(toCandidate(hypothesis, box, input));
+      look(outline, input, candidates.back());
+    }
+    std::ranges::sort(candidates, {}, &Candidate::regions);
     return candidates;
   }
 
  private:
   /// Regions that are seen entirely: only their size means anything.
-  [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census,
+  [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census, const cv::Rect& visible,
                                                        const DiscoveryInput& input) const {
-    const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height, params_);
     std::vector<RegionExtent> whole;
     for (const RegionExtent& extent : census.extents) {
       RegionExtent enlarged = extent;
@@ -92,6 +112,19 @@ class RuleBasedFinder final : public CandidateFinder {
         whole.push_back(extent);
     }
     return whole;
+  }
+
+  /// Regions that the border cuts off, and that earlier frames have seen the rest of.
+  [[nodiscard]] std::vector<RegionExtent> cutRegions(const RegionCensus& census, const cv::Rect& visible,
+                                                     const DiscoveryInput& input) const {
+    std::vector<RegionExtent> cut;
+    for (const RegionExtent& extent : census.extents) {
+      if (!isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.K, params_) &&
+          reaches_.isSeenToItsEnds(extent.region, params_.persistent_frames) &&
+          reaches_.shownPart(extent.region) >= kMostOfThing)
+        cut.push_back(extent);
+    }
+    return cut;
   }
 
   void rememberSizes(const std::vector<RegionHypothesis>& hypotheses) {
@@ -121,6 +154,7 @@ class RuleBasedFinder final : public CandidateFinder {
   RegionCounter counter_;
   SizeHistory sizes_;
   LookHistory looks_;
+  ReachHistory reaches_;
 };
 
 }  // namespace

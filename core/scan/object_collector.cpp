@@ -12,16 +12,25 @@ namespace scantrove {
 namespace {
 
 /// A view is kept of a look whose size is about that of the object.
-constexpr float kViewFraction = 0.7F;
+constexpr float kViewFraction = 0.85F;
 /// An object that was seen so few frames ago is there under regions of its own.
 constexpr int kFramesToReturn = 10;
 /// An object that was seen elsewhere so few frames ago is not here.
 constexpr int kFramesToMove = 90;
 
-/// A look that is worth a view: the outline is the thing's own, and little of it is hidden.
-bool isClear(const Candidate& candidate) {
-  constexpr float kLeastOutline = 0.75F, kMostHidden = 0.35F;
-  return candidate.is_whole && candidate.outline >= kLeastOutline && candidate.hidden <= kMostHidden;
+/// How clearly a look shows a thing.
+struct Clarity {
+  float least_outline;  ///< that is the thing's own
+  float most_hidden;
+};
+/// To say that there is something new; and to be kept as one more view, of which there are many to choose
+/// from.
+constexpr Clarity kForObject{.least_outline = 0.85F, .most_hidden = 0.30F};
+constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F};
+
+bool isClear(const Candidate& candidate, const Clarity& wanted) {
+  return candidate.is_whole && candidate.outline >= wanted.least_outline &&
+         candidate.hidden <= wanted.most_hidden;
 }
 
 /// What is to be announced of some news.
@@ -189,7 +198,8 @@ std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& c
 void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, const Look& look) {
   if (!identity) {
     const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
-    if (isWanted(candidate) || (isClear(candidate) && is_unknown)) addToCatalogue(candidate, look);
+    if (isWanted(candidate) || (isClear(candidate, kForObject) && is_unknown))
+      addToCatalogue(candidate, look);
     return;
   }
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
@@ -204,7 +214,7 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     look.objects.recognised.push_back(*known);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
-  if (is_wanted || isClear(candidate)) keepNewDirection(identity, candidate, look);
+  if (is_wanted || isClear(candidate, kForView)) keepNewDirection(identity, candidate, look);
   if (is_wanted) fulfil(candidate, identity);
 }
 

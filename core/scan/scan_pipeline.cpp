@@ -202,8 +202,10 @@ void ScanPipeline::tellOf(const RegionEvents& events) {
     finder_->regionsJoined(into, from);
     if (collector_) collector_->regionsJoined(into, from);
   }
-  if (!collector_) return;
-  for (const auto& [from, part] : events.parted) collector_->regionsParted(from, part);
+  for (const auto& [from, part] : events.parted) {
+    finder_->regionParted(from);
+    if (collector_) collector_->regionsParted(from, part);
+  }
 }
 
 void ScanPipeline::keepKnown(const FrameObjects& objects) {

@@ -1,0 +1,162 @@
+#include "core/discovery/reach_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/discovery/region_points.h"
+
+namespace scantrove {
+namespace {
+
+/// Pixels are looked at in steps of so many: an end may be missed by so much less than kSlack_m.
+constexpr int kStep_px = 2;
+/// Ends so near to each other are one: surfaces are noisy, and labels waver along outlines.
+constexpr float kSlack_m = 0.015F;
+/// And the image goes on behind an end by so much more.
+constexpr int kMargin_px = 2;
+/// What was too large is looked at again after so many frames: it may have parted.
+constexpr int kLookAgain = 60;
+
+std::array<Eigen::Vector3f, ReachHistory::kAxes> makeAxes() {
+  std::array<Eigen::Vector3f, ReachHistory::kAxes> axes;
+  std::size_t count = 0;
+  for (int i = 0; i < 27; ++i) {
+    const Eigen::Vector3i at(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    // Of two that are opposite the one whose last coordinate that is not 0 is positive.
+    const int sign = at.z() != 0 ? at.z() : (at.y() != 0 ? at.y() : at.x());
+    if (sign > 0) axes[count++] = at.cast<float>().normalized();
+  }
+  SCANTROVE_CHECK(count == ReachHistory::kAxes);
+  return axes;
+}
+
+const std::array<Eigen::Vector3f, ReachHistory::kAxes>& axes() {
+  static const auto made = makeAxes();
+  return made;
+}
+
+/// Says which points lie so far from the border that what ends there ends.
+class Interior {
+ public:
+  Interior(const DiscoveryInput& input, const cv::Rect& visible_px)
+      : visible_px_(visible_px), slack_px_m_(kSlack_m * std::max(input.K.fx, input.K.fy)) {
+    const Eigen::Matrix4f T_camera_world = input.T_world_camera.inverse().matrix().cast<float>();
+    depth_row_ = T_camera_world.row(2);
+  }
+  [[nodiscard]] bool holds(int u, int v, const Eigen::Vector4f& vertex) const {
+    const float z = depth_row_.dot(vertex);
+    const int margin = kMargin_px + static_cast<int>(std::ceil(slack_px_m_ / std::max(z, 0.1F)));
+    return u - visible_px_.x >= margin && v - visible_px_.y >= margin && visible_px_.br().x - u > margin &&
+           visible_px_.br().y - v > margin;
+  }
+
+ private:
+  cv::Rect visible_px_;
+  float slack_px_m_;
+  Eigen::RowVector4f depth_row_;
+};
+
+}  // namespace
+
+/// How far a region reaches in one frame: all of it, and what of it is off the border.
+struct ReachHistory::Seen {
+  std::array<float, 2 * kAxes> all, inside;
+  Seen() {
+    all.fill(std::numeric_limits<float>::lowest());
+    inside.fill(std::numeric_limits<float>::lowest());
+  }
+
+  void add(const Eigen::Vector3f& point, bool is_inside) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const float along = axes()[axis].dot(point);
+      all[2 * axis] = std::max(all[2 * axis], along);
+      all[2 * axis + 1] = std::max(all[2 * axis + 1], -along);
+      if (!is_inside) continue;
+      inside[2 * axis] = std::max(inside[2 * axis], along);
+      inside[2 * axis + 1] = std::max(inside[2 * axis + 1], -along);
+    }
+  }
+};
+
+void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, float max_size_m) {
+  ++frame_;
+  std::erase_if(reaches_, [&](const auto& entry) {
+    const Reach& reach = entry.second;
+    return frame_ - reach.last_seen > (reach.is_too_large ? kLookAgain : kMemory);
+  });
+  std::unordered_map<RegionId, Seen> seen;
+  const Interior interior(input, visible_px);
+  RegionId last;
+  Seen* of_last = nullptr;  // null: nobody wants to know
+  for (int v = 0; v < input.regions.height; v += kStep_px) {
+    for (int u = 0; u < input.regions.width; u += kStep_px) {
+      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.regions.width) +
+                         static_cast<std::size_t>(u);
+      const RegionId region = input.regions.regions[pixel];
+      if (!region || !isSurface(input.vertices_world[pixel])) continue;
+      if (region != last) {
+        last = region;
+        const auto known = reaches_.find(region);
+        const bool is_wanted = known == reaches_.end() || !known->second.is_too_large;
+        of_last = is_wanted ? &seen[region] : nullptr;
+      }
+      if (of_last != nullptr)
+        of_last->add(input.vertices_world[pixel].head<3>(),
+                     interior.holds(u, v, input.vertices_world[pixel]));
+    }
+  }
+  for (const auto& [region, now] : seen) follow(region, now, max_size_m);
+}
+
+void ReachHistory::follow(RegionId region, const Seen& seen, float max_size_m) {
+  const auto [entry, is_new] = reaches_.try_emplace(region);
+  Reach& reach = entry->second;
+  reach.last_seen = frame_;
+  for (std::size_t i = 0; i < reach.ends.size(); ++i) {
+    End& end = reach.ends[i];
+    if (is_new || seen.all[i] > end.far_m + kSlack_m) {
+      end = {seen.all[i], seen.inside[i] >= seen.all[i] - kSlack_m};
+      reach.last_grown = frame_;
+    } else {
+      end.is_shown = end.is_shown || seen.inside[i] >= end.far_m - kSlack_m;
+    }
+  }
+  reach.shown_part = 1;
+  for (std::size_t i = 0; i < reach.ends.size(); i += 2) {
+    const float width_m = reach.ends[i].far_m + reach.ends[i + 1].far_m;
+    reach.is_too_large = reach.is_too_large || width_m > max_size_m;
+    const float shown_m = seen.all[i] + seen.all[i + 1];
+    reach.shown_part = std::min(reach.shown_part, width_m > kSlack_m ? shown_m / width_m : 1);
+  }
+}
+
+float ReachHistory::shownPart(RegionId region) const {
+  const auto found = reaches_.find(region);
+  return found == reaches_.end() || found->second.last_seen != frame_ ? 0 : found->second.shown_part;
+}
+
+bool ReachHistory::isSeenToItsEnds(RegionId region, int frames) const {
+  const auto found = reaches_.find(region);
+  if (found == reaches_.end() || found->second.is_too_large) return false;
+  return frame_ - found->second.last_grown >= frames &&
+         std::ranges::all_of(found->second.ends, &End::is_shown);
+}
+
+Eigen::Vector3f ReachHistory::sizeOf(RegionId region) const {
+  const auto found = reaches_.find(region);
+  Eigen::Vector3f size = Eigen::Vector3f::Zero();
+  if (found == reaches_.end() || found->second.is_too_large) return size;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    Eigen::Index along = 0;
+    if (axes()[axis].maxCoeff(&along) < 1) continue;  // not an axis of the world
+    size[along] = found->second.ends[2 * axis].far_m + found->second.ends[2 * axis + 1].far_m;
+  }
+  return size;
+}
+
+}  // namespace scantrove

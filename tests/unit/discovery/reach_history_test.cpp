@@ -1,0 +1,118 @@
+#include "core/discovery/reach_history.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/discovery/painted_scene.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedScene;
+
+constexpr RegionId kSign{7};
+constexpr float kDepth_m = 0.3F;
+constexpr int kWidth_px = 180, kHeight_px = 60;  // at that depth: 36 x 12 cm; the image has 160 x 120
+const cv::Rect kVisible(0, 0, 160, 120);
+
+/// A sign that is wider than the image, before a wall. The camera has moved along it so that it begins in
+/// column `left_px`, which may lie outside.
+PaintedScene signFrom(int left_px, int top_px = 30, int width_px = kWidth_px) {
+  PaintedScene scene;
+  const double metres_per_px = static_cast<double>(kDepth_m) / 150;
+  scene.T_world_camera = Eigen::Translation3d(-metres_per_px * left_px, -metres_per_px * top_px, 0);
+  scene.map.regions.assign(scene.map.regions.size(), RegionId{});
+  scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 2.0F; });
+  const cv::Rect box = cv::Rect(left_px, top_px, width_px, kHeight_px) & cv::Rect(0, 0, 160, 120);
+  scene.paint(kSign.value, box, [](int, int) { return kDepth_m; });
+  return scene;
+}
+
+void addFrames(ReachHistory& history, const PaintedScene& scene, int frames) {
+  for (int i = 0; i < frames; ++i) history.add(scene.input(), kVisible, 1);
+}
+
+TEST(ReachHistory, EndsMayShowInDifferentFrames) {
+  ReachHistory history;
+  addFrames(history, signFrom(10), 20);
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "its right end was never seen";
+  addFrames(history, signFrom(-30), 5);
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "it has just grown";
+  EXPECT_TRUE(history.isSeenToItsEnds(kSign, 4));
+  addFrames(history, signFrom(-30), 1);
+  EXPECT_TRUE(history.isSeenToItsEnds(kSign, 5));
+  // Ends count as seen where they were; pixels are looked at two by two.
+  const Eigen::Vector3f size = history.sizeOf(kSign);
+  EXPECT_NEAR(size.x(), 0.36, 0.006);
+  EXPECT_NEAR(size.y(), 0.12, 0.006);
+  EXPECT_NEAR(size.z(), 0, 1e-6);
+}
+
+TEST(ReachHistory, WhatAlwaysLeavesTheImageIsNotKnown) {
+  ReachHistory history;
+  addFrames(history, signFrom(10, 70), 10);  // its lower edge lies below the image
+  addFrames(history, signFrom(-30, 70), 20);
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5));
+}
+
+TEST(ReachHistory, AnEndOnTheBorderIsNoEnd) {
+  ReachHistory history;
+  addFrames(history, signFrom(0), 10);
+  addFrames(history, signFrom(-30), 10);
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "in column 0 nothing tells whether it goes on";
+}
+
+TEST(ReachHistory, SaysHowMuchOfItTheFrameShows) {
+  ReachHistory history;
+  addFrames(history, signFrom(10), 1);
+  EXPECT_NEAR(history.shownPart(kSign), 1, 1e-6) << "there is no more of it yet";
+  addFrames(history, signFrom(-30), 1);
+  addFrames(history, signFrom(10), 1);
+  EXPECT_NEAR(history.shownPart(kSign), 150.0 / 180, 0.03);
+  history.add(PaintedScene().input(), kVisible, 1);
+  EXPECT_EQ(history.shownPart(kSign), 0);
+}
+
+TEST(ReachHistory, LargeOnesAreLeftAloneForAWhile) {
+  ReachHistory history;
+  for (int i = 0; i < 70; ++i) history.add(signFrom(10, 30, 60).input(), kVisible, 0.1F);  // 12 cm
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5));
+  EXPECT_EQ(history.sizeOf(kSign).norm(), 0);
+  for (int i = 0; i < 130; ++i) history.add(signFrom(10, 30, 60).input(), kVisible, 0.5F);
+  EXPECT_TRUE(history.isSeenToItsEnds(kSign, 5)) << "it was looked at again";
+  EXPECT_NEAR(history.sizeOf(kSign).x(), 0.12, 0.006);
+}
+
+TEST(ReachHistory, ForgetsWhatChangedAndWhatWasNotSeenForLong) {
+  ReachHistory history;
+  addFrames(history, signFrom(10), 10);
+  history.forget(kSign);
+  addFrames(history, signFrom(-30), 10);
+  EXPECT_FALSE(history.isSeenToItsEnds(kSign, 5)) << "its left end was seen before";
+  for (int i = 0; i <= ReachHistory::kMemory; ++i) history.add(PaintedScene().input(), kVisible, 10);
+  EXPECT_EQ(history.regionCount(), 1U) << "the wall";
+}
+
+// Never seen whole in one frame, and yet known whole: the rules of discovery take it like any other thing.
+TEST(ReachHistory, WhatNoFrameShowsWholeIsACandidateOnceAllOfItWasSeen) {
+  DiscoveryParams params;
+  params.persistent_frames = 5;
+  params.min_points = 1600;  // at 640x480; 100 at 160x120
+  const auto finder = makeRuleBasedFinder(params);
+  const auto find = [&](const PaintedScene& scene, int frames) {
+    std::vector<Candidate> found;
+    for (int i = 0; i < frames; ++i) found = finder->find(scene.input());
+    return found;
+  };
+  EXPECT_THAT(find(signFrom(10), 20), testing::IsEmpty());
+  const std::vector<Candidate> found = find(signFrom(-30), 8);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].regions, RegionSet{kSign});
+  EXPECT_NEAR(found[0].size_m[0], 0.36, 0.006) << "of all of it";
+  EXPECT_EQ(found[0].box_px, cv::Rect(0, 30, 150, 60)) << "of what the frame shows";
+  EXPECT_GT(found[0].outline, 0.95) << "the image's border is no part of it";
+  EXPECT_THAT(find(signFrom(-100), 8), testing::IsEmpty()) << "44 % of it are too little for a picture";
+}
+
+}  // namespace
+}  // namespace scantrove
