@@ -39,6 +39,16 @@ bool isAlmostFrom(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
          motion.translation().norm() < kSameView_m;
 }
 
+/// A camera that goes on after a while may stand so far from where it was: that is to be shown as clearly as
+/// by one that was lost.
+constexpr double kElsewhere_rad = 0.5;
+constexpr double kElsewhere_m = 0.3;
+bool isElsewhere(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const Eigen::Isometry3d motion = a.inverse() * b;
+  return Eigen::AngleAxisd(motion.linear()).angle() > kElsewhere_rad ||
+         motion.translation().norm() > kElsewhere_m;
+}
+
 /// Corners by which a camera can be followed from one frame to the next.
 constexpr std::size_t kFewestCorners = 10;
 constexpr int kFewestCells = 4;
@@ -60,7 +70,7 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
     pose = begin(depth);
   } else {
     Search search{frame, depth, model};
-    if (!was_firm_) beginView(search);  // recover() asks for it, and is rarely called but for one frame
+    if (!was_firm_) beginView(search);  // recover() is called for many frames in a row, and asks for it
     pose = registerAndJudge(search);
     if (!pose.usable() || !search.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
@@ -108,9 +118,11 @@ PoseEstimate PoseTracker::registerAndJudge(Search& search) const {
 
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
   if (!is_lost_) beginCorners(search, by_surface.T_world_camera);
-  if (auto found = followLandmarks(search, by_surface)) {
-    if (is_lost_) found->state = TrackingState::relocalised;
-    return *found;
+  const auto by_landmarks = followLandmarks(search, by_surface);
+  if (by_landmarks && !(has_gone_on_ && isElsewhere(*last_, by_landmarks->T_world_camera))) {
+    PoseEstimate found = *by_landmarks;
+    if (is_lost_) found.state = TrackingState::relocalised;
+    return found;
   }
   if (!is_lost_) {
     if (const auto found = followFlow(search, by_surface.T_world_camera)) return *found;
@@ -121,7 +133,8 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
                                PoseOrigin::search);
     if (found.usable()) return found;
   }
-  if (is_lost_ || has_gone_on_) {
+  is_lost_ = is_lost_ || has_gone_on_;
+  if (is_lost_) {
     if (const auto found = relocalise(search)) return *found;
   }
   return by_surface;

@@ -126,6 +126,30 @@ TEST(ResumedPosesByPlaces, AreNearThoseOfAScanThatNeverStopped) {
   }
 }
 
+/// The memory of a camera that went on is of no use to one that stands elsewhere, and does not mislead it.
+TEST(ResumedPosesByPlaces, ACameraThatStandsElsewhereIsFoundAtOnce) {
+  const Film film{"demo:wall", 3, 35, 60};
+  constexpr int kBack = 10;
+  const TemporaryFolder folder;
+  ASSERT_TRUE(runScan(partOf(film, folder / "scan", 0, film.stopped)).report);
+  const Kept before = keptIn(folder / "scan");
+  const auto placeOf = [](const std::vector<double>& pose) {
+    return Eigen::Vector3d(pose[12], pose[13], pose[14]);
+  };
+  const auto& there = before.poses.at(kBack * film.stride);
+  ASSERT_GT((placeOf(there) - placeOf(before.poses.rbegin()->second)).norm(), 0.5) << "that is elsewhere";
+
+  const auto again = runScan(partOf(film, folder / "scan", kBack, kBack + 5));
+  ASSERT_TRUE(again.report);
+  EXPECT_EQ(again.report->frames.lost, 0);
+  const Kept after = keptIn(folder / "scan");
+  for (int i = kBack; i < kBack + 5; ++i) {
+    const auto& pose = after.poses.at(i * film.stride);
+    EXPECT_NE(pose, before.poses.at(i * film.stride)) << "the second one";
+    EXPECT_LT((placeOf(pose) - placeOf(before.poses.at(i * film.stride))).norm(), 0.005) << "frame " << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ResumedPoses,
                          testing::Values(Film{"demo:wall", 3, 35, 60}, Film{"demo:moving:3", 2, 30, 45}));
 

@@ -189,6 +189,7 @@ TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhe
     const auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
     ASSERT_TRUE(connection);
     ASSERT_TRUE((*connection)->execute("ALTER TABLE fragments DROP COLUMN seen_from"));
+    ASSERT_TRUE((*connection)->execute("DROP TABLE camera"));
     ASSERT_TRUE((*connection)->execute("DELETE FROM schema_migrations WHERE version > 1"));
     ASSERT_TRUE((*connection)->execute("PRAGMA user_version = 1"));
   }
@@ -199,7 +200,30 @@ TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhe
   ASSERT_EQ(scan->fragments.size(), 1U);
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
+  EXPECT_FALSE((*store)->loadCamera()->has_value());
   ASSERT_TRUE((*store)->save(someDelta(2)));
+}
+
+TEST(SessionStore, KeepsTheNewestCamera) {
+  const TemporaryFolder folder;
+  std::vector<std::uint32_t> words(5000);
+  for (std::uint32_t i = 0; i < words.size(); ++i) words[i] = i * i;
+  {
+    const auto store = created(folder.path() / "scan");
+    EXPECT_FALSE(store->loadCamera()->has_value());
+    SavedDelta delta;
+    delta.camera = {3, {1, 2, 3}};
+    ASSERT_TRUE(store->save(delta));
+    delta.camera = {8, words};
+    ASSERT_TRUE(store->save(delta));
+    ASSERT_TRUE(store->save(someDelta(2))) << "one that says nothing of it";
+  }
+  const auto store = SessionStore::open(folder.path() / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const auto camera = (*store)->loadCamera();
+  ASSERT_TRUE(camera && camera->has_value());
+  EXPECT_EQ((*camera)->frame, 8);
+  EXPECT_EQ((*camera)->words, words);
 }
 
 TEST(SessionStore, AScanGivesWayToANewOneUnlessItIsLabelled) {
