@@ -63,7 +63,7 @@ void put(ByteWriter& to, const KeyFrame& place) {
   to.putList(std::span<const cv::Point3f>(place.landmarks.points_world));
   put(to, place.landmarks.descriptors);
   put(to, place.thumbnail);
-  to.put(place.surface.K());
+  to.put(place.surface.intrinsics());
   put(to, place.surface.units());
   put(to, place.is_left);
 }

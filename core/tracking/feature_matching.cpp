@@ -109,7 +109,8 @@ class FeatureGrid {
   [[nodiscard]] int columnOf(float x) const { return placeOf(x, columns_); }
   [[nodiscard]] int rowOf(float y) const { return placeOf(y, rows_); }
   [[nodiscard]] std::size_t cellAt(int column, int row) const {
-    return static_cast<std::size_t>(row * columns_ + column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
   }
 
   float reach_px_;

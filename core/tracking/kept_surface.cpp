@@ -41,7 +41,8 @@ KeptSurface::Points KeptSurface::seenFrom(const Eigen::Isometry3d& T_world_camer
     for (int u = 0; u < K_.width; ++u) {
       const float z = depthAt(u, v);
       if (z == 0) continue;
-      const auto i = static_cast<std::size_t>(v * K_.width + u);
+      const auto i =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(K_.width) + static_cast<std::size_t>(u);
       points.vertices[i] = toFloat4(T * vertexAt(u, v, z));
       const float left = depthAt(u - 1, v), right = depthAt(u + 1, v);
       const float above = depthAt(u, v - 1), below = depthAt(u, v + 1);

@@ -22,7 +22,7 @@ class KeptSurface {
   /// `units`: as of another.
   KeptSurface(const Intrinsics& K, cv::Mat units) : K_(K), units_(std::move(units)) {}
 
-  [[nodiscard]] const Intrinsics& K() const { return K_; }
+  [[nodiscard]] const Intrinsics& intrinsics() const { return K_; }
   /// CV_16UC1, 0 = none.
   [[nodiscard]] const cv::Mat& units() const { return units_; }
   [[nodiscard]] bool empty() const { return units_.empty(); }
