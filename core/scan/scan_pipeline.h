@@ -104,9 +104,8 @@ class ScanPipeline {
   /// The map's last frame was that one's. False: it does not tell enough. May throw cl::Error.
   [[nodiscard]] bool goOnFrom(CameraMemory memory);
 
-  /// Where the map's camera was when its scan broke off is told frame by frame:
-  /// an earlier camera of this map was there; those that are not lost, in order. Whether the camera found its
-  /// way by that frame: then recallPlace() wants it.
+  /// Of a scan that broke off, frame by frame: the camera of this map was there; those that are not lost, in
+  /// order. Whether it found its way by that frame: then recallPlace() wants it.
   [[nodiscard]] bool recallPose(const Eigen::Isometry3d& T_world_camera) {
     return tracker_ && tracker_->passBy(T_world_camera);
   }
