@@ -192,9 +192,11 @@ Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
 Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
   setFact("ended", "yes");
   const std::optional<CameraMemory> memory = pipeline.cameraMemory();
-  SavedDelta delta = collect(pipeline);
-  if (memory) delta.camera = {setup_.frames - 1, toWords(*memory)};
-  hand(std::move(delta));
+  hand(collect(pipeline));
+  // By itself: where the disk has no room for it, the rest is kept all the same.
+  SavedDelta camera;
+  if (memory) camera.camera = {setup_.frames - 1, toWords(*memory)};
+  hand(std::move(camera));
   return writer_->flush();
 }
 
