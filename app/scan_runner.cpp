@@ -61,6 +61,11 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
         return finished->report;
       }
       if (std::holds_alternative<PreparingDevice>(*event)) progress.say("Preparing the processor (once).");
+      if (const auto* again = std::get_if<LookingAgain>(&*event)) {
+        progress.show([again] {
+          return "looking again, " + std::to_string(again->done + 1) + " of " + std::to_string(again->steps);
+        });
+      }
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
       if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
       if (const auto* failure = std::get_if<MapFailed>(&*event)) progress.say(failure->error.message());

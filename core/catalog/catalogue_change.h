@@ -37,10 +37,15 @@ struct Merged {
 struct Unmerged {
   ObjectId into, from;
 };
+/// Some of its views are no longer of it.
+struct ViewsLeft {
+  ObjectId object;
+};
 }  // namespace change
 
-using CatalogueChange = std::variant<change::Added, change::ViewAdded, change::Renamed, change::Confirmed,
-                                     change::Removed, change::Restored, change::Merged, change::Unmerged>;
+using CatalogueChange =
+    std::variant<change::Added, change::ViewAdded, change::Renamed, change::Confirmed, change::Removed,
+                 change::Restored, change::Merged, change::Unmerged, change::ViewsLeft>;
 
 /// Changes in the order in which the database took them.
 struct CatalogueChanges {

@@ -3,6 +3,7 @@
 #include "core/catalog/catalogue_schema.h"
 #include "core/catalog/object_name.h"
 #include "core/catalog/object_rows.h"
+#include "core/catalog/view_rows.h"
 #include "core/database/database_connection.h"
 #include "core/database/transaction.h"
 
@@ -161,6 +162,51 @@ Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
     view.object = id;
     SCANTROVE_TRY(insertView(view));
     return object(id);  // here: once it is committed, nothing may fail any more
+  });
+}
+
+Result<bool> ObjectDatabase::leaveBehind(ObjectId object, std::int64_t session, std::span<const int> frames) {
+  return inTransaction(*connection_, [&]() -> Result<bool> {
+    const Result<ObjectRow> holder = holderOf(*connection_, object);
+    if (!holder) return fail(holder.error());
+    if (holder->hidden || holder->confirmed || holder->named_by == NamedBy::person) return false;
+    QVariantList views;
+    for (const int frame : frames) {
+      Result<QSqlQuery> view = connection_->execute(
+          "SELECT id FROM views WHERE object = ? AND first_object = ? AND session = ? AND frame_index = ?",
+          {holder->id.value, object.value, static_cast<qlonglong>(session), frame});
+      if (!view) return fail(view.error());
+      while (view->next()) views.push_back(view->value(0));
+    }
+    if (views.empty()) return false;
+    Result<QSqlQuery> all =
+        connection_->execute("SELECT count(*) FROM views WHERE object = ?", {holder->id.value});
+    if (!all) return fail(all.error());
+    if (all->next() && all->value(0).toInt() == views.size()) {
+      ObjectRow row = *holder;
+      row.hidden = true;
+      SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *holder, row));
+      return true;
+    }
+    const Result<int> number = nextNumber(*connection_);
+    if (!number) return fail(number.error());
+    const Result<std::int64_t> left = connection_->insert(
+        "INSERT INTO objects (number, name, hidden, size_x_m, size_y_m, size_z_m, first_session, created)"
+        " VALUES (?, ?, 1, 0, 0, 0, ?, ?)",
+        {*number, QString("Obj_%1").arg(*number), orNull(session), DatabaseConnection::now()});
+    if (!left) return fail(left.error());
+    const ObjectId left_behind{static_cast<std::uint32_t>(*left)};
+    for (const QVariant& view : views) {
+      SCANTROVE_TRY(connection_->execute("UPDATE views SET object = ?, first_object = ? WHERE id = ?",
+                                         {left_behind.value, left_behind.value, view}));
+      SCANTROVE_TRY(connection_->execute("UPDATE view_summaries SET first_object = ? WHERE view = ?",
+                                         {left_behind.value, view}));
+    }
+    SCANTROVE_TRY(refreshObject(*connection_, left_behind));
+    SCANTROVE_TRY(refreshObject(*connection_, holder->id));
+    SCANTROVE_TRY(recordEvent(*connection_, event::kLeaveBehind, holder->id, {},
+                              {{"left_behind", static_cast<qint64>(left_behind.value)}}, session));
+    return false;
   });
 }
 

@@ -90,6 +90,11 @@ class ObjectDatabase {
   /// nobody else can change anything any more, and only reads.
   [[nodiscard]] Result<std::int64_t> addView(const ObjectView& view, const Check& check = nothingToCheck);
 
+  /// Views that `object` was given by that session, from those frames, show something else: they become an
+  /// object of their own, which is removed. Where they are all that there is of it, it is removed itself.
+  /// Nothing is done to what a person named or confirmed, nor to what is hidden. Whether it was removed.
+  [[nodiscard]] Result<bool> leaveBehind(ObjectId object, std::int64_t session, std::span<const int> frames);
+
   /// Blanks around the name are dropped. Error: no name for an object (see checkedObjectName), or another
   /// visible object has it. `by` is `program` only to take a person's name back.
   Result<void> rename(ObjectId id, const std::string& name, NamedBy by = NamedBy::person);

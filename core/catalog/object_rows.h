@@ -35,6 +35,7 @@ inline constexpr const char* kRemove = "remove";
 inline constexpr const char* kRestore = "restore";
 inline constexpr const char* kMerge = "merge";
 inline constexpr const char* kUnmerge = "unmerge";
+inline constexpr const char* kLeaveBehind = "leave-behind";
 }  // namespace event
 
 /// For binding: null for 0.

@@ -16,9 +16,17 @@ struct Candidate {
   Eigen::Vector3f centroid_camera = Eigen::Vector3f::Zero();
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< sides of the oriented box, longest first
   int pixels = 0;                                    ///< in the working resolution
-  float outline = 0;      ///< part of what is seen of its outline that is its own (OutlineSteps::own)
-  float hidden = 0;       ///< part of its outline that lies behind something nearer
-  float odds = 0;         ///< of several regions: log-odds of the weakest contact that holds them together
+  float outline = 0;  ///< part of what is seen of its outline that is its own (OutlineSteps::own)
+  float hidden = 0;   ///< part of its outline that lies behind something nearer
+  float bulge = 0;    ///< bulgeOf()
+  float odds = 0;     ///< of several regions: log-odds of the weakest contact that holds them together
+  /// How much of a thing may lie behind others so that it is still clear what it is: more of one whose
+  /// outline is its own wherever it shows, and which bulges as no patch of a table or a wall does.
+  [[nodiscard]] float mostHidden(float of_any) const {
+    constexpr float kClearOutline = 0.93F, kClearBulge = 0.15F, kMore = 0.12F;
+    return of_any + (outline >= kClearOutline && bulge >= kClearBulge ? kMore : 0);
+  }
+
   bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
 };
 

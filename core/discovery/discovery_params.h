@@ -7,13 +7,14 @@ struct DiscoveryParams {
   float central_fraction =
       0.95F;  ///< the centroid lies in the middle part of the view, this fraction of width and height
   float min_size_m = 0.02F;  ///< longest side of the oriented box
-  float max_size_m = 1.0F;
+  float max_size_m = 0.7F;
   int min_points = 400;               ///< pixels at 640x480 equivalent
-  int persistent_frames = 10;         ///< consecutive sightings with a stable size
+  int persistent_frames = 6;          ///< consecutive sightings with a stable size
   float size_tolerance = 0.25F;       ///< relative change of area * z^2 that still counts as stable
   float min_thickness_ratio = 0.02F;  ///< sqrt of smallest / largest eigenvalue of the points: below = flat
   float max_flat_size_m =
       0.4F;  ///< flat regions up to this longest side may still be objects: books, boxes seen face on
+  float min_bulge = -0.03F;        ///< bulgeOf(): below = a hollow, the inside of something
   float max_eccentricity = 0.98F;  ///< of the image region's ellipse
   float max_hidden_fraction =
       0.5F;  ///< of the outline behind nearer things: above = background seen through a gap
@@ -29,7 +30,7 @@ struct DiscoveryParams {
       0.8F;  ///< and this part of its outline was its own, on the average (OutlineSteps::own)
   float whole_hidden = 0.35F;  ///< with no more of it behind nearer things,
   float whole_angle_deg = 5;   ///< from directions so far apart,
-  int still_frames = 30;       ///< or over so many frames, where the camera stands still
+  int still_frames = 15;       ///< or over so many frames, where the camera stands still
   int border_px = 2;           ///< a region that comes this close to the image border is no candidate
 };
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kOtherSize = 0.3F;    // the diagonal differs by this part
 constexpr float kMemoryOfLooks = 30;  // means follow the last so many
+constexpr int kLooksToDiffer = 3;     // in a row
 
 }  // namespace
 
@@ -24,8 +25,10 @@ void LookHistory::add(const RegionSet& regions, const Look& look) {
   const float size_m = look.size_m.norm();
   if (watched.looks > 0 &&
       std::abs(size_m - watched.size_m) > kOtherSize * std::max(size_m, watched.size_m)) {
+    if (++watched.others < kLooksToDiffer) return;
     watched = {};
   }
+  watched.others = 0;
   if (watched.looks == 0) {
     watched.first_direction = look.direction;
     watched.first_frame = frame_;

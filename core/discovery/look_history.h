@@ -21,7 +21,8 @@ class LookHistory {
 
   /// Time goes on by a frame.
   void nextFrame();
-  /// A look in this frame. One of clearly another size starts anew: it is not the same thing any more.
+  /// A look in this frame. One of clearly another size does not count; several in a row start anew: it is not
+  /// the same thing any more.
   void add(const RegionSet& regions, const Look& look);
   /// `from` is now part of `into`: where that makes two sets one, the one with more looks stays.
   void follow(RegionId into, RegionId from);
@@ -34,6 +35,7 @@ class LookHistory {
  private:
   struct Watched {
     int looks = 0;
+    int others = 0;                             ///< the last so many were of another size
     float outline = 0, hidden = 0, size_m = 0;  ///< means; the size is the box's diagonal
     Eigen::Vector3f first_direction = Eigen::Vector3f::Zero();
     float widest_angle_rad = 0;  ///< between the first direction and another

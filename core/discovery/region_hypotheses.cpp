@@ -5,12 +5,14 @@
 #include <set>
 
 #include "core/discovery/region_points.h"
+#include "core/discovery/region_rules.h"
 
 namespace scantrove {
 namespace {
 
 constexpr int kLeastContact = 4;           // steps along which two regions touch
 constexpr float kLeastContactPart = 0.1F;  // of the outline of one of them
+constexpr float kLeastRimPart = 0.2F;      // of a hollow's outline
 
 void include(const RegionExtent& other, RegionExtent& extent) {
   extent.pixels += other.pixels;
@@ -22,53 +24,88 @@ void include(const RegionExtent& other, RegionExtent& extent) {
   extent.sum_vv += other.sum_vv;
 }
 
-struct Neighbour {
-  RegionId region;
-  float odds = 0;
-};
-
 /// Which regions could be one thing with which.
-std::map<RegionId, std::vector<Neighbour>> neighboursOf(std::span<const RegionExtent> regions,
-                                                        const RegionOutlines& outlines,
-                                                        const DiscoveryInput& input) {
-  std::map<RegionId, std::vector<Neighbour>> neighbours;
-  if (!input.joining_odds) return neighbours;
-  const auto isThere = [&](RegionId region) {
-    return std::ranges::binary_search(regions, region, {}, &RegionExtent::region);
+class Neighbourhood {
+ public:
+  struct Neighbour {
+    RegionId region;
+    float odds = 0;
   };
-  const auto isLong = [&](RegionId of, RegionId with) {
-    return static_cast<float>(outlines.between(of, with).touching()) >=
-           kLeastContactPart * static_cast<float>(outlines.of({of}).known());
-  };
-  for (const RegionExtent& extent : regions) {
-    const RegionId a = extent.region;
-    for (const RegionId b : outlines.touchedBy(a, kLeastContact)) {
-      if (b < a || !isThere(b) || !(isLong(a, b) || isLong(b, a))) continue;
-      const float odds = input.joining_odds(a, b);
-      if (!(odds > -kNearOdds)) continue;
-      neighbours[a].push_back({b, odds});
-      neighbours[b].push_back({a, odds});
+
+  Neighbourhood(std::span<const RegionExtent> regions, const RegionOutlines& outlines,
+                const DiscoveryInput& input, const DiscoveryParams& params)
+      : outlines_(outlines) {
+    if (!input.joining_odds) return;
+    std::set<RegionId> hollows;
+    for (const RegionExtent& extent : regions) {
+      if (!isNotHollow(bulgeOf({extent.region}, extent.box_px, input), params)) hollows.insert(extent.region);
+    }
+    for (const RegionExtent& extent : regions) {
+      const RegionId a = extent.region;
+      for (const RegionId b : outlines.metBy(a, kLeastContact)) {
+        if (b < a || !std::ranges::binary_search(regions, b, {}, &RegionExtent::region)) continue;
+        const bool is_a_in_b = hollows.contains(a) && !hollows.contains(b) && isRim(a, b);
+        const bool is_b_in_a = hollows.contains(b) && !hollows.contains(a) && isRim(b, a);
+        if (!(is_a_in_b || is_b_in_a || isContact(a, b) || isContact(b, a))) continue;
+        const float odds = input.joining_odds(a, b);
+        if (!(odds > -kNearOdds)) continue;
+        neighbours_[a].push_back({b, odds});
+        neighbours_[b].push_back({a, odds});
+        if (is_a_in_b) noteInside(a, b);
+        if (is_b_in_a) noteInside(b, a);
+      }
     }
   }
-  return neighbours;
-}
+
+  [[nodiscard]] std::span<const Neighbour> of(RegionId region) const {
+    const auto found = neighbours_.find(region);
+    return found == neighbours_.end() ? std::span<const Neighbour>() : found->second;
+  }
+  [[nodiscard]] bool isTorn(const RegionSet& regions) const {
+    return std::ranges::any_of(insides_, [&](const auto& inside) {
+      return regions.contains(inside.first) != regions.contains(inside.second);
+    });
+  }
+
+ private:
+  [[nodiscard]] bool isContact(RegionId of, RegionId with) const {
+    const int touching = outlines_.between(of, with).touching();
+    return touching >= kLeastContact && static_cast<float>(touching) >= kLeastContactPart * lengthOf(of);
+  }
+  [[nodiscard]] bool isRim(RegionId hollow, RegionId with) const {
+    return static_cast<float>(outlines_.between(hollow, with).known()) >= kLeastRimPart * lengthOf(hollow);
+  }
+  [[nodiscard]] float lengthOf(RegionId region) const {
+    return static_cast<float>(outlines_.of({region}).known());
+  }
+  /// It is the inside of that which it meets along the longest rim.
+  void noteInside(RegionId hollow, RegionId outside) {
+    const auto [inside, is_first] = insides_.try_emplace(hollow, outside);
+    if (!is_first &&
+        outlines_.between(hollow, outside).known() > outlines_.between(hollow, inside->second).known())
+      inside->second = outside;
+  }
+
+  const RegionOutlines& outlines_;
+  std::map<RegionId, std::vector<Neighbour>> neighbours_;
+  std::map<RegionId, RegionId> insides_;  // hollows, and what they are the inside of
+};
 
 }  // namespace
 
 std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> regions,
-                                                const RegionOutlines& outlines, const DiscoveryInput& input) {
+                                                const RegionOutlines& outlines, const DiscoveryInput& input,
+                                                const DiscoveryParams& params) {
   std::vector<RegionHypothesis> hypotheses;
   for (const RegionExtent& extent : regions)
     hypotheses.push_back({{extent.region}, extent, visibleArea(extent, input)});
-  const auto neighbours = neighboursOf(regions, outlines, input);
+  const Neighbourhood neighbourhood(regions, outlines, input, params);
   // Sets of one region more are made of those that there are, each once.
   std::set<RegionSet> known;
   for (std::size_t i = 0; i < hypotheses.size() && hypotheses.size() < regions.size() + kMostSets; ++i) {
     if (hypotheses[i].regions.size() == kMostRegions) break;
     for (const RegionId member : RegionSet(hypotheses[i].regions)) {
-      const auto around = neighbours.find(member);
-      if (around == neighbours.end()) continue;
-      for (const auto& [other, odds] : around->second) {
+      for (const auto& [other, odds] : neighbourhood.of(member)) {
         RegionSet larger = hypotheses[i].regions;
         larger.add(other);
         if (larger.size() == hypotheses[i].regions.size() || !known.insert(larger).second) continue;
@@ -83,6 +120,8 @@ std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> re
       }
     }
   }
+  for (RegionHypothesis& hypothesis : hypotheses)
+    hypothesis.is_torn = neighbourhood.isTorn(hypothesis.regions);
   std::ranges::sort(hypotheses, {}, &RegionHypothesis::regions);
   return hypotheses;
 }

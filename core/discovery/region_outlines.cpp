@@ -166,15 +166,15 @@ OutlineSteps RegionOutlines::between(RegionId a, RegionId b) const {
   return beyond == outline->second.end() ? OutlineSteps{} : beyond->steps;
 }
 
-std::vector<RegionId> RegionOutlines::touchedBy(RegionId region, int least_steps) const {
-  std::vector<RegionId> touched;
+std::vector<RegionId> RegionOutlines::metBy(RegionId region, int least_steps) const {
+  std::vector<RegionId> met;
   const auto outline = outlines_.find(region);
-  if (outline == outlines_.end()) return touched;
+  if (outline == outlines_.end()) return met;
   for (const Beyond& beyond : outline->second) {
-    if (beyond.region && beyond.steps.touching() >= least_steps) touched.push_back(beyond.region);
+    if (beyond.region && beyond.steps.known() >= least_steps) met.push_back(beyond.region);
   }
-  std::ranges::sort(touched);
-  return touched;
+  std::ranges::sort(met);
+  return met;
 }
 
 }  // namespace scantrove

@@ -39,8 +39,9 @@ class RegionOutlines {
   [[nodiscard]] OutlineSteps of(const RegionSet& regions) const;
   /// From `a` to `b`.
   [[nodiscard]] OutlineSteps between(RegionId a, RegionId b) const;
-  /// Regions that `region` touches along at least `least_steps` steps, rising.
-  [[nodiscard]] std::vector<RegionId> touchedBy(RegionId region, int least_steps) const;
+  /// Regions that `region` meets along at least `least_steps` steps of which something is known, whether it
+  /// touches them there or not, rising.
+  [[nodiscard]] std::vector<RegionId> metBy(RegionId region, int least_steps) const;
 
  private:
   struct Beyond {

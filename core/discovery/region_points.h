@@ -16,6 +16,11 @@ namespace scantrove {
 /// surface, m^2. Unlike the area in pixels it stays the same as the camera comes near.
 [[nodiscard]] float visibleArea(const RegionExtent& extent, const DiscoveryInput& input);
 
+/// How much the surface of the regions bulges towards who looks at it: the mean of (p - c) . n over the mean
+/// of |p - c|, with the surface's points p, their middle c and the normals n. About 0.8 for what is seen of a
+/// ball, 0 for a plane, below 0 for a hollow. 0 where nothing is known.
+[[nodiscard]] float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input);
+
 /// The vertices of the regions' pixels that have a surface, world, row by row. `box_px` holds them all.
 [[nodiscard]] std::vector<Eigen::Vector4f> pointsOf(const RegionSet& regions, const cv::Rect& box_px,
                                                     const DiscoveryInput& input);

@@ -48,6 +48,8 @@ bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params) {
   return box.size_m[0] <= params.max_flat_size_m || box.thickness_ratio >= params.min_thickness_ratio;
 }
 
+bool isNotHollow(float bulge, const DiscoveryParams& params) { return bulge >= params.min_bulge; }
+
 bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params) {
   return outline.hiddenPart() <= params.max_hidden_fraction;
 }

@@ -41,6 +41,7 @@ Candidate toCandidate(const RegionHypothesis& hypothesis, const OrientedBox& box
   candidate.centroid_world = box.mean;
   candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
   candidate.size_m = box.size_m;
+  candidate.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
   candidate.odds = hypothesis.odds;
   candidate.pixels = static_cast<int>(hypothesis.extent.pixels);
   return candidate;
@@ -65,7 +66,7 @@ class RuleBasedFinder final : public CandidateFinder {
     const RegionOutlines outlines(input, params_);
     const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height, params_);
     const std::vector<RegionHypothesis> hypotheses =
-        proposeHypotheses(wholeRegions(census, visible, input), outlines, input);
+        proposeHypotheses(wholeRegions(census, visible, input), outlines, input, params_);
     rememberSizes(hypotheses);
     looks_.nextFrame();
     reaches_.add(input, visible, params_.max_size_m);
@@ -73,8 +74,8 @@ class RuleBasedFinder final : public CandidateFinder {
     std::vector<Candidate> candidates;
     for (const RegionHypothesis& hypothesis : hypotheses) {
       const RegionExtent& extent = hypothesis.extent;
-      if (!hasEnoughPoints(extent, input.K, params_) || !isCentral(extent, input.K, params_) ||
-          !isNotEccentric(extent, params_))
+      if (hypothesis.is_torn || !hasEnoughPoints(extent, input.K, params_) ||
+          !isCentral(extent, input.K, params_) || !isNotEccentric(extent, params_))
         continue;
       if (!sizes_.isPersistent(hypothesis.regions, params_.persistent_frames, params_.size_tolerance))
         continue;
@@ -145,8 +146,9 @@ class RuleBasedFinder final : public CandidateFinder {
     const Eigen::Vector3f camera_centre = input.T_world_camera.translation().cast<float>();
     candidate.outline = outline.own();
     candidate.hidden = outline.hiddenPart();
-    looks_.add(candidate.regions, {candidate.outline, candidate.hidden, candidate.size_m,
-                                   (camera_centre - candidate.centroid_world).normalized()});
+    looks_.add(candidate.regions,
+               {candidate.outline, candidate.hidden - candidate.mostHidden(0), candidate.size_m,
+                (camera_centre - candidate.centroid_world).normalized()});
     candidate.is_whole = looks_.isWhole(candidate.regions, params_);
   }
 

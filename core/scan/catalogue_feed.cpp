@@ -33,6 +33,7 @@ struct CatalogueFeed::Effects {
   }
   void operator()(const change::Renamed& e) { changed.insert(e.object); }
   void operator()(const change::Confirmed& e) { changed.insert(e.object); }
+  void operator()(const change::ViewsLeft& e) { changed.insert(e.object); }
   void operator()(const change::Removed& e) { regroup(e.object); }
   void operator()(const change::Restored& e) { regroup(e.object); }
   void operator()(const change::Merged& e) {

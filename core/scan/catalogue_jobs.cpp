@@ -196,6 +196,18 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const TakeNameBack& job) 
   return withRecords(news::NameTakenBack{naming.object}, changed);
 }
 
+Result<CatalogueWriter::News> CatalogueWriter::execute(const LeaveBehind& job) {
+  const ObjectId object = idOf(job.object);
+  if (!object) return News{};
+  const Result<ObjectId> holder = database_->resolve(object);
+  if (!holder) return fail(holder.error());
+  if (!*holder) return News{};  // it was deleted
+  const Result<bool> is_removed = database_->leaveBehind(object, session_, job.frames);
+  if (!is_removed) return fail(is_removed.error());
+  touched_.insert(object);
+  return withRecords(news::ViewsLeft{*holder, *is_removed}, std::array{*holder});
+}
+
 Result<CatalogueWriter::News> CatalogueWriter::execute(const EndSession& /*job*/) {
   SCANTROVE_TRY(database_->endSession(session_));
   // The last word on what this scan did; what cannot be read now is as it was known.

@@ -220,6 +220,7 @@ struct CatalogueMirror::Applied {
   void operator()(const news::NameStored&) const { endName(); }
   void operator()(const news::NameDropped&) const { endName(); }
   void operator()(const news::NameTakenBack&) const {}
+  void operator()(const news::ViewsLeft&) const {}
   void operator()(const news::Edited& e) const { mirror.edit(e.edits); }
   void operator()(const news::Failed&) const {}
 

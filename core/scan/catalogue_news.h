@@ -71,6 +71,11 @@ struct NameDropped {
 struct NameTakenBack {
   ObjectId object;
 };
+/// Views of it showed something else in the end, and are not of it any more. Edits follow.
+struct ViewsLeft {
+  ObjectId object;
+  bool is_removed = false;  ///< they were all that there was
+};
 struct Edited {
   CatalogueEdits edits;
 };
@@ -80,8 +85,9 @@ struct Failed {
 };
 }  // namespace news
 
-using CatalogueNews = std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored,
-                                   news::ViewDropped, news::MergeStored, news::MergeDropped, news::NameStored,
-                                   news::NameDropped, news::NameTakenBack, news::Edited, news::Failed>;
+using CatalogueNews =
+    std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored, news::ViewDropped,
+                 news::MergeStored, news::MergeDropped, news::NameStored, news::NameDropped,
+                 news::NameTakenBack, news::ViewsLeft, news::Edited, news::Failed>;
 
 }  // namespace scantrove

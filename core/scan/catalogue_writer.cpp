@@ -107,6 +107,11 @@ void CatalogueWriter::takeNameBack(int naming) {
   enqueue(TakeNameBack{naming});
 }
 
+void CatalogueWriter::leaveBehind(ObjectId object, std::vector<int> frames) {
+  const std::scoped_lock lock(mutex_);
+  enqueue(LeaveBehind{object, std::move(frames)});
+}
+
 void CatalogueWriter::follow() {
   const std::scoped_lock lock(mutex_);
   is_follow_wanted_ = true;

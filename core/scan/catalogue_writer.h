@@ -70,6 +70,9 @@ class CatalogueWriter {
   void name(int naming, ObjectId object, const std::string& name);
   /// What that naming did is taken back, unless others have said otherwise by the time.
   void takeNameBack(int naming);
+  /// Views of the object that this scan took from those frames show something else. See
+  /// ObjectDatabase::leaveBehind(); nothing is done when a person has settled what it is by the time.
+  void leaveBehind(ObjectId object, std::vector<int> frames);
   /// Asks for what others did to the catalogue.
   void follow();
 
@@ -102,9 +105,14 @@ class CatalogueWriter {
   struct TakeNameBack {
     int naming = 0;
   };
+  struct LeaveBehind {
+    ObjectId object;
+    std::vector<int> frames;
+  };
   struct BeginSession {};
   struct EndSession {};
-  using Job = std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, EndSession>;
+  using Job =
+      std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, LeaveBehind, EndSession>;
   /// Kinds of jobs, for counting.
   struct Losses {
     int objects = 0, views = 0, merges = 0, names = 0;
@@ -137,6 +145,7 @@ class CatalogueWriter {
   [[nodiscard]] Result<News> execute(const Merge& job);
   [[nodiscard]] Result<News> execute(const Name& job);
   [[nodiscard]] Result<News> execute(const TakeNameBack& job);
+  [[nodiscard]] Result<News> execute(const LeaveBehind& job);
   [[nodiscard]] Result<News> execute(const EndSession& job);
   /// As they are now, behind `news`. What cannot be read now is as it was known.
   [[nodiscard]] News withRecords(CatalogueNews news, std::span<const ObjectId> objects);

@@ -24,6 +24,7 @@ struct FrameObjects {
   std::vector<ObjectRecord> added;  ///< stored
   std::vector<ObjectId> new_views;  ///< objects that got one; stored
   std::vector<ObjectMerge> merged;  ///< their regions turned out to be one; stored
+  std::vector<ObjectId> left;       ///< removed: their views show something else by now
   std::vector<NamedObject> named;   ///< by a person who named a region; stored
   /// The catalogue could not be read or written. Said once until it works again; the scan goes on, and what
   /// could not be stored waits.

@@ -30,7 +30,7 @@ constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F};
 
 bool isClear(const Candidate& candidate, const Clarity& wanted) {
   return candidate.is_whole && candidate.outline >= wanted.least_outline &&
-         candidate.hidden <= wanted.most_hidden;
+         candidate.hidden <= candidate.mostHidden(wanted.most_hidden);
 }
 
 /// What is to be announced of some news.
@@ -43,6 +43,9 @@ struct Announced {
   void operator()(const news::NameStored& e) const {
     objects.named.push_back({e.naming.object, e.naming.name});
     if (e.naming.merge) objects.merged.push_back(*e.naming.merge);
+  }
+  void operator()(const news::ViewsLeft& e) const {
+    if (e.is_removed) objects.left.push_back(e.object);
   }
   void operator()(const news::NameDropped& e) const {
     if (e.why) objects.catalogue_failure = e.why;
@@ -80,7 +83,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
                                       const SurfaceInColor& in_color,
                                       const std::vector<Candidate>& candidates) {
   FrameObjects objects;
-  ++frame_;
+  frame_ += is_looking_again_ ? RecognitionHistory::kFramesApart : 1;
   takeNews(objects);
   mergeJoined();
   const Look look{frame, pose.T_world_camera, in_color, objects};
@@ -173,8 +176,9 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   if (known == nullptr) return {};
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
-    if (catalogue_.holderOf(met_object) == known->id && frame_ - met.last_frame < kFramesToMove &&
-        !MetObjects::hasLeft(met) && !met_.isAt(met_object, candidate))
+    if (catalogue_.holderOf(met_object) == known->id &&
+        (is_looking_again_ || frame_ - met.last_frame < kFramesToMove) && !MetObjects::hasLeft(met) &&
+        !met_.isAt(met_object, candidate))
       return {};
   }
   return known->id;
@@ -203,10 +207,7 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     return;
   }
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
-  const float size_m = candidate.size_m.norm();
-  const bool is_alike =
-      known == nullptr || known->size_m.isZero() || !isMet(known->id) ||
-      std::min(size_m, known->size_m.norm()) >= kViewFraction * std::max(size_m, known->size_m.norm());
+  const bool is_alike = known == nullptr || isAlike(*known, candidate);
   // A set that is much larger than the object holds more than it: its other regions stay free.
   const bool is_wanted = wantedName(candidate) != nullptr;
   if (!is_alike && !is_wanted) return;
@@ -216,6 +217,26 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   met_.meet(identity, candidate, frame_);
   if (is_wanted || isClear(candidate, kForView)) keepNewDirection(identity, candidate, look);
   if (is_wanted) fulfil(candidate, identity);
+}
+
+bool ObjectCollector::isAlike(const ObjectRecord& known, const Candidate& candidate) const {
+  float known_m = known.size_m.norm();
+  if (is_looking_again_) {
+    // Of views that are not outdated, where some are.
+    bool has_outdated = false;
+    float sum_m = 0;
+    int views = 0;
+    for (const KeptView& view : kept_views_) {
+      if (catalogue_.holderOf(view.object) != known.id) continue;
+      has_outdated = has_outdated || view.is_outdated;
+      sum_m += view.is_outdated ? 0 : view.diagonal_m;
+      views += view.is_outdated ? 0 : 1;
+    }
+    if (has_outdated) known_m = views > 0 ? sum_m / static_cast<float>(views) : 0;
+  }
+  if (known_m == 0 || !isMet(known.id)) return true;
+  const float size_m = candidate.size_m.norm();
+  return std::min(size_m, known_m) >= kViewFraction * std::max(size_m, known_m);
 }
 
 /// Two objects at one place are one, the second was met under other regions; those that were ever seen side
@@ -252,6 +273,7 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);
+  noteKept(*view, candidate);
   fulfil(candidate, object);
 }
 
@@ -268,6 +290,7 @@ void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candida
   if (!view) return;
   view->object = object;
   catalogue_.addView(*view);
+  noteKept(*view, candidate);
   writer_->addView(std::move(*view));
   met_.met(object).views.keep(direction);
 }

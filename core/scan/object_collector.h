@@ -15,10 +15,12 @@
 #include "core/catalog/object_database.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
+#include "core/labeling/region_map.h"
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/catalogue_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/kept_namings.h"
+#include "core/scan/kept_view.h"
 #include "core/scan/met_objects.h"
 #include "core/scan/recognition_history.h"
 #include "core/scan/scan_report.h"
@@ -97,6 +99,19 @@ class ObjectCollector {
                                        const SurfaceInColor& in_color,
                                        const std::vector<Candidate>& candidates);
 
+  // At the end of a scan, when regions do not change any more: begin; judge the views of all frames that it
+  // names; collect() from frames of the scan; end.
+
+  /// Frames (RgbdFrame::index) of which this scan kept views.
+  [[nodiscard]] std::vector<int> beginLookingAgain();
+  /// Where that frame was taken. None: no views of it were kept.
+  [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
+  /// Views of that frame that show their objects otherwise than the map does now count no longer. `now`: what
+  /// it shows from there.
+  void judgeViewsOf(int frame_index, const RegionMap& now);
+  /// Those views leave the catalogue, and with them the objects that they were all of.
+  void endLookingAgain();
+
   /// The region is that object of the catalogue, as an earlier scan of this map found out.
   void bind(RegionId region, ObjectId object) { met_.bind({region}, catalogue_.keyOf(object)); }
 
@@ -161,6 +176,10 @@ class ObjectCollector {
   /// None: the colour image does not show it.
   [[nodiscard]] static std::optional<ObjectView> viewToKeep(const Candidate& candidate, const Look& look);
   [[nodiscard]] bool isMet(ObjectId holder) const;
+  void noteKept(const ObjectView& view, const Candidate& candidate);
+  [[nodiscard]] bool isOutdated(const KeptView& view, const RegionMap& now) const;
+  /// As far as is known, the object's views showed it about as large.
+  [[nodiscard]] bool isAlike(const ObjectRecord& known, const Candidate& candidate) const;
 
   CatalogueMirror catalogue_;  // objects are known by its keys
   std::unique_ptr<CatalogueWriter> writer_;
@@ -185,6 +204,8 @@ class ObjectCollector {
   std::vector<std::pair<ObjectId, ObjectId>>
       joined_;  // whose regions were joined, or that stand at one place
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
+  std::vector<KeptView> kept_views_;
+  bool is_looking_again_ = false;
   int frame_ = 0;
 };
 

@@ -125,7 +125,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   std::future<SegmentMap> segments =
       std::async(std::launch::async, [this] { return segmenter_->partition(params_.segmentation); });
   const std::vector<FragmentId> projected = stage("project", [&] {
-    readSurface(result);
+    readSurface(surface_, result);
     return cloud_->project(surface_, map_->bricks());
   });
   const SurfaceInColor in_color = stage("color", [&] {
@@ -152,23 +152,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
   tellOf(merged.events);
-  const std::vector<Candidate> candidates = stage("discover", [&] {
-    const DiscoveryInput input{
-        result.regions,
-        result.vertices_world,
-        result.normals_world,
-        working_K_,
-        T_world_camera,
-        [this](RegionId a, RegionId b) {
-          constexpr float kNever = -std::numeric_limits<float>::infinity();
-          return merger_->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling)
-              .value_or(kNever);
-        }};
-    std::vector<Candidate> found = finder_->find(input);
-    leaveOutSaid(found);
-    addWanted(input, found);
-    return found;
-  });
+  const std::vector<Candidate> candidates =
+      stage("discover", [&] { return findCandidates(*finder_, result, T_world_camera); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
@@ -195,6 +180,20 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
     late.push_back(frame);
   }
   return late;
+}
+
+std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, const FrameResult& result,
+                                                    const Eigen::Isometry3d& T_world_camera) {
+  const auto joiningOdds = [this](RegionId a, RegionId b) {
+    constexpr float kNever = -std::numeric_limits<float>::infinity();
+    return merger_->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
+  };
+  const DiscoveryInput input{result.regions, result.vertices_world, result.normals_world,
+                             working_K_,     T_world_camera,        joiningOdds};
+  std::vector<Candidate> candidates = finder.find(input);
+  leaveOutSaid(candidates);
+  addWanted(input, candidates);
+  return candidates;
 }
 
 void ScanPipeline::tellOf(const RegionEvents& events) {
@@ -225,14 +224,14 @@ std::vector<RegionChange> ScanPipeline::takeRegionChanges() {
   return changes;
 }
 
-void ScanPipeline::readSurface(FrameResult& result) {
+void ScanPipeline::readSurface(const SurfaceMaps& surface, FrameResult& result) {
   static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
   const auto read = [&](const Buffer<cl_float4>& from, std::vector<Eigen::Vector4f>& to) {
     to.resize(static_cast<std::size_t>(working_K_.pixels()));
     from.read(compute_.queue(), {reinterpret_cast<cl_float4*>(to.data()), to.size()});
   };
-  read(surface_.vertices_world, result.vertices_world);
-  read(surface_.normals_world, result.normals_world);
+  read(surface.vertices_world, result.vertices_world);
+  read(surface.normals_world, result.normals_world);
 }
 
 std::span<const Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame,

@@ -126,6 +126,16 @@ class ScanPipeline {
   [[nodiscard]] FrameObjects followCatalogue() {
     return collector_ ? collector_->followCatalogue() : FrameObjects{};
   }
+  /// Looks at what there is again, at the end of a scan and with the regions as they are now: views of
+  /// objects that show them otherwise are left behind, and what became clear too late is found. First begin,
+  /// which says of which frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then
+  /// lookAgain() at frames of the scan; then end. Error: the device failed.
+  [[nodiscard]] std::vector<int> beginLookingAgain();
+  [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
+  [[nodiscard]] Result<FrameObjects> lookAgain(const RgbdFrame& frame,
+                                               const Eigen::Isometry3d& T_world_camera);
+  void endLookingAgain();
+
   /// Ends the collecting; see ObjectCollector::finish. What a person waits for and the last frame shows is
   /// added first.
   [[nodiscard]] Result<void> finishCatalogue(const std::function<void(const FrameObjects&)>& announce);
@@ -186,6 +196,9 @@ class ScanPipeline {
       : compute_(compute), params_(setup.params), frame_count_(setup.frame_count) {}
 
   [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
+  [[nodiscard]] RegionMap regionsSeenAgain(const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] std::vector<Candidate> findCandidates(CandidateFinder& finder, const FrameResult& result,
+                                                      const Eigen::Isometry3d& T_world_camera);
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events);
   /// A person said that these are none, or that a part of them is a thing of its own.
@@ -202,7 +215,7 @@ class ScanPipeline {
   /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
   /// one.
   void keepKnown(const FrameObjects& objects);
-  void readSurface(FrameResult& result);
+  void readSurface(const SurfaceMaps& surface, FrameResult& result);
   /// Colours of the surface in CIE L*a*b* by working pixel, a little blurred.
   [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const RgbdFrame& frame,
                                                            const SurfaceInColor& in_color);
@@ -236,6 +249,8 @@ class ScanPipeline {
   std::optional<EditableCloud> editable_;
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
+  std::unique_ptr<CandidateFinder> finder_of_kept_;  // while it is looked again, and what is seen then
+  SurfaceMaps seen_again_;
   std::unique_ptr<ObjectCollector> collector_;
 
   SurfaceMaps surface_;    // V_t, N_t of the last usable frame

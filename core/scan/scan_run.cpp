@@ -1,5 +1,6 @@
 #include "core/scan/scan_run.h"
 
+#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "core/base/overloaded.h"
 #include "core/catalog/object_database.h"
 #include "core/scan/guarded.h"
+#include "core/scan/key_frame_files.h"
 #include "core/scan/open_source.h"
 #include "core/scan/session_restorer.h"
 
@@ -28,6 +30,18 @@ bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
   const auto isNear = [](float x, float y, float scale) { return std::abs(x - y) <= 0.01F * scale; };
   return a.width == b.width && a.height == b.height && isNear(a.fx, b.fx, a.fx) && isNear(a.fy, b.fy, a.fy) &&
          isNear(a.cx, b.cx, a.fx) && isNear(a.cy, b.cy, a.fy);
+}
+
+/// Looking again at one takes about as long as a frame of the scan.
+constexpr std::size_t kMostFramesAgain = 200;
+
+/// At most so many of them, as far apart in the list as can be.
+template <class T>
+std::vector<T> evenly(std::vector<T> all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<T> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(std::move(all[i * all.size() / most]));
+  return chosen;
 }
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
@@ -194,6 +208,7 @@ void ScanRun::announce(const FrameObjects& objects) {
   for (const ObjectId object : objects.new_views) listener_(ViewAdded{object});
   for (const NamedObject& named : objects.named) listener_(ObjectNamed{named.object, named.name});
   for (const ObjectMerge& merge : objects.merged) listener_(ObjectsMerged{merge.into, merge.from});
+  for (const ObjectId object : objects.left) listener_(ObjectLeft{object});
   if (objects.catalogue_failure) listener_(CatalogueFailed{*objects.catalogue_failure});
 }
 
@@ -257,11 +272,41 @@ void ScanRun::stopClock() {
   clock_start_.reset();
 }
 
-Result<ScanReport> ScanRun::finish() {
+Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
+  if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
+  SCANTROVE_TRY(recorder_->save(*pipeline_));
+  auto kept = recorder_->keptFrames();
+  if (!kept) return fail(kept.error());
+  const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*kept), kMostFramesAgain);
+  const std::vector<int> judged = pipeline_->beginLookingAgain();
+  const int steps = static_cast<int>(judged.size() + frames.size());
+  int done = 0;
+  for (const int frame_index : judged) {
+    if (!goes_on()) return {};
+    listener_(LookingAgain{done++, steps});
+    SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));
+  }
+  for (const auto& [images, saved] : frames) {
+    if (!goes_on()) break;
+    listener_(LookingAgain{done++, steps});
+    const Result<RgbdFrame> frame = readKeyFrame(recorder_->folder(), images, saved);
+    if (!frame) continue;  // who looks at it is told
+    const Result<FrameObjects> objects = pipeline_->lookAgain(*frame, saved.T_world_camera);
+    if (!objects) return fail(objects.error());
+    announce(*objects);
+  }
+  pipeline_->endLookingAgain();
+  return {};
+}
+
+Result<ScanReport> ScanRun::finish(const std::function<bool()>& goes_on) {
   stopClock();
   FirstError outcome;
   // First what needs nothing but this process: a catalogue or a device may take its time to fail.
   if (output_) outcome.note(output_->writeTrajectory());
+  // What it would have found is no result that is lost.
+  if (const Result<void> again = guarded("looking again", [&] { return lookAgain(goes_on); }); !again)
+    spdlog::warn("The scan could not be looked at again. {}", again.error().message());
   outcome.note(guarded("storing what was found", [&] {
     return pipeline_->finishCatalogue([this](const FrameObjects& objects) { announce(objects); });
   }));

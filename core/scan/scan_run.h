@@ -58,10 +58,10 @@ class ScanRun {
   void startClock();
   void stopClock();
 
-  /// Writes the results, stores what waits for the catalogue and closes its session; for every end of a scan,
-  /// good or bad. What fails keeps nothing else from being written. Error: the first failure (the others are
-  /// in the log).
-  [[nodiscard]] Result<ScanReport> finish();
+  /// Looks at what is kept again as long as `goes_on`, writes the results, stores what waits for the
+  /// catalogue and closes its session; for every end of a scan, good or bad. What fails keeps nothing else
+  /// from being written. Error: the first failure (the others are in the log).
+  [[nodiscard]] Result<ScanReport> finish(const std::function<bool()>& goes_on);
 
  private:
   ScanRun(ScanRequest request, ScanSession::Listener listener, LatestValue<ScanSnapshot>& mailbox)
@@ -80,6 +80,8 @@ class ScanRun {
   [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   void fillReport(ScanReport& report);
+  /// At the frames that are kept, with the regions as they came to be.
+  [[nodiscard]] Result<void> lookAgain(const std::function<bool()>& goes_on);
 
   ScanRequest request_;
   ScanSession::Listener listener_;

@@ -154,6 +154,12 @@ class ScanSession::Worker {
     if (state.exchange(next) != next) listener_(StateChanged{next});
   }
 
+  /// Who closes the program or starts another scan does not wait for what may be left out.
+  bool isSomethingElseWanted() {
+    const std::scoped_lock lock(mutex_);
+    return commands_.close || commands_.request || thread_.get_stop_token().stop_requested();
+  }
+
   void failWith(const Error& error) {
     listener_(ScanFailed{error});
     enter(ScanState::failed);
@@ -175,7 +181,8 @@ class ScanSession::Worker {
     const ScanState end = outcome.result() ? ScanState::finished : ScanState::failed;
     outcome.note(guarded("showing the end of the scan", [&] { return (*run)->showNow(end); }));
     // Even when the scan broke off, what was scanned is kept.
-    Result<ScanReport> report = guarded("ending the scan", [&] { return (*run)->finish(); });
+    Result<ScanReport> report = guarded(
+        "ending the scan", [&] { return (*run)->finish([this] { return !isSomethingElseWanted(); }); });
     if (!report) outcome.note(fail(report.error()));
     if (!outcome.result()) {
       failWith(outcome.result().error());

@@ -52,6 +52,10 @@ struct ScanRequest {
 struct StateChanged {
   ScanState state;
 };
+/// The scan has ended, and looks at what it kept again.
+struct LookingAgain {
+  int done = 0, steps = 0;
+};
 struct PreparingDevice {};  ///< kernels are compiled, which takes long and happens once on a device
 struct ObjectAdded {
   ObjectId object;
@@ -68,6 +72,9 @@ struct ObjectsMerged {
   ObjectId into;
   std::vector<ObjectId> from;
 };  ///< the regions of these objects turned out to be one
+struct ObjectLeft {
+  ObjectId object;
+};  ///< it was removed: in the end its regions are not what its views show
 struct ObjectNamed {
   ObjectId object;
   std::string name;
@@ -117,10 +124,11 @@ struct ScanFailed {
 struct ScanFinished {
   ScanReport report;
 };
-using ScanEvent = std::variant<StateChanged, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
-                               ObjectsMerged, ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed,
-                               ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished,
-                               ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
+using ScanEvent =
+    std::variant<StateChanged, LookingAgain, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
+                 ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed,
+                 ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished, ExportFailed,
+                 FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.

@@ -1,4 +1,5 @@
 #include "core/scan/session_recorder.h"
+#include "core/scan/session_restorer.h"
 
 #include <algorithm>
 #include <utility>
@@ -75,6 +76,18 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
     delta.key_frames.push_back(std::move(*key));
     return store.save(delta);
   });
+}
+
+Result<std::vector<SessionRecorder::KeptFrame>> SessionRecorder::keptFrames() {
+  std::vector<std::string> damages;
+  const Result<SavedScan> scan = loadScan(*writer_, damages);
+  if (!scan) return fail(scan.error());
+  std::vector<KeptFrame> kept;
+  for (const SavedKeyFrame& images : scan->key_frames) {
+    const auto frame = std::ranges::find(scan->frames, images.frame, &SavedFrame::number);
+    if (frame != scan->frames.end() && frame->isUsable()) kept.push_back({images, *frame});
+  }
+  return kept;
 }
 
 ObjectId SessionRecorder::objectOf(RegionId region) const {

@@ -20,6 +20,11 @@ class SessionRecorder {
   /// A killed program loses no more than this, and what the disk was slower.
   static constexpr std::chrono::milliseconds kBetweenSaves{3000};
 
+  struct KeptFrame {
+    SavedKeyFrame images;
+    SavedFrame frame;
+  };
+
   struct Setup {
     bool all_frames = false;         ///< keep the images of every frame, not of key frames only
     SavedFacts facts = {};           ///< of a new scan
@@ -40,6 +45,10 @@ class SessionRecorder {
   [[nodiscard]] Result<void> save(ScanPipeline& pipeline);
   /// The same at the end of the scan.
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline);
+  /// The frames whose images the session has, in order, and how they are kept. Waits until they are on disk.
+  /// Error: they cannot be read.
+  [[nodiscard]] Result<std::vector<KeptFrame>> keptFrames();
+  [[nodiscard]] const std::filesystem::path& folder() const { return writer_->folder(); }
   /// Without a catalogue that says it: which object a region is from now on. None: it is none.
   void setObject(RegionId region, ObjectId object) { objects_[region] = object; }
   [[nodiscard]] ObjectId objectOf(RegionId region) const;

@@ -59,6 +59,7 @@ void SessionBridge::announce(const ScanEvent& event) {
             state_ = e.state;
             emit stateChanged(e.state);
           },
+          [this](const LookingAgain& e) { emit lookingAgain(e.done, e.steps); },
           [this](const PreparingDevice&) { emit preparingDevice(); },
           [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
           [this](const ObjectRecognised& e) {
@@ -66,6 +67,7 @@ void SessionBridge::announce(const ScanEvent& event) {
           },
           [this](const ViewAdded& e) { emit viewAdded(e.object); },
           [this](const ObjectsMerged& e) { emit objectsMerged(e.into); },
+          [](const ObjectLeft&) { /* the catalogue's panel sees it in the catalogue */ },
           [this](const ObjectNamed& e) { emit objectNamed(e.object); },
           [this](const CatalogueFailed& e) {
             emit catalogueFailed(QString::fromStdString(e.error.message()));

@@ -46,7 +46,8 @@ class SessionBridge : public QObject {
  signals:
   void snapshotArrived(const std::shared_ptr<const scantrove::ScanSnapshot>& snapshot);
   void stateChanged(scantrove::ScanState state);
-  void preparingDevice();  ///< kernels are compiled: the first frame takes long
+  void lookingAgain(int done, int steps);  ///< at what was kept, when the scan has ended
+  void preparingDevice();                  ///< kernels are compiled: the first frame takes long
   void objectAdded(scantrove::ObjectId object, const QString& name);
   void objectRecognised(scantrove::ObjectId object, const QString& name);
   void viewAdded(scantrove::ObjectId object);

@@ -179,6 +179,7 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::snapshotArrived, this,
           [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(snapshot); });
   connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
+  connect(&bridge, &SessionBridge::lookingAgain, status_, &StatusStrip::showLookingAgain);
   connect(&bridge, &SessionBridge::preparingDevice, status_, &StatusStrip::showPreparing);
   connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
   connect(&bridge, &SessionBridge::frameSkipped, this, [this](int /*frame_index*/, const QString& message) {

@@ -101,6 +101,11 @@ void StatusStrip::showState(ScanState state) {
   paintState();
 }
 
+void StatusStrip::showLookingAgain(int done, int steps) {
+  again_percent_ = steps > 0 ? 100 * done / steps : 0;
+  paintState();
+}
+
 void StatusStrip::showPreparing() {
   is_preparing_ = true;
   paintState();
@@ -109,6 +114,7 @@ void StatusStrip::showPreparing() {
 void StatusStrip::clear() {
   has_pose_ = false;
   is_preparing_ = false;
+  again_percent_ = -1;
   for (QLabel* label : {speed_, map_, losses_}) label->clear();
   stages_->setFullText({});
 }
@@ -117,6 +123,8 @@ QString StatusStrip::stateText() const {
   const bool under_way = state_ == ScanState::starting || state_ == ScanState::scanning;
   if (under_way && is_preparing_) return tr("Preparing the processor (once)");
   if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
+  if (state_ == ScanState::stopping && again_percent_ >= 0)
+    return tr("Looking again, %1 %").arg(again_percent_);
   return stateInWords(state_);
 }
 

@@ -18,7 +18,8 @@ class StatusStrip : public QWidget {
   explicit StatusStrip(QWidget* parent = nullptr);
 
   void showState(ScanState state);
-  void showPreparing();  ///< until the first snapshot
+  void showLookingAgain(int done, int steps);  ///< while the scan ends
+  void showPreparing();                        ///< until the first snapshot
   void showSnapshot(const ScanSnapshot& snapshot);
   [[nodiscard]] QString stateText() const;
 
@@ -30,6 +31,7 @@ class StatusStrip : public QWidget {
   TrackingState tracking_ = TrackingState::lost;
   bool has_pose_ = false;
   bool is_preparing_ = false;
+  int again_percent_ = -1;  // of looking again; below 0: that has not begun
   QLabel* state_label_;
   QLabel* speed_;
   ElidedLabel* stages_;

@@ -56,6 +56,70 @@ TEST_F(ObjectMerging, RemoveAndRestore) {
   EXPECT_EQ(database_->objects()->size(), 3U);
 }
 
+TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreLeftBehind) {
+  const std::int64_t session = *database_->beginSession("demo"), other = *database_->beginSession("other");
+  const auto view = [&](ObjectId object, int frame, std::int64_t of_session, float size_m) {
+    ObjectView made = randomView(frame);
+    made.object = object;
+    made.session = of_session;
+    made.size_m = Eigen::Vector3f::Constant(size_m);
+    return made;
+  };
+  const ObjectId mug = database_->addObject(view({}, 1, session, 0.1F))->id;
+  ASSERT_TRUE(database_->addView(view(mug, 2, session, 0.2F)));
+  ASSERT_TRUE(database_->addView(view(mug, 3, session, 0.2F)));
+  ASSERT_TRUE(database_->addView(view(mug, 1, other, 0.2F)));
+  const int one[] = {1};
+  ASSERT_TRUE(database_->leaveBehind(mug, session, one));
+  EXPECT_EQ(record(mug).views, 3);
+  EXPECT_FLOAT_EQ(record(mug).size_m.x(), 0.2F);
+  EXPECT_EQ(database_->views(mug)->front().frame_index, 2);
+  EXPECT_EQ(database_->viewCount().value(), 4) << "nothing is deleted";
+  // They are a removed object of their own.
+  const ObjectId left{mug.value + 1};
+  EXPECT_FALSE(*database_->resolve(left));
+  ASSERT_TRUE(database_->restore(Ids{left}));
+  EXPECT_EQ(record(left).views, 1);
+  EXPECT_FLOAT_EQ(record(left).size_m.x(), 0.1F);
+  int of_left = 0;
+  ASSERT_TRUE(database_->forEachDescriptor(
+      0, [&](const StoredDescriptor& descriptor) { of_left += descriptor.first_object == left ? 1 : 0; }));
+  EXPECT_EQ(of_left, 1) << "recognition takes it for that one, too";
+}
+
+TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
+  const std::int64_t session = *database_->beginSession("demo");
+  const auto add = [&](int frame) {
+    ObjectView view = randomView(frame);
+    view.session = session;
+    return database_->addObject(view)->id;
+  };
+  const ObjectId patch = add(1), named = add(2), confirmed = add(3);
+  ASSERT_TRUE(database_->rename(named, "mug"));
+  ASSERT_TRUE(database_->setConfirmed(Ids{confirmed}, true));
+  const int frames[] = {1, 2, 3};
+  for (const ObjectId object : {patch, named, confirmed, patch})
+    ASSERT_TRUE(database_->leaveBehind(object, session, frames)) << object.value;
+  EXPECT_EQ(database_->objects()->size(), 2U);
+  EXPECT_FALSE(*database_->resolve(patch));
+  ASSERT_TRUE(database_->restore(Ids{patch}));
+  EXPECT_EQ(record(patch).views, 1);
+}
+
+TEST_F(ObjectMerging, WhatAMergedObjectLeavesBehindGoesFromItsHolder) {
+  const std::int64_t session = *database_->beginSession("demo");
+  const auto add = [&](int frame) {
+    ObjectView view = randomView(frame);
+    view.session = session;
+    return database_->addObject(view)->id;
+  };
+  const Ids pair{add(1), add(2)};
+  const ObjectMerge merge = *database_->merge(pair);
+  const int frames[] = {1, 2};
+  ASSERT_TRUE(database_->leaveBehind(merge.from.front(), session, frames));
+  EXPECT_EQ(record(merge.into).views, 1) << "only that which was of the merged one";
+}
+
 TEST_F(ObjectMerging, SeveralObjectsChangeTogetherOrNotAtAll) {
   const Ids ids{add(), add(), add()};
   EXPECT_TRUE(database_->remove({&ids[1], 1}));

@@ -152,8 +152,19 @@ TEST(LookHistory, AThingOfAnotherSizeStartsAnew) {
     history.add(thing, lookFrom(4.0F * static_cast<float>(i)));
   }
   ASSERT_TRUE(history.isWhole(thing, paramsOfLooks()));
+  const auto lookOfAnotherSize = [&] {
+    history.nextFrame();
+    history.add(thing, lookFrom(20, 0.9F, 0, 0.5F));
+  };
+  lookOfAnotherSize();
+  lookOfAnotherSize();
+  EXPECT_TRUE(history.isWhole(thing, paramsOfLooks())) << "something stood before it for a moment";
   history.nextFrame();
-  history.add(thing, lookFrom(20, 0.9F, 0, 0.5F));  // it parted, or something joined it
+  history.add(thing, lookFrom(20));
+  lookOfAnotherSize();
+  lookOfAnotherSize();
+  EXPECT_TRUE(history.isWhole(thing, paramsOfLooks())) << "not in a row";
+  lookOfAnotherSize();  // it parted, or something joined it
   EXPECT_FALSE(history.isWhole(thing, paramsOfLooks()));
 }
 

@@ -1,5 +1,6 @@
 #include "core/discovery/region_outlines.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/unit/discovery/painted_scene.h"
@@ -8,6 +9,8 @@ namespace scantrove {
 namespace {
 
 using test::PaintedScene;
+using testing::Contains;
+using testing::Not;
 
 OutlineSteps outlineOf(const PaintedScene& scene, std::uint32_t region) {
   return RegionOutlines(scene.input(), DiscoveryParams()).of({RegionId{region}});
@@ -73,8 +76,8 @@ TEST(RegionOutlines, WhatIsBetweenTheRegionsOfASetIsInside) {
   EXPECT_EQ(outlines.of({a}).ridged, 80);
   EXPECT_EQ(outlines.of({a, b}).ridged, 0);
   EXPECT_EQ(outlines.of({a, b}).known(), 2 * (80 + 80)) << "only the rectangle around both";
-  EXPECT_EQ(outlines.touchedBy(a, 80), std::vector{b});
-  EXPECT_TRUE(outlines.touchedBy(a, 81).empty());
+  EXPECT_THAT(outlines.metBy(a, 80), Contains(b));
+  EXPECT_THAT(outlines.metBy(a, 81), Not(Contains(b)));
 }
 
 TEST(RegionOutlines, WhatWasNotSeenSaysNothing) {

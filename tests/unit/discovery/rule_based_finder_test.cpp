@@ -312,6 +312,74 @@ TEST(RuleBasedFinder, NeighboursThatAreNearToJoiningAreAHypothesisTogether) {
   EXPECT_THAT(sets(), ElementsAre(one, other)) << "clearly two";
 }
 
+TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
+  PaintedScene scene;
+  const RegionId ball{7}, dent{8}, plane{9};
+  const auto paintBall = [&](RegionId region, int centre_u, float side) {
+    const Eigen::Vector3f middle = scene.K.backProject(static_cast<float>(centre_u), 59.5F, 1.5F);
+    constexpr float kRadius_m = 0.15F;
+    for (int v = 0; v < scene.K.height; ++v) {
+      for (int u = 0; u < scene.K.width; ++u) {
+        const Eigen::Vector3f ray = scene.K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
+        // |z ray - middle| = r; its near side bulges, its far side is the hollow.
+        const float a = ray.squaredNorm(), b = ray.dot(middle),
+                    c = middle.squaredNorm() - kRadius_m * kRadius_m;
+        if (b * b < a * c) continue;
+        const float z = (b + side * std::sqrt(b * b - a * c)) / a;
+        scene.paint(region.value, {u, v, 1, 1}, [z](int, int) { return z; });
+      }
+    }
+  };
+  paintBall(ball, 40, -1);
+  paintBall(dent, 120, 1);
+  scene.paint(plane.value, {70, 40, 20, 30}, [](int, int) { return 1.0F; });
+  const DiscoveryInput input = scene.input();
+  const cv::Rect all(0, 0, scene.K.width, scene.K.height);
+  // Of half a ball seen from afar (p - c) . n is r (1 - 2/3 cos) and |p - c| is r sqrt(13/9 - 4/3 cos), with
+  // the angle to the line of sight; their means over the disc are 5/9 and 0.71. From near less of it is seen.
+  EXPECT_NEAR(bulgeOf({ball}, all, input), 0.78F, 0.07F);
+  EXPECT_NEAR(bulgeOf({dent}, all, input), -0.78F, 0.07F);
+  EXPECT_NEAR(bulgeOf({plane}, all, input), 0, 1e-3F);
+  EXPECT_EQ(bulgeOf({RegionId{99}}, all, input), 0);
+}
+
+TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
+  // Seen from above: a hollow whose near side the front wall hides.
+  PaintedScene scene;
+  const RegionId inside{8}, outside{7};
+  scene.paint(inside.value, {60, 40, 40, 20}, [](int u, int v) {
+    const float x = (static_cast<float>(u) - 79.5F) / 20, y = (static_cast<float>(v) - 49.5F) / 10;
+    return 1.08F + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
+  });
+  scene.paintBump(outside.value, {60, 60, 40, 20}, 1.0F, 0.5F);
+  const auto sets = [&] {
+    const auto finder = makeRuleBasedFinder(testParams());
+    std::vector<Candidate> found;
+    for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
+    std::vector<RegionSet> of_found;
+    for (const Candidate& candidate : found) of_found.push_back(candidate.regions);
+    return of_found;
+  };
+  EXPECT_THAT(sets(), ElementsAre(RegionSet{outside}, RegionSet{inside})) << "that they touch is not known";
+  scene.joining_odds = [](RegionId, RegionId) { return -0.5F; };
+  EXPECT_THAT(sets(), ElementsAre(RegionSet{outside, inside}));
+  // A block behind a wall that hides as much of it is a thing of its own.
+  scene.paintBump(inside.value, {60, 40, 40, 20}, 1.2F, 0.5F);
+  EXPECT_THAT(sets(), ElementsAre(RegionSet{outside}, RegionSet{inside}));
+}
+
+TEST(Candidate, AClearThingMayBeHiddenMore) {
+  Candidate candidate;
+  candidate.outline = 0.95F;
+  candidate.bulge = 0.3F;
+  EXPECT_GT(candidate.mostHidden(0.3F), 0.4F);
+  candidate.bulge = 0.05F;  // a book, or a patch of the table
+  EXPECT_EQ(candidate.mostHidden(0.3F), 0.3F);
+  candidate.bulge = 0.3F;
+  candidate.outline = 0.85F;
+  EXPECT_EQ(candidate.mostHidden(0.3F), 0.3F);
+}
+
 TEST(ChooseDisjoint, TakesTheBestOfThoseThatShareRegions) {
   const auto candidate = [](const RegionSet& regions, float outline, bool is_whole, float odds = 0) {
     Candidate made;

@@ -1,0 +1,95 @@
+// What ObjectCollector does when a scan has ended and everything is looked at again.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/scan/object_collector.h"
+
+namespace scantrove {
+namespace {
+
+/// Of mask and region together both must be this part, or the view is of what the region was once.
+constexpr float kLeastFit = 0.7F;
+
+}  // namespace
+
+void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidate) {
+  kept_views_.push_back({view.object, view.frame_index, view.T_world_camera, candidate.box_px,
+                         candidate.mask.clone(), view.direction, candidate.size_m.norm()});
+}
+
+std::vector<int> ObjectCollector::beginLookingAgain() {
+  is_looking_again_ = true;
+  std::set<int> frames;
+  for (const KeptView& view : kept_views_) frames.insert(view.frame_index);
+  return {frames.begin(), frames.end()};
+}
+
+std::optional<Eigen::Isometry3d> ObjectCollector::cameraOfViews(int frame_index) const {
+  const auto view = std::ranges::find(kept_views_, frame_index, &KeptView::frame_index);
+  return view == kept_views_.end() ? std::nullopt : std::optional(view->T_world_camera);
+}
+
+void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now) {
+  std::set<ObjectId> changed;
+  for (KeptView& view : kept_views_) {
+    if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
+    view.is_outdated = true;
+    changed.insert(view.object);
+  }
+  // From there the object may be taken anew.
+  for (const ObjectId object : changed) met_.met(object).views = {};
+  for (const KeptView& view : kept_views_) {
+    if (changed.contains(view.object) && !view.is_outdated) met_.met(view.object).views.keep(view.direction);
+  }
+}
+
+bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
+  const ObjectRecord* holder = recordOf(catalogue_.holderOf(view.object));
+  // What a person said something of is as it was then.
+  if (holder == nullptr || isSettled(*holder)) return false;
+  struct Pixels {
+    bool is_own = false;
+    float all = 0, shared = 0;
+    [[nodiscard]] float fit(float mask) const { return shared / (mask + all - shared); }
+  };
+  std::map<RegionId, Pixels> regions;
+  float mask = 0;
+  for (int v = 0; v < now.height; ++v) {
+    for (int u = 0; u < now.width; ++u) {
+      const cv::Point pixel(u, v);
+      const bool is_masked =
+          view.box_px.contains(pixel) && view.mask.at<unsigned char>(pixel - view.box_px.tl()) != 0;
+      mask += is_masked ? 1.0F : 0.0F;
+      const RegionId region = now.regions[static_cast<std::size_t>(v) * static_cast<std::size_t>(now.width) +
+                                          static_cast<std::size_t>(u)];
+      if (!region) continue;
+      const auto [entry, is_new] = regions.try_emplace(region);
+      if (is_new) entry->second.is_own = catalogue_.holderOf(met_.objectOf(region)) == holder->id;
+      entry->second.all += 1;
+      entry->second.shared += is_masked ? 1.0F : 0.0F;
+    }
+  }
+  // One region of the object, or all of them together.
+  Pixels all_own;
+  float best = 0;
+  for (const auto& [region, pixels] : regions) {
+    if (!pixels.is_own) continue;
+    best = std::max(best, pixels.fit(mask));
+    all_own.all += pixels.all;
+    all_own.shared += pixels.shared;
+  }
+  return std::max(best, all_own.fit(mask)) < kLeastFit;
+}
+
+void ObjectCollector::endLookingAgain() {
+  is_looking_again_ = false;
+  std::map<ObjectId, std::vector<int>> outdated;
+  for (const KeptView& view : kept_views_) {
+    if (view.is_outdated) outdated[view.object].push_back(view.frame_index);
+  }
+  for (auto& [object, frames] : outdated) writer_->leaveBehind(object, std::move(frames));
+  std::erase_if(kept_views_, &KeptView::is_outdated);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,22 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+
+#include "core/base/ids.h"
+#include "core/discovery/candidate.h"
+
+namespace scantrove {
+
+/// A view of an object as a scan cut it out of a frame.
+struct KeptView {
+  ObjectId object;  ///< that it was stored for
+  int frame_index = 0;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  cv::Rect box_px;            ///< in the working resolution
+  cv::Mat mask;               ///< as Candidate::mask
+  Eigen::Vector3f direction;  ///< from the object to the camera, world
+  float diagonal_m = 0;       ///< of the object, as this view showed it
+  bool is_outdated = false;   ///< its object's regions are others now
+};
+
+}  // namespace scantrove

@@ -1,0 +1,68 @@
+// What ScanPipeline does when a scan has ended and it looks at everything again.
+#include "core/scan/guarded.h"
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove {
+namespace {
+
+/// Regions do not change any more, and looks are as far apart as key frames are.
+DiscoveryParams paramsOfSecondLook(DiscoveryParams params) {
+  constexpr int kLooks = 2;
+  params.persistent_frames = 1;
+  params.whole_looks = kLooks;
+  params.whole_angle_deg = 0;
+  params.still_frames = 0;
+  return params;
+}
+
+}  // namespace
+
+std::vector<int> ScanPipeline::beginLookingAgain() {
+  if (!collector_) return {};
+  finder_of_kept_ = makeRuleBasedFinder(paramsOfSecondLook(params_.discovery));
+  return collector_->beginLookingAgain();
+}
+
+RegionMap ScanPipeline::regionsSeenAgain(const Eigen::Isometry3d& T_world_camera) {
+  map_->raycast(T_world_camera, working_K_, seen_again_);
+  RegionMap map;
+  map.width = working_K_.width;
+  map.height = working_K_.height;
+  map.regions.reserve(static_cast<std::size_t>(working_K_.pixels()));
+  for (const FragmentId fragment : cloud_->project(seen_again_, map_->bricks()))
+    map.regions.push_back(table_.regionOf(fragment));
+  return map;
+}
+
+Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
+  return guarded("looking again at the views of frame " + std::to_string(frame_index), [&]() -> Result<void> {
+    if (!collector_) return {};
+    const std::optional<Eigen::Isometry3d> T_world_camera = collector_->cameraOfViews(frame_index);
+    if (T_world_camera) collector_->judgeViewsOf(frame_index, regionsSeenAgain(*T_world_camera));
+    return {};
+  });
+}
+
+Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
+                                             const Eigen::Isometry3d& T_world_camera) {
+  return guarded("looking again at frame " + std::to_string(frame.index), [&]() -> Result<FrameObjects> {
+    if (!collector_ || !finder_of_kept_) return FrameObjects{};
+    FrameResult result;
+    result.pose.T_world_camera = T_world_camera;
+    result.regions = regionsSeenAgain(T_world_camera);
+    readSurface(seen_again_, result);
+    const SurfaceInColor in_color =
+        locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+    return collector_->collect(frame, result.pose, in_color,
+                               findCandidates(*finder_of_kept_, result, T_world_camera));
+  });
+}
+
+void ScanPipeline::endLookingAgain() {
+  if (!collector_ || !finder_of_kept_) return;
+  finder_of_kept_.reset();
+  seen_again_ = {};
+  collector_->endLookingAgain();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,101 @@
+// What ObjectCollector does at the end of a scan, when everything is looked at again.
+#include <gmock/gmock.h>
+
+#include "tests/pipeline/collection/object_collector_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using test::Thing;
+
+class SecondLook : public test::ObjectCollectorFixture {
+ protected:
+  /// What the map shows from a frame in the end: the thing's region where its view had it, or in a part of
+  /// that only.
+  static RegionMap mapWith(const Thing& thing, double part) {
+    RegionMap map;
+    map.width = test::kWorking.width;
+    map.height = test::kWorking.height;
+    map.regions.assign(static_cast<std::size_t>(test::kWorking.pixels()), RegionId{1});
+    const Candidate candidate = thing.candidate();
+    for (int v = 0; v < static_cast<int>(part * candidate.mask.rows); ++v) {
+      for (int u = 0; u < candidate.mask.cols; ++u) {
+        if (candidate.mask.at<unsigned char>(v, u) == 0) continue;
+        const cv::Point at = candidate.box_px.tl() + cv::Point(u, v);
+        map.regions[static_cast<std::size_t>(at.y * map.width + at.x)] = thing.region;
+      }
+    }
+    return map;
+  }
+  /// All views are held against that map; then frames show `things`.
+  void lookAgain(const RegionMap& map, const std::vector<Thing>& things) {
+    for (const int frame : collector_->beginLookingAgain()) {
+      EXPECT_TRUE(collector_->cameraOfViews(frame));
+      collector_->judgeViewsOf(frame, map);
+    }
+    for (int i = 0; i < 6; ++i) static_cast<void>(look(things));
+    collector_->endLookingAgain();
+    settle();
+    static_cast<void>(collector_->followCatalogue());
+  }
+  std::vector<int> framesOfViews(ObjectId object) {
+    std::vector<int> frames;
+    const std::vector<ObjectView> views = *person_->views(object);
+    for (const ObjectView& view : views) frames.push_back(view.frame_index);
+    return frames;
+  }
+};
+
+TEST_F(SecondLook, ViewsThatShowTheirObjectStay) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const std::vector<int> before = framesOfViews(mug);
+  lookAgain(mapWith(mug_, 0.8), {});
+  EXPECT_EQ(framesOfViews(mug), before);
+  EXPECT_EQ(collector_->cameraOfViews(12345), std::nullopt);
+}
+
+TEST_F(SecondLook, AViewOfWhatTheRegionWasOnceGivesWayToOneOfWhatItIs) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const std::vector<int> before = framesOfViews(mug);
+  ASSERT_EQ(before.size(), 1U);
+  lookAgain(mapWith(mug_, 0.5), {mug_});
+  const std::vector<int> after = framesOfViews(mug);
+  ASSERT_EQ(after.size(), 1U);
+  EXPECT_GT(after[0], before[0]) << "from the same side";
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->record(mug)->views, 1) << "also as the scan reports it";
+}
+
+TEST_F(SecondLook, WhatNoViewShowsAnyMoreIsNoObject) {
+  static_cast<void>(study({mug_, box_}));
+  lookAgain(mapWith(box_, 1), {});
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->objectOf(mug_.region), ObjectId{});
+  EXPECT_EQ(collector_->objectOf(box_.region), objects()[0].id);
+}
+
+TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  ASSERT_TRUE(person_->rename(mug, "mug"));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  lookAgain(mapWith(mug_, 0.2), {});
+  EXPECT_EQ(framesOfViews(mug).size(), 1U);
+}
+
+TEST_F(SecondLook, FindsWhatWasNotClearWhileTheScanRan) {
+  lookAgain(mapWith(mug_, 1), {mug_, box_});
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(SecondLook, TwoOfAKindStayTwoHoweverFarApartTheyAreSeen) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  for (int i = 0; i < 200; ++i) static_cast<void>(look({}));
+  const Thing other{mug_.seed, 2, RegionId{77}};
+  lookAgain(mapWith(mug_, 1), {other});
+  EXPECT_EQ(objects().size(), 2U) << "while a scan looks again nothing is carried about";
+  EXPECT_NE(collector_->objectOf(other.region), mug);
+}
+
+}  // namespace
+}  // namespace scantrove
