@@ -39,25 +39,29 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Hears when a widget is painted.
-class PaintListener : public QObject {
+/// Hears when a widget gets an event.
+class EventListener : public QObject {
  public:
-  explicit PaintListener(QWidget* widget) { widget->installEventFilter(this); }
-  bool painted = false;
+  EventListener(QWidget* widget, QEvent::Type type) : type_(type) { widget->installEventFilter(this); }
+  bool has_come = false;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Paint) painted = true;
+    if (event->type() == type_) has_come = true;
     return QObject::eventFilter(watched, event);
   }
+
+ private:
+  QEvent::Type type_;
 };
 
 /// Moves the pointer in a view like a hand would, from another thread, and waits until that view was painted
-/// with what is there. None: nothing is there, or it was lit already.
+/// with what is there. None: nothing is there, or it was lit already. (Views say at once what is under the
+/// pointer; what comes there with a later drawing is no answer to this move.)
 std::optional<double> timeOfLighting(MainWindow& window, QWidget& view, QWidget& painted,
                                      const QPointF& place) {
   const RegionId before = window.regions().selection().hovered();
-  PaintListener listener(&painted);
+  EventListener paint(&painted, QEvent::Paint), move(&view, QEvent::MouseMove);
   const Clock::time_point start = Clock::now();
   std::thread hand([&] {
     QCoreApplication::postEvent(&view, new QMouseEvent(QEvent::MouseMove, place, view.mapToGlobal(place),
@@ -67,8 +71,10 @@ std::optional<double> timeOfLighting(MainWindow& window, QWidget& view, QWidget&
   while (millisecondsSince(start) < 1000) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
     const RegionId now = window.regions().selection().hovered();
-    if (now != before && now && listener.painted) return millisecondsSince(start);
-    if (now == before) listener.painted = false;
+    if (now != before && now && paint.has_come) return millisecondsSince(start);
+    if (now != before && now) continue;
+    if (move.has_come) return std::nullopt;
+    paint.has_come = false;
   }
   return std::nullopt;
 }
