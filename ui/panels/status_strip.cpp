@@ -146,13 +146,31 @@ void StatusStrip::paintState() {
 }
 
 void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
-  const QLocale locale;
   tracking_ = snapshot.pose.state;
   has_pose_ = snapshot.frame_index >= 0;
   is_preparing_ = false;
   paintState();
-  speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
+  showSpeed(snapshot);
 
+  const QLocale locale;
+  map_->setText(tr("%1 regions   %2 bricks   %3 MB")
+                    .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),
+                         locale.toString(snapshot.map_megabytes, 'f', 0)));
+  QStringList losses;
+  if (snapshot.frames.lost > 0) losses << tr("%1 lost").arg(snapshot.frames.lost);
+  if (snapshot.frames.skipped > 0) losses << tr("%1 unreadable").arg(snapshot.frames.skipped);
+  if (snapshot.frames.dropped > 0) losses << tr("%1 dropped").arg(snapshot.frames.dropped);
+  losses_->setText(losses.isEmpty() ? tr("no frame lost") : losses.join(QStringLiteral(" · ")));
+}
+
+void StatusStrip::showSpeed(const ScanSnapshot& snapshot) {
+  // Of a session that is looked at there is none.
+  if (snapshot.stage_times.empty()) {
+    speed_->clear();
+    stages_->setFullText({});
+    return;
+  }
+  speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
   double total_ms = 0;
   for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) total_ms += stage.ms;
   std::vector<ScanSnapshot::StageTime> slowest = snapshot.stage_times;
@@ -166,15 +184,6 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
   stages_->setFullText(
       tr("%1 ms a frame:  %2").arg(total_ms, 0, 'f', 0).arg(parts.join(QStringLiteral(" · "))),
       stageTable(snapshot, total_ms));
-
-  map_->setText(tr("%1 regions   %2 bricks   %3 MB")
-                    .arg(locale.toString(snapshot.region_count), locale.toString(snapshot.map_bricks),
-                         locale.toString(snapshot.map_megabytes, 'f', 0)));
-  QStringList losses;
-  if (snapshot.frames.lost > 0) losses << tr("%1 lost").arg(snapshot.frames.lost);
-  if (snapshot.frames.skipped > 0) losses << tr("%1 unreadable").arg(snapshot.frames.skipped);
-  if (snapshot.frames.dropped > 0) losses << tr("%1 dropped").arg(snapshot.frames.dropped);
-  losses_->setText(losses.isEmpty() ? tr("no frame lost") : losses.join(QStringLiteral(" · ")));
 }
 
 }  // namespace scantrove

@@ -26,6 +26,7 @@ class StatusStrip : public QWidget {
  private:
   void clear();
   void paintState();
+  void showSpeed(const ScanSnapshot& snapshot);
 
   ScanState state_ = ScanState::idle;
   TrackingState tracking_ = TrackingState::lost;

@@ -252,6 +252,40 @@ TEST(StatusStrip, SaysThatTheProcessorIsPreparedUntilTheFirstFrame) {
   EXPECT_EQ(strip.stateText(), QStringLiteral("Starting…"));
 }
 
+TEST(StatusStrip, SaysHowFarLookingAgainIs) {
+  StatusStrip strip;
+  strip.showState(ScanState::scanning);
+  strip.showLookingAgain(0, 40);  // it is told with the end of the scan, which comes next
+  strip.showState(ScanState::stopping);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Looking again, 0 %"));
+  strip.showLookingAgain(10, 40);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Looking again, 25 %"));
+  strip.showState(ScanState::finished);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Finished"));
+  strip.showState(ScanState::starting);
+  strip.showState(ScanState::stopping);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Stopping…")) << "another scan has not got there";
+}
+
+TEST(StatusStrip, ASessionThatIsLookedAtHasNoSpeed) {
+  StatusStrip strip;
+  ScanSnapshot snapshot;
+  snapshot.frame_index = 0;
+  snapshot.fps = 20;
+  snapshot.stage_times = {{"track", 5}};
+  const auto says = [&](const QString& what) {
+    return std::ranges::any_of(strip.findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text().contains(what); });
+  };
+  strip.showSnapshot(snapshot);
+  EXPECT_TRUE(says(QStringLiteral("20.0 fps")));
+  snapshot.stage_times.clear();
+  snapshot.fps = 0;
+  strip.showSnapshot(snapshot);
+  EXPECT_FALSE(says(QStringLiteral("fps")));
+  EXPECT_FALSE(says(QStringLiteral("ms a frame")));
+}
+
 TEST(ElidedLabel, GivesWayAndSaysTheRestInItsTooltip) {
   ElidedLabel label;
   const QString text = QStringLiteral("a name that is a good deal longer than there is room");
