@@ -28,6 +28,12 @@ class ObjectMerging : public test::CatalogTest {
     for (int i = 1; i < views; ++i) EXPECT_TRUE(database_->addView(view));
     return view.object;
   }
+  /// An object that this session found in that frame.
+  ObjectId addOf(std::int64_t session, int frame) {
+    ObjectView view = randomView(frame);
+    view.session = session;
+    return database_->addObject(view)->id;
+  }
   [[nodiscard]] ObjectRecord record(ObjectId id) const { return *database_->object(id); }
   /// All that a person sees, and the events, as one text each.
   [[nodiscard]] std::string visibleState() const {
@@ -89,12 +95,7 @@ TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreLeftBehind) {
 
 TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
   const std::int64_t session = *database_->beginSession("demo");
-  const auto add = [&](int frame) {
-    ObjectView view = randomView(frame);
-    view.session = session;
-    return database_->addObject(view)->id;
-  };
-  const ObjectId patch = add(1), named = add(2), confirmed = add(3);
+  const ObjectId patch = addOf(session, 1), named = addOf(session, 2), confirmed = addOf(session, 3);
   ASSERT_TRUE(database_->rename(named, "mug"));
   ASSERT_TRUE(database_->setConfirmed(Ids{confirmed}, true));
   const int frames[] = {1, 2, 3};
@@ -108,12 +109,7 @@ TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
 
 TEST_F(ObjectMerging, WhatAMergedObjectLeavesBehindGoesFromItsHolder) {
   const std::int64_t session = *database_->beginSession("demo");
-  const auto add = [&](int frame) {
-    ObjectView view = randomView(frame);
-    view.session = session;
-    return database_->addObject(view)->id;
-  };
-  const Ids pair{add(1), add(2)};
+  const Ids pair{addOf(session, 1), addOf(session, 2)};
   const ObjectMerge merge = *database_->merge(pair);
   const int frames[] = {1, 2};
   ASSERT_TRUE(database_->leaveBehind(merge.from.front(), session, frames));

@@ -38,6 +38,16 @@ std::vector<std::uint32_t> findAfter(const PaintedScene& scene, const DiscoveryP
   return ids;
 }
 
+/// The regions of each candidate of the last of five equal frames.
+std::vector<RegionSet> setsIn(const PaintedScene& scene) {
+  const auto finder = makeRuleBasedFinder(testParams());
+  std::vector<Candidate> found;
+  for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
+  std::vector<RegionSet> of_found;
+  for (const Candidate& candidate : found) of_found.push_back(candidate.regions);
+  return of_found;
+}
+
 /// The rules that region `id` breaks once it was seen often enough.
 std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams& params, std::uint32_t id) {
   RegionCounter counter;
@@ -296,20 +306,12 @@ TEST(RuleBasedFinder, NeighboursThatAreNearToJoiningAreAHypothesisTogether) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 20, 30}, 1.0F);
   scene.paintBump(9, {80, 50, 20, 30}, 1.0F);
-  const auto sets = [&] {
-    const auto finder = makeRuleBasedFinder(testParams());
-    std::vector<Candidate> found;
-    for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
-    std::vector<RegionSet> of_found;
-    for (const Candidate& candidate : found) of_found.push_back(candidate.regions);
-    return of_found;
-  };
   const RegionSet one{RegionId{7}}, other{RegionId{9}}, both{RegionId{7}, RegionId{9}};
-  EXPECT_THAT(sets(), ElementsAre(one, other)) << "nothing is known of the two";
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "nothing is known of the two";
   scene.joining_odds = [](RegionId, RegionId) { return -0.6F; };
-  EXPECT_THAT(sets(), ElementsAre(one, both, other));
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, both, other));
   scene.joining_odds = [](RegionId, RegionId) { return -kNearOdds - 1; };
-  EXPECT_THAT(sets(), ElementsAre(one, other)) << "clearly two";
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "clearly two";
 }
 
 TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
@@ -352,20 +354,13 @@ TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
     return 1.08F + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
   });
   scene.paintBump(outside.value, {60, 60, 40, 20}, 1.0F, 0.5F);
-  const auto sets = [&] {
-    const auto finder = makeRuleBasedFinder(testParams());
-    std::vector<Candidate> found;
-    for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
-    std::vector<RegionSet> of_found;
-    for (const Candidate& candidate : found) of_found.push_back(candidate.regions);
-    return of_found;
-  };
-  EXPECT_THAT(sets(), ElementsAre(RegionSet{outside}, RegionSet{inside})) << "that they touch is not known";
+  EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}))
+      << "that they touch is not known";
   scene.joining_odds = [](RegionId, RegionId) { return -0.5F; };
-  EXPECT_THAT(sets(), ElementsAre(RegionSet{outside, inside}));
+  EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside, inside}));
   // A block behind a wall that hides as much of it is a thing of its own.
   scene.paintBump(inside.value, {60, 40, 40, 20}, 1.2F, 0.5F);
-  EXPECT_THAT(sets(), ElementsAre(RegionSet{outside}, RegionSet{inside}));
+  EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}));
 }
 
 TEST(Candidate, AClearThingMayBeHiddenMore) {
