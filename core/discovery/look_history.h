@@ -14,7 +14,7 @@ class LookHistory {
   static constexpr int kMemory = 900;  ///< frames
 
   struct Look {
-    float outline = 0, hidden = 0;                        ///< as in Candidate
+    float outline = 0, hidden = 0;                        ///< as in Candidate; less what may be hidden more
     Eigen::Vector3f size_m = Eigen::Vector3f::Zero();     ///< of the oriented box
     Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< unit, from the thing to the camera, world
   };

@@ -47,7 +47,7 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now) {
 bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(view.object));
   // What a person said something of is as it was then.
-  if (holder == nullptr || isSettled(*holder)) return false;
+  if (holder == nullptr || isSettled(*holder) || by_person_.contains(view.object)) return false;
   struct Pixels {
     bool is_own = false;
     float all = 0, shared = 0;

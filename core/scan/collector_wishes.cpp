@@ -137,6 +137,7 @@ void ObjectCollector::fulfil(const Candidate& candidate, ObjectId object) {
     const std::string name = found->second;
     if (!name.empty() && candidate.regions.size() > 1) continue;  // until it is seen alone
     wanted_.erase(found);
+    by_person_.insert(object);
     const auto other = not_these_.find(region);
     const ObjectId earlier = other == not_these_.end() ? ObjectId{} : other->second;
     not_these_.erase(region);

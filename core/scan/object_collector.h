@@ -205,6 +205,7 @@ class ObjectCollector {
       joined_;  // whose regions were joined, or that stand at one place
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
   std::vector<KeptView> kept_views_;
+  std::set<ObjectId> by_person_;  // that a person waited for
   bool is_looking_again_ = false;
   int frame_ = 0;
 };

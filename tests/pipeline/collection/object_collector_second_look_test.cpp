@@ -83,6 +83,13 @@ TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {
   EXPECT_EQ(framesOfViews(mug).size(), 1U);
 }
 
+TEST_F(SecondLook, WhatAPersonMadeAnObjectStaysOne) {
+  collector_->addByPerson(mug_.region);
+  ASSERT_EQ(look({mug_}).added.size(), 1U);
+  lookAgain(mapWith(mug_, 0.2), {});
+  EXPECT_EQ(objects().size(), 1U);
+}
+
 TEST_F(SecondLook, FindsWhatWasNotClearWhileTheScanRan) {
   lookAgain(mapWith(mug_, 1), {mug_, box_});
   EXPECT_EQ(objects().size(), 2U);
