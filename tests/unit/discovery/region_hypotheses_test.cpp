@@ -1,0 +1,132 @@
+// Sets of regions as candidates, hollows among them, and the choice between candidates.
+#include "core/discovery/region_hypotheses.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/discovery/region_points.h"
+#include "tests/unit/discovery/painted_scene.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedScene;
+using testing::ElementsAre;
+
+/// The regions of each candidate of the last of five equal frames.
+std::vector<RegionSet> setsIn(const PaintedScene& scene) {
+  DiscoveryParams params;
+  params.persistent_frames = 5;
+  params.min_points = 1600;  // at 640x480; 100 at 160x120
+  const auto finder = makeRuleBasedFinder(params);
+  std::vector<Candidate> found;
+  for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
+  std::vector<RegionSet> of_found;
+  for (const Candidate& candidate : found) of_found.push_back(candidate.regions);
+  return of_found;
+}
+
+TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
+  PaintedScene scene;
+  const RegionId ball{7}, dent{8}, plane{9};
+  const auto paintBall = [&](RegionId region, int centre_u, float side) {
+    const Eigen::Vector3f middle = scene.K.backProject(static_cast<float>(centre_u), 59.5F, 1.5F);
+    constexpr float kRadius_m = 0.15F;
+    for (int v = 0; v < scene.K.height; ++v) {
+      for (int u = 0; u < scene.K.width; ++u) {
+        const Eigen::Vector3f ray = scene.K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
+        // |z ray - middle| = r; its near side bulges, its far side is the hollow.
+        const float a = ray.squaredNorm(), b = ray.dot(middle),
+                    c = middle.squaredNorm() - kRadius_m * kRadius_m;
+        if (b * b < a * c) continue;
+        const float z = (b + side * std::sqrt(b * b - a * c)) / a;
+        scene.paint(region.value, {u, v, 1, 1}, [z](int, int) { return z; });
+      }
+    }
+  };
+  paintBall(ball, 40, -1);
+  paintBall(dent, 120, 1);
+  scene.paint(plane.value, {70, 40, 20, 30}, [](int, int) { return 1.0F; });
+  const DiscoveryInput input = scene.input();
+  const cv::Rect all(0, 0, scene.K.width, scene.K.height);
+  // Of half a ball seen from afar (p - c) . n is r (1 - 2/3 cos) and |p - c| is r sqrt(13/9 - 4/3 cos), with
+  // the angle to the line of sight; their means over the disc are 5/9 and 0.71. From near less of it is seen.
+  EXPECT_NEAR(bulgeOf({ball}, all, input), 0.78F, 0.07F);
+  EXPECT_NEAR(bulgeOf({dent}, all, input), -0.78F, 0.07F);
+  EXPECT_NEAR(bulgeOf({plane}, all, input), 0, 1e-3F);
+  EXPECT_EQ(bulgeOf({RegionId{99}}, all, input), 0);
+}
+
+TEST(RuleBasedFinder, NeighboursThatAreNearToJoiningAreAHypothesisTogether) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 50, 20, 30}, 1.0F);
+  scene.paintBump(9, {80, 50, 20, 30}, 1.0F);
+  const RegionSet one{RegionId{7}}, other{RegionId{9}}, both{RegionId{7}, RegionId{9}};
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "nothing is known of the two";
+  scene.joining_odds = [](RegionId, RegionId) { return -0.6F; };
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, both, other));
+  scene.joining_odds = [](RegionId, RegionId) { return -kNearOdds - 1; };
+  EXPECT_THAT(setsIn(scene), ElementsAre(one, other)) << "clearly two";
+}
+
+TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
+  // Seen from above: a hollow whose near side the front wall hides.
+  PaintedScene scene;
+  const RegionId inside{8}, outside{7};
+  scene.paint(inside.value, {60, 40, 40, 20}, [](int u, int v) {
+    const float x = (static_cast<float>(u) - 79.5F) / 20, y = (static_cast<float>(v) - 49.5F) / 10;
+    return 1.08F + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
+  });
+  scene.paintBump(outside.value, {60, 60, 40, 20}, 1.0F, 0.5F);
+  EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}))
+      << "that they touch is not known";
+  scene.joining_odds = [](RegionId, RegionId) { return -0.5F; };
+  EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside, inside}));
+  // A block behind a wall that hides as much of it is a thing of its own.
+  scene.paintBump(inside.value, {60, 40, 40, 20}, 1.2F, 0.5F);
+  EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}));
+}
+
+TEST(Candidate, AClearThingMayBeHiddenMore) {
+  Candidate candidate;
+  candidate.outline = 0.95F;
+  candidate.bulge = 0.3F;
+  EXPECT_GT(candidate.mostHidden(0.3F), 0.4F);
+  candidate.bulge = 0.05F;  // a book, or a patch of the table
+  EXPECT_EQ(candidate.mostHidden(0.3F), 0.3F);
+  candidate.bulge = 0.3F;
+  candidate.outline = 0.85F;
+  EXPECT_EQ(candidate.mostHidden(0.3F), 0.3F);
+}
+
+TEST(ChooseDisjoint, TakesTheBestOfThoseThatShareRegions) {
+  const auto candidate = [](const RegionSet& regions, float outline, bool is_whole, float odds = 0) {
+    Candidate made;
+    made.regions = regions;
+    made.outline = outline;
+    made.is_whole = is_whole;
+    made.odds = odds;
+    return made;
+  };
+  const RegionId a{1}, b{2}, c{3};
+  const std::vector<float> nothing(3, 0.0F);
+  // A box whose front and top end at one another, and are one whole together.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.6F, false), candidate({a, b}, 0.95F, true, -1),
+                                         candidate({b}, 0.6F, false)},
+                             nothing),
+              ElementsAre(1U));
+  // Two things that touch.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.9F, true), candidate({a, b}, 0.9F, true, -3),
+                                         candidate({b}, 0.9F, true)},
+                             nothing),
+              ElementsAre(0U, 2U));
+  // What the catalogue knows comes first.
+  EXPECT_THAT(chooseDisjoint(std::vector{candidate({a}, 0.9F, true), candidate({a, b}, 0.8F, true, -3),
+                                         candidate({c}, 0.5F, false)},
+                             std::vector{0.0F, 1.0F, 0.0F}),
+              ElementsAre(1U, 2U));
+}
+
+}  // namespace
+}  // namespace scantrove
