@@ -10,12 +10,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <clocale>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <random>
+#include <string>
 #include <thread>
 
 #include "core/synthetic/scene.h"
@@ -121,14 +123,24 @@ struct Truth {
   [[nodiscard]] RayHit along(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
     return source->scene().cast(from, direction);
   }
-  [[nodiscard]] RayHit inPicture(const QPointF& fraction) const {
+  [[nodiscard]] int inPicture(const QPointF& fraction) const {
     const Intrinsics K = SyntheticOptions{}.K;
     const Eigen::Isometry3d T_world_camera = source->pose(frame_index);
     const Eigen::Vector3f ray = K.backProject(static_cast<float>(fraction.x() * K.width - 0.5),
                                               static_cast<float>(fraction.y() * K.height - 0.5), 1);
-    return along(T_world_camera.translation(), T_world_camera.linear() * ray.cast<double>());
+    return static_cast<int>(
+        along(T_world_camera.translation(), T_world_camera.linear() * ray.cast<double>()).instance);
   }
+  [[nodiscard]] std::string nameOf(int instance) const {
+    return instance == 0 ? "nothing"
+                         : source->scene().instances()[static_cast<std::size_t>(instance - 1)].name;
+  }
+
+  static constexpr double kWorkingWidth = 320;  ///< pixels of the picture of regions
 };
+
+/// The pixels beside one.
+constexpr std::array<QPointF, 4> kAround = {QPointF{-1, 0}, QPointF{1, 0}, QPointF{0, -1}, QPointF{0, 1}};
 
 std::optional<Truth> truthOf(const std::string& source, int frame_index) {
   if (source != "demo") return {};
@@ -137,15 +149,32 @@ std::optional<Truth> truthOf(const std::string& source, int frame_index) {
   return Truth{std::shared_ptr<SyntheticSource>(std::move(*made)), frame_index};
 }
 
-/// Of places picked as (region, instance): those whose region is mostly of that instance.
-double rightOf(const std::vector<std::pair<RegionId, int>>& picked) {
+/// Places that were pointed at, with the instance that is truly there.
+struct Picked {
+  RegionId region;
+  int instance = 0;
+  bool at_border = false;  ///< another instance is a pixel off
+};
+
+/// How many of them lie in a region that is mostly of their instance; and which instances the others are of.
+void sayRight(const char* where, const std::vector<Picked>& picked, const Truth& truth) {
   std::map<RegionId, std::map<int, int>> of_region;
-  for (const auto& [region, instance] : picked) ++of_region[region][instance];
-  int right = 0;
-  for (const auto& [region, instances] : of_region) {
-    right += std::ranges::max_element(instances, {}, [](const auto& one) { return one.second; })->second;
+  for (const Picked& one : picked) ++of_region[one.region][one.instance];
+  int right = 0, off_border = 0, right_off_border = 0;
+  std::map<std::string, int> wrong;
+  for (const Picked& one : picked) {
+    const auto& instances = of_region[one.region];
+    const auto most = std::ranges::max_element(instances, {}, [](const auto& entry) { return entry.second; });
+    const bool is_right = most->first == one.instance;
+    right += is_right ? 1 : 0;
+    off_border += one.at_border ? 0 : 1;
+    right_off_border += is_right && !one.at_border ? 1 : 0;
+    if (!is_right && !one.at_border) ++wrong[truth.nameOf(one.instance)];
   }
-  return 100.0 * right / std::max<double>(1, static_cast<double>(picked.size()));
+  std::cout << "of the instance that is truly there, " << where << ": " << right << " of " << picked.size()
+            << "; a pixel off its border " << right_off_border << " of " << off_border;
+  for (const auto& [name, count] : wrong) std::cout << ", not " << count << " on '" << name << "'";
+  std::cout << '\n';
 }
 
 void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int places) {
@@ -153,8 +182,8 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
   const FramePanels& frames = *window.framePanels();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.02, 0.98);
-  int compared = 0, same = 0;
-  std::vector<std::pair<RegionId, int>> in_frames, in_scenes;  // with the instance that is there
+  int compared = 0, same = 0, inside = 0, same_inside = 0;
+  std::vector<Picked> in_frames, in_scenes;
   view->fitAll();
   wait(3000);
   for (int i = 0; i < 40 * places && compared < places; ++i) {
@@ -164,30 +193,50 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
     const auto place = view->scene().viewpoint().placeOf(
         *in_frame.point_world, static_cast<float>(view->width()) / static_cast<float>(view->height()));
     if (!place) continue;
-    const RegionPoint in_scene =
-        view->at({(place->x() + 1) / 2.0 * view->width(), (1 - place->y()) / 2.0 * view->height()});
+    const QPointF pixel((place->x() + 1) / 2.0 * view->width(), (1 - place->y()) / 2.0 * view->height());
+    const RegionPoint in_scene = view->at(pixel);
     // Something else may stand before it from there.
     if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.02F) continue;
     ++compared;
-    same += in_scene.region == in_frame.region ? 1 : 0;
-    if (truth) in_frames.emplace_back(in_frame.region, static_cast<int>(truth->inPicture(fraction).instance));
+    const bool is_same = in_scene.region == in_frame.region;
+    const bool is_inside = std::ranges::all_of(kAround, [&](const QPointF& step) {
+      const QPointF beside = fraction + step / Truth::kWorkingWidth;
+      return frames.pointing().at(beside, FramePointing::Picture::other).region == in_frame.region &&
+             view->at(pixel + step).region == in_scene.region;
+    });
+    same += is_same ? 1 : 0;
+    inside += is_inside ? 1 : 0;
+    same_inside += is_same && is_inside ? 1 : 0;
+    if (!truth) continue;
+    const int instance = truth->inPicture(fraction);
+    const bool at_border = std::ranges::any_of(kAround, [&](const QPointF& step) {
+      return truth->inPicture(fraction + step / Truth::kWorkingWidth) != instance;
+    });
+    in_frames.push_back({in_frame.region, instance, at_border});
   }
-  std::cout << "places: " << compared << ", the same region in 3D " << same << '\n';
+  std::cout << "places: " << compared << ", the same region in 3D " << same << "; a pixel off its border "
+            << same_inside << " of " << inside << '\n';
   if (!truth) return;
   // The 3D view is asked for itself: what is drawn at a place, and what the viewer would see there.
   int other = 0;
   for (int i = 0; i < 40 * places && static_cast<int>(in_scenes.size()) < places; ++i) {
-    const RegionPoint at = view->at({unit(random) * view->width(), unit(random) * view->height()});
+    const QPointF place(unit(random) * view->width(), unit(random) * view->height());
+    const RegionPoint at = view->at(place);
     if (!at.region || !at.point_world) continue;
     const auto instance = truth->near(*at.point_world);
-    if (instance) {
-      in_scenes.emplace_back(at.region, *instance);
-    } else {
+    if (!instance) {
       ++other;
+      continue;
     }
+    const bool at_border = std::ranges::any_of(kAround, [&](const QPointF& step) {
+      const RegionPoint beside = view->at(place + step);
+      return !beside.point_world || truth->near(*beside.point_world) != instance;
+    });
+    in_scenes.push_back({at.region, *instance, at_border});
   }
-  std::cout << "of the instance that is truly there: in the pictures " << rightOf(in_frames) << " %, in 3D "
-            << rightOf(in_scenes) << " % (and " << other << " places near nothing)\n";
+  sayRight("in the pictures", in_frames, *truth);
+  sayRight("in 3D", in_scenes, *truth);
+  std::cout << other << " places in 3D near nothing\n";
 }
 
 int run(const std::string& source, int moves, int places, bool still) {
