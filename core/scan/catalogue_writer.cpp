@@ -1,17 +1,15 @@
 #include "core/scan/catalogue_writer.h"
 
 #include <spdlog/spdlog.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <utility>
 
+#include "core/base/thread_priority.h"
 #include "core/scan/guarded.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kNicenessOfWriter = 5;
 constexpr const char* kWaits = "What the scan finds waits until then.";
 
 std::size_t bytesOf(const ObjectView& view) {
@@ -177,8 +175,7 @@ Error CatalogueWriter::lossesInWords(const Losses& losses, const Error& reason) 
 // --- The writer's thread.
 
 void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> opened) {
-  // Frames come first. On Linux a thread has a priority of its own.
-  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNicenessOfWriter));
+  giveWay(Niceness::catalogue_writer);
   const Result<void> open = guarded("opening the catalogue", [&]() -> Result<void> {
     SCANTROVE_TRY(moveInto(database_, ObjectDatabase::open(options_.database)));
     feed_.emplace(*database_, from);

@@ -1,13 +1,11 @@
 #include "core/scan/frame_label_writer.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <future>
 #include <utility>
 
+#include "core/base/thread_priority.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/gray_png.h"
 #include "core/exchange/label_image_writer.h"
@@ -18,7 +16,6 @@
 namespace scantrove {
 namespace {
 
-constexpr int kNiceness = 10;
 std::string fileName(int frame_index) {
   std::array<char, 24> name{};
   std::snprintf(name.data(), name.size(), "%06d.png", frame_index);
@@ -51,9 +48,7 @@ void FrameLabelWriter::close() {
 }
 
 void FrameLabelWriter::run() {
-  // The scan comes first: this thread takes what the frames leave idle. On Linux a thread has a priority of
-  // its own.
-  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness));
+  giveWay(Niceness::label_writer);
   std::unique_lock lock(mutex_);
   while (outcome_) {
     changed_.wait(lock, [this] { return !waiting_.empty() || is_closed_; });

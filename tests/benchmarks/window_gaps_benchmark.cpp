@@ -44,8 +44,10 @@ class TimedApplication : public QApplication {
     // Only the outermost: what an event leads to is its own time.
     if (depth_ > 0) return QApplication::notify(receiver, event);
     ++depth_;
-    const std::string kind =
+    std::string kind =
         std::string(receiver->metaObject()->className()) + " event " + std::to_string(event->type());
+    if (receiver->parent() != nullptr)
+      kind += std::string(" of ") + receiver->parent()->metaObject()->className();
     QElapsedTimer timer;
     timer.start();
     const bool handled = QApplication::notify(receiver, event);

@@ -47,8 +47,12 @@ QString ProgressStrip::text() const { return count_->text(); }
 
 void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
   if (snapshot.frames_total > 0) {
+    // A bar draws itself as soon as it is set, and with it the window that an OpenGL view is part of: some 30
+    // ms. Where it may not, it is drawn with all else that is new.
+    bar_->setUpdatesEnabled(false);
     bar_->setRange(0, snapshot.frames_total);
     bar_->setValue(snapshot.frames.done());
+    bar_->setUpdatesEnabled(true);
     bar_->show();
     setCount(tr("%1 of %2 frames").arg(snapshot.frames.done()).arg(snapshot.frames_total));
     return;

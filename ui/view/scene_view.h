@@ -113,6 +113,9 @@ class SceneView : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  /// What is being drawn in VTK's framebuffer, a part at a time.
+  enum class InParts { none, still, arriving };
+
   /// Draws as soon as the share of time allows.
   void schedule();
   void interacted();
@@ -120,13 +123,21 @@ class SceneView : public QOpenGLWidget {
   /// When nothing moves: a step of a drawing with much detail, which would hold the window up if it were made
   /// at once. The last one shows it.
   void drawStill();
+  /// While something comes in, likewise: a step of what is new, then the picture, then, in an event of its
+  /// own again, the window with it.
+  void drawArriving();
+  void beginParts(InParts what, const QSize& pixels);
+  /// False: that was the last one.
+  bool drawPart(const QSize& pixels);
   void noteDrawn(const QSize& pixels, double took_ms);
   void drawUnlessPointing();
   /// Something moves or comes: what is drawn will be drawn anew soon.
   [[nodiscard]] bool hurries() const;
   [[nodiscard]] PointBudget& budget();
+  [[nodiscard]] PointBudget& partBudget();
   /// The next picture's points, as many as may be drawn in a hurry.
-  void prepareHastily(const QSize& pixels);
+  /// `rebuild_points`: of those that changed, as many as are made ready.
+  void prepareHastily(const QSize& pixels, std::size_t rebuild_points);
   void beginStroke(const QMouseEvent& event);
   void drawStroke(const QPointF& to);
 
@@ -140,6 +151,7 @@ class SceneView : public QOpenGLWidget {
   QSize drawn_size_;
   bool is_old_ = true;                      ///< what was drawn
   bool is_prepared_ = false;                ///< the next picture
+  int preparing_steps_ = 0;                 ///< that were made for it
   bool is_complete_ = false;                ///< nothing is to be made ready for more of them
   bool is_awaited_ = false;                 ///< what a person did is not drawn yet
   QPointF last_mouse_;                      ///< on the screen
@@ -149,10 +161,11 @@ class SceneView : public QOpenGLWidget {
   bool draws_strokes_ = false;
   StrokePath stroke_;
   ScenePointing pointing_{scene_};
-  bool is_in_parts_ = false;  ///< a still drawing is on its way in VTK's framebuffer
-  double still_ms_ = 0;       ///< what it took so far
-  double draw_ms_ = 30;       ///< smoothed time of drawing
+  InParts in_parts_ = InParts::none;
+  double parts_ms_ = 0;  ///< what the drawing in parts took so far
+  double draw_ms_ = 30;  ///< smoothed time of drawing
   PointBudget part_budget_{40, 2e4, 5e4};
+  PointBudget arriving_part_budget_{25, 1.5e4, 3e4};
   PointBudget moving_budget_{45, 6e4, 1e5};
   PointBudget scanning_budget_{40, 8e4, 1.2e5};
   PointBudget still_budget_{600, 5e5, 1e6};

@@ -14,6 +14,8 @@ constexpr int kShortestInterval_ms = 150;  ///< while something comes in
 constexpr int kLongestInterval_ms = 2000;
 constexpr int kPointing_ms = 150;
 constexpr std::size_t kRebuildAtATimePoints = 150'000;
+constexpr std::size_t kRebuildInAStepPoints = 50'000;  ///< where steps may follow at once
+constexpr int kMostSteps = 3;                          ///< before a picture of what comes in
 constexpr std::size_t kRebuildAllPoints = 10'000'000;
 
 double millisecondsOf(const QElapsedTimer& timer) { return static_cast<double>(timer.nsecsElapsed()) * 1e-6; }
@@ -36,7 +38,7 @@ void SceneView::interacted() {
 }
 
 void SceneView::schedule() {
-  is_in_parts_ = false;  // of something that is no more
+  if (in_parts_ == InParts::still) in_parts_ = InParts::none;  // it is of something that is no more
   if (draw_timer_.isActive()) return;
   int wait_ms = 0;
   if (!moving_ && (scanning_ || !arrivals_.isEmpty())) {
@@ -58,64 +60,87 @@ void SceneView::drawUnlessPointing() {
     return;
   }
   is_awaited_ = false;
-  if (!scanning_ || moving_) is_prepared_ = false;
+  if (!hurries() || moving_) is_prepared_ = false;
   if (!hurries() && window_ != nullptr && isVisible()) return drawStill();
-  is_in_parts_ = false;
-  if (scanning_ && !moving_ && !full_detail_ && !is_prepared_) {
-    // Two short holds rather than a long one: first what is new, then, when the window has done what else it
-    // has to do, the picture.
-    prepareHastily(size() * devicePixelRatioF());
-    is_prepared_ = true;
-    draw_timer_.start(0);
-    return;
-  }
+  if (in_parts_ == InParts::still) in_parts_ = InParts::none;
+  if (!moving_ && !full_detail_ && window_ != nullptr && isVisible()) return drawArriving();
+  in_parts_ = InParts::none;
   is_old_ = true;
   update();
 }
 
-void SceneView::prepareHastily(const QSize& pixels) {
+void SceneView::drawArriving() {
+  const QSize pixels = size() * devicePixelRatioF();
+  if (in_parts_ != InParts::arriving && !is_prepared_) {
+    prepareHastily(pixels, kRebuildInAStepPoints);
+    is_prepared_ = is_complete_ || ++preparing_steps_ == kMostSteps;
+    draw_timer_.start(0);
+    return;
+  }
+  if (in_parts_ != InParts::arriving) {
+    is_prepared_ = false;
+    preparing_steps_ = 0;
+    beginParts(InParts::arriving, pixels);
+    return;
+  }
+  if (drawPart(pixels)) return;
+  budget().learn(scene_.cloud().drawnPointCount(), parts_ms_);
+  QTimer::singleShot(0, this, [this] { update(); });
+  if (!is_complete_) schedule();
+}
+
+void SceneView::prepareHastily(const QSize& pixels, std::size_t rebuild_points) {
   scene_.setOverlap(SplatOverlap::quick);
-  const bool more_comes = scanning_ || !arrivals_.isEmpty();
-  is_complete_ = scene_.prepare(pixels.width(), pixels.height(), budget().points(),
-                                more_comes ? kRebuildAtATimePoints : kRebuildAllPoints);
+  is_complete_ = scene_.prepare(pixels.width(), pixels.height(), budget().points(), rebuild_points);
 }
 
 bool SceneView::hurries() const { return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty(); }
 
 PointBudget& SceneView::budget() { return scanning_ && !moving_ ? scanning_budget_ : moving_budget_; }
 
+PointBudget& SceneView::partBudget() { return hurries() ? arriving_part_budget_ : part_budget_; }
+
 void SceneView::drawStill() {
-  QElapsedTimer timer;
-  timer.start();
   const QSize pixels = size() * devicePixelRatioF();
-  if (!is_in_parts_) {
+  if (in_parts_ != InParts::still) {
     scene_.setOverlap(SplatOverlap::exact);
-    if (!scene_.prepare(pixels.width(), pixels.height(), still_budget_.points(), kRebuildAtATimePoints)) {
+    if (!scene_.prepare(pixels.width(), pixels.height(), still_budget_.points(), kRebuildInAStepPoints)) {
       draw_timer_.start(0);  // the next chunks, when the window has done what else it has to do
       return;
     }
-    scene_.beginParts(part_budget_.points());
-    is_in_parts_ = true;
-    still_ms_ = 0;
-    drawn_size_ = pixels;
-    draw_timer_.start(0);
+    beginParts(InParts::still, pixels);
     return;
   }
+  if (drawPart(pixels)) return;
+  still_budget_.learn(scene_.cloud().drawnPointCount(), parts_ms_);
+  update();
+}
+
+void SceneView::beginParts(InParts what, const QSize& pixels) {
+  scene_.beginParts(partBudget().points());
+  in_parts_ = what;
+  parts_ms_ = 0;
+  drawn_size_ = pixels;
+  draw_timer_.start(0);
+}
+
+bool SceneView::drawPart(const QSize& pixels) {
+  QElapsedTimer timer;
+  timer.start();
   makeCurrent();
   window_->draw(pixels);
   doneCurrent();
   const double took_ms = millisecondsOf(timer);
-  still_ms_ += took_ms;
-  part_budget_.learn(part_budget_.points(), took_ms);
+  parts_ms_ += took_ms;
+  partBudget().learn(partBudget().points(), took_ms);
   if (scene_.nextPart()) {
     draw_timer_.start(0);
-    return;
+    return true;
   }
-  is_in_parts_ = false;
+  in_parts_ = InParts::none;
   is_old_ = false;
-  still_budget_.learn(scene_.cloud().drawnPointCount(), still_ms_);
-  noteDrawn(pixels, still_ms_);
-  update();
+  noteDrawn(pixels, parts_ms_);
+  return false;
 }
 
 void SceneView::noteDrawn(const QSize& pixels, double took_ms) {
@@ -135,23 +160,25 @@ void SceneView::paintGL() {
   if (!is_old_ && pixels == drawn_size_) {
     // Something that lies over the view changed: the picture is there already. That which is being drawn is
     // not.
-    if (is_in_parts_) return;
+    if (in_parts_ != InParts::none) return;
     window_->copyToWidget(pixels);
     return;
   }
   QElapsedTimer timer;
   timer.start();
-  is_old_ = is_in_parts_ = false;
+  is_old_ = false;
+  in_parts_ = InParts::none;
   drawn_size_ = pixels;
   if (full_detail_) {
     arrivals_.takeOver(1e9);
     scene_.setOverlap(SplatOverlap::exact);
     constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMost);
     is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
-  } else if (!is_prepared_ || !scanning_ || moving_) {
-    prepareHastily(pixels);
+  } else {
+    prepareHastily(pixels, scanning_ || !arrivals_.isEmpty() ? kRebuildAtATimePoints : kRebuildAllPoints);
   }
   is_prepared_ = false;
+  preparing_steps_ = 0;
   const double prepared_ms = millisecondsOf(timer);
   window_->draw(pixels);
   window_->copyToWidget(pixels);

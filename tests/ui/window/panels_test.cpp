@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPainter>
+#include <QProgressBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStandardItemModel>
@@ -17,6 +18,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/object_delegate.h"
 #include "ui/panels/params_panel.h"
+#include "ui/panels/progress_strip.h"
 #include "ui/panels/status_strip.h"
 #include "ui/theme/theme.h"
 
@@ -218,6 +220,41 @@ TEST(ParamsPanel, SliderChangesKAndDefaultsBringItBack) {
   panel.setDefaults();
   EXPECT_EQ(panel.params().segmentation.k, ScanParams{}.segmentation.k);
   EXPECT_EQ(changes.count(), 2);
+}
+
+/// Counts how often a widget is drawn.
+class PaintCounter : public QObject {
+ public:
+  explicit PaintCounter(QWidget* widget) { widget->installEventFilter(this); }
+  int paints = 0;
+
+ protected:
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    paints += event->type() == QEvent::Paint ? 1 : 0;
+    return false;
+  }
+};
+
+// A window with a 3D view takes tens of milliseconds to be drawn: once for all that is new, not once a panel.
+TEST(ProgressStrip, IsDrawnWithWhatElseIsNew) {
+  ProgressStrip strip;
+  strip.resize(400, 40);
+  strip.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&strip));
+  ScanSnapshot snapshot;
+  snapshot.frames_total = 100;
+  snapshot.frames.read = 1;
+  strip.showSnapshot(snapshot);
+  auto* bar = strip.findChild<QProgressBar*>();
+  ASSERT_NE(bar, nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bar->isVisible(); }));
+  QTest::qWait(50);
+  PaintCounter counter(bar);
+  snapshot.frames.read = 60;
+  strip.showSnapshot(snapshot);
+  EXPECT_EQ(counter.paints, 0);
+  EXPECT_EQ(bar->value(), 60);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return counter.paints > 0; }));
 }
 
 TEST(StatusStrip, SaysWhetherTheCameraIsTracked) {

@@ -1,0 +1,16 @@
+#include "core/base/thread_priority.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace scantrove {
+
+void giveWay(Niceness niceness) {
+#ifdef __linux__
+  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), static_cast<int>(niceness)));
+#else
+  static_cast<void>(niceness);
+#endif
+}
+
+}  // namespace scantrove

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace scantrove {
+
+/// How far threads give way to the others where there are more of them than cores, as nice(2) counts: the
+/// larger, the later. All that are not named here have 0.
+enum class Niceness {
+  catalogue_writer = 5,  ///< frames come first
+  label_writer = 10,     ///< takes what the frames leave idle
+};
+
+/// The calling thread and those that it starts from now on. On Linux a thread has a priority of its own;
+/// elsewhere nothing happens.
+void giveWay(Niceness niceness);
+
+}  // namespace scantrove
