@@ -246,7 +246,13 @@ void RegionController::rememberName(const QString& name) {
 }
 
 void RegionController::connectCutter() {
-  connect(cutter_, &RegionCutter::changed, this, &RegionController::updateActions);
+  connect(cutter_, &RegionCutter::changed, this, [this] {
+    updateActions();
+    // Beside a pointer that rests, too.
+    const QStringList tag = tagOf(selection_.hovered());
+    frames_.setTag(tag);
+    if (pointer_in_scene_) scene_.overlay()->setTag(*pointer_in_scene_, tag);
+  });
   connect(cutter_, &RegionCutter::regionChosen, this, [this](RegionId region) { selection_.select(region); });
   connect(cutter_, &RegionCutter::cutWanted, this, [this](const Operation& cut) { perform(cut); });
   connect(cutter_, &RegionCutter::failed, this, &RegionController::failed);

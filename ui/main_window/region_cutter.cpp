@@ -83,10 +83,9 @@ void RegionCutter::endStroke(Qt::KeyboardModifiers modifiers) {
   if (!wantsStroke()) return;
   const RegionId strayed = std::exchange(strayed_, RegionId{});
   if (!std::exchange(has_added_, false)) {
-    if (strayed) {
-      emit failed(tr("These are two regions already: %1 and %2. Draw on one region.")
-                      .arg(selection_.title(cut_.regions.front()), selection_.title(strayed)));
-    }
+    emit failed(strayed ? tr("These are two regions already: %1 and %2. Draw on one region.")
+                              .arg(selection_.title(cut_.regions.front()), selection_.title(strayed))
+                        : tr("The camera measured nothing there. Draw where a region lights up."));
     return;
   }
   showMarks();

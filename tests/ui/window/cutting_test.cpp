@@ -206,9 +206,16 @@ TEST_F(CuttingTest, WhatToDoNextIsSaidBesideThePointer) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{5}; }, kPatience_ms));
   EXPECT_EQ(panel(0)->tag().value(2), QStringLiteral("Draw over the part that comes off"));
   drawInPicture(0, {0.1, 0.2}, {0.1, 0.8});
-  QTest::mouseMove(panel(0), inPicture(0, 0.25, 0.3));
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return panel(0)->tag().value(2) == QStringLiteral("Draw over what stays"); }, kPatience_ms));
+      [&] { return panel(0)->tag().value(2) == QStringLiteral("Draw over what stays"); }, kPatience_ms))
+      << "where the stroke ended, before the pointer moves on";
+}
+
+TEST_F(CuttingTest, AClickWhereNothingWasMeasuredIsAnswered) {
+  QTest::keyClick(panel(0), Qt::Key_C);
+  emit window_->framePanels()->clicked(RegionPoint{}, Qt::NoModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("1 of 2"))) << "it may be tried again";
 }
 
 }  // namespace
