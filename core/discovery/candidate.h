@@ -7,6 +7,9 @@
 
 namespace scantrove {
 
+/// bulgeOf() from which on a thing bulges as no patch of a table or a wall does.
+inline constexpr float kClearBulge = 0.15F;
+
 /// Regions that may be an object, as seen in one frame.
 struct Candidate {
   RegionSet regions;
@@ -21,9 +24,9 @@ struct Candidate {
   float bulge = 0;    ///< bulgeOf()
   float odds = 0;     ///< of several regions: log-odds of the weakest contact that holds them together
   /// How much of a thing may lie behind others so that it is still clear what it is: more of one whose
-  /// outline is its own wherever it shows, and which bulges as no patch of a table or a wall does.
+  /// outline is its own wherever it shows, and which clearly bulges.
   [[nodiscard]] float mostHidden(float of_any) const {
-    constexpr float kClearOutline = 0.93F, kClearBulge = 0.15F, kMore = 0.12F;
+    constexpr float kClearOutline = 0.93F, kMore = 0.12F;
     return of_any + (outline >= kClearOutline && bulge >= kClearBulge ? kMore : 0);
   }
 

@@ -14,7 +14,10 @@ struct DiscoveryParams {
   float min_thickness_ratio = 0.02F;  ///< sqrt of smallest / largest eigenvalue of the points: below = flat
   float max_flat_size_m =
       0.4F;  ///< flat regions up to this longest side may still be objects: books, boxes seen face on
-  float min_bulge = -0.03F;        ///< bulgeOf(): below = a hollow, the inside of something
+  float min_bulge = -0.03F;  ///< bulgeOf(): below = a hollow, the inside of something
+  /// The second side of the box by the longest: below, what does not bulge either is a strip of something,
+  /// the edge of a board, a leg, a handle.
+  float min_strip_ratio = 0.3F;
   float max_eccentricity = 0.98F;  ///< of the image region's ellipse
   float max_hidden_fraction =
       0.5F;  ///< of the outline behind nearer things: above = background seen through a gap

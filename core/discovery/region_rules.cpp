@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/discovery/candidate.h"
+
 namespace scantrove {
 
 cv::Rect visibleFrame(const RegionCensus& census, int width, int height, const DiscoveryParams& params) {
@@ -46,6 +48,10 @@ bool isSizeInRange(const OrientedBox& box, const DiscoveryParams& params) {
 
 bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params) {
   return box.size_m[0] <= params.max_flat_size_m || box.thickness_ratio >= params.min_thickness_ratio;
+}
+
+bool isNotStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params) {
+  return bulge >= kClearBulge || box.size_m[1] >= params.min_strip_ratio * box.size_m[0];
 }
 
 bool isNotHollow(float bulge, const DiscoveryParams& params) { return bulge >= params.min_bulge; }

@@ -28,6 +28,9 @@ namespace scantrove {
 /// From one side a box or a book is a plane too: flat is refused only where it is larger than a book.
 [[nodiscard]] bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params);
 
+/// From one side a thin thing bulges too; what is thin and does not is a strip of something larger.
+[[nodiscard]] bool isNotStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params);
+
 /// Things bulge; what is hollow is the inside of one, or a corner of the room.
 [[nodiscard]] bool isNotHollow(float bulge, const DiscoveryParams& params);
 

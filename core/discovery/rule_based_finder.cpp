@@ -83,7 +83,9 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines)) continue;
       const OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
-      candidates.push_back(toCandidate(hypothesis, box, input));
+      Candidate candidate = toCandidate(hypothesis, box, input);
+      if (!isNotStrip(box, candidate.bulge, params_)) continue;
+      candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
     for (const RegionExtent& extent : cutRegions(census, visible, input)) {
@@ -94,7 +96,9 @@ class RuleBasedFinder final : public CandidateFinder {
       box.size_m = reaches_.sizeOf(extent.region);
       std::sort(box.size_m.begin(), box.size_m.end(), std::greater<>());
       if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
-      candidates.push_back(toCandidate(hypothesis, box, input));
+      Candidate candidate = toCandidate(hypothesis, box, input);
+      if (!isNotStrip(box, candidate.bulge, params_)) continue;
+      candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
     std::ranges::sort(candidates, {}, &Candidate::regions);

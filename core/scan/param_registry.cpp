@@ -134,6 +134,8 @@ std::vector<ParamInfo> makeRegistry() {
              "flatter regions are no objects"),
       number("discovery.min_bulge", d, &D::min_bulge, "", -1, 1,
              "Least bulge of an object towards the viewer: 0.8 is a ball, 0 flat, below 0 a hollow."),
+      number("discovery.min_strip_ratio", d, &D::min_strip_ratio, "", 0, 1,
+             "what does not bulge and is thinner, for its length, is a strip of something"),
       number("discovery.max_eccentricity", d, &D::max_eccentricity, "", 0, 1,
              "longer and thinner regions are no objects"),
       number("discovery.hiding_step_m", d, &D::hiding_step_m, "m", 0.001, 1,

@@ -57,8 +57,24 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
   ask("not eccentric", isNotEccentric(*extent, params));
   ask("size in range", isSizeInRange(box, params));
   ask("not flat", isNotFlat(box, params));
+  ask("not a strip", isNotStrip(box, bulgeOf({extent->region}, extent->box_px, input), params));
   ask("not background", isNotBackground(RegionOutlines(input, params).of({extent->region}), params));
   return rules;
+}
+
+TEST(RegionRules, WhatIsThinAndDoesNotBulgeIsAStrip) {
+  const DiscoveryParams params;
+  const auto boxOf = [](float length_m, float width_m) {
+    OrientedBox box;
+    box.size_m = {length_m, width_m, 0.02F};
+    return box;
+  };
+  EXPECT_FALSE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, params)) << "the edge of a shelf";
+  EXPECT_TRUE(isNotStrip(boxOf(0.15F, 0.01F), 0.5F, params)) << "a pen";
+  EXPECT_TRUE(isNotStrip(boxOf(0.25F, 0.15F), 0.03F, params)) << "a book that lies";
+  DiscoveryParams all;
+  all.min_strip_ratio = 0;
+  EXPECT_TRUE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, all));
 }
 
 TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
