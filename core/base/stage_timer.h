@@ -27,7 +27,7 @@ class StageTimer {
 
   /// Runs `work` as the stage `name` and returns what it returns.
   template <class Work>
-  auto time(std::string_view name, Work&& work) {
+  decltype(auto) time(std::string_view name, Work&& work) {
     const Scope scope(*this, name);
     return std::forward<Work>(work)();
   }

@@ -44,6 +44,8 @@ class FrameSource {
   virtual ~FrameSource() = default;
   [[nodiscard]] virtual const SourceInfo& info() const = 0;
   [[nodiscard]] virtual FrameRead next() = 0;
+  /// The same if it is there already: never waits.
+  [[nodiscard]] virtual std::optional<FrameRead> nextIfReady() { return std::nullopt; }
 };
 
 /// What a person may say about a source when opening it.

@@ -52,14 +52,30 @@ FrameRead ReadAhead::next() {
   if (is_cancelled_ || is_over_) {
     return {};
   }
+  FrameRead read = takeFirst();
+  lock.unlock();
+  changed_.notify_all();
+  return read;
+}
+
+std::optional<FrameRead> ReadAhead::nextIfReady() {
+  std::unique_lock lock(mutex_);
+  if (is_cancelled_ || is_over_ || queue_.empty()) {
+    return std::nullopt;
+  }
+  FrameRead read = takeFirst();
+  lock.unlock();
+  changed_.notify_all();
+  return read;
+}
+
+FrameRead ReadAhead::takeFirst() {
   FrameRead read = std::move(queue_.front());
   queue_.pop_front();
   if (info_.is_live && read.status == Status::frame) {
     ++taken_;
   }
   is_over_ = isLast(read) || (live_limit_ && taken_ >= *live_limit_);
-  lock.unlock();
-  changed_.notify_all();
   return read;
 }
 

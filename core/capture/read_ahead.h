@@ -30,11 +30,14 @@ class ReadAhead final : public FrameSource {
   /// Waits for the next frame. After end or failed, or after cancel(), gives that again (end) without
   /// waiting.
   [[nodiscard]] FrameRead next() override;
+  [[nodiscard]] std::optional<FrameRead> nextIfReady() override;
 
   /// From any thread: makes a waiting next() return `end`, and stops reading after the frame being read now.
   void cancel();
 
  private:
+  /// Of queue_, which is not empty; mutex_ is held.
+  [[nodiscard]] FrameRead takeFirst();
   void readAll(const std::stop_token& stop);
   void postRecorded(FrameRead read, const std::stop_token& stop);
   void postLive(FrameRead read);

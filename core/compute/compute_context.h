@@ -20,7 +20,8 @@ struct DeviceMemory {
 };
 
 /// One OpenCL device with its in-order queue and its built programs. Everything on it runs on one thread
-/// (the scan worker's); only construction may fail softly. After that a device fault in the frame path throws
+/// (the scan worker's) but what that hands to another, with kernels and buffers of its own; profiling bears
+/// only one. Only construction may fail softly. After that a device fault in the frame path throws
 /// `cl::Error`, which ends at the edges of the scan (core/scan/guarded.h).
 class ComputeContext {
  public:
@@ -57,6 +58,7 @@ class ComputeContext {
 
   void finish() { queue_.finish(); }
 
+  [[nodiscard]] bool isProfiling() const { return profiling_; }
   /// Milliseconds spent on the device by kernel name since creation; empty unless profiling.
   [[nodiscard]] const std::map<std::string, double>& kernelTimes() const { return *kernel_times_; }
 

@@ -19,6 +19,8 @@ class DepthPreprocessor {
                                                                          const Intrinsics& K,
                                                                          const FusionParams& params);
 
+  /// What process() gave last.
+  [[nodiscard]] const DepthPyramid& pyramid() const { return pyramid_; }
   /// Of the finest level of what process() gives.
   [[nodiscard]] const Intrinsics& workingCamera() const { return pyramid_.levels.front().K; }
 

@@ -66,15 +66,15 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
 }
 
 template <class Work>
-auto ScanPipeline::stage(std::string_view name, Work&& work) {
-  return timer_.time(name, [&] { return work(); });
+decltype(auto) ScanPipeline::stage(std::string_view name, Work&& work) {
+  return timer_.time(name, std::forward<Work>(work));
 }
 
-Result<FrameResult> ScanPipeline::processFrame(const RgbdFrame& frame) {
+Result<FrameResult> ScanPipeline::processFrame(const RgbdFrame& frame, const NextFrame& next) {
   ++frames_;
   return guarded("in frame " + std::to_string(frame.index), [&]() -> Result<FrameResult> {
     try {
-      FrameResult result = runStages(frame);
+      FrameResult result = runStages(frame, next);
       timer_.endFrame();
       return result;
     } catch (const cl::Error& error) {
@@ -97,28 +97,50 @@ Error ScanPipeline::outOfMemory(int frame_index) const {
               " with larger voxels: --set fusion.voxel_size_m=" + voxels.str() + "."};
 }
 
-FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
-  FrameResult result;
-  const DepthPyramid* depth = nullptr;
-  stage("filter", [&] { depth = &preprocessor_->process(frame); });
-  working_K_ = depth->levels.front().K;
+std::pair<const DepthPyramid&, PoseEstimate> ScanPipeline::findPose(const RgbdFrame& frame) {
+  if (next_look_.valid()) {
+    // What is waited for here began beside the frame before.
+    PoseTracker::FirstLook look = stage("track", [&] { return next_look_.get(); });
+    const DepthPyramid& depth = preprocessor_->pyramid();
+    if (look.frame.index == frame.index && look.frame.depth.data == frame.depth.data)
+      return {depth, stage("track", [&] { return tracker_->track(std::move(look), depth, followed_); })};
+  }
+  const auto prepare = [&]() -> const DepthPyramid& { return preprocessor_->process(frame); };
+  const DepthPyramid& depth = stage("filter", prepare);
+  const auto track = [&] { return tracker_ ? tracker_->track(frame, depth, followed_) : givenPose(frame); };
+  return {depth, stage("track", track)};
+}
 
-  result.pose =
-      stage("track", [&] { return tracker_ ? tracker_->track(frame, *depth, followed_) : givenPose(frame); });
+void ScanPipeline::beginNext(const NextFrame& next) {
+  // A frame that is looked at again needs the same buffers, and a profile one kernel after the other.
+  if (!next || !tracker_ || tracker_->hasUncertain() || compute_.isProfiling()) return;
+  const std::optional<RgbdFrame> frame = next();
+  if (!frame) return;
+  next_look_ = std::async(std::launch::async, [this, look = tracker_->lookAt(*frame)]() mutable {
+    tracker_->registerToSurface(look, preprocessor_->process(look.frame), followed_);
+    return std::move(look);
+  });
+}
+
+FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& next) {
+  FrameResult result;
+  const auto [depth, pose] = findPose(frame);
+  working_K_ = depth.levels.front().K;
+  result.pose = pose;
   touched_ = {};
   has_pose_ = result.pose.usable();
   if (!has_pose_) return result;
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
 
   const DepthPyramid* still = nullptr;
-  stage("filter", [&] { still = &motion_->still(*depth, T_world_camera, surface_); });
+  stage("filter", [&] { still = &motion_->still(depth, T_world_camera, surface_); });
   stage("integrate", [&] { map_->integrate(*still, T_world_camera); });
   stage("raycast", [&] {
     map_->raycast(T_world_camera, working_K_, surface_);
-    motion_->apply(*depth, map_->bricks(), surface_);
+    motion_->apply(depth, map_->bricks(), surface_);
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
-  if (tracker_) stage("track", [&] { result.is_place = tracker_->learn(frame, *depth, surface_); });
+  if (tracker_) stage("track", [&] { result.is_place = tracker_->learn(frame, depth, surface_); });
 
   // The partition is one thread's; what does not need it goes on beside it.
   stage("segment", [&] { segmenter_->weigh(surface_, params_.segmentation); });
@@ -131,10 +153,11 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
   const SurfaceInColor in_color = stage("color", [&] {
     SurfaceInColor located =
         locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
-    color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, *depth, located.hidden},
+    color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, located.hidden},
                                  frame);
     return located;
   });
+  beginNext(next);
   const std::span<const Eigen::Vector3f> lab = stage("color", [&] { return labColors(frame, in_color); });
   result.segments = stage("segment", [&] { return segments.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
@@ -158,7 +181,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
     keepKnown(result.objects);
-    collector_->lookForThoseMet(depthViewOf(frame, depth->K, T_world_camera), params_.fusion.depth_noise_m);
+    collector_->lookForThoseMet(depthViewOf(frame, depth.K, T_world_camera), params_.fusion.depth_noise_m);
     last_seen_ = {frame, T_world_camera};
   }
   if (tracker_) result.late = integrateLate();

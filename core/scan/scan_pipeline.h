@@ -1,7 +1,9 @@
 #pragma once
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -71,9 +73,12 @@ class ScanPipeline {
   [[nodiscard]] static Result<std::unique_ptr<ScanPipeline>> create(ComputeContext& compute,
                                                                     const Setup& setup);
 
+  /// The frame that processFrame() is given next, if it is there already; asked for once, on this thread.
+  using NextFrame = std::function<std::optional<RgbdFrame>()>;
   /// Error: the device failed or has no memory left; the scan cannot go on, but what there is can be read
-  /// out. A lost frame is a value, not an error, and so is a catalogue that cannot be reached.
-  [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame);
+  /// out. A lost frame is a value, not an error, and so is a catalogue that cannot be reached. What is known
+  /// of `next` by then is found out beside this frame's labelling, on another thread; results are the same.
+  [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame, const NextFrame& next = {});
 
   /// Replaces all parameters but those of fusion, which are fixed for the life of the map.
   void setParams(const ScanParams& params);
@@ -195,7 +200,11 @@ class ScanPipeline {
   ScanPipeline(ComputeContext& compute, const Setup& setup)
       : compute_(compute), params_(setup.params), frame_count_(setup.frame_count) {}
 
-  [[nodiscard]] FrameResult runStages(const RgbdFrame& frame);
+  [[nodiscard]] FrameResult runStages(const RgbdFrame& frame, const NextFrame& next);
+  /// The depth of `frame`, and its pose.
+  std::pair<const DepthPyramid&, PoseEstimate> findPose(const RgbdFrame& frame);
+  /// Begins findPose() of the next frame.
+  void beginNext(const NextFrame& next);
   [[nodiscard]] RegionMap regionsSeenAgain(const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateFinder& finder, const FrameResult& result,
                                                       const Eigen::Isometry3d& T_world_camera);
@@ -228,7 +237,7 @@ class ScanPipeline {
   /// Times `work` as a stage. What it leaves running on the device is paid for by the stage that waits for
   /// it.
   template <class Work>
-  auto stage(std::string_view name, Work&& work);
+  decltype(auto) stage(std::string_view name, Work&& work);
 
   ComputeContext& compute_;
   ScanParams params_;
@@ -265,6 +274,8 @@ class ScanPipeline {
     Eigen::Isometry3d T_world_camera;
   };
   std::optional<Seen> last_seen_;  // the last usable frame, where objects are collected
+
+  std::future<PoseTracker::FirstLook> next_look_;  // uses what is above: goes first
 };
 
 }  // namespace scantrove

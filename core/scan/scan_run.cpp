@@ -138,7 +138,7 @@ Result<void> ScanRun::resumeSession() {
 ScanRun::~ScanRun() = default;
 
 Result<ScanRun::Step> ScanRun::step() {
-  FrameRead read = source_->next();
+  FrameRead read = next_read_ ? std::move(*std::exchange(next_read_, std::nullopt)) : source_->next();
   frames_.dropped += read.dropped;
   switch (read.status) {
     case FrameRead::Status::end:
@@ -165,7 +165,11 @@ Result<ScanRun::Step> ScanRun::step() {
 
 Result<void> ScanRun::process(RgbdFrame frame) {
   const auto start = std::chrono::steady_clock::now();
-  Result<FrameResult> result = pipeline_->processFrame(frame);
+  Result<FrameResult> result = pipeline_->processFrame(frame, [this]() -> std::optional<RgbdFrame> {
+    next_read_ = source_->nextIfReady();
+    if (!next_read_ || next_read_->status != FrameRead::Status::frame) return std::nullopt;
+    return next_read_->frame;
+  });
   if (!result) return fail(result.error());
   frame_ms_.push_back(millisecondsSince(start));
   count(*result, frame.index);

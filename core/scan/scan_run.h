@@ -94,6 +94,7 @@ class ScanRun {
   std::optional<SavedScan> earlier_;           // what the session had
   std::unique_ptr<SessionRecorder> recorder_;  // null: nothing is kept
 
+  std::optional<FrameRead> next_read_;  // taken from the source before its turn
   FrameCounts frames_;
   std::vector<int> lost_frames_;
   std::vector<double> frame_ms_;

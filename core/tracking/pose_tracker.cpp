@@ -64,21 +64,49 @@ Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute
 
 PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
   finishLearning();
+  FirstLook look = lookAt(frame);
+  registerToSurface(look, depth, model);
+  return track(std::move(look), depth, model);
+}
+
+PoseTracker::FirstLook PoseTracker::lookAt(const RgbdFrame& frame) {
+  FirstLook look{.frame = frame, .by_surface = {}};
+  // The features of a place are looked for one after the other with these.
+  if (last_ && !was_firm_ && !learning_.valid()) beginView(look);
+  return look;
+}
+
+void PoseTracker::registerToSurface(FirstLook& look, const DepthPyramid& depth,
+                                    const SurfaceMaps& model) const {
+  if (!last_) return;
+  const std::vector<Eigen::Isometry3d> guesses = predict(model);
+  const IcpOutcome outcome = aligner_->align(depth, model, guesses);
+  look.by_surface = judge(outcome, model.T_world_camera, PoseOrigin::prediction);
+  look.is_firm = outcome.step.is_firm;
+  if (look.by_surface.state == TrackingState::lost) look.by_surface.T_world_camera = guesses.front();
+}
+
+PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model) {
+  finishLearning();
+  K_depth_ = depth.K;
   PoseEstimate pose;
   tracked_view_.reset();
   if (!last_) {
     pose = begin(depth);
   } else {
-    Search search{frame, depth, model};
-    if (!was_firm_) beginView(search);  // recover() is called for many frames in a row, and asks for it
-    pose = registerAndJudge(search);
-    if (!pose.usable() || !search.is_firm) pose = recover(search, pose);
+    Search search{.frame = look.frame,
+                  .depth = depth,
+                  .model = model,
+                  .gray = std::move(look.gray),
+                  .coming_view = std::move(look.coming_view)};
+    pose = look.by_surface;
+    if (!pose.usable() || !look.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
-    was_firm_ = search.is_firm;
+    was_firm_ = look.is_firm;
     if (search.coming_view.valid()) search.view = search.coming_view.get();
     tracked_view_ = std::move(search.view);
   }
-  remember(frame, pose);
+  remember(look.frame, pose);
   return pose;
 }
 
@@ -107,15 +135,6 @@ PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry
   return judgePose(outcome, begin, origin, static_cast<double>(params_.depth_noise_m));
 }
 
-PoseEstimate PoseTracker::registerAndJudge(Search& search) const {
-  const std::vector<Eigen::Isometry3d> guesses = predict(search.model);
-  const IcpOutcome outcome = aligner_->align(search.depth, search.model, guesses);
-  PoseEstimate pose = judge(outcome, search.model.T_world_camera, PoseOrigin::prediction);
-  search.is_firm = outcome.step.is_firm;
-  if (pose.state == TrackingState::lost) pose.T_world_camera = guesses.front();
-  return pose;
-}
-
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
   if (!is_lost_) beginCorners(search, by_surface.T_world_camera);
   const auto by_landmarks = followLandmarks(search, by_surface);
@@ -140,9 +159,9 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
   return by_surface;
 }
 
-void PoseTracker::beginView(Search& search) {
-  search.coming_view =
-      std::async(std::launch::async, [this, gray = grayOf(search)] { return finder_.find(gray); });
+void PoseTracker::beginView(FirstLook& look) {
+  look.gray = grayViewOf(look.frame, K_depth_);
+  look.coming_view = std::async(std::launch::async, [this, gray = *look.gray] { return finder_.find(gray); });
 }
 
 void PoseTracker::beginCorners(Search& search, const Eigen::Isometry3d& guess) {

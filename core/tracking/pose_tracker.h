@@ -35,7 +35,23 @@ class PoseTracker {
                                                                    const FusionParams& params,
                                                                    ModelView view_model);
 
-  /// The pose of the next frame. `model`: as given to learn() last; of the first frame it is not read.
+  /// What is found out of a frame first: where the surface alone has it.
+  struct FirstLook {
+    RgbdFrame frame;
+    PoseEstimate by_surface;
+    bool is_firm = false;  ///< the surface determines the pose well
+    std::optional<GrayView> gray = {};
+    std::future<ColorView> coming_view = {};
+  };
+  /// Of the frame after the one that track() and learn() were told of last.
+  [[nodiscard]] FirstLook lookAt(const RgbdFrame& frame);
+  /// Changes nothing of the tracker: while hasUncertain() says no, this may run on another thread while this
+  /// one goes on with the frame before, and memory() may be asked for. `model`: as given to learn() last.
+  void registerToSurface(FirstLook& look, const DepthPyramid& depth, const SurfaceMaps& model) const;
+  /// The pose of that frame. `depth` and `model` as above.
+  [[nodiscard]] PoseEstimate track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model);
+
+  /// All of this in turn. `model`: as given to learn() last; of the first frame it is not read.
   [[nodiscard]] PoseEstimate track(const RgbdFrame& frame, const DepthPyramid& depth,
                                    const SurfaceMaps& model);
   /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
@@ -68,6 +84,7 @@ class PoseTracker {
     Eigen::Isometry3d T_world_camera;
     int chances;  ///< how often it may still be looked at again
   };
+  [[nodiscard]] bool hasUncertain() const { return !uncertain_.empty(); }
   /// A few that may be certain by the map as it is now, the oldest first: none while the camera is lost.
   [[nodiscard]] std::vector<UncertainFrame> takeUncertain();
   /// The pose of such a frame, prepared as `depth`, by the map as it is now. One that is not usable even now
@@ -80,7 +97,6 @@ class PoseTracker {
     const RgbdFrame& frame;
     const DepthPyramid& depth;
     const SurfaceMaps& model;
-    bool is_firm = false;  ///< the surface determines the pose well
     // What the colour image shows, once asked for, and what other threads are at:
     std::optional<GrayView> gray = {};
     std::optional<ColorView> view = {};
@@ -95,10 +111,10 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate begin(const DepthPyramid& depth) const;
   /// Guesses at the pose, the best first.
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
-  [[nodiscard]] PoseEstimate registerAndJudge(Search& search) const;
   [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
-  /// Begins to look for what viewOf() and cornersOf() are asked for soon.
-  void beginView(Search& search);
+  /// The colour image's features, which recover() asks for in many frames in a row.
+  void beginView(FirstLook& look);
+  /// Begins to look for what cornersOf() is asked for soon.
   void beginCorners(Search& search, const Eigen::Isometry3d& guess);
   /// By such corners alone, from a guess nearby.
   [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search, const Eigen::Isometry3d& guess);

@@ -66,6 +66,29 @@ TEST(ReadAhead, GivesEveryRecordedFrameInOrderAndThenEnds) {
   EXPECT_EQ(calls, 101);
 }
 
+TEST(ReadAhead, GivesWhatIsReadyWithoutWaiting) {
+  std::atomic<int> calls = 0;
+  std::atomic<bool> goes_on = false;
+  ReadAhead reader(std::make_unique<FakeSource>(
+      false,
+      [&](int call) {
+        if (call == 1) eventually([&] { return goes_on.load(); });
+        return call < 2 ? frameNumber(call) : statusOnly(Status::end);
+      },
+      calls));
+  ASSERT_EQ(reader.next().frame.index, 0);
+  EXPECT_FALSE(reader.nextIfReady());  // the second is still being read
+  goes_on = true;
+  std::optional<FrameRead> second;
+  ASSERT_TRUE(eventually([&] { return second || (second = reader.nextIfReady()); }));
+  EXPECT_EQ(second->frame.index, 1);
+  std::optional<FrameRead> last;
+  ASSERT_TRUE(eventually([&] { return last || (last = reader.nextIfReady()); }));
+  EXPECT_EQ(last->status, Status::end);
+  EXPECT_FALSE(reader.nextIfReady());
+  EXPECT_EQ(reader.next().status, Status::end);
+}
+
 TEST(ReadAhead, ReadsNoFurtherThanItsQueue) {
   std::atomic<int> calls = 0;
   ReadAhead reader(std::make_unique<FakeSource>(false, frameNumber, calls), 4);
