@@ -3,10 +3,12 @@
 namespace scantrove {
 
 /// How far threads give way to the others where there are more of them than cores, as nice(2) counts: the
-/// larger, the later. All that are not named here have 0.
+/// larger, the later. All that are not named here have that of the program.
 enum class Niceness {
-  catalogue_writer = 5,  ///< frames come first
-  label_writer = 10,     ///< takes what the frames leave idle
+  none = 0,
+  scan_beside_window = 3,  ///< a window that must wait for a core answers late; the scan hardly loses by it
+  catalogue_writer = 5,    ///< frames come first
+  label_writer = 10,       ///< takes what the frames leave idle
 };
 
 /// The calling thread and those that it starts from now on. On Linux a thread has a priority of its own;

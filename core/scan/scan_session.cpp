@@ -15,8 +15,11 @@ namespace scantrove {
 /// The thread and the commands that it has been given; it takes them between frames.
 class ScanSession::Worker {
  public:
-  explicit Worker(Listener listener)
-      : listener_(std::move(listener)), thread_([this](const std::stop_token& token) { loop(token); }) {}
+  Worker(Listener listener, Niceness niceness)
+      : listener_(std::move(listener)), thread_([this, niceness](const std::stop_token& token) {
+          giveWay(niceness);
+          loop(token);
+        }) {}
 
   ~Worker() {
     command([this] {
@@ -344,7 +347,8 @@ class ScanSession::Worker {
   std::jthread thread_;           // last: it uses all of the above
 };
 
-ScanSession::ScanSession(Listener listener) : worker_(std::make_unique<Worker>(std::move(listener))) {}
+ScanSession::ScanSession(Listener listener, Niceness niceness)
+    : worker_(std::make_unique<Worker>(std::move(listener), niceness)) {}
 ScanSession::~ScanSession() = default;
 void ScanSession::start(ScanRequest request) { worker_->start(std::move(request)); }
 void ScanSession::pause() { worker_->pause(); }

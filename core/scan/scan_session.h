@@ -10,6 +10,7 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
+#include "core/base/thread_priority.h"
 #include "core/capture/frame_source.h"
 #include "core/dataset/dataset_export.h"
 #include "core/dataset/export_sample.h"
@@ -137,7 +138,8 @@ class ScanSession {
   using Listener = std::function<void(const ScanEvent&)>;
 
   /// `listener` is called on the worker thread, in order; it must return quickly (a window queues the event).
-  explicit ScanSession(Listener listener);
+  /// `niceness`: of the worker, and of the device's threads where they are the processor's.
+  explicit ScanSession(Listener listener, Niceness niceness = Niceness::none);
   ~ScanSession();  ///< stops and waits
   ScanSession(const ScanSession&) = delete;
   ScanSession& operator=(const ScanSession&) = delete;

@@ -6,7 +6,7 @@ namespace {
 
 class ScanSessionPort final : public SessionPort {
  public:
-  explicit ScanSessionPort(Listener listener) : session_(std::move(listener)) {}
+  explicit ScanSessionPort(Listener listener) : session_(std::move(listener), Niceness::scan_beside_window) {}
 
   void start(ScanRequest request) override { session_.start(std::move(request)); }
   void pause() override { session_.pause(); }

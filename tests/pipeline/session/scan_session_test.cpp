@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -29,6 +33,18 @@ TEST_F(ScanSessionTest, RunsARecordingToItsEnd) {
                                          ScanState::finished));
   EXPECT_EQ(session_.state(), ScanState::finished);
 }
+
+#ifdef __linux__
+TEST_F(ScanSessionTest, BesideAWindowItGivesWay) {
+  std::atomic<int> niceness = 0;
+  ScanSession session(
+      [&](const ScanEvent&) { niceness = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())); },
+      Niceness::scan_beside_window);
+  session.start(request(1));
+  session.wait();
+  EXPECT_GE(niceness, static_cast<int>(Niceness::scan_beside_window));
+}
+#endif
 
 TEST_F(ScanSessionTest, StepsAreOneFrameEach) {
   ScanRequest paused = request(10);
