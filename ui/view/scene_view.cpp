@@ -32,6 +32,7 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
   settle_timer_.setInterval(kSettle_ms);
   connect(&settle_timer_, &QTimer::timeout, this, [this] {
     moving_ = false;
+    resizing_ = false;
     schedule();
   });
   since_draw_.start();

@@ -167,10 +167,12 @@ class SceneView : public QOpenGLWidget {
   PointBudget part_budget_{40, 2e4, 5e4};
   PointBudget arriving_part_budget_{25, 1.5e4, 3e4};
   PointBudget moving_budget_{45, 6e4, 1e5};
+  PointBudget resizing_budget_{25, 2e4, 4e4};  ///< all the window is drawn anew then
   PointBudget scanning_budget_{40, 8e4, 1.2e5};
   PointBudget still_budget_{600, 5e5, 1e6};
   bool scanning_ = false;
   bool moving_ = false;
+  bool resizing_ = false;  ///< so it moves
   bool full_detail_ = false;
 };
 

@@ -96,7 +96,10 @@ void SceneView::prepareHastily(const QSize& pixels, std::size_t rebuild_points) 
 
 bool SceneView::hurries() const { return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty(); }
 
-PointBudget& SceneView::budget() { return scanning_ && !moving_ ? scanning_budget_ : moving_budget_; }
+PointBudget& SceneView::budget() {
+  if (resizing_) return resizing_budget_;
+  return scanning_ && !moving_ ? scanning_budget_ : moving_budget_;
+}
 
 PointBudget& SceneView::partBudget() { return hurries() ? arriving_part_budget_ : part_budget_; }
 
@@ -152,6 +155,7 @@ void SceneView::noteDrawn(const QSize& pixels, double took_ms) {
 
 void SceneView::resizeGL(int /*width*/, int /*height*/) {
   // Quickly, until it has the size that it is to have.
+  resizing_ = true;
   redraw(true);
 }
 
@@ -175,7 +179,10 @@ void SceneView::paintGL() {
     constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMost);
     is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
   } else {
-    prepareHastily(pixels, scanning_ || !arrivals_.isEmpty() ? kRebuildAtATimePoints : kRebuildAllPoints);
+    const bool is_arriving = scanning_ || !arrivals_.isEmpty();
+    prepareHastily(pixels, resizing_     ? kRebuildInAStepPoints
+                           : is_arriving ? kRebuildAtATimePoints
+                                         : kRebuildAllPoints);
   }
   is_prepared_ = false;
   preparing_steps_ = 0;
