@@ -15,7 +15,7 @@ namespace {
 constexpr float kMiddle = 0.4F;           ///< of the view: so far from its centre, in half heights
 constexpr float kMostVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
 constexpr float kSmallBlock_px = 6;       ///< what is as small is none
-constexpr std::size_t kUrgentTimes = 4;   ///< the usual budget, for what a person waits for
+constexpr std::size_t kUrgentTimes = 2;   ///< the usual budget, for what a person waits for
 
 std::size_t coarsestWithin(float voxels) {
   std::size_t level = 0;
