@@ -124,9 +124,10 @@ void ScanPipeline::beginNext(const NextFrame& next) {
 
 FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& next) {
   FrameResult result;
-  const auto [depth, pose] = findPose(frame);
+  const std::pair<const DepthPyramid&, PoseEstimate> found = findPose(frame);
+  const DepthPyramid& depth = found.first;
   working_K_ = depth.levels.front().K;
-  result.pose = pose;
+  result.pose = found.second;
   touched_ = {};
   has_pose_ = result.pose.usable();
   if (!has_pose_) return result;
