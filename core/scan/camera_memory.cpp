@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 /// Larger images are none that a camera takes.
 constexpr int kLargestSide = 1 << 16;
 
@@ -63,9 +63,13 @@ void put(ByteWriter& to, const KeyFrame& place) {
   to.putList(std::span<const cv::Point3f>(place.landmarks.points_world));
   put(to, place.landmarks.descriptors);
   put(to, place.thumbnail);
-  to.put(place.surface.intrinsics());
-  put(to, place.surface.units());
-  put(to, place.is_left);
+}
+
+void put(ByteWriter& to, const SeenSurfaces::View& view) {
+  put(to, view.T_world_camera);
+  to.put(view.surface.intrinsics());
+  put(to, view.surface.units());
+  put(to, view.is_left);
 }
 
 KeyFrame getPlace(ByteReader& from) {
@@ -74,13 +78,19 @@ KeyFrame getPlace(ByteReader& from) {
   place.landmarks.points_world = from.getList<cv::Point3f>();
   place.landmarks.descriptors = getImage(from, CV_8UC1);
   place.thumbnail = getImage(from, CV_32FC1);
-  const auto K = from.get<Intrinsics>();
-  place.surface = KeptSurface(K, getImage(from, CV_16UC1));
-  place.is_left = getFlag(from);
-  if (place.landmarks.points_world.size() != static_cast<std::size_t>(place.landmarks.descriptors.rows) ||
-      !isOf(K, place.surface.units()))
+  if (place.landmarks.points_world.size() != static_cast<std::size_t>(place.landmarks.descriptors.rows))
     from.refuse();
   return place;
+}
+
+SeenSurfaces::View getView(ByteReader& from) {
+  SeenSurfaces::View view;
+  view.T_world_camera = getPose(from);
+  const auto K = from.get<Intrinsics>();
+  view.surface = KeptSurface(K, getImage(from, CV_16UC1));
+  view.is_left = getFlag(from);
+  if (view.surface.empty() || !isOf(K, view.surface.units())) from.refuse();
+  return view;
 }
 
 void put(ByteWriter& to, const PoseTracker::Memory& tracker) {
@@ -93,6 +103,8 @@ void put(ByteWriter& to, const PoseTracker::Memory& tracker) {
   put(to, tracker.last_view.T_color_depth);
   to.put(static_cast<std::uint64_t>(tracker.places.size()));
   for (const KeyFrame& place : tracker.places) put(to, place);
+  to.put(static_cast<std::uint64_t>(tracker.surfaces.size()));
+  for (const SeenSurfaces::View& view : tracker.surfaces) put(to, view);
 }
 
 PoseTracker::Memory getTracker(ByteReader& from) {
@@ -106,6 +118,8 @@ PoseTracker::Memory getTracker(ByteReader& from) {
   if (!isOf(tracker.last_view.K, tracker.last_view.image)) from.refuse();
   const auto places = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < places && from.ok(); ++i) tracker.places.push_back(getPlace(from));
+  const auto surfaces = from.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < surfaces && from.ok(); ++i) tracker.surfaces.push_back(getView(from));
   return tracker;
 }
 

@@ -3,27 +3,17 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "core/tracking/view_distance.h"
+
 namespace scantrove {
 namespace {
 
-constexpr double kNewDirection_rad = 0.22;
-constexpr double kNewPlace_m = 0.20;
-// Times the distance between key frames: near enough to have much in common, so near that it is much the same
-// view, and so far that the camera is somewhere else.
-constexpr double kNear = 3;
-constexpr double kSamePlace = 1;
-constexpr double kAway = 2.5;
+constexpr ViewReach kNewPlace{.angle_rad = 0.22, .distance_m = 0.20};
+constexpr double kNear = 3;  ///< times that: near enough to have much in common
 const cv::Size kThumbnail(40, 30);
 constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
 constexpr int kProbes = 200;              // features that are compared
 constexpr float kAlikeBits = 50;
-
-/// 1 where a key frame becomes due.
-double distanceBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  const Eigen::Isometry3d motion = a.inverse() * b;
-  return std::max(Eigen::AngleAxisd(motion.linear()).angle() / kNewDirection_rad,
-                  motion.translation().norm() / kNewPlace_m);
-}
 
 /// How many of the view's strongest features the key frame has.
 int sharedFeatures(const ColorView& view, const Landmarks& landmarks) {
@@ -59,7 +49,7 @@ cv::Mat thumbnailOf(const RgbdFrame& frame) {
 
 bool KeyFrames::isDue(const Eigen::Isometry3d& T_world_camera) const {
   return std::ranges::none_of(key_frames_, [&](const KeyFrame& key_frame) {
-    return distanceBetween(key_frame.T_world_camera, T_world_camera) < 1;
+    return viewDistance(key_frame.T_world_camera, T_world_camera, kNewPlace) < 1;
   });
 }
 
@@ -67,26 +57,7 @@ const KeyFrame* KeyFrames::nearest(const Eigen::Isometry3d& T_world_camera) cons
   const KeyFrame* best = nullptr;
   double least = kNear;
   for (const KeyFrame& key_frame : key_frames_) {
-    const double distance = distanceBetween(key_frame.T_world_camera, T_world_camera);
-    if (distance >= least) continue;
-    least = distance;
-    best = &key_frame;
-  }
-  return best;
-}
-
-void KeyFrames::leaveAllBut(const Eigen::Isometry3d& T_world_camera) {
-  for (KeyFrame& key_frame : key_frames_) {
-    if (distanceBetween(key_frame.T_world_camera, T_world_camera) > kAway) key_frame.is_left = true;
-  }
-}
-
-const KeyFrame* KeyFrames::nearestSeenAgain(const Eigen::Isometry3d& T_world_camera) const {
-  const KeyFrame* best = nullptr;
-  double least = kSamePlace;
-  for (const KeyFrame& key_frame : key_frames_) {
-    if (!key_frame.is_left) continue;
-    const double distance = distanceBetween(key_frame.T_world_camera, T_world_camera);
+    const double distance = viewDistance(key_frame.T_world_camera, T_world_camera, kNewPlace);
     if (distance >= least) continue;
     least = distance;
     best = &key_frame;

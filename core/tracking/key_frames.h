@@ -6,7 +6,6 @@
 
 #include "core/capture/rgbd_frame.h"
 #include "core/tracking/color_view.h"
-#include "core/tracking/kept_surface.h"
 
 namespace scantrove {
 
@@ -14,9 +13,7 @@ namespace scantrove {
 struct KeyFrame {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   Landmarks landmarks;
-  cv::Mat thumbnail;         ///< of thumbnailOf
-  KeptSurface surface = {};  ///< what its depth image showed
-  bool is_left = false;      ///< the camera has been away from there since
+  cv::Mat thumbnail;  ///< of thumbnailOf
 };
 
 /// A frame as 40 x 30 numbers of mean 0 and length 1, CV_32FC1: its blurred colour image as grey, or, without
@@ -33,15 +30,11 @@ class KeyFrames {
   [[nodiscard]] bool isDue(const Eigen::Isometry3d& T_world_camera) const;
   /// Those that are there stay where they are.
   void add(KeyFrame key_frame) { key_frames_.push_back(std::move(key_frame)); }
-  /// The camera is there now: places that it is away from are left.
-  void leaveAllBut(const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] const std::deque<KeyFrame>& all() const { return key_frames_; }
   [[nodiscard]] std::size_t size() const { return key_frames_.size(); }
 
   /// The one that sees most like a camera there, or null: none is near.
   [[nodiscard]] const KeyFrame* nearest(const Eigen::Isometry3d& T_world_camera) const;
-  /// The nearest of those that the camera has come back to, or null.
-  [[nodiscard]] const KeyFrame* nearestSeenAgain(const Eigen::Isometry3d& T_world_camera) const;
   /// Those that may show what the frame shows, the likeliest first: looked for by thumbnail, then by
   /// features.
   [[nodiscard]] std::vector<const KeyFrame*> alike(const cv::Mat& thumbnail, const ColorView& view,

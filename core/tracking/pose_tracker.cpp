@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/tracking/motion_prediction.h"
+#include "core/tracking/view_distance.h"
 
 namespace scantrove {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::size_t kMostUncertain = 10;
 constexpr std::ptrdiff_t kUncertainAtATime = 2;
 constexpr int kChances = 10;
 
-/// Level of the pyramid that is kept of a key frame.
+/// Level of the pyramid that is kept of what was seen.
 constexpr std::size_t kKeptLevel = 1;
 
 constexpr std::size_t kManyLandmarks = 100;
@@ -31,23 +32,10 @@ bool isWellFounded(const LandmarkPose& pose) {
   return pose.seen.pixels.size() >= 20 && pose.seen.cells() >= 5;
 }
 /// A view from so near shows the same surface.
-constexpr double kSameView_rad = 0.06;
-constexpr double kSameView_m = 0.06;
-bool isAlmostFrom(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  const Eigen::Isometry3d motion = a.inverse() * b;
-  return Eigen::AngleAxisd(motion.linear()).angle() < kSameView_rad &&
-         motion.translation().norm() < kSameView_m;
-}
-
+constexpr ViewReach kSameView{.angle_rad = 0.06, .distance_m = 0.06};
 /// A camera that goes on after a while may stand so far from where it was: that is to be shown as clearly as
 /// by one that was lost.
-constexpr double kElsewhere_rad = 0.5;
-constexpr double kElsewhere_m = 0.3;
-bool isElsewhere(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  const Eigen::Isometry3d motion = a.inverse() * b;
-  return Eigen::AngleAxisd(motion.linear()).angle() > kElsewhere_rad ||
-         motion.translation().norm() > kElsewhere_m;
-}
+constexpr ViewReach kElsewhere{.angle_rad = 0.5, .distance_m = 0.3};
 
 /// Corners by which a camera can be followed from one frame to the next.
 constexpr std::size_t kFewestCorners = 10;
@@ -138,7 +126,7 @@ PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
   if (!is_lost_) beginCorners(search, by_surface.T_world_camera);
   const auto by_landmarks = followLandmarks(search, by_surface);
-  if (by_landmarks && !(has_gone_on_ && isElsewhere(*last_, by_landmarks->T_world_camera))) {
+  if (by_landmarks && !(has_gone_on_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
     if (is_lost_) found.state = TrackingState::relocalised;
     return found;
@@ -218,7 +206,7 @@ std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
 
 PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& guess,
                                  const SeenLandmarks* landmarks) {
-  const bool is_in_view = !is_lost_ && isAlmostFrom(search.model.T_world_camera, guess);
+  const bool is_in_view = !is_lost_ && viewDistance(search.model.T_world_camera, guess, kSameView) < 1;
   if (!is_in_view) view_model_(guess, verified_);
   const PoseOrigin origin = landmarks == nullptr ? PoseOrigin::search
                             : is_lost_           ? PoseOrigin::place
@@ -229,11 +217,11 @@ PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& 
 }
 
 PoseEstimate PoseTracker::withoutDrift(const DepthPyramid& depth, PoseEstimate pose) {
-  const KeyFrame* place = key_frames_.nearestSeenAgain(pose.T_world_camera);
-  if (place == nullptr || place->surface.empty()) return pose;
-  if (place != place_) place->surface.toDevice(place->T_world_camera, compute_, place_surface_);
-  place_ = place;
-  const IcpOutcome outcome = aligner_->align(depth, place_surface_, std::span(&pose.T_world_camera, 1));
+  const SeenSurfaces::View* seen = seen_.nearestSeenAgain(pose.T_world_camera);
+  if (seen == nullptr) return pose;
+  if (seen != seen_again_) seen->surface.toDevice(seen->T_world_camera, compute_, seen_surface_);
+  seen_again_ = seen;
+  const IcpOutcome outcome = aligner_->align(depth, seen_surface_, std::span(&pose.T_world_camera, 1));
   if (!isSeenAgain(outcome, pose.T_world_camera)) return pose;
   pose.drift_m = (outcome.T_world_camera.translation() - pose.T_world_camera.translation()).norm();
   pose.T_world_camera = outcome.T_world_camera;
@@ -274,7 +262,7 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
 std::optional<PoseTracker::Memory> PoseTracker::memory() {
   finishLearning();
   if (!last_) return std::nullopt;
-  return Memory{*last_, before_last_, is_lost_, lastGray(), key_frames_.all()};
+  return Memory{*last_, before_last_, is_lost_, lastGray(), key_frames_.all(), seen_.all()};
 }
 
 void PoseTracker::goOnFrom(Memory memory) {
@@ -284,7 +272,8 @@ void PoseTracker::goOnFrom(Memory memory) {
   has_gone_on_ = true;
   last_gray_ = std::move(memory.last_view);
   key_frames_ = KeyFrames(std::move(memory.places));
-  place_ = nullptr;
+  seen_ = SeenSurfaces(std::move(memory.surfaces));
+  seen_again_ = nullptr;
 }
 
 void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
@@ -300,7 +289,7 @@ void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
 
 bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
   finishLearning();
-  key_frames_.leaveAllBut(T_world_camera);
+  seen_.leaveAllBut(T_world_camera);
   return key_frames_.isDue(T_world_camera);
 }
 
@@ -311,18 +300,20 @@ bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const
   last_gray_.reset();
   last_view_ = std::exchange(tracked_view_, std::nullopt);
   last_landmarks_.reset();
-  if (!passBy(model.T_world_camera)) return false;
+  const bool is_new_place = passBy(model.T_world_camera);
+  if (seen_.isDue(model.T_world_camera)) {
+    const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
+    seen_.add(model.T_world_camera, KeptSurface(level.K, level.vertices_camera.read(compute_.queue())));
+  }
+  if (!is_new_place) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
   if (thumbnail.empty()) return false;
-  const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
   // Nobody asks for a place before the next frame: its features are looked for beside the rest of this one.
-  learning_ =
-      std::async(std::launch::async, [this, T_world_camera = model.T_world_camera, thumbnail, K = level.K,
-                                      readings = level.vertices_camera.read(compute_.queue()),
-                                      surface = model.vertices_world.read(compute_.queue())] {
-        last_landmarks_ = landmarksOf(lastView(), T_world_camera, surface);
-        return KeyFrame{T_world_camera, *last_landmarks_, thumbnail, KeptSurface(K, readings)};
-      });
+  learning_ = std::async(std::launch::async, [this, T_world_camera = model.T_world_camera, thumbnail,
+                                              surface = model.vertices_world.read(compute_.queue())] {
+    last_landmarks_ = landmarksOf(lastView(), T_world_camera, surface);
+    return KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
+  });
   return true;
 }
 

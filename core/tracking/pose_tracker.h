@@ -17,6 +17,7 @@
 #include "core/tracking/key_frames.h"
 #include "core/tracking/landmark_pose.h"
 #include "core/tracking/pose_estimate.h"
+#include "core/tracking/seen_surfaces.h"
 #include "core/tracking/surface_aligner.h"
 
 namespace scantrove {
@@ -65,6 +66,7 @@ class PoseTracker {
     bool is_lost = false;                          ///< the last frame was not usable
     GrayView last_view;                            ///< of the last usable frame
     std::deque<KeyFrame> places;
+    std::deque<SeenSurfaces::View> surfaces;
   };
   /// None before the first usable frame. Of frames that are uncertain it does not tell.
   [[nodiscard]] std::optional<Memory> memory();
@@ -162,8 +164,9 @@ class PoseTracker {
   std::optional<Landmarks> last_landmarks_;  // likewise
   std::optional<ColorView> tracked_view_;    // of the frame that track() saw last, if it was asked for
   KeyFrames key_frames_;
-  const KeyFrame* place_ = nullptr;  // the one whose surface place_surface_ holds
-  SurfaceMaps place_surface_;
+  SeenSurfaces seen_;
+  const SeenSurfaces::View* seen_again_ = nullptr;  // the one that seen_surface_ holds
+  SurfaceMaps seen_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
   std::future<KeyFrame> learning_;        // uses what is above: goes first
 };

@@ -123,6 +123,35 @@ TEST_F(CloudIdsTest, TheNearestIsMetAndItsPlaceIsKnown) {
   EXPECT_NEAR(far->x(), 70.5F / 120 * std::tan(20.0F * 3.14159265F / 180) * z, 0.004F);
 }
 
+TEST_F(CloudIdsTest, APartShowsWhatTheWholeShowsThere) {
+  render({0.1F, -0.05F, 0}, {0, 0, 1});
+  CloudIds part_ids;
+  for (const CloudIds::Part part : {CloudIds::Part{100, 60, 40, 30}, {0, 0, 9, 9}, {231, 231, 9, 9}}) {
+    scene_.drawIdsFinely(kIdSize, kIdSize, part, part_ids);
+    ASSERT_EQ(part_ids.width(), part.width);
+    for (int y = 0; y < part.height; ++y) {
+      for (int x = 0; x < part.width; ++x) {
+        ASSERT_EQ(part_ids.fragmentAt(x, y), ids_.fragmentAt(part.x + x, part.y + y)) << x << ", " << y;
+        const auto in_part = part_ids.pointAt(x, y), in_whole = ids_.pointAt(part.x + x, part.y + y);
+        ASSERT_EQ(in_part.has_value(), in_whole.has_value());
+        if (in_part) {
+          EXPECT_LT((*in_part - *in_whole).norm(), 1e-4F);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(CloudIdsTest, SeenFinelyTheEdgeLiesWhereItIsHoweverCoarselyItWasDrawn) {
+  render({0, 0, 0}, {0, 0, 1});
+  const std::vector<FragmentId> exact = ids_.fragments();
+  render({0, 0, 0}, {0, 0, 1}, 2'000);
+  ASSERT_NE(ids_.fragments(), exact) << "drawn as finely as before";
+  CloudIds finely;
+  scene_.drawIdsFinely(kIdSize, kIdSize, {0, 0, kIdSize, kIdSize}, finely);
+  EXPECT_EQ(finely.fragments(), exact);
+}
+
 TEST_F(CloudIdsTest, BesideTheSceneThereIsNothing) {
   render({0, 0, 0}, {0, 0, -1});
   EXPECT_FALSE(ids_.fragmentAt(kIdSize / 2, kIdSize / 2));

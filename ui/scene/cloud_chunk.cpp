@@ -204,25 +204,32 @@ CellLight CloudChunk::lightOf(const BrickKey& key) const {
   return cellLight(around);
 }
 
+CloudChunk::Disc CloudChunk::discOf(std::size_t level, float voxel_size_m) {
+  // A level with every n-th point of a surface needs discs sqrt(n) times as wide to stay closed, and those of
+  // coarser ones are spread less evenly.
+  const float width = level == 0 ? 1.9F : 2.2F;
+  return {width * std::sqrt(static_cast<float>(kLevelStride[level])) * voxel_size_m,
+          level == 0 ? 1.6F : 2.0F};
+}
+
 void CloudChunk::setView(const SplatView& view, SplatOverlap overlap, float voxel_size_m) {
   if (overlap != overlap_) drawAsSplats(actor_, overlap);
   overlap_ = overlap;
-  // A level with every n-th point of a surface needs discs sqrt(n) times as wide to stay closed, and those of
-  // coarser ones are spread less evenly.
-  const std::size_t level = shown() ? built_level_ : 0;
-  const float width = level == 0 ? 1.9F : 2.2F;
-  const float diameter_m = width * std::sqrt(static_cast<float>(kLevelStride[level])) * voxel_size_m;
-  diameter_m_ = diameter_m;
-  least_px_ = level == 0 ? 1.6F : 2.0F;
-  setSplats(actor_, view, diameter_m_, least_px_);
+  const auto [diameter_m, least_px] = discOf(shown() ? built_level_ : 0, voxel_size_m);
+  setSplats(actor_, view, diameter_m, least_px);
 }
 
 void CloudChunk::addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudLook& look,
-                       float voxel_size_m) const {
-  if (!in_view_ || !shown()) return;
-  ids.setDisc(diameter_m_, least_px_);
+                       float voxel_size_m, IdDetail detail) const {
+  if (!in_view_ || !shown() || !ids.maySee(bounds_)) return;
+  const std::size_t level = detail == IdDetail::drawn ? built_level_ : 0;
+  const auto [diameter_m, least_px] = discOf(level, voxel_size_m);
+  ids.setDisc(diameter_m, least_px);
+  const float brick_m = 8 * voxel_size_m;
   for (const auto& [key, brick] : bricks_) {
-    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[built_level_])) {
+    const Eigen::Vector3f corner = brick_m * Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
+    if (!ids.maySee({corner, corner.array() + brick_m})) continue;
+    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[level])) {
       if (!look.hides(regionOf(p, region_of_fragment)))
         ids.add(p.onSurface(voxel_size_m), p.normal.unpacked(), p.fragment);
     }

@@ -32,6 +32,9 @@ inline constexpr std::array<std::size_t, 5> kLevelStride{1, 2, 4, 16, 64};
 /// How many points each level draws.
 using LevelCounts = std::array<std::size_t, kLevelStride.size()>;
 
+/// Which of its points a picture of fragments has: those that are drawn, or all that there are.
+enum class IdDetail { drawn, finest };
+
 /// A cube of bricks that is sent to the graphics card as one piece, at one of several levels of detail.
 class CloudChunk {
  public:
@@ -80,7 +83,7 @@ class CloudChunk {
 
   /// What is shown of it, into `ids`.
   void addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudLook& look,
-             float voxel_size_m) const;
+             float voxel_size_m, IdDetail detail) const;
 
   [[nodiscard]] std::size_t pointCount() const { return count_[0]; }
   /// How many points the level draws.
@@ -108,6 +111,12 @@ class CloudChunk {
     auto operator<=>(const BrickKey&) const = default;
   };
 
+  /// How large the points of a level are drawn.
+  struct Disc {
+    float diameter_m, least_px;
+  };
+  [[nodiscard]] static Disc discOf(std::size_t level, float voxel_size_m);
+
   void relightAround(const BrickKey& key);
   [[nodiscard]] CellLight lightOf(const BrickKey& key) const;
 
@@ -122,7 +131,6 @@ class CloudChunk {
   bool dirty_ = true;
   bool urgent_ = false;
   bool in_view_ = false;
-  float diameter_m_ = 0, least_px_ = 1;  ///< of the points as they are drawn
   SplatOverlap overlap_ = SplatOverlap::exact;
 };
 

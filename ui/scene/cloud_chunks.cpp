@@ -190,8 +190,9 @@ std::map<vtkProp*, std::size_t> CloudChunks::divide(std::size_t points) const {
   return part_of;
 }
 
-void CloudChunks::addTo(CloudIds& ids) const {
-  for (const auto& [key, chunk] : chunks_) chunk->addTo(ids, region_of_fragment_, look_, voxel_size_m_);
+void CloudChunks::addTo(CloudIds& ids, IdDetail detail) const {
+  for (const auto& [key, chunk] : chunks_)
+    chunk->addTo(ids, region_of_fragment_, look_, voxel_size_m_, detail);
 }
 
 RegionId CloudChunks::regionOf(FragmentId fragment) const {

@@ -60,7 +60,7 @@ class CloudChunks {
   [[nodiscard]] std::map<vtkProp*, std::size_t> divide(std::size_t points) const;
 
   /// What is shown, into `ids`, which has begun.
-  void addTo(CloudIds& ids) const;
+  void addTo(CloudIds& ids, IdDetail detail) const;
   /// None: no such fragment.
   [[nodiscard]] RegionId regionOf(FragmentId fragment) const;
 

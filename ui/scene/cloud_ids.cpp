@@ -17,14 +17,25 @@ constexpr float kLargestPoint_px = 64;
 constexpr float kLeastFacing = 0.3F;
 constexpr float kSmall_px = 3.5F;
 
+constexpr float kNear_m = 0.05F;  ///< what is nearer may be seen anywhere
+
 }  // namespace
 
 CloudIds::CloudIds() = default;
 
 void CloudIds::begin(vtkCamera* camera, int width_px, int height_px, float scale) {
+  const auto scaled = [scale](int px) {
+    return std::max(1, static_cast<int>(static_cast<float>(px) * scale));
+  };
+  begin(camera, width_px, height_px, scale, {0, 0, scaled(width_px), scaled(height_px)});
+}
+
+void CloudIds::begin(vtkCamera* camera, int width_px, int height_px, float scale, const Part& part) {
   scale_ = scale;
-  width_ = std::max(1, static_cast<int>(static_cast<float>(width_px) * scale));
-  height_ = std::max(1, static_cast<int>(static_cast<float>(height_px) * scale));
+  width_ = part.width;
+  height_ = part.height;
+  whole_px_ = (scale * Eigen::Vector2i(width_px, height_px).cast<float>()).array().floor().max(1);
+  corner_px_ = Eigen::Vector2i(part.x, part.y).cast<float>();
   view_ = SplatView(camera, height_px);
   nearest_m_ = static_cast<float>(camera->GetClippingRange()[0]);
   const double aspect = static_cast<double>(width_px) / std::max(1, height_px);
@@ -45,12 +56,31 @@ void CloudIds::setDisc(float diameter_m, float least_px) {
   least_px_ = least_px;
 }
 
+Eigen::Vector2f CloudIds::pixelOf(const Eigen::Vector4f& clip) const {
+  const Eigen::Vector2f fraction(0.5F + 0.5F * clip.x() / clip.w(), 0.5F - 0.5F * clip.y() / clip.w());
+  return fraction.cwiseProduct(whole_px_) - corner_px_;
+}
+
+bool CloudIds::maySee(const Eigen::AlignedBox3f& box) const {
+  if (box.isEmpty()) return false;
+  const float radius_m = 0.5F * box.diagonal().norm();
+  const Eigen::Vector4f clip = clip_world_ * box.center().homogeneous();
+  const float nearest_m = clip.w() - radius_m;
+  if (clip.w() + radius_m < nearest_m_) return false;
+  if (nearest_m < kNear_m) return true;
+  const float around_px =
+      scale_ * (view_.pixels_per_metre_at_1m * radius_m / nearest_m + kLargestPoint_px / 2);
+  const Eigen::Vector2f middle = pixelOf(clip);
+  return middle.x() > -around_px && middle.x() < static_cast<float>(width_) + around_px &&
+         middle.y() > -around_px && middle.y() < static_cast<float>(height_) + around_px;
+}
+
 void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& normal, FragmentId fragment) {
   const Eigen::Vector4f clip = clip_world_ * point_world.homogeneous();
   const float distance = clip.w();
   if (distance < nearest_m_) return;
-  const float x = (0.5F + 0.5F * clip.x() / distance) * static_cast<float>(width_);
-  const float y = (0.5F - 0.5F * clip.y() / distance) * static_cast<float>(height_);
+  const Eigen::Vector2f pixel_place = pixelOf(clip);
+  const float x = pixel_place.x(), y = pixel_place.y();
   const float drawn_px =
       std::clamp(view_.pixels_per_metre_at_1m * diameter_m_ / distance, least_px_, kLargestPoint_px);
   const float half = 0.5F * scale_ * drawn_px;
@@ -93,8 +123,9 @@ std::optional<Eigen::Vector3f> CloudIds::pointAt(int x, int y) const {
   const float w = distances_[pixel];
   // The depth that belongs to this distance: row 2 of a perspective's matrix depends on the distance alone,
   // and two points of the line of sight tell how.
-  const Eigen::Vector2f ndc((static_cast<float>(x) + 0.5F) / static_cast<float>(width_) * 2 - 1,
-                            1 - (static_cast<float>(y) + 0.5F) / static_cast<float>(height_) * 2);
+  const Eigen::Vector2f in_whole = corner_px_ + Eigen::Vector2i(x, y).cast<float>();
+  const Eigen::Vector2f fraction = (in_whole.array() + 0.5F).matrix().cwiseQuotient(whole_px_);
+  const Eigen::Vector2f ndc(fraction.x() * 2 - 1, 1 - fraction.y() * 2);
   const auto onRay = [&](float depth) {
     const Eigen::Vector4f world = world_clip_ * Eigen::Vector4f(ndc.x(), ndc.y(), depth, 1);
     return Eigen::Vector3f(world.head<3>() / world.w());

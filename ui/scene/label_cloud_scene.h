@@ -100,7 +100,13 @@ class LabelCloudScene {
   /// What the last drawing shows, at `scale` of its size.
   void drawIds(int width_px, int height_px, float scale, CloudIds& ids) const {
     ids.begin(renderer_->GetActiveCamera(), width_px, height_px, scale);
-    cloud_.addTo(ids);
+    cloud_.addTo(ids, IdDetail::drawn);
+  }
+  /// Some pixels of it at its full size, from all the points that there are, however coarsely they were
+  /// drawn.
+  void drawIdsFinely(int width_px, int height_px, const CloudIds::Part& part, CloudIds& ids) const {
+    ids.begin(renderer_->GetActiveCamera(), width_px, height_px, 1, part);
+    cloud_.addTo(ids, IdDetail::finest);
   }
 
   [[nodiscard]] const CloudChunks& cloud() const { return cloud_; }

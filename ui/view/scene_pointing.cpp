@@ -1,12 +1,14 @@
 #include "ui/view/scene_pointing.h"
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 
 namespace scantrove {
 namespace {
 
 constexpr double kIdsPerPixel = 0.5;  ///< resolution of pointing
 constexpr int kGapPasses = 2;
+constexpr int kClose_px = 4;  ///< so far around a place, where it is looked at closely
 
 /// Between two points of a coarse cloud nothing is drawn: a pixel there belongs to the surface around it.
 void closeGaps(cv::Mat& ids) {
@@ -40,15 +42,20 @@ void ScenePointing::setDrawn(const QSize& pixels, double ratio) {
 }
 
 const cv::Mat& ScenePointing::regionIds() {
-  if (!is_old_) return region_ids_;
+  if (!is_old_) return whole_.regions;
   is_old_ = false;
-  scene_.drawIds(pixels_.width(), pixels_.height(), static_cast<float>(kIdsPerPixel / ratio_), ids_);
-  region_ids_.create(ids_.height(), ids_.width(), CV_32SC1);
+  scene_.drawIds(pixels_.width(), pixels_.height(), static_cast<float>(kIdsPerPixel / ratio_), whole_.ids);
+  findRegions(whole_);
+  return whole_.regions;
+}
+
+void ScenePointing::findRegions(Picture& picture) const {
+  const CloudIds& ids = picture.ids;
+  picture.regions.create(ids.height(), ids.width(), CV_32SC1);
   std::transform(
-      ids_.fragments().begin(), ids_.fragments().end(), region_ids_.begin<int>(),
+      ids.fragments().begin(), ids.fragments().end(), picture.regions.begin<int>(),
       [this](FragmentId fragment) { return static_cast<int>(scene_.cloud().regionOf(fragment).value); });
-  for (int pass = 0; pass < kGapPasses; ++pass) closeGaps(region_ids_);
-  return region_ids_;
+  for (int pass = 0; pass < kGapPasses; ++pass) closeGaps(picture.regions);
 }
 
 RegionPoint ScenePointing::at(const QPointF& fraction) {
@@ -57,20 +64,35 @@ RegionPoint ScenePointing::at(const QPointF& fraction) {
   const int x = static_cast<int>(fraction.x() * ids.cols);
   const int y = static_cast<int>(fraction.y() * ids.rows);
   if (fraction.x() < 0 || fraction.y() < 0 || x >= ids.cols || y >= ids.rows) return {};
-  return {RegionId{static_cast<std::uint32_t>(ids.at<int>(y, x))}, surfaceNear(x, y)};
+  const cv::Rect around = cv::Rect(x - 1, y - 1, 3, 3) & cv::Rect({}, ids.size());
+  if (cv::countNonZero(ids(around) != ids.at<int>(y, x)) > 0) {
+    if (const RegionPoint close = closely(fraction); close.region) return close;
+  }
+  return whole_.at(x, y);
 }
 
-std::optional<Eigen::Vector3f> ScenePointing::surfaceNear(int x, int y) const {
-  const int region = region_ids_.at<int>(y, x);
+RegionPoint ScenePointing::closely(const QPointF& fraction) {
+  const int x = static_cast<int>(fraction.x() * pixels_.width());
+  const int y = static_cast<int>(fraction.y() * pixels_.height());
+  scene_.drawIdsFinely(pixels_.width(), pixels_.height(),
+                       {x - kClose_px, y - kClose_px, 2 * kClose_px + 1, 2 * kClose_px + 1}, close_.ids);
+  findRegions(close_);
+  return close_.at(kClose_px, kClose_px);
+}
+
+RegionPoint ScenePointing::Picture::at(int x, int y) const {
+  const int region = regions.at<int>(y, x);
+  RegionPoint found{RegionId{static_cast<std::uint32_t>(region)}, {}};
   for (int reach = 0; region != 0 && reach <= kGapPasses; ++reach) {
-    for (int v = std::max(0, y - reach); v <= std::min(region_ids_.rows - 1, y + reach); ++v) {
-      for (int u = std::max(0, x - reach); u <= std::min(region_ids_.cols - 1, x + reach); ++u) {
-        if (region_ids_.at<int>(v, u) != region) continue;
-        if (auto point = ids_.pointAt(u, v)) return point;
+    for (int v = std::max(0, y - reach); v <= std::min(regions.rows - 1, y + reach); ++v) {
+      for (int u = std::max(0, x - reach); u <= std::min(regions.cols - 1, x + reach); ++u) {
+        if (regions.at<int>(v, u) != region) continue;
+        found.point_world = ids.pointAt(u, v);
+        if (found.point_world) return found;
       }
     }
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace scantrove

@@ -10,7 +10,8 @@
 namespace scantrove {
 
 /// Which region, and which point of its surface, the last drawing of the scene shows where. Found when it is
-/// asked for first, at about half the resolution of the widget. One thread, the window's.
+/// asked for first, at about half the resolution of the widget; near where regions meet, anew at its full
+/// resolution. One thread, the window's.
 class ScenePointing {
  public:
   explicit ScenePointing(const LabelCloudScene& scene) : scene_(scene) {}
@@ -24,14 +25,21 @@ class ScenePointing {
   [[nodiscard]] RegionPoint at(const QPointF& fraction);
 
  private:
-  /// Of the region at that pixel of region_ids_.
-  [[nodiscard]] std::optional<Eigen::Vector3f> surfaceNear(int x, int y) const;
+  /// A picture of the scene, or of a part of it.
+  struct Picture {
+    CloudIds ids;
+    cv::Mat regions;  ///< CV_32SC1, as large; gaps between points are closed
+
+    [[nodiscard]] RegionPoint at(int x, int y) const;
+  };
+  void findRegions(Picture& picture) const;
+  /// What is there, seen as closely as the drawing has pixels. `fraction`: as above.
+  [[nodiscard]] RegionPoint closely(const QPointF& fraction);
 
   const LabelCloudScene& scene_;
   QSize pixels_;
   double ratio_ = 1;
-  CloudIds ids_;
-  cv::Mat region_ids_;
+  Picture whole_, close_;
   bool is_old_ = false;
 };
 

@@ -22,15 +22,17 @@ cv::Mat imageOf(int width, int height, int type, int value) {
 }
 
 KeyFrame placeOf(double x) {
-  const Intrinsics K{50, 51, 3, 2, 7, 5};
   KeyFrame place;
   place.T_world_camera = poseOf(x);
   place.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
   place.landmarks.descriptors = imageOf(32, 2, CV_8UC1, 7);
   place.thumbnail = imageOf(40, 30, CV_32FC1, 1);
-  place.surface = KeptSurface(K, imageOf(7, 5, CV_16UC1, 9));
-  place.is_left = x > 1;
   return place;
+}
+
+SeenSurfaces::View viewOf(double x) {
+  const Intrinsics K{50, 51, 3, 2, 7, 5};
+  return {poseOf(x), KeptSurface(K, imageOf(7, 5, CV_16UC1, 9)), x > 1};
 }
 
 CameraMemory memoryOf(bool with_tracker) {
@@ -43,6 +45,7 @@ CameraMemory memoryOf(bool with_tracker) {
     memory.tracker->is_lost = true;
     memory.tracker->last_view = {imageOf(4, 3, CV_8UC1, 80), K, poseOf(0.01)};
     memory.tracker->places = {placeOf(0.9), placeOf(1.1)};
+    memory.tracker->surfaces = {viewOf(0.8), viewOf(1.2)};
     memory.followed_normals_world.assign(12, {{0, 0, 1, 1}});
   }
   memory.free_space.views = 29;
@@ -71,9 +74,9 @@ TEST(CameraMemory, ComesBackAsItWas) {
     EXPECT_TRUE(back->tracker->is_lost);
     ASSERT_EQ(back->tracker->places.size(), 2U);
     EXPECT_EQ(back->tracker->places[1].landmarks.points_world[1].z, 6);
-    EXPECT_EQ(back->tracker->places[1].surface.units().at<std::uint16_t>(4, 6), 13 * 257);
-    EXPECT_TRUE(back->tracker->places[1].is_left);
-    EXPECT_FALSE(back->tracker->places[0].is_left);
+    EXPECT_EQ(back->tracker->surfaces[1].surface.units().at<std::uint16_t>(4, 6), 13 * 257);
+    EXPECT_TRUE(back->tracker->surfaces[1].is_left);
+    EXPECT_FALSE(back->tracker->surfaces[0].is_left);
   }
 }
 

@@ -31,16 +31,6 @@ TEST(KeyFrames, OneForEachPlaceAndDirection) {
   EXPECT_EQ(key_frames.nearest(pose(0, 180, 0, 0, 0, 0)), nullptr) << "looks the other way";
 }
 
-TEST(KeyFrames, APlaceIsSeenAgainOnlyAfterTheCameraWasAway) {
-  KeyFrames key_frames;
-  key_frames.add({pose(0, 0, 0, 0, 0, 0), {}, {}});
-  key_frames.leaveAllBut(pose(0, 5, 0, 0, 0, 0));
-  EXPECT_EQ(key_frames.nearestSeenAgain(pose(0, 0, 0, 0, 0, 0)), nullptr) << "it never went away";
-  key_frames.leaveAllBut(pose(0, 60, 0, 0, 0, 0));
-  EXPECT_NE(key_frames.nearestSeenAgain(pose(0, 3, 0, 0, 0, 0)), nullptr);
-  EXPECT_EQ(key_frames.nearestSeenAgain(pose(0, 20, 0, 0, 0, 0)), nullptr) << "another view";
-}
-
 TEST(KeyFrames, TheOneThatShowsTheSameComesFirst) {
   KeyFrames key_frames;
   for (int i = 0; i < 30; ++i)
