@@ -59,9 +59,12 @@ const DepthPyramid& MotionFilter::still(const DepthPyramid& frame, const Eigen::
   const KnownSurface known =
       last_surface.vertices_world.size() > 0 ? KnownSurface(compute_, last_surface) : KnownSurface();
   const cv::Mat standings = known.standings(view, params_.depth_noise_m);
-  moving_ = orNone(movingPixels(free_space_.contradicting(view), standings, view.z_m));
+  const cv::Mat intruding = free_space_.contradicting(view);
+  moving_ = orNone(movingPixels(intruding, standings, view.z_m));
   vacated_ = orNone(vacatedPixels(standings));
   free_space_.add(view);
+  arrivals_.add(view, moving_, intruding);
+  came_ = arrivals_.atRest(view, moving_);
   still_ = frame;
   if (moving_.empty()) return still_;
   if (depth_m_.size() != frame.depth_m.size()) depth_m_ = {compute_.context(), frame.depth_m.size()};

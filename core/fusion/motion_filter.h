@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/arrivals.h"
 #include "core/fusion/brick_map.h"
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/free_space.h"
@@ -38,6 +39,13 @@ class MotionFilter {
   /// The views that it judges the next frame by.
   [[nodiscard]] FreeSpace& freeSpace() { return free_space_; }
 
+  /// Where it remembers things to have come to rest.
+  [[nodiscard]] Arrivals& arrivals() { return arrivals_; }
+
+  /// Readings of the last frame by the thing that they came with, as Arrivals::atRest() has it; smaller than
+  /// the frame.
+  [[nodiscard]] const cv::Mat& came() const { return came_; }
+
   /// Pixels of the last frame that move: CV_8UC1, 255 or 0, smaller than the frame; empty when there are
   /// none.
   [[nodiscard]] const cv::Mat& moving() const { return moving_; }
@@ -53,6 +61,7 @@ class MotionFilter {
   ComputeContext& compute_;
   FusionParams params_;
   FreeSpace free_space_;
+  Arrivals arrivals_;
   Kernel leave_out_depth_, leave_out_surface_, leave_out_fresh_, doubt_surface_;
   DepthPyramid still_;
   Buffer<cl_float> depth_m_;
@@ -60,7 +69,7 @@ class MotionFilter {
   SurfaceMaps settled_;
   Buffer<cl_float4> settled_normals_;
   Buffer<cl_int> fresh_counts_;
-  cv::Mat moving_;
+  cv::Mat moving_, came_;
   cv::Mat vacated_;  // pixels in which the last frame saw through known surface, likewise
 };
 

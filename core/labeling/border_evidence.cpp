@@ -28,7 +28,10 @@ constexpr float kHolds = 0.01F;    // any other border outweighs it
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
 constexpr float kHalfSureLooks = 8;
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
-constexpr float kFarFrom_m = 2.5F;       // noise grows with z^2: beyond this a look counts for less than half
+/// What it means that two came together or one to the other, once it was seen so often.
+constexpr float kArrival = 20;
+constexpr float kSureArrival = 5;
+constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look counts for less than half
 
 float weightOf(const FragmentContact& contact) {
   const float far = contact.depth_m / kFarFrom_m;
@@ -86,7 +89,20 @@ float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
   return std::inner_product(x.begin(), x.end(), model.coefficients.begin(), model.intercept);
 }
 
+void BorderEvidence::addArrival(bool together) {
+  (together ? came_together : came_apart) += 1;
+  const float fade = std::min(1.0F, kMostLooks / (came_together + came_apart));
+  came_together *= fade;
+  came_apart *= fade;
+}
+
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
+  const float arrivals = came_together + came_apart;
+  return weightOfLooks(voxels_a, voxels_b, bias, joined) +
+         kArrival * (came_together - came_apart) / std::max(kSureArrival, arrivals);
+}
+
+float BorderEvidence::weightOfLooks(int voxels_a, int voxels_b, float bias, bool joined) const {
   const float odds = logOdds(voxels_a, voxels_b) + bias;
   if (joined && looks < kEnoughLooks) return kHolds;
   if (!joined && odds > 0 && looks < kEnoughLooks) return 0;

@@ -20,6 +20,8 @@ struct BorderEvidence {
   float folded = 0, ridged = 0;      ///< parts of the border that clearly are, mean
   std::optional<float> color_shift;  ///< as in FragmentContact, mean
   float length_m = 0;                ///< of the border, longest look
+  float came_together = 0;           ///< looks at both as of a thing that came, at most kMostLooks
+  float came_apart = 0;              ///< looks at one as of a thing that came to the other, likewise
   Constraint constraint = Constraint::none;
   bool by_person = false;    ///< the constraint: stronger than any that the program found
   int constraint_order = 0;  ///< higher: said later
@@ -29,6 +31,9 @@ struct BorderEvidence {
 
   /// Adds one look. `shared` in 0 .. 1: how far both lie in the same segments (SegmentShares).
   void add(const FragmentContact& contact, float shared);
+
+  /// Adds that both came into the scene as one, or that one came and the other was there.
+  void addArrival(bool together);
 
   /// What logOdds() weighs.
   static constexpr std::size_t kFeatures = 10;
@@ -40,8 +45,12 @@ struct BorderEvidence {
 
   /// What looks add to the balance between two regions: logOdds() + bias; what speaks for joining less as
   /// long as there are few looks, all less for a border of a few centimetres. While too little was seen to
-  /// say, what is apart stays so (0) and what is `joined` holds together (a little above 0).
+  /// say, what is apart stays so (0) and what is `joined` holds together (a little above 0). What came by
+  /// itself is one thing, and another one than what it came to: that outweighs looks.
   [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias, bool joined = false) const;
+
+ private:
+  [[nodiscard]] float weightOfLooks(int voxels_a, int voxels_b, float bias, bool joined) const;
 };
 
 }  // namespace scantrove

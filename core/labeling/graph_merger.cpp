@@ -1,6 +1,8 @@
 #include "core/labeling/graph_merger.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "core/labeling/fragment_contacts.h"
@@ -59,6 +61,51 @@ class SegmentShares {
   std::vector<std::vector<Share>> shares_;  // of each fragment, by segment
 };
 
+/// Which fragments came into the scene, each as a part of one thing, in this frame's view.
+class ArrivedFragments {
+ public:
+  explicit ArrivedFragments(const MergeInput& input) {
+    if (input.came.empty()) return;
+    for (std::size_t pixel = 0; pixel < input.projected.size(); ++pixel) {
+      if (!input.projected[pixel]) continue;
+      Pixels& pixels = of_fragment_[input.projected[pixel]];
+      ++pixels.all;
+      if (input.came[pixel] != 0) ++pixels.of_thing[input.came[pixel]];
+    }
+  }
+
+  /// Whether both came as one thing (true), or one came to the other (false); none: that is not seen.
+  [[nodiscard]] std::optional<bool> areOne(FragmentId a, FragmentId b) const {
+    const int thing_a = thingOf(a), thing_b = thingOf(b);
+    if (thing_a > 0 && thing_a == thing_b) return true;
+    if ((thing_a > 0 && thing_b == kWasThere) || (thing_b > 0 && thing_a == kWasThere)) return false;
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr int kWasThere = 0, kUnclear = -1;
+  /// Parts of a fragment's pixels: so many that came make it come; so few leave it what was there.
+  static constexpr double kCame = 0.6, kStayed = 0.2;
+  struct Pixels {
+    int all = 0;
+    std::map<int, int> of_thing;
+  };
+
+  [[nodiscard]] int thingOf(FragmentId fragment) const {
+    const auto found = of_fragment_.find(fragment);
+    if (found == of_fragment_.end()) return kUnclear;
+    const auto& [all, of_thing] = found->second;
+    int came = 0;
+    for (const auto& [thing, count] : of_thing) {
+      if (count >= kCame * all) return thing;
+      came += count;
+    }
+    return came <= kStayed * all ? kWasThere : kUnclear;
+  }
+
+  std::unordered_map<FragmentId, Pixels> of_fragment_;
+};
+
 /// What each segment is, and which fragments it leaves alone.
 struct SegmentOwners {
   std::vector<FragmentId> owner;                 ///< by segment
@@ -88,8 +135,11 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
 
 void GraphMerger::look(const MergeInput& input, const Overlaps& overlaps) {
   const SegmentShares shares(overlaps);
+  const ArrivedFragments arrived(input);
   for (const FragmentContact& contact : findContacts(input, input.projected)) {
-    graph_.between(contact.a, contact.b).add(contact, shares.shared(contact.a, contact.b));
+    BorderEvidence& border = graph_.between(contact.a, contact.b);
+    border.add(contact, shares.shared(contact.a, contact.b));
+    if (const auto are_one = arrived.areOne(contact.a, contact.b)) border.addArrival(*are_one);
     touched_.push_back(contact.a);
     touched_.push_back(contact.b);
   }

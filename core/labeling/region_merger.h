@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,6 +27,9 @@ struct MergeInput {
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   std::span<const int> voxels;  ///< that hold each fragment, by fragment number
+  /// Which thing came into the scene with the surface of a pixel, as Arrivals has it, 0: it was there before.
+  /// Empty: nothing came.
+  std::span<const std::uint8_t> came = {};
 };
 
 /// Merges the segments of one frame with the regions of the label cloud (thesis 3.3). One thread.

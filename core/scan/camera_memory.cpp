@@ -148,6 +148,18 @@ FreeSpace::Memory getFreeSpace(ByteReader& from) {
   return free_space;
 }
 
+void put(ByteWriter& to, const Arrivals::Memory& arrivals) {
+  to.put(arrivals.frame);
+  to.putList(std::span<const Arrivals::Cell>(arrivals.cells));
+}
+
+Arrivals::Memory getArrivals(ByteReader& from) {
+  Arrivals::Memory arrivals;
+  arrivals.frame = from.get<int>();
+  arrivals.cells = from.getList<Arrivals::Cell>();
+  return arrivals;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
@@ -156,6 +168,7 @@ std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
   put(to, memory.tracker.has_value());
   if (memory.tracker) put(to, *memory.tracker);
   put(to, memory.free_space);
+  put(to, memory.arrivals);
   to.put(memory.color_turns);
   to.put(memory.K);
   put(to, memory.T_world_camera);
@@ -170,6 +183,7 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   CameraMemory memory;
   if (getFlag(from)) memory.tracker = getTracker(from);
   memory.free_space = getFreeSpace(from);
+  memory.arrivals = getArrivals(from);
   memory.color_turns = from.get<ColorIntegrator::Turns>();
   memory.K = from.get<Intrinsics>();
   memory.T_world_camera = getPose(from);

@@ -163,7 +163,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   result.segments = stage("segment", [&] { return segments.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
     return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, lab,
-                           working_K_, T_world_camera, cloud_->voxelsOfFragments()},
+                           working_K_, T_world_camera, cloud_->voxelsOfFragments(), cameWith()},
                           table_, params_.labeling);
   });
   for (std::size_t i = 0; i < merged.carved.size(); ++i)
@@ -188,6 +188,12 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   if (tracker_) result.late = integrateLate();
   stage("integrate", [&] { map_->settle(); });
   return result;
+}
+
+std::span<const std::uint8_t> ScanPipeline::cameWith() {
+  if (motion_->came().empty()) return {};
+  cv::resize(motion_->came(), came_, {working_K_.width, working_K_.height}, 0, 0, cv::INTER_NEAREST);
+  return {came_.ptr<std::uint8_t>(), came_.total()};
 }
 
 std::vector<LateFrame> ScanPipeline::integrateLate() {

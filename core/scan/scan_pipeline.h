@@ -230,6 +230,8 @@ class ScanPipeline {
                                                            const SurfaceInColor& in_color);
   /// Earlier frames whose poses were uncertain, and are certain now, go into the map.
   [[nodiscard]] std::vector<LateFrame> integrateLate();
+  /// MergeInput::came of the frame that went through the motion filter last; valid until the next one.
+  [[nodiscard]] std::span<const std::uint8_t> cameWith();
   /// Fragments that no voxel holds any more go; their numbers are used again.
   void forgetFragments();
   [[nodiscard]] Error outOfMemory(int frame_index) const;
@@ -267,6 +269,7 @@ class ScanPipeline {
   SurfaceMaps followed_;   // what of it the camera is followed by
   std::span<const Eigen::Vector3i> touched_;
   std::vector<Eigen::Vector3f> color_lab_;
+  cv::Mat came_;
   int frames_ = 0;  // given to processFrame
 
   struct Seen {

@@ -10,6 +10,7 @@ std::optional<CameraMemory> ScanPipeline::cameraMemory() {
   CameraMemory memory;
   if (tracker_) memory.tracker = tracker_->memory();
   memory.free_space = motion_->freeSpace().memory();
+  memory.arrivals = motion_->arrivals().memory();
   memory.color_turns = color_integrator_->turns();
   memory.K = surface_.K;
   memory.T_world_camera = surface_.T_world_camera;
@@ -29,6 +30,7 @@ bool ScanPipeline::goOnFrom(CameraMemory memory) {
   working_K_ = memory.K;
   surface_ = {memory.K, memory.T_world_camera, sent(memory.vertices_world), sent(memory.normals_world)};
   motion_->freeSpace().goOnFrom(std::move(memory.free_space));
+  motion_->arrivals().goOnFrom(std::move(memory.arrivals));
   color_integrator_->goOnFrom(memory.color_turns);
   if (!tracker_) return true;
   followed_ = surface_;

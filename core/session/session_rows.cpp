@@ -21,24 +21,26 @@ using Json = nlohmann::ordered_json;
 QString text(const std::string& value) { return QString::fromStdString(value); }
 std::string text(const QSqlQuery& row, int column) { return row.value(column).toString().toStdString(); }
 
-constexpr std::size_t kEvidenceFloats = 10;
+constexpr std::size_t kEvidenceFloats = 12;
+constexpr std::size_t kFewerFloats = 10;  ///< before arrivals were evidence
 static_assert(std::endian::native == std::endian::little);
 
 QByteArray toBytes(const BorderEvidence& e) {
   const std::array<float, kEvidenceFloats> values{
-      e.looks,   e.bridged,       e.shared,
-      e.bends,   e.concavity_rad, e.turn_rad,
-      e.folded,  e.ridged,        e.color_shift.value_or(std::numeric_limits<float>::quiet_NaN()),
-      e.length_m};
+      e.looks,    e.bridged,       e.shared,
+      e.bends,    e.concavity_rad, e.turn_rad,
+      e.folded,   e.ridged,        e.color_shift.value_or(std::numeric_limits<float>::quiet_NaN()),
+      e.length_m, e.came_together, e.came_apart};
   return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
 }
 
 std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   std::array<float, kEvidenceFloats> values{};
-  if (bytes.size() != static_cast<qsizetype>(sizeof(values))) return std::nullopt;
-  std::memcpy(values.data(), bytes.constData(), sizeof(values));
+  const auto size = static_cast<std::size_t>(bytes.size());
+  if (size != sizeof(values) && size != kFewerFloats * sizeof(float)) return std::nullopt;
+  std::memcpy(values.data(), bytes.constData(), size);
   if (!std::isfinite(values[0] + values[1] + values[2] + values[3] + values[4] + values[5] + values[6] +
-                     values[7] + values[9]))
+                     values[7] + values[9] + values[10] + values[11]))
     return std::nullopt;
   BorderEvidence e;
   e.looks = values[0];
@@ -51,6 +53,8 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   e.ridged = values[7];
   if (std::isfinite(values[8])) e.color_shift = values[8];
   e.length_m = values[9];
+  e.came_together = values[10];
+  e.came_apart = values[11];
   return e;
 }
 

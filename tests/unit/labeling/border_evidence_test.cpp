@@ -142,6 +142,23 @@ TEST(BorderEvidence, AShortBorderWeighsLessThanItsOdds) {
   EXPECT_NEAR(border.weight(kVoxels, kVoxels, -20), 0.2F * (border.logOdds(kVoxels, kVoxels) - 20), 1e-3F);
 }
 
+TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
+  // By the looks alone a clear fold parts, and a wall is one.
+  BorderEvidence folded = after(nearFold(1.2F), 0, 20), flat = after(nearLook(1), 1, 20);
+  ASSERT_LT(folded.weight(kVoxels, kVoxels, 0), 0);
+  ASSERT_GT(flat.weight(kVoxels, kVoxels, 0), 0);
+  for (int i = 0; i < 8; ++i) {
+    folded.addArrival(true);
+    flat.addArrival(false);
+  }
+  EXPECT_GT(folded.weight(kVoxels, kVoxels, 0), 0);
+  EXPECT_LT(flat.weight(kVoxels, kVoxels, 0), 0);
+  // One frame alone may be wrong.
+  BorderEvidence once = after(nearLook(1), 1, 20);
+  once.addArrival(false);
+  EXPECT_GT(once.weight(kVoxels, kVoxels, 0), 0);
+}
+
 TEST(BorderEvidence, DoesNotMatterWhichFragmentIsWhich) {
   const BorderEvidence border = after(nearFold(0.3F), 0.4F, 5);
   EXPECT_EQ(border.logOdds(60, 5000), border.logOdds(5000, 60));

@@ -66,6 +66,32 @@ TEST(GraphMerger, OneWallFirstSeenInTwoPiecesBecomesOneRegion) {
               testing::UnorderedElementsAre(left, right));
 }
 
+TEST(GraphMerger, WhatCameAsOneIsOneHoweverItIsFolded) {
+  PaintedScan scan(fold());
+  scan.look(kClear, 20);
+  ASSERT_FALSE(areOne(scan));
+  scan.cameAs({PaintedFrame::kAll});
+  scan.look(kClear, 10);
+  EXPECT_TRUE(areOne(scan));
+}
+
+TEST(GraphMerger, WhatCameIsAnotherThingThanWhatItCameTo) {
+  PaintedScan scan(PaintedFrame::corner(0));
+  scan.look(kClear, 2);
+  scan.cameAs({PaintedFrame::kRight});
+  // Every frame sees one smooth surface.
+  scan.look(kLeak, 20);
+  EXPECT_FALSE(areOne(scan));
+}
+
+TEST(GraphMerger, TwoThatCameEachByItselfAreJudgedByTheirBorder) {
+  PaintedScan scan(PaintedFrame::corner(0));
+  scan.look(kClear, 2);
+  scan.cameAs({PaintedFrame::kLeft, PaintedFrame::kRight});
+  scan.look(kLeak, 20);
+  EXPECT_TRUE(areOne(scan));
+}
+
 TEST(GraphMerger, ALeakPartsAgain) {
   PaintedScan scan(fold());
   scan.look(kClear, 3);

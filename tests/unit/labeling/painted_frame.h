@@ -26,8 +26,9 @@ struct PaintedFrame {
   std::vector<Eigen::Vector4f> normals = std::vector<Eigen::Vector4f>(kPixels);
   std::vector<Eigen::Vector3f> color_lab;  ///< empty: no colour
   std::vector<FragmentId> projected = std::vector<FragmentId>(kPixels);
-  std::vector<int> voxels;  ///< by fragment
-  SegmentMap segments;      ///< to be made by segmentsOf()
+  std::vector<int> voxels;         ///< by fragment
+  SegmentMap segments;             ///< to be made by segmentsOf()
+  std::vector<std::uint8_t> came;  ///< as in MergeInput; empty: nothing came
 
   /// Two upright planes that meet in the middle column, 1 m ahead. `turn_rad`: angle between their normals,
   /// > 0 an inner corner, < 0 an outer one, 0 a wall.
@@ -60,7 +61,8 @@ struct PaintedFrame {
   }
 
   [[nodiscard]] MergeInput input() const {
-    return {segments, projected, vertices, normals, color_lab, K, Eigen::Isometry3d::Identity(), voxels};
+    return {segments, projected, vertices, normals, color_lab, K, Eigen::Isometry3d::Identity(),
+            voxels,   came};
   }
 
  private:
@@ -93,6 +95,12 @@ class PaintedScan {
   const RegionMerger::Outcome& look(const std::vector<Rectangle>& segments, int times = 1) {
     for (int i = 0; i < times; ++i) lookOnce(segments);
     return outcome_;
+  }
+  /// From now on these came into the scene, each as a thing of its own; the rest was there.
+  void cameAs(const std::vector<Rectangle>& things) {
+    frame_.came.assign(PaintedFrame::kPixels, 0);
+    std::uint8_t thing = 0;
+    for (const Rectangle& rectangle : things) PaintedFrame::fill(frame_.came, rectangle, ++thing);
   }
   [[nodiscard]] RegionId regionAt(int x, int y) const { return table.regionOf(fragmentAt(x, y)); }
   [[nodiscard]] FragmentId fragmentAt(int x, int y) const {

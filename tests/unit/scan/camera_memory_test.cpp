@@ -50,6 +50,7 @@ CameraMemory memoryOf(bool with_tracker) {
   }
   memory.free_space.views = 29;
   memory.free_space.witnesses.push_back({K, poseOf(2), imageOf(4, 3, CV_32FC1, 3)});
+  memory.arrivals = {{{{1, -2, 3}, 5, 8, 4}, {{2, 0, 0}, 6, 9, 3}}, 29};
   memory.color_turns = {17, 5};
   memory.K = K;
   memory.T_world_camera = poseOf(0.6);

@@ -30,6 +30,8 @@ SavedDelta someDelta(int seed) {
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   BorderEvidence evidence;
   evidence.looks = 3.25F;
+  evidence.came_together = 2;
+  evidence.came_apart = 0.5F;
   evidence.color_shift = 12;
   evidence.constraint = LinkConstraint::cannot_link;
   evidence.by_person = true;
@@ -79,6 +81,8 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_EQ(scan->regions[0], last.regions[0]);
   ASSERT_EQ(scan->borders.size(), 1U);
   EXPECT_EQ(scan->borders[0].evidence->looks, 3.25F);
+  EXPECT_EQ(scan->borders[0].evidence->came_together, 2);
+  EXPECT_EQ(scan->borders[0].evidence->came_apart, 0.5F);
   EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
   EXPECT_EQ(scan->borders[0].evidence->constraint, LinkConstraint::cannot_link);
   EXPECT_TRUE(scan->borders[0].evidence->by_person);
