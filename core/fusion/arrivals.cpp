@@ -56,8 +56,8 @@ void Arrivals::add(const DepthView& view, const cv::Mat& moving, const cv::Mat& 
     }
   }
   std::ranges::sort(moved, {}, &Cell::at);
-  const auto repeated = std::ranges::unique(moved, {}, &Cell::at);
-  moved.erase(repeated.begin(), repeated.end());
+  const auto isSamePlace = [](const Cell& a, const Cell& b) { return a.at == b.at; };
+  moved.erase(std::unique(moved.begin(), moved.end(), isSamePlace), moved.end());
   // Both are in order: those of before come first among equals.
   std::vector<Cell> all;
   all.reserve(seen_.cells.size() + moved.size());

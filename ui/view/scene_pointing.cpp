@@ -66,7 +66,7 @@ RegionPoint ScenePointing::at(const QPointF& fraction) {
   if (fraction.x() < 0 || fraction.y() < 0 || x >= ids.cols || y >= ids.rows) return {};
   const cv::Rect around = cv::Rect(x - 1, y - 1, 3, 3) & cv::Rect({}, ids.size());
   if (cv::countNonZero(ids(around) != ids.at<int>(y, x)) > 0) {
-    if (const RegionPoint close = closely(fraction); close.region) return close;
+    if (RegionPoint close = closely(fraction); close.region) return close;
   }
   return whole_.at(x, y);
 }
