@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QSettings>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -118,8 +119,9 @@ void RegionController::connectScene() {
                           static_cast<int>(band.height() * scale) + 1);
     selection_.select(regionsIn(ids, pixels));
   });
-  // Not while it is being drawn.
-  connect(view, &SceneView::drawn, this, &RegionController::lightScene, Qt::QueuedConnection);
+  // Not while it is being drawn, nor in one go with what brings the drawing to the screen.
+  connect(view, &SceneView::drawn, this,
+          [this] { QTimer::singleShot(0, this, &RegionController::lightScene); });
 }
 
 void RegionController::connectActions() {

@@ -164,10 +164,10 @@ class SceneView : public QOpenGLWidget {
   InParts in_parts_ = InParts::none;
   double parts_ms_ = 0;  ///< what the drawing in parts took so far
   double draw_ms_ = 30;  ///< smoothed time of drawing
-  PointBudget part_budget_{40, 2e4, 5e4};
-  PointBudget arriving_part_budget_{25, 1.5e4, 3e4};
+  PointBudget part_budget_{25, 1e4, 1e4, 1e5};
+  PointBudget arriving_part_budget_{16, 1e4, 1e4, 5e4};
   PointBudget moving_budget_{45, 6e4, 1e5};
-  PointBudget resizing_budget_{25, 2e4, 4e4};  ///< all the window is drawn anew then
+  PointBudget resizing_budget_{12, 8e3, 1.5e4};  ///< all the window is drawn anew then
   PointBudget scanning_budget_{40, 8e4, 1.2e5};
   PointBudget still_budget_{600, 5e5, 1e6};
   bool scanning_ = false;

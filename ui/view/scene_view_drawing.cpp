@@ -135,8 +135,10 @@ bool SceneView::drawPart(const QSize& pixels) {
   doneCurrent();
   const double took_ms = millisecondsOf(timer);
   parts_ms_ += took_ms;
-  partBudget().learn(partBudget().points(), took_ms);
-  if (scene_.nextPart()) {
+  const bool goes_on = scene_.nextPart();
+  // The last part holds what is left, however little: that it was quick says nothing.
+  partBudget().learn(goes_on ? partBudget().points() : 0, took_ms);
+  if (goes_on) {
     draw_timer_.start(0);
     return true;
   }
