@@ -69,6 +69,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
       if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
       if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
       if (const auto* failure = std::get_if<MapFailed>(&*event)) progress.say(failure->error.message());
+      if (const auto* drifted = std::get_if<MapDrifted>(&*event)) progress.say(drifted->error.message());
     }
     showLatest();
     if (stopRequested() && !is_stopping) {

@@ -58,7 +58,8 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     DetectionMatch& match = matches[query_of_thumbnail[query]];
     if (distance >= match.distance) continue;
     match.distance = distance;
-    match.object = distance < params_.max_distance ? index_.holderAt(pair.view) : ObjectId{};
+    match.nearest = index_.holderAt(pair.view);
+    match.object = distance < params_.max_distance ? match.nearest : ObjectId{};
   }
   return matches;
 }

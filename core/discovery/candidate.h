@@ -30,6 +30,7 @@ struct Candidate {
     return of_any + (outline >= kClearOutline && bulge >= kClearBulge ? kMore : 0);
   }
 
+  bool has_come = false;  ///< into the scene, while it was watched
   bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
 };
 

@@ -23,6 +23,8 @@ struct DiscoveryInput {
   /// Log-odds that two regions that touch are one thing; below 0, or they would be. Empty: no sets of
   /// regions.
   std::function<float(RegionId, RegionId)> joining_odds = {};
+  /// By pixel: not 0 for what came into the scene and rests there now. Empty: nothing did.
+  std::span<const std::uint8_t> came = {};
 };
 
 /// One way to discover objects; others plug in here.

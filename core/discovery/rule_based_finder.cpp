@@ -32,12 +32,28 @@ cv::Mat maskOf(const RegionHypothesis& hypothesis, const RegionMap& map) {
   return mask;
 }
 
+/// Most of what is masked came into the scene.
+bool hasCome(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& input) {
+  if (input.came.empty()) return false;
+  int all = 0, came = 0;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<unsigned char>(y, x) == 0) continue;
+      const auto at = static_cast<std::size_t>((box_px.y + y) * input.regions.width + box_px.x + x);
+      ++all;
+      came += input.came[at] != 0 ? 1 : 0;
+    }
+  }
+  return 2 * came > all;
+}
+
 Candidate toCandidate(const RegionHypothesis& hypothesis, const OrientedBox& box,
                       const DiscoveryInput& input) {
   Candidate candidate;
   candidate.regions = hypothesis.regions;
   candidate.box_px = hypothesis.extent.box_px;
   candidate.mask = maskOf(hypothesis, input.regions);
+  candidate.has_come = hasCome(candidate.mask, candidate.box_px, input);
   candidate.centroid_world = box.mean;
   candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
   candidate.size_m = box.size_m;

@@ -1,6 +1,7 @@
 // What ObjectCollector does when a scan has ended and everything is looked at again.
 #include <algorithm>
 #include <map>
+#include <opencv2/imgproc.hpp>
 #include <set>
 
 #include "core/scan/object_collector.h"
@@ -11,11 +12,39 @@ namespace {
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
 
+/// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `working` pixels.
+cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
+                   const cv::Size& working) {
+  cv::Mat depth, z_m;
+  cv::resize(frame.depth, depth, working, 0, 0, cv::INTER_NEAREST);
+  depth(box_px).convertTo(z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
+  z_m.setTo(0, mask == 0);
+  return z_m;
+}
+
+/// Where most of the view's thing was there is no surface any more, or something stands before it.
+bool wasTakenAway(const KeptView& view, const DepthView& surface, float depth_noise_m) {
+  int there = 0, gone = 0;
+  for (int v = 0; v < view.z_m.rows; ++v) {
+    for (int u = 0; u < view.z_m.cols; ++u) {
+      const float then = view.z_m.at<float>(v, u);
+      const float now = surface.z_m.at<float>(view.box_px.tl() + cv::Point(u, v));
+      if (!(then > 0) || !(now > 0)) continue;
+      const bool is_there =
+          now <= then + kBehind.at(then, depth_noise_m) && now >= then - kBefore.at(then, depth_noise_m);
+      ++(is_there ? there : gone);
+    }
+  }
+  return gone > there;
+}
+
 }  // namespace
 
-void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidate) {
+void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
+                               const cv::Size& working) {
   kept_views_.push_back({view.object, view.frame_index, view.T_world_camera, candidate.box_px,
-                         candidate.mask.clone(), view.direction, candidate.size_m.norm()});
+                         candidate.mask.clone(), readingsAt(frame, candidate.box_px, candidate.mask, working),
+                         view.direction, candidate.size_m.norm()});
 }
 
 std::vector<int> ObjectCollector::beginLookingAgain() {
@@ -30,10 +59,13 @@ std::optional<Eigen::Isometry3d> ObjectCollector::cameraOfViews(int frame_index)
   return view == kept_views_.end() ? std::nullopt : std::optional(view->T_world_camera);
 }
 
-void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now) {
+void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface,
+                                   float depth_noise_m) {
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
-    if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
+    if (view.frame_index != frame_index || wasTakenAway(view, surface, depth_noise_m) ||
+        !isOutdated(view, now))
+      continue;
     view.is_outdated = true;
     changed.insert(view.object);
   }

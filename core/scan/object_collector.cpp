@@ -18,6 +18,10 @@ constexpr int kFramesToReturn = 10;
 /// An object that was seen elsewhere so few frames ago is not here.
 constexpr int kFramesToMove = 90;
 
+/// What came into the scene and looks as much like something that was taken away before is that: two things
+/// of one size that have little in common differ by 1 and more.
+constexpr float kBackDistance = 1.0F;
+
 /// How clearly a look shows a thing.
 struct Clarity {
   float least_outline;  ///< that is the thing's own
@@ -156,8 +160,18 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
     queries.push_back(view ? DetectionQuery{view->color, view->mask, candidate->size_m} : DetectionQuery{});
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
-  for (std::size_t i = 0; i < matches.size(); ++i)
-    recognition_.add(candidates[i]->regions, matches[i], params_.max_distance, frame_);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    DetectionMatch match = matches[i];
+    if (isBack(*candidates[i], match)) match.object = match.nearest;
+    recognition_.add(candidates[i]->regions, match, params_.max_distance, frame_);
+  }
+}
+
+bool ObjectCollector::isBack(const Candidate& candidate, const DetectionMatch& match) const {
+  if (!candidate.has_come || !match.nearest || match.distance >= kBackDistance) return false;
+  return std::ranges::any_of(met_.all(), [&](const auto& met) {
+    return catalogue_.holderOf(met.first) == match.nearest && MetObjects::hasLeft(met.second);
+  });
 }
 
 ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
@@ -208,14 +222,16 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   }
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
   const bool is_alike = known == nullptr || isAlike(*known, candidate);
-  // A set that is much larger than the object holds more than it: its other regions stay free.
+  // A set that is much larger than the object holds more than it: its other regions stay free. Of what came,
+  // a part may not be on the map yet.
   const bool is_wanted = wantedName(candidate) != nullptr;
-  if (!is_alike && !is_wanted) return;
+  const bool has_come = candidate.has_come && candidate.regions.size() == 1;
+  if (!is_alike && !is_wanted && !has_come) return;
   if (known != nullptr && !isMet(known->id) && !CatalogueMirror::isOfThisScan(known->id))
     look.objects.recognised.push_back(*known);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
-  if (is_wanted || isClear(candidate, kForView)) keepNewDirection(identity, candidate, look);
+  if (is_wanted || (is_alike && isClear(candidate, kForView))) keepNewDirection(identity, candidate, look);
   if (is_wanted) fulfil(candidate, identity);
 }
 
@@ -273,7 +289,7 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);
-  noteKept(*view, candidate);
+  noteKept(*view, candidate, look.frame, look.in_color.places.size());
   fulfil(candidate, object);
 }
 
@@ -290,7 +306,7 @@ void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candida
   if (!view) return;
   view->object = object;
   catalogue_.addView(*view);
-  noteKept(*view, candidate);
+  noteKept(*view, candidate, look.frame, look.in_color.places.size());
   writer_->addView(std::move(*view));
   met_.met(object).views.keep(direction);
 }

@@ -106,9 +106,10 @@ class ObjectCollector {
   [[nodiscard]] std::vector<int> beginLookingAgain();
   /// Where that frame was taken. None: no views of it were kept.
   [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
-  /// Views of that frame that show their objects otherwise than the map does now count no longer. `now`: what
-  /// it shows from there.
-  void judgeViewsOf(int frame_index, const RegionMap& now);
+  /// Views of that frame that show their objects otherwise than the map does now count no longer. What has
+  /// been taken away since is left as it was. `now` and `surface`: what the map shows from there;
+  /// `depth_noise_m`: FusionParams.
+  void judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface, float depth_noise_m);
   /// Those views leave the catalogue, and with them the objects that they were all of.
   void endLookingAgain();
 
@@ -152,6 +153,8 @@ class ObjectCollector {
   [[nodiscard]] bool shouldMerge(ObjectId a, ObjectId b) const;
   void lookUpDue(const std::vector<Candidate>& candidates, const Look& look);
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
+  /// It is the object that it looks like most, which was taken away from where it stood.
+  [[nodiscard]] bool isBack(const Candidate& candidate, const DetectionMatch& match) const;
   /// The object that this candidate is, as far as is known; nothing is bound to it yet.
   [[nodiscard]] ObjectId identityOf(const Candidate& candidate) const;
   [[nodiscard]] std::vector<std::size_t> choose(const std::vector<Candidate>& candidates,
@@ -176,7 +179,9 @@ class ObjectCollector {
   /// None: the colour image does not show it.
   [[nodiscard]] static std::optional<ObjectView> viewToKeep(const Candidate& candidate, const Look& look);
   [[nodiscard]] bool isMet(ObjectId holder) const;
-  void noteKept(const ObjectView& view, const Candidate& candidate);
+  /// `working`: the resolution of the candidate.
+  void noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
+                const cv::Size& working);
   [[nodiscard]] bool isOutdated(const KeptView& view, const RegionMap& now) const;
   /// As far as is known, the object's views showed it about as large.
   [[nodiscard]] bool isAlike(const ObjectRecord& known, const Candidate& candidate) const;

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/fusion/contradicted_surface.h"
 #include "core/labeling/region_partition.h"
 #include "core/scan/guarded.h"
 #include "core/scan/map_memory.h"
@@ -25,12 +26,6 @@ PoseEstimate givenPose(const RgbdFrame& frame) {
   pose.T_world_camera = *frame.T_world_camera;
   pose.inlier_fraction = 1;
   return pose;
-}
-
-DepthView depthViewOf(const RgbdFrame& frame, const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
-  DepthView view{K, T_world_camera, {}};
-  frame.depth.convertTo(view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
-  return view;
 }
 
 }  // namespace
@@ -63,6 +58,12 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
                  ObjectCollector::create(compute, *setup.database, setup.catalogue, setup.params.detection)));
   }
   return pipeline;
+}
+
+DepthView ScanPipeline::depthViewOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) const {
+  DepthView view{working_K_.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
+  frame.depth.convertTo(view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
+  return view;
 }
 
 template <class Work>
@@ -141,7 +142,10 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
     motion_->apply(depth, map_->bricks(), surface_);
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
-  if (tracker_) stage("track", [&] { result.is_place = tracker_->learn(frame, depth, surface_); });
+  if (tracker_) {
+    result.returned = tracker_->takeReturned();
+    stage("track", [&] { result.is_place = tracker_->learn(frame, depth, surface_); });
+  }
 
   // The partition is one thread's; what does not need it goes on beside it.
   stage("segment", [&] { segmenter_->weigh(surface_, params_.segmentation); });
@@ -176,13 +180,14 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
   tellOf(merged.events);
+  const DepthView readings = depthViewOf(frame, T_world_camera);
   const std::vector<Candidate> candidates =
-      stage("discover", [&] { return findCandidates(*finder_, result, T_world_camera); });
+      stage("discover", [&] { return findCandidates(*finder_, result, readings, cameWith()); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
     keepKnown(result.objects);
-    collector_->lookForThoseMet(depthViewOf(frame, depth.K, T_world_camera), params_.fusion.depth_noise_m);
+    collector_->lookForThoseMet(readings, params_.fusion.depth_noise_m);
     last_seen_ = {frame, T_world_camera};
   }
   if (tracker_) result.late = integrateLate();
@@ -213,13 +218,22 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
 }
 
 std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, const FrameResult& result,
-                                                    const Eigen::Isometry3d& T_world_camera) {
+                                                    const DepthView& readings,
+                                                    std::span<const std::uint8_t> came) {
   const auto joiningOdds = [this](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
     return merger_->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
   };
-  const DiscoveryInput input{result.regions, result.vertices_world, result.normals_world,
-                             working_K_,     T_world_camera,        joiningOdds};
+  // What is not there, or stands behind somebody, is on the map but not in this frame's images.
+  RegionMap shown = result.regions;
+  const cv::Mat contradicted =
+      contradictedSurface(readings, working_K_, result.vertices_world, params_.fusion.depth_noise_m);
+  for (std::size_t i = 0; i < shown.regions.size(); ++i) {
+    if (contradicted.data[i] != 0) shown.regions[i] = {};
+  }
+  const DiscoveryInput input{shown,      result.vertices_world,   result.normals_world,
+                             working_K_, readings.T_world_camera, joiningOdds,
+                             came};
   std::vector<Candidate> candidates = finder.find(input);
   leaveOutSaid(candidates);
   addWanted(input, candidates);

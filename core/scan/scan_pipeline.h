@@ -51,8 +51,9 @@ struct FrameResult {
   std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
   std::vector<Eigen::Vector4f> normals_world;   ///< N_t likewise
   FrameObjects objects;
-  std::vector<LateFrame> late;  ///< earlier ones that were understood with this one
-  bool is_place = false;        ///< the camera finds its way by this frame from now on
+  std::vector<LateFrame> late;            ///< earlier ones that were understood with this one
+  bool is_place = false;                  ///< the camera finds its way by this frame from now on
+  std::optional<ReturnedPlace> returned;  ///< a place that the frame before, or one before it, came back to
 };
 
 /// One frame through every stage of the thesis. Owns map, label cloud and region table; cost per frame does
@@ -206,8 +207,12 @@ class ScanPipeline {
   /// Begins findPose() of the next frame.
   void beginNext(const NextFrame& next);
   [[nodiscard]] RegionMap regionsSeenAgain(const Eigen::Isometry3d& T_world_camera);
+  /// The frame's depth where it was taken.
+  [[nodiscard]] DepthView depthViewOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) const;
+  /// `readings`: of the frame that `result` is of.
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateFinder& finder, const FrameResult& result,
-                                                      const Eigen::Isometry3d& T_world_camera);
+                                                      const DepthView& readings,
+                                                      std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events);
   /// A person said that these are none, or that a part of them is a thing of its own.

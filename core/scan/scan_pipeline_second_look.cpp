@@ -15,6 +15,15 @@ DiscoveryParams paramsOfSecondLook(DiscoveryParams params) {
   return params;
 }
 
+DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intrinsics& K,
+                  const Eigen::Isometry3d& T_world_camera) {
+  DepthView view{K, T_world_camera, cv::Mat::zeros(K.height, K.width, CV_32FC1)};
+  const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
+  auto* z_m = view.z_m.ptr<float>();
+  for (const Eigen::Vector4f& vertex : vertices_world) *z_m++ = vertex.w() > 0 ? depth_row.dot(vertex) : 0.0F;
+  return view;
+}
+
 }  // namespace
 
 std::vector<int> ScanPipeline::beginLookingAgain() {
@@ -38,7 +47,12 @@ Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
   return guarded("looking again at the views of frame " + std::to_string(frame_index), [&]() -> Result<void> {
     if (!collector_) return {};
     const std::optional<Eigen::Isometry3d> T_world_camera = collector_->cameraOfViews(frame_index);
-    if (T_world_camera) collector_->judgeViewsOf(frame_index, regionsSeenAgain(*T_world_camera));
+    if (!T_world_camera) return {};
+    const RegionMap now = regionsSeenAgain(*T_world_camera);
+    FrameResult result;
+    readSurface(seen_again_, result);
+    collector_->judgeViewsOf(frame_index, now, depthOf(result.vertices_world, working_K_, *T_world_camera),
+                             params_.fusion.depth_noise_m);
     return {};
   });
 }
@@ -54,7 +68,7 @@ Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
     const SurfaceInColor in_color =
         locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
     return collector_->collect(frame, result.pose, in_color,
-                               findCandidates(*finder_of_kept_, result, T_world_camera));
+                               findCandidates(*finder_of_kept_, result, depthViewOf(frame, T_world_camera)));
   });
 }
 

@@ -9,6 +9,16 @@
 
 namespace scantrove {
 
+/// How far the map has drifted, as far as the camera came back to where it had been.
+struct MapDrift {
+  /// Frames at a place seen before, whose poses were corrected by what was seen there then, and by how much.
+  int corrected_frames = 0;
+  double most_corrected_m = 0;
+  /// Times that such a place was known again by its landmarks, and how far apart they lay at most.
+  int places_seen_again = 0;
+  double most_m = 0;
+};
+
 /// What came out of a scan; written as report.json.
 struct ScanReport {
   std::string source;
@@ -16,7 +26,8 @@ struct ScanReport {
   ScanParams params;
   FrameCounts frames;
   std::vector<int> lost_frames;  ///< indices of the source
-  double fps = 0;                ///< frames processed / wall time of processing, decoding included
+  MapDrift drift;
+  double fps = 0;  ///< frames processed / wall time of processing, decoding included
   double frame_median_ms = 0;
   double frame_p95_ms = 0;
   struct Stage {

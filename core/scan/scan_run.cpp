@@ -44,6 +44,17 @@ std::vector<T> evenly(std::vector<T> all, std::size_t most) {
   return chosen;
 }
 
+/// Landmarks tell where they are to a few centimetres.
+constexpr double kDriftToTell_m = 0.10;
+constexpr double kClearlyWorse = 1.5;
+
+Error hasDrifted(double drift_m, int frame_index) {
+  return {"In frame " + std::to_string(frame_index) + " the camera is back at a place, and the map has it " +
+              std::to_string(std::lround(drift_m * 100)) +
+              " cm beside where it was: what is seen there now is in the map twice.",
+          "Scan shorter rounds, and slowly where there is little to see."};
+}
+
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -204,6 +215,21 @@ void ScanRun::count(const FrameResult& result, int frame_index) {
   }
   ++frames_.tracked;
   if (result.pose.state == TrackingState::relocalised) ++frames_.relocalised;
+  measureDrift(result, frame_index);
+}
+
+void ScanRun::measureDrift(const FrameResult& result, int frame_index) {
+  if (result.pose.drift_m) {
+    ++drift_.corrected_frames;
+    drift_.most_corrected_m = std::max(drift_.most_corrected_m, *result.pose.drift_m);
+  }
+  if (!result.returned) return;
+  ++drift_.places_seen_again;
+  // Told once, and again when it has become clearly worse.
+  const double drift_m = result.returned->drift_m;
+  if (drift_m > kDriftToTell_m && drift_m > kClearlyWorse * drift_.most_m)
+    listener_(MapDrifted{hasDrifted(drift_m, frame_index)});
+  drift_.most_m = std::max(drift_.most_m, drift_m);
 }
 
 void ScanRun::announce(const FrameObjects& objects) {
@@ -332,6 +358,7 @@ void ScanRun::fillReport(ScanReport& report) {
   report.params = pipeline_->params();
   report.frames = frames_;
   report.lost_frames = lost_frames_;
+  report.drift = drift_;
   report.fps = elapsed_s_ > 0 ? frames_.read / elapsed_s_ : 0;
   const DurationSummary frame_time = summarise(frame_ms_);
   report.frame_median_ms = frame_time.median_ms;

@@ -70,6 +70,8 @@ class ScanRun {
   [[nodiscard]] Result<void> process(RgbdFrame frame);
   void skip(const FrameRead& read);
   void count(const FrameResult& result, int frame_index);
+  /// How far the map has drifted, where the frame tells it.
+  void measureDrift(const FrameResult& result, int frame_index);
   void announce(const FrameObjects& objects);
   void announceMapFailure();
   /// Begins the session, or goes on in it.
@@ -97,6 +99,7 @@ class ScanRun {
   std::optional<FrameRead> next_read_;  // taken from the source before its turn
   FrameCounts frames_;
   std::vector<int> lost_frames_;
+  MapDrift drift_;
   std::vector<double> frame_ms_;
   double elapsed_s_ = 0;
   std::optional<std::chrono::steady_clock::time_point> clock_start_;

@@ -86,6 +86,9 @@ struct CatalogueFailed {
 struct MapFailed {
   Error error;
 };  ///< a part of the map cannot be written to disk for now, or not be read back; the scan goes on
+struct MapDrifted {
+  Error error;
+};  ///< the camera is back at a place that the map has beside where it was: what is seen there is in it twice
 /// Takes the newest operation back, or does it again.
 struct UndoEdit {};
 struct RedoEdit {};
@@ -127,9 +130,9 @@ struct ScanFinished {
 };
 using ScanEvent =
     std::variant<StateChanged, LookingAgain, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
-                 ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, Edited, EditFailed,
-                 ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished, ExportFailed,
-                 FrameSkipped, ScanFailed, ScanFinished>;
+                 ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted, Edited,
+                 EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished,
+                 ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.

@@ -66,14 +66,15 @@ const KeyFrame* KeyFrames::nearest(const Eigen::Isometry3d& T_world_camera) cons
 }
 
 std::vector<const KeyFrame*> KeyFrames::alike(const cv::Mat& thumbnail, const ColorView& view,
-                                              std::size_t most) const {
+                                              std::size_t most, std::size_t without_newest) const {
   if (thumbnail.empty()) return {};
   struct Scored {
     double score = 0;
     const KeyFrame* key_frame = nullptr;
   };
   std::vector<Scored> found;
-  for (const KeyFrame& key_frame : key_frames_) {
+  for (std::size_t i = 0; i + without_newest < key_frames_.size(); ++i) {
+    const KeyFrame& key_frame = key_frames_[i];
     if (!key_frame.thumbnail.empty()) found.push_back({thumbnail.dot(key_frame.thumbnail), &key_frame});
   }
   std::ranges::stable_sort(found, std::ranges::greater(), &Scored::score);

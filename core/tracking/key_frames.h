@@ -36,9 +36,9 @@ class KeyFrames {
   /// The one that sees most like a camera there, or null: none is near.
   [[nodiscard]] const KeyFrame* nearest(const Eigen::Isometry3d& T_world_camera) const;
   /// Those that may show what the frame shows, the likeliest first: looked for by thumbnail, then by
-  /// features.
+  /// features. The `without_newest` that were added last are left aside.
   [[nodiscard]] std::vector<const KeyFrame*> alike(const cv::Mat& thumbnail, const ColorView& view,
-                                                   std::size_t most) const;
+                                                   std::size_t most, std::size_t without_newest = 0) const;
 
  private:
   std::deque<KeyFrame> key_frames_;

@@ -272,6 +272,7 @@ void PoseTracker::goOnFrom(Memory memory) {
   has_gone_on_ = true;
   last_gray_ = std::move(memory.last_view);
   key_frames_ = KeyFrames(std::move(memory.places));
+  asked_ = nullptr;
   seen_ = SeenSurfaces(std::move(memory.surfaces));
   seen_again_ = nullptr;
 }
@@ -305,20 +306,33 @@ bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const
     const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
     seen_.add(model.T_world_camera, KeptSurface(level.K, level.vertices_camera.read(compute_.queue())));
   }
-  if (!is_new_place) return false;
+  if (!is_new_place && !isBack(model.T_world_camera)) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
   if (thumbnail.empty()) return false;
   // Nobody asks for a place before the next frame: its features are looked for beside the rest of this one.
   learning_ = std::async(std::launch::async, [this, T_world_camera = model.T_world_camera, thumbnail,
-                                              surface = model.vertices_world.read(compute_.queue())] {
-    last_landmarks_ = landmarksOf(lastView(), T_world_camera, surface);
-    return KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
+                                              is_new_place,
+                                              vertices = model.vertices_world.read(compute_.queue())] {
+    last_landmarks_ = landmarksOf(lastView(), T_world_camera, vertices);
+    const SurfaceInView surface(lastView().K, T_world_camera * lastView().T_color_depth.inverse(), vertices);
+    Learnt learnt{.place = {}, .returned = returnedTo(key_frames_, thumbnail, lastView(), surface)};
+    if (is_new_place) learnt.place = KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
+    return learnt;
   });
-  return true;
+  return is_new_place;
+}
+
+bool PoseTracker::isBack(const Eigen::Isometry3d& T_world_camera) {
+  if (seen_.nearestSeenAgain(T_world_camera) == nullptr) return false;
+  const KeyFrame* near = key_frames_.nearest(T_world_camera);
+  return near != nullptr && std::exchange(asked_, near) != near;
 }
 
 void PoseTracker::finishLearning() {
-  if (learning_.valid()) key_frames_.add(learning_.get());
+  if (!learning_.valid()) return;
+  Learnt learnt = learning_.get();
+  if (learnt.place) key_frames_.add(std::move(*learnt.place));
+  if (learnt.returned) returned_ = learnt.returned;
 }
 
 const GrayView& PoseTracker::grayOf(Search& search) {

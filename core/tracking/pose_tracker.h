@@ -4,6 +4,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -17,6 +18,7 @@
 #include "core/tracking/key_frames.h"
 #include "core/tracking/landmark_pose.h"
 #include "core/tracking/pose_estimate.h"
+#include "core/tracking/returned_place.h"
 #include "core/tracking/seen_surfaces.h"
 #include "core/tracking/surface_aligner.h"
 
@@ -58,6 +60,10 @@ class PoseTracker {
   /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
   /// Whether the frame became a place: one that the camera finds its way by from now on.
   bool learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
+
+  /// A place that the camera was found to have come back to since the last call, by learn() of some frame
+  /// before.
+  [[nodiscard]] std::optional<ReturnedPlace> takeReturned() { return std::exchange(returned_, std::nullopt); }
 
   /// What the next frame's pose is found by, beside the map.
   struct Memory {
@@ -134,6 +140,8 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                    PoseOrigin origin) const;
   [[nodiscard]] const GrayView& lastGray();
+  /// The camera is where it was before it was elsewhere, at a place that was not asked about yet.
+  [[nodiscard]] bool isBack(const Eigen::Isometry3d& T_world_camera);
   /// What learn() left to another thread is done.
   void finishLearning();
   [[nodiscard]] static const GrayView& grayOf(Search& search);
@@ -168,7 +176,13 @@ class PoseTracker {
   const SeenSurfaces::View* seen_again_ = nullptr;  // the one that seen_surface_ holds
   SurfaceMaps seen_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
-  std::future<KeyFrame> learning_;        // uses what is above: goes first
+  const KeyFrame* asked_ = nullptr;       // the place that was last asked whether the camera is back at it
+  std::optional<ReturnedPlace> returned_;
+  struct Learnt {
+    std::optional<KeyFrame> place;  // a new one
+    std::optional<ReturnedPlace> returned;
+  };
+  std::future<Learnt> learning_;  // uses what is above: goes first
 };
 
 }  // namespace scantrove

@@ -73,6 +73,7 @@ void SessionBridge::announce(const ScanEvent& event) {
             emit catalogueFailed(QString::fromStdString(e.error.message()));
           },
           [this](const MapFailed& e) { emit mapFailed(QString::fromStdString(e.error.message())); },
+          [this](const MapDrifted& e) { emit mapDrifted(QString::fromStdString(e.error.message())); },
           [this](const Edited& e) { emit edited(e.edit, e.regions); },
           [this](const EditFailed& e) { emit editFailed(e.edit, QString::fromStdString(e.error.message())); },
           [this](const ReviewOpened&) { emit reviewOpened(); },

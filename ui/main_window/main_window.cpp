@@ -188,6 +188,7 @@ void MainWindow::connectSession() {
   const auto warn = [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); };
   connect(&bridge, &SessionBridge::catalogueFailed, this, warn);
   connect(&bridge, &SessionBridge::mapFailed, this, warn);
+  connect(&bridge, &SessionBridge::mapDrifted, this, warn);
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
   connect(&bridge, &SessionBridge::objectRecognised, this,
           [this](ObjectId object) { model_.markRecognised(object); });

@@ -124,6 +124,16 @@ TEST_F(DetectorTest, AnotherColourIsAnotherObject) {
   EXPECT_EQ(find(painted.query()), 0U);
 }
 
+TEST_F(DetectorTest, SaysWhatIsNearestWhereThatIsNotNearEnough) {
+  addObject(0);
+  Look worn(0, {90, 70}, 1);
+  cv::addWeighted(worn.color, 0.4, Look(1, {90, 70}, 1).color, 0.6, 0, worn.color);
+  const DetectionMatch match = detector_->find({worn.query()})[0];
+  EXPECT_FALSE(match.object);
+  EXPECT_EQ(match.nearest, ObjectId{1});
+  EXPECT_FALSE(detector_->find({worn.query(3 * kSize)})[0].nearest) << "nothing is so large";
+}
+
 TEST_F(DetectorTest, WithoutColourOrPixelsNothingIsKnown) {
   addObject(0);
   Look look(0, {90, 70}, 1);

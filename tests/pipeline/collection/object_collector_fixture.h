@@ -20,6 +20,7 @@ struct Thing {
   int seed = 0;
   int place = 0;
   RegionId region;
+  double change = 0;  ///< how much of another look is mixed in
 
   [[nodiscard]] cv::Rect box() const { return {5 + 50 * place, 30, 40, 50}; }
   [[nodiscard]] Eigen::Vector3f centroid() const { return {0.5F * static_cast<float>(place), 0, 1}; }
@@ -37,8 +38,10 @@ struct Thing {
   }
   void paint(cv::Mat& color) const {
     cv::RNG random(static_cast<std::uint64_t>(seed) * 7919 + 1);
-    cv::Mat patches(4, 4, CV_8UC3), picture;
+    cv::Mat patches(4, 4, CV_8UC3), others(4, 4, CV_8UC3), picture;
     random.fill(patches, cv::RNG::UNIFORM, 20, 236);
+    random.fill(others, cv::RNG::UNIFORM, 20, 236);
+    cv::addWeighted(patches, 1 - change, others, change, 0, patches);
     const cv::Rect in_color(2 * box().x, 2 * box().y, 2 * box().width, 2 * box().height);
     cv::resize(patches, picture, in_color.size(), 0, 0, cv::INTER_CUBIC);
     picture.copyTo(color(in_color));

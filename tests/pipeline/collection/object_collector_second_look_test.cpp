@@ -27,11 +27,13 @@ class SecondLook : public test::ObjectCollectorFixture {
     }
     return map;
   }
-  /// All views are held against that map; then frames show `things`.
-  void lookAgain(const RegionMap& map, const std::vector<Thing>& things) {
+  /// All views, whose readings are at 1 m, are held against that map; then frames show `things`.
+  void lookAgain(const RegionMap& map, const std::vector<Thing>& things, float surface_m = 1) {
+    const DepthView surface{
+        test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, surface_m)};
     for (const int frame : collector_->beginLookingAgain()) {
       EXPECT_TRUE(collector_->cameraOfViews(frame));
-      collector_->judgeViewsOf(frame, map);
+      collector_->judgeViewsOf(frame, map, surface, 0.0015F);
     }
     for (int i = 0; i < 6; ++i) static_cast<void>(look(things));
     collector_->endLookingAgain();
@@ -72,6 +74,12 @@ TEST_F(SecondLook, WhatNoViewShowsAnyMoreIsNoObject) {
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(collector_->objectOf(mug_.region), ObjectId{});
   EXPECT_EQ(collector_->objectOf(box_.region), objects()[0].id);
+}
+
+TEST_F(SecondLook, WhatWasTakenAwayIsAsItWas) {
+  static_cast<void>(study({mug_}));
+  lookAgain(mapWith(mug_, 0.2), {}, 1.2F);
+  EXPECT_EQ(objects().size(), 1U);
 }
 
 TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {

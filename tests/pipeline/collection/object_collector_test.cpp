@@ -78,6 +78,37 @@ TEST_F(ObjectCollectorTest, WhatWasTakenAwayIsTheSameWhereItIsPut) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
+TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayLookALittleOtherwise) {
+  const Thing put{mug_.seed, 2, RegionId{77}, 0.6};
+  Candidate here = put.candidate();
+  const auto timesAdded = [&] {
+    std::size_t added = 0;
+    for (int i = 0; i < 30; ++i) added += lookAt({here}, {put}).added.size();
+    return added;
+  };
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  here.has_come = true;
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
+  EXPECT_EQ(timesAdded(), 0U);
+  EXPECT_EQ(collector_->objectOf(put.region), mug);
+}
+
+TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOrNothingCame) {
+  const Thing put{mug_.seed, 2, RegionId{77}, 0.6}, later{mug_.seed, 2, RegionId{78}, 0.6};
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  Candidate here = put.candidate();
+  here.has_come = true;
+  for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
+  EXPECT_EQ(objects().size(), 2U) << "the mug stands where it was";
+  ASSERT_TRUE(person_->remove(std::array{objects()[1].id}));
+  beginScan();
+  static_cast<void>(study({mug_}));
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
+  static_cast<void>(study({later}));
+  EXPECT_EQ(objects().size(), 2U) << "it was there before, for all that is known";
+  EXPECT_NE(collector_->objectOf(later.region), mug);
+}
+
 TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing other{mug_.seed, 2, RegionId{77}};

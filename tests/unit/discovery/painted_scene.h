@@ -17,6 +17,7 @@ struct PaintedScene {
   std::vector<Eigen::Vector4f> vertices;
   mutable std::vector<Eigen::Vector4f> normals;
   std::function<float(RegionId, RegionId)> joining_odds;
+  std::vector<std::uint8_t> came;
 
   PaintedScene() {
     map.width = K.width;
@@ -58,7 +59,7 @@ struct PaintedScene {
         if (normal.norm() > 0) normals[static_cast<std::size_t>(v * K.width + u)] << normal.normalized(), 1;
       }
     }
-    return {map, vertices, normals, K, T_world_camera, joining_odds};
+    return {map, vertices, normals, K, T_world_camera, joining_odds, came};
   }
 
  private:

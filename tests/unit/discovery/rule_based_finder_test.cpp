@@ -313,5 +313,23 @@ TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
   EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
 }
 
+TEST(RuleBasedFinder, WhatCameForTheMostPartHasCome) {
+  PaintedScene scene;
+  const cv::Rect box(60, 45, 30, 30);
+  scene.paintBump(2, box, 1);
+  for (const int rows : {0, 12, 18, 30}) {
+    scene.came.assign(static_cast<std::size_t>(scene.K.pixels()), 0);
+    for (int v = box.y; v < box.y + rows; ++v) {
+      for (int u = box.x; u < box.br().x; ++u)
+        scene.came[static_cast<std::size_t>(v * scene.K.width + u)] = 3;
+    }
+    const auto finder = makeRuleBasedFinder(testParams());
+    std::vector<Candidate> candidates;
+    for (int i = 0; i < 6; ++i) candidates = finder->find(scene.input());
+    ASSERT_EQ(idsOf(candidates), std::vector<std::uint32_t>{2});
+    EXPECT_EQ(candidates[0].has_come, rows > 15) << rows;
+  }
+}
+
 }  // namespace
 }  // namespace scantrove

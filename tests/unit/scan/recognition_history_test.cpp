@@ -13,7 +13,7 @@ std::optional<ObjectId> after(const std::vector<std::uint32_t>& named, float dis
   RecognitionHistory history;
   int frame = 0;
   for (const std::uint32_t object : named)
-    history.add(kThing, {ObjectId{object}, object == 0 ? 2 : distance}, kMost, frame += 5);
+    history.add(kThing, {ObjectId{object}, {}, object == 0 ? 2 : distance}, kMost, frame += 5);
   return history.verdict(kThing);
 }
 

@@ -1,0 +1,45 @@
+#include "core/fusion/contradicted_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.h"
+
+namespace scantrove {
+
+cv::Mat contradictedSurface(const DepthView& now, const Intrinsics& K,
+                            std::span<const Eigen::Vector4f> vertices_world, float depth_noise_m) {
+  SCANTROVE_CHECK(static_cast<int>(vertices_world.size()) == K.pixels());
+  SCANTROVE_CHECK(now.z_m.type() == CV_32FC1);
+  cv::Mat contradicted = cv::Mat::zeros(K.height, K.width, CV_8UC1);
+  const Eigen::Matrix4f T_camera_world = now.T_world_camera.inverse().matrix().cast<float>();
+  const Eigen::RowVector4f depth_of = T_camera_world.row(2);
+  const float sx = static_cast<float>(now.z_m.cols) / static_cast<float>(K.width);
+  const float sy = static_cast<float>(now.z_m.rows) / static_cast<float>(K.height);
+  const auto readingsAt = [](int pixel, float scale, int count) {
+    return std::clamp(static_cast<int>((static_cast<float>(pixel) + 0.5F) * scale), 0, count - 1);
+  };
+  // A working pixel to each side.
+  const cv::Point reach(static_cast<int>(std::ceil(sx)), static_cast<int>(std::ceil(sy)));
+  const cv::Rect image({}, now.z_m.size());
+  for (int v = 0; v < K.height; ++v) {
+    for (int u = 0; u < K.width; ++u) {
+      const auto i =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(K.width) + static_cast<std::size_t>(u);
+      const Eigen::Vector4f& vertex = vertices_world[i];
+      if (!(vertex.w() > 0)) continue;
+      const float z = depth_of.dot(vertex);
+      const float nearest = z - kBefore.at(z, depth_noise_m), farthest = z + kBehind.at(z, depth_noise_m);
+      const auto agrees = [&](float reading) { return reading >= nearest && reading <= farthest; };
+      const cv::Point pixel(readingsAt(u, sx, image.width), readingsAt(v, sy, image.height));
+      const float reading = now.z_m.at<float>(pixel);
+      if (!(reading > 0) || agrees(reading)) continue;
+      const cv::Mat around = now.z_m(cv::Rect(pixel - reach, pixel + reach + cv::Point(1, 1)) & image);
+      if (std::none_of(around.begin<float>(), around.end<float>(), agrees))
+        contradicted.at<std::uint8_t>(v, u) = 255;
+    }
+  }
+  return contradicted;
+}
+
+}  // namespace scantrove

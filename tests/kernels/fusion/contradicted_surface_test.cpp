@@ -1,0 +1,77 @@
+// Where a frame's readings and the map's surface cannot both be right.
+#include "core/fusion/contradicted_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace scantrove::test {
+namespace {
+
+const Intrinsics kWorking{100, 100, 39.5F, 29.5F, 80, 60};
+constexpr float kSurface_m = 1.5F, kDepthNoise_m = 0.0015F;
+const cv::Rect kPatch(20, 10, 30, 20);  // working pixels
+
+/// A wall that faces a camera somewhere in the world, and the camera's readings of twice the resolution.
+struct Wall {
+  Eigen::Isometry3d T_world_camera{Eigen::Translation3d(0.4, -1, 2) *
+                                   Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized())};
+  std::vector<Eigen::Vector4f> vertices;
+  cv::Mat readings_m{120, 160, CV_32FC1, cv::Scalar(kSurface_m)};
+
+  Wall() {
+    for (int v = 0; v < kWorking.height; ++v) {
+      for (int u = 0; u < kWorking.width; ++u) {
+        const Eigen::Vector3f p =
+            kWorking.backProject(static_cast<float>(u), static_cast<float>(v), kSurface_m);
+        vertices.emplace_back();
+        vertices.back() << (T_world_camera * p.cast<double>()).cast<float>(), 1;
+      }
+    }
+  }
+  void read(float z_m) { readings_m(cv::Rect(2 * kPatch.tl(), 2 * kPatch.br())).setTo(z_m); }
+  [[nodiscard]] cv::Mat contradicted() const {
+    return contradictedSurface({kWorking.resizedTo(160, 120), T_world_camera, readings_m}, kWorking, vertices,
+                               kDepthNoise_m);
+  }
+};
+
+/// The patch but for its outermost pixels, beside which readings agree.
+int insideOfPatch() { return (kPatch.width - 2) * (kPatch.height - 2); }
+
+TEST(ContradictedSurface, WhereSomethingStandsBeforeItOrItIsSeenThrough) {
+  for (const float z_m : {1.0F, 2.0F}) {
+    Wall wall;
+    wall.read(z_m);
+    const cv::Mat contradicted = wall.contradicted();
+    EXPECT_EQ(contradicted.size(), cv::Size(kWorking.width, kWorking.height));
+    EXPECT_EQ(cv::countNonZero(contradicted), insideOfPatch()) << z_m;
+    EXPECT_EQ(cv::countNonZero(contradicted(kPatch)), insideOfPatch()) << z_m;
+  }
+}
+
+TEST(ContradictedSurface, NoiseAndMissingReadingsSayNothing) {
+  // Six standard deviations of depth noise are 20 mm at 1.5 m, beside 50 mm before it and 25 mm behind it.
+  for (const float z_m : {kSurface_m - 0.065F, kSurface_m + 0.04F, 0.0F}) {
+    Wall wall;
+    wall.read(z_m);
+    EXPECT_EQ(cv::countNonZero(wall.contradicted()), 0) << z_m;
+  }
+}
+
+TEST(ContradictedSurface, AReadingBesideIsEnough) {
+  Wall wall;
+  wall.readings_m.setTo(2.0F);
+  for (int v = 0; v < wall.readings_m.rows; v += 3) wall.readings_m.row(v).setTo(kSurface_m);
+  EXPECT_EQ(cv::countNonZero(wall.contradicted()), 0);
+}
+
+TEST(ContradictedSurface, WhereThereIsNoneNothingContradictsIt) {
+  Wall wall;
+  wall.read(1.0F);
+  for (Eigen::Vector4f& vertex : wall.vertices) vertex.w() = 0;
+  EXPECT_EQ(cv::countNonZero(wall.contradicted()), 0);
+}
+
+}  // namespace
+}  // namespace scantrove::test
