@@ -19,9 +19,8 @@ struct DetectionQuery {
 };
 
 struct DetectionMatch {
-  ObjectId object;  ///< none: unknown
-  ObjectId
-      nearest;  ///< the same, or what it is most but not enough like; none: nothing has that size and colour
+  ObjectId object;     ///< none: unknown
+  ObjectId nearest;    ///< that, or what is most like it; none: nothing has that size and colour
   float distance = 2;  ///< of the best view, warped SSD per element
 };
 
