@@ -39,9 +39,9 @@ bool hasCome(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& 
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask.at<unsigned char>(y, x) == 0) continue;
-      const auto at = static_cast<std::size_t>((box_px.y + y) * input.regions.width + box_px.x + x);
+      const int at = (box_px.y + y) * input.regions.width + box_px.x + x;
       ++all;
-      came += input.came[at] != 0 ? 1 : 0;
+      came += input.came[static_cast<std::size_t>(at)] != 0 ? 1 : 0;
     }
   }
   return 2 * came > all;

@@ -11,6 +11,8 @@ namespace {
 
 /// The way that the camera has just come: about two metres, or a turn.
 constexpr std::size_t kNewest = 8;
+/// Of those before, the likeliest.
+constexpr std::size_t kPlacesToAsk = 3;
 constexpr std::size_t kFewestSeen = 50;
 constexpr int kCellsSeen = 6;
 
@@ -43,7 +45,7 @@ std::optional<ReturnedPlace> driftOf(const SeenLandmarks& seen, const SurfaceInV
 std::optional<ReturnedPlace> returnedTo(const KeyFrames& places, const cv::Mat& thumbnail,
                                         const ColorView& view, const SurfaceInView& surface) {
   if (places.size() <= kNewest || view.pixels.empty()) return std::nullopt;
-  for (const KeyFrame* place : places.alike(thumbnail, view, kPlacesToTry, kNewest)) {
+  for (const KeyFrame* place : places.alike(thumbnail, view, kPlacesToAsk, kNewest)) {
     const std::optional<LandmarkPose> found = locate(view, place->landmarks);
     if (!found || found->seen.pixels.size() < kFewestSeen || found->seen.cells() < kCellsSeen) continue;
     return driftOf(found->seen, surface);
