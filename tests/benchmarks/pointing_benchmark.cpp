@@ -196,7 +196,7 @@ void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int pl
     const QPointF pixel((place->x() + 1) / 2.0 * view->width(), (1 - place->y()) / 2.0 * view->height());
     const RegionPoint in_scene = view->at(pixel);
     // Something else may stand before it from there.
-    if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.02F) continue;
+    if (!in_scene.point_world || (*in_scene.point_world - *in_frame.point_world).norm() > 0.01F) continue;
     ++compared;
     const bool is_same = in_scene.region == in_frame.region;
     const bool is_inside = std::ranges::all_of(kAround, [&](const QPointF& step) {
