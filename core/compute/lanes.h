@@ -38,9 +38,11 @@ class Lanes {
 
   /// The work-groups of the first two, of the last, and where each work-item does one pixel. One size for
   /// images of any: PoCL compiles a kernel anew for every size of its groups, and its own choice follows the
-  /// image's. With one lane, neighbours that read neighbouring pixels.
-  [[nodiscard]] cl::NDRange rowGroup() const { return count_ == 1 ? cl::NDRange(32, 4) : cl::NDRange(4, 8); }
-  [[nodiscard]] cl::NDRange blockGroup() const { return count_ == 1 ? cl::NDRange(8, 8) : cl::NDRange(4, 8); }
+  /// image's. With one lane, neighbours that read neighbouring pixels; with more, small groups: PoCL hands
+  /// them out to the cores up to 64 at a time, so that of few groups one core gets the larger part and the
+  /// other waits for it.
+  [[nodiscard]] cl::NDRange rowGroup() const { return count_ == 1 ? cl::NDRange(32, 4) : cl::NDRange(4, 2); }
+  [[nodiscard]] cl::NDRange blockGroup() const { return count_ == 1 ? cl::NDRange(8, 8) : cl::NDRange(4, 1); }
   [[nodiscard]] static cl::NDRange pixelGroup() { return {64, 4}; }
 
  private:
