@@ -6,6 +6,7 @@
 #include "app/window_command.h"
 #include "app/window_main.h"
 #include "core/base/log.h"
+#include "core/compute/device_threads.h"
 
 namespace scantrove {
 namespace {
@@ -30,6 +31,7 @@ int afterPrinting(int exit_code) {
 
 int run(int argc, char** argv) {
   initialiseLog();
+  keepDeviceThreadsApart();
   CommandOutcome outcome;
   WindowCommand window;
   WindowOptions window_options;

@@ -16,7 +16,6 @@
 #include "ui/panels/object_panel.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
-#include "ui/view/scene_view.h"
 
 namespace scantrove {
 namespace {
@@ -73,7 +72,6 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
                  "Scan without it: scantrove scan SOURCE --out DIR\n";
     return kJobFailed;
   }
-  QSurfaceFormat::setDefaultFormat(SceneView::surfaceFormat());
   QApplication application(argc, argv);
   // QApplication sets the person's locale; numbers in files stay as the standard says.
   std::setlocale(LC_NUMERIC, "C");

@@ -55,6 +55,7 @@ struct SideAxes {
   [[nodiscard]] static SideAxes of(const Eigen::Vector3f& up, const Eigen::Vector3f& towards);
   /// The middle of a side, so high above the horizon. Unit.
   [[nodiscard]] Eigen::Vector3f directionOf(std::size_t side, float elevation_deg) const;
+  bool operator==(const SideAxes&) const = default;
 };
 
 [[nodiscard]] SeenSides sidesOf(const ViewCoverage& coverage, const SideAxes& axes);

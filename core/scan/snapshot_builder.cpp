@@ -77,6 +77,7 @@ void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, Fr
     trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
     last_seen_ = frame.color;
   }
+  waiting_.beginFrame();
   addBricks(pipeline.touchedBricks());
   frame_ = std::move(frame);
   result_ = std::move(result);
@@ -88,10 +89,7 @@ void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eige
 }
 
 void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
-  if (!has_cloud_) return;
-  for (const Eigen::Vector3i& brick : bricks) {
-    if (is_waiting_.insert(brick).second) waiting_.push_back(brick);
-  }
+  if (has_cloud_) waiting_.add(bricks);
 }
 
 void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) {
@@ -104,24 +102,19 @@ void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) 
 void SnapshotBuilder::endEdit(ScanPipeline& pipeline) {
   keepRegionChanges(pipeline, true);
   const std::vector<Eigen::Vector3i> edited = pipeline.takeEditedBricks();
-  if (edited.empty() || !has_cloud_) return;
-  is_edited_.insert(edited.begin(), edited.end());
-  std::erase_if(waiting_, [this](const Eigen::Vector3i& brick) { return is_edited_.contains(brick); });
-  waiting_.insert(waiting_.begin(), is_edited_.begin(), is_edited_.end());
-  is_waiting_.insert(edited.begin(), edited.end());
+  if (has_cloud_) waiting_.addByPerson(edited);
 }
 
 Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
   if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kLeastInterval) return {};
-  return post(pipeline, progress, kMostBricks);
+  return post(pipeline, progress, Bricks::due);
 }
 
 Result<void> SnapshotBuilder::flush(ScanPipeline& pipeline, const ScanProgress& progress) {
-  return post(pipeline, progress, std::numeric_limits<std::size_t>::max());
+  return post(pipeline, progress, Bricks::all);
 }
 
-Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress,
-                                   std::size_t most_bricks) {
+Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress, Bricks which) {
   const Intrinsics& K = pipeline.workingIntrinsics();
   auto snapshot = std::make_shared<ScanSnapshot>();
   snapshot->state = progress.state;
@@ -145,7 +138,7 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   addRegions(pipeline, *snapshot);
   snapshot->key_frames = key_frames_;
   snapshot->shown_key_frame = shown_key_frame_;
-  SCANTROVE_TRY(addChangedBricks(pipeline, most_bricks, *snapshot));
+  SCANTROVE_TRY(addChangedBricks(pipeline, which, *snapshot));
   for (const StageTimer::Stage& stage : pipeline.timer().stages()) {
     snapshot->stage_times.push_back({stage.name, stage.last_ms});
   }
@@ -195,22 +188,25 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
   snapshot.operations = std::move(operations);
 }
 
-Result<void> SnapshotBuilder::addWaiting(ScanPipeline& pipeline, std::size_t count,
+Result<void> SnapshotBuilder::readBricks(ScanPipeline& pipeline, std::span<const WaitingBricks::Brick> bricks,
                                          std::vector<CloudBrick>& to) {
-  const auto end = waiting_.begin() + static_cast<std::ptrdiff_t>(count);
-  const std::vector<Eigen::Vector3i> bricks(waiting_.begin(), end);
-  const Result<LabelCloud::Extract> extract = pipeline.extractCloud(bricks);
-  if (!extract) return fail(extract.error());
-  waiting_.erase(waiting_.begin(), end);
+  if (bricks.empty()) return {};
+  std::vector<Eigen::Vector3i> positions;
+  positions.reserve(bricks.size());
+  for (const WaitingBricks::Brick& brick : bricks) positions.push_back(brick.position);
+  const Result<LabelCloud::Extract> extract = pipeline.extractCloud(positions);
+  if (!extract) {
+    waiting_.add(positions);
+    return fail(extract.error());
+  }
   for (std::size_t i = 0; i < bricks.size(); ++i) {
-    is_waiting_.erase(bricks[i]);
     const std::span points =
         std::span(extract->points).subspan(extract->first[i], extract->first[i + 1] - extract->first[i]);
     const auto is_shown = [](const LabelPoint& point) { return std::abs(point.height) <= kHalfSheet; };
     CloudBrick brick;
-    brick.position = bricks[i];
+    brick.position = bricks[i].position;
     brick.version = version_;
-    brick.by_person = is_edited_.erase(bricks[i]) > 0;
+    brick.by_person = bricks[i].by_person;
     brick.points.reserve(static_cast<std::size_t>(std::ranges::count_if(points, is_shown)));
     for (const LabelPoint& point : points) {
       if (is_shown(point)) brick.points.push_back(cloudPoint(point));
@@ -220,14 +216,14 @@ Result<void> SnapshotBuilder::addWaiting(ScanPipeline& pipeline, std::size_t cou
   return {};
 }
 
-Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
-                                               ScanSnapshot& snapshot) {
+Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, Bricks which, ScanSnapshot& snapshot) {
   ++version_;
   std::vector<CloudBrick> changed;
-  const std::size_t count = std::min(most_bricks, waiting_.size());
-  changed.reserve(count);
-  while (changed.size() < count)
-    SCANTROVE_TRY(addWaiting(pipeline, std::min(count - changed.size(), kMostBricks), changed));
+  std::vector<WaitingBricks::Brick> bricks;
+  do {
+    bricks = which == Bricks::all ? waiting_.takeAny(kMostBricks) : waiting_.takeDue(kMostBricks);
+    SCANTROVE_TRY(readBricks(pipeline, bricks, changed));
+  } while (which == Bricks::all && bricks.size() == kMostBricks);
   // What a snapshot that was never collected held goes with this one.
   if (const auto uncollected = mailbox_.collect()) {
     snapshot.changed_bricks = uncollected->changed_bricks;

@@ -3,13 +3,14 @@
 #include <deque>
 #include <functional>
 #include <memory>
-#include <unordered_set>
+#include <span>
 #include <vector>
 
 #include "core/base/latest_value.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_snapshot.h"
+#include "core/scan/waiting_bricks.h"
 
 namespace scantrove {
 
@@ -21,8 +22,8 @@ struct ScanProgress {
 };
 
 /// Makes the snapshots of one scan. Works only when the window has collected the last one and enough time has
-/// passed, and sends a bounded number of label-cloud bricks each time: those that a person changed, then
-/// those that waited longest. One thread, the worker's.
+/// passed, and sends a bounded number of label-cloud bricks each time, in the order of WaitingBricks. One
+/// thread, the worker's.
 class SnapshotBuilder {
  public:
   /// In one snapshot while scanning, and read out at a time at its end: bounds what it takes from a frame,
@@ -67,12 +68,10 @@ class SnapshotBuilder {
   [[nodiscard]] Result<void> flush(ScanPipeline& pipeline, const ScanProgress& progress);
 
  private:
-  [[nodiscard]] Result<void> post(ScanPipeline& pipeline, const ScanProgress& progress,
-                                  std::size_t most_bricks);
-  [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, std::size_t most_bricks,
-                                              ScanSnapshot& snapshot);
-  /// The `count` bricks that have waited longest.
-  [[nodiscard]] Result<void> addWaiting(ScanPipeline& pipeline, std::size_t count,
+  enum class Bricks { due, all };
+  [[nodiscard]] Result<void> post(ScanPipeline& pipeline, const ScanProgress& progress, Bricks which);
+  [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, Bricks which, ScanSnapshot& snapshot);
+  [[nodiscard]] Result<void> readBricks(ScanPipeline& pipeline, std::span<const WaitingBricks::Brick> bricks,
                                         std::vector<CloudBrick>& to);
   void keepRegionChanges(ScanPipeline& pipeline, bool by_person);
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
@@ -84,9 +83,7 @@ class SnapshotBuilder {
   FrameResult result_;
   cv::Mat last_seen_;  // colour image of the last frame with a pose
   std::vector<Eigen::Vector3f> trail_;
-  std::deque<Eigen::Vector3i> waiting_;                            // bricks, by position: slots change hands
-  std::unordered_set<Eigen::Vector3i, BrickHash> is_waiting_;      // the same
-  std::unordered_set<Eigen::Vector3i, BrickHash> is_edited_;       // of those that wait
+  WaitingBricks waiting_;
   std::vector<RegionChange> region_changes_;                       // that wait
   std::uint64_t version_;                                          // of the bricks that are sent
   std::deque<std::chrono::steady_clock::time_point> frame_times_;  // of the last second

@@ -30,7 +30,6 @@
 #include "ui/panels/frame_panels.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
-#include "ui/view/scene_view.h"
 
 namespace scantrove {
 namespace {
@@ -209,7 +208,6 @@ int main(int argc, char** argv) {
   const QTemporaryDir temporary;
   const QString home = data.empty() ? temporary.path() : QDir(QString::fromStdString(data)).absolutePath();
   for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) qputenv(variable, home.toLocal8Bit());
-  QSurfaceFormat::setDefaultFormat(scantrove::SceneView::surfaceFormat());
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));

@@ -302,7 +302,6 @@ int main(int argc, char** argv) {
   const QTemporaryDir home;
   for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"})
     qputenv(variable, home.path().toLocal8Bit());
-  QSurfaceFormat::setDefaultFormat(scantrove::SceneView::surfaceFormat());
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "ui/main_window/scene_pane.h"
 #include "ui/models/object_list_model.h"
@@ -64,8 +65,11 @@ void CoverageGuide::showObjects() {
     if (info.object) seen_from[info.object].add(info.seen_from);
   }
   const SideAxes axes = scene_.view()->scene().sideAxes();
+  if (seen_from == objects_seen_from_ && axes == axes_of_objects_) return;
+  objects_seen_from_ = std::move(seen_from);
+  axes_of_objects_ = axes;
   std::map<ObjectId, SeenSides> sides;
-  for (const auto& [object, coverage] : seen_from) sides[object] = sidesOf(coverage, axes);
+  for (const auto& [object, coverage] : objects_seen_from_) sides[object] = sidesOf(coverage, axes);
   objects_.setSeenSides(std::move(sides));
 }
 

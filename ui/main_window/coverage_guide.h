@@ -1,6 +1,7 @@
 #pragma once
 #include <QElapsedTimer>
 #include <QObject>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -44,6 +45,8 @@ class CoverageGuide : public QObject {
   ScenePane& scene_;
   ObjectListModel& objects_;
   QAction* action_;
+  std::map<ObjectId, ViewCoverage> objects_seen_from_;  ///< as the list shows it
+  SideAxes axes_of_objects_;
   Eigen::AlignedBox3f box_;                ///< of what is selected
   QElapsedTimer since_box_;                ///< was found; not valid: it is of something else
   std::optional<Eigen::Vector3f> camera_;  ///< centre, world; none: there is none to be moved

@@ -87,12 +87,14 @@ void FramePanels::setLit(RegionId hovered, const std::vector<RegionId>& selected
 }
 
 void FramePanels::showLit() {
-  const QImage lit =
-      litPicture(pointing_.regionIds(FramePointing::Picture::other), lit_hovered_, lit_selected_);
-  const cv::Mat& in_color = pointing_.regionIds(FramePointing::Picture::color);
-  const bool is_same = in_color.data == pointing_.regionIds(FramePointing::Picture::other).data;
+  const auto litIn = [this](FramePointing::Picture picture) {
+    if (!lit_hovered_ && lit_selected_.empty()) return QImage();
+    return litPicture(pointing_.regionIds(picture), lit_hovered_, lit_selected_);
+  };
+  const QImage lit = litIn(FramePointing::Picture::other);
   for (ImagePanel* panel : panels_) {
-    panel->setLit(panel == color_ && !is_same ? litPicture(in_color, lit_hovered_, lit_selected_) : lit);
+    const bool has_own = panel == color_ && pointing_.mapsColor();
+    panel->setLit(has_own ? litIn(FramePointing::Picture::color) : lit);
   }
 }
 

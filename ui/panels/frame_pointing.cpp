@@ -26,10 +26,9 @@ void FramePointing::show(const ScanSnapshot& snapshot) {
   T_world_camera_ = snapshot.pose.T_world_camera.cast<float>();
   pixel_in_color_.release();
   color_places_.release();
-  regions_in_color_ = regions_;
-  if (regions_.empty() || snapshot.color_places.size() != regions_.size()) return;
-  color_places_ = snapshot.color_places;
-  mapColor(color_places_);
+  regions_in_color_.release();
+  if (!regions_.empty() && snapshot.color_places.size() == regions_.size())
+    color_places_ = snapshot.color_places;
 }
 
 void FramePointing::clear() {
@@ -37,14 +36,15 @@ void FramePointing::clear() {
     image->release();
 }
 
-void FramePointing::mapColor(const cv::Mat& color_places) {
+void FramePointing::mapColor() const {
+  if (!mapsColor() || !pixel_in_color_.empty()) return;
   pixel_in_color_ = cv::Mat(regions_.size(), CV_32SC1, cv::Scalar(-1));
   cv::Mat nearest(regions_.size(), CV_32FC1, cv::Scalar(1e9));
   for (int y = 0; y < regions_.rows; ++y) {
     for (int x = 0; x < regions_.cols; ++x) {
       const float z = depth_m_.empty() ? 0 : depth_m_.at<float>(y, x);
       if (!(z > 0)) continue;
-      const auto& place = color_places.at<cv::Vec2f>(y, x);
+      const auto& place = color_places_.at<cv::Vec2f>(y, x);
       const int column = static_cast<int>(std::floor(place[0] * static_cast<float>(regions_.cols)));
       const int row = static_cast<int>(std::floor(place[1] * static_cast<float>(regions_.rows)));
       // A pixel and a half wide, so that surfaces stay closed where they are seen larger.
@@ -72,7 +72,8 @@ RegionPoint FramePointing::at(const QPointF& fraction, Picture picture) const {
   RegionPoint point;
   if (regions_.empty()) return point;
   cv::Point pixel = pixelAt(fraction, regions_);
-  if (picture == Picture::color && !pixel_in_color_.empty()) {
+  if (picture == Picture::color && mapsColor()) {
+    mapColor();
     const int of_depth = pixel_in_color_.at<int>(pixel);
     if (of_depth < 0) return point;
     pixel = {of_depth % regions_.cols, of_depth / regions_.cols};
@@ -96,7 +97,7 @@ std::optional<QPointF> FramePointing::placeOf(const Eigen::Vector3f& point_world
   if (!cv::Rect({}, depth_m_.size()).contains(pixel)) return std::nullopt;
   const float z = depth_m_.at<float>(pixel);
   if (!(z > 0) || point.z() - z > kHidden * z) return std::nullopt;
-  if (picture == Picture::color && !color_places_.empty()) {
+  if (picture == Picture::color && mapsColor()) {
     const auto& place = color_places_.at<cv::Vec2f>(pixel);
     return QPointF(place[0], place[1]);
   }
@@ -104,7 +105,9 @@ std::optional<QPointF> FramePointing::placeOf(const Eigen::Vector3f& point_world
 }
 
 const cv::Mat& FramePointing::regionIds(Picture picture) const {
-  return picture == Picture::color ? regions_in_color_ : regions_;
+  if (picture != Picture::color || !mapsColor()) return regions_;
+  mapColor();
+  return regions_in_color_;
 }
 
 std::vector<RegionId> FramePointing::regionsIn(const QRectF& fractions, Picture picture) const {

@@ -11,7 +11,7 @@ namespace scantrove {
 
 CutTool::CutTool(SceneView* view) : QObject(view), view_(view), label_(new ViewLabel(view)) {
   view->installEventFilter(this);
-  connect(view, &QOpenGLWidget::frameSwapped, this, &CutTool::showLabel);
+  connect(view, &SceneView::drawn, this, &CutTool::showLabel, Qt::QueuedConnection);
 }
 
 void CutTool::setActive(bool active) {

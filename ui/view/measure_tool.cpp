@@ -16,7 +16,7 @@ MeasureTool::MeasureTool(SceneView* view)
     : QObject(view), view_(view), hint_(new ViewLabel(view)), length_label_(new ViewLabel(view)) {
   length_label_->setObjectName(QStringLiteral("measuredLength"));
   view->installEventFilter(this);
-  connect(view, &QOpenGLWidget::frameSwapped, this, &MeasureTool::placeLabels);
+  connect(view, &SceneView::drawn, this, &MeasureTool::placeLabels, Qt::QueuedConnection);
   connect(view, &SceneView::cleared, this, &MeasureTool::forget);
 }
 

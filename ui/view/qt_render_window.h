@@ -1,65 +1,41 @@
 #pragma once
-#include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <QImage>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLWidget>
 
 namespace scantrove {
 
-/// VTK's render window in Qt's context: answers VTK's questions about that. It draws into framebuffers of its
-/// own. The context is current while it is made and while it goes.
+/// VTK's render window in an OpenGL context of its own that no widget shows: what it draws is read back as a
+/// picture. So the window around it needs no OpenGL; where a processor draws, having it put the window
+/// together would take as long as the scene.
 class QtRenderWindow {
  public:
-  QtRenderWindow(QOpenGLWidget& widget, vtkRenderer* renderer)
-      : widget_(widget), window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
-    window_->SetOwnContext(0);
-    window_->SetFrameBlitModeToNoBlit();
-    window_->SetMultiSamples(0);
-    window_->SetReadyForRendering(true);
-    window_->SetMapped(1);
-    window_->SetIsDirect(1);
-    window_->SetSupportsOpenGL(1);
-    observe(vtkCommand::WindowMakeCurrentEvent, onMakeCurrent);
-    observe(vtkCommand::WindowIsCurrentEvent, onIsCurrent);
-    window_->AddRenderer(renderer);
-    window_->OpenGLInitContext();
-  }
-
-  ~QtRenderWindow() { window_->Finalize(); }
+  explicit QtRenderWindow(vtkRenderer* renderer);
+  ~QtRenderWindow();
   QtRenderWindow(const QtRenderWindow&) = delete;
   QtRenderWindow& operator=(const QtRenderWindow&) = delete;
 
+  /// False: this machine has not the OpenGL that VTK needs; nothing can be drawn.
+  [[nodiscard]] bool works() const { return window_ != nullptr; }
+  /// Before anything that OpenGL objects hang on is freed. Draws do it by themselves.
+  void makeCurrent();
   /// Draws the scene, so many pixels of it, into VTK's framebuffer.
   void draw(const QSize& pixels);
-  /// Copies what was drawn last, of that size, to the widget's framebuffer, which is bound then.
-  void copyToWidget(const QSize& pixels);
+  /// What was drawn last, of that size.
+  [[nodiscard]] QImage picture(const QSize& pixels);
 
  private:
   using Callback = void (*)(vtkObject*, unsigned long, void*, void*);
+  void observe(unsigned long event, Callback callback);
+  static void onMakeCurrent(vtkObject* caller, unsigned long event, void* client, void* data);
+  static void onIsCurrent(vtkObject* caller, unsigned long event, void* client, void* data);
 
-  void observe(unsigned long event, Callback callback) {
-    const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
-    command->SetCallback(callback);
-    command->SetClientData(&widget_);
-    window_->AddObserver(event, command);
-  }
-
-  /// makeCurrent() also binds Qt's framebuffer: harmful while VTK is drawing into its own. Only when needed.
-  static void onMakeCurrent(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* /*data*/) {
-    auto* widget = static_cast<QOpenGLWidget*>(client);
-    if (QOpenGLContext::currentContext() != widget->context()) widget->makeCurrent();
-  }
-
-  static void onIsCurrent(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* data) {
-    const auto* widget = static_cast<QOpenGLWidget*>(client);
-    *static_cast<bool*>(data) =
-        widget->context() != nullptr && QOpenGLContext::currentContext() == widget->context();
-  }
-
-  QOpenGLWidget& widget_;
+  QOffscreenSurface surface_;
+  QOpenGLContext context_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
 };
 

@@ -1,6 +1,5 @@
 #include "ui/view/scene_view.h"
 
-#include <QOpenGLContext>
 #include <algorithm>
 #include <utility>
 
@@ -14,16 +13,15 @@ constexpr double kTakeOver_ms = 15;  ///< at a time
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
-  setFormat(surfaceFormat());
+SceneView::SceneView(QWidget* parent)
+    : QWidget(parent), window_(std::make_unique<QtRenderWindow>(scene_.renderer())) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(
       tr("The scanned scene as coloured points. Arrow keys turn, plus and minus zoom, Home shows all."));
   setMouseTracking(true);
-  // What was drawn stays until the next drawing is complete.
-  setUpdateBehavior(QOpenGLWidget::PartialUpdate);
   arrival_timer_.setSingleShot(true);
   connect(&arrival_timer_, &QTimer::timeout, this, &SceneView::takeOver);
   draw_timer_.setSingleShot(true);
@@ -40,34 +38,14 @@ SceneView::SceneView(QWidget* parent) : QOpenGLWidget(parent) {
 
 SceneView::~SceneView() {
   // VTK frees its OpenGL objects while the context still lives.
-  makeCurrent();
-  window_.reset();
+  window_->makeCurrent();
   scene_.clear();
-  doneCurrent();
-}
-
-QSurfaceFormat SceneView::surfaceFormat() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
-  format.setRedBufferSize(8);
-  format.setGreenBufferSize(8);
-  format.setBlueBufferSize(8);
-  format.setAlphaBufferSize(8);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  format.setSamples(0);
-  format.setSwapInterval(0);
-  return format;
 }
 
 void SceneView::clearScene() {
-  if (window_ != nullptr) makeCurrent();
+  window_->makeCurrent();
   arrivals_.clear();
   scene_.clear();
-  if (window_ != nullptr) doneCurrent();
   emit followingChanged(scene_.following());
   emit cleared();
   schedule();
@@ -141,17 +119,6 @@ void SceneView::fit(const Eigen::AlignedBox3f& box) {
   scene_.fit(box, static_cast<float>(width()) / static_cast<float>(std::max(1, height())));
   emit followingChanged(false);
   schedule();
-}
-
-void SceneView::initializeGL() {
-  window_ = std::make_unique<QtRenderWindow>(*this, scene_.renderer());
-  // A new context (the view moved to another window) knows nothing of the old one's framebuffers.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-    makeCurrent();
-    window_.reset();
-    doneCurrent();
-  });
-  is_old_ = true;
 }
 
 const cv::Mat& SceneView::regionIds() { return pointing_.regionIds(); }

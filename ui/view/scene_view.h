@@ -1,7 +1,8 @@
 #pragma once
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QTimer>
+#include <QWidget>
 #include <memory>
 #include <optional>
 
@@ -20,22 +21,19 @@ namespace scantrove {
 
 class QtRenderWindow;
 
-/// The 3D view: the one place where Qt and VTK meet. VTK draws into its own framebuffer inside Qt's OpenGL
-/// context, which is then copied to the widget's. Draws seldom while a scan runs, so that most of the machine
+/// The 3D view: the one place where Qt and VTK meet. VTK draws out of sight, and the widget shows the picture
+/// of the last drawing that is complete. Draws seldom while a scan runs, so that most of the machine
 /// stays with the scan, at once what a person did to the regions, and coarser while the person turns the
 /// view.
 ///
 /// Left drag turns, middle or Shift+left drag moves, right drag or wheel zooms, Ctrl+left drag draws a band;
 /// arrow keys, + and - and Home do the same from the keyboard. What is pointed at and clicked is told.
-class SceneView : public QOpenGLWidget {
+class SceneView : public QWidget {
   Q_OBJECT
 
  public:
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
-
-  /// The surface format VTK needs; to set as the default before QApplication is made.
-  static QSurfaceFormat surfaceFormat();
 
   [[nodiscard]] LabelCloudScene& scene() { return scene_; }
   void clearScene();
@@ -101,9 +99,8 @@ class SceneView : public QOpenGLWidget {
   void cleared();
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -126,10 +123,13 @@ class SceneView : public QOpenGLWidget {
   /// While something comes in, likewise: a step of what is new, then the picture, then, in an event of its
   /// own again, the window with it.
   void drawArriving();
-  void beginParts(InParts what, const QSize& pixels);
+  void beginParts(InParts what);
   /// False: that was the last one.
   bool drawPart(const QSize& pixels);
-  void noteDrawn(const QSize& pixels, double took_ms);
+  /// At once, for a paint event.
+  void drawNow(const QSize& pixels);
+  /// What VTK's framebuffer holds is complete.
+  void takePicture(const QSize& pixels, double took_ms);
   void drawUnlessPointing();
   /// Something moves or comes: what is drawn will be drawn anew soon.
   [[nodiscard]] bool hurries() const;
@@ -144,11 +144,11 @@ class SceneView : public QOpenGLWidget {
   LabelCloudScene scene_;
   SnapshotArrivals arrivals_{scene_};
   std::unique_ptr<QtRenderWindow> window_;
+  QImage picture_;  ///< of the last complete drawing
   QTimer draw_timer_;
   QTimer arrival_timer_;
   QTimer settle_timer_;  ///< after the last movement: back to full detail
   QElapsedTimer since_draw_, since_pointed_;
-  QSize drawn_size_;
   bool is_old_ = true;                      ///< what was drawn
   bool is_prepared_ = false;                ///< the next picture
   int preparing_steps_ = 0;                 ///< that were made for it

@@ -1,4 +1,5 @@
 // When the 3D view draws, how much of the scene, and how it gets to the screen.
+#include <QPainter>
 #include <algorithm>
 #include <utility>
 
@@ -61,9 +62,9 @@ void SceneView::drawUnlessPointing() {
   }
   is_awaited_ = false;
   if (!hurries() || moving_) is_prepared_ = false;
-  if (!hurries() && window_ != nullptr && isVisible()) return drawStill();
+  if (!hurries() && isVisible()) return drawStill();
   if (in_parts_ == InParts::still) in_parts_ = InParts::none;
-  if (!moving_ && !full_detail_ && window_ != nullptr && isVisible()) return drawArriving();
+  if (!moving_ && !full_detail_ && isVisible()) return drawArriving();
   in_parts_ = InParts::none;
   is_old_ = true;
   update();
@@ -80,12 +81,12 @@ void SceneView::drawArriving() {
   if (in_parts_ != InParts::arriving) {
     is_prepared_ = false;
     preparing_steps_ = 0;
-    beginParts(InParts::arriving, pixels);
+    beginParts(InParts::arriving);
     return;
   }
   if (drawPart(pixels)) return;
   budget().learn(scene_.cloud().drawnPointCount(), parts_ms_);
-  QTimer::singleShot(0, this, [this] { update(); });
+  update();
   if (!is_complete_) schedule();
 }
 
@@ -111,7 +112,7 @@ void SceneView::drawStill() {
       draw_timer_.start(0);  // the next chunks, when the window has done what else it has to do
       return;
     }
-    beginParts(InParts::still, pixels);
+    beginParts(InParts::still);
     return;
   }
   if (drawPart(pixels)) return;
@@ -119,20 +120,17 @@ void SceneView::drawStill() {
   update();
 }
 
-void SceneView::beginParts(InParts what, const QSize& pixels) {
+void SceneView::beginParts(InParts what) {
   scene_.beginParts(partBudget().points());
   in_parts_ = what;
   parts_ms_ = 0;
-  drawn_size_ = pixels;
   draw_timer_.start(0);
 }
 
 bool SceneView::drawPart(const QSize& pixels) {
   QElapsedTimer timer;
   timer.start();
-  makeCurrent();
   window_->draw(pixels);
-  doneCurrent();
   const double took_ms = millisecondsOf(timer);
   parts_ms_ += took_ms;
   const bool goes_on = scene_.nextPart();
@@ -143,38 +141,47 @@ bool SceneView::drawPart(const QSize& pixels) {
     return true;
   }
   in_parts_ = InParts::none;
-  is_old_ = false;
-  noteDrawn(pixels, parts_ms_);
+  takePicture(pixels, parts_ms_);
   return false;
 }
 
-void SceneView::noteDrawn(const QSize& pixels, double took_ms) {
-  draw_ms_ += 0.3 * (took_ms - draw_ms_);
+void SceneView::takePicture(const QSize& pixels, double took_ms) {
+  QElapsedTimer timer;
+  timer.start();
+  picture_ = window_->picture(pixels);
+  picture_.setDevicePixelRatio(devicePixelRatioF());
+  is_old_ = false;
+  draw_ms_ += 0.3 * (took_ms + millisecondsOf(timer) - draw_ms_);
   since_draw_.start();
   pointing_.setDrawn(pixels, devicePixelRatioF());
   emit drawn();
 }
 
-void SceneView::resizeGL(int /*width*/, int /*height*/) {
+void SceneView::resizeEvent(QResizeEvent* /*event*/) {
   // Quickly, until it has the size that it is to have.
   resizing_ = true;
   redraw(true);
 }
 
-void SceneView::paintGL() {
-  const QSize pixels = size() * devicePixelRatioF();
-  if (!is_old_ && pixels == drawn_size_) {
-    // Something that lies over the view changed: the picture is there already. That which is being drawn is
-    // not.
-    if (in_parts_ != InParts::none) return;
-    window_->copyToWidget(pixels);
+void SceneView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  if (!window_->works()) {
+    painter.fillRect(rect(), palette().window());
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The 3D view needs OpenGL 3.2, which this display does not offer.\n"
+                        "All else works; Mesa's llvmpipe draws on any machine."));
     return;
   }
+  const QSize pixels = size() * devicePixelRatioF();
+  // When something that lies over the view changed, the picture is there already.
+  if (is_old_ || pixels != picture_.size()) drawNow(pixels);
+  painter.drawImage(0, 0, picture_);
+}
+
+void SceneView::drawNow(const QSize& pixels) {
   QElapsedTimer timer;
   timer.start();
-  is_old_ = false;
   in_parts_ = InParts::none;
-  drawn_size_ = pixels;
   if (full_detail_) {
     arrivals_.takeOver(1e9);
     scene_.setOverlap(SplatOverlap::exact);
@@ -190,10 +197,9 @@ void SceneView::paintGL() {
   preparing_steps_ = 0;
   const double prepared_ms = millisecondsOf(timer);
   window_->draw(pixels);
-  window_->copyToWidget(pixels);
   const double took_ms = millisecondsOf(timer);
   if (!full_detail_) budget().learn(scene_.cloud().drawnPointCount(), took_ms - prepared_ms);
-  noteDrawn(pixels, took_ms);
+  takePicture(pixels, took_ms);
   if (!is_complete_ || !hurries()) schedule();  // the rest; or the same with much detail
 }
 

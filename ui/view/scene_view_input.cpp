@@ -151,7 +151,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
       fitAll();
       return;
     default:
-      QOpenGLWidget::keyPressEvent(event);
+      QWidget::keyPressEvent(event);
       return;
   }
   interacted();

@@ -7,7 +7,6 @@
 
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
-#include "ui/view/scene_view.h"
 
 int main(int argc, char** argv) {
   // Neither the person's settings nor their catalogue are touched.
@@ -15,7 +14,6 @@ int main(int argc, char** argv) {
   for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"}) {
     qputenv(variable, home.path().toLocal8Bit());
   }
-  QSurfaceFormat::setDefaultFormat(scantrove::SceneView::surfaceFormat());
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
