@@ -45,7 +45,8 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     const std::optional<Thumbnail> thumbnail = makeThumbnail(queries[i].color, queries[i].mask);
     if (!thumbnail) continue;
     const int query = static_cast<int>(thumbnails.size());
-    for (const int view : index_.shortlist({*thumbnail, queries[i].size_m}, limits))
+    for (const int view :
+         index_.shortlist({*thumbnail, queries[i].size_m, queries[i].may_be_part}, limits))
       pairs.push_back({query, view});
     thumbnails.push_back(*thumbnail);
     query_of_thumbnail.push_back(i);
@@ -56,10 +57,14 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     const auto query = static_cast<std::size_t>(pair.query);
     const float distance = warped[i] + index_.colorTerm(thumbnails[query], pair.view);
     DetectionMatch& match = matches[query_of_thumbnail[query]];
-    if (distance >= match.distance) continue;
+    const bool is_nearer = distance < match.distance;
+    const bool is_it = distance < params_.max_distance &&
+                       index_.isAsLarge(queries[query_of_thumbnail[query]].size_m, pair.view, limits);
+    // What is known counts before what it may only be a part of.
+    if (is_it ? !is_nearer && match.object : !is_nearer || match.object) continue;
     match.distance = distance;
     match.nearest = index_.holderAt(pair.view);
-    match.object = distance < params_.max_distance ? match.nearest : ObjectId{};
+    match.object = is_it ? match.nearest : ObjectId{};
   }
   return matches;
 }

@@ -16,6 +16,7 @@ struct DetectionQuery {
   cv::Mat color;  ///< crop of the full-resolution frame, CV_8UC3 BGR
   cv::Mat mask;   ///< same size, CV_8UC1, 255 = object
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
+  bool may_be_part = false;  ///< of the thing: what is nearest may be up to twice as large
 };
 
 struct DetectionMatch {

@@ -19,6 +19,7 @@ class ViewIndex {
   struct Query {
     const Thumbnail& thumbnail;
     Eigen::Vector3f size_m;
+    bool may_be_part = false;  ///< DetectionQuery
   };
   struct Limits {
     float size_tolerance;  ///< as DetectionParams
@@ -42,6 +43,9 @@ class ViewIndex {
 
   /// Places worth a comparison, nearest first; at most `shortlist` once there are kFewViews views.
   [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits);
+
+  /// Whether the view's thing is about so large.
+  [[nodiscard]] bool isAsLarge(const Eigen::Vector3f& size_m, int place, const Limits& limits) const;
 
   /// What the difference of mean colours adds to the warped distance of a pair.
   [[nodiscard]] float colorTerm(const Thumbnail& query, int place) const;

@@ -157,7 +157,9 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   for (const Candidate* candidate : candidates) {
     const std::optional<ObjectView> view =
         cutView(look.frame, look.T_world_camera, look.in_color, *candidate);
-    queries.push_back(view ? DetectionQuery{view->color, view->mask, candidate->size_m} : DetectionQuery{});
+    // Of what came, a part may not be on the map yet.
+    queries.push_back(view ? DetectionQuery{view->color, view->mask, candidate->size_m, candidate->has_come}
+                           : DetectionQuery{});
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {

@@ -93,6 +93,17 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayLookALittleOtherwise) {
   EXPECT_EQ(collector_->objectOf(put.region), mug);
 }
 
+TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
+  const Thing put{mug_.seed, 2, RegionId{77}};
+  Candidate part = put.candidate();
+  part.size_m *= 0.55F;
+  part.has_come = true;
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
+  for (int i = 0; i < 30; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
+  EXPECT_EQ(collector_->objectOf(put.region), mug);
+}
+
 TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOrNothingCame) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6}, later{mug_.seed, 2, RegionId{78}, 0.6};
   const ObjectId mug = study({mug_}).added.at(0).id;

@@ -1,0 +1,148 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+#include <set>
+#include <string>
+
+#include "core/evaluation/trajectory_metrics.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/synthetic/film_set.h"
+#include "core/synthetic/synthetic_source.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/true_surface.h"
+
+namespace scantrove::test {
+
+/// demo:moving:SEED, scanned with Kinect noise, and held against what was filmed.
+struct MovingScan {
+  int frames = 0;
+  int tracked = 0;
+  double rms_m = 0;       ///< of the camera's distance from where it was, not aligned
+  double ate_m = 0;       ///< the same, aligned: absoluteTrajectoryError
+  double farthest_m = 0;  ///< not aligned
+  std::set<std::uint32_t> mug_before, mug_after;  ///< the objects for which it was taken, while it stood so
+  std::int64_t points = 0;                        ///< of the cloud
+  std::int64_t ghosts_3cm = 0, ghosts_4cm = 0;    ///< of them, farther from all surface at the end
+  std::int64_t of_people = 0;  ///< of ghosts_3cm: where the walker or the arm was seen some time
+  std::int64_t of_things = 0;  ///< of the others: where mug or chair was seen some time
+};
+
+namespace moving {
+
+// Before that frame the mug stands where it stood.
+inline constexpr int kMugIsTaken = 150;
+// Mug and chair are at rest from then on.
+inline constexpr int kAllIsDone = 335;
+
+inline SyntheticOptions filmed(std::uint32_t seed, bool noise) {
+  SyntheticOptions options;
+  options.set = [seed] { return synthetic::makeRandomMovingSet(seed); };
+  options.noise = noise;
+  options.color = noise;
+  return options;
+}
+
+/// What was there: at the end, and some time of what moves.
+struct Truth {
+  TrueSurface at_the_end, people, things;
+};
+
+inline Truth truthOf(std::uint32_t seed) {
+  SyntheticOptions options = filmed(seed, false);
+  options.stride = 5;
+  const auto source = makeSyntheticSource(options).value();
+  const auto is = [&](std::uint16_t who, const char* a, const char* b) {
+    return who != 0 && (who == source->scene().find(a) || who == source->scene().find(b));
+  };
+  Truth truth;
+  for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
+    const auto isPerson = [&](std::uint16_t who) { return is(who, "walker", "arm"); };
+    const auto isThing = [&](std::uint16_t who) { return is(who, "mug", "chair"); };
+    const bool is_done = read.frame.index >= kAllIsDone;
+    truth.at_the_end.add(read.frame, options.K,
+                         [&](std::uint16_t who) { return !isPerson(who) && (is_done || !isThing(who)); });
+    truth.people.add(read.frame, options.K, isPerson);
+    truth.things.add(read.frame, options.K, isThing);
+  }
+  return truth;
+}
+
+/// The objects of the catalogue that are seen where the frame shows the thing.
+inline std::set<std::uint32_t> objectsAt(std::uint16_t thing, const RgbdFrame& frame,
+                                         const FrameObjects& objects) {
+  std::set<std::uint32_t> found;
+  const cv::Rect box = cv::boundingRect(frame.instances == thing);
+  const auto width = static_cast<float>(frame.color.cols), height = static_cast<float>(frame.color.rows);
+  for (const SeenObject& seen : objects.seen) {
+    const cv::Rect2f seen_box(seen.box.x * width, seen.box.y * height, seen.box.width * width,
+                              seen.box.height * height);
+    const float both = (seen_box & cv::Rect2f(box)).area();
+    const float either = seen_box.area() + static_cast<float>(box.area()) - both;
+    if (seen.object && both > 0.6F * either) found.insert(seen.object.value);
+  }
+  return found;
+}
+
+}  // namespace moving
+
+/// Needs a Qt application (QtMainThread).
+inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute) {
+  const SyntheticOptions options = moving::filmed(seed, true);
+  const auto source = makeSyntheticSource(options);
+  if (!source) return fail(source.error());
+  const std::uint16_t mug = (*source)->scene().find("mug");
+  const TemporaryFolder folder;
+  const std::string file = (folder / "catalogue.sqlite").string();
+  const auto database = ObjectDatabase::open(file);
+  if (!database) return fail(database.error());
+  ScanPipeline::Setup setup{options.K, ScanParams{}};
+  setup.database = database->get();
+  setup.catalogue.database = file;
+  std::unique_ptr<ScanPipeline> pipeline;
+  SCANTROVE_TRY(moveInto(pipeline, ScanPipeline::create(compute, setup)));
+
+  MovingScan scan;
+  Eigen::Isometry3d T_world_map = Eigen::Isometry3d::Identity();
+  std::vector<PosePair> poses;
+  for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
+       read = (*source)->next()) {
+    const Result<FrameResult> result = pipeline->processFrame(read.frame);
+    if (!result) return fail(result.error());
+    const Eigen::Isometry3d& truth = *read.frame.T_world_camera;
+    if (scan.frames == 0) T_world_map = truth;
+    if (result->pose.usable()) {
+      const double off_m =
+          (result->pose.T_world_camera.translation() - (T_world_map.inverse() * truth).translation()).norm();
+      scan.farthest_m = std::max(scan.farthest_m, off_m);
+      scan.rms_m += off_m * off_m;
+      const auto time_s = static_cast<double>(scan.frames);
+      poses.push_back({{time_s, result->pose.T_world_camera}, {time_s, truth}});
+      ++scan.tracked;
+    }
+    (scan.frames < moving::kMugIsTaken ? scan.mug_before : scan.mug_after)
+        .merge(moving::objectsAt(mug, read.frame, result->objects));
+    ++scan.frames;
+  }
+  scan.rms_m = std::sqrt(scan.rms_m / std::max(scan.tracked, 1));
+  if (poses.size() > 2) scan.ate_m = absoluteTrajectoryError(poses).rmse;
+
+  const moving::Truth truth = moving::truthOf(seed);
+  SCANTROVE_TRY(pipeline->forEachCloudPoint([&](const LabelPoint& point) {
+    const Eigen::Vector3d place = T_world_map * Eigen::Vector3d(point.x, point.y, point.z);
+    ++scan.points;
+    if (truth.at_the_end.isNear(place, 3)) return;
+    ++scan.ghosts_3cm;
+    if (!truth.at_the_end.isNear(place, 4)) ++scan.ghosts_4cm;
+    if (truth.people.isNear(place, 3)) {
+      ++scan.of_people;
+    } else if (truth.things.isNear(place, 3)) {
+      ++scan.of_things;
+    }
+  }));
+  return scan;
+}
+
+}  // namespace scantrove::test
