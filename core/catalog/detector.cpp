@@ -40,14 +40,17 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
   std::vector<Thumbnail> thumbnails;
   std::vector<std::size_t> query_of_thumbnail;
   std::vector<ThumbnailMatcher::Pair> pairs;
+  std::vector<bool> is_of_missing;  // by pair
   const ViewIndex::Limits limits{params_.size_tolerance, params_.max_distance, params_.shortlist};
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const std::optional<Thumbnail> thumbnail = makeThumbnail(queries[i].color, queries[i].mask);
     if (!thumbnail) continue;
     const int query = static_cast<int>(thumbnails.size());
-    for (const int view :
-         index_.shortlist({*thumbnail, queries[i].size_m, queries[i].may_be_part}, limits))
-      pairs.push_back({query, view});
+    const ViewIndex::Query asked{*thumbnail, queries[i].size_m};
+    for (const int view : index_.shortlist(asked, limits)) pairs.push_back({query, view});
+    is_of_missing.resize(pairs.size(), false);
+    for (const int view : index_.viewsOf(queries[i].missing, asked, limits)) pairs.push_back({query, view});
+    is_of_missing.resize(pairs.size(), true);
     thumbnails.push_back(*thumbnail);
     query_of_thumbnail.push_back(i);
   }
@@ -57,14 +60,16 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     const auto query = static_cast<std::size_t>(pair.query);
     const float distance = warped[i] + index_.colorTerm(thumbnails[query], pair.view);
     DetectionMatch& match = matches[query_of_thumbnail[query]];
-    const bool is_nearer = distance < match.distance;
-    const bool is_it = distance < params_.max_distance &&
-                       index_.isAsLarge(queries[query_of_thumbnail[query]].size_m, pair.view, limits);
-    // What is known counts before what it may only be a part of.
-    if (is_it ? !is_nearer && match.object : !is_nearer || match.object) continue;
+    if (is_of_missing[i]) {
+      if (distance >= match.missing_distance) continue;
+      match.missing_distance = distance;
+      match.missing = index_.holderAt(pair.view);
+      continue;
+    }
+    if (distance >= match.distance) continue;
     match.distance = distance;
     match.nearest = index_.holderAt(pair.view);
-    match.object = is_it ? match.nearest : ObjectId{};
+    match.object = distance < params_.max_distance ? match.nearest : ObjectId{};
   }
   return matches;
 }

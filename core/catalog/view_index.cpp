@@ -34,15 +34,14 @@ float colorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return (a - b).squaredNorm() / (kColorUnit * kColorUnit);
 }
 
-constexpr float kLeastPart = 0.5F;  // of a thing that is only partly known
-
 /// A size of zero is unknown and fits all.
 bool sizesAgree(float a, float b, float tolerance) {
   return !(a > 0 && b > 0) || std::abs(a - b) <= tolerance * std::max(a, b);
 }
 
+/// The half and more of something larger.
 bool isPartOf(float diagonal_m, float whole_m) {
-  return diagonal_m < whole_m && diagonal_m >= kLeastPart * whole_m;
+  return diagonal_m < whole_m && diagonal_m >= 0.5F * whole_m;
 }
 
 }  // namespace
@@ -108,9 +107,9 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
     const float color = colorDistance(query.thumbnail.mean_lab, view.mean_lab);
-    const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
-                      (query.may_be_part && isPartOf(diagonal_m, view.diagonal_m));
-    if (color >= limits.max_distance || !fits || !holders_[view.owner]) continue;
+    if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
+        !holders_[view.owner])
+      continue;
     const float distance = prune ? std::min((straight - view.coordinates).squaredNorm(),
                                             (flipped - view.coordinates).squaredNorm())
                                  : color;
@@ -127,8 +126,20 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
   return places;
 }
 
-bool ViewIndex::isAsLarge(const Eigen::Vector3f& size_m, int place, const Limits& limits) const {
-  return sizesAgree(size_m.norm(), views_[static_cast<std::size_t>(place)].diagonal_m, limits.size_tolerance);
+std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> holders, const Query& query,
+                                    const Limits& limits) const {
+  std::vector<int> places;
+  if (holders.empty()) return places;
+  const float diagonal_m = query.size_m.norm();
+  for (int place = 0; place < size(); ++place) {
+    const View& view = views_[static_cast<std::size_t>(place)];
+    const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
+                      isPartOf(diagonal_m, view.diagonal_m);
+    if (fits && std::ranges::find(holders, holders_[view.owner]) != holders.end() &&
+        colorDistance(query.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
+      places.push_back(place);
+  }
+  return places;
 }
 
 float ViewIndex::colorTerm(const Thumbnail& query, int place) const {

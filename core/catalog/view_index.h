@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -19,7 +20,6 @@ class ViewIndex {
   struct Query {
     const Thumbnail& thumbnail;
     Eigen::Vector3f size_m;
-    bool may_be_part = false;  ///< DetectionQuery
   };
   struct Limits {
     float size_tolerance;  ///< as DetectionParams
@@ -44,8 +44,10 @@ class ViewIndex {
   /// Places worth a comparison, nearest first; at most `shortlist` once there are kFewViews views.
   [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits);
 
-  /// Whether the view's thing is about so large.
-  [[nodiscard]] bool isAsLarge(const Eigen::Vector3f& size_m, int place, const Limits& limits) const;
+  /// Places of views that are held by one of the `holders`, whose colour could be the query's, and that are
+  /// about as large or up to twice as large.
+  [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> holders, const Query& query,
+                                         const Limits& limits) const;
 
   /// What the difference of mean colours adds to the warped distance of a pair.
   [[nodiscard]] float colorTerm(const Thumbnail& query, int place) const;

@@ -19,8 +19,10 @@ constexpr int kFramesToReturn = 10;
 constexpr int kFramesToMove = 90;
 
 /// What came into the scene and looks as much like something that was taken away before is that: two things
-/// of one size that have little in common differ by 1 and more.
+/// of one size that have little in common differ by 1 and more. Where nothing else is missing, less likeness
+/// will do: things are put elsewhere more often than exchanged for others of their size and colour.
 constexpr float kBackDistance = 1.0F;
+constexpr float kOnlyOneBackDistance = 1.5F;
 
 /// How clearly a look shows a thing.
 struct Clarity {
@@ -35,6 +37,12 @@ constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F};
 bool isClear(const Candidate& candidate, const Clarity& wanted) {
   return candidate.is_whole && candidate.outline >= wanted.least_outline &&
          candidate.hidden <= candidate.mostHidden(wanted.most_hidden);
+}
+
+/// What came is what was taken away before.
+bool isBack(const DetectionMatch& match, std::size_t missing) {
+  if (missing == 1) return match.missing_distance < kOnlyOneBackDistance;
+  return match.missing_distance < kBackDistance && match.missing_distance <= match.distance;
 }
 
 /// What is to be announced of some news.
@@ -153,27 +161,31 @@ void ObjectCollector::lookUpDue(const std::vector<Candidate>& candidates, const 
 
 void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, const Look& look) {
   if (candidates.empty()) return;
-  std::vector<DetectionQuery> queries;
-  for (const Candidate* candidate : candidates) {
+  const std::vector<ObjectId> missing = missingObjects();
+  std::vector<DetectionQuery> queries(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& candidate = *candidates[i];
     const std::optional<ObjectView> view =
-        cutView(look.frame, look.T_world_camera, look.in_color, *candidate);
-    // Of what came, a part may not be on the map yet.
-    queries.push_back(view ? DetectionQuery{view->color, view->mask, candidate->size_m, candidate->has_come}
-                           : DetectionQuery{});
+        cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+    if (!view) continue;
+    queries[i] = {view->color, view->mask, candidate.size_m};
+    if (candidate.has_come) queries[i].missing = missing;
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     DetectionMatch match = matches[i];
-    if (isBack(*candidates[i], match)) match.object = match.nearest;
+    if (isBack(match, missing.size())) match.object = match.missing;
     recognition_.add(candidates[i]->regions, match, params_.max_distance, frame_);
   }
 }
 
-bool ObjectCollector::isBack(const Candidate& candidate, const DetectionMatch& match) const {
-  if (!candidate.has_come || !match.nearest || match.distance >= kBackDistance) return false;
-  return std::ranges::any_of(met_.all(), [&](const auto& met) {
-    return catalogue_.holderOf(met.first) == match.nearest && MetObjects::hasLeft(met.second);
-  });
+std::vector<ObjectId> ObjectCollector::missingObjects() const {
+  std::set<ObjectId> missing;
+  for (const auto& [object, met] : met_.all()) {
+    const ObjectId holder = catalogue_.holderOf(object);
+    if (holder && MetObjects::hasLeft(met)) missing.insert(holder);
+  }
+  return {missing.begin(), missing.end()};
 }
 
 ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {

@@ -153,8 +153,8 @@ class ObjectCollector {
   [[nodiscard]] bool shouldMerge(ObjectId a, ObjectId b) const;
   void lookUpDue(const std::vector<Candidate>& candidates, const Look& look);
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
-  /// It is the object that it looks like most, which was taken away from where it stood.
-  [[nodiscard]] bool isBack(const Candidate& candidate, const DetectionMatch& match) const;
+  /// Objects of the catalogue that were taken away from where they stood.
+  [[nodiscard]] std::vector<ObjectId> missingObjects() const;
   /// The object that this candidate is, as far as is known; nothing is bound to it yet.
   [[nodiscard]] ObjectId identityOf(const Candidate& candidate) const;
   [[nodiscard]] std::vector<std::size_t> choose(const std::vector<Candidate>& candidates,

@@ -134,29 +134,28 @@ TEST_F(DetectorTest, SaysWhatIsNearestWhereThatIsNotNearEnough) {
   EXPECT_FALSE(detector_->find({worn.query(3 * kSize)})[0].nearest) << "nothing is so large";
 }
 
-TEST_F(DetectorTest, WhatMayBeAPartIsLikeSomethingLargerAndIsNotRecognisedAsThat) {
-  addObject(0);
-  DetectionQuery part = Look(0, {90, 70}, 1).query(0.55F * kSize);
-  EXPECT_FALSE(detector_->find({part})[0].nearest) << "another size";
-  part.may_be_part = true;
-  EXPECT_EQ(detector_->find({part})[0].nearest, ObjectId{1});
-  EXPECT_FALSE(detector_->find({part})[0].object);
-  part.size_m = 0.4F * kSize;
-  EXPECT_FALSE(detector_->find({part})[0].nearest) << "less than half";
-  part.size_m = 1.6F * kSize;
-  EXPECT_FALSE(detector_->find({part})[0].nearest) << "larger than the whole";
+TEST_F(DetectorTest, WhatMayBeMissingIsComparedThoughOnlyHalfOfItIsKnown) {
+  for (int seed = 0; seed < 3; ++seed) addObject(seed);
+  DetectionQuery half = Look(1, {90, 70}, 1).query(0.55F * kSize);
+  EXPECT_FALSE(detector_->find({half})[0].missing) << "nothing is missing";
+  half.missing = {ObjectId{1}, ObjectId{2}};
+  const DetectionMatch match = detector_->find({half})[0];
+  EXPECT_EQ(match.missing, ObjectId{2});
+  EXPECT_LT(match.missing_distance, 0.15F);
+  EXPECT_FALSE(match.nearest) << "nothing is so small";
+  half.size_m = 0.4F * kSize;
+  EXPECT_FALSE(detector_->find({half})[0].missing) << "less than half";
+  half.size_m = 1.6F * kSize;
+  EXPECT_FALSE(detector_->find({half})[0].missing) << "larger than the whole";
 }
 
-TEST_F(DetectorTest, WhatIsAsLargeCountsBeforeWhatItMayBeAPartOf) {
-  addObject(0);
-  const Look larger(0, {90, 70}, 1);  // and nearer: the very picture that is asked about
-  detector_->add({2, ObjectId{2}, 1.9F * kSize, makeThumbnail(larger.color, larger.mask).value()});
-  detector_->setHolder({ObjectId{2}, ObjectId{2}});
-  DetectionQuery query = larger.query();
-  query.may_be_part = true;
+TEST_F(DetectorTest, WhatIsMissingChangesNothingOfWhatIsRecognised) {
+  for (int seed = 0; seed < 3; ++seed) addObject(seed);
+  DetectionQuery query = Look(1, {90, 70}, 1).query();
+  query.missing = {ObjectId{1}};
   const DetectionMatch match = detector_->find({query})[0];
-  EXPECT_EQ(match.object, ObjectId{1});
-  EXPECT_EQ(match.nearest, ObjectId{1});
+  EXPECT_EQ(match.object, ObjectId{2});
+  EXPECT_EQ(match.nearest, ObjectId{2});
 }
 
 TEST_F(DetectorTest, WithoutColourOrPixelsNothingIsKnown) {
