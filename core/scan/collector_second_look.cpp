@@ -48,6 +48,7 @@ void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidat
 }
 
 std::vector<int> ObjectCollector::beginLookingAgain() {
+  mergeJoined(Which::all);
   is_looking_again_ = true;
   std::set<int> frames;
   for (const KeptView& view : kept_views_) frames.insert(view.frame_index);

@@ -33,6 +33,12 @@ void MetObjects::bind(const RegionSet& regions, ObjectId object) {
   for (const RegionId region : regions) object_of_region_[region] = object;
 }
 
+void MetObjects::unbind(const RegionSet& regions, ObjectId object) {
+  for (const RegionId region : regions) {
+    if (objectOf(region) == object) object_of_region_.erase(region);
+  }
+}
+
 ObjectId MetObjects::objectOf(RegionId region) const {
   const auto found = object_of_region_.find(region);
   return found == object_of_region_.end() ? ObjectId{} : found->second;

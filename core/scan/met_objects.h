@@ -26,6 +26,8 @@ class MetObjects {
 
   /// The regions are this object, whatever they were before.
   void bind(const RegionSet& regions, ObjectId object);
+  /// Those of the regions that are the object are of none any more.
+  void unbind(const RegionSet& regions, ObjectId object);
   /// The object of all those of the regions that are of any; none where they are of none, or of several.
   [[nodiscard]] ObjectId objectOf(const RegionSet& regions) const;
   [[nodiscard]] ObjectId objectOf(RegionId region) const;

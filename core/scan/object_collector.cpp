@@ -1,6 +1,7 @@
 #include "core/scan/object_collector.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <variant>
 
@@ -23,6 +24,9 @@ constexpr int kFramesToMove = 90;
 /// will do: things are put elsewhere more often than exchanged for others of their size and colour.
 constexpr float kBackDistance = 1.0F;
 constexpr float kOnlyOneBackDistance = 1.5F;
+
+/// Clear looks in a row, of another size than the object's, after which that is not it.
+constexpr int kLooksToDoubt = 10;
 
 /// How clearly a look shows a thing.
 struct Clarity {
@@ -141,6 +145,7 @@ FrameObjects ObjectCollector::followCatalogue() {
 }
 
 Result<void> ObjectCollector::finish(const std::function<void(const FrameObjects&)>& announce) {
+  mergeJoined(Which::all);
   return writer_->finish([&] { announce(followCatalogue()); });
 }
 
@@ -192,7 +197,8 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   if (const ObjectId object = met_.objectOf(candidate.regions)) return object;
   const std::string* wanted_name = wantedName(candidate);
   // The same thing under a new region.
-  if (const ObjectId object = met_.nearby(candidate, frame_ - kFramesToReturn)) {
+  const ObjectId nearby = met_.nearby(candidate, frame_ - kFramesToReturn);
+  if (const ObjectId object = isDoubted(candidate.regions, nearby) ? ObjectId{} : nearby) {
     // What a person deleted is not added again, but by a person.
     if (wanted_name == nullptr) return object;
     const auto other = not_these_.find(*candidate.regions.begin());
@@ -201,7 +207,7 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   if (wanted_name != nullptr && !wanted_name->empty()) return {};  // what it looks like counts for less
   const std::optional<ObjectId> verdict = recognition_.verdict(candidate.regions);
   const ObjectRecord* known = verdict ? recordOf(catalogue_.holderOf(*verdict)) : nullptr;
-  if (known == nullptr) return {};
+  if (known == nullptr || isDoubted(candidate.regions, known->id)) return {};
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
     if (catalogue_.holderOf(met_object) == known->id &&
@@ -240,13 +246,29 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   // a part may not be on the map yet.
   const bool is_wanted = wantedName(candidate) != nullptr;
   const bool has_come = candidate.has_come && candidate.regions.size() == 1;
-  if (!is_alike && !is_wanted && !has_come) return;
+  if (!is_alike && !is_wanted && !has_come) {
+    if (!isSettled(*known) && isClear(candidate, kForObject)) doubt(candidate, identity);
+    return;
+  }
+  doubts_.erase(candidate.regions);
   if (known != nullptr && !isMet(known->id) && !CatalogueMirror::isOfThisScan(known->id))
     look.objects.recognised.push_back(*known);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
   if (is_wanted || (is_alike && isClear(candidate, kForView))) keepNewDirection(identity, candidate, look);
   if (is_wanted) fulfil(candidate, identity);
+}
+
+void ObjectCollector::doubt(const Candidate& candidate, ObjectId object) {
+  Doubt& doubt = doubts_[candidate.regions];
+  if (doubt.object != object) doubt = {object, 0};
+  if (++doubt.looks == kLooksToDoubt) met_.unbind(candidate.regions, object);
+}
+
+bool ObjectCollector::isDoubted(const RegionSet& regions, ObjectId object) const {
+  const auto found = doubts_.find(regions);
+  return found != doubts_.end() && found->second.looks >= kLooksToDoubt && object &&
+         catalogue_.holderOf(found->second.object) == catalogue_.holderOf(object);
 }
 
 bool ObjectCollector::isAlike(const ObjectRecord& known, const Candidate& candidate) const {
@@ -287,7 +309,7 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
       if (in_view.contains(other) || side_by_side_.contains(std::minmax(object, other))) continue;
       if (met_.isAt(other, *candidate) &&
           shouldMerge(catalogue_.holderOf(other), catalogue_.holderOf(object)))
-        joined_.emplace_back(other, object);
+        joined_.push_back({other, object, {}, frame_});
     }
   }
 }
@@ -300,6 +322,9 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   view->object = object;
   if (!writer_->addObject(*view)) return;  // it stays a candidate
   catalogue_.add(*view);
+  // It stands where that stands which it is not.
+  if (const auto doubt = doubts_.find(candidate.regions); doubt != doubts_.end())
+    side_by_side_.insert(std::minmax(doubt->second.object, object));
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);
@@ -331,19 +356,26 @@ std::optional<ObjectView> ObjectCollector::viewToKeep(const Candidate& candidate
   return view;
 }
 
-void ObjectCollector::regionsJoined(RegionId into, RegionId from) {
+void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
   recognition_.forgetRegion(from);
+  std::erase_if(doubts_, [&](const auto& entry) {
+    return entry.first.contains(from) || entry.first.contains(into);
+  });
+  for (Joined& joined : joined_) {
+    if (joined.region == from) joined.region = into;
+  }
   followWanted(into, from);
   const auto [kept, gone] = met_.regionsJoined(into, from);
   if (!kept) return;
   if (!catalogue_.holderOf(kept)) {
     met_.bind({into}, gone);  // a deleted one gives way
   } else {
-    joined_.emplace_back(kept, gone);
+    joined_.push_back({kept, gone, by == JoinedBy::frames ? into : RegionId{}, frame_});
   }
 }
 
 void ObjectCollector::regionsParted(RegionId from, RegionId part) {
+  std::erase_if(joined_, [from](const Joined& joined) { return joined.region && joined.region == from; });
   const ObjectId object = met_.objectOf(from);
   if (object && !catalogue_.holderOf(object)) met_.bind({part}, object);
 }
@@ -355,14 +387,20 @@ bool ObjectCollector::shouldMerge(ObjectId a, ObjectId b) const {
   return !(isSettled(*first) && isSettled(*second));
 }
 
-void ObjectCollector::mergeJoined() {
-  for (; !joined_.empty(); joined_.pop_back()) {
-    const ObjectId a = catalogue_.holderOf(joined_.back().first);
-    const ObjectId b = catalogue_.holderOf(joined_.back().second);
+void ObjectCollector::mergeJoined(Which which) {
+  const auto isDue = [&](const Joined& joined) {
+    return which == Which::all || !joined.region || frame_ - joined.frame >= kFramesToBeOne;
+  };
+  const auto due = std::stable_partition(joined_.begin(), joined_.end(), std::not_fn(isDue));
+  for (auto joined = joined_.end(); joined != due;) {
+    --joined;  // the newest first
+    const ObjectId a = catalogue_.holderOf(joined->kept);
+    const ObjectId b = catalogue_.holderOf(joined->gone);
     if (!shouldMerge(a, b)) continue;
     catalogue_.merge(a, b);
     writer_->merge(a, b);
   }
+  joined_.erase(due, joined_.end());
 }
 
 bool ObjectCollector::isMet(ObjectId holder) const {

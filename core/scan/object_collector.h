@@ -58,9 +58,13 @@ class ObjectCollector {
                                      const SurfaceInColor& in_color,
                                      const std::vector<Candidate>& candidates);
 
+  /// Who joined two regions: what frames say may be otherwise in the next.
+  enum class JoinedBy { person, frames };
   /// The region `from` is now part of `into`. When they were two objects, collect() makes them one in the
-  /// catalogue, unless persons said what each is, or took such a merge back.
-  void regionsJoined(RegionId into, RegionId from);
+  /// catalogue, unless persons said what each is, or took such a merge back; where frames joined them, once
+  /// the join has held for kFramesToBeOne frames or to the end of the scan.
+  void regionsJoined(RegionId into, RegionId from, JoinedBy by = JoinedBy::person);
+  static constexpr int kFramesToBeOne = 60;
   /// `part` was a part of `from` until now. What a person deleted stays so in its parts.
   void regionsParted(RegionId from, RegionId part);
 
@@ -149,7 +153,8 @@ class ObjectCollector {
 
   /// Applies what has arrived.
   void takeNews(FrameObjects& objects);
-  void mergeJoined();
+  enum class Which { held, all };
+  void mergeJoined(Which which = Which::held);
   [[nodiscard]] bool shouldMerge(ObjectId a, ObjectId b) const;
   void lookUpDue(const std::vector<Candidate>& candidates, const Look& look);
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
@@ -160,6 +165,9 @@ class ObjectCollector {
   [[nodiscard]] std::vector<std::size_t> choose(const std::vector<Candidate>& candidates,
                                                 const std::vector<ObjectId>& identities) const;
   void collectOne(const Candidate& candidate, ObjectId identity, const Look& look);
+  /// A clear look at what is taken for `object`, and is not as large. After some in a row that is not it.
+  void doubt(const Candidate& candidate, ObjectId object);
+  [[nodiscard]] bool isDoubted(const RegionSet& regions, ObjectId object) const;
   void joinDoubles(const std::vector<const Candidate*>& chosen);
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;
   /// It is the region alone that a person waits for, and what the person calls it; none: no.
@@ -206,8 +214,19 @@ class ObjectCollector {
   int last_naming_ = 0;
   std::map<RegionId, ObjectId> not_these_;  // a person said that the region is another than that
   std::vector<Error> refusals_;             // to be told
-  std::vector<std::pair<ObjectId, ObjectId>>
-      joined_;  // whose regions were joined, or that stand at one place
+  /// Objects whose regions were joined, or that stand at one place.
+  struct Joined {
+    ObjectId kept, gone;
+    RegionId region;  ///< that holds both; none: they are one for good
+    int frame = 0;
+  };
+  std::vector<Joined> joined_;
+  /// What the regions were taken for, and looks since then that show that they are not.
+  struct Doubt {
+    ObjectId object;
+    int looks = 0;
+  };
+  std::map<RegionSet, Doubt> doubts_;
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
   std::vector<KeptView> kept_views_;
   std::set<ObjectId> by_person_;  // that a person waited for

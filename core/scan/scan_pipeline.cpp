@@ -179,7 +179,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   forgetFragments();
   stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
-  tellOf(merged.events);
+  tellOf(merged.events, ObjectCollector::JoinedBy::frames);
   const DepthView readings = depthViewOf(frame, T_world_camera);
   const std::vector<Candidate> candidates =
       stage("discover", [&] { return findCandidates(*finder_, result, readings, cameWith()); });
@@ -240,10 +240,10 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
   return candidates;
 }
 
-void ScanPipeline::tellOf(const RegionEvents& events) {
+void ScanPipeline::tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by) {
   for (const auto& [into, from] : events.joined) {
     finder_->regionsJoined(into, from);
-    if (collector_) collector_->regionsJoined(into, from);
+    if (collector_) collector_->regionsJoined(into, from, by);
   }
   for (const auto& [from, part] : events.parted) {
     finder_->regionParted(from);

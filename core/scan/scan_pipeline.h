@@ -214,7 +214,7 @@ class ScanPipeline {
                                                       const DepthView& readings,
                                                       std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
-  void tellOf(const RegionEvents& events);
+  void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
   /// A person said that these are none, or that a part of them is a thing of its own.
   void leaveOutSaid(std::vector<Candidate>& candidates) const;
   /// A person waits for these, whatever the rules say of them.

@@ -54,7 +54,7 @@ Result<RegionEditor::Outcome> ScanPipeline::redo() {
 
 Result<RegionEditor::Outcome> ScanPipeline::finishEdit(Result<RegionEditor::Outcome> outcome, Way way) {
   if (!outcome) return outcome;
-  tellOf(outcome->events);
+  tellOf(outcome->events, ObjectCollector::JoinedBy::person);
   if (collector_) followSaying(*outcome, way);
   return outcome;
 }
