@@ -78,6 +78,37 @@ TEST_F(ObjectCollectorEdits, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBa
   EXPECT_EQ(objects().size(), 2U);
 }
 
+TEST_F(ObjectCollectorEdits, RegionsThatFramesJoinMakeOneObjectOnceThatHasHeld) {
+  static_cast<void>(study({mug_, box_}));
+  collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
+  for (int i = 0; i < ObjectCollector::kFramesToBeOne - 1; ++i) EXPECT_TRUE(look({mug_}).merged.empty()) << i;
+  std::size_t merged = 0;
+  for (int i = 0; i < 3; ++i) merged += look({mug_}).merged.size();
+  EXPECT_EQ(merged, 1U);
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(ObjectCollectorEdits, RegionsThatPartAgainWereTwoObjectsAllTheTime) {
+  const FrameObjects first = study({mug_, box_});
+  collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
+  for (int i = 0; i < 20; ++i) static_cast<void>(look({mug_}));
+  const Thing box_again{box_.seed, box_.place, RegionId{99}};
+  collector_->regionsParted(mug_.region, box_again.region);
+  for (int i = 0; i < 2 * ObjectCollector::kFramesToBeOne; ++i)
+    EXPECT_TRUE(look({mug_, box_again}).merged.empty());
+  EXPECT_EQ(objects().size(), 2U);
+  EXPECT_EQ(collector_->objectOf(mug_.region), first.added.at(0).id);
+  EXPECT_EQ(collector_->objectOf(box_again.region), first.added.at(1).id);
+}
+
+TEST_F(ObjectCollectorEdits, RegionsThatAreJoinedWhenTheScanEndsMakeOneObject) {
+  static_cast<void>(study({mug_, box_}));
+  collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
+  static_cast<void>(look({mug_}));
+  ASSERT_TRUE(collector_->finish([](const FrameObjects&) {}));
+  EXPECT_EQ(objects().size(), 1U);
+}
+
 TEST_F(ObjectCollectorEdits, ObjectsThatAPersonSettledStayTwoWhenTheirRegionsJoin) {
   const FrameObjects first = study({mug_, box_, cup_});
   ASSERT_TRUE(person_->rename(first.added.at(0).id, "my mug"));

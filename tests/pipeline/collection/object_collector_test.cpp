@@ -140,6 +140,35 @@ TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOr
   EXPECT_NE(collector_->objectOf(later.region), mug);
 }
 
+TEST_F(ObjectCollectorTest, ARegionThatIsClearlyLargerThanItsObjectIsAnother) {
+  const ObjectId rim = study({mug_}).added.at(0).id;
+  Candidate whole = mug_.candidate();
+  whole.size_m *= 1.5F;
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({whole}, {mug_}));
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_NE(collector_->objectOf(mug_.region), rim);
+  EXPECT_EQ(objects()[0].views, 1) << "the first has no more views of what it is not";
+}
+
+TEST_F(ObjectCollectorTest, LooksThatAreNotClearRaiseNoDoubt) {
+  static_cast<void>(study({mug_}));
+  Candidate unclear = mug_.candidate();
+  unclear.size_m *= 1.5F;
+  unclear.outline = 0.7F;
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({unclear}, {mug_}));
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(ObjectCollectorTest, WhatAPersonConfirmedIsNotDoubted) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
+  Candidate larger = mug_.candidate();
+  larger.size_m *= 1.5F;
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({larger}, {mug_}));
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+}
+
 TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing other{mug_.seed, 2, RegionId{77}};
