@@ -26,7 +26,7 @@ struct Candidate {
   /// How much of a thing may lie behind others so that it is still clear what it is: more of one whose
   /// outline is its own wherever it shows, and which clearly bulges.
   [[nodiscard]] float mostHidden(float of_any) const {
-    constexpr float kClearOutline = 0.93F, kMore = 0.12F;
+    constexpr float kClearOutline = 0.93F, kMore = 0.22F;
     return of_any + (outline >= kClearOutline && bulge >= kClearBulge ? kMore : 0);
   }
 

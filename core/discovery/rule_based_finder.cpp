@@ -96,7 +96,8 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!sizes_.isPersistent(hypothesis.regions, params_.persistent_frames, params_.size_tolerance))
         continue;
       const OutlineSteps outline = outlines.of(hypothesis.regions);
-      if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines)) continue;
+      if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines, hypotheses))
+        continue;
       const OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
       Candidate candidate = toCandidate(hypothesis, box, input);
@@ -155,10 +156,14 @@ class RuleBasedFinder final : public CandidateFinder {
     sizes_.add(sightings, params_.persistent_frames);
   }
 
+  /// No clearly worse than that of any of its regions which could be a thing by itself.
   [[nodiscard]] static bool isOutlineKept(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
-                                          const RegionOutlines& outlines) {
+                                          const RegionOutlines& outlines,
+                                          const std::vector<RegionHypothesis>& all) {
     return std::ranges::all_of(hypothesis.regions, [&](RegionId region) {
-      return outline.own() >= outlines.of({region}).own() - kOutlineSlack;
+      const auto alone = std::ranges::lower_bound(all, RegionSet{region}, {}, &RegionHypothesis::regions);
+      const bool is_thing = alone == all.end() || alone->regions != RegionSet{region} || !alone->is_torn;
+      return !is_thing || outline.own() >= outlines.of({region}).own() - kOutlineSlack;
     });
   }
 
