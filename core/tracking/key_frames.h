@@ -40,6 +40,10 @@ class KeyFrames {
   [[nodiscard]] std::vector<const KeyFrame*> alike(const cv::Mat& thumbnail, const ColorView& view,
                                                    std::size_t most, std::size_t without_newest = 0) const;
 
+  /// How far the camera has come since the key frame, which is one of these, as far as the later ones tell:
+  /// metres, and as many for each radian that it turned.
+  [[nodiscard]] double waySince(const KeyFrame& key_frame) const;
+
  private:
   std::deque<KeyFrame> key_frames_;
 };

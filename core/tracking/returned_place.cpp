@@ -15,6 +15,10 @@ constexpr std::size_t kNewest = 8;
 constexpr std::size_t kPlacesToAsk = 3;
 constexpr std::size_t kFewestSeen = 50;
 constexpr int kCellsSeen = 6;
+/// Of the way since then. A map that has drifted farther is none; what looks the same there is another door,
+/// another poster of the kind.
+constexpr double kMostDriftOfWay = 0.1;
+constexpr double kLeastToJudge_m = 0.1;
 
 double medianOf(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -48,7 +52,9 @@ std::optional<ReturnedPlace> returnedTo(const KeyFrames& places, const cv::Mat& 
   for (const KeyFrame* place : places.alike(thumbnail, view, kPlacesToAsk, kNewest)) {
     const std::optional<LandmarkPose> found = locate(view, place->landmarks);
     if (!found || found->seen.pixels.size() < kFewestSeen || found->seen.cells() < kCellsSeen) continue;
-    return driftOf(found->seen, surface);
+    const std::optional<ReturnedPlace> returned = driftOf(found->seen, surface);
+    const double most_m = std::max(kLeastToJudge_m, kMostDriftOfWay * places.waySince(*place));
+    if (returned && returned->drift_m <= most_m) return returned;
   }
   return std::nullopt;
 }

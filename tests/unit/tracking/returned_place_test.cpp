@@ -48,14 +48,14 @@ std::optional<ReturnedPlace> askAt(const KeyFrames& places, const ColorView& vie
   return returnedTo(places, kThumbnail, view, SurfaceInView(kPictureCamera, T_world_color, vertices));
 }
 
-/// The place of `view`, and then so many others.
+/// The place of `view`, and then so many others, on a way of about a metre each.
 KeyFrames placesWith(const ColorView& view, int others) {
   KeyFrames places;
   const std::vector<cl_float4> vertices = wall(0);
   places.add({Eigen::Isometry3d::Identity(), landmarksOf(view, Eigen::Isometry3d::Identity(), vertices),
               kThumbnail});
   for (int i = 0; i < others; ++i) {
-    const auto T = pose(0, 30.0 * i, 0, 1, 0, 0);
+    const auto T = pose(0, 30.0 * i, 0, i % 2, 0, 0);
     places.add(
         {T, landmarksOf(pictureOf(100 + static_cast<std::uint64_t>(i), 200), T, vertices), kThumbnail});
   }
@@ -71,6 +71,16 @@ TEST(ReturnedPlace, SaysHowFarTheMapHasDrifted) {
     EXPECT_NEAR(returned->drift_m, drift_m, 0.01);
     EXPECT_GT(returned->landmarks, 150);
   }
+}
+
+TEST(ReturnedPlace, WhatLooksTheSameFartherOffThanAnyMapDriftsIsAnotherPlace) {
+  const ColorView view = pictureOf(1, 200);
+  const KeyFrames places = placesWith(view, 12);
+  const double way = places.waySince(places.all().front());
+  EXPECT_NEAR(way, 11 * (1 + 30 * 3.14159 / 180), 0.1);
+  EXPECT_TRUE(askAt(places, view, 0.09 * way));
+  EXPECT_FALSE(askAt(places, view, 0.12 * way));
+  EXPECT_FALSE(askAt(places, view, 9));
 }
 
 TEST(ReturnedPlace, WhereTheCameraJustWasItHasNotReturnedTo) {
