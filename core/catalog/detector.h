@@ -20,10 +20,10 @@ struct DetectionQuery {
 };
 
 struct DetectionMatch {
-  ObjectId object;     ///< none: unknown
-  ObjectId nearest;    ///< that, or what is most like it; none: nothing has that size and colour
-  float distance = 2;  ///< of the best view, warped SSD per element
-  ObjectId missing;    ///< of DetectionQuery::missing, what is most like it; none: nothing could be it
+  ObjectId object;        ///< none: unknown
+  ObjectId nearest;       ///< that, or what is most like it; none: nothing has that size and colour
+  float distance = 2;     ///< of the best view, warped SSD per element
+  ObjectId missing = {};  ///< of DetectionQuery::missing, what is most like it; none: nothing could be it
   float missing_distance = 2;
 };
 

@@ -112,7 +112,9 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
     collectOne(candidates[i], identities[i], look);
   }
   joinDoubles(chosen);
-  recognition_.forgetBefore(frame_ - RecognitionHistory::kMemory);
+  const int oldest = frame_ - RecognitionHistory::kMemory;
+  recognition_.forgetBefore(oldest);
+  std::erase_if(doubts_, [oldest](const auto& entry) { return entry.second.last_frame < oldest; });
   for (const Candidate* candidate : chosen) {
     SeenObject seen;
     seen.regions = candidate->regions;
@@ -170,8 +172,7 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   std::vector<DetectionQuery> queries(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& candidate = *candidates[i];
-    const std::optional<ObjectView> view =
-        cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+    const std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
     if (!view) continue;
     queries[i] = {view->color, view->mask, candidate.size_m};
     if (candidate.has_come) queries[i].missing = missing;
@@ -261,7 +262,8 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
 
 void ObjectCollector::doubt(const Candidate& candidate, ObjectId object) {
   Doubt& doubt = doubts_[candidate.regions];
-  if (doubt.object != object) doubt = {object, 0};
+  if (doubt.object != object) doubt = {object, 0, 0};
+  doubt.last_frame = frame_;
   if (++doubt.looks == kLooksToDoubt) met_.unbind(candidate.regions, object);
 }
 
@@ -358,9 +360,8 @@ std::optional<ObjectView> ObjectCollector::viewToKeep(const Candidate& candidate
 
 void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
   recognition_.forgetRegion(from);
-  std::erase_if(doubts_, [&](const auto& entry) {
-    return entry.first.contains(from) || entry.first.contains(into);
-  });
+  std::erase_if(doubts_,
+                [&](const auto& entry) { return entry.first.contains(from) || entry.first.contains(into); });
   for (Joined& joined : joined_) {
     if (joined.region == from) joined.region = into;
   }

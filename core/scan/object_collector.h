@@ -225,6 +225,7 @@ class ObjectCollector {
   struct Doubt {
     ObjectId object;
     int looks = 0;
+    int last_frame = 0;
   };
   std::map<RegionSet, Doubt> doubts_;
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first

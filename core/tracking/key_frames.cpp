@@ -93,7 +93,8 @@ std::vector<const KeyFrame*> KeyFrames::alike(const cv::Mat& thumbnail, const Co
 double KeyFrames::waySince(const KeyFrame& key_frame) const {
   double way = 0;
   for (std::size_t i = key_frames_.size(); i-- > 1 && &key_frames_[i] != &key_frame;) {
-    const Eigen::Isometry3d step = key_frames_[i - 1].T_world_camera.inverse() * key_frames_[i].T_world_camera;
+    const Eigen::Isometry3d step =
+        key_frames_[i - 1].T_world_camera.inverse() * key_frames_[i].T_world_camera;
     way += step.translation().norm() + Eigen::AngleAxisd(step.linear()).angle();
   }
   return way;

@@ -17,8 +17,8 @@ struct ReturnedPlace {
 /// Whether a view, with its thumbnail (thumbnailOf), shows one of the places, the newest ones aside: those
 /// are of the way that the camera has just come. It is recognised by features, wherever the map has them, so
 /// that drift of any size is seen; what the surface says of less than a few centimetres is more exact.
-/// `surface`: that of the map in the view. None: it shows none of them clearly, or only one that the camera cannot
-/// be at, so far as that is from where it is thought to be. Any thread.
+/// `surface`: that of the map in the view. None: it shows none of them clearly, or only one that the camera
+/// cannot be at, so far as that is from where it is thought to be. Any thread.
 [[nodiscard]] std::optional<ReturnedPlace> returnedTo(const KeyFrames& places, const cv::Mat& thumbnail,
                                                       const ColorView& view, const SurfaceInView& surface);
 

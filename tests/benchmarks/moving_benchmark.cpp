@@ -1,5 +1,5 @@
-// Scans of demo:moving:SEED: is the camera followed while people walk and things move, what of them is left in
-// the cloud, and is the mug that is put elsewhere one object of the catalogue, once?
+// Scans of demo:moving:SEED: is the camera followed while people walk and things move, what of them is left
+// in the cloud, and is the mug that is put elsewhere one object of the catalogue, once?
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -19,14 +19,16 @@ void report(std::uint32_t seed, const test::MovingScan& scan) {
   const auto partOf = [&](std::int64_t ghosts) {
     return 100 * static_cast<double>(ghosts) / static_cast<double>(std::max<std::int64_t>(scan.points, 1));
   };
-  std::cout << fmt::format(
-                   "moving {}: tracked {} of {}, ATE {:.1f} mm, at most {:.1f} off; ghosts over 3 cm {:.3f} % (where "
-                   "people were {:.3f}, mug or chair {:.3f}), over 4 cm {:.3f} %; the mug is object {} before, "
-                   "{} after",
-                   seed, scan.tracked, scan.frames, 1000 * scan.ate_m, 1000 * scan.farthest_m,
-                   partOf(scan.ghosts_3cm), partOf(scan.of_people), partOf(scan.of_things),
-                   partOf(scan.ghosts_4cm), listOf(scan.mug_before), listOf(scan.mug_after))
-            << std::endl;
+  std::cout
+      << fmt::format(
+             "moving {}: tracked {} of {}, ATE {:.1f} mm, at most {:.1f} off; ghosts over 3 cm {:.3f} % "
+             "(where "
+             "people were {:.3f}, mug or chair {:.3f}), over 4 cm {:.3f} %; the mug is object {} before, "
+             "{} after",
+             seed, scan.tracked, scan.frames, 1000 * scan.ate_m, 1000 * scan.farthest_m,
+             partOf(scan.ghosts_3cm), partOf(scan.of_people), partOf(scan.of_things), partOf(scan.ghosts_4cm),
+             listOf(scan.mug_before), listOf(scan.mug_after))
+      << std::endl;
 }
 
 }  // namespace

@@ -181,8 +181,8 @@ void report(const std::string& name, const std::vector<Shown>& shown, const std:
   if (options.there_and_back) reportWayBack(shown, options.verbose);
 }
 
-/// How far readings are from a map that is made of them all, with the poses that `poseOf` gives. Readings more
-/// than kFar_m off are counted apart: outlines, where a hair's breadth decides what is seen.
+/// How far readings are from a map that is made of them all, with the poses that `poseOf` gives. Readings
+/// more than kFar_m off are counted apart: outlines, where a hair's breadth decides what is seen.
 template <class PoseOf>
 std::string distanceToMap(const std::vector<Shown>& shown, const Intrinsics& K, ComputeContext& compute,
                           const PoseOf& poseOf) {

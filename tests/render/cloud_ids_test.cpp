@@ -127,7 +127,7 @@ TEST_F(CloudIdsTest, APartShowsWhatTheWholeShowsThere) {
   render({0.1F, -0.05F, 0}, {0, 0, 1});
   CloudIds part_ids;
   for (const CloudIds::Part part : {CloudIds::Part{100, 60, 40, 30}, {0, 0, 9, 9}, {231, 231, 9, 9}}) {
-    scene_.drawIdsFinely(kIdSize, kIdSize, part, part_ids);
+    scene_.drawIdsFinely(kIdSize, kIdSize, 1, part, part_ids);
     ASSERT_EQ(part_ids.width(), part.width);
     for (int y = 0; y < part.height; ++y) {
       for (int x = 0; x < part.width; ++x) {
@@ -148,8 +148,26 @@ TEST_F(CloudIdsTest, SeenFinelyTheEdgeLiesWhereItIsHoweverCoarselyItWasDrawn) {
   render({0, 0, 0}, {0, 0, 1}, 2'000);
   ASSERT_NE(ids_.fragments(), exact) << "drawn as finely as before";
   CloudIds finely;
-  scene_.drawIdsFinely(kIdSize, kIdSize, {0, 0, kIdSize, kIdSize}, finely);
+  scene_.drawIdsFinely(kIdSize, kIdSize, 1, {0, 0, kIdSize, kIdSize}, finely);
   EXPECT_EQ(finely.fragments(), exact);
+}
+
+TEST_F(CloudIdsTest, TheMiddleOfAPixelShowsInPartsOfItWhatThePixelShows) {
+  render({0.1F, -0.05F, 0}, {0, 0, 1});
+  constexpr int kParts = 3;
+  const CloudIds::Part part{60, 40, 120, 90};
+  CloudIds finely;
+  scene_.drawIdsFinely(kIdSize, kIdSize, kParts,
+                       {kParts * part.x, kParts * part.y, kParts * part.width, kParts * part.height}, finely);
+  int edges = 0;
+  for (int y = 0; y < part.height; ++y) {
+    for (int x = 0; x < part.width; ++x) {
+      const FragmentId middle = finely.fragmentAt(kParts * x + 1, kParts * y + 1);
+      ASSERT_EQ(middle, ids_.fragmentAt(part.x + x, part.y + y)) << x << ", " << y;
+      edges += middle != finely.fragmentAt(kParts * x, kParts * y + 1) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(edges, 10) << "no edge runs through a pixel";
 }
 
 TEST_F(CloudIdsTest, BesideTheSceneThereIsNothing) {

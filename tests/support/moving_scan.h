@@ -20,9 +20,9 @@ namespace scantrove::test {
 struct MovingScan {
   int frames = 0;
   int tracked = 0;
-  double rms_m = 0;       ///< of the camera's distance from where it was, not aligned
-  double ate_m = 0;       ///< the same, aligned: absoluteTrajectoryError
-  double farthest_m = 0;  ///< not aligned
+  double rms_m = 0;                               ///< of the camera's distance from where it was, not aligned
+  double ate_m = 0;                               ///< the same, aligned: absoluteTrajectoryError
+  double farthest_m = 0;                          ///< not aligned
   std::set<std::uint32_t> mug_before, mug_after;  ///< the objects for which it was taken, while it stood so
   std::int64_t points = 0;                        ///< of the cloud
   std::int64_t ghosts_3cm = 0, ghosts_4cm = 0;    ///< of them, farther from all surface at the end

@@ -102,10 +102,11 @@ class LabelCloudScene {
     ids.begin(renderer_->GetActiveCamera(), width_px, height_px, scale);
     cloud_.addTo(ids, IdDetail::drawn);
   }
-  /// Some pixels of it at its full size, from all the points that there are, however coarsely they were
-  /// drawn.
-  void drawIdsFinely(int width_px, int height_px, const CloudIds::Part& part, CloudIds& ids) const {
-    ids.begin(renderer_->GetActiveCamera(), width_px, height_px, 1, part);
+  /// A part of it, in pixels at `scale` of its size, from all the points that there are, however coarsely
+  /// they were drawn.
+  void drawIdsFinely(int width_px, int height_px, float scale, const CloudIds::Part& part,
+                     CloudIds& ids) const {
+    ids.begin(renderer_->GetActiveCamera(), width_px, height_px, scale, part);
     cloud_.addTo(ids, IdDetail::finest);
   }
 

@@ -8,7 +8,10 @@ namespace {
 
 constexpr double kIdsPerPixel = 0.5;  ///< resolution of pointing
 constexpr int kGapPasses = 2;
-constexpr int kClose_px = 4;  ///< so far around a place, where it is looked at closely
+// Where it is looked at closely: in so many parts of a pixel, which may show several points of the cloud, and
+// so many of them to every side.
+constexpr int kPartsOfPixel = 3;
+constexpr int kClose = 2 * kPartsOfPixel;
 
 /// Between two points of a coarse cloud nothing is drawn: a pixel there belongs to the surface around it.
 void closeGaps(cv::Mat& ids) {
@@ -72,12 +75,12 @@ RegionPoint ScenePointing::at(const QPointF& fraction) {
 }
 
 RegionPoint ScenePointing::closely(const QPointF& fraction) {
-  const int x = static_cast<int>(fraction.x() * pixels_.width());
-  const int y = static_cast<int>(fraction.y() * pixels_.height());
-  scene_.drawIdsFinely(pixels_.width(), pixels_.height(),
-                       {x - kClose_px, y - kClose_px, 2 * kClose_px + 1, 2 * kClose_px + 1}, close_.ids);
+  const int x = static_cast<int>(fraction.x() * pixels_.width() * kPartsOfPixel);
+  const int y = static_cast<int>(fraction.y() * pixels_.height() * kPartsOfPixel);
+  scene_.drawIdsFinely(pixels_.width(), pixels_.height(), kPartsOfPixel,
+                       {x - kClose, y - kClose, 2 * kClose + 1, 2 * kClose + 1}, close_.ids);
   findRegions(close_);
-  return close_.at(kClose_px, kClose_px);
+  return close_.at(kClose, kClose);
 }
 
 RegionPoint ScenePointing::Picture::at(int x, int y) const {

@@ -10,8 +10,8 @@
 namespace scantrove {
 
 /// Which region, and which point of its surface, the last drawing of the scene shows where. Found when it is
-/// asked for first, at about half the resolution of the widget; near where regions meet, anew at its full
-/// resolution. One thread, the window's.
+/// asked for first, at about half the resolution of the widget; near where regions meet, anew in thirds of
+/// its pixels. One thread, the window's.
 class ScenePointing {
  public:
   explicit ScenePointing(const LabelCloudScene& scene) : scene_(scene) {}
@@ -33,7 +33,7 @@ class ScenePointing {
     [[nodiscard]] RegionPoint at(int x, int y) const;
   };
   void findRegions(Picture& picture) const;
-  /// What is there, seen as closely as the drawing has pixels. `fraction`: as above.
+  /// What is there, seen more closely than the drawing has pixels. `fraction`: as above.
   [[nodiscard]] RegionPoint closely(const QPointF& fraction);
 
   const LabelCloudScene& scene_;
