@@ -39,6 +39,10 @@ void MetObjects::unbind(const RegionSet& regions, ObjectId object) {
   }
 }
 
+bool MetObjects::hasRegions(ObjectId object) const {
+  return std::ranges::any_of(object_of_region_, [&](const auto& entry) { return entry.second == object; });
+}
+
 ObjectId MetObjects::objectOf(RegionId region) const {
   const auto found = object_of_region_.find(region);
   return found == object_of_region_.end() ? ObjectId{} : found->second;

@@ -28,6 +28,7 @@ class MetObjects {
   void bind(const RegionSet& regions, ObjectId object);
   /// Those of the regions that are the object are of none any more.
   void unbind(const RegionSet& regions, ObjectId object);
+  [[nodiscard]] bool hasRegions(ObjectId object) const;
   /// The object of all those of the regions that are of any; none where they are of none, or of several.
   [[nodiscard]] ObjectId objectOf(const RegionSet& regions) const;
   [[nodiscard]] ObjectId objectOf(RegionId region) const;

@@ -267,6 +267,14 @@ void ObjectCollector::doubt(const Candidate& candidate, ObjectId object) {
   if (++doubt.looks == kLooksToDoubt) met_.unbind(candidate.regions, object);
 }
 
+void ObjectCollector::takePlaceOf(ObjectId doubted, ObjectId object) {
+  side_by_side_.insert(std::minmax(doubted, object));
+  const ObjectRecord* holder = recordOf(catalogue_.holderOf(doubted));
+  if (holder == nullptr || isSettled(*holder) || by_person_.contains(doubted) || met_.hasRegions(doubted))
+    return;
+  for (KeptView& view : kept_views_) view.is_outdated = view.is_outdated || view.object == doubted;
+}
+
 bool ObjectCollector::isDoubted(const RegionSet& regions, ObjectId object) const {
   const auto found = doubts_.find(regions);
   return found != doubts_.end() && found->second.looks >= kLooksToDoubt && object &&
@@ -324,9 +332,8 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   view->object = object;
   if (!writer_->addObject(*view)) return;  // it stays a candidate
   catalogue_.add(*view);
-  // It stands where that stands which it is not.
   if (const auto doubt = doubts_.find(candidate.regions); doubt != doubts_.end())
-    side_by_side_.insert(std::minmax(doubt->second.object, object));
+    takePlaceOf(doubt->second.object, object);
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);

@@ -167,6 +167,9 @@ class ObjectCollector {
   void collectOne(const Candidate& candidate, ObjectId identity, const Look& look);
   /// A clear look at what is taken for `object`, and is not as large. After some in a row that is not it.
   void doubt(const Candidate& candidate, ObjectId object);
+  /// The new `object` stands where the doubted one was thought to stand: they are two, and of one that is
+  /// nowhere else the views showed something that is none.
+  void takePlaceOf(ObjectId doubted, ObjectId object);
   [[nodiscard]] bool isDoubted(const RegionSet& regions, ObjectId object) const;
   void joinDoubles(const std::vector<const Candidate*>& chosen);
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;

@@ -82,6 +82,18 @@ TEST_F(SecondLook, WhatWasTakenAwayIsAsItWas) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
+TEST_F(SecondLook, WhatWasTakenForSomethingElseAtFirstGoesEvenIfItWasTakenAwayLater) {
+  static_cast<void>(study({mug_}));
+  Candidate alone = mug_.candidate();
+  alone.size_m *= 0.6F;  // the first look had something beside it
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({alone}, {mug_}));
+  ASSERT_EQ(objects().size(), 2U);
+  const ObjectId mug = collector_->objectOf(mug_.region);
+  lookAgain(mapWith(mug_, 0.2), {}, 1.2F);
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].id, mug);
+}
+
 TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->rename(mug, "mug"));
