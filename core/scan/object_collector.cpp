@@ -180,7 +180,10 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     DetectionMatch match = matches[i];
-    if (isBack(match, missing.size())) match.object = match.missing;
+    if (isBack(match, missing.size())) {
+      match.object = match.missing;
+      back_.insert(match.missing);
+    }
     recognition_.add(candidates[i]->regions, match, params_.max_distance, frame_);
   }
 }
@@ -248,7 +251,9 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   const bool is_wanted = wantedName(candidate) != nullptr;
   const bool has_come = candidate.has_come && candidate.regions.size() == 1;
   if (!is_alike && !is_wanted && !has_come) {
-    if (!isSettled(*known) && isClear(candidate, kForObject)) doubt(candidate, identity);
+    // Of what was put elsewhere that says more than its size.
+    if (!isSettled(*known) && !back_.contains(known->id) && isClear(candidate, kForObject))
+      doubt(candidate, identity);
     return;
   }
   doubts_.erase(candidate.regions);

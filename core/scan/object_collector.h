@@ -234,6 +234,7 @@ class ObjectCollector {
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
   std::vector<KeptView> kept_views_;
   std::set<ObjectId> by_person_;  // that a person waited for
+  std::set<ObjectId> back_;       // that were put elsewhere
   bool is_looking_again_ = false;
   int frame_ = 0;
 };
