@@ -21,6 +21,7 @@ void ObjectCollector::doubt(const Candidate& candidate, ObjectId object) {
 
 void ObjectCollector::takePlaceOf(ObjectId doubted, ObjectId object) {
   side_by_side_.insert(std::minmax(doubted, object));
+  if (came_.contains(doubted)) came_.try_emplace(object);
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(doubted));
   if (holder == nullptr || isSettled(*holder) || by_person_.contains(doubted) || met_.hasRegions(doubted))
     return;
@@ -64,6 +65,14 @@ void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
     if (joined.region == from) joined.region = into;
   }
   followWanted(into, from);
+  // A rest of what was taken away says nothing of what it is counted to now. What is there is known again by
+  // its place.
+  const ObjectId object = met_.objectOf(from);
+  const ObjectRecord* known = recordOf(catalogue_.holderOf(object));
+  if (by == JoinedBy::frames && known != nullptr && !isSettled(*known) && !met_.objectOf(into)) {
+    met_.unbind({from}, object);
+    return;
+  }
   const auto [kept, gone] = met_.regionsJoined(into, from);
   if (!kept) return;
   if (!catalogue_.holderOf(kept)) {
@@ -96,6 +105,7 @@ void ObjectCollector::mergeJoined(Which which) {
     const ObjectId a = catalogue_.holderOf(joined->kept);
     const ObjectId b = catalogue_.holderOf(joined->gone);
     if (!shouldMerge(a, b)) continue;
+    if (joined->region && hasGone(a) != hasGone(b)) continue;  // what moved is not what stayed
     catalogue_.merge(a, b);
     writer_->merge(a, b);
   }

@@ -64,9 +64,8 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
                                    float depth_noise_m) {
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
-    if (view.frame_index != frame_index || wasTakenAway(view, surface, depth_noise_m) ||
-        !isOutdated(view, now))
-      continue;
+    if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
+    if (hasGone(view.object) && wasTakenAway(view, surface, depth_noise_m)) continue;
     view.is_outdated = true;
     changed.insert(view.object);
   }

@@ -77,6 +77,13 @@ void MetObjects::meet(ObjectId object, const Candidate& candidate, int frame) {
   met.times_empty = 0;
 }
 
+void MetObjects::stillThere(ObjectId object, int frame) {
+  const auto found = met_.find(object);
+  if (found == met_.end()) return;
+  found->second.last_frame = frame;
+  found->second.times_empty = 0;
+}
+
 void MetObjects::lookAtPlaces(const DepthView& now, float depth_noise_m, int frame) {
   const Eigen::Isometry3f T_camera_world = now.T_world_camera.inverse().cast<float>();
   const cv::Rect image({}, now.z_m.size());

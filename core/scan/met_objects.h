@@ -38,6 +38,8 @@ class MetObjects {
 
   /// Another sighting.
   void meet(ObjectId object, const Candidate& candidate, int frame);
+  /// What stands there is not quite what it was taken for; at least it has not left.
+  void stillThere(ObjectId object, int frame);
   /// Looks at the places of all objects that are in view but were not met in this frame. A place is empty
   /// when the readings around the object's middle lie behind it. `depth_noise_m`: FusionParams.
   void lookAtPlaces(const DepthView& now, float depth_noise_m, int frame);

@@ -7,6 +7,7 @@
 #include "core/catalog/thumbnail.h"
 #include "core/discovery/candidate_finder.h"
 #include "core/scan/candidate_crop.h"
+#include "core/scan/clarity.h"
 
 namespace scantrove {
 namespace {
@@ -17,33 +18,6 @@ constexpr float kViewFraction = 0.85F;
 constexpr int kFramesToReturn = 10;
 /// An object that was seen elsewhere so few frames ago is not here.
 constexpr int kFramesToMove = 90;
-
-/// What came into the scene and looks as much like something that was taken away before is that: two things
-/// of one size that have little in common differ by 1 and more. Where nothing else is missing, less likeness
-/// will do: things are put elsewhere more often than exchanged for others of their size and colour.
-constexpr float kBackDistance = 1.0F;
-constexpr float kOnlyOneBackDistance = 1.5F;
-
-/// How clearly a look shows a thing.
-struct Clarity {
-  float least_outline;  ///< that is the thing's own
-  float most_hidden;
-};
-/// To say that there is something new; and to be kept as one more view, of which there are many to choose
-/// from.
-constexpr Clarity kForObject{.least_outline = 0.85F, .most_hidden = 0.30F};
-constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F};
-
-bool isClear(const Candidate& candidate, const Clarity& wanted) {
-  return candidate.is_whole && candidate.outline >= wanted.least_outline &&
-         candidate.hidden <= candidate.mostHidden(wanted.most_hidden);
-}
-
-/// What came is what was taken away before.
-bool isBack(const DetectionMatch& match, std::size_t missing) {
-  if (missing == 1) return match.missing_distance < kOnlyOneBackDistance;
-  return match.missing_distance < kBackDistance && match.missing_distance <= match.distance;
-}
 
 /// What is to be announced of some news.
 struct Announced {
@@ -100,6 +74,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   mergeJoined();
   const Look look{frame, pose.T_world_camera, in_color, objects};
   lookUpDue(candidates, look);
+  lookAmongThoseThatCame(candidates, look);
   std::vector<ObjectId> identities;
   for (const Candidate& candidate : candidates) identities.push_back(identityOf(candidate));
   std::vector<const Candidate*> chosen;
@@ -175,22 +150,9 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    DetectionMatch match = matches[i];
-    if (isBack(match, missing.size())) {
-      match.object = match.missing;
-      back_.insert(match.missing);
-    }
-    recognition_.add(candidates[i]->regions, match, params_.max_distance, frame_);
+    recognition_.add(candidates[i]->regions, orBack(matches[i], missing.size()), params_.max_distance,
+                     frame_);
   }
-}
-
-std::vector<ObjectId> ObjectCollector::missingObjects() const {
-  std::set<ObjectId> missing;
-  for (const auto& [object, met] : met_.all()) {
-    const ObjectId holder = catalogue_.holderOf(object);
-    if (holder && MetObjects::hasLeft(met)) missing.insert(holder);
-  }
-  return {missing.begin(), missing.end()};
 }
 
 ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
@@ -234,6 +196,8 @@ std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& c
 }
 
 void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, const Look& look) {
+  if (const auto doubt = doubts_.find(candidate.regions); doubt != doubts_.end())
+    met_.stillThere(doubt->second.object, frame_);
   if (!identity) {
     const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
     if (isWanted(candidate) || (isClear(candidate, kForObject) && is_unknown))
@@ -255,6 +219,9 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   doubts_.erase(candidate.regions);
   if (known != nullptr && !isMet(known->id) && !CatalogueMirror::isOfThisScan(known->id))
     look.objects.recognised.push_back(*known);
+  if (met_.objectOf(candidate.regions) != identity && met_.all().contains(identity) &&
+      !met_.isAt(identity, candidate))
+    moved_.insert(identity);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
   if (is_wanted || (is_alike && isClear(candidate, kForView))) keepNewDirection(identity, candidate, look);
@@ -291,6 +258,7 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   catalogue_.add(*view);
   if (const auto doubt = doubts_.find(candidate.regions); doubt != doubts_.end())
     takePlaceOf(doubt->second.object, object);
+  if (candidate.has_come) came_.try_emplace(object);
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);

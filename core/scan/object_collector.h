@@ -110,9 +110,9 @@ class ObjectCollector {
   [[nodiscard]] std::vector<int> beginLookingAgain();
   /// Where that frame was taken. None: no views of it were kept.
   [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
-  /// Views of that frame that show their objects otherwise than the map does now count no longer. What has
-  /// been taken away since is left as it was. `now` and `surface`: what the map shows from there;
-  /// `depth_noise_m`: FusionParams.
+  /// Views of that frame that show their objects otherwise than the map does now count no longer. Those of
+  /// an object that has been taken away since are left as they were. `now` and `surface`: what the map shows
+  /// from there; `depth_noise_m`: FusionParams.
   void judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface, float depth_noise_m);
   /// Those views leave the catalogue, and with them the objects that they were all of.
   void endLookingAgain();
@@ -160,6 +160,11 @@ class ObjectCollector {
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
   /// Objects of the catalogue that were taken away from where they stood.
   [[nodiscard]] std::vector<ObjectId> missingObjects() const;
+  /// It does not stand any more where it did when the scan began to see it.
+  [[nodiscard]] bool hasGone(ObjectId object) const;
+  /// The match of a look at something that came, of `missing` objects perhaps one.
+  [[nodiscard]] DetectionMatch orBack(DetectionMatch match, std::size_t missing);
+  void lookAmongThoseThatCame(const std::vector<Candidate>& candidates, const Look& look);
   /// The object that this candidate is, as far as is known; nothing is bound to it yet.
   [[nodiscard]] ObjectId identityOf(const Candidate& candidate) const;
   [[nodiscard]] std::vector<std::size_t> choose(const std::vector<Candidate>& candidates,
@@ -235,6 +240,9 @@ class ObjectCollector {
   std::vector<KeptView> kept_views_;
   std::set<ObjectId> by_person_;  // that a person waited for
   std::set<ObjectId> back_;       // that were put elsewhere
+  std::set<ObjectId> moved_;      // that were met elsewhere than before
+  /// New ones that came into the scene; how often each missing one was held against them.
+  std::map<ObjectId, std::map<ObjectId, int>> came_;
   bool is_looking_again_ = false;
   int frame_ = 0;
 };

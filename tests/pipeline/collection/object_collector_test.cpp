@@ -127,6 +127,57 @@ TEST_F(ObjectCollectorTest, WhereSeveralAreMissingItMustLookLikeOneOfThem) {
   EXPECT_EQ(objects().size(), 3U);
 }
 
+TEST_F(ObjectCollectorTest, WhatIsSeenMissingOnlyLaterIsWhatCameBefore) {
+  static_cast<void>(study({mug_}));
+  const Thing put{mug_.seed, 2, RegionId{77}, 0.6};
+  Candidate here = put.candidate();
+  here.has_come = true;
+  for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
+  ASSERT_EQ(objects().size(), 2U) << "its old place is not in view";
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
+  for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({here}, {put}));
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->objectOf(put.region), collector_->objectOf(mug_.region));
+}
+
+TEST_F(ObjectCollectorTest, WhatMovedIsNotWhatItWasPutBeside) {
+  const Thing box{box_.seed, 2, box_.region}, put{mug_.seed, 1, RegionId{77}};
+  static_cast<void>(study({mug_, box}));
+  for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
+  static_cast<void>(study({put}));
+  ASSERT_EQ(objects().size(), 2U);
+  collector_->regionsJoined(box.region, put.region, ObjectCollector::JoinedBy::frames);
+  for (int i = 0; i < ObjectCollector::kFramesToBeOne + 5; ++i) static_cast<void>(look({}));
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorTest, ARestThatIsCountedToSomethingElseDoesNotMakeThatTheObject) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const RegionId beside{50};
+  collector_->regionsJoined(beside, mug_.region, ObjectCollector::JoinedBy::frames);
+  EXPECT_FALSE(collector_->objectOf(beside));
+  const Thing again{mug_.seed, mug_.place, RegionId{51}};
+  for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
+  EXPECT_TRUE(study({again}).added.empty()) << "there it is known by its place";
+  ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
+  static_cast<void>(look({again}));
+  collector_->regionsJoined(beside, again.region, ObjectCollector::JoinedBy::frames);
+  EXPECT_EQ(collector_->objectOf(beside), mug) << "what a person spoke of is followed";
+}
+
+TEST_F(ObjectCollectorTest, WhatIsDoubtedStandsThereAllTheSame) {
+  static_cast<void>(study({mug_}));
+  Candidate larger = mug_.candidate();
+  larger.size_m *= 1.5F;
+  for (int i = 0; i < 10; ++i) static_cast<void>(lookAt({larger}, {mug_}));
+  larger.outline = 0.7F;
+  for (int i = 0; i < 100; ++i) static_cast<void>(lookAt({larger}, {mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  const Thing other{mug_.seed, 2, RegionId{77}};
+  for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({larger, other.candidate()}, {mug_, other}));
+  EXPECT_EQ(objects().size(), 2U) << "another of the kind";
+}
+
 TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOrNothingCame) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6}, later{mug_.seed, 2, RegionId{78}, 0.6};
   const ObjectId mug = study({mug_}).added.at(0).id;

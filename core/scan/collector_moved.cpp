@@ -1,0 +1,84 @@
+// What ObjectCollector does about objects that are put elsewhere while the scan runs.
+#include <algorithm>
+#include <optional>
+
+#include "core/scan/candidate_crop.h"
+#include "core/scan/clarity.h"
+#include "core/scan/object_collector.h"
+
+namespace scantrove {
+namespace {
+
+/// What came into the scene and looks as much like something that was taken away before is that: two things
+/// of one size that have little in common differ by 1 and more. Where nothing else is missing, less likeness
+/// will do: things are put elsewhere more often than exchanged for others of their size and colour.
+constexpr float kBackDistance = 1.0F;
+constexpr float kOnlyOneBackDistance = 1.5F;
+
+/// So many looks at what came are held against what turns out to be missing later.
+constexpr int kLooksAtWhatCame = 4;
+
+bool isBack(const DetectionMatch& match, std::size_t missing) {
+  return match.missing && match.missing_distance < (missing == 1 ? kOnlyOneBackDistance : kBackDistance);
+}
+
+}  // namespace
+
+DetectionMatch ObjectCollector::orBack(DetectionMatch match, std::size_t missing) {
+  const bool is_most_like = missing == 1 || match.missing_distance <= match.distance;
+  if (isBack(match, missing) && is_most_like) {
+    match.object = match.missing;
+    back_.insert(match.missing);
+  }
+  return match;
+}
+
+bool ObjectCollector::hasGone(ObjectId object) const {
+  const ObjectId holder = catalogue_.holderOf(object);
+  const auto is_held = [&](ObjectId other) { return catalogue_.holderOf(other) == holder; };
+  return std::ranges::any_of(back_, is_held) || std::ranges::any_of(moved_, is_held) ||
+         std::ranges::any_of(met_.all(), [&](const auto& met) {
+           return MetObjects::hasLeft(met.second) && is_held(met.first);
+         });
+}
+
+/// That a thing was taken away may be seen only after it was put elsewhere, and became another object there.
+void ObjectCollector::lookAmongThoseThatCame(const std::vector<Candidate>& candidates, const Look& look) {
+  if (came_.empty() || look.frame.color.empty()) return;
+  const std::vector<ObjectId> missing = missingObjects();
+  std::vector<DetectionQuery> queries;
+  std::vector<ObjectId> came;
+  for (const Candidate& candidate : candidates) {
+    const auto entry = came_.find(met_.objectOf(candidate.regions));
+    if (entry == came_.end() || !isClear(candidate, kForObject)) continue;
+    std::vector<ObjectId> to_compare;
+    for (const ObjectId object : missing) {
+      if (object != catalogue_.holderOf(entry->first) && entry->second[object]++ < kLooksAtWhatCame)
+        to_compare.push_back(object);
+    }
+    if (to_compare.empty()) continue;
+    const std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+    if (!view) continue;
+    queries.push_back({view->color, view->mask, candidate.size_m, std::move(to_compare)});
+    came.push_back(entry->first);
+  }
+  if (queries.empty()) return;
+  const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (!isBack(matches[i], missing.size())) continue;
+    joined_.push_back({matches[i].missing, came[i], {}, frame_});
+    back_.insert(matches[i].missing);
+    came_.erase(came[i]);
+  }
+}
+
+std::vector<ObjectId> ObjectCollector::missingObjects() const {
+  std::set<ObjectId> missing;
+  for (const auto& [object, met] : met_.all()) {
+    const ObjectId holder = catalogue_.holderOf(object);
+    if (holder && MetObjects::hasLeft(met)) missing.insert(holder);
+  }
+  return {missing.begin(), missing.end()};
+}
+
+}  // namespace scantrove
