@@ -103,6 +103,35 @@ TEST_F(SceneTest, FewerPointsWithinABudgetStillCloseTheSurface) {
   EXPECT_GT(covered, 80 * 80 * 8 / 10);
 }
 
+TEST_F(SceneTest, WhatIsSelectedIsNotDrawnInBlocksUnlessItIsAll) {
+  constexpr std::size_t kBudget = 8000;
+  std::vector<CloudBrick> bricks = wall(512, 1, 1);
+  for (CloudBrick& brick : bricks) {
+    if (brick.position.x() != -10 || brick.position.y() != -4) continue;
+    for (CloudBrick::Point& point : brick.points) point.fragment = FragmentId{2};
+  }
+  show(bricks, {{0}, {7}, {9}});
+  render(kBudget);
+  const std::size_t coarse = scene_.cloud().drawnPointCount();
+  scene_.setSelected({RegionId{9}});
+  render(kBudget);
+  // One chunk of 128 x 128 points has every fourth of them instead of every sixteenth at most.
+  EXPECT_GE(scene_.cloud().drawnPointCount(), coarse + 128 * 128 / 4 - 128 * 128 / 16);
+  EXPECT_LE(scene_.cloud().drawnPointCount(), kBudget + 128 * 128 / 4);
+  scene_.setSelected({RegionId{7}});
+  render(kBudget);
+  EXPECT_EQ(scene_.cloud().drawnPointCount(), coarse) << "there is no room for all of it";
+  ScanSnapshot joined;
+  joined.changed_regions.push_back({FragmentId{2}, RegionId{8}});
+  scene_.update(joined);
+  scene_.setSelected({RegionId{8}});
+  render(kBudget);
+  EXPECT_GT(scene_.cloud().drawnPointCount(), coarse);
+  scene_.setSelected({});
+  render(kBudget);
+  EXPECT_EQ(scene_.cloud().drawnPointCount(), coarse);
+}
+
 TEST_F(SceneTest, ClearEmptiesIt) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();

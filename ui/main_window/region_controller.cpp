@@ -41,6 +41,10 @@ RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, Fram
   connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateActions);
+  connect(&selection_, &RegionSelection::selectionChanged, this, [this] {
+    const std::vector<RegionId>& selected = selection_.selected();
+    scene_.view()->setSelected({selected.begin(), selected.end()});
+  });
   connect(&selection_, &RegionSelection::infosChanged, this, [this] {
     updateActions();
     sizes_.clear();

@@ -106,6 +106,7 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
   for (const CloudBrick::Point& p : brick.points) bounds_.extend(Eigen::Vector3f(p.x, p.y, p.z));
   dirty_ = true;
   urgent_ = urgent_ || brick.by_person;
+  forgetSelected();
   return growth;
 }
 
@@ -120,6 +121,18 @@ void CloudChunk::markIfUses(const std::vector<bool>& changed, bool urgently) {
       }
     }
   }
+}
+
+bool CloudChunk::hasSelected(const std::set<RegionId>& selected, const RegionOfFragment& region_of_fragment) {
+  if (selected.empty()) return false;
+  if (has_selected_) return *has_selected_;
+  const auto isSelected = [&](const CloudBrick::Point& p) {
+    return p.fragment.value < region_of_fragment.size() &&
+           selected.contains(region_of_fragment[p.fragment.value]);
+  };
+  has_selected_ = std::ranges::any_of(
+      bricks_, [&](const auto& brick) { return std::ranges::any_of(brick.second.points, isSelected); });
+  return *has_selected_;
 }
 
 void CloudChunk::setLevel(std::size_t level) { wanted_level_ = level; }

@@ -55,6 +55,11 @@ class CloudChunk {
   /// Somebody waits for it to be drawn anew.
   [[nodiscard]] bool urgent() const { return urgent_; }
 
+  /// Whether it has points of a selected region; found when first asked, and again after forgetSelected().
+  [[nodiscard]] bool hasSelected(const std::set<RegionId>& selected,
+                                 const RegionOfFragment& region_of_fragment);
+  void forgetSelected() { has_selected_.reset(); }
+
   void setLevel(std::size_t level);
   [[nodiscard]] std::size_t level() const { return wanted_level_; }
   [[nodiscard]] bool dirty() const { return dirty_ || built_level_ != wanted_level_; }
@@ -131,6 +136,7 @@ class CloudChunk {
   bool dirty_ = true;
   bool urgent_ = false;
   bool in_view_ = false;
+  std::optional<bool> has_selected_;  // none: to be found anew
   SplatOverlap overlap_ = SplatOverlap::exact;
 };
 

@@ -15,6 +15,7 @@ namespace {
 constexpr float kMiddle = 0.4F;           ///< of the view: so far from its centre, in half heights
 constexpr float kMostVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
 constexpr float kSmallBlock_px = 6;       ///< what is as small is none
+constexpr float kMostOfBudget = 0.6F;     ///< for what is selected; more is drawn as coarsely as the rest
 constexpr std::size_t kUrgentTimes = 2;   ///< the usual budget, for what a person waits for
 
 std::size_t coarsestWithin(float voxels) {
@@ -94,6 +95,7 @@ void CloudChunks::recolor(const std::vector<RegionChange>& changes) {
   }
   if (changed.empty()) return;
   for (auto& [key, chunk] : chunks_) {
+    chunk->forgetSelected();
     if (!by_person.empty()) chunk->markIfUses(by_person, true);
     chunk->markIfUses(changed);
   }
@@ -109,8 +111,11 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
     float spacing_px;      ///< of neighbouring points at the finest level, at the chunk's near side
     float from_middle;     ///< of the view; half of its height is 1
     std::size_t coarsest;  ///< that it may be drawn at
+    bool is_selected;
   };
+  const std::size_t fine = coarsestWithin(kMostVoxelsInMiddle);
   std::vector<Candidate> visible;
+  std::size_t selected_points = 0;
   for (auto& [key, chunk] : chunks_) {
     const bool inside = chunk->pointCount() > 0 && mayBeVisible(planes, chunk->bounds());
     chunk->show(inside);
@@ -120,18 +125,23 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
     const float spacing_px = view.pixels_per_metre_at_1m * voxel_size_m_ / distance;
     const float from_middle = fromMiddle(view, chunk->bounds(), height_px);
     const bool blocks = from_middle < kMiddle && kMostVoxelsInMiddle * spacing_px > kSmallBlock_px;
-    visible.push_back({chunk.get(), spacing_px, from_middle,
-                       blocks ? coarsestWithin(kMostVoxelsInMiddle) : kLevelStride.size() - 1});
+    const bool is_selected = chunk->hasSelected(selected_, region_of_fragment_);
+    selected_points += is_selected ? chunk->pointCount(fine) : 0;
+    visible.push_back(
+        {chunk.get(), spacing_px, from_middle, blocks ? fine : kLevelStride.size() - 1, is_selected});
   }
 
   // The smallest gap in pixels between drawn points for which the whole fits the budget. In the middle of the
   // view, where one looks, half of that; and there no blocks, unless nothing else fits.
+  const bool spares_selected =
+      selected_points <= static_cast<std::size_t>(kMostOfBudget * static_cast<float>(point_budget));
   constexpr std::array<float, 9> kTargets_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 16, 1e9F, 2e9F};
   for (const float target : kTargets_px) {
     drawn_point_count_ = 0;
     for (const Candidate& candidate : visible) {
       const float bearable = target * (0.5F + 0.5F * std::min(1.0F, candidate.from_middle));
-      const std::size_t coarsest = target > 1e9F ? kLevelStride.size() - 1 : candidate.coarsest;
+      std::size_t coarsest = target > 1e9F ? kLevelStride.size() - 1 : candidate.coarsest;
+      if (candidate.is_selected && spares_selected) coarsest = fine;
       std::size_t level = 0;
       while (level < coarsest &&
              candidate.spacing_px * std::sqrt(static_cast<float>(kLevelStride[level + 1])) <= bearable) {
@@ -254,6 +264,12 @@ void CloudChunks::setColoring(Coloring coloring) {
   if (coloring == look_.coloring) return;
   look_.coloring = coloring;
   recolorAll();
+}
+
+void CloudChunks::setSelected(const std::set<RegionId>& regions) {
+  if (regions == selected_) return;
+  selected_ = regions;
+  for (auto& [key, chunk] : chunks_) chunk->forgetSelected();
 }
 
 void CloudChunks::setBackground(const std::set<RegionId>& regions, BackgroundLook look) {

@@ -43,6 +43,9 @@ class CloudChunks {
   void setColoring(Coloring coloring);
   /// These regions are background, and look like that from now on.
   void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  /// These regions are selected: as long as they are small, what is drawn of them is never coarser than
+  /// blocks of 3 voxels.
+  void setSelected(const std::set<RegionId>& regions);
   /// What dimmed regions nearly become.
   void setBackdrop(const Rgb& color);
   /// Up (unit), and between which heights along it the scene's colours by height run.
@@ -105,6 +108,7 @@ class CloudChunks {
   std::map<ChunkKey, std::unique_ptr<CloudChunk>> chunks_;
   std::vector<RegionId> region_of_fragment_;
   CloudLook look_;
+  std::set<RegionId> selected_;
   SplatOverlap overlap_ = SplatOverlap::exact;
   Eigen::AlignedBox3f bounds_;
   std::size_t point_count_ = 0;

@@ -108,6 +108,11 @@ void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundLook 
   schedule();
 }
 
+void SceneView::setSelected(const std::set<RegionId>& regions) {
+  scene_.setSelected(regions);
+  schedule();
+}
+
 void SceneView::lookFrom(StandardView from) {
   scene_.lookFrom(from);
   emit followingChanged(false);
