@@ -65,7 +65,10 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
     if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
-    if (hasGone(view.object) && wasTakenAway(view, surface, depth_noise_m)) continue;
+    if (wasTakenAway(view, surface, depth_noise_m)) {
+      view.is_of_what_left = true;
+      continue;
+    }
     view.is_outdated = true;
     changed.insert(view.object);
   }
@@ -116,6 +119,16 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
 
 void ObjectCollector::endLookingAgain() {
   is_looking_again_ = false;
+  std::set<ObjectId> are_there;
+  for (const KeptView& view : kept_views_) {
+    if (!view.is_outdated && !view.is_of_what_left && !hasGone(view.object))
+      are_there.insert(catalogue_.holderOf(view.object));
+  }
+  // What is there as its other views show it did not leave: something else did, that this one shows with it.
+  for (KeptView& view : kept_views_) {
+    view.is_outdated =
+        view.is_outdated || (view.is_of_what_left && are_there.contains(catalogue_.holderOf(view.object)));
+  }
   std::map<ObjectId, std::vector<int>> outdated;
   for (const KeptView& view : kept_views_) {
     if (view.is_outdated) outdated[view.object].push_back(view.frame_index);

@@ -110,9 +110,9 @@ class ObjectCollector {
   [[nodiscard]] std::vector<int> beginLookingAgain();
   /// Where that frame was taken. None: no views of it were kept.
   [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
-  /// Views of that frame that show their objects otherwise than the map does now count no longer. Those of
-  /// an object that has been taken away since are left as they were. `now` and `surface`: what the map shows
-  /// from there; `depth_noise_m`: FusionParams.
+  /// Views of that frame that show their objects otherwise than the map does now count no longer. Where most
+  /// of what a view shows has been taken away since, it counts, unless the object is there all the same.
+  /// `now` and `surface`: what the map shows from there; `depth_noise_m`: FusionParams.
   void judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface, float depth_noise_m);
   /// Those views leave the catalogue, and with them the objects that they were all of.
   void endLookingAgain();

@@ -27,15 +27,17 @@ class SecondLook : public test::ObjectCollectorFixture {
     }
     return map;
   }
-  /// All views, whose readings are at 1 m, are held against that map; then frames show `things`.
-  void lookAgain(const RegionMap& map, const std::vector<Thing>& things, float surface_m = 1) {
+  /// All views, whose readings are at 1 m, are held against that map; then frames show `things` from a
+  /// direction.
+  void lookAgain(const RegionMap& map, const std::vector<Thing>& things, float surface_m = 1,
+                 double degrees = 0) {
     const DepthView surface{
         test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, surface_m)};
     for (const int frame : collector_->beginLookingAgain()) {
       EXPECT_TRUE(collector_->cameraOfViews(frame));
       collector_->judgeViewsOf(frame, map, surface, 0.0015F);
     }
-    for (int i = 0; i < 6; ++i) static_cast<void>(look(things));
+    for (int i = 0; i < 6; ++i) static_cast<void>(look(things, degrees));
     collector_->endLookingAgain();
     settle();
     static_cast<void>(collector_->followCatalogue());
@@ -80,6 +82,15 @@ TEST_F(SecondLook, WhatWasTakenAwayIsAsItWas) {
   static_cast<void>(study({mug_}));
   lookAgain(mapWith(mug_, 0.2), {}, 1.2F);
   EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(SecondLook, AViewWithSomethingThatLeftGoesWhereTheObjectIsThereAllTheSame) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const std::vector<int> before = framesOfViews(mug);
+  lookAgain(mapWith(mug_, 0.2), {mug_}, 1.2F, 60);
+  const std::vector<int> after = framesOfViews(mug);
+  ASSERT_EQ(after.size(), 1U);
+  EXPECT_NE(after, before) << "the one from another side, that the second look found";
 }
 
 TEST_F(SecondLook, WhatWasTakenForSomethingElseAtFirstGoesEvenIfItWasTakenAwayLater) {
