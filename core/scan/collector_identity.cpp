@@ -69,7 +69,8 @@ void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
   // its place.
   const ObjectId object = met_.objectOf(from);
   const ObjectRecord* known = recordOf(catalogue_.holderOf(object));
-  if (by == JoinedBy::frames && known != nullptr && !isSettled(*known) && !met_.objectOf(into)) {
+  const bool is_by_person = known != nullptr && (isSettled(*known) || by_person_.contains(object));
+  if (by == JoinedBy::frames && known != nullptr && !is_by_person && !met_.objectOf(into)) {
     met_.unbind({from}, object);
     return;
   }
@@ -104,8 +105,8 @@ void ObjectCollector::mergeJoined(Which which) {
     --joined;  // the newest first
     const ObjectId a = catalogue_.holderOf(joined->kept);
     const ObjectId b = catalogue_.holderOf(joined->gone);
-    if (!shouldMerge(a, b)) continue;
-    if (joined->region && hasGone(a) != hasGone(b)) continue;  // what moved is not what stayed
+    const bool is_one_place = !joined->region || hasMoved(a) == hasMoved(b);  // what moved is not what stayed
+    if (!is_one_place || !shouldMerge(a, b)) continue;
     catalogue_.merge(a, b);
     writer_->merge(a, b);
   }

@@ -33,12 +33,14 @@ DetectionMatch ObjectCollector::orBack(DetectionMatch match, std::size_t missing
   return match;
 }
 
-bool ObjectCollector::hasGone(ObjectId object) const {
+bool ObjectCollector::isHeldWith(ObjectId holder, const std::set<ObjectId>& objects) const {
+  return std::ranges::any_of(objects, [&](ObjectId object) { return catalogue_.holderOf(object) == holder; });
+}
+
+bool ObjectCollector::hasMoved(ObjectId object) const {
   const ObjectId holder = catalogue_.holderOf(object);
-  const auto is_held = [&](ObjectId other) { return catalogue_.holderOf(other) == holder; };
-  return std::ranges::any_of(back_, is_held) || std::ranges::any_of(moved_, is_held) ||
-         std::ranges::any_of(met_.all(), [&](const auto& met) {
-           return MetObjects::hasLeft(met.second) && is_held(met.first);
+  return isHeldWith(holder, moved_) || std::ranges::any_of(met_.all(), [&](const auto& met) {
+           return MetObjects::hasLeft(met.second) && catalogue_.holderOf(met.first) == holder;
          });
 }
 

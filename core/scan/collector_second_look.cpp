@@ -121,7 +121,7 @@ void ObjectCollector::endLookingAgain() {
   is_looking_again_ = false;
   std::set<ObjectId> are_there;
   for (const KeptView& view : kept_views_) {
-    if (!view.is_outdated && !view.is_of_what_left && !hasGone(view.object))
+    if (!view.is_outdated && !view.is_of_what_left && !hasMoved(view.object))
       are_there.insert(catalogue_.holderOf(view.object));
   }
   // What is there as its other views show it did not leave: something else did, that this one shows with it.

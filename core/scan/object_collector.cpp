@@ -212,7 +212,7 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   const bool has_come = candidate.has_come && candidate.regions.size() == 1;
   if (!is_alike && !is_wanted && !has_come) {
     // Of what was put elsewhere that says more than its size.
-    if (!isSettled(*known) && !back_.contains(known->id) && isClear(candidate, kForObject))
+    if (!isSettled(*known) && !isHeldWith(known->id, back_) && isClear(candidate, kForObject))
       doubt(candidate, identity);
     return;
   }

@@ -62,7 +62,9 @@ class ObjectCollector {
   enum class JoinedBy { person, frames };
   /// The region `from` is now part of `into`. When they were two objects, collect() makes them one in the
   /// catalogue, unless persons said what each is, or took such a merge back; where frames joined them, once
-  /// the join has held for kFramesToBeOne frames or to the end of the scan.
+  /// the join has held for kFramesToBeOne frames or to the end of the scan. Where `into` was none, it is the
+  /// object of `from` if a person joined them or spoke of that; else only the place tells
+  /// (MetObjects::nearby).
   void regionsJoined(RegionId into, RegionId from, JoinedBy by = JoinedBy::person);
   static constexpr int kFramesToBeOne = 60;
   /// `part` was a part of `from` until now. What a person deleted stays so in its parts.
@@ -160,8 +162,10 @@ class ObjectCollector {
   void lookUp(const std::vector<const Candidate*>& candidates, const Look& look);
   /// Objects of the catalogue that were taken away from where they stood.
   [[nodiscard]] std::vector<ObjectId> missingObjects() const;
+  /// One of the `objects` has this holder.
+  [[nodiscard]] bool isHeldWith(ObjectId holder, const std::set<ObjectId>& objects) const;
   /// It does not stand any more where it did when the scan began to see it.
-  [[nodiscard]] bool hasGone(ObjectId object) const;
+  [[nodiscard]] bool hasMoved(ObjectId object) const;
   /// The match of a look at something that came, of `missing` objects perhaps one.
   [[nodiscard]] DetectionMatch orBack(DetectionMatch match, std::size_t missing);
   void lookAmongThoseThatCame(const std::vector<Candidate>& candidates, const Look& look);
@@ -239,7 +243,7 @@ class ObjectCollector {
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
   std::vector<KeptView> kept_views_;
   std::set<ObjectId> by_person_;  // that a person waited for
-  std::set<ObjectId> back_;       // that were put elsewhere
+  std::set<ObjectId> back_;       // that something which came was recognised as
   std::set<ObjectId> moved_;      // that were met elsewhere than before
   /// New ones that came into the scene; how often each missing one was held against them.
   std::map<ObjectId, std::map<ObjectId, int>> came_;

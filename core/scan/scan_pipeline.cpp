@@ -5,7 +5,6 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
-#include <unordered_map>
 #include <utility>
 
 #include "core/fusion/contradicted_surface.h"
@@ -15,9 +14,6 @@
 
 namespace scantrove {
 namespace {
-/// Bricks that are read out at a time, and at most a page more: bounds what the whole cloud takes on the
-/// device.
-constexpr std::size_t kBricksAtATime = 1024;
 
 PoseEstimate givenPose(const RgbdFrame& frame) {
   PoseEstimate pose;
@@ -323,90 +319,5 @@ void ScanPipeline::setParams(const ScanParams& params) {
 }
 
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes(); }
-
-Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera,
-                                                            const Intrinsics& K) {
-  return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
-    FrameLabelWriter::FinalView view;
-    view.width = K.width;
-    view.height = K.height;
-    SurfaceMaps surface;
-    map_->raycast(T_world_camera, K, surface);
-    const std::vector<FragmentId> fragments = cloud_->project(surface, map_->bricks());
-    const std::vector<cl_float4> vertices = surface.vertices_world.read(compute_.queue());
-    const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
-    for (std::size_t i = 0; i < fragments.size(); ++i) {
-      view.regions.push_back(table_.regionOf(fragments[i]));
-      const cl_float4& v = vertices[i];
-      view.depths_m.push_back(v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F);
-    }
-    return view;
-  });
-}
-
-Result<SegmentMap> ScanPipeline::segmentAgain() {
-  return guarded("segmenting the frame again", [&]() -> Result<SegmentMap> {
-    return has_pose_ ? segmenter_->segment(surface_, params_.segmentation) : SegmentMap{};
-  });
-}
-
-Result<SegmentMap> ScanPipeline::segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
-                                                const SegmentationParams& params) {
-  return guarded("segmenting a view of the map", [&]() -> Result<SegmentMap> {
-    SurfaceMaps surface;
-    map_->raycast(T_world_camera, working_K_, surface);
-    return segmenter_->segment(surface, params);
-  });
-}
-
-ScanPipeline::RegionCount ScanPipeline::regionCount() const {
-  std::unordered_map<RegionId, std::int64_t> voxels;
-  const std::vector<cl_int>& of_fragment = cloud_->voxelsOfFragments();
-  for (std::size_t fragment = 1; fragment < std::min(of_fragment.size(), table_.regions().size());
-       ++fragment) {
-    if (const RegionId region = table_.regions()[fragment]) voxels[region] += of_fragment[fragment];
-  }
-  RegionCount count;
-  for (const auto& [region, of_region] : voxels)
-    ++(of_region < kSliverVoxels ? count.slivers : count.regions);
-  return count;
-}
-
-Result<LabelCloud::Extract> ScanPipeline::extractCloud(std::span<const Eigen::Vector3i> bricks) {
-  return guarded("reading out the label cloud", [&]() -> Result<LabelCloud::Extract> {
-    return cloud_->extract(bricks, map_->bricks(), params_.fusion.truncation_vox);
-  });
-}
-
-std::vector<Eigen::Vector3i> ScanPipeline::allBricks() const {
-  std::vector<Eigen::Vector3i> all;
-  for (const int page : bricks().pagesByPosition()) {
-    const std::vector<Eigen::Vector3i> in_page = bricks().bricksOfPage(page);
-    all.insert(all.end(), in_page.begin(), in_page.end());
-  }
-  return all;
-}
-
-Result<void> ScanPipeline::forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit) {
-  std::vector<Eigen::Vector3i> batch;
-  const auto visitBatch = [&]() -> Result<void> {
-    const Result<LabelCloud::Extract> extract = extractCloud(std::exchange(batch, {}));
-    if (!extract) return fail(extract.error());
-    for (const LabelPoint& point : extract->points) visit(point);
-    return {};
-  };
-  for (const int page : bricks().pagesByPosition()) {
-    const std::vector<Eigen::Vector3i> in_page = bricks().bricksOfPage(page);
-    batch.insert(batch.end(), in_page.begin(), in_page.end());
-    if (batch.size() >= kBricksAtATime) SCANTROVE_TRY(visitBatch());
-  }
-  return visitBatch();
-}
-
-Result<std::optional<SurfaceMesh>> ScanPipeline::extractMesh(const MeshProgress& goes_on) {
-  return guarded("making a mesh of the map", [&]() -> Result<std::optional<SurfaceMesh>> {
-    return scantrove::extractMesh(map_->bricks(), goes_on);
-  });
-}
 
 }  // namespace scantrove

@@ -65,6 +65,7 @@ class LabelCloudScene {
 
   void setOverlap(SplatOverlap overlap) { cloud_.setOverlap(overlap); }
   void setColoring(Coloring coloring) { cloud_.setColoring(coloring); }
+  /// See CloudChunks.
   void setSelected(const std::set<RegionId>& regions) { cloud_.setSelected(regions); }
   void setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
     cloud_.setBackground(regions, look);

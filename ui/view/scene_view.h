@@ -68,6 +68,7 @@ class SceneView : public QWidget {
   void setColoring(Coloring coloring);
   /// These regions are background and look like that from now on.
   void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  /// These are selected: as long as they are small they are drawn finely, whatever arrives.
   void setSelected(const std::set<RegionId>& regions);
   void lookFrom(StandardView from);
   /// Looks at all of `box` from the present direction; an empty one changes nothing.

@@ -165,6 +165,13 @@ TEST_F(ObjectCollectorTest, ARestThatIsCountedToSomethingElseDoesNotMakeThatTheO
   EXPECT_EQ(collector_->objectOf(beside), mug) << "what a person spoke of is followed";
 }
 
+TEST_F(ObjectCollectorTest, WhatAPersonMadeAnObjectIsFollowedIntoWhatItIsCountedTo) {
+  collector_->addByPerson(mug_.region);
+  const ObjectId mug = look({mug_}).added.at(0).id;
+  collector_->regionsJoined(RegionId{50}, mug_.region, ObjectCollector::JoinedBy::frames);
+  EXPECT_EQ(collector_->objectOf(RegionId{50}), mug);
+}
+
 TEST_F(ObjectCollectorTest, WhatIsDoubtedStandsThereAllTheSame) {
   static_cast<void>(study({mug_}));
   Candidate larger = mug_.candidate();
