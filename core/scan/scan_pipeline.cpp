@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/fusion/contradicted_surface.h"
-#include "core/labeling/region_partition.h"
 #include "core/scan/guarded.h"
 #include "core/scan/map_memory.h"
 

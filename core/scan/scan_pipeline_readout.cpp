@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/labeling/region_partition.h"
 #include "core/scan/guarded.h"
 #include "core/scan/scan_pipeline.h"
 
