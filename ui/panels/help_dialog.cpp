@@ -3,18 +3,27 @@
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
-#include <array>
-#include <utility>
+#include <algorithm>
 
 namespace scantrove {
+namespace {
+
+constexpr double kMostOfScreen = 0.9;  ///< of its height
+
+}  // namespace
 
 HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Keys and mouse"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(22, 18, 22, 16);
   layout->setSpacing(14);
-  auto* grid = new QGridLayout;
+  auto* keys_and_meanings = new QWidget;
+  auto* grid = new QGridLayout(keys_and_meanings);
+  grid->setContentsMargins(0, 0, 10, 0);
   grid->setHorizontalSpacing(22);
   grid->setVerticalSpacing(6);
 
@@ -31,12 +40,15 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
     grid->addWidget(new QLabel(meaning), row++, 1);
   };
   heading(tr("Scan"));
-  line(tr("Ctrl+O"), tr("Open a folder (Ctrl+Shift+O: a recording)"));
+  line(tr("Ctrl+O, Ctrl+Shift+O, Ctrl+Alt+O"), tr("Open a folder; a recording; either, with options"));
+  line(tr("Ctrl+K"), tr("Scan with a camera"));
   line(tr("Space"), tr("Pause and go on"));
   line(tr("N"), tr("Pause, then one frame"));
   line(tr("Ctrl+R"), tr("Start from the beginning"));
   line(tr("Ctrl+."), tr("Stop"));
-  heading(tr("Objects (with the list in focus: Ctrl+L)"));
+  line(tr("Ctrl+W"), tr("Close the scan"));
+  heading(tr("Objects (with the list in focus)"));
+  line(tr("Ctrl+L"), tr("Go to the list"));
   line(tr("F2"), tr("Rename"));
   line(tr("Return"), tr("Confirm, or take it back"));
   line(tr("Del"), tr("Delete"));
@@ -53,6 +65,8 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Shift, Return, Escape in a cut"), tr("More of the same side; keep it; take it back"));
   line(tr("+ and −"), tr("Finer, coarser (with nothing selected: zoom)"));
   line(tr("B, O, Del"), tr("Background; an object; not an object"));
+  line(tr("A, Shift+A, Backspace"), tr("What is proposed: yes; yes to all; no"));
+  line(tr("."), tr("Show it in the 3D view"));
   line(tr("Escape"), tr("Let go"));
   line(tr("Page up, Page down"), tr("Key frames, when the scan has ended"));
   line(tr("Ctrl+E"), tr("Make a data set"));
@@ -60,21 +74,34 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("Drag, arrow keys"), tr("Turn"));
   line(tr("Shift+drag, Shift+arrow keys"), tr("Move"));
   line(tr("Wheel, + and −"), tr("Zoom"));
-  line(tr("Double click beside the scene, Home"), tr("Show all"));
+  line(tr("Double click beside the scene, Home, Ctrl+0"), tr("Show all"));
   line(tr("F"), tr("Follow the camera"));
-  line(tr("G"), tr("Ground grid"));
+  line(tr("G, Shift+G"), tr("Ground grid; an arrow to the side that was not seen yet"));
   line(tr("Alt+1 … Alt+5, R"), tr("Colour by scene, regions, both, directions, height; the next"));
   line(tr("Shift+B"), tr("Background shown, dimmed, hidden"));
   line(tr("X, Ctrl+wheel"), tr("Cut open, move the plane"));
   line(tr("T"), tr("Measure between two clicks"));
   line(tr("Ctrl+Alt+1 … Ctrl+Alt+6"), tr("Look from front, back, left, right, top, bottom"));
-  heading(tr("Panels"));
+  heading(tr("Window"));
   line(tr("Ctrl+1 … Ctrl+4"), tr("Show or hide objects, current frame, settings, history"));
   line(tr("Click on the title of a picture, V"), tr("Show it large"));
-  layout->addLayout(grid);
+  line(tr("F11"), tr("Present: full screen, and nothing but the scan"));
+  line(tr("?, F1"), tr("These keys"));
+  line(tr("Ctrl+Q"), tr("Quit"));
+  auto* scroll = new QScrollArea;  // the screen may be lower
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(keys_and_meanings);
+  layout->addWidget(scroll);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   layout->addWidget(buttons);
+  const int bar = scroll->verticalScrollBar()->sizeHint().width();
+  scroll->setMinimumWidth(keys_and_meanings->sizeHint().width() + bar);
+  const QSize others = sizeHint() - scroll->sizeHint();
+  const int most = static_cast<int>(kMostOfScreen * screen()->availableSize().height());
+  resize(sizeHint().width(), std::min(keys_and_meanings->sizeHint().height() + others.height() + 2, most));
 }
 
 }  // namespace scantrove

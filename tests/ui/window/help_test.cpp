@@ -1,0 +1,72 @@
+#include <QAction>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QScreen>
+#include <QScrollArea>
+#include <set>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/panels/help_dialog.h"
+
+namespace scantrove {
+namespace {
+
+using test::WindowTest;
+
+/// The keys that the dialog names, each by itself: "Alt+1 ... Alt+3" are three.
+std::set<QString> keysIn(const HelpDialog& help) {
+  static const QRegularExpression between(QStringLiteral(", (?:then )?| and "));
+  static const QRegularExpression range(QStringLiteral("^(.*)(\\d) … \\1(\\d)$"));
+  std::set<QString> keys;
+  for (const QLabel* label : help.findChildren<QLabel*>()) {
+    if (!label->property("keys").toBool()) continue;
+    for (const QString& key : label->text().split(between)) {
+      const QRegularExpressionMatch found = range.match(key);
+      if (!found.hasMatch()) keys.insert(key);
+      for (int i = found.captured(2).toInt(); found.hasMatch() && i <= found.captured(3).toInt(); ++i)
+        keys.insert(found.captured(1) + QString::number(i));
+    }
+  }
+  return keys;
+}
+
+/// Qt's names for keys are not those on the keys; and some actions have keys that need no mention.
+QString nameOf(const QKeySequence& sequence) {
+  const QString name = sequence.toString(QKeySequence::PortableText);
+  if (name == QStringLiteral("PgUp")) return QStringLiteral("Page up");
+  if (name == QStringLiteral("PgDown")) return QStringLiteral("Page down");
+  if (name == QStringLiteral("Esc")) return QStringLiteral("Escape");
+  return name == QStringLiteral("-") ? QStringLiteral("−") : name;
+}
+
+TEST_F(WindowTest, TheHelpNamesEveryKey) {
+  const HelpDialog help;
+  const std::set<QString> named = keysIn(help);
+  int actions = 0;
+  for (const QAction* action : window_->findChildren<QAction*>()) {
+    if (action->shortcuts().isEmpty()) continue;
+    ++actions;
+    bool any = false;
+    QString all;
+    for (const QKeySequence& key : action->shortcuts()) {
+      any = any || named.contains(nameOf(key));
+      all += nameOf(key) + QLatin1Char(' ');
+    }
+    EXPECT_TRUE(any) << all.toStdString() << action->text().toStdString();
+  }
+  EXPECT_GT(actions, 40);
+}
+
+TEST_F(WindowTest, TheHelpFitsTheScreenAndScrolls) {
+  HelpDialog help(window_.get());
+  help.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+  EXPECT_LE(help.height(), help.screen()->availableSize().height());
+  const auto* scroll = help.findChild<QScrollArea*>();
+  EXPECT_GE(scroll->viewport()->width(), scroll->widget()->minimumSizeHint().width()) << "nothing is cut off";
+  help.resize(help.width(), 300);
+  EXPECT_EQ(help.height(), 300);
+}
+
+}  // namespace
+}  // namespace scantrove
