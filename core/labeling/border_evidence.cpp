@@ -31,6 +31,10 @@ constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
 /// What it means that two came together or one to the other, once it was seen so often.
 constexpr float kArrival = 20;
 constexpr float kSureArrival = 5;
+/// What it means that one is held by the other alone, likewise; one look that denies it undoes two.
+constexpr float kAttachment = 20;
+constexpr float kSureAttachment = 12;
+constexpr float kDenied = 2;
 constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look counts for less than half
 
 float weightOf(const FragmentContact& contact) {
@@ -96,10 +100,19 @@ void BorderEvidence::addArrival(bool together) {
   came_apart *= fade;
 }
 
+void BorderEvidence::addAttachment(bool is_attached) {
+  (is_attached ? attached : unattached) += 1;
+  const float fade = std::min(1.0F, kMostLooks / (attached + unattached));
+  attached *= fade;
+  unattached *= fade;
+}
+
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
   const float arrivals = came_together + came_apart;
   return weightOfLooks(voxels_a, voxels_b, bias, joined) +
-         kArrival * (came_together - came_apart) / std::max(kSureArrival, arrivals);
+         kArrival * (came_together - came_apart) / std::max(kSureArrival, arrivals) +
+         kAttachment * std::max(0.0F, attached - kDenied * unattached) /
+             std::max(kSureAttachment, attached + unattached);
 }
 
 float BorderEvidence::weightOfLooks(int voxels_a, int voxels_b, float bias, bool joined) const {

@@ -22,6 +22,8 @@ struct BorderEvidence {
   float length_m = 0;                ///< of the border, longest look
   float came_together = 0;           ///< looks at both as of a thing that came, at most kMostLooks
   float came_apart = 0;              ///< looks at one as of a thing that came to the other, likewise
+  float attached = 0;    ///< looks at the one as a part of the other (Attachment), at most kMostLooks
+  float unattached = 0;  ///< looks that deny it, likewise
   Constraint constraint = Constraint::none;
   bool by_person = false;    ///< the constraint: stronger than any that the program found
   int constraint_order = 0;  ///< higher: said later
@@ -34,6 +36,9 @@ struct BorderEvidence {
 
   /// Adds that both came into the scene as one, or that one came and the other was there.
   void addArrival(bool together);
+
+  /// Adds that the one was seen as a part of the other by the way it is held, or not.
+  void addAttachment(bool is_attached);
 
   /// What logOdds() weighs.
   static constexpr std::size_t kFeatures = 10;

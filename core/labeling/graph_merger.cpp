@@ -5,6 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/labeling/attachments.h"
 #include "core/labeling/fragment_contacts.h"
 #include "core/labeling/region_partition.h"
 #include "core/labeling/thesis_merger.h"
@@ -177,7 +178,22 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
     if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];
     map.regions[pixel] = table.regionOf(fragment);
   }
+  lookForAttachments(input, map, table);
   return outcome;
+}
+
+void GraphMerger::lookForAttachments(const MergeInput& input, const RegionMap& map,
+                                     const RegionTable& table) {
+  for (const Attachment& attachment : findAttachments(input, map, table)) {
+    for (const auto& [a, b] : attachment.borders) {
+      // What nothing speaks for needs no denial.
+      const BorderEvidence* known = graph_.find(a, b);
+      if (known == nullptr || (!attachment.is_attached && known->attached == 0)) continue;
+      graph_.between(a, b).addAttachment(attachment.is_attached);
+      touched_.push_back(a);
+      touched_.push_back(b);
+    }
+  }
 }
 
 void GraphMerger::carve(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,

@@ -39,6 +39,7 @@ class GraphMerger final : public RegionMerger {
  private:
   using Overlaps = OverlapGraph<FragmentId>;
   void look(const MergeInput& input, const Overlaps& overlaps);
+  void lookForAttachments(const MergeInput& input, const RegionMap& map, const RegionTable& table);
   void carve(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
              RegionTable& table, Outcome& outcome);
 

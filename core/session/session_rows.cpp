@@ -1,5 +1,6 @@
 #include "core/session/session_rows.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -21,8 +22,9 @@ using Json = nlohmann::ordered_json;
 QString text(const std::string& value) { return QString::fromStdString(value); }
 std::string text(const QSqlQuery& row, int column) { return row.value(column).toString().toStdString(); }
 
-constexpr std::size_t kEvidenceFloats = 12;
-constexpr std::size_t kFewerFloats = 10;  ///< before arrivals were evidence
+constexpr std::size_t kEvidenceFloats = 14;
+constexpr std::array<std::size_t, 2> kFewerFloats{10,
+                                                  12};  ///< before arrivals, and attachments, were evidence
 static_assert(std::endian::native == std::endian::little);
 
 QByteArray toBytes(const BorderEvidence& e) {
@@ -30,17 +32,20 @@ QByteArray toBytes(const BorderEvidence& e) {
       e.looks,    e.bridged,       e.shared,
       e.bends,    e.concavity_rad, e.turn_rad,
       e.folded,   e.ridged,        e.color_shift.value_or(std::numeric_limits<float>::quiet_NaN()),
-      e.length_m, e.came_together, e.came_apart};
+      e.length_m, e.came_together, e.came_apart,
+      e.attached, e.unattached};
   return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
 }
 
 std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   std::array<float, kEvidenceFloats> values{};
   const auto size = static_cast<std::size_t>(bytes.size());
-  if (size != sizeof(values) && size != kFewerFloats * sizeof(float)) return std::nullopt;
+  const bool is_older = std::ranges::any_of(
+      kFewerFloats, [size](std::size_t floats) { return size == floats * sizeof(float); });
+  if (size != sizeof(values) && !is_older) return std::nullopt;
   std::memcpy(values.data(), bytes.constData(), size);
   if (!std::isfinite(values[0] + values[1] + values[2] + values[3] + values[4] + values[5] + values[6] +
-                     values[7] + values[9] + values[10] + values[11]))
+                     values[7] + values[9] + values[10] + values[11] + values[12] + values[13]))
     return std::nullopt;
   BorderEvidence e;
   e.looks = values[0];
@@ -55,6 +60,8 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   e.length_m = values[9];
   e.came_together = values[10];
   e.came_apart = values[11];
+  e.attached = values[12];
+  e.unattached = values[13];
   return e;
 }
 

@@ -159,6 +159,20 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   EXPECT_GT(once.weight(kVoxels, kVoxels, 0), 0);
 }
 
+TEST(BorderEvidence, WhatOneIsHeldByIsOneWithItUnlessLooksDenyIt) {
+  BorderEvidence folded = after(nearFold(1.2F), 0, 20);
+  ASSERT_LT(folded.weight(kVoxels, kVoxels, 0), 0);
+  for (int i = 0; i < 12; ++i) folded.addAttachment(true);
+  EXPECT_GT(folded.weight(kVoxels, kVoxels, 0), 0);
+  for (int i = 0; i < 6; ++i) folded.addAttachment(false);
+  EXPECT_LT(folded.weight(kVoxels, kVoxels, 0), 0);
+  // That one is not held by another says nothing against their being one.
+  BorderEvidence flat = after(nearLook(1), 1, 20);
+  const float before = flat.weight(kVoxels, kVoxels, 0);
+  for (int i = 0; i < 20; ++i) flat.addAttachment(false);
+  EXPECT_EQ(flat.weight(kVoxels, kVoxels, 0), before);
+}
+
 TEST(BorderEvidence, DoesNotMatterWhichFragmentIsWhich) {
   const BorderEvidence border = after(nearFold(0.3F), 0.4F, 5);
   EXPECT_EQ(border.logOdds(60, 5000), border.logOdds(5000, 60));

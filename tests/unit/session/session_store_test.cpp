@@ -31,6 +31,8 @@ SavedDelta someDelta(int seed) {
   BorderEvidence evidence;
   evidence.looks = 3.25F;
   evidence.came_together = 2;
+  evidence.attached = 7;
+  evidence.unattached = 1.5F;
   evidence.came_apart = 0.5F;
   evidence.color_shift = 12;
   evidence.constraint = LinkConstraint::cannot_link;
@@ -83,6 +85,8 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_EQ(scan->borders[0].evidence->looks, 3.25F);
   EXPECT_EQ(scan->borders[0].evidence->came_together, 2);
   EXPECT_EQ(scan->borders[0].evidence->came_apart, 0.5F);
+  EXPECT_EQ(scan->borders[0].evidence->attached, 7);
+  EXPECT_EQ(scan->borders[0].evidence->unattached, 1.5F);
   EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
   EXPECT_EQ(scan->borders[0].evidence->constraint, LinkConstraint::cannot_link);
   EXPECT_TRUE(scan->borders[0].evidence->by_person);

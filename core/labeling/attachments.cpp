@@ -1,0 +1,204 @@
+#include "core/labeling/attachments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+
+namespace scantrove {
+namespace {
+
+constexpr int kMostVoxels = 12000;        // of a thing: 0.4 square metres
+constexpr int kBeyond_px = 2;             // pixels at an edge may lie between two surfaces: look past them
+constexpr float kStep_m = 0.03F;          // deeper or nearer by more, they do not touch ...
+constexpr float kStepGrowsFrom_m = 1.5F;  // ... and from here on in proportion to the depth
+constexpr int kLeastOutline = 20, kLeastContact = 6;  // steps
+constexpr float kMostUnseen = 0.35F;                  // of the outline: hidden or cut off
+constexpr float kOnlyOne = 0.85F;                     // of what it touches is the other
+constexpr float kNear_m = 0.03F;  // the other's surface is looked at so far from where they touch
+constexpr float kMostNear_px = 20;
+constexpr std::size_t kPlaces = 16, kDirections = 24;  // that are looked at
+constexpr std::size_t kLeastNormals = 6;
+constexpr float kSameWay = 0.985F;  // cosine of 10 degrees
+// So many of the normals point the same way where the other is curved, and where it is flat.
+constexpr float kMostCurved = 0.27F, kLeastFlat = 0.33F;
+
+/// A step from a pixel of one region to one of another that it touches.
+struct Touch {
+  RegionId from, to;
+  std::size_t here, there;
+};
+
+/// How a region ends.
+struct Outline {
+  int known = 0, unseen = 0, touching = 0;
+  [[nodiscard]] bool isSeen() const {
+    return known >= kLeastOutline && static_cast<float>(unseen) <= kMostUnseen * static_cast<float>(known);
+  }
+};
+
+class FrameOutlines {
+ public:
+  FrameOutlines(const MergeInput& input, const RegionMap& map, const RegionTable& table)
+      : input_(input), map_(map), table_(table) {
+    const Eigen::Matrix4d T_camera_world = input.T_world_camera.inverse().matrix();
+    axis_ = T_camera_world.block<1, 3>(2, 0).transpose().cast<float>();
+    offset_m_ = static_cast<float>(T_camera_world(2, 3));
+    for (int y = 0; y < map.height; ++y) {
+      for (int x = 0; x < map.width; ++x) {
+        look(x, y, 1, 0);
+        look(x, y, 0, 1);
+        look(x, y, -1, 0);
+        look(x, y, 0, -1);
+      }
+    }
+    std::ranges::sort(touches_, {}, [](const Touch& touch) {
+      return std::tuple(touch.from, touch.to, touch.here, touch.there);
+    });
+  }
+
+  [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
+  [[nodiscard]] const Outline& of(RegionId region) const { return outlines_.at(region).outline; }
+
+  /// The part of the surface of the region near these places that faces the same way; none where too little
+  /// is seen.
+  [[nodiscard]] std::optional<float> flatPart(std::span<const Touch> contact) const {
+    std::vector<std::size_t> pixels;
+    const std::size_t stride = (contact.size() + kPlaces - 1) / kPlaces;
+    for (std::size_t i = 0; i < contact.size(); i += stride) collectNear(contact[i], pixels);
+    std::ranges::sort(pixels);
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
+    if (pixels.size() < kLeastNormals) return std::nullopt;
+    const std::size_t each = (pixels.size() + kDirections - 1) / kDirections;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += each) {
+      const Eigen::Vector4f& direction = input_.normals_world[pixels[i]];
+      const auto same = static_cast<std::size_t>(std::ranges::count_if(pixels, [&](std::size_t pixel) {
+        return input_.normals_world[pixel].head<3>().dot(direction.head<3>()) > kSameWay;
+      }));
+      most = std::max(most, same);
+    }
+    return static_cast<float>(most) / static_cast<float>(pixels.size());
+  }
+
+ private:
+  struct Known {
+    bool is_thing = false;
+    Outline outline;
+  };
+
+  [[nodiscard]] bool isInside(int x, int y) const {
+    return x >= 0 && y >= 0 && x < map_.width && y < map_.height;
+  }
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x);
+  }
+  [[nodiscard]] float depthOf(const Eigen::Vector4f& vertex) const {
+    return axis_.dot(vertex.head<3>()) + offset_m_;
+  }
+
+  Known& know(RegionId region) {
+    const auto [entry, is_new] = outlines_.try_emplace(region);
+    if (!is_new) return entry->second;
+    int voxels = 0;
+    for (const FragmentId fragment : table_.fragmentsOf(region))
+      voxels += fragment.value < input_.voxels.size() ? input_.voxels[fragment.value] : 0;
+    entry->second.is_thing = voxels <= kMostVoxels;
+    return entry->second;
+  }
+
+  void look(int x, int y, int dx, int dy) {
+    const std::size_t here = at(x, y);
+    const RegionId region = map_.regions[here];
+    if (!region) return;
+    const bool is_cut = !isInside(x + dx, y + dy);
+    if (!is_cut && map_.regions[at(x + dx, y + dy)] == region) return;
+    Known& known = know(region);
+    if (!known.is_thing) return;
+    Outline& outline = known.outline;  // stays where it is, whatever else becomes known
+    const int u = x + kBeyond_px * dx, v = y + kBeyond_px * dy;
+    if (is_cut || !isInside(u, v)) {
+      ++outline.known;
+      ++outline.unseen;
+      return;
+    }
+    const std::size_t there = at(u, v);
+    const RegionId other = map_.regions[there];
+    const Eigen::Vector4f& from = input_.vertices_world[here];
+    const Eigen::Vector4f& to = input_.vertices_world[there];
+    if (other == region || !(from.w() > 0) || !(to.w() > 0)) return;
+    ++outline.known;
+    const float z = depthOf(from), deeper_m = depthOf(to) - z;
+    const float step_m = kStep_m * std::max(1.0F, z / kStepGrowsFrom_m);
+    if (deeper_m > step_m) return;
+    if (deeper_m < -step_m) {
+      ++outline.unseen;
+      return;
+    }
+    ++outline.touching;
+    if (other && know(other).is_thing) touches_.push_back({region, other, here, there});
+  }
+
+  void collectNear(const Touch& touch, std::vector<std::size_t>& pixels) const {
+    const Eigen::Vector3f place = input_.vertices_world[touch.there].head<3>();
+    const float z = std::max(0.1F, depthOf(input_.vertices_world[touch.there]));
+    const auto reach = static_cast<int>(std::min(kMostNear_px, std::ceil(kNear_m * input_.K.fx / z)));
+    const int x0 = static_cast<int>(touch.there) % map_.width,
+              y0 = static_cast<int>(touch.there) / map_.width;
+    for (int y = std::max(0, y0 - reach); y <= std::min(map_.height - 1, y0 + reach); ++y) {
+      for (int x = std::max(0, x0 - reach); x <= std::min(map_.width - 1, x0 + reach); ++x) {
+        const std::size_t pixel = at(x, y);
+        if (map_.regions[pixel] != touch.to || !(input_.vertices_world[pixel].w() > 0) ||
+            !(input_.normals_world[pixel].w() > 0))
+          continue;
+        if ((input_.vertices_world[pixel].head<3>() - place).squaredNorm() < kNear_m * kNear_m)
+          pixels.push_back(pixel);
+      }
+    }
+  }
+
+  const MergeInput& input_;
+  const RegionMap& map_;
+  const RegionTable& table_;
+  Eigen::Vector3f axis_;
+  float offset_m_ = 0;
+  std::unordered_map<RegionId, Known> outlines_;
+  std::vector<Touch> touches_;
+};
+
+}  // namespace
+
+std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMap& map,
+                                        const RegionTable& table) {
+  const FrameOutlines outlines(input, map, table);
+  const std::span<const Touch> touches = outlines.touches();
+  std::map<std::pair<RegionId, RegionId>, Attachment> found;
+  for (std::size_t first = 0, next = 0; first < touches.size(); first = next) {
+    const auto [part, holder] = std::pair(touches[first].from, touches[first].to);
+    while (next < touches.size() && touches[next].from == part && touches[next].to == holder) ++next;
+    const std::span<const Touch> contact = touches.subspan(first, next - first);
+    const Outline& outline = outlines.of(part);
+    if (contact.size() < kLeastContact || !outline.isSeen()) continue;
+    const bool is_only_one =
+        static_cast<float>(contact.size()) >= kOnlyOne * static_cast<float>(outline.touching);
+    const std::optional<float> flat = is_only_one ? outlines.flatPart(contact) : 1;
+    if (!flat || (*flat > kMostCurved && *flat < kLeastFlat)) continue;
+    const auto [low, high] = std::minmax(part, holder);
+    const auto [entry, is_new] = found.try_emplace({low, high}, Attachment{low, high, false, {}});
+    Attachment& attachment = entry->second;
+    attachment.is_attached = attachment.is_attached || *flat <= kMostCurved;
+    for (const Touch& touch : contact) {
+      std::pair<FragmentId, FragmentId> border(map.fragments[touch.here], map.fragments[touch.there]);
+      if (part != low) std::swap(border.first, border.second);
+      if (std::ranges::find(attachment.borders, border) == attachment.borders.end())
+        attachment.borders.push_back(border);
+    }
+  }
+  std::vector<Attachment> attachments;
+  for (auto& [regions, attachment] : found) attachments.push_back(std::move(attachment));
+  return attachments;
+}
+
+}  // namespace scantrove

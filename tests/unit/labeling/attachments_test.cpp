@@ -1,0 +1,148 @@
+#include "core/labeling/attachments.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "core/labeling/graph_merger.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120;
+constexpr auto kPixels = static_cast<std::size_t>(kWidth) * kHeight;
+constexpr int kVoxelsOfThing = 2000, kVoxelsOfRoom = 100'000;
+// Segments, which are the regions in the end.
+constexpr std::uint32_t kWall = 1, kHolder = 2, kPart = 3, kScreen = 4;
+
+struct Hit {
+  float z;
+  Eigen::Vector3f normal;
+  std::uint32_t segment;
+};
+using Surface = std::function<std::optional<Hit>(const Eigen::Vector3f& ray)>;  // of length 1 along z
+
+Surface ball(const Eigen::Vector3f& centre, float radius, std::uint32_t segment) {
+  return [=](const Eigen::Vector3f& ray) -> std::optional<Hit> {
+    const float a = ray.squaredNorm(), b = ray.dot(centre), c = centre.squaredNorm() - radius * radius;
+    const float inside = b * b - a * c;
+    if (inside < 0) return std::nullopt;
+    const float z = (b - std::sqrt(inside)) / a;
+    return Hit{z, (z * ray - centre) / radius, segment};
+  };
+}
+
+/// A plane through `point`; only where its points lie less than `half_m` to either side of x = 0 and as far
+/// from `point` at most.
+Surface plate(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float half_m,
+              std::uint32_t segment) {
+  return [=, n = normal.normalized().eval()](const Eigen::Vector3f& ray) -> std::optional<Hit> {
+    const float z = point.dot(n) / ray.dot(n);
+    const Eigen::Vector3f at = z * ray;
+    if (!(z > 0) || std::abs(at.x()) > half_m || (at - point).norm() > 1.3F * half_m) return std::nullopt;
+    return Hit{z, n, segment};
+  };
+}
+
+/// A frame of a few surfaces before a wall, each a segment of its own and labelled as one fragment.
+struct Scene {
+  Intrinsics K{150, 150, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight};
+  SegmentMap segments{kWidth, kHeight, std::vector<std::uint32_t>(kPixels), {}, std::vector<float>(kPixels)};
+  std::vector<Eigen::Vector4f> vertices = std::vector<Eigen::Vector4f>(kPixels), normals = vertices;
+  std::vector<FragmentId> projected = std::vector<FragmentId>(kPixels);
+  std::vector<int> voxels = {0};
+  RegionTable table;
+
+  explicit Scene(std::vector<Surface> surfaces) {
+    surfaces.push_back(plate({0, 0, 1.6F}, {0, 0, -1}, 10, kWall));
+    std::vector<FragmentId> fragments = {{}};
+    for (std::uint32_t segment = kWall; segment <= kScreen; ++segment) {
+      fragments.push_back(table.newFragment());
+      voxels.push_back(segment == kWall ? kVoxelsOfRoom : kVoxelsOfThing);
+    }
+    segments.areas.assign(kScreen + 1, 0);
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      const Eigen::Vector3f ray =
+          K.backProject(static_cast<float>(i % kWidth), static_cast<float>(i / kWidth), 1);
+      std::optional<Hit> nearest;
+      for (const Surface& surface : surfaces) {
+        const std::optional<Hit> hit = surface(ray);
+        if (hit && (!nearest || hit->z < nearest->z)) nearest = hit;
+      }
+      vertices[i] = (nearest->z * ray).homogeneous();
+      normals[i] << nearest->normal, 1.0F;
+      segments.ids[i] = nearest->segment;
+      segments.depths_m[i] = nearest->z;
+      ++segments.areas[nearest->segment];
+      projected[i] = fragments[nearest->segment];
+    }
+  }
+
+  [[nodiscard]] MergeInput input() const {
+    return {segments, projected, vertices, normals, {}, K, Eigen::Isometry3d::Identity(), voxels, {}};
+  }
+  [[nodiscard]] RegionId region(std::uint32_t segment) const { return table.regionOf(FragmentId{segment}); }
+
+  /// What one look says of part and holder.
+  [[nodiscard]] std::optional<bool> areAttached() const {
+    RegionMap map{kWidth, kHeight, projected, {}};
+    for (const FragmentId fragment : projected) map.regions.push_back(table.regionOf(fragment));
+    for (const Attachment& attachment : findAttachments(input(), map, table)) {
+      if (attachment.a != region(kHolder) || attachment.b != region(kPart)) continue;
+      EXPECT_THAT(attachment.borders,
+                  testing::ElementsAre(std::pair(FragmentId{kHolder}, FragmentId{kPart})));
+      return attachment.is_attached;
+    }
+    return std::nullopt;
+  }
+  /// Whether part and holder are one region after so many frames.
+  [[nodiscard]] bool areOneAfter(int frames) {
+    GraphMerger merger;
+    for (int i = 0; i < frames; ++i) (void)merger.merge(input(), table, LabelingParams());
+    return region(kHolder) == region(kPart);
+  }
+};
+
+const Eigen::Vector3f kBelow(0, 0.05F, 1), kAbove(0, -0.08F, 0.98F);
+/// A head on a body.
+std::vector<Surface> headOnBody() { return {ball(kBelow, 0.1F, kHolder), ball(kAbove, 0.06F, kPart)}; }
+/// The same ball on a board that is seen from above.
+std::vector<Surface> ballOnBoard() {
+  return {plate({0, -0.02F, 1}, {0, -0.7F, -0.7F}, 0.2F, kHolder), ball(kAbove, 0.06F, kPart)};
+}
+
+TEST(Attachments, WhatTouchesNothingButACurvedThingIsAPartOfIt) {
+  EXPECT_EQ(Scene(headOnBody()).areAttached(), true);
+}
+
+TEST(Attachments, WhatLiesOnSomethingFlatIsNot) { EXPECT_EQ(Scene(ballOnBoard()).areAttached(), false); }
+
+TEST(Attachments, WhatTouchesAThirdThingMayStandOnThat) {
+  std::vector<Surface> surfaces = headOnBody();
+  surfaces.push_back(plate({0, 0, 0.95F}, {0, 0, -1}, 0.3F, kScreen));  // both stick out of it
+  EXPECT_EQ(Scene(surfaces).areAttached(), false);
+}
+
+TEST(Attachments, WhatIsHalfHiddenMayStandOnWhatIsHidden) {
+  std::vector<Surface> surfaces = headOnBody();
+  surfaces.push_back(plate({0, -0.03F, 0.6F}, {0, 0, -1}, 0.024F, kScreen));
+  EXPECT_EQ(Scene(surfaces).areAttached(), std::nullopt);
+}
+
+TEST(Attachments, NothingIsAPartOfFurniture) {
+  Scene scene(headOnBody());
+  scene.voxels[kHolder] = kVoxelsOfRoom;
+  EXPECT_EQ(scene.areAttached(), std::nullopt);
+}
+
+TEST(Attachments, PartsOfAThingBecomeOneRegionOverTime) {
+  EXPECT_FALSE(Scene(headOnBody()).areOneAfter(2)) << "two looks say little";
+  EXPECT_TRUE(Scene(headOnBody()).areOneAfter(40));
+  EXPECT_FALSE(Scene(ballOnBoard()).areOneAfter(40));
+}
+
+}  // namespace
+}  // namespace scantrove
