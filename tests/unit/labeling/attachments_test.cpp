@@ -65,8 +65,8 @@ struct Scene {
     }
     segments.areas.assign(kScreen + 1, 0);
     for (std::size_t i = 0; i < kPixels; ++i) {
-      const Eigen::Vector3f ray =
-          K.backProject(static_cast<float>(i % kWidth), static_cast<float>(i / kWidth), 1);
+      const std::size_t u = i % kWidth, v = i / kWidth;
+      const Eigen::Vector3f ray = K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
       std::optional<Hit> nearest;
       for (const Surface& surface : surfaces) {
         const std::optional<Hit> hit = surface(ray);
