@@ -39,6 +39,8 @@ struct Outline {
   }
 };
 
+/// How the regions of a frame that are no larger than things end, and what of that kind they touch. What a
+/// step means is as in discovery's RegionOutlines, which knows more kinds of contact.
 class FrameOutlines {
  public:
   FrameOutlines(const MergeInput& input, const RegionMap& map, const RegionTable& table)

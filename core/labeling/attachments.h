@@ -17,7 +17,7 @@ namespace scantrove {
 /// of it, as a head out of its shoulders, a plant out of its pot, a spout out of the can.
 struct Attachment {
   RegionId a, b;     ///< a < b
-  bool is_attached;  ///< false: both were seen well enough to say, and neither is held by the other
+  bool is_attached;  ///< false: one was seen well enough to say, and none is held by the other alone
   std::vector<std::pair<FragmentId, FragmentId>> borders;  ///< of a and b, where they touch
 };
 

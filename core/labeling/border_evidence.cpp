@@ -42,6 +42,14 @@ float weightOf(const FragmentContact& contact) {
   return std::min(1.0F, static_cast<float>(contact.length_px) / kFullLength_px) / (1 + far * far);
 }
 
+/// One look more that says yes or no; of both together no more than kMostLooks are remembered.
+void count(bool says_yes, float& yes, float& no) {
+  (says_yes ? yes : no) += 1;
+  const float fade = std::min(1.0F, BorderEvidence::kMostLooks / (yes + no));
+  yes *= fade;
+  no *= fade;
+}
+
 }  // namespace
 
 void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
@@ -93,19 +101,9 @@ float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
   return std::inner_product(x.begin(), x.end(), model.coefficients.begin(), model.intercept);
 }
 
-void BorderEvidence::addArrival(bool together) {
-  (together ? came_together : came_apart) += 1;
-  const float fade = std::min(1.0F, kMostLooks / (came_together + came_apart));
-  came_together *= fade;
-  came_apart *= fade;
-}
+void BorderEvidence::addArrival(bool together) { count(together, came_together, came_apart); }
 
-void BorderEvidence::addAttachment(bool is_attached) {
-  (is_attached ? attached : unattached) += 1;
-  const float fade = std::min(1.0F, kMostLooks / (attached + unattached));
-  attached *= fade;
-  unattached *= fade;
-}
+void BorderEvidence::addAttachment(bool is_attached) { count(is_attached, attached, unattached); }
 
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
   const float arrivals = came_together + came_apart;

@@ -23,8 +23,8 @@ QString text(const std::string& value) { return QString::fromStdString(value); }
 std::string text(const QSqlQuery& row, int column) { return row.value(column).toString().toStdString(); }
 
 constexpr std::size_t kEvidenceFloats = 14;
-constexpr std::array<std::size_t, 2> kFewerFloats{10,
-                                                  12};  ///< before arrivals, and attachments, were evidence
+/// Before arrivals, and before attachments, were evidence.
+constexpr std::array<std::size_t, 2> kFewerFloats{10, 12};
 static_assert(std::endian::native == std::endian::little);
 
 QByteArray toBytes(const BorderEvidence& e) {
