@@ -20,10 +20,14 @@ struct BenchCommand {
 
 Result<void> bench(ScanRequest request, bool json) {
   const CoreApplication qt;
-  const QTemporaryDir folder;  // an empty catalogue, gone afterwards: every run does the same work
+  const QTemporaryDir
+      folder;  // an empty catalogue and session, gone afterwards: every run does the same work
   if (!folder.isValid())
     return fail("Cannot make a temporary folder: " + folder.errorString().toStdString() + ".");
   request.database = folder.filePath("catalogue.sqlite").toStdString();
+  // What a scan does beside its frames counts: its session is written too.
+  request.output_folder = folder.filePath("session").toStdString();
+  request.results = false;
   std::vector<BenchSample> samples;
   const auto report = runToEnd(request, [&](const ScanSnapshot& snapshot) {
     const bool is_new = samples.empty() || snapshot.frames.done() > samples.back().frames_done;

@@ -25,6 +25,7 @@ BenchSample sampleOf(const ScanSnapshot& snapshot) {
   sample.bricks = snapshot.map_bricks;
   for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) {
     sample.frame_ms += stage.ms;
+    sample.stages_ms[stage.name] = stage.ms;
     if (stage.name == "integrate" || stage.name == "raycast") sample.map_ms += stage.ms;
   }
   return sample;
@@ -41,13 +42,17 @@ std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples) {
     });
     if (begin == end) continue;
     std::vector<double> frame_ms, map_ms;
+    std::map<std::string, std::vector<double>> stages_ms;
     for (auto sample = begin; sample != end; ++sample) {
       frame_ms.push_back(sample->frame_ms);
       map_ms.push_back(sample->map_ms);
+      for (const auto& [stage, ms] : sample->stages_ms) stages_ms[stage].push_back(ms);
     }
     const BenchSample& newest = *std::prev(end);
     quarters.push_back(
-        {newest.frames_done, newest.bricks, summarise(frame_ms).median_ms, summarise(map_ms).median_ms});
+        {newest.frames_done, newest.bricks, summarise(frame_ms).median_ms, summarise(map_ms).median_ms, {}});
+    for (const auto& [stage, all_ms] : stages_ms)
+      quarters.back().stage_medians_ms[stage] = summarise(all_ms).median_ms;
     begin = end;
   }
   return quarters;
@@ -72,16 +77,22 @@ std::string benchTable(const ScanReport& report, const std::vector<BenchSample>&
   text << std::fixed << std::setprecision(1) << report.source << " on " << report.device << ": "
        << report.frames.read << " frames, " << report.frames.lost << " lost, " << report.fps
        << " fps, peak memory " << report.peak_memory_mb
-       << " MiB\n\nstage          median ms   p95 ms    share\n";
+       << " MiB\n\nstage          median ms   p95 ms    share   medians of the quarters\n";
+  const std::vector<BenchQuarter> quarters = quartersOf(samples);
   for (const ScanReport::Stage& stage : report.stages) {
     text << std::left << std::setw(14) << stage.name << std::right << std::setw(10) << stage.median_ms
          << std::setw(9) << stage.p95_ms << std::setw(8) << (sum > 0 ? 100 * stage.median_ms / sum : 0)
-         << " %\n";
+         << " %";
+    for (const BenchQuarter& quarter : quarters) {
+      const auto of = quarter.stage_medians_ms.find(stage.name);
+      text << std::setw(7) << (of != quarter.stage_medians_ms.end() ? of->second : 0);
+    }
+    text << '\n';
   }
   text << std::left << std::setw(14) << "frame" << std::right << std::setw(10) << report.frame_median_ms
        << std::setw(9) << report.frame_p95_ms
        << "\n\nto frame     bricks   frame ms   map ms (medians of the quarter)\n";
-  for (const BenchQuarter& quarter : quartersOf(samples)) {
+  for (const BenchQuarter& quarter : quarters) {
     text << std::setw(8) << quarter.last_frame << std::setw(11) << quarter.bricks << std::setw(11)
          << quarter.frame_median_ms << std::setw(9) << quarter.map_median_ms << '\n';
   }
@@ -119,7 +130,8 @@ nlohmann::ordered_json benchJson(const ScanReport& report, const std::vector<Ben
     list.push_back({{"to_frame", quarter.last_frame},
                     {"bricks", quarter.bricks},
                     {"frame_median_ms", quarter.frame_median_ms},
-                    {"map_median_ms", quarter.map_median_ms}});
+                    {"map_median_ms", quarter.map_median_ms},
+                    {"stage_median_ms", quarter.stage_medians_ms}});
   }
   Json slowest = Json::array();
   for (const SlowFrame& slow : report.slowest_frames) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct BenchSample {
   int bricks = 0;
   double frame_ms = 0;  ///< sum over the stages
   double map_ms = 0;    ///< of integration and raycast
+  std::map<std::string, double> stages_ms;
 };
 
 /// One quarter of a run.
@@ -23,6 +25,7 @@ struct BenchQuarter {
   int bricks = 0;  ///< at its end
   double frame_median_ms = 0;
   double map_median_ms = 0;
+  std::map<std::string, double> stage_medians_ms;
 };
 
 /// What the map costs a frame early in a run and at its end: medians of up to 41 frames each.

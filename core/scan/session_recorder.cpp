@@ -13,6 +13,10 @@ namespace {
 /// Frames that may still be understood late.
 constexpr std::size_t kRememberedFrames = 200;
 
+/// Bricks of pages that are handed over at once (3 MB), and how often before they are on disk.
+constexpr std::size_t kBricksAtOnce = 512;
+constexpr std::size_t kMostWaitingPages = 2;
+
 }  // namespace
 
 SessionRecorder::SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup)
@@ -69,12 +73,9 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
   const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
                          result.pose.T_world_camera};
   writer_->post([frame, number, saved](SessionStore& store) -> Result<void> {
-    Result<SavedKeyFrame> key = writeKeyFrame(store.folder(), number, frame);
+    const Result<SavedKeyFrame> key = writeKeyFrame(store.folder(), number, frame);
     if (!key) return fail(key.error());
-    SavedDelta delta;
-    delta.frames.push_back(saved);
-    delta.key_frames.push_back(std::move(*key));
-    return store.save(delta);
+    return store.saveKeyFrame(saved, *key);
   });
 }
 
@@ -155,14 +156,31 @@ void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelt
   }
 }
 
-void SessionRecorder::collectPages(ScanPipeline& pipeline, SavedDelta& delta) {
-  BrickMap& bricks = pipeline.kept().bricks;
-  for (const int page : bricks.pagesByPosition()) {
-    if (bricks.pages().page(page).last_view <= view_) continue;
-    if (const std::optional<StoredPage> copy = bricks.copyOfPage(page); copy && copy->bricks.any())
-      delta.pages.push_back({bricks.pages().page(page).position, copy->toWords()});
+void SessionRecorder::beginPages(const BrickMap& bricks) {
+  pages_ = bricks.pagesByPosition();
+  std::erase_if(pages_, [&](int page) { return bricks.pages().page(page).last_view <= view_; });
+  std::ranges::reverse(pages_);
+  next_view_ = bricks.view();
+  saves_pages_ = true;
+}
+
+bool SessionRecorder::handSomePages(BrickMap& bricks) {
+  std::vector<SavedPage> pages;
+  for (std::size_t count = 0; count < kBricksAtOnce && !pages_.empty(); pages_.pop_back()) {
+    const std::optional<StoredPage> copy = bricks.copyOfPage(pages_.back());
+    if (!copy || copy->bricks.none()) continue;
+    pages.push_back({bricks.pages().page(pages_.back()).position, copy->toWords()});
+    count += copy->bricks.count();
   }
-  view_ = bricks.view();
+  const auto some = std::make_shared<const std::vector<SavedPage>>(std::move(pages));
+  handed_pages_.push_back(some);
+  writer_->post([some](SessionStore& store) { return store.writePages(*some); });
+  return pages_.empty();
+}
+
+bool SessionRecorder::arePagesWaiting() {
+  std::erase_if(handed_pages_, [](const auto& pages) { return pages.expired(); });
+  return handed_pages_.size() >= kMostWaitingPages;
 }
 
 SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
@@ -180,32 +198,51 @@ SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
   }
   OperationLog& log = pipeline.kept().editor.log();
   for (const std::size_t place : log.takeChanged()) delta.operations.push_back(log.entries()[place]);
-  collectPages(pipeline, delta);
   return delta;
 }
 
 void SessionRecorder::hand(SavedDelta delta) {
-  last_save_ = std::chrono::steady_clock::now();
   writer_->post([delta = std::make_shared<const SavedDelta>(std::move(delta))](SessionStore& store) {
     return store.save(*delta);
   });
 }
 
 void SessionRecorder::saveWhenDue(ScanPipeline& pipeline) {
-  if (std::chrono::steady_clock::now() - last_save_ < kBetweenSaves) return;
+  const auto now = std::chrono::steady_clock::now();
+  const bool is_due = now - last_save_ >= kBetweenSaves;
   // While the disk does not take it, what changed is kept where it is.
-  hand(writer_->isFailing() ? SavedDelta{} : collect(pipeline));
+  if (writer_->isFailing()) {
+    if (!is_due) return;
+    last_save_ = now;
+    return writer_->post([](SessionStore& /*store*/) -> Result<void> { return {}; });  // to try again
+  }
+  BrickMap& bricks = pipeline.kept().bricks;
+  if (!saves_pages_) {
+    if (!is_due) return;
+    last_save_ = now;
+    beginPages(bricks);
+  }
+  if (arePagesWaiting() || !handSomePages(bricks)) return;
+  hand(collect(pipeline));
+  view_ = next_view_;
+  saves_pages_ = false;
 }
 
 Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
+  BrickMap& bricks = pipeline.kept().bricks;
+  beginPages(bricks);
+  while (!handSomePages(bricks)) SCANTROVE_TRY(writer_->flush());
   hand(collect(pipeline));
+  view_ = next_view_;
+  saves_pages_ = false;
+  last_save_ = std::chrono::steady_clock::now();
   return writer_->flush();
 }
 
 Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
   setFact("ended", "yes");
   const std::optional<CameraMemory> memory = pipeline.cameraMemory();
-  hand(collect(pipeline));
+  SCANTROVE_TRY(save(pipeline));
   // By itself: where the disk has no room for it, the rest is kept all the same.
   SavedDelta camera;
   if (memory) camera.camera = {setup_.frames - 1, toWords(*memory)};

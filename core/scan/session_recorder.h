@@ -14,7 +14,10 @@
 namespace scantrove {
 
 /// Keeps a scan in a session while it runs: every few seconds what changed since, and the frames that show
-/// something new. What the disk takes its time for, a thread of its own waits for. One thread, the worker's.
+/// something new. What the disk takes its time for, a thread of its own waits for. The pages of the map go a
+/// few with each frame, and no more than the disk takes, so that neither time nor memory is needed for many
+/// at once; with the last of them goes all else, and only then they are part of the session. One thread, the
+/// worker's.
 class SessionRecorder {
  public:
   /// A killed program loses no more than this, and what the disk was slower.
@@ -39,7 +42,7 @@ class SessionRecorder {
 
   /// After each frame, whether it was usable or not.
   void addFrame(const RgbdFrame& frame, const FrameResult& result);
-  /// Hands over what changed if it is time. Device faults: cl::Error.
+  /// Hands over what changed, or a part of it, if it is time. Device faults: cl::Error.
   void saveWhenDue(ScanPipeline& pipeline);
   /// Hands over what changed and waits until it is on disk. Error: it is not; what is there stays as it was.
   [[nodiscard]] Result<void> save(ScanPipeline& pipeline);
@@ -58,10 +61,16 @@ class SessionRecorder {
   [[nodiscard]] std::optional<Error> takeFailure() { return writer_->takeFailure(); }
 
  private:
+  /// All but the map.
   [[nodiscard]] SavedDelta collect(ScanPipeline& pipeline);
   void collectRegions(ScanPipeline& pipeline, SavedDelta& delta);
   void collectNamings(const ObjectCollector& collector, SavedDelta& delta);
-  void collectPages(ScanPipeline& pipeline, SavedDelta& delta);
+  /// From now on pages_ are those of the map that changed since they were handed over.
+  void beginPages(const BrickMap& bricks);
+  /// Hands over some of pages_. True: those were the last.
+  [[nodiscard]] bool handSomePages(BrickMap& bricks);
+  /// As many of them as may wait are not on disk yet.
+  [[nodiscard]] bool arePagesWaiting();
   void hand(SavedDelta delta);
 
   std::unique_ptr<SessionWriter> writer_;
@@ -74,7 +83,11 @@ class SessionRecorder {
   std::map<RegionId, ObjectId> objects_;                         // where no catalogue says them
   std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one
   std::map<RegionId, std::string> namings_;                      // as handed over
-  std::uint64_t view_ = 0;  // of the map, when its pages were handed over
+  std::vector<int> pages_;  // of the map, to be handed over; the next one last
+  std::vector<std::weak_ptr<const std::vector<SavedPage>>> handed_pages_;
+  bool saves_pages_ = false;
+  std::uint64_t view_ = 0;       // of the map: no page that lay in view later is part of the session
+  std::uint64_t next_view_ = 0;  // the same, when all of pages_ are
   std::chrono::steady_clock::time_point last_save_;
 };
 

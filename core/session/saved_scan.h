@@ -73,7 +73,8 @@ struct SavedCamera {
 /// What holds for the whole scan, by name.
 using SavedFacts = std::map<std::string, std::string>;
 
-/// All that changed since the delta before: one moment of the scan, between two frames.
+/// All but the pages of the map that changed since the delta before: one moment of the scan, between two
+/// frames.
 struct SavedDelta {
   SavedFacts facts;
   std::vector<SavedFrame> frames;  ///< new ones, or understood late
@@ -82,7 +83,6 @@ struct SavedDelta {
   std::vector<SavedRegion> regions;  ///< of which something is to be said, or was
   std::vector<SavedBorder> borders;
   std::vector<OperationLog::Entry> operations;
-  std::vector<SavedPage> pages;
   std::optional<SavedCamera> camera;
 };
 

@@ -129,21 +129,31 @@ Result<SessionStore::PagePlace> SessionStore::append(const PackedWords& packed) 
                    packed.checksum};
 }
 
-Result<void> SessionStore::save(const SavedDelta& delta) {
-  Pages written;
-  for (const SavedPage& page : delta.pages) {
+Result<void> SessionStore::writePages(std::span<const SavedPage> pages) {
+  for (const SavedPage& page : pages) {
     const Result<PagePlace> place = append(packWords(page.words));
     if (!place) return fail(place.error());
-    written[page.position] = *place;
+    written_[page.position] = *place;
   }
-  SCANTROVE_TRY(inTransaction(*database_, [&] { return writeRows(delta, written); }));
-  for (const auto& [position, place] : written) pages_[position] = place;
+  return {};
+}
+
+Result<void> SessionStore::save(const SavedDelta& delta) {
+  SCANTROVE_TRY(inTransaction(*database_, [&] { return writeRows(delta); }));
+  for (const auto& [position, place] : std::exchange(written_, {})) pages_[position] = place;
   return compact();
 }
 
-Result<void> SessionStore::writeRows(const SavedDelta& delta, const Pages& pages) {
+Result<void> SessionStore::writeRows(const SavedDelta& delta) {
   SCANTROVE_TRY(rows::write(*database_, delta));
-  return writePlaces(pages);
+  return writePlaces(written_);
+}
+
+Result<void> SessionStore::saveKeyFrame(const SavedFrame& frame, const SavedKeyFrame& images) {
+  SavedDelta delta;
+  delta.frames.push_back(frame);
+  delta.key_frames.push_back(images);
+  return inTransaction(*database_, [&] { return rows::write(*database_, delta); });
 }
 
 Result<void> SessionStore::writePlaces(const Pages& pages) {

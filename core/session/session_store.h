@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace scantrove {
 /// relative to the folder, so that it may be copied and moved. For one program at a time, and the thread that
 /// opened it.
 ///
-/// What is saved at once is there as a whole or not at all, however the program ends: pages are appended to a
-/// file first, then one transaction says where they are, with all else.
+/// What is saved is there as a whole or not at all, however the program ends: pages are appended to a file
+/// first, a few at a time, then one transaction says where they are, with all else.
 class SessionStore {
  public:
   /// Begins a session in `folder` (made if there is none); one that is there gives way, unless somebody has
@@ -32,8 +33,13 @@ class SessionStore {
   [[nodiscard]] static bool isSession(const std::filesystem::path& folder);
   ~SessionStore();
 
-  /// All of it or nothing. Error: the disk is full, ...
+  /// Writes pages that are there from the next save() on; of one that is written twice, the later. Error: the
+  /// disk is full, ...
+  [[nodiscard]] Result<void> writePages(std::span<const SavedPage> pages);
+  /// All of it and the pages that were written for it, or nothing. Error: the disk is full, ...
   [[nodiscard]] Result<void> save(const SavedDelta& delta);
+  /// Between two saves: one frame and its images. Error: the disk is full, ...
+  [[nodiscard]] Result<void> saveKeyFrame(const SavedFrame& frame, const SavedKeyFrame& images);
 
   /// All but the map. What is damaged is left out and named in `damages`.
   [[nodiscard]] Result<SavedScan> load();
@@ -71,7 +77,7 @@ class SessionStore {
   [[nodiscard]] Result<void> readPlaces();
   [[nodiscard]] Result<RecordFile*> file(std::int64_t number);
   [[nodiscard]] Result<PagePlace> append(const PackedWords& packed);
-  [[nodiscard]] Result<void> writeRows(const SavedDelta& delta, const Pages& pages);
+  [[nodiscard]] Result<void> writeRows(const SavedDelta& delta);
   [[nodiscard]] Result<void> writePlaces(const Pages& pages);
   [[nodiscard]] std::filesystem::path fileName(std::int64_t number) const;
   [[nodiscard]] std::uint64_t liveBytes() const;
@@ -80,6 +86,7 @@ class SessionStore {
   SessionLock lock_;
   std::unique_ptr<DatabaseConnection> database_;
   Pages pages_;
+  Pages written_;                             // for the next save
   std::map<std::int64_t, RecordFile> files_;  // that are open
   std::int64_t current_ = 1;                  // the file that is appended to
   std::vector<std::string> damages_;

@@ -48,8 +48,16 @@ SavedDelta someDelta(int seed) {
         .frame = 12},
        {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}},
        OperationLog::State::undone});
-  delta.pages.push_back({{seed, -2, 5}, std::vector<std::uint32_t>(5000, 17U + static_cast<unsigned>(seed))});
   return delta;
+}
+
+SavedPage somePage(int seed) {
+  return {{seed, -2, 5}, std::vector<std::uint32_t>(5000, 17U + static_cast<unsigned>(seed))};
+}
+
+Result<void> saveSome(SessionStore& store, int seed) {
+  SCANTROVE_TRY(store.writePages(std::vector{somePage(seed)}));
+  return store.save(someDelta(seed));
 }
 
 std::unique_ptr<SessionStore> created(const std::filesystem::path& folder) {
@@ -63,8 +71,8 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   const std::filesystem::path path = folder.path() / "scan";
   {
     const auto store = created(path);
-    ASSERT_TRUE(store->save(someDelta(1)));
-    ASSERT_TRUE(store->save(someDelta(2)));
+    ASSERT_TRUE(saveSome(*store, 1));
+    ASSERT_TRUE(saveSome(*store, 2));
   }
   const auto store = SessionStore::open(path);
   ASSERT_TRUE(store) << store.error().message();
@@ -98,14 +106,14 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   for (const Eigen::Vector3i& page : scan->pages) {
     const auto words = (*store)->loadPage(page);
     ASSERT_TRUE(words);
-    EXPECT_EQ(*words, someDelta(page.x()).pages[0].words);
+    EXPECT_EQ(*words, somePage(page.x()).words);
   }
   EXPECT_TRUE((*store)->damages().empty());
 }
 
 TEST(SessionStore, ACopyElsewhereOpens) {
   const TemporaryFolder folder;
-  { ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1))); }
+  { ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1)); }
   std::filesystem::copy(folder.path() / "scan", folder.path() / "copy",
                         std::filesystem::copy_options::recursive);
   std::filesystem::remove_all(folder.path() / "scan");
@@ -126,8 +134,8 @@ TEST(SessionStore, ADamagedPageCostsOnlyItself) {
   const TemporaryFolder folder;
   {
     const auto store = created(folder.path() / "scan");
-    ASSERT_TRUE(store->save(someDelta(1)));
-    ASSERT_TRUE(store->save(someDelta(2)));
+    ASSERT_TRUE(saveSome(*store, 1));
+    ASSERT_TRUE(saveSome(*store, 2));
   }
   {
     std::fstream file(folder.path() / "scan" / "map" / "000001.bricks",
@@ -147,8 +155,8 @@ TEST(SessionStore, ATruncatedMapCostsOnlyWhatWasCutOff) {
   const TemporaryFolder folder;
   {
     const auto store = created(folder.path() / "scan");
-    ASSERT_TRUE(store->save(someDelta(1)));
-    ASSERT_TRUE(store->save(someDelta(2)));
+    ASSERT_TRUE(saveSome(*store, 1));
+    ASSERT_TRUE(saveSome(*store, 2));
   }
   const std::filesystem::path file = folder.path() / "scan" / "map" / "000001.bricks";
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 3);
@@ -160,7 +168,7 @@ TEST(SessionStore, ATruncatedMapCostsOnlyWhatWasCutOff) {
 
 TEST(SessionStore, ARowThatIsNotOneIsLeftOutAndNamed) {
   const TemporaryFolder folder;
-  { ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1))); }
+  { ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1)); }
   {
     auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
     ASSERT_TRUE((*connection)->execute("UPDATE operations SET effect = '{'"));
@@ -192,7 +200,7 @@ TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
 
 TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhere) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1)));
+  ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1));
   {
     const auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
     ASSERT_TRUE(connection);
@@ -209,7 +217,7 @@ TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhe
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
   EXPECT_FALSE((*store)->loadCamera()->has_value());
-  ASSERT_TRUE((*store)->save(someDelta(2)));
+  ASSERT_TRUE(saveSome(**store, 2));
 }
 
 TEST(SessionStore, KeepsTheNewestCamera) {
@@ -224,7 +232,7 @@ TEST(SessionStore, KeepsTheNewestCamera) {
     ASSERT_TRUE(store->save(delta));
     delta.camera = {8, words};
     ASSERT_TRUE(store->save(delta));
-    ASSERT_TRUE(store->save(someDelta(2))) << "one that says nothing of it";
+    ASSERT_TRUE(saveSome(*store, 2)) << "one that says nothing of it";
   }
   const auto store = SessionStore::open(folder.path() / "scan");
   ASSERT_TRUE(store) << store.error().message();
@@ -240,7 +248,7 @@ TEST(SessionStore, AScanGivesWayToANewOneUnlessItIsLabelled) {
   delta.operations.clear();
   { ASSERT_TRUE(created(folder.path() / "scan")->save(delta)); }
   { EXPECT_TRUE(created(folder.path() / "scan")->load()->frames.empty()); }
-  { ASSERT_TRUE(created(folder.path() / "scan")->save(someDelta(1))); }
+  { ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1)); }
   const auto refused = SessionStore::create(folder.path() / "scan");
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), HasSubstr("--resume"));
@@ -251,18 +259,44 @@ TEST(SessionStore, OutdatedPagesGoWhenTheyAreMany) {
   const TemporaryFolder folder;
   const auto store = created(folder.path() / "scan");
   // Words that do not compress: 4 MB a page.
-  SavedDelta delta;
-  delta.pages.push_back({{0, 0, 0}, std::vector<std::uint32_t>(1 << 20)});
+  std::vector<SavedPage> pages{{{0, 0, 0}, std::vector<std::uint32_t>(1 << 20)}};
   std::uint32_t state = 1;
   for (int save = 0; save < 14; ++save) {
-    for (std::uint32_t& word : delta.pages[0].words) word = state = state * 1664525U + 1013904223U;
-    ASSERT_TRUE(store->save(delta));
+    for (std::uint32_t& word : pages[0].words) word = state = state * 1664525U + 1013904223U;
+    ASSERT_TRUE(store->writePages(pages));
+    ASSERT_TRUE(store->save({}));
   }
   std::uintmax_t bytes = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder.path() / "scan" / "map"))
     bytes += file.file_size();
   EXPECT_LT(bytes, 44U << 20U) << "of 56 MB that were written";
-  EXPECT_EQ(*store->loadPage({0, 0, 0}), delta.pages[0].words);
+  EXPECT_EQ(*store->loadPage({0, 0, 0}), pages[0].words);
+}
+
+TEST(SessionStore, PagesAreThereWithTheSaveThatTheyWereWrittenFor) {
+  const TemporaryFolder folder;
+  {
+    const auto store = created(folder.path() / "scan");
+    ASSERT_TRUE(saveSome(*store, 1));
+    SavedPage anew = somePage(1);
+    anew.words[0] = 4;
+    ASSERT_TRUE(store->writePages(std::vector{anew, somePage(2)}));
+    SavedKeyFrame images;
+    images.frame = 7;
+    images.color_file = "c.jpg";
+    images.depth_file = "d.png";
+    ASSERT_TRUE(store->saveKeyFrame({.number = 7}, images));
+    EXPECT_EQ(store->load()->pages.size(), 1U) << "a frame's images are no moment of the scan";
+    EXPECT_EQ(*store->loadPage({1, -2, 5}), somePage(1).words);
+  }  // the program ends before the save
+  auto store = SessionStore::open(folder.path() / "scan");
+  ASSERT_TRUE(store);
+  EXPECT_EQ((*store)->load()->pages.size(), 1U);
+  EXPECT_EQ(*(*store)->loadPage({1, -2, 5}), somePage(1).words);
+  ASSERT_TRUE((*store)->writePages(std::vector{somePage(2)}));
+  ASSERT_TRUE((*store)->save({}));
+  EXPECT_EQ((*store)->load()->pages.size(), 2U);
+  EXPECT_EQ(*(*store)->loadPage({2, -2, 5}), somePage(2).words);
 }
 
 TEST(OperationJson, WhatIsNoneIsNothing) {
