@@ -138,8 +138,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
   if (tracker_) {
-    result.returned = tracker_->takeReturned();
     stage("track", [&] { result.is_place = tracker_->learn(frame, depth, surface_); });
+    result.returned = tracker_->takeReturned();
   }
 
   // The partition is one thread's; what does not need it goes on beside it.

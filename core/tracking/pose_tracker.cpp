@@ -51,7 +51,6 @@ Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute
 }
 
 PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
-  finishLearning();
   FirstLook look = lookAt(frame);
   registerToSurface(look, depth, model);
   return track(std::move(look), depth, model);
@@ -59,8 +58,7 @@ PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& dept
 
 PoseTracker::FirstLook PoseTracker::lookAt(const RgbdFrame& frame) {
   FirstLook look{.frame = frame, .by_surface = {}};
-  // The features of a place are looked for one after the other with these.
-  if (last_ && !was_firm_ && !learning_.valid()) beginView(look);
+  if (last_ && !was_firm_) beginView(look);
   return look;
 }
 
@@ -72,12 +70,15 @@ void PoseTracker::registerToSurface(FirstLook& look, const DepthPyramid& depth,
   look.by_surface = judge(outcome, model.T_world_camera, PoseOrigin::prediction);
   look.is_firm = outcome.step.is_firm;
   if (look.by_surface.state == TrackingState::lost) look.by_surface.T_world_camera = guesses.front();
+  const bool is_enough = look.by_surface.usable() && look.is_firm;
+  if (is_enough || is_lost_ || !look.gray) return;
+  look.coming_corners = beginCorners(*look.last_gray, *look.gray, model, look.by_surface.T_world_camera);
 }
 
 PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model) {
-  finishLearning();
   K_depth_ = depth.K;
   PoseEstimate pose;
+  tracked_gray_.reset();
   tracked_view_.reset();
   if (!last_) {
     pose = begin(depth);
@@ -86,12 +87,14 @@ PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const
                   .depth = depth,
                   .model = model,
                   .gray = std::move(look.gray),
-                  .coming_view = std::move(look.coming_view)};
+                  .coming_view = std::move(look.coming_view),
+                  .coming_corners = std::move(look.coming_corners)};
     pose = look.by_surface;
     if (!pose.usable() || !look.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
     was_firm_ = look.is_firm;
     if (search.coming_view.valid()) search.view = search.coming_view.get();
+    tracked_gray_ = std::move(search.gray);
     tracked_view_ = std::move(search.view);
   }
   remember(look.frame, pose);
@@ -124,7 +127,9 @@ PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry
 }
 
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
-  if (!is_lost_) beginCorners(search, by_surface.T_world_camera);
+  awaitLandmarks();
+  if (!is_lost_ && !search.coming_corners.valid())
+    search.coming_corners = beginCorners(lastGray(), grayOf(search), search.model, by_surface.T_world_camera);
   const auto by_landmarks = followLandmarks(search, by_surface);
   if (by_landmarks && !(has_gone_on_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
@@ -149,18 +154,22 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
 
 void PoseTracker::beginView(FirstLook& look) {
   look.gray = grayViewOf(look.frame, K_depth_);
-  look.coming_view = std::async(std::launch::async, [this, gray = *look.gray] { return finder_.find(gray); });
+  look.last_gray = lastGray();
+  look.coming_view = std::async(std::launch::async, [this, before = coming_landmarks_, gray = *look.gray] {
+    if (before.valid()) before.wait();  // one finder for all
+    return finder_.find(gray);
+  });
 }
 
-void PoseTracker::beginCorners(Search& search, const Eigen::Isometry3d& guess) {
-  if (grayOf(search).image.empty() || lastGray().image.empty()) return;
-  search.coming_corners =
-      std::async(std::launch::async,
-                 [last = lastGray(), now = *search.gray, guess, T_model = search.model.T_world_camera,
-                  vertices = search.model.vertices_world.read(compute_.queue())] {
-                   const SurfaceInView surface(last.K, T_model * last.T_color_depth.inverse(), vertices);
-                   return followCorners(last, surface, now, guess * now.T_color_depth.inverse());
-                 });
+std::future<SeenLandmarks> PoseTracker::beginCorners(const GrayView& last, const GrayView& now,
+                                                     const SurfaceMaps& model,
+                                                     const Eigen::Isometry3d& guess) const {
+  if (last.image.empty() || now.image.empty()) return {};
+  return std::async(std::launch::async, [last, now, guess, T_model = model.T_world_camera,
+                                         vertices = model.vertices_world.read(compute_.queue())] {
+    const SurfaceInView surface(last.K, T_model * last.T_color_depth.inverse(), vertices);
+    return followCorners(last, surface, now, guess * now.T_color_depth.inverse());
+  });
 }
 
 std::optional<PoseEstimate> PoseTracker::followFlow(Search& search, const Eigen::Isometry3d& guess) {
@@ -177,7 +186,7 @@ std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search, const P
   const auto about = by_surface.usable() ? std::optional(by_surface.T_world_camera) : std::nullopt;
   std::optional<LandmarkPose> seen;
   // A key frame rather than the last one: poses that are measured by the same landmarks do not drift.
-  if (const KeyFrame* near = key_frames_.nearest(*last_)) seen = locate(view, near->landmarks, about);
+  if (const Landmarks* near = nearestLandmarks()) seen = locate(view, *near, about);
   if (!seen || seen->seen.pixels.size() < kManyLandmarks) {
     const auto by_last = locate(view, lastLandmarks(search.model), about);
     if (by_last && (!seen || by_last->seen.pixels.size() > 2 * seen->seen.pixels.size())) seen = by_last;
@@ -188,7 +197,14 @@ std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search, const P
   return pose.usable() ? std::optional(pose) : std::nullopt;
 }
 
+const Landmarks* PoseTracker::nearestLandmarks() const {
+  if (learning_.valid() && learns_place_) return &*last_landmarks_;
+  const KeyFrame* near = key_frames_.nearest(*last_);
+  return near != nullptr ? &near->landmarks : nullptr;
+}
+
 std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
+  finishLearning();
   const ColorView& view = viewOf(search);
   for (const KeyFrame* place : key_frames_.alike(thumbnailOf(search.frame), view, kPlacesToTry)) {
     PoseEstimate pose;
@@ -298,7 +314,7 @@ bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const
   finishLearning();
   last_frame_ = frame;
   K_depth_ = depth.K;
-  last_gray_.reset();
+  last_gray_ = std::exchange(tracked_gray_, std::nullopt);
   last_view_ = std::exchange(tracked_view_, std::nullopt);
   last_landmarks_.reset();
   const bool is_new_place = passBy(model.T_world_camera);
@@ -309,13 +325,22 @@ bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const
   if (!is_new_place && !isBack(model.T_world_camera)) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
   if (thumbnail.empty()) return false;
-  // Nobody asks for a place before the next frame: its features are looked for beside the rest of this one.
-  learning_ = std::async(std::launch::async, [this, T_world_camera = model.T_world_camera, thumbnail,
-                                              is_new_place,
-                                              vertices = model.vertices_world.read(compute_.queue())] {
-    last_landmarks_ = landmarksOf(lastView(), T_world_camera, vertices);
-    const SurfaceInView surface(lastView().K, T_world_camera * lastView().T_color_depth.inverse(), vertices);
-    Learnt learnt{.place = {}, .returned = returnedTo(key_frames_, thumbnail, lastView(), surface)};
+  // Nobody asks for a place's features before the next frame, nor before the one after whether the camera was
+  // there before: that is found out beside them.
+  static_cast<void>(lastGray());
+  const auto vertices =
+      std::make_shared<const std::vector<cl_float4>>(model.vertices_world.read(compute_.queue()));
+  const Eigen::Isometry3d& T_world_camera = model.T_world_camera;
+  learns_place_ = is_new_place;
+  coming_landmarks_ = std::async(std::launch::async, [this, T_world_camera, vertices] {
+    last_landmarks_ = landmarksOf(lastView(), T_world_camera, *vertices);
+  });
+  learning_ = std::async(std::launch::async, [this, before = coming_landmarks_, T_world_camera, vertices,
+                                              thumbnail, is_new_place] {
+    before.get();
+    const ColorView& view = *last_view_;
+    const SurfaceInView surface(view.K, T_world_camera * view.T_color_depth.inverse(), *vertices);
+    Learnt learnt{.place = {}, .returned = returnedTo(key_frames_, thumbnail, view, surface)};
     if (is_new_place) learnt.place = KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
     return learnt;
   });
@@ -331,8 +356,13 @@ bool PoseTracker::isBack(const Eigen::Isometry3d& T_world_camera) {
 void PoseTracker::finishLearning() {
   if (!learning_.valid()) return;
   Learnt learnt = learning_.get();
+  coming_landmarks_ = {};
   if (learnt.place) key_frames_.add(std::move(*learnt.place));
   if (learnt.returned) returned_ = learnt.returned;
+}
+
+void PoseTracker::awaitLandmarks() {
+  if (coming_landmarks_.valid()) coming_landmarks_.get();
 }
 
 const GrayView& PoseTracker::grayOf(Search& search) {

@@ -27,8 +27,8 @@ namespace scantrove {
 /// Where the camera is, frame by frame. Owns all that is known about poses. A frame's pose is predicted from
 /// the motion so far, registered by ICP against the map's surface and judged; what is not trusted is
 /// recovered: from landmarks of the last view and of key frames, which find the camera anywhere that it has
-/// been. One thread, the context's; may throw cl::Error. (The features of a new place are found by another,
-/// until the next call.)
+/// been. One thread, the context's; may throw cl::Error. (Others find the features of a new place and ask
+/// whether the camera has come back to it, until learn() is called again.)
 class PoseTracker {
  public:
   /// Fills the map's surface as seen from a pose.
@@ -43,8 +43,10 @@ class PoseTracker {
     RgbdFrame frame;
     PoseEstimate by_surface;
     bool is_firm = false;  ///< the surface determines the pose well
-    std::optional<GrayView> gray = {};
+    // Of its colour image, and of the last one, where landmarks are likely to be asked for:
+    std::optional<GrayView> gray = {}, last_gray = {};
     std::future<ColorView> coming_view = {};
+    std::future<SeenLandmarks> coming_corners = {};
   };
   /// Of the frame after the one that track() and learn() were told of last.
   [[nodiscard]] FirstLook lookAt(const RgbdFrame& frame);
@@ -122,8 +124,10 @@ class PoseTracker {
   [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
   /// The colour image's features, which recover() asks for in many frames in a row.
   void beginView(FirstLook& look);
-  /// Begins to look for what cornersOf() is asked for soon.
-  void beginCorners(Search& search, const Eigen::Isometry3d& guess);
+  /// What cornersOf() is asked for soon. Not valid: there is no colour.
+  [[nodiscard]] std::future<SeenLandmarks> beginCorners(const GrayView& last, const GrayView& now,
+                                                        const SurfaceMaps& model,
+                                                        const Eigen::Isometry3d& guess) const;
   /// By such corners alone, from a guess nearby.
   [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search, const Eigen::Isometry3d& guess);
   /// By features of the nearest key frame or the last image.
@@ -142,8 +146,12 @@ class PoseTracker {
   [[nodiscard]] const GrayView& lastGray();
   /// The camera is where it was before it was elsewhere, at a place that was not asked about yet.
   [[nodiscard]] bool isBack(const Eigen::Isometry3d& T_world_camera);
-  /// What learn() left to another thread is done.
+  /// What learn() left to other threads is done.
   void finishLearning();
+  /// As much of it as the next frame may ask for.
+  void awaitLandmarks();
+  /// Of the key frame that sees most like the last usable frame, or null: none is near.
+  [[nodiscard]] const Landmarks* nearestLandmarks() const;
   [[nodiscard]] static const GrayView& grayOf(Search& search);
   [[nodiscard]] const ColorView& viewOf(Search& search);
   [[nodiscard]] static const SeenLandmarks& cornersOf(Search& search);
@@ -170,7 +178,8 @@ class PoseTracker {
   std::optional<GrayView> last_gray_;        // its image, once asked for
   std::optional<ColorView> last_view_;       // likewise
   std::optional<Landmarks> last_landmarks_;  // likewise
-  std::optional<ColorView> tracked_view_;    // of the frame that track() saw last, if it was asked for
+  std::optional<GrayView> tracked_gray_;     // of the frame that track() saw last, if it was asked for
+  std::optional<ColorView> tracked_view_;    // likewise
   KeyFrames key_frames_;
   SeenSurfaces seen_;
   const SeenSurfaces::View* seen_again_ = nullptr;  // the one that seen_surface_ holds
@@ -182,7 +191,10 @@ class PoseTracker {
     std::optional<KeyFrame> place;  // a new one
     std::optional<ReturnedPlace> returned;
   };
-  std::future<Learnt> learning_;  // uses what is above: goes first
+  bool learns_place_ = false;  // it is that of the last usable frame
+  std::shared_future<void>
+      coming_landmarks_;          // last_view_ and last_landmarks_; uses what is above: goes first
+  std::future<Learnt> learning_;  // likewise
 };
 
 }  // namespace scantrove
