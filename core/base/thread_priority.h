@@ -8,6 +8,7 @@ enum class Niceness {
   none = 0,
   scan_beside_window = 3,  ///< a window that must wait for a core answers late; the scan hardly loses by it
   catalogue_writer = 5,    ///< frames come first
+  session_writer = 5,      ///< likewise
   label_writer = 10,       ///< takes what the frames leave idle
 };
 

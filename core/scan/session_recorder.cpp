@@ -13,8 +13,8 @@ namespace {
 /// Frames that may still be understood late.
 constexpr std::size_t kRememberedFrames = 200;
 
-/// Bricks of pages that are handed over at once (3 MB), and how often before they are on disk.
-constexpr std::size_t kBricksAtOnce = 512;
+/// Bricks of pages that are handed over at once (6 MB), and how often before they are on disk.
+constexpr std::size_t kBricksAtOnce = 1024;
 constexpr std::size_t kMostWaitingPages = 2;
 
 }  // namespace

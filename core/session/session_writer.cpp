@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/thread_priority.h"
+
 namespace scantrove {
 
 Result<std::unique_ptr<SessionWriter>> SessionWriter::start(const std::filesystem::path& folder, Way way) {
@@ -40,6 +42,7 @@ bool SessionWriter::open(Way way, std::unique_ptr<SessionStore>& store) {
 }
 
 void SessionWriter::run(Way way) {
+  giveWay(Niceness::session_writer);
   std::unique_ptr<SessionStore> store;  // its database is this thread's
   if (!open(way, store)) return;
   std::unique_lock lock(mutex_);

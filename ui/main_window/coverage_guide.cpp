@@ -66,10 +66,16 @@ void CoverageGuide::showObjects() {
   }
   const SideAxes axes = scene_.view()->scene().sideAxes();
   if (seen_from == objects_seen_from_ && axes == axes_of_objects_) return;
+  std::map<ObjectId, SeenSides> sides;
+  for (const auto& [object, coverage] : seen_from) {
+    const auto before = objects_seen_from_.find(object);
+    const bool is_known =
+        axes == axes_of_objects_ && before != objects_seen_from_.end() && before->second == coverage;
+    sides[object] = is_known ? sides_of_objects_[object] : sidesOf(coverage, axes);
+  }
   objects_seen_from_ = std::move(seen_from);
   axes_of_objects_ = axes;
-  std::map<ObjectId, SeenSides> sides;
-  for (const auto& [object, coverage] : objects_seen_from_) sides[object] = sidesOf(coverage, axes);
+  sides_of_objects_ = sides;
   objects_.setSeenSides(std::move(sides));
 }
 

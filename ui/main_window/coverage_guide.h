@@ -46,6 +46,7 @@ class CoverageGuide : public QObject {
   ObjectListModel& objects_;
   QAction* action_;
   std::map<ObjectId, ViewCoverage> objects_seen_from_;  ///< as the list shows it
+  std::map<ObjectId, SeenSides> sides_of_objects_;
   SideAxes axes_of_objects_;
   Eigen::AlignedBox3f box_;                ///< of what is selected
   QElapsedTimer since_box_;                ///< was found; not valid: it is of something else

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "core/fusion/kernels/brick_layout.h"
 
 namespace scantrove {
 namespace {
@@ -16,6 +19,10 @@ constexpr float kMinWeight = 2;
 constexpr float kReach = 0.14F;        ///< of the Gaussian, squared, in bricks
 constexpr float kSameSurface = 0.82F;  ///< cosine of the angle up to which normals are averaged
 constexpr float kSameSide = 0.6F;      ///< the same for those of neighbouring voxels
+constexpr int kFringe = 35;            ///< in CloudBrick::Point::height: such voxels come and go
+constexpr int kAlikeHeight = 12;       ///< likewise
+constexpr int kAlikeColor = 10;        ///< of 255
+constexpr std::size_t kAlikeOfOthers = 8;
 
 Eigen::Vector3f cellCentre(std::size_t cell) {
   return {(cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
@@ -49,6 +56,23 @@ Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
   if (cells == nullptr) return Eigen::Vector3f::Zero();
   const auto in_brick = [](int cell) { return static_cast<std::size_t>((cell + 2) % 2); };
   return (*cells)[in_brick(x) + 2 * in_brick(y) + 4 * in_brick(z)];
+}
+
+/// The voxel of a point in its brick: x + 8 y + 64 z. Right for points at voxel centres and at their corners.
+std::size_t voxelOf(const CloudBrick::Point& point, float voxel_size_m) {
+  const Eigen::Vector3i voxel = (point.centre().array() / voxel_size_m + 0.25F).floor().cast<int>();
+  return static_cast<std::size_t>((voxel.x() & 7) + 8 * ((voxel.y() & 7) + 8 * (voxel.z() & 7)));
+}
+
+bool isOnFringe(const CloudBrick::Point& point) { return std::abs(point.height) > kFringe; }
+
+bool isAlike(const CloudBrick::Point& a, const CloudBrick::Point& b) {
+  if (std::abs(a.height - b.height) > kAlikeHeight) return false;
+  if (!b.color.known()) return true;  // it gets its colour from those around it
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (std::abs(a.color.rgb[c] - b.color.rgb[c]) > kAlikeColor) return false;
+  }
+  return true;
 }
 
 /// False when most points have no normal.
@@ -106,20 +130,21 @@ void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
   }
 }
 
-void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
+std::vector<PackedNormal> smoothNormals(const std::vector<CloudBrick::Point>& points, std::size_t count,
+                                        float voxel_size_m) {
   constexpr int kSide = 8;
   constexpr int kPadded = kSide + 2;  // so that what lies around need not be checked
   std::array<Eigen::Vector3f, kPadded * kPadded * kPadded> voxels;
   voxels.fill(Eigen::Vector3f::Zero());
   const auto place = [voxel_size_m](const CloudBrick::Point& point) {
-    // Right for points at voxel centres and at their corners.
-    const Eigen::Vector3i voxel = (point.centre().array() / voxel_size_m + 0.25F).floor().cast<int>();
-    return 1 + (voxel.x() & 7) + kPadded * (1 + (voxel.y() & 7) + kPadded * (1 + (voxel.z() & 7)));
+    const auto voxel = static_cast<int>(voxelOf(point, voxel_size_m));
+    return 1 + voxel % kSide + kPadded * (1 + voxel / kSide % kSide + kPadded * (1 + voxel / kSide / kSide));
   };
   for (const CloudBrick::Point& point : points)
     voxels[static_cast<std::size_t>(place(point))] = point.normal.unpacked();
-  for (CloudBrick::Point& point : points) {
-    if (!point.normal.known()) continue;
+  std::vector<PackedNormal> smooth;
+  smooth.reserve(count);
+  for (const CloudBrick::Point& point : std::span(points).first(count)) {
     const int middle = place(point);
     const Eigen::Vector3f own = voxels[static_cast<std::size_t>(middle)];
     Eigen::Vector3f sum = own;
@@ -132,8 +157,9 @@ void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
         }
       }
     }
-    point.normal = PackedNormal::of(sum);
+    smooth.push_back(PackedNormal::of(sum));
   }
+  return smooth;
 }
 
 CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m) {
@@ -190,6 +216,22 @@ float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick) {
              ((cell & 4U) != 0 ? t.z() : 1 - t.z());
   }
   return value;
+}
+
+bool looksTheSame(const std::vector<CloudBrick::Point>& shown, const std::vector<CloudBrick::Point>& now,
+                  float voxel_size_m) {
+  std::array<const CloudBrick::Point*, BRICK_VOXELS> before{};
+  for (const CloudBrick::Point& point : shown) before[voxelOf(point, voxel_size_m)] = &point;
+  std::size_t others = 0;
+  for (const CloudBrick::Point& point : now) {
+    const CloudBrick::Point*& known = before[voxelOf(point, voxel_size_m)];
+    if (known == nullptr && isOnFringe(point)) continue;
+    if (known == nullptr || known->fragment != point.fragment) return false;
+    if (!isAlike(*known, point)) ++others;
+    known = nullptr;
+  }
+  const auto is_gone = [](const CloudBrick::Point* point) { return point != nullptr && !isOnFringe(*point); };
+  return kAlikeOfOthers * others <= now.size() && std::ranges::none_of(before, is_gone);
 }
 
 Eigen::Vector3f mainNormal(const CellNormals& cells) {

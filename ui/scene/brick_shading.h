@@ -30,13 +30,20 @@ using Neighbourhood = std::array<const CellNormals*, 27>;
 /// Brightness 0..1 of a surface with this normal (unit, any sign).
 [[nodiscard]] float lightOn(const Eigen::Vector3f& normal);
 
-/// Gives every point of a brick the mean of the normals of the voxels around it: what is left of the
-/// sensor's noise shows in every highlight.
-void smoothNormals(std::vector<CloudBrick::Point>& points, float voxel_size_m);
+/// For each of a brick's first `count` points the mean of the normals of the voxels around it: what is left
+/// of the sensor's noise shows in every highlight.
+[[nodiscard]] std::vector<PackedNormal> smoothNormals(const std::vector<CloudBrick::Point>& points,
+                                                      std::size_t count, float voxel_size_m);
 
 /// Gives points not seen in colour (along outlines, where colour may be of what is behind) the mean colour of
 /// those around them, as far as three voxels.
 void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m);
+
+/// Whether nobody would tell `now` from `shown`, the colours of which are spread: the same fragments in the
+/// same voxels, but for some on the fringe of the surface, and nearly all of them as high and of a like
+/// colour.
+[[nodiscard]] bool looksTheSame(const std::vector<CloudBrick::Point>& shown,
+                                const std::vector<CloudBrick::Point>& now, float voxel_size_m);
 
 /// Sum of a brick's cell normals, aligned with each other: its main surface.
 [[nodiscard]] Eigen::Vector3f mainNormal(const CellNormals& cells);

@@ -51,9 +51,23 @@ std::vector<CloudBrick::Point> inOrderOfLevels(const std::vector<CloudBrick::Poi
   return ordered;
 }
 
+RegionId regionOf(FragmentId fragment, const CloudChunk::RegionOfFragment& region_of_fragment) {
+  const bool known = fragment.value < region_of_fragment.size();
+  return known ? region_of_fragment[fragment.value] : RegionId{};
+}
 RegionId regionOf(const CloudBrick::Point& point, const CloudChunk::RegionOfFragment& region_of_fragment) {
-  const bool known = point.fragment.value < region_of_fragment.size();
-  return known ? region_of_fragment[point.fragment.value] : RegionId{};
+  return regionOf(point.fragment, region_of_fragment);
+}
+
+std::vector<FragmentId> fragmentsOf(const std::vector<CloudBrick::Point>& points) {
+  std::vector<FragmentId> fragments;
+  for (const CloudBrick::Point& p : points) {
+    if (fragments.empty() || fragments.back() != p.fragment) fragments.push_back(p.fragment);
+  }
+  std::ranges::sort(fragments);
+  const auto repeated = std::ranges::unique(fragments);
+  fragments.erase(repeated.begin(), repeated.end());
+  return fragments;
 }
 
 /// Triples.
@@ -85,15 +99,23 @@ CloudChunk::CloudChunk(vtkRenderer* renderer)
 
 CloudChunk::~CloudChunk() { renderer_->RemoveActor(actor_); }
 
+CloudBrick::Point CloudChunk::Brick::shown(std::size_t point) const {
+  CloudBrick::Point shown = points[point];
+  if (point < smooth.size()) shown.normal = smooth[point];
+  return shown;
+}
+
 std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m) {
   Brick& mine = bricks_[{brick.position.x(), brick.position.y(), brick.position.z()}];
   if (mine.version > brick.version) return 0;
   const auto growth =
       static_cast<std::ptrdiff_t>(brick.points.size()) - static_cast<std::ptrdiff_t>(mine.points.size());
   mine.version = brick.version;
+  if (looksTheSame(mine.points, brick.points, voxel_size_m)) return 0;
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= mine.count[level];
   mine.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, mine.count);
-  smoothNormals(mine.points, voxel_size_m);
+  mine.fragments = fragmentsOf(mine.points);
+  mine.smooth.clear();
   spreadColors(mine.points, voxel_size_m);
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] += mine.count[level];
   // Normals are dear, and a surface that gains no points keeps its shape.
@@ -113,8 +135,8 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
 void CloudChunk::markIfUses(const std::vector<bool>& changed, bool urgently) {
   if (dirty_ && (urgent_ || !urgently)) return;
   for (const auto& [key, brick] : bricks_) {
-    for (const CloudBrick::Point& p : brick.points) {
-      if (p.fragment.value < changed.size() && changed[p.fragment.value]) {
+    for (const FragmentId fragment : brick.fragments) {
+      if (fragment.value < changed.size() && changed[fragment.value]) {
         dirty_ = true;
         urgent_ = urgent_ || urgently;
         return;
@@ -126,12 +148,11 @@ void CloudChunk::markIfUses(const std::vector<bool>& changed, bool urgently) {
 bool CloudChunk::hasSelected(const std::set<RegionId>& selected, const RegionOfFragment& region_of_fragment) {
   if (selected.empty()) return false;
   if (has_selected_) return *has_selected_;
-  const auto isSelected = [&](const CloudBrick::Point& p) {
-    return p.fragment.value < region_of_fragment.size() &&
-           selected.contains(region_of_fragment[p.fragment.value]);
+  const auto isSelected = [&](FragmentId fragment) {
+    return selected.contains(regionOf(fragment, region_of_fragment));
   };
   has_selected_ = std::ranges::any_of(
-      bricks_, [&](const auto& brick) { return std::ranges::any_of(brick.second.points, isSelected); });
+      bricks_, [&](const auto& brick) { return std::ranges::any_of(brick.second.fragments, isSelected); });
   return *has_selected_;
 }
 
@@ -154,8 +175,11 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
   for (auto& [key, brick] : bricks_) {
     if (brick.count[wanted_level_] == 0) continue;
     if (!brick.light) brick.light = lightOf(key);
+    const std::size_t drawn = brick.count[wanted_level_];
+    if (brick.smooth.size() < drawn) brick.smooth = smoothNormals(brick.points, drawn, voxel_size_m);
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
-    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[wanted_level_])) {
+    for (std::size_t i = 0; i < drawn; ++i) {
+      const CloudBrick::Point p = brick.shown(i);
       const RegionId region = regionOf(p, region_of_fragment);
       if (look.hides(region)) continue;
       const Eigen::Vector3f normal = p.normal.unpacked();
@@ -242,7 +266,8 @@ void CloudChunk::addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment
   for (const auto& [key, brick] : bricks_) {
     const Eigen::Vector3f corner = brick_m * Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
     if (!ids.maySee({corner, corner.array() + brick_m})) continue;
-    for (const CloudBrick::Point& p : std::span(brick.points).first(brick.count[level])) {
+    for (std::size_t i = 0; i < brick.count[level]; ++i) {
+      const CloudBrick::Point p = brick.shown(i);
       if (!look.hides(regionOf(p, region_of_fragment)))
         ids.add(p.onSurface(voxel_size_m), p.normal.unpacked(), p.fragment);
     }
@@ -258,7 +283,8 @@ void CloudChunk::collectNear(const PickRay& ray, const RegionOfFragment& region_
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
     const float brick_m = 8 * voxel_size_m;
     if (!ray.mayMeet({corner * brick_m, (corner.array() + 1).matrix() * brick_m})) continue;
-    for (const CloudBrick::Point& p : brick.points) {
+    for (std::size_t i = 0; i < brick.points.size(); ++i) {
+      const CloudBrick::Point p = brick.shown(i);
       const Eigen::Vector3f place = p.onSurface(voxel_size_m);
       const std::optional<PickedPoint> picked = ray.meet(place);
       if (picked && !look.hides(regionOf(p, region_of_fragment))) found.push_back(*picked);

@@ -45,8 +45,8 @@ class CloudChunk {
   CloudChunk(const CloudChunk&) = delete;
   CloudChunk& operator=(const CloudChunk&) = delete;
 
-  /// Replaces the brick's points unless the stored version is newer. Returns by how many the number of points
-  /// grew.
+  /// Replaces the brick's points unless the stored version is newer, or looks the same. Returns by how many
+  /// the number of points grew.
   std::ptrdiff_t setBrick(const CloudBrick& brick, float voxel_size_m);
 
   /// The chunk must be drawn anew when it holds a fragment for which `changed[fragment]` is true; `urgently`:
@@ -106,10 +106,15 @@ class CloudChunk {
   struct Brick {
     std::uint64_t version = 0;
     std::vector<CloudBrick::Point> points;  ///< those of coarser levels first
+    std::vector<PackedNormal> smooth;       ///< of as many points as were drawn
+    std::vector<FragmentId> fragments;      ///< of the points, each once
     LevelCounts count{};
     CellNormals normals;
     std::size_t points_when_shaped = 0;  ///< how many points the normals were found from
     std::optional<CellLight> light;      ///< none: to be found anew
+
+    /// With its smooth normal, if it was drawn.
+    [[nodiscard]] CloudBrick::Point shown(std::size_t point) const;
   };
   struct BrickKey {
     int x, y, z;
