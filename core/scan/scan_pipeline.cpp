@@ -113,7 +113,7 @@ void ScanPipeline::beginNext(const NextFrame& next) {
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;
   next_look_ = std::async(std::launch::async, [this, look = tracker_->lookAt(*frame)]() mutable {
-    tracker_->registerToSurface(look, preprocessor_->process(look.frame), followed_);
+    tracker_->registerToModel(look, preprocessor_->process(look.frame), followed_);
     return std::move(look);
   });
 }

@@ -7,6 +7,7 @@ namespace scantrove {
 
 std::optional<CameraMemory> ScanPipeline::cameraMemory() {
   if (surface_.vertices_world.size() == 0) return std::nullopt;
+  if (next_look_.valid()) next_look_.wait();  // at a frame that will not come
   CameraMemory memory;
   if (tracker_) memory.tracker = tracker_->memory();
   memory.free_space = motion_->freeSpace().memory();

@@ -52,18 +52,17 @@ Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute
 
 PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
   FirstLook look = lookAt(frame);
-  registerToSurface(look, depth, model);
+  registerToModel(look, depth, model);
   return track(std::move(look), depth, model);
 }
 
 PoseTracker::FirstLook PoseTracker::lookAt(const RgbdFrame& frame) {
-  FirstLook look{.frame = frame, .by_surface = {}};
+  FirstLook look{.frame = frame, .by_surface = {}, .clues = {}};
   if (last_ && !was_firm_) beginView(look);
   return look;
 }
 
-void PoseTracker::registerToSurface(FirstLook& look, const DepthPyramid& depth,
-                                    const SurfaceMaps& model) const {
+void PoseTracker::registerToModel(FirstLook& look, const DepthPyramid& depth, const SurfaceMaps& model) {
   if (!last_) return;
   const std::vector<Eigen::Isometry3d> guesses = predict(model);
   const IcpOutcome outcome = aligner_->align(depth, model, guesses);
@@ -71,8 +70,13 @@ void PoseTracker::registerToSurface(FirstLook& look, const DepthPyramid& depth,
   look.is_firm = outcome.step.is_firm;
   if (look.by_surface.state == TrackingState::lost) look.by_surface.T_world_camera = guesses.front();
   const bool is_enough = look.by_surface.usable() && look.is_firm;
-  if (is_enough || is_lost_ || !look.gray) return;
-  look.coming_corners = beginCorners(*look.last_gray, *look.gray, model, look.by_surface.T_world_camera);
+  Clues& clues = look.clues;
+  if (is_enough || is_lost_ || has_gone_on_ || !clues.gray) return;
+  clues.coming_corners = beginCorners(*clues.last_gray, *clues.gray, model, look.by_surface.T_world_camera);
+  Search search{look.frame, depth, model, clues};
+  seekLandmarks(search, look.by_surface);
+  if (clues.landmarks && isInView(model, clues.landmarks->T_world_camera))
+    clues.verified = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
 }
 
 PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model) {
@@ -83,19 +87,15 @@ PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const
   if (!last_) {
     pose = begin(depth);
   } else {
-    Search search{.frame = look.frame,
-                  .depth = depth,
-                  .model = model,
-                  .gray = std::move(look.gray),
-                  .coming_view = std::move(look.coming_view),
-                  .coming_corners = std::move(look.coming_corners)};
+    Clues& clues = look.clues;
+    Search search{look.frame, depth, model, clues};
     pose = look.by_surface;
     if (!pose.usable() || !look.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
     was_firm_ = look.is_firm;
-    if (search.coming_view.valid()) search.view = search.coming_view.get();
-    tracked_gray_ = std::move(search.gray);
-    tracked_view_ = std::move(search.view);
+    if (clues.coming_view.valid()) clues.view = clues.coming_view.get();
+    tracked_gray_ = std::move(clues.gray);
+    tracked_view_ = std::move(clues.view);
   }
   remember(look.frame, pose);
   return pose;
@@ -128,8 +128,9 @@ PoseEstimate PoseTracker::judge(const IcpOutcome& outcome, const Eigen::Isometry
 
 PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface) {
   awaitLandmarks();
-  if (!is_lost_ && !search.coming_corners.valid())
-    search.coming_corners = beginCorners(lastGray(), grayOf(search), search.model, by_surface.T_world_camera);
+  Clues& clues = search.clues;
+  if (!is_lost_ && !clues.corners && !clues.coming_corners.valid())
+    clues.coming_corners = beginCorners(lastGray(), grayOf(search), search.model, by_surface.T_world_camera);
   const auto by_landmarks = followLandmarks(search, by_surface);
   if (by_landmarks && !(has_gone_on_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
@@ -153,12 +154,13 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
 }
 
 void PoseTracker::beginView(FirstLook& look) {
-  look.gray = grayViewOf(look.frame, K_depth_);
-  look.last_gray = lastGray();
-  look.coming_view = std::async(std::launch::async, [this, before = coming_landmarks_, gray = *look.gray] {
-    if (before.valid()) before.wait();  // one finder for all
-    return finder_.find(gray);
-  });
+  look.clues.gray = grayViewOf(look.frame, K_depth_);
+  look.clues.last_gray = lastGray();
+  look.clues.coming_view =
+      std::async(std::launch::async, [this, before = coming_landmarks_, gray = *look.clues.gray] {
+        if (before.valid()) before.wait();  // one finder for all
+        return finder_.find(gray);
+      });
 }
 
 std::future<SeenLandmarks> PoseTracker::beginCorners(const GrayView& last, const GrayView& now,
@@ -181,6 +183,21 @@ std::optional<PoseEstimate> PoseTracker::followFlow(Search& search, const Eigen:
 }
 
 std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search, const PoseEstimate& by_surface) {
+  Clues& clues = search.clues;
+  if (!clues.are_landmarks_sought) seekLandmarks(search, by_surface);
+  if (!clues.landmarks) return std::nullopt;
+  if (!clues.verified)
+    clues.verified = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
+  return clues.verified->usable() ? clues.verified : std::nullopt;
+}
+
+void PoseTracker::seekLandmarks(Search& search, const PoseEstimate& by_surface) {
+  awaitLandmarks();
+  search.clues.landmarks = locateByLandmarks(search, by_surface);
+  search.clues.are_landmarks_sought = true;
+}
+
+std::optional<LandmarkPose> PoseTracker::locateByLandmarks(Search& search, const PoseEstimate& by_surface) {
   const ColorView& view = viewOf(search);
   if (view.pixels.empty()) return std::nullopt;
   const auto about = by_surface.usable() ? std::optional(by_surface.T_world_camera) : std::nullopt;
@@ -193,8 +210,7 @@ std::optional<PoseEstimate> PoseTracker::followLandmarks(Search& search, const P
   }
   if (!seen || !isWellFounded(*seen)) return std::nullopt;
   if (!is_lost_) seen->seen.append(cornersOf(search));
-  const PoseEstimate pose = verify(search, seen->T_world_camera, &seen->seen);
-  return pose.usable() ? std::optional(pose) : std::nullopt;
+  return seen;
 }
 
 const Landmarks* PoseTracker::nearestLandmarks() const {
@@ -220,9 +236,13 @@ std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
   return std::nullopt;
 }
 
+bool PoseTracker::isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const {
+  return !is_lost_ && viewDistance(model.T_world_camera, guess, kSameView) < 1;
+}
+
 PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& guess,
                                  const SeenLandmarks* landmarks) {
-  const bool is_in_view = !is_lost_ && viewDistance(search.model.T_world_camera, guess, kSameView) < 1;
+  const bool is_in_view = isInView(search.model, guess);
   if (!is_in_view) view_model_(guess, verified_);
   const PoseOrigin origin = landmarks == nullptr ? PoseOrigin::search
                             : is_lost_           ? PoseOrigin::place
@@ -366,20 +386,23 @@ void PoseTracker::awaitLandmarks() {
 }
 
 const GrayView& PoseTracker::grayOf(Search& search) {
-  if (!search.gray) search.gray = grayViewOf(search.frame, search.depth.K);
-  return *search.gray;
+  std::optional<GrayView>& gray = search.clues.gray;
+  if (!gray) gray = grayViewOf(search.frame, search.depth.K);
+  return *gray;
 }
 
 const ColorView& PoseTracker::viewOf(Search& search) {
-  if (search.coming_view.valid()) search.view = search.coming_view.get();
-  if (!search.view) search.view = finder_.find(grayOf(search));
-  return *search.view;
+  Clues& clues = search.clues;
+  if (clues.coming_view.valid()) clues.view = clues.coming_view.get();
+  if (!clues.view) clues.view = finder_.find(grayOf(search));
+  return *clues.view;
 }
 
 const SeenLandmarks& PoseTracker::cornersOf(Search& search) {
-  if (search.coming_corners.valid()) search.corners = search.coming_corners.get();
-  if (!search.corners) search.corners.emplace();
-  return *search.corners;
+  Clues& clues = search.clues;
+  if (clues.coming_corners.valid()) clues.corners = clues.coming_corners.get();
+  if (!clues.corners) clues.corners.emplace();
+  return *clues.corners;
 }
 
 const GrayView& PoseTracker::lastGray() {

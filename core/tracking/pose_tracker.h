@@ -38,21 +38,30 @@ class PoseTracker {
                                                                    const FusionParams& params,
                                                                    ModelView view_model);
 
-  /// What is found out of a frame first: where the surface alone has it.
+  /// What the colour image of a frame says, as far as it was asked, and what other threads are at.
+  struct Clues {
+    std::optional<GrayView> gray = {}, last_gray = {};
+    std::optional<ColorView> view = {};
+    std::optional<SeenLandmarks> corners = {};  ///< of the last image, found again in this one
+    std::future<ColorView> coming_view = {};
+    std::future<SeenLandmarks> coming_corners = {};
+    bool are_landmarks_sought = false;
+    std::optional<LandmarkPose> landmarks = {};  ///< where they have the camera; none: nowhere
+    std::optional<PoseEstimate> verified = {};   ///< that pose, held against the map
+  };
+  /// What is found out of a frame first: where the surface alone has it, and, where landmarks are likely to
+  /// be needed, where these have it.
   struct FirstLook {
     RgbdFrame frame;
     PoseEstimate by_surface;
     bool is_firm = false;  ///< the surface determines the pose well
-    // Of its colour image, and of the last one, where landmarks are likely to be asked for:
-    std::optional<GrayView> gray = {}, last_gray = {};
-    std::future<ColorView> coming_view = {};
-    std::future<SeenLandmarks> coming_corners = {};
+    Clues clues;
   };
   /// Of the frame after the one that track() and learn() were told of last.
   [[nodiscard]] FirstLook lookAt(const RgbdFrame& frame);
-  /// Changes nothing of the tracker: while hasUncertain() says no, this may run on another thread while this
-  /// one goes on with the frame before, and memory() may be asked for. `model`: as given to learn() last.
-  void registerToSurface(FirstLook& look, const DepthPyramid& depth, const SurfaceMaps& model) const;
+  /// Looks at no more of the map than `model`, as given to learn() last: while hasUncertain() says no, this
+  /// may run on another thread while this one goes on with the frame before and asks nothing of the tracker.
+  void registerToModel(FirstLook& look, const DepthPyramid& depth, const SurfaceMaps& model);
   /// The pose of that frame. `depth` and `model` as above.
   [[nodiscard]] PoseEstimate track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model);
 
@@ -107,12 +116,7 @@ class PoseTracker {
     const RgbdFrame& frame;
     const DepthPyramid& depth;
     const SurfaceMaps& model;
-    // What the colour image shows, once asked for, and what other threads are at:
-    std::optional<GrayView> gray = {};
-    std::optional<ColorView> view = {};
-    std::optional<SeenLandmarks> corners = {};  ///< of the last image, found again in this one
-    std::future<ColorView> coming_view = {};
-    std::future<SeenLandmarks> coming_corners = {};
+    Clues& clues;
   };
 
   PoseTracker(ComputeContext& compute, const FusionParams& params, ModelView view_model)
@@ -132,7 +136,12 @@ class PoseTracker {
   [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search, const Eigen::Isometry3d& guess);
   /// By features of the nearest key frame or the last image.
   [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search, const PoseEstimate& by_surface);
+  /// Where these have the camera, into the clues.
+  void seekLandmarks(Search& search, const PoseEstimate& by_surface);
+  [[nodiscard]] std::optional<LandmarkPose> locateByLandmarks(Search& search, const PoseEstimate& by_surface);
   [[nodiscard]] std::optional<PoseEstimate> relocalise(Search& search);
+  /// `guess` sees the surface of `model`.
+  [[nodiscard]] bool isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const;
   /// Registers against the map as seen from `guess`, or near there, with the landmarks, if any, that led
   /// there.
   [[nodiscard]] PoseEstimate verify(const Search& search, const Eigen::Isometry3d& guess,
