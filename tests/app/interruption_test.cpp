@@ -109,6 +109,12 @@ TEST(Bench, PrintsStagesAndTheCostOverMapSize) {
   EXPECT_EQ(json["quarters"].size(), 4U);
   EXPECT_EQ(json["quarters"].back()["to_frame"], 8);
   EXPECT_GE(json["quarters"].back()["bricks"], json["quarters"].front()["bricks"]);
+  for (const auto& quarter : json["quarters"]) {
+    const auto& of_stages = quarter["stage_median_ms"];
+    EXPECT_EQ(of_stages.size(), json["stages"].size());
+    EXPECT_GT(of_stages["raycast"], 0);
+    EXPECT_LE(of_stages["raycast"], quarter["frame_median_ms"]);
+  }
 }
 
 }  // namespace

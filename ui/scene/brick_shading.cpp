@@ -19,9 +19,10 @@ constexpr float kMinWeight = 2;
 constexpr float kReach = 0.14F;        ///< of the Gaussian, squared, in bricks
 constexpr float kSameSurface = 0.82F;  ///< cosine of the angle up to which normals are averaged
 constexpr float kSameSide = 0.6F;      ///< the same for those of neighbouring voxels
-constexpr int kFringe = 35;            ///< in CloudBrick::Point::height: such voxels come and go
-constexpr int kAlikeHeight = 12;       ///< likewise
-constexpr int kAlikeColor = 10;        ///< of 255
+/// In CloudBrick::Point::height: voxels that come and go. There is always another one nearer to the surface.
+constexpr int kFringe = 51;
+constexpr int kAlikeHeight = 12;  ///< likewise
+constexpr int kAlikeColor = 10;   ///< of 255
 constexpr std::size_t kAlikeOfOthers = 8;
 
 Eigen::Vector3f cellCentre(std::size_t cell) {
