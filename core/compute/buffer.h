@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/compute/host_memory.h"
 #include "core/compute/opencl.h"
 
 namespace scantrove {
@@ -18,6 +19,13 @@ class Buffer {
   Buffer() = default;
   Buffer(const cl::Context& context, std::size_t size)
       : buffer_(context, CL_MEM_READ_WRITE, (size == 0 ? 1 : size) * sizeof(T)), size_(size) {}
+  /// Elements of zeros that a CPU device has in the host's memory; those not written to take none.
+  [[nodiscard]] static Buffer zeroed(const cl::Context& context, std::size_t size) {
+    Buffer buffer;
+    buffer.buffer_ = zeroedOnHost(context, (size == 0 ? 1 : size) * sizeof(T));
+    buffer.size_ = size;
+    return buffer;
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const cl::Buffer& cl() const { return buffer_; }

@@ -1,6 +1,7 @@
 #include "core/fusion/brick_pools.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/check.h"
 
@@ -96,9 +97,9 @@ void writePool(ComputeContext& compute, Buffer<T>& pool, std::span<const int> sl
 
 bool BrickPools::makeAtOnce(int slots) {
   try {
-    Buffer<TsdfVoxel> voxels(compute_.context(), voxelsOf(slots));
-    Buffer<cl_uint> labels(compute_.context(), voxelsOf(slots));
-    Buffer<cl_uint> colors(compute_.context(), voxelsOf(slots));
+    auto voxels = Buffer<TsdfVoxel>::zeroed(compute_.context(), voxelsOf(slots));
+    auto labels = Buffer<cl_uint>::zeroed(compute_.context(), voxelsOf(slots));
+    auto colors = Buffer<cl_uint>::zeroed(compute_.context(), voxelsOf(slots));
     // A driver may put off what it was asked for until it is used.
     voxels.fill(compute_.queue(), TsdfVoxel{}, 0, 1);
     labels.fill(compute_.queue(), 0U, 0, 1);
@@ -120,13 +121,21 @@ void BrickPools::grow(int slots, int used) {
   growPool(compute_, voxels_, slots, used);
   growPool(compute_, labels_, slots, used);
   growPool(compute_, colors_, slots, used);
-  capacity_ = slots;
+  capacity_ = zero_from_ = slots;
+}
+
+std::vector<int> BrickPools::takeUsed(std::span<const int> slots) {
+  std::vector<int> used;
+  std::ranges::copy_if(slots, std::back_inserter(used), [this](int slot) { return slot < zero_from_; });
+  if (!slots.empty()) zero_from_ = std::max(zero_from_, *std::ranges::max_element(slots) + 1);
+  return used;
 }
 
 void BrickPools::clear(std::span<const int> slots) {
-  clearPool(compute_, voxels_, slots);
-  clearPool(compute_, labels_, slots);
-  clearPool(compute_, colors_, slots);
+  const std::vector<int> used = takeUsed(slots);
+  clearPool(compute_, voxels_, std::span(used));
+  clearPool(compute_, labels_, std::span(used));
+  clearPool(compute_, colors_, std::span(used));
 }
 
 void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels,
@@ -139,6 +148,7 @@ void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels, s
 
 void BrickPools::write(std::span<const int> slots, std::span<const TsdfVoxel> voxels,
                        std::span<const cl_uint> labels, std::span<const cl_uint> colors) {
+  static_cast<void>(takeUsed(slots));
   writePool(compute_, voxels_, slots, voxels);
   writePool(compute_, labels_, slots, labels);
   writePool(compute_, colors_, slots, colors);

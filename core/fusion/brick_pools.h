@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include "core/compute/buffer.h"
 #include "core/compute/compute_context.h"
@@ -15,8 +16,8 @@ class BrickPools {
 
   [[nodiscard]] int capacity() const { return capacity_; }
 
-  /// Tries to make empty pools for `slots` bricks. Where device memory is the host's, that which is not
-  /// touched costs nothing. False: the device has no room for them.
+  /// Tries to make empty pools for `slots` bricks in the memory of a CPU device, where what is not written to
+  /// costs nothing: a brick's labels and colours, say, as long as it has none. False: there is no room.
   [[nodiscard]] bool makeAtOnce(int slots);
 
   /// Room for `slots` bricks; the first `used` keep what they hold. One pool grows after the other, so that
@@ -41,11 +42,15 @@ class BrickPools {
   [[nodiscard]] const Buffer<cl_uint>& colors() const { return colors_; }
 
  private:
+  /// Those of `slots` that may hold something, all of which may from now on.
+  [[nodiscard]] std::vector<int> takeUsed(std::span<const int> slots);
+
   ComputeContext& compute_;
   Buffer<TsdfVoxel> voxels_;
   Buffer<cl_uint> labels_;
   Buffer<cl_uint> colors_;
   int capacity_ = 0;
+  int zero_from_ = 0;  ///< slots from here on hold nothing; if that is not known, capacity_
 };
 
 }  // namespace scantrove
