@@ -20,12 +20,11 @@ struct BenchCommand {
 
 Result<void> bench(ScanRequest request, bool json) {
   const CoreApplication qt;
-  const QTemporaryDir
-      folder;  // an empty catalogue and session, gone afterwards: every run does the same work
+  // An empty catalogue and session, gone afterwards: every run does the same work, all that a scan does.
+  const QTemporaryDir folder;
   if (!folder.isValid())
     return fail("Cannot make a temporary folder: " + folder.errorString().toStdString() + ".");
   request.database = folder.filePath("catalogue.sqlite").toStdString();
-  // What a scan does beside its frames counts: its session is written too.
   request.output_folder = folder.filePath("session").toStdString();
   request.results = false;
   std::vector<BenchSample> samples;

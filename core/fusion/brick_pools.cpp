@@ -124,15 +124,14 @@ void BrickPools::grow(int slots, int used) {
   capacity_ = zero_from_ = slots;
 }
 
-std::vector<int> BrickPools::takeUsed(std::span<const int> slots) {
-  std::vector<int> used;
-  std::ranges::copy_if(slots, std::back_inserter(used), [this](int slot) { return slot < zero_from_; });
+void BrickPools::use(std::span<const int> slots) {
   if (!slots.empty()) zero_from_ = std::max(zero_from_, *std::ranges::max_element(slots) + 1);
-  return used;
 }
 
 void BrickPools::clear(std::span<const int> slots) {
-  const std::vector<int> used = takeUsed(slots);
+  std::vector<int> used;
+  std::ranges::copy_if(slots, std::back_inserter(used), [this](int slot) { return slot < zero_from_; });
+  use(slots);
   clearPool(compute_, voxels_, std::span(used));
   clearPool(compute_, labels_, std::span(used));
   clearPool(compute_, colors_, std::span(used));
@@ -148,7 +147,7 @@ void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels, s
 
 void BrickPools::write(std::span<const int> slots, std::span<const TsdfVoxel> voxels,
                        std::span<const cl_uint> labels, std::span<const cl_uint> colors) {
-  static_cast<void>(takeUsed(slots));
+  use(slots);
   writePool(compute_, voxels_, slots, voxels);
   writePool(compute_, labels_, slots, labels);
   writePool(compute_, colors_, slots, colors);

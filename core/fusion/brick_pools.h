@@ -42,8 +42,8 @@ class BrickPools {
   [[nodiscard]] const Buffer<cl_uint>& colors() const { return colors_; }
 
  private:
-  /// Those of `slots` that may hold something, all of which may from now on.
-  [[nodiscard]] std::vector<int> takeUsed(std::span<const int> slots);
+  /// Something is or will be written to these.
+  void use(std::span<const int> slots);
 
   ComputeContext& compute_;
   Buffer<TsdfVoxel> voxels_;

@@ -34,7 +34,7 @@ class LabelCloud {
   /// These voxels (brick_layout.h, each once) hold `fragment` from now on, but for those without label.
   /// Bricks that are in the map's file are brought back.
   void relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map);
-  /// As they were when the map was kept.
+  /// Of the map as it was read back.
   void restoreVoxelCounts(std::vector<cl_int> voxels);
 
   /// How many voxels hold each fragment, by fragment number; shorter than the highest number where none does.

@@ -40,7 +40,8 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
   // What was just read back is on disk.
   static_cast<void>(pipeline.kept().table.takeChanged(RegionTable::Follower::session));
-  recorder->voxels_ = pipeline.voxelsOfFragments();
+  recorder->voxels_.resize(pipeline.regionTable().regions().size(), 0);
+  for (const SavedFragment& one : scan.fragments) recorder->voxels_[one.fragment.value] = one.voxels;
   for (std::uint32_t fragment = 0; fragment < pipeline.regionTable().regions().size(); ++fragment)
     recorder->seen_from_.push_back(pipeline.regionTable().seenFrom(FragmentId{fragment}));
   for (const SavedRegion& region : scan.regions) {
@@ -162,6 +163,7 @@ void SessionRecorder::beginPages(const BrickMap& bricks) {
   std::ranges::reverse(pages_);
   next_view_ = bricks.view();
   saves_pages_ = true;
+  last_save_ = std::chrono::steady_clock::now();
 }
 
 bool SessionRecorder::handSomePages(BrickMap& bricks) {
@@ -176,6 +178,12 @@ bool SessionRecorder::handSomePages(BrickMap& bricks) {
   handed_pages_.push_back(some);
   writer_->post([some](SessionStore& store) { return store.writePages(*some); });
   return pages_.empty();
+}
+
+void SessionRecorder::endPages(ScanPipeline& pipeline) {
+  hand(collect(pipeline));
+  view_ = next_view_;
+  saves_pages_ = false;
 }
 
 bool SessionRecorder::arePagesWaiting() {
@@ -219,23 +227,17 @@ void SessionRecorder::saveWhenDue(ScanPipeline& pipeline) {
   BrickMap& bricks = pipeline.kept().bricks;
   if (!saves_pages_) {
     if (!is_due) return;
-    last_save_ = now;
     beginPages(bricks);
   }
   if (arePagesWaiting() || !handSomePages(bricks)) return;
-  hand(collect(pipeline));
-  view_ = next_view_;
-  saves_pages_ = false;
+  endPages(pipeline);
 }
 
 Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
   BrickMap& bricks = pipeline.kept().bricks;
   beginPages(bricks);
   while (!handSomePages(bricks)) SCANTROVE_TRY(writer_->flush());
-  hand(collect(pipeline));
-  view_ = next_view_;
-  saves_pages_ = false;
-  last_save_ = std::chrono::steady_clock::now();
+  endPages(pipeline);
   return writer_->flush();
 }
 

@@ -16,7 +16,8 @@ namespace scantrove {
 /// Keeps a scan in a session while it runs: every few seconds what changed since, and the frames that show
 /// something new. What the disk takes its time for, a thread of its own waits for. The pages of the map go a
 /// few with each frame, and no more than the disk takes, so that neither time nor memory is needed for many
-/// at once; with the last of them goes all else, and only then they are part of the session. One thread, the
+/// at once; with the last of them goes all else, and only then they are part of the session. Of a scan that
+/// breaks off, pages may so be as much older than the rest as that took; restoreScan() knows. One thread, the
 /// worker's.
 class SessionRecorder {
  public:
@@ -69,6 +70,8 @@ class SessionRecorder {
   void beginPages(const BrickMap& bricks);
   /// Hands over some of pages_. True: those were the last.
   [[nodiscard]] bool handSomePages(BrickMap& bricks);
+  /// Hands over all else, now that these were all: so they are part of the session.
+  void endPages(ScanPipeline& pipeline);
   /// As many of them as may wait are not on disk yet.
   [[nodiscard]] bool arePagesWaiting();
   void hand(SavedDelta delta);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/labeling/evidence_graph.h"
+#include "core/labeling/kernels/label_voxel.h"
 #include "core/scan/guarded.h"
 #include "core/scan/key_frame_files.h"
 
@@ -15,22 +17,42 @@ namespace {
 /// Pages that are read at a time: bounds the memory.
 constexpr std::size_t kPagesAtATime = 32;
 
-void restoreRegions(ScanPipeline::Kept& kept, const SavedScan& scan) {
-  std::size_t fragments = 1;
+/// By fragment number.
+struct Fragments {
+  std::vector<RegionId> regions;
+  std::vector<cl_int> voxels;  ///< that the map has of each
+};
+
+Fragments fragmentsOf(const SavedScan& scan) {
+  std::size_t count = 1;
   for (const SavedFragment& one : scan.fragments)
-    fragments = std::max<std::size_t>(fragments, one.fragment.value + std::size_t{1});
-  std::vector<RegionId> regions(fragments);
-  std::vector<cl_int> voxels(fragments, 0);
-  for (const SavedFragment& one : scan.fragments) {
-    regions[one.fragment.value] = one.region;
-    voxels[one.fragment.value] = one.voxels;
+    count = std::max<std::size_t>(count, one.fragment.value + std::size_t{1});
+  Fragments fragments{std::vector<RegionId>(count), std::vector<cl_int>(count, 0)};
+  for (const SavedFragment& one : scan.fragments) fragments.regions[one.fragment.value] = one.region;
+  return fragments;
+}
+
+/// Counts the page's voxels. Of a scan that broke off, pages may be up to a few seconds older than its
+/// regions: what held a fragment that was given up meanwhile is without label.
+void keepLabels(StoredPage& page, Fragments& fragments) {
+  for (cl_uint& label : page.labels) {
+    if (label == 0) continue;
+    const std::size_t fragment = LABEL_OF(label);
+    if (fragment < fragments.regions.size() && fragments.regions[fragment]) {
+      ++fragments.voxels[fragment];
+    } else {
+      label = 0;
+    }
   }
+}
+
+void restoreRegions(ScanPipeline::Kept& kept, const SavedScan& scan, Fragments fragments) {
   RegionId last;
   if (const auto found = scan.facts.find("last_region"); found != scan.facts.end())
     last.value = static_cast<std::uint32_t>(std::strtoul(found->second.c_str(), nullptr, 10));
-  kept.table.restore(std::move(regions), last);
+  kept.table.restore(std::move(fragments.regions), last);
   for (const SavedFragment& one : scan.fragments) kept.table.restoreSeen(one.fragment, one.seen_from);
-  kept.cloud.restoreVoxelCounts(std::move(voxels));
+  kept.cloud.restoreVoxelCounts(std::move(fragments.voxels));
   if (EvidenceGraph* graph = kept.merger.evidence()) {
     for (const SavedBorder& border : scan.borders) {
       if (border.evidence) graph->restore(border.a, border.b, *border.evidence);
@@ -40,7 +62,7 @@ void restoreRegions(ScanPipeline::Kept& kept, const SavedScan& scan) {
   for (const SavedRegion& region : scan.regions) kept.editor.restoreNote(region.region, region.note);
 }
 
-Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedScan& scan,
+Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedScan& scan, Fragments& fragments,
                         std::vector<std::string>& damages) {
   for (std::size_t first = 0; first < scan.pages.size(); first += kPagesAtATime) {
     const std::size_t last = std::min(first + kPagesAtATime, scan.pages.size());
@@ -60,8 +82,11 @@ Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedSca
     SCANTROVE_TRY(session.flush());
     for (std::size_t i = first; i < last; ++i) {
       std::string& failure = failures[i - first];
-      const auto page = StoredPage::fromWords(words[i - first]);
-      if (page) bricks.adopt(scan.pages[i], *page);
+      std::optional<StoredPage> page = StoredPage::fromWords(words[i - first]);
+      if (page) {
+        keepLabels(*page, fragments);
+        bricks.adopt(scan.pages[i], *page);
+      }
       if (!page && failure.empty())
         failure = "A part of the map is of a form that is not known; it is left out.";
       if (!failure.empty()) damages.push_back(std::move(failure));
@@ -126,8 +151,9 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
                          bool for_camera, std::vector<std::string>& damages) {
   return guarded("reading the session back", [&]() -> Result<void> {
     ScanPipeline::Kept kept = pipeline.kept();
-    SCANTROVE_TRY(restoreMap(kept.bricks, session, scan, damages));
-    restoreRegions(kept, scan);
+    Fragments fragments = fragmentsOf(scan);
+    SCANTROVE_TRY(restoreMap(kept.bricks, session, scan, fragments, damages));
+    restoreRegions(kept, scan, std::move(fragments));
     for (const SavedRegion& region : scan.regions) {
       if (region.object) pipeline.bindObject(region.region, region.object);
     }

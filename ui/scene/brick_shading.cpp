@@ -19,11 +19,12 @@ constexpr float kMinWeight = 2;
 constexpr float kReach = 0.14F;        ///< of the Gaussian, squared, in bricks
 constexpr float kSameSurface = 0.82F;  ///< cosine of the angle up to which normals are averaged
 constexpr float kSameSide = 0.6F;      ///< the same for those of neighbouring voxels
-/// In CloudBrick::Point::height: voxels that come and go. There is always another one nearer to the surface.
+/// Heights, as CloudBrick::Point has them. A voxel farther from the surface comes and goes; there is always
+/// another one nearer to it.
 constexpr int kFringe = 51;
-constexpr int kAlikeHeight = 12;  ///< likewise
-constexpr int kAlikeColor = 10;   ///< of 255
-constexpr std::size_t kAlikeOfOthers = 8;
+constexpr int kAlikeHeight = 12;
+constexpr int kAlikeColor = 10;          ///< of 255
+constexpr std::size_t kOneInSoMany = 8;  ///< points may be unlike what is shown
 
 Eigen::Vector3f cellCentre(std::size_t cell) {
   return {(cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
@@ -232,7 +233,7 @@ bool looksTheSame(const std::vector<CloudBrick::Point>& shown, const std::vector
     known = nullptr;
   }
   const auto is_gone = [](const CloudBrick::Point* point) { return point != nullptr && !isOnFringe(*point); };
-  return kAlikeOfOthers * others <= now.size() && std::ranges::none_of(before, is_gone);
+  return kOneInSoMany * others <= now.size() && std::ranges::none_of(before, is_gone);
 }
 
 Eigen::Vector3f mainNormal(const CellNormals& cells) {

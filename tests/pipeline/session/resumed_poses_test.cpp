@@ -8,6 +8,7 @@
 
 #include "core/database/database_connection.h"
 #include "core/fusion/stored_page.h"
+#include "core/labeling/kernels/label_voxel.h"
 #include "core/session/session_store.h"
 #include "tests/support/scan_session_runner.h"
 #include "tests/support/temporary_folder.h"
@@ -38,6 +39,7 @@ ScanRequest partOf(const Film& film, const std::filesystem::path& folder, int fi
 struct Kept {
   std::map<int, std::vector<double>> poses;
   std::map<std::vector<int>, StoredPage> pages;
+  std::map<FragmentId, int> voxels;  // of the fragments that are part of a region
 };
 
 Kept keptIn(const std::filesystem::path& folder) {
@@ -52,6 +54,9 @@ Kept keptIn(const std::filesystem::path& folder) {
   for (const SavedFrame& frame : scan->frames) {
     const auto& T = frame.T_world_camera.matrix();
     if (frame.isUsable()) kept.poses[frame.source_index] = {T.data(), T.data() + T.size()};
+  }
+  for (const SavedFragment& one : scan->fragments) {
+    if (one.region) kept.voxels[one.fragment] = one.voxels;
   }
   for (const Eigen::Vector3i& position : scan->pages) {
     const auto words = (*store)->loadPage(position);
@@ -94,12 +99,44 @@ TEST_P(ResumedPoses, AreToTheLastBitThoseOfAScanThatNeverStopped) {
 }
 
 /// As a program leaves it that was killed, or (of an older version) does not know of the camera's memory.
-void forgetCamera(const std::filesystem::path& folder, const char* how) {
+void changeSession(const std::filesystem::path& folder, const char* how) {
   const QtMainThread qt;
   const auto database = DatabaseConnection::open((folder / "session.sqlite").string());
   ASSERT_TRUE(database) << database.error().message();
   const auto done = (*database)->execute(how);
   ASSERT_TRUE(done) << done.error().message();
+}
+
+std::map<FragmentId, int> labelsOf(const Kept& kept) {
+  std::map<FragmentId, int> voxels;
+  for (const auto& [position, page] : kept.pages) {
+    for (const cl_uint label : page.labels) {
+      if (LABEL_OF(label) != 0) ++voxels[FragmentId{LABEL_OF(label)}];
+    }
+  }
+  return voxels;
+}
+
+/// The map of a scan that broke off may be older than its regions: it may hold fragments that were given up,
+/// and other numbers of voxels.
+TEST(BrokenOffSession, ItsMapHoldsTheFragmentsOfItsRegionsAndNoOthersWhenItGoesOn) {
+  const Film film{"demo:tabletop:3", 3, 12, 16};
+  const TemporaryFolder folder;
+  ASSERT_TRUE(runScan(partOf(film, folder / "scan", 0, film.stopped)).report);
+  const Kept before = keptIn(folder / "scan");
+  ASSERT_GE(before.voxels.size(), 2U);
+  EXPECT_EQ(labelsOf(before), before.voxels);
+
+  const auto largest =
+      std::ranges::max_element(before.voxels, {}, [](const auto& fragment) { return fragment.second; });
+  const std::string number = std::to_string(largest->first.value);
+  changeSession(folder / "scan", ("DELETE FROM fragments WHERE fragment = " + number).c_str());
+  changeSession(folder / "scan", "UPDATE fragments SET voxels = voxels / 2 + 7");
+  ASSERT_NE(labelsOf(keptIn(folder / "scan")), keptIn(folder / "scan").voxels) << "the test's own doing";
+  ASSERT_TRUE(runScan(partOf(film, folder / "scan", film.stopped, film.frames)).report);
+  const Kept after = keptIn(folder / "scan");
+  ASSERT_GE(after.voxels.size(), 2U);
+  EXPECT_EQ(labelsOf(after), after.voxels);
 }
 
 /// Without the memory of the camera the frames that show a place lead back to it.
@@ -115,7 +152,7 @@ TEST(ResumedPosesByPlaces, AreNearThoseOfAScanThatNeverStopped) {
     const auto parts = folder / "parts";
     std::filesystem::remove_all(parts);
     std::filesystem::copy(folder / "first", parts, std::filesystem::copy_options::recursive);
-    forgetCamera(parts, how);
+    changeSession(parts, how);
     ASSERT_TRUE(runScan(partOf(film, parts, film.stopped, film.frames)).report);
     const Kept kept = keptIn(parts);
     ASSERT_EQ(kept.poses.size(), whole.poses.size());
