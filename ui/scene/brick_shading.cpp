@@ -61,9 +61,9 @@ Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
 }
 
 /// The voxel of a point in its brick: x + 8 y + 64 z. Right for points at voxel centres and at their corners.
-std::size_t voxelOf(const CloudBrick::Point& point, float voxel_size_m) {
+int voxelOf(const CloudBrick::Point& point, float voxel_size_m) {
   const Eigen::Vector3i voxel = (point.centre().array() / voxel_size_m + 0.25F).floor().cast<int>();
-  return static_cast<std::size_t>((voxel.x() & 7) + 8 * ((voxel.y() & 7) + 8 * (voxel.z() & 7)));
+  return (voxel.x() & 7) + 8 * ((voxel.y() & 7) + 8 * (voxel.z() & 7));
 }
 
 bool isOnFringe(const CloudBrick::Point& point) { return std::abs(point.height) > kFringe; }
@@ -139,7 +139,7 @@ std::vector<PackedNormal> smoothNormals(const std::vector<CloudBrick::Point>& po
   std::array<Eigen::Vector3f, kPadded * kPadded * kPadded> voxels;
   voxels.fill(Eigen::Vector3f::Zero());
   const auto place = [voxel_size_m](const CloudBrick::Point& point) {
-    const auto voxel = static_cast<int>(voxelOf(point, voxel_size_m));
+    const int voxel = voxelOf(point, voxel_size_m);
     return 1 + voxel % kSide + kPadded * (1 + voxel / kSide % kSide + kPadded * (1 + voxel / kSide / kSide));
   };
   for (const CloudBrick::Point& point : points)
@@ -153,8 +153,8 @@ std::vector<PackedNormal> smoothNormals(const std::vector<CloudBrick::Point>& po
     for (int dz = -1; dz <= 1; ++dz) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
-          const Eigen::Vector3f& other =
-              voxels[static_cast<std::size_t>(middle + dx + kPadded * (dy + kPadded * dz))];
+          const int beside = middle + dx + kPadded * (dy + kPadded * dz);
+          const Eigen::Vector3f& other = voxels[static_cast<std::size_t>(beside)];
           if (other.dot(own) > kSameSide) sum += other;
         }
       }
@@ -223,10 +223,14 @@ float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick) {
 bool looksTheSame(const std::vector<CloudBrick::Point>& shown, const std::vector<CloudBrick::Point>& now,
                   float voxel_size_m) {
   std::array<const CloudBrick::Point*, BRICK_VOXELS> before{};
-  for (const CloudBrick::Point& point : shown) before[voxelOf(point, voxel_size_m)] = &point;
+  const auto at = [&](const CloudBrick::Point& point) -> const CloudBrick::Point*& {
+    const int voxel = voxelOf(point, voxel_size_m);
+    return before[static_cast<std::size_t>(voxel)];
+  };
+  for (const CloudBrick::Point& point : shown) at(point) = &point;
   std::size_t others = 0;
   for (const CloudBrick::Point& point : now) {
-    const CloudBrick::Point*& known = before[voxelOf(point, voxel_size_m)];
+    const CloudBrick::Point*& known = at(point);
     if (known == nullptr && isOnFringe(point)) continue;
     if (known == nullptr || known->fragment != point.fragment) return false;
     if (!isAlike(*known, point)) ++others;

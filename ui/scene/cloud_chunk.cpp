@@ -65,8 +65,7 @@ std::vector<FragmentId> fragmentsOf(const std::vector<CloudBrick::Point>& points
     if (fragments.empty() || fragments.back() != p.fragment) fragments.push_back(p.fragment);
   }
   std::ranges::sort(fragments);
-  const auto repeated = std::ranges::unique(fragments);
-  fragments.erase(repeated.begin(), repeated.end());
+  fragments.erase(std::unique(fragments.begin(), fragments.end()), fragments.end());
   return fragments;
 }
 
