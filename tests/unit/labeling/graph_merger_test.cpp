@@ -92,8 +92,20 @@ TEST(GraphMerger, TwoThatCameEachByItselfAreJudgedByTheirBorder) {
   EXPECT_TRUE(areOne(scan));
 }
 
-TEST(GraphMerger, ALeakPartsAgain) {
-  PaintedScan scan(fold());
+/// A model of its own says what looks mean where there is colour.
+class ALeak : public testing::TestWithParam<bool> {
+ protected:
+  static PaintedFrame surface() {
+    PaintedFrame frame = fold();
+    if (!GetParam()) return frame;
+    frame.color_lab.assign(PaintedFrame::kPixels, {60, 5, 5});
+    PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(60, 5, 14));
+    return frame;
+  }
+};
+
+TEST_P(ALeak, PartsAgain) {
+  PaintedScan scan(surface());
   scan.look(kClear, 3);
   const RegionId left = scan.regionAt(kX, kY), right = scan.regionAt(kOtherX, kY);
   scan.look(kLeak, 10);
@@ -117,6 +129,10 @@ TEST(GraphMerger, ALeakPartsAgain) {
     EXPECT_EQ(scan.regionAt(kMiddle, y), scan.regionAt(kOtherX, kY));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(GraphMerger, ALeak, testing::Values(false, true), [](const auto& is_colored) {
+  return is_colored.param ? "InTwoColors" : "WithoutColor";
+});
 
 TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
   PaintedScan scan(fold());
