@@ -7,9 +7,10 @@
 namespace scantrove {
 namespace {
 
-constexpr float kFullLength_px = 16;  // borders this long count fully
-constexpr float kLargeFrom = 9.5F;    // logarithm of the voxels of half a square metre
-constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
+constexpr float kFullLength_px = 16;    // borders this long count fully
+constexpr float kLargeFrom = 9.5F;      // logarithm of the voxels of half a square metre
+constexpr float kFurnitureFrom = 8.5F;  // likewise of a fifth of one; fully so from half of one
+constexpr float kLeastBends = 0.3F;     // weighed looks at a bend from which it counts
 
 /// A logistic model: intercept, then a coefficient for each feature.
 struct Model {
@@ -22,9 +23,9 @@ struct Model {
 /// which asks what regions come of it: there 0.827 of the small things over half and 0.893 of the large ones
 /// instead of 0.809 and 0.870.
 constexpr Model kWithColor{
-    6.14F, {-0.24F, -1.12F, 3.17F, 0.16F, 1.99F, 0.60F, 0.07F, 0.07F, -1.07F, -1.91F, -2.66F}};
+    6.14F, {-0.24F, -1.12F, 3.17F, 0.16F, 1.99F, 0.60F, 0.07F, 0.07F, -1.07F, -1.50F, -1.91F, -2.66F}};
 constexpr Model kWithoutColor{0.41F,
-                              {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0, 0}};
+                              {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0, 0, 0}};
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
 constexpr float kHolds = 0.01F;    // any other border outweighs it
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
@@ -106,6 +107,7 @@ std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels
           std::log(static_cast<float>(fewer) + 10),
           std::log(static_cast<float>(more) + 10),
           std::max(0.0F, std::log(static_cast<float>(more) + 10) - kLargeFrom),
+          bent * folded * std::clamp(std::log(static_cast<float>(more) + 1) - kFurnitureFrom, 0.0F, 1.0F),
           sizeOfThings(fewer),
           std::log(color_shift.value_or(0) + 1)};
 }
