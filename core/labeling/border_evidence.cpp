@@ -7,25 +7,22 @@
 namespace scantrove {
 namespace {
 
-constexpr float kFullLength_px = 16;    // borders this long count fully
-constexpr float kLargeFrom = 9.5F;      // logarithm of the voxels of half a square metre
-constexpr float kFurnitureFrom = 8.5F;  // likewise of a fifth of one; fully so from half of one
-constexpr float kLeastBends = 0.3F;     // weighed looks at a bend from which it counts
+constexpr float kFullLength_px = 16;  // borders this long count fully
+constexpr float kLargeFrom = 9.5F;    // logarithm of the voxels of half a square metre
+constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
 
 /// A logistic model: intercept, then a coefficient for each feature.
 struct Model {
   float intercept;
   std::array<float, BorderEvidence::kFeatures> coefficients;
 };
-/// kWithoutColor by border_evidence_fit to demo:room:1-6 and 1:uneven, demo:tabletop:1-4 and 1:uneven; its
-/// intercept is lower than fitted, by 1.5: small things suffer more from a wrong join than from a missed one.
-/// kWithColor from such a fit on by border_model_search to demo:room and demo:tabletop 111-114 and 121-124,
-/// which asks what regions come of it: there 0.827 of the small things over half and 0.893 of the large ones
-/// instead of 0.809 and 0.870.
-constexpr Model kWithColor{
-    6.14F, {-0.24F, -1.12F, 3.17F, 0.16F, 1.99F, 0.60F, 0.07F, 0.07F, -1.07F, -1.50F, -1.91F, -2.66F}};
-constexpr Model kWithoutColor{0.41F,
-                              {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0, 0, 0}};
+/// By border_evidence_fit to demo:room:1-6 and 1:uneven, demo:tabletop:1-4 and 1:uneven. The intercepts are
+/// lower than fitted, by 1 and 1.5: small things suffer more from a wrong join than from a missed one. With
+/// colour, 1.5 would leave small things a little better (0.864 instead of 0.853 of them over half on those
+/// scenes) and large ones clearly worse (0.86 instead of 0.91).
+constexpr Model kWithColor{4.85F,
+                           {-0.24F, -0.90F, 2.42F, -0.21F, 3.85F, 0.72F, -0.19F, 0.08F, -1.14F, -1.79F}};
+constexpr Model kWithoutColor{0.41F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0}};
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
 constexpr float kHolds = 0.01F;    // any other border outweighs it
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
@@ -38,23 +35,13 @@ constexpr float kSureArrival = 5;
 constexpr float kAttachment = 20;
 constexpr float kSureAttachment = 12;
 constexpr float kDenied = 2;
-/// Before so many looks it means nothing: once two are one region, nothing can deny it any more.
+/// So many looks mean nothing yet: once the two are one region, nothing can deny it any more.
 constexpr float kFirstAttached = 3;
 constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look counts for less than half
 
 float weightOf(const FragmentContact& contact) {
   const float far = contact.depth_m / kFarFrom_m;
   return std::min(1.0F, static_cast<float>(contact.length_px) / kFullLength_px) / (1 + far * far);
-}
-
-/// How far a fragment of so many voxels may be a whole thing that a hand could hold: 0 .. 1. Wrongly joined,
-/// such a one is lost; a smaller one is a speck, a larger one remains most of what it is.
-float sizeOfThings(int voxels) {
-  const auto part = [](float from, float to, float size) {
-    return std::clamp(std::log(size / from) / std::log(to / from), 0.0F, 1.0F);
-  };
-  const float size = static_cast<float>(voxels) + 10;
-  return part(110, 310, size) * part(9010, 4010, size);
 }
 
 /// One look more that says yes or no; of both together no more than kMostLooks are remembered.
@@ -107,8 +94,6 @@ std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels
           std::log(static_cast<float>(fewer) + 10),
           std::log(static_cast<float>(more) + 10),
           std::max(0.0F, std::log(static_cast<float>(more) + 10) - kLargeFrom),
-          bent * folded * std::clamp(std::log(static_cast<float>(more) + 1) - kFurnitureFrom, 0.0F, 1.0F),
-          sizeOfThings(fewer),
           std::log(color_shift.value_or(0) + 1)};
 }
 

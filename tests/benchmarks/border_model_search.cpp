@@ -211,13 +211,22 @@ float oddsOf(const BorderEvidence& evidence, int voxels, const Change& change) {
   return odds;
 }
 
-/// Whether frames are still heard. In these scenes colour and size say nearly all, and a search that may do
-/// what it likes forgets the rest; real things are less colourful, and a leak must heal.
+/// Whether frames and folds are heard as now, and what is large and folded stays apart. In these scenes
+/// colour and size say nearly all, and a search that may do what it likes forgets the rest; real things are
+/// less colourful: a leak must heal, and the floor is no part of a cupboard.
 bool isSensible(const Change& change) {
-  constexpr float kOfFrames = 2.9F, kOfFold = 0.8F;  // least differences of the odds
-  constexpr int kVoxels = 3000;
-  return oddsOf(seen(1, 0), kVoxels, change) - oddsOf(seen(0, 0), kVoxels, change) > kOfFrames &&
-         oddsOf(seen(0.5F, 0), kVoxels, change) - oddsOf(seen(0.5F, 1), kVoxels, change) > kOfFold;
+  constexpr float kAtLeast = 0.9F;  // of the differences of the odds as they are
+  constexpr float kHigher = 0.3F;   // at most, of the odds that a fold between large ones is none
+  constexpr int kThing = 3000, kFurniture = 30000;  // voxels
+  const auto frames = [](const Change& c) {
+    return oddsOf(seen(1, 0), kThing, c) - oddsOf(seen(0, 0), kThing, c);
+  };
+  const auto fold = [](const Change& c) {
+    return oddsOf(seen(0.5F, 0), kThing, c) - oddsOf(seen(0.5F, 1), kThing, c);
+  };
+  const auto large = [](const Change& c) { return oddsOf(seen(0, 1), kFurniture, c); };
+  return frames(change) >= kAtLeast * frames({}) && fold(change) >= kAtLeast * fold({}) &&
+         large(change) <= large({}) + kHigher;
 }
 
 /// Steps of random size in random directions, each kept if it is sensible and worth more.
