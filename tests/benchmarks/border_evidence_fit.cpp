@@ -10,8 +10,6 @@
 #include <map>
 #include <set>
 
-#include "core/labeling/graph_merger.h"
-#include "core/scan/param_registry.h"
 #include "tests/benchmarks/scene_scan.h"
 
 namespace scantrove::benchmarks {
@@ -63,30 +61,12 @@ void collect(const ScanPipeline& pipeline, const EvidenceGraph& graph, const Fra
 }
 
 Result<std::vector<Sample>> collectSamples(const SceneOptions& options) {
-  ScanParams params;
-  for (const std::string& setting : options.settings) SCANTROVE_TRY(applySetting(params, setting));
-  params.labeling.rule = LabelingParams::Rule::graph;
-  auto compute = ComputeContext::create({});
-  if (!compute) return fail(compute.error());
-  const SceneCache cache(options.cache);
-  std::vector<std::string> scenes = options.scenesOf("room");
-  std::ranges::copy(options.scenesOf("tabletop"), std::back_inserter(scenes));
   std::vector<Sample> samples;
-  for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
-    const auto recording = cache.recordingOf(scenes[scene]);
-    if (!recording) return fail(recording.error());
-    const std::size_t before = samples.size();
-    const auto scan =
-        scanScene(*recording, params, options, **compute,
-                  [&](const ScanPipeline& pipeline, const FrameResult& result, const cv::Mat& truth) {
-                    const auto& merger = dynamic_cast<const GraphMerger&>(pipeline.regionMerger());
-                    collect(pipeline, merger.graph(), result, truth, scene, samples);
-                  });
-    if (!scan) return fail(scan.error());
-    std::printf("%-18s %5zu borders, %d frames, %d lost\n", scenes[scene].c_str(), samples.size() - before,
-                scan->frames, scan->lost);
-    std::fflush(stdout);
-  }
+  const auto scenes = scanForEvidence(
+      options, [&](std::size_t scene, const ScanPipeline& pipeline, const EvidenceGraph& graph,
+                   const FrameResult& result,
+                   const cv::Mat& truth) { collect(pipeline, graph, result, truth, scene, samples); });
+  if (!scenes) return fail(scenes.error());
   return samples;
 }
 
