@@ -37,6 +37,14 @@ float RegionExtent::eccentricity() const {
   return static_cast<float>(std::sqrt(1 - smallest / (mean + spread)));
 }
 
+std::vector<RegionId> RegionCensus::regionsOfSize(double least_pixels) const {
+  std::vector<RegionId> regions;
+  for (const RegionExtent& extent : extents) {
+    if (static_cast<double>(extent.pixels) >= least_pixels) regions.push_back(extent.region);
+  }
+  return regions;
+}
+
 RegionCensus RegionCounter::count(const RegionMap& map) {
   SCANTROVE_CHECK(map.regions.size() ==
                   static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));

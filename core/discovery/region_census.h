@@ -25,6 +25,9 @@ struct RegionExtent {
 struct RegionCensus {
   std::vector<RegionExtent> extents;  ///< by region id
   cv::Rect labelled_px;               ///< box around everything labelled
+
+  /// With at least so many pixels, in order.
+  [[nodiscard]] std::vector<RegionId> regionsOfSize(double least_pixels) const;
 };
 
 /// Counts regions run by run. Keeps its tables from frame to frame; cost: one read of the labels.

@@ -22,6 +22,8 @@ namespace scantrove {
 [[nodiscard]] float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input);
 
 /// The vertices of the regions' pixels that have a surface, world, row by row. `box_px` holds them all.
+/// Labels spill over outlines onto what lies behind, and through gaps: strips of 2 pixels and small pieces
+/// that lie behind all else are left out, or a few pixels would double a thing's size.
 [[nodiscard]] std::vector<Eigen::Vector4f> pointsOf(const RegionSet& regions, const cv::Rect& box_px,
                                                     const DiscoveryInput& input);
 

@@ -1,7 +1,10 @@
 // Which objects ObjectCollector holds to be one, and which it doubts.
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
+#include "core/scan/candidate_crop.h"
 #include "core/scan/object_collector.h"
 
 namespace scantrove {
@@ -10,7 +13,50 @@ namespace {
 /// Clear looks in a row, of another size than the object's, after which that is not it.
 constexpr int kLooksToDoubt = 10;
 
+/// A look is alike where the smaller one of its size and the object's is this part of the larger, seen from
+/// one side; from elsewhere another face comes into sight.
+constexpr float kAsLargeFromThere = 0.85F, kAsLargeFromElsewhere = 0.7F;
+/// From here on it is elsewhere.
+constexpr float kElsewhere_deg = 40;
+
 }  // namespace
+
+bool ObjectCollector::isAlike(const ObjectRecord& known, const Candidate& candidate, const Look& look) const {
+  if (!isMet(known.id)) return true;
+  const Eigen::Vector3f direction = directionOf(candidate, look.T_world_camera);
+  // Of the views that are not outdated the one from the nearest side.
+  float known_m = known.size_m.norm(), cosine = -1;
+  bool has_view = false, has_outdated = false;
+  for (const KeptView& view : kept_views_) {
+    if (catalogue_.holderOf(view.object) != known.id) continue;
+    if (view.is_outdated) {
+      has_outdated = true;
+    } else if (!has_view || view.direction.dot(direction) > cosine) {
+      has_view = true;
+      cosine = view.direction.dot(direction);
+      known_m = view.diagonal_m;
+    }
+  }
+  if ((!has_view && has_outdated && is_looking_again_) || known_m == 0) return true;
+  constexpr float kRadians = std::numbers::pi_v<float> / 180;
+  // Of a set that is larger the other regions may be something else.
+  const bool is_set = candidate.regions.size() > 1;
+  const float turned = std::acos(std::clamp(cosine, -1.0F, 1.0F)) / (kElsewhere_deg * kRadians);
+  const float elsewhere = is_set ? 0 : std::min(turned, 1.0F);
+  const float as_large = std::lerp(kAsLargeFromThere, kAsLargeFromElsewhere, elsewhere);
+  const float size_m = candidate.size_m.norm();
+  return std::min(size_m, known_m) >= as_large * std::max(size_m, known_m);
+}
+
+bool ObjectCollector::isOfOtherSize(const ObjectRecord& known, const Candidate& candidate) const {
+  const float size_m = candidate.size_m.norm();
+  const auto isAsLarge = [&](float known_m) {
+    return std::min(size_m, known_m) >= kAsLargeFromElsewhere * std::max(size_m, known_m);
+  };
+  return !isAsLarge(known.size_m.norm()) && std::ranges::none_of(kept_views_, [&](const KeptView& view) {
+    return catalogue_.holderOf(view.object) == known.id && isAsLarge(view.diagonal_m);
+  });
+}
 
 void ObjectCollector::doubt(const Candidate& candidate, ObjectId object) {
   Doubt& doubt = doubts_[candidate.regions];
@@ -25,7 +71,14 @@ void ObjectCollector::takePlaceOf(ObjectId doubted, ObjectId object) {
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(doubted));
   if (holder == nullptr || isSettled(*holder) || by_person_.contains(doubted) || met_.hasRegions(doubted))
     return;
-  for (KeptView& view : kept_views_) view.is_outdated = view.is_outdated || view.object == doubted;
+  const ObjectId last_doubted = lastAt(doubted), last = lastAt(object);
+  if (last_doubted != last) successor_[last_doubted] = last;
+}
+
+ObjectId ObjectCollector::lastAt(ObjectId object) const {
+  for (auto next = successor_.find(object); next != successor_.end(); next = successor_.find(object))
+    object = next->second;
+  return object;
 }
 
 bool ObjectCollector::isDoubted(const RegionSet& regions, ObjectId object) const {
@@ -48,13 +101,29 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
   for (const Candidate* candidate : chosen) {
     const ObjectId object = met_.objectOf(candidate->regions);
     if (!object) continue;
+    std::vector<ObjectId> there;
     for (const auto& [other, met] : met_.all()) {
-      if (in_view.contains(other) || side_by_side_.contains(std::minmax(object, other))) continue;
-      if (met_.isAt(other, *candidate) &&
+      if (!in_view.contains(other) && !isInViewBeside(other, candidate->regions) &&
+          met_.isAt(other, *candidate) && !areSideBySide(object, other) &&
           shouldMerge(catalogue_.holderOf(other), catalogue_.holderOf(object)))
-        joined_.push_back({other, object, {}, frame_});
+        there.push_back(other);
     }
+    // What stands where two do is neither.
+    const bool is_several = std::ranges::any_of(there, [&](ObjectId a) {
+      return std::ranges::any_of(there, [&](ObjectId b) { return areSideBySide(a, b); });
+    });
+    if (is_several) continue;
+    for (const ObjectId other : there) joined_.push_back({other, object, {}, frame_});
   }
+}
+
+bool ObjectCollector::areSideBySide(ObjectId a, ObjectId b) const {
+  const ObjectId holder_a = catalogue_.holderOf(a), holder_b = catalogue_.holderOf(b);
+  if (holder_a == holder_b) return false;
+  return std::ranges::any_of(side_by_side_, [&](const auto& pair) {
+    const ObjectId first = catalogue_.holderOf(pair.first), second = catalogue_.holderOf(pair.second);
+    return (first == holder_a && second == holder_b) || (first == holder_b && second == holder_a);
+  });
 }
 
 void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
@@ -105,8 +174,9 @@ void ObjectCollector::mergeJoined(Which which) {
     --joined;  // the newest first
     const ObjectId a = catalogue_.holderOf(joined->kept);
     const ObjectId b = catalogue_.holderOf(joined->gone);
-    const bool is_one_place = !joined->region || hasMoved(a) == hasMoved(b);  // what moved is not what stayed
-    if (!is_one_place || !shouldMerge(a, b)) continue;
+    // What moved is not what stayed; and of what has other regions only a part was joined to something.
+    const bool are_one = !joined->region || (hasMoved(a) == hasMoved(b) && !met_.hasRegions(joined->gone));
+    if (!are_one || !shouldMerge(a, b)) continue;
     catalogue_.merge(a, b);
     writer_->merge(a, b);
   }

@@ -65,7 +65,8 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
     if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
-    if (wasTakenAway(view, surface, depth_noise_m)) {
+    const bool is_doubted = lastAt(view.object) != view.object;
+    if (!is_doubted && wasTakenAway(view, surface, depth_noise_m)) {
       view.is_of_what_left = true;
       continue;
     }
@@ -79,6 +80,10 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
   }
 }
 
+bool ObjectCollector::isOrReplaces(ObjectId object, ObjectId other) const {
+  return object && catalogue_.holderOf(lastAt(object)) == catalogue_.holderOf(lastAt(other));
+}
+
 bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(view.object));
   // What a person said something of is as it was then.
@@ -86,7 +91,7 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
   struct Pixels {
     bool is_own = false;
     float all = 0, shared = 0;
-    [[nodiscard]] float fit(float mask) const { return shared / (mask + all - shared); }
+    [[nodiscard]] float fit(float mask) const { return shared / std::max(mask + all - shared, 1.0F); }
   };
   std::map<RegionId, Pixels> regions;
   float mask = 0;
@@ -100,25 +105,36 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
                                           static_cast<std::size_t>(u)];
       if (!region) continue;
       const auto [entry, is_new] = regions.try_emplace(region);
-      if (is_new) entry->second.is_own = catalogue_.holderOf(met_.objectOf(region)) == holder->id;
+      if (is_new) entry->second.is_own = isOrReplaces(met_.objectOf(region), view.object);
       entry->second.all += 1;
       entry->second.shared += is_masked ? 1.0F : 0.0F;
     }
   }
-  // One region of the object, or all of them together.
-  Pixels all_own;
-  float best = 0;
+  // The largest region of the object, or all of them together: the others are parts.
+  Pixels all_own, largest;
   for (const auto& [region, pixels] : regions) {
     if (!pixels.is_own) continue;
-    best = std::max(best, pixels.fit(mask));
+    if (pixels.all > largest.all) largest = pixels;
     all_own.all += pixels.all;
     all_own.shared += pixels.shared;
   }
-  return std::max(best, all_own.fit(mask)) < kLeastFit;
+  return std::max(largest.fit(mask), all_own.fit(mask)) < kLeastFit;
+}
+
+void ObjectCollector::mergeSuccessors() {
+  for (const KeptView& view : kept_views_) {
+    if (view.is_outdated || view.is_of_what_left) continue;
+    const ObjectId object = catalogue_.holderOf(view.object);
+    const ObjectId last = catalogue_.holderOf(lastAt(view.object));
+    if (!shouldMerge(last, object)) continue;
+    catalogue_.merge(last, object);
+    writer_->merge(last, object);
+  }
 }
 
 void ObjectCollector::endLookingAgain() {
   is_looking_again_ = false;
+  mergeSuccessors();
   std::set<ObjectId> are_there;
   for (const KeptView& view : kept_views_) {
     if (!view.is_outdated && !view.is_of_what_left && !hasMoved(view.object))

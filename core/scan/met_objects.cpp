@@ -101,13 +101,14 @@ void MetObjects::lookAtPlaces(const DepthView& now, float depth_noise_m, int fra
   }
 }
 
-ObjectId MetObjects::nearby(const Candidate& candidate, int frame) const {
+ObjectId MetObjects::nearby(const Candidate& candidate, int frame,
+                            const std::function<bool(ObjectId)>& may_be_it) const {
   ObjectId nearest;
   float least_m = std::numeric_limits<float>::max();
   for (const auto& [object, met] : met_) {
     if (met.last_frame >= frame) continue;
     const std::optional<float> distance_m = distanceAtOnePlace(met, candidate);
-    if (!distance_m || *distance_m >= least_m) continue;
+    if (!distance_m || *distance_m >= least_m || !may_be_it(object)) continue;
     nearest = object;
     least_m = *distance_m;
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -48,9 +49,10 @@ class MetObjects {
   [[nodiscard]] Met& met(ObjectId object) { return met_[object]; }
   [[nodiscard]] const std::map<ObjectId, Met>& all() const { return met_; }
 
-  /// The nearest object that stands where the candidate is, is about as large, and was not seen since
-  /// `frame`: one that was is there under regions of its own.
-  [[nodiscard]] ObjectId nearby(const Candidate& candidate, int frame) const;
+  /// The nearest object that stands where the candidate is, is about as large, `may_be_it`, and was not seen
+  /// since `frame`: one that was is there under regions of its own.
+  [[nodiscard]] ObjectId nearby(const Candidate& candidate, int frame,
+                                const std::function<bool(ObjectId)>& may_be_it) const;
   /// It stands where the candidate is and is about as large.
   [[nodiscard]] bool isAt(ObjectId object, const Candidate& candidate) const;
 

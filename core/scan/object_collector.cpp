@@ -12,8 +12,6 @@
 namespace scantrove {
 namespace {
 
-/// A view is kept of a look whose size is about that of the object.
-constexpr float kViewFraction = 0.85F;
 /// An object that was seen so few frames ago is there under regions of its own.
 constexpr int kFramesToReturn = 10;
 /// An object that was seen elsewhere so few frames ago is not here.
@@ -126,7 +124,7 @@ void ObjectCollector::lookUpDue(const std::vector<Candidate>& candidates, const 
   if (look.frame.color.empty()) return;
   std::vector<const Candidate*> due;
   for (const Candidate& candidate : candidates) {
-    if (!met_.objectOf(candidate.regions) && !met_.nearby(candidate, frame_ - kFramesToReturn) &&
+    if (!met_.objectOf(candidate.regions) && !nearby(candidate) &&
         recognition_.isLookDue(candidate.regions, frame_))
       due.push_back(&candidate);
   }
@@ -159,8 +157,8 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   if (const ObjectId object = met_.objectOf(candidate.regions)) return object;
   const std::string* wanted_name = wantedName(candidate);
   // The same thing under a new region.
-  const ObjectId nearby = met_.nearby(candidate, frame_ - kFramesToReturn);
-  if (const ObjectId object = isDoubted(candidate.regions, nearby) ? ObjectId{} : nearby) {
+  const ObjectId before = nearby(candidate);
+  if (const ObjectId object = isDoubted(candidate.regions, before) ? ObjectId{} : before) {
     // What a person deleted is not added again, but by a person.
     if (wanted_name == nullptr) return object;
     const auto other = not_these_.find(*candidate.regions.begin());
@@ -178,6 +176,17 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
       return {};
   }
   return known->id;
+}
+
+ObjectId ObjectCollector::nearby(const Candidate& candidate) const {
+  return met_.nearby(candidate, frame_ - kFramesToReturn,
+                     [&](ObjectId object) { return !isInViewBeside(object, candidate.regions); });
+}
+
+bool ObjectCollector::isInViewBeside(ObjectId object, const RegionSet& regions) const {
+  return std::ranges::any_of(in_view_, [&](RegionId region) {
+    return met_.objectOf(region) == object && !regions.contains(region);
+  });
 }
 
 std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& candidates,
@@ -205,14 +214,15 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     return;
   }
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
-  const bool is_alike = known == nullptr || isAlike(*known, candidate);
+  const bool is_alike = known == nullptr || isAlike(*known, candidate, look);
   // A set that is much larger than the object holds more than it: its other regions stay free. Of what came,
   // a part may not be on the map yet.
   const bool is_wanted = wantedName(candidate) != nullptr;
   const bool has_come = candidate.has_come && candidate.regions.size() == 1;
   if (!is_alike && !is_wanted && !has_come) {
     // Of what was put elsewhere that says more than its size.
-    if (!isSettled(*known) && !isHeldWith(known->id, back_) && isClear(candidate, kForObject))
+    if (!isSettled(*known) && !isHeldWith(known->id, back_) && isClear(candidate, kForObject) &&
+        isOfOtherSize(*known, candidate))
       doubt(candidate, identity);
     return;
   }
@@ -226,26 +236,6 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   met_.meet(identity, candidate, frame_);
   if (is_wanted || (is_alike && isClear(candidate, kForView))) keepNewDirection(identity, candidate, look);
   if (is_wanted) fulfil(candidate, identity);
-}
-
-bool ObjectCollector::isAlike(const ObjectRecord& known, const Candidate& candidate) const {
-  float known_m = known.size_m.norm();
-  if (is_looking_again_) {
-    // Of views that are not outdated, where some are.
-    bool has_outdated = false;
-    float sum_m = 0;
-    int views = 0;
-    for (const KeptView& view : kept_views_) {
-      if (catalogue_.holderOf(view.object) != known.id) continue;
-      has_outdated = has_outdated || view.is_outdated;
-      sum_m += view.is_outdated ? 0 : view.diagonal_m;
-      views += view.is_outdated ? 0 : 1;
-    }
-    if (has_outdated) known_m = views > 0 ? sum_m / static_cast<float>(views) : 0;
-  }
-  if (known_m == 0 || !isMet(known.id)) return true;
-  const float size_m = candidate.size_m.norm();
-  return std::min(size_m, known_m) >= kViewFraction * std::max(size_m, known_m);
 }
 
 void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look) {

@@ -58,6 +58,10 @@ class ObjectCollector {
                                      const SurfaceInColor& in_color,
                                      const std::vector<Candidate>& candidates);
 
+  /// What the next frame to be collected shows, whether it is a candidate or not: an object whose regions are
+  /// in view is not met under others.
+  void setRegionsInView(std::vector<RegionId> regions) { in_view_ = std::move(regions); }
+
   /// Who joined two regions: what frames say may be otherwise in the next.
   enum class JoinedBy { person, frames };
   /// The region `from` is now part of `into`. When they were two objects, collect() makes them one in the
@@ -66,7 +70,7 @@ class ObjectCollector {
   /// object of `from` if a person joined them or spoke of that; else only the place tells
   /// (MetObjects::nearby).
   void regionsJoined(RegionId into, RegionId from, JoinedBy by = JoinedBy::person);
-  static constexpr int kFramesToBeOne = 60;
+  static constexpr int kFramesToBeOne = 300;
   /// `part` was a part of `from` until now. What a person deleted stays so in its parts.
   void regionsParted(RegionId from, RegionId part);
 
@@ -171,16 +175,28 @@ class ObjectCollector {
   void lookAmongThoseThatCame(const std::vector<Candidate>& candidates, const Look& look);
   /// The object that this candidate is, as far as is known; nothing is bound to it yet.
   [[nodiscard]] ObjectId identityOf(const Candidate& candidate) const;
+  /// The object that stood where the candidate is, and that may be it.
+  [[nodiscard]] ObjectId nearby(const Candidate& candidate) const;
+  /// Another region than these that is in view is the object.
+  [[nodiscard]] bool isInViewBeside(ObjectId object, const RegionSet& regions) const;
   [[nodiscard]] std::vector<std::size_t> choose(const std::vector<Candidate>& candidates,
                                                 const std::vector<ObjectId>& identities) const;
   void collectOne(const Candidate& candidate, ObjectId identity, const Look& look);
   /// A clear look at what is taken for `object`, and is not as large. After some in a row that is not it.
   void doubt(const Candidate& candidate, ObjectId object);
-  /// The new `object` stands where the doubted one was thought to stand: they are two, and of one that is
-  /// nowhere else the views showed something that is none.
+  /// The new `object` stands where the doubted one was thought to stand. Where that one is nowhere else its
+  /// views showed something that is none, or the same: the map tells when the scan has ended.
   void takePlaceOf(ObjectId doubted, ObjectId object);
+  /// The object, or what at last took its place.
+  [[nodiscard]] ObjectId lastAt(ObjectId object) const;
+  /// They are held as one, or one took the other's place.
+  [[nodiscard]] bool isOrReplaces(ObjectId object, ObjectId other) const;
+  /// What took the place of a doubted object, and is what that one's views show, is the same object.
+  void mergeSuccessors();
   [[nodiscard]] bool isDoubted(const RegionSet& regions, ObjectId object) const;
   void joinDoubles(const std::vector<const Candidate*>& chosen);
+  /// They, or what they are held with, were seen in one frame.
+  [[nodiscard]] bool areSideBySide(ObjectId a, ObjectId b) const;
   [[nodiscard]] bool isWanted(const Candidate& candidate) const;
   /// It is the region alone that a person waits for, and what the person calls it; none: no.
   [[nodiscard]] const std::string* wantedName(const Candidate& candidate) const;
@@ -203,14 +219,17 @@ class ObjectCollector {
   void noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
                 const cv::Size& working);
   [[nodiscard]] bool isOutdated(const KeptView& view, const RegionMap& now) const;
-  /// As far as is known, the object's views showed it about as large.
-  [[nodiscard]] bool isAlike(const ObjectRecord& known, const Candidate& candidate) const;
+  /// As far as is known, the object is about as large as this look shows it.
+  [[nodiscard]] bool isAlike(const ObjectRecord& known, const Candidate& candidate, const Look& look) const;
+  /// No view of the object shows it about as large, from wherever.
+  [[nodiscard]] bool isOfOtherSize(const ObjectRecord& known, const Candidate& candidate) const;
 
   CatalogueMirror catalogue_;  // objects are known by its keys
   std::unique_ptr<CatalogueWriter> writer_;
   DetectionParams params_;
 
   MetObjects met_;
+  std::vector<RegionId> in_view_;
   RecognitionHistory recognition_;
   std::map<RegionId, std::string> wanted_;  // by a person, not added yet; names, or empty
   /// What a person said of an object by naming a region.
@@ -240,6 +259,7 @@ class ObjectCollector {
     int last_frame = 0;
   };
   std::map<RegionSet, Doubt> doubts_;
+  std::map<ObjectId, ObjectId> successor_;                // of doubted ones: what took their places
   std::set<std::pair<ObjectId, ObjectId>> side_by_side_;  // seen in one frame; smaller id first
   std::vector<KeptView> kept_views_;
   std::set<ObjectId> by_person_;  // that a person waited for

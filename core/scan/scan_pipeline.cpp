@@ -230,6 +230,11 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
                              working_K_, readings.T_world_camera, joiningOdds,
                              came};
   std::vector<Candidate> candidates = finder.find(input);
+  if (collector_) {
+    constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something
+    collector_->setRegionsInView(
+        counter_.count(shown).regionsOfSize(kLeastPart * static_cast<double>(working_K_.pixels())));
+  }
   leaveOutSaid(candidates);
   addWanted(input, candidates);
   return candidates;

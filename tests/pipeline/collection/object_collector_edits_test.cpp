@@ -101,6 +101,18 @@ TEST_F(ObjectCollectorEdits, RegionsThatPartAgainWereTwoObjectsAllTheTime) {
   EXPECT_EQ(collector_->objectOf(box_again.region), first.added.at(1).id);
 }
 
+TEST_F(ObjectCollectorEdits, AnObjectOfWhichOnlyAPartIsJoinedToAnotherStaysOne) {
+  const RegionId handle{14};
+  Candidate mug = mug_.candidate();
+  mug.regions.add(handle);
+  for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({mug, box_.candidate()}, {mug_, box_}));
+  ASSERT_EQ(objects().size(), 2U);
+  collector_->regionsJoined(box_.region, handle, ObjectCollector::JoinedBy::frames);
+  static_cast<void>(look({mug_, box_}));
+  ASSERT_TRUE(collector_->finish([](const FrameObjects&) {}));
+  EXPECT_EQ(objects().size(), 2U);
+}
+
 TEST_F(ObjectCollectorEdits, RegionsThatAreJoinedWhenTheScanEndsMakeOneObject) {
   static_cast<void>(study({mug_, box_}));
   collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);

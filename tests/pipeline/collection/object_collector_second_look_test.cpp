@@ -1,6 +1,8 @@
 // What ObjectCollector does at the end of a scan, when everything is looked at again.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/pipeline/collection/object_collector_fixture.h"
 
 namespace scantrove {
@@ -103,6 +105,27 @@ TEST_F(SecondLook, WhatWasTakenForSomethingElseAtFirstGoesEvenIfItWasTakenAwayLa
   lookAgain(mapWith(mug_, 0.2), {}, 1.2F);
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].id, mug);
+}
+
+TEST_F(SecondLook, WhatWasDoubtedAndIsThereAllTheSameIsWhatTookItsPlace) {
+  static_cast<void>(study({mug_}));
+  Candidate larger = mug_.candidate();
+  larger.size_m *= 1.5F;
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({larger}, {mug_}, 60));
+  ASSERT_EQ(objects().size(), 2U);
+  lookAgain(mapWith(mug_, 1), {});
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].views, 2) << "of both";
+}
+
+TEST_F(SecondLook, AViewOfAPartIsNoneOfTheWhole) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const RegionId rest{14};
+  RegionMap map = mapWith(mug_, 1);
+  std::fill(map.regions.end() - 30 * map.width, map.regions.end(), rest);
+  collector_->bind(rest, mug);
+  lookAgain(map, {});
+  EXPECT_TRUE(objects().empty());
 }
 
 TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {

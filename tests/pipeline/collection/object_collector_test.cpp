@@ -211,6 +211,48 @@ TEST_F(ObjectCollectorTest, ARegionThatIsClearlyLargerThanItsObjectIsAnother) {
   EXPECT_EQ(objects()[0].views, 1) << "the first has no more views of what it is not";
 }
 
+TEST_F(ObjectCollectorTest, ALookFromElsewhereMayShowAnotherSize) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  Candidate with_another_face = mug_.candidate();
+  with_another_face.size_m *= 1.35F;
+  EXPECT_TRUE(lookAt({with_another_face}, {mug_}, 21).new_views.empty());
+  EXPECT_EQ(lookAt({with_another_face}, {mug_}, 45).new_views, std::vector<ObjectId>{mug});
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({with_another_face}, {mug_}, 21));
+  EXPECT_EQ(objects().size(), 1U) << "nor does it raise doubts";
+}
+
+TEST_F(ObjectCollectorTest, WhatIsInViewUnderItsOwnRegionIsNotMetUnderAnother) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing on_top{7, mug_.place, RegionId{77}};
+  for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
+  collector_->setRegionsInView({mug_.region, on_top.region});
+  const FrameObjects found = study({on_top});  // the mug is in view, but nothing can be said of it
+  ASSERT_EQ(found.added.size(), 1U);
+  EXPECT_NE(found.added[0].id, mug);
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(ObjectCollectorTest, WhatStandsWhereTwoDoIsNeither) {
+  const Candidate left = mug_.candidate();
+  Candidate right = box_.candidate(), both = cup_.candidate();  // which looks like neither
+  right.centroid_world = left.centroid_world + Eigen::Vector3f(0.06F, 0, 0);
+  both.centroid_world = left.centroid_world + Eigen::Vector3f(0.03F, 0, 0);
+  both.size_m *= 1.2F;
+  both.regions = {mug_.region};
+  both.regions.add(box_.region);
+  both.odds = -3;
+  for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({left, right, both}, {mug_, box_, cup_}));
+  ASSERT_EQ(objects().size(), 2U);
+  std::size_t added = 0, merged = 0;
+  for (int i = 0; i < 9; ++i) {
+    const FrameObjects one = lookAt({both}, {cup_});
+    added += one.added.size();
+    merged += one.merged.size();
+  }
+  EXPECT_EQ(added, 1U);
+  EXPECT_EQ(merged, 0U);
+}
+
 TEST_F(ObjectCollectorTest, LooksThatAreNotClearRaiseNoDoubt) {
   static_cast<void>(study({mug_}));
   Candidate unclear = mug_.candidate();

@@ -54,6 +54,8 @@ TEST(RegionCensus, EccentricityOfARectangle) {
   ASSERT_EQ(census.extents.size(), 1U);
   EXPECT_NEAR(census.extents[0].eccentricity(), std::sqrt(1 - 0.04), 1e-6);
   EXPECT_EQ(census.labelled_px, cv::Rect(30, 10, 50, 10));
+  EXPECT_EQ(census.regionsOfSize(500), std::vector<RegionId>{RegionId{3}});
+  EXPECT_TRUE(census.regionsOfSize(501).empty());
 }
 
 TEST(OrientedBox, OfATurnedBox) {
