@@ -9,6 +9,7 @@
 #include "core/capture/intrinsics.h"
 #include "core/discovery/candidate.h"
 #include "core/discovery/discovery_params.h"
+#include "core/discovery/region_census.h"
 #include "core/labeling/region_map.h"
 
 namespace scantrove {
@@ -35,6 +36,8 @@ class CandidateFinder {
   /// Candidates of this frame, by their regions. They may overlap: each is one way to see the scene (see
   /// chooseDisjoint). Keeps what it needs to know of earlier frames.
   [[nodiscard]] virtual std::vector<Candidate> find(const DiscoveryInput& input) = 0;
+  /// What find() saw last.
+  [[nodiscard]] virtual const RegionCensus& census() const = 0;
   /// `from` is now part of `into`: its history goes with it.
   virtual void regionsJoined(RegionId into, RegionId from) = 0;
   /// `from` is not as large any more.

@@ -21,25 +21,17 @@ cv::Mat bodyOf(const cv::Mat& mask, const cv::Mat1f& z_m) {
   cv::Mat nearest, farthest;
   cv::erode(z_m, nearest, {});
   cv::dilate(z_m, farthest, {});
-  constexpr unsigned char kUnknown = 255;  // of a piece that is not numbered yet
-  cv::Mat1b inside;
+  cv::Mat inside;
   cv::erode(mask, inside, {}, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
   inside &= farthest <= (1 + kStep) * nearest;
-  // Not by connectedComponents(): it wakes threads for each small image.
-  std::vector<int> areas;
-  for (int row = 0; row < inside.rows; ++row) {
-    for (int column = 0; column < inside.cols; ++column) {
-      if (inside(row, column) != kUnknown || areas.size() + 1 == kUnknown) continue;
-      const auto piece = static_cast<double>(areas.size() + 1);
-      areas.push_back(cv::floodFill(inside, {column, row}, piece, nullptr, {}, {}, 8));
-    }
+  cv::Mat piece_of, stats, middles;
+  const int pieces = cv::connectedComponentsWithStats(inside, piece_of, stats, middles, 8, CV_32S);
+  const auto areaOf = [&](int piece) { return stats.at<int>(piece, cv::CC_STAT_AREA); };
+  int largest = 0;
+  for (int piece = 1; piece < pieces; ++piece) largest = std::max(largest, areaOf(piece));
+  for (int piece = 1; piece < pieces; ++piece) {
+    if (kPartOfLargest * areaOf(piece) < largest) inside.setTo(0, piece_of == piece);
   }
-  const int largest = areas.empty() ? 0 : *std::ranges::max_element(areas);
-  cv::Mat1b of_piece(1, 256, static_cast<unsigned char>(0));
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (kPartOfLargest * areas[i] >= largest) of_piece(static_cast<int>(i) + 1) = kUnknown;
-  }
-  cv::LUT(inside, of_piece, inside);
   cv::Mat body;
   cv::dilate(inside, body, {});
   body &= mask;
@@ -50,7 +42,7 @@ cv::Mat bodyOf(const cv::Mat& mask, const cv::Mat1f& z_m) {
   return body | (mask & (z_m <= farthest_of_body));
 }
 
-/// Calls `use` with each pixel of the regions that shows a surface.
+/// Calls `use` with each pixel of the regions that shows a surface, and its place in the box.
 template <class Use>
 void forEachPixel(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use) {
   for (int v = box.y; v < box.br().y; ++v) {
@@ -58,7 +50,7 @@ void forEachPixel(const RegionSet& regions, const cv::Rect& box, const Discovery
     for (int u = box.x; u < box.br().x; ++u) {
       const std::size_t pixel = row + static_cast<std::size_t>(u);
       if (!regions.contains(input.regions.regions[pixel])) continue;
-      if (isSurface(input.vertices_world[pixel])) use(pixel);
+      if (isSurface(input.vertices_world[pixel])) use(pixel, cv::Point(u, v) - box.tl());
     }
   }
 }
@@ -66,7 +58,8 @@ void forEachPixel(const RegionSet& regions, const cv::Rect& box, const Discovery
 /// Calls `use` with each vertex of the regions that is a surface point.
 template <class Use>
 void forEachPoint(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use) {
-  forEachPixel(regions, box, input, [&](std::size_t pixel) { use(input.vertices_world[pixel]); });
+  forEachPixel(regions, box, input,
+               [&](std::size_t pixel, const cv::Point& /*place*/) { use(input.vertices_world[pixel]); });
 }
 
 /// z in the camera frame of world points.
@@ -107,7 +100,7 @@ float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryI
   });
   const Eigen::Vector3f middle = sum / static_cast<float>(std::max(points, 1));
   float outwards = 0, away = 0;
-  forEachPixel(regions, box_px, input, [&](std::size_t pixel) {
+  forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& /*place*/) {
     if (!isSurface(input.normals_world[pixel])) return;
     const Eigen::Vector3f from_middle = input.vertices_world[pixel].head<3>() - middle;
     outwards += from_middle.dot(input.normals_world[pixel].head<3>());
@@ -119,29 +112,17 @@ float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryI
 std::vector<Eigen::Vector4f> pointsOf(const RegionSet& regions, const cv::Rect& box_px,
                                       const DiscoveryInput& input) {
   const CameraDepth depth(input);
-  const auto firstOf = [&](int row) {
-    return static_cast<std::size_t>(box_px.y + row) * static_cast<std::size_t>(input.regions.width) +
-           static_cast<std::size_t>(box_px.x);
-  };
   cv::Mat1f z_m(box_px.size(), 0.0F);
   cv::Mat1b mask(box_px.size(), 0);
-  for (int row = 0; row < mask.rows; ++row) {
-    const RegionId* regions_of_row = input.regions.regions.data() + firstOf(row);
-    const Eigen::Vector4f* vertices = input.vertices_world.data() + firstOf(row);
-    for (int column = 0; column < mask.cols; ++column) {
-      if (!regions.contains(regions_of_row[column]) || !isSurface(vertices[column])) continue;
-      z_m(row, column) = depth(vertices[column]);
-      mask(row, column) = 255;
-    }
-  }
+  forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& place) {
+    z_m(place) = depth(input.vertices_world[pixel]);
+    mask(place) = 255;
+  });
   const cv::Mat1b body = bodyOf(mask, z_m);
   std::vector<Eigen::Vector4f> points;
-  for (int row = 0; row < body.rows; ++row) {
-    const Eigen::Vector4f* vertices = input.vertices_world.data() + firstOf(row);
-    for (int column = 0; column < body.cols; ++column) {
-      if (body(row, column) != 0) points.push_back(vertices[column]);
-    }
-  }
+  forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& place) {
+    if (body(place) != 0) points.push_back(input.vertices_world[pixel]);
+  });
   return points;
 }
 

@@ -68,6 +68,7 @@ class RuleBasedFinder final : public CandidateFinder {
   explicit RuleBasedFinder(const DiscoveryParams& params) : params_(params) {}
 
   void setParams(const DiscoveryParams& params) override { params_ = params; }
+  [[nodiscard]] const RegionCensus& census() const override { return census_; }
   void regionsJoined(RegionId into, RegionId from) override {
     sizes_.follow(into, from);
     looks_.follow(into, from);
@@ -78,11 +79,11 @@ class RuleBasedFinder final : public CandidateFinder {
 
   std::vector<Candidate> find(const DiscoveryInput& input) override {
     SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
-    const RegionCensus census = counter_.count(input.regions);
+    census_ = counter_.count(input.regions);
     const RegionOutlines outlines(input, params_);
-    const cv::Rect visible = visibleFrame(census, input.regions.width, input.regions.height, params_);
+    const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
     const std::vector<RegionHypothesis> hypotheses =
-        proposeHypotheses(wholeRegions(census, visible, input), outlines, input, params_);
+        proposeHypotheses(wholeRegions(census_, visible, input), outlines, input, params_);
     rememberSizes(hypotheses);
     looks_.nextFrame();
     reaches_.add(input, visible, params_.max_size_m);
@@ -105,7 +106,7 @@ class RuleBasedFinder final : public CandidateFinder {
       candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
-    for (const RegionExtent& extent : cutRegions(census, visible, input)) {
+    for (const RegionExtent& extent : cutRegions(census_, visible, input)) {
       const RegionHypothesis hypothesis{{extent.region}, extent, visibleArea(extent, input)};
       const OutlineSteps outline = outlines.of(hypothesis.regions);
       if (!isNotBackground(outline, params_)) continue;
@@ -179,6 +180,7 @@ class RuleBasedFinder final : public CandidateFinder {
 
   DiscoveryParams params_;
   RegionCounter counter_;
+  RegionCensus census_;
   SizeHistory sizes_;
   LookHistory looks_;
   ReachHistory reaches_;

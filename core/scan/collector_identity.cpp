@@ -37,7 +37,7 @@ bool ObjectCollector::isAlike(const ObjectRecord& known, const Candidate& candid
       known_m = view.diagonal_m;
     }
   }
-  if ((!has_view && has_outdated && is_looking_again_) || known_m == 0) return true;
+  if ((!has_view && has_outdated) || known_m == 0) return true;
   constexpr float kRadians = std::numbers::pi_v<float> / 180;
   // Of a set that is larger the other regions may be something else.
   const bool is_set = candidate.regions.size() > 1;
@@ -71,11 +71,11 @@ void ObjectCollector::takePlaceOf(ObjectId doubted, ObjectId object) {
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(doubted));
   if (holder == nullptr || isSettled(*holder) || by_person_.contains(doubted) || met_.hasRegions(doubted))
     return;
-  const ObjectId last_doubted = lastAt(doubted), last = lastAt(object);
+  const ObjectId last_doubted = successorOf(doubted), last = successorOf(object);
   if (last_doubted != last) successor_[last_doubted] = last;
 }
 
-ObjectId ObjectCollector::lastAt(ObjectId object) const {
+ObjectId ObjectCollector::successorOf(ObjectId object) const {
   for (auto next = successor_.find(object); next != successor_.end(); next = successor_.find(object))
     object = next->second;
   return object;
@@ -103,8 +103,8 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
     if (!object) continue;
     std::vector<ObjectId> there;
     for (const auto& [other, met] : met_.all()) {
-      if (!in_view.contains(other) && !isInViewBeside(other, candidate->regions) &&
-          met_.isAt(other, *candidate) && !areSideBySide(object, other) &&
+      if (!in_view.contains(other) && met_.isAt(other, *candidate) &&
+          !isInViewBeside(other, candidate->regions) && !areSideBySide(object, other) &&
           shouldMerge(catalogue_.holderOf(other), catalogue_.holderOf(object)))
         there.push_back(other);
     }

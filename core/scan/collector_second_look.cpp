@@ -65,7 +65,7 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
     if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
-    const bool is_doubted = lastAt(view.object) != view.object;
+    const bool is_doubted = successorOf(view.object) != view.object;
     if (!is_doubted && wasTakenAway(view, surface, depth_noise_m)) {
       view.is_of_what_left = true;
       continue;
@@ -80,8 +80,9 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
   }
 }
 
-bool ObjectCollector::isOrReplaces(ObjectId object, ObjectId other) const {
-  return object && catalogue_.holderOf(lastAt(object)) == catalogue_.holderOf(lastAt(other));
+bool ObjectCollector::haveOneSuccessor(ObjectId a, ObjectId b) const {
+  const ObjectId holder = catalogue_.holderOf(successorOf(a));
+  return holder && holder == catalogue_.holderOf(successorOf(b));
 }
 
 bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
@@ -105,7 +106,7 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
                                           static_cast<std::size_t>(u)];
       if (!region) continue;
       const auto [entry, is_new] = regions.try_emplace(region);
-      if (is_new) entry->second.is_own = isOrReplaces(met_.objectOf(region), view.object);
+      if (is_new) entry->second.is_own = haveOneSuccessor(met_.objectOf(region), view.object);
       entry->second.all += 1;
       entry->second.shared += is_masked ? 1.0F : 0.0F;
     }
@@ -125,7 +126,7 @@ void ObjectCollector::mergeSuccessors() {
   for (const KeptView& view : kept_views_) {
     if (view.is_outdated || view.is_of_what_left) continue;
     const ObjectId object = catalogue_.holderOf(view.object);
-    const ObjectId last = catalogue_.holderOf(lastAt(view.object));
+    const ObjectId last = catalogue_.holderOf(successorOf(view.object));
     if (!shouldMerge(last, object)) continue;
     catalogue_.merge(last, object);
     writer_->merge(last, object);

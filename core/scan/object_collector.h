@@ -187,10 +187,10 @@ class ObjectCollector {
   /// The new `object` stands where the doubted one was thought to stand. Where that one is nowhere else its
   /// views showed something that is none, or the same: the map tells when the scan has ended.
   void takePlaceOf(ObjectId doubted, ObjectId object);
-  /// The object, or what at last took its place.
-  [[nodiscard]] ObjectId lastAt(ObjectId object) const;
-  /// They are held as one, or one took the other's place.
-  [[nodiscard]] bool isOrReplaces(ObjectId object, ObjectId other) const;
+  /// What took the place of a doubted object in the end; of another the object itself.
+  [[nodiscard]] ObjectId successorOf(ObjectId object) const;
+  /// They are held as one, or took the place of one another, and a person did not delete that.
+  [[nodiscard]] bool haveOneSuccessor(ObjectId a, ObjectId b) const;
   /// What took the place of a doubted object, and is what that one's views show, is the same object.
   void mergeSuccessors();
   [[nodiscard]] bool isDoubted(const RegionSet& regions, ObjectId object) const;

@@ -233,7 +233,7 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
   if (collector_) {
     constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something
     collector_->setRegionsInView(
-        counter_.count(shown).regionsOfSize(kLeastPart * static_cast<double>(working_K_.pixels())));
+        finder.census().regionsOfSize(kLeastPart * static_cast<double>(working_K_.pixels())));
   }
   leaveOutSaid(candidates);
   addWanted(input, candidates);

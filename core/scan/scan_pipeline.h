@@ -13,7 +13,6 @@
 #include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/discovery/candidate_finder.h"
-#include "core/discovery/region_census.h"
 #include "core/editing/region_editor.h"
 #include "core/fusion/color_integrator.h"
 #include "core/fusion/dense_map.h"
@@ -266,7 +265,6 @@ class ScanPipeline {
   std::optional<EditableCloud> editable_;
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
-  RegionCounter counter_;
   std::unique_ptr<CandidateFinder> finder_of_kept_;  // while it is looked again, and what is seen then
   SurfaceMaps seen_again_;
   std::unique_ptr<ObjectCollector> collector_;

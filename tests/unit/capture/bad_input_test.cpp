@@ -21,6 +21,7 @@ using namespace test;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using Status = FrameRead::Status;
 
 TEST(BadInput, MissingPathIsNamed) {
@@ -47,15 +48,37 @@ TEST(BadInput, FileOfAnotherKindIsRefused) {
   EXPECT_THAT(openError(folder.write("film.mp4", "x")), HasSubstr("film.mp4"));
 }
 
-TEST(BadInput, FolderWithoutPermissionSaysSo) {
-  if (geteuid() == 0) {
-    GTEST_SKIP() << "The super-user may read everything.";
+/// The super-user may read everything: for as long as this lives, the program is somebody else.
+class WithoutPrivileges {
+ public:
+  WithoutPrivileges() {
+    constexpr uid_t kNobody = 65534;
+    if (was_root_ && seteuid(kNobody) != 0) throw std::runtime_error("cannot become somebody else");
   }
+  WithoutPrivileges(const WithoutPrivileges&) = delete;
+  WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
+  ~WithoutPrivileges() {
+    if (was_root_) {
+      EXPECT_EQ(seteuid(0), 0);
+    }
+  }
+
+ private:
+  bool was_root_ = geteuid() == 0;
+};
+
+TEST(BadInput, FolderWithoutPermissionSaysSo) {
+  namespace fs = std::filesystem;
   const TemporaryFolder folder;
-  writeNumberedFolder(folder / "closed", 0, 1);
-  std::filesystem::permissions(folder / "closed", std::filesystem::perms::none);
-  EXPECT_THAT(openError(folder / "closed"), HasSubstr("ermission"));
-  std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_all);
+  fs::permissions(folder.path(), fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
+  for (const char* name : {"open", "closed"}) writeNumberedFolder(folder / name, 0, 1);
+  fs::permissions(folder / "closed", fs::perms::none);
+  {
+    const WithoutPrivileges somebody;
+    EXPECT_THAT(openError(folder / "closed"), AllOf(HasSubstr("closed"), HasSubstr("ermission")));
+    EXPECT_THAT(openError(folder / "open"), Not(HasSubstr("ermission"))) << "this one is readable";
+  }
+  fs::permissions(folder / "closed", fs::perms::owner_all);
 }
 
 TEST(BadInput, EmptyDepthFolderIsNamed) {
