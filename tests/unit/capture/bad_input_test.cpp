@@ -70,8 +70,10 @@ class WithoutPrivileges {
 TEST(BadInput, FolderWithoutPermissionSaysSo) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder;
-  fs::permissions(folder.path(), fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
   for (const char* name : {"open", "closed"}) writeNumberedFolder(folder / name, 0, 1);
+  constexpr fs::perms kForAll = fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                                fs::perms::others_read | fs::perms::others_exec;
+  for (const fs::path& open : {folder.path(), folder / "open"}) fs::permissions(open, kForAll);
   fs::permissions(folder / "closed", fs::perms::none);
   {
     const WithoutPrivileges somebody;
