@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/pipeline/collection/object_collector_fixture.h"
 
@@ -116,6 +117,19 @@ TEST_F(SecondLook, WhatWasDoubtedAndIsThereAllTheSameIsWhatTookItsPlace) {
   lookAgain(mapWith(mug_, 1), {});
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].views, 2) << "of both";
+}
+
+TEST_F(SecondLook, WhatAPersonDeletesDoesNotLiveOnInWhatItTookThePlaceOf) {
+  static_cast<void>(study({mug_}));
+  Candidate larger = mug_.candidate();
+  larger.size_m *= 1.5F;
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({larger}, {mug_}, 60));
+  ASSERT_EQ(objects().size(), 2U);
+  ASSERT_TRUE(person_->remove(std::array{objects()[1].id}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  lookAgain(mapWith(mug_, 1), {});
+  EXPECT_TRUE(objects().empty());
 }
 
 TEST_F(SecondLook, AViewOfAPartIsNoneOfTheWhole) {
