@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr double kPoolBytes = BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // of a brick
+constexpr double kPoolBytes = BRICK_VOXELS * static_cast<double>(sizeof(cl_uint));  // of a brick, the largest
 constexpr double kGrowingPools = 3.5;
 constexpr double kMebibyte = 1 << 20;
 

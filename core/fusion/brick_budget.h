@@ -3,11 +3,12 @@
 
 #include "core/compute/compute_context.h"
 #include "core/fusion/fusion_params.h"
+#include "core/fusion/kernels/brick_layout.h"
 
 namespace scantrove {
 
 /// Device memory of one brick: what it holds, and its share of the directory.
-constexpr double kBrickBytes = 6144 + 128;
+constexpr double kBrickBytes = BRICK_VOXELS * VOXEL_BYTES + 128;
 
 /// Kernels count voxels with 31 bits.
 constexpr int kMostBricks = (1 << 22) - 1;
@@ -19,8 +20,8 @@ struct BrickBudget {
   std::filesystem::path folder;  ///< of the file that takes those for which there is no room; empty: no file
 };
 
-/// Bricks that the device has room for while their pools grow: three pools, and beside them half of one that
-/// is being replaced.
+/// Bricks that the device has room for while their pools grow: all pools, and beside them half of one that is
+/// being replaced.
 [[nodiscard]] double bricksThatFit(const DeviceMemory& memory);
 
 /// The budget that `params` asks for: a quarter of the machine's memory where it says nothing, and no more

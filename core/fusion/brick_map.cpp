@@ -12,7 +12,6 @@ namespace scantrove {
 namespace {
 
 constexpr int kFirstSlots = 1 << 14;
-constexpr std::size_t kVoxels = BRICK_VOXELS;
 
 bool comesBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
@@ -50,7 +49,7 @@ void BrickMap::reserve(int slots) {
 
 std::size_t BrickMap::deviceBytes() const {
   const auto slots = static_cast<std::size_t>(budget_.at_once ? slotEnd() : slotCapacity());
-  return slots * kVoxels * (sizeof(TsdfVoxel) + 2 * sizeof(cl_uint)) +
+  return slots * BRICK_VOXELS * VOXEL_BYTES +
          table_.buffer().size() * sizeof(BrickEntry) + page_slots_.buffer().size() * sizeof(cl_int);
 }
 

@@ -97,9 +97,11 @@ class BrickMap {
 
   [[nodiscard]] const Buffer<BrickEntry>& table() const { return table_.buffer(); }
   [[nodiscard]] cl_uint tableMask() const { return static_cast<cl_uint>(index_.entries().size() - 1); }
-  /// slotCapacity() * BRICK_VOXELS distances, and as many labels and colours (color_voxel.h).
-  [[nodiscard]] Buffer<TsdfVoxel>& voxels() { return pools_.voxels(); }
-  [[nodiscard]] const Buffer<TsdfVoxel>& voxels() const { return pools_.voxels(); }
+  /// slotCapacity() * BRICK_VOXELS of each (brick_layout.h).
+  [[nodiscard]] Buffer<cl_short>& distances() { return pools_.distances(); }
+  [[nodiscard]] const Buffer<cl_short>& distances() const { return pools_.distances(); }
+  [[nodiscard]] Buffer<cl_uchar>& weights() { return pools_.weights(); }
+  [[nodiscard]] const Buffer<cl_uchar>& weights() const { return pools_.weights(); }
   [[nodiscard]] Buffer<cl_uint>& labels() { return pools_.labels(); }
   [[nodiscard]] const Buffer<cl_uint>& labels() const { return pools_.labels(); }
   [[nodiscard]] Buffer<cl_uint>& colors() { return pools_.colors(); }

@@ -63,7 +63,7 @@ void clearPool(ComputeContext& compute, Buffer<T>& pool, std::span<const int> sl
 
 template <class T>
 void readPool(ComputeContext& compute, const Buffer<T>& pool, std::span<const int> slots,
-              std::span<T> values) {
+              std::vector<T>& values) {
   SCANTROVE_CHECK(values.size() == slots.size() * kBrickVoxels);
   if (compute.isCpu()) {
     onHost(compute, pool, slots, CL_MAP_READ, [&](const T* from, std::size_t count, std::size_t place) {
@@ -79,7 +79,7 @@ void readPool(ComputeContext& compute, const Buffer<T>& pool, std::span<const in
 
 template <class T>
 void writePool(ComputeContext& compute, Buffer<T>& pool, std::span<const int> slots,
-               std::span<const T> values) {
+               const std::vector<T>& values) {
   SCANTROVE_CHECK(values.size() == slots.size() * kBrickVoxels);
   if (compute.isCpu()) {
     onHost(compute, pool, slots, CL_MAP_WRITE, [&](T* to, std::size_t count, std::size_t place) {
@@ -97,15 +97,18 @@ void writePool(ComputeContext& compute, Buffer<T>& pool, std::span<const int> sl
 
 bool BrickPools::makeAtOnce(int slots) {
   try {
-    auto voxels = Buffer<TsdfVoxel>::zeroed(compute_.context(), voxelsOf(slots));
+    auto distances = Buffer<cl_short>::zeroed(compute_.context(), voxelsOf(slots));
+    auto weights = Buffer<cl_uchar>::zeroed(compute_.context(), voxelsOf(slots));
     auto labels = Buffer<cl_uint>::zeroed(compute_.context(), voxelsOf(slots));
     auto colors = Buffer<cl_uint>::zeroed(compute_.context(), voxelsOf(slots));
     // A driver may put off what it was asked for until it is used.
-    voxels.fill(compute_.queue(), TsdfVoxel{}, 0, 1);
+    distances.fill(compute_.queue(), DISTANCE_UNSEEN, 0, 1);
+    weights.fill(compute_.queue(), 0, 0, 1);
     labels.fill(compute_.queue(), 0U, 0, 1);
     colors.fill(compute_.queue(), 0U, 0, 1);
     compute_.finish();
-    voxels_ = voxels;
+    distances_ = distances;
+    weights_ = weights;
     labels_ = labels;
     colors_ = colors;
     capacity_ = slots;
@@ -118,7 +121,8 @@ bool BrickPools::makeAtOnce(int slots) {
 // Voxels of slots that are not handed out yet are never read and need no value.
 void BrickPools::grow(int slots, int used) {
   if (slots <= capacity_) return;
-  growPool(compute_, voxels_, slots, used);
+  growPool(compute_, distances_, slots, used);
+  growPool(compute_, weights_, slots, used);
   growPool(compute_, labels_, slots, used);
   growPool(compute_, colors_, slots, used);
   capacity_ = zero_from_ = slots;
@@ -132,25 +136,30 @@ void BrickPools::clear(std::span<const int> slots) {
   std::vector<int> used;
   std::ranges::copy_if(slots, std::back_inserter(used), [this](int slot) { return slot < zero_from_; });
   use(slots);
-  clearPool(compute_, voxels_, std::span(used));
+  // Of memory that is read before it is written to, the system gives zeros first and a page later, for which it
+  // stops all cores. Every brick gets distances: write at once.
+  clearPool(compute_, distances_, slots);
+  clearPool(compute_, weights_, slots);
   clearPool(compute_, labels_, std::span(used));
   clearPool(compute_, colors_, std::span(used));
 }
 
-void BrickPools::read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels,
-                      std::span<cl_uint> colors) const {
-  readPool(compute_, voxels_, slots, voxels);
-  readPool(compute_, labels_, slots, labels);
-  readPool(compute_, colors_, slots, colors);
+BrickContents BrickPools::read(std::span<const int> slots) const {
+  BrickContents contents(slots.size());
+  readPool(compute_, distances_, slots, contents.distances);
+  readPool(compute_, weights_, slots, contents.weights);
+  readPool(compute_, labels_, slots, contents.labels);
+  readPool(compute_, colors_, slots, contents.colors);
   compute_.finish();
+  return contents;
 }
 
-void BrickPools::write(std::span<const int> slots, std::span<const TsdfVoxel> voxels,
-                       std::span<const cl_uint> labels, std::span<const cl_uint> colors) {
+void BrickPools::write(std::span<const int> slots, const BrickContents& contents) {
   use(slots);
-  writePool(compute_, voxels_, slots, voxels);
-  writePool(compute_, labels_, slots, labels);
-  writePool(compute_, colors_, slots, colors);
+  writePool(compute_, distances_, slots, contents.distances);
+  writePool(compute_, weights_, slots, contents.weights);
+  writePool(compute_, labels_, slots, contents.labels);
+  writePool(compute_, colors_, slots, contents.colors);
   compute_.finish();
 }
 

@@ -4,12 +4,13 @@
 
 #include "core/compute/buffer.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/brick_contents.h"
 #include "core/fusion/kernels/brick_layout.h"
 
 namespace scantrove {
 
-/// What the bricks of a map hold, on the device, by slot: a distance, a label and a colour voxel for each of
-/// their 512 places. All may throw cl::Error (no memory left, device lost). One thread, the context's.
+/// What the bricks of a map hold, on the device, by slot: a distance, a weight, a label and a colour for each of
+/// their 512 voxels (brick_layout.h). All may throw cl::Error (no memory left, device lost). One thread, the context's.
 class BrickPools {
  public:
   explicit BrickPools(ComputeContext& compute) : compute_(compute) {}
@@ -28,16 +29,15 @@ class BrickPools {
   void clear(std::span<const int> slots);
 
   /// Slot after slot, BRICK_VOXELS each.
-  void read(std::span<const int> slots, std::span<TsdfVoxel> voxels, std::span<cl_uint> labels,
-            std::span<cl_uint> colors) const;
-  void write(std::span<const int> slots, std::span<const TsdfVoxel> voxels, std::span<const cl_uint> labels,
-             std::span<const cl_uint> colors);
+  [[nodiscard]] BrickContents read(std::span<const int> slots) const;
+  void write(std::span<const int> slots, const BrickContents& contents);
 
-  [[nodiscard]] Buffer<TsdfVoxel>& voxels() { return voxels_; }
-  [[nodiscard]] const Buffer<TsdfVoxel>& voxels() const { return voxels_; }
+  [[nodiscard]] Buffer<cl_short>& distances() { return distances_; }
+  [[nodiscard]] const Buffer<cl_short>& distances() const { return distances_; }
+  [[nodiscard]] Buffer<cl_uchar>& weights() { return weights_; }
+  [[nodiscard]] const Buffer<cl_uchar>& weights() const { return weights_; }
   [[nodiscard]] Buffer<cl_uint>& labels() { return labels_; }
   [[nodiscard]] const Buffer<cl_uint>& labels() const { return labels_; }
-  /// color_voxel.h
   [[nodiscard]] Buffer<cl_uint>& colors() { return colors_; }
   [[nodiscard]] const Buffer<cl_uint>& colors() const { return colors_; }
 
@@ -46,7 +46,8 @@ class BrickPools {
   void use(std::span<const int> slots);
 
   ComputeContext& compute_;
-  Buffer<TsdfVoxel> voxels_;
+  Buffer<cl_short> distances_;
+  Buffer<cl_uchar> weights_;
   Buffer<cl_uint> labels_;
   Buffer<cl_uint> colors_;
   int capacity_ = 0;

@@ -39,10 +39,7 @@ StoredPage BrickMap::copyOfPageHere(int index) const {
   StoredPage copy;
   for (const int slot : slots) copy.bricks.set(localBrick(positionOf(slot)));
   for (const int slot : page.dormant) copy.dormant.set(localBrick(positionOf(slot)));
-  copy.voxels.resize(slots.size() * BRICK_VOXELS);
-  copy.labels.resize(slots.size() * BRICK_VOXELS);
-  copy.colors.resize(slots.size() * BRICK_VOXELS);
-  pools_.read(slots, copy.voxels, copy.labels, copy.colors);
+  copy.contents = pools_.read(slots);
   const auto block =
       pages_.pageSlots().subspan(static_cast<std::size_t>(page.block) * PAGE_BRICKS, PAGE_BRICKS);
   std::ranges::transform(block, copy.cells.begin(),
@@ -139,7 +136,7 @@ void BrickMap::putBack(int index, const StoredPage& stored) {
       cells[i] = slot;
     }
   }
-  pools_.write(slots, stored.voxels, stored.labels, stored.colors);
+  pools_.write(slots, stored.contents);
   pages_.putBack(index, cells, std::move(dormant), changed_page_slots_);
 }
 

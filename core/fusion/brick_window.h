@@ -24,6 +24,9 @@ class BrickWindow {
   /// The brick at which the window starts.
   [[nodiscard]] const Eigen::Vector3i& firstBrick() const { return first_brick_; }
 
+  /// The voxel at which it starts, as kernels take it.
+  [[nodiscard]] cl_int4 firstVoxel() const;
+
   /// Maps camera points in metres to units of `unit_m` counted from the window's first brick of side
   /// `brick_size_m`.
   [[nodiscard]] Eigen::Matrix4d fromCamera(const Eigen::Isometry3d& T_world_camera, double brick_size_m,

@@ -30,8 +30,8 @@ void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_w
   const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
   const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
   settle();
-  lookAt(frustum);
-  if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum);
+  lookAt(frustum, window_);
+  if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum, window_);
   integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
 }
 
@@ -49,14 +49,14 @@ void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics
   surface.K = K;
   surface.T_world_camera = T_world_camera;
   const ViewFrustum frustum(T_world_camera, K, kNearestView_m, params_.max_depth_m);
-  lookAt(frustum);
-  raycaster_.cast(bricks_, window_, bricks_.slotsInPages(pages_, frustum), surface);
+  lookAt(frustum, surface.window);
+  raycaster_.cast(bricks_, bricks_.slotsInPages(pages_, frustum), surface);
 }
 
-void DenseMap::lookAt(const ViewFrustum& frustum) {
+void DenseMap::lookAt(const ViewFrustum& frustum, BrickWindow& window) {
   pages_ = bricks_.pages().pagesInView(frustum, BRICK_SIDE * static_cast<double>(bricks_.voxelSize()));
   bricks_.lookAt(pages_);
-  window_.set(compute_, bricks_.pages(), pages_);
+  window.set(compute_, bricks_.pages(), pages_);
 }
 
 }  // namespace scantrove

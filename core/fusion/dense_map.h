@@ -43,8 +43,8 @@ class DenseMap {
   DenseMap(ComputeContext& compute, const FusionParams& params, BrickAllocator allocator,
            Integrator integrator, Raycaster raycaster);
 
-  /// Makes `pages_` and `window_` those of a view, and its bricks those on the device.
-  void lookAt(const ViewFrustum& frustum);
+  /// Makes `pages_` and `window` those of a view, and its bricks those on the device.
+  void lookAt(const ViewFrustum& frustum, BrickWindow& window);
 
   ComputeContext& compute_;
   FusionParams params_;

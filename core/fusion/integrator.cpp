@@ -49,7 +49,7 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   const cl_float4 K = toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy);
   const auto count = static_cast<cl_int>(slots.size());
   const float truncation_m = params_.truncation_vox * map.voxelSize();
-  const float max_weight = 256.0F * std::clamp(params_.max_weight, 1.0F, 255.0F);
+  const auto max_weight = static_cast<cl_int>(std::clamp(params_.max_weight, 1.0F, 255.0F));
 
   const cl::NDRange tile_grid(depthTiles(frame.K.width), depthTiles(frame.K.height));
   const std::size_t tile_count = tile_grid.get()[0] * tile_grid.get()[1];
@@ -61,7 +61,7 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
   integrate_bricks_.launch(cl::NDRange(items * slots.size()), cl::NDRange(items > 1 ? items : kGroupBricks),
                            bricks_, count, readings_, T, K, frame.K.width, frame.K.height, frame.depth_m,
-                           params_.max_depth_m, truncation_m, max_weight, map.voxels(), empty_);
+                           params_.max_depth_m, truncation_m, max_weight, map.distances(), map.weights(), empty_);
 }
 
 std::vector<Eigen::Vector3i> Integrator::takeEmptyBricks() {

@@ -19,7 +19,7 @@ constexpr std::size_t kLevel = 1;
 /// Fewer pixels are noise.
 constexpr int kFewestPixels = 12;
 /// Surface is settled after so many observations; where more than this part of it is not, all of it counts.
-constexpr cl_uint kSettled = 4 * 256;
+constexpr cl_int kSettled = 4;
 constexpr double kMostFresh = 0.3;
 
 DepthView viewOf(ComputeContext& compute, const DepthPyramid& frame,
@@ -89,7 +89,7 @@ void MotionFilter::doubt(const DepthPyramid& frame, BrickMap& bricks, const Surf
                         cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
                         toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),
                         apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(),
-                        bricks.table(), bricks.tableMask(), bricks.voxels());
+                        bricks.table(), bricks.tableMask(), bricks.weights());
 }
 
 const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const BrickMap& bricks) {
@@ -98,8 +98,9 @@ const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const Brick
   fresh_counts_.fill(compute_.queue(), 0);
   leave_out_fresh_.launch(compute_.lanes().inTurn(pixels), compute_.lanes().inTurnGroup(),
                           surface.vertices_world, surface.normals_world, static_cast<cl_int>(pixels),
-                          bricks.table(), bricks.tableMask(), bricks.voxels(), 1 / bricks.voxelSize(),
-                          kSettled, settled_normals_, fresh_counts_);
+                          surface.window.cells(), bricks.pageSlots(), surface.window.size(),
+                          surface.window.firstVoxel(), bricks.weights(), 1 / bricks.voxelSize(), kSettled,
+                          settled_normals_, fresh_counts_);
   std::array<cl_int, 2> counts{};
   fresh_counts_.read(compute_.queue(), std::span<cl_int>(counts));
   settled_ = surface;

@@ -17,8 +17,8 @@ Result<Raycaster> Raycaster::create(ComputeContext& compute, const FusionParams&
   return result;
 }
 
-void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
-                     SurfaceMaps& surface) {
+void Raycaster::cast(const BrickMap& map, std::span<const cl_int> slots, SurfaceMaps& surface) {
+  const BrickWindow& window = surface.window;
   findRanges(map, slots, surface);
   const double voxel_size_m = map.voxelSize();
   const Eigen::Matrix4d T =
@@ -38,7 +38,7 @@ void Raycaster::cast(const BrickMap& map, const BrickWindow& window, std::span<c
   const Lanes& lanes = compute_->lanes();
   cast_rays_.launch(lanes.overBlocks(K.width, K.height, RAY_BLOCKS(lanes.count())), lanes.blockGroup(),
                     ranges_, K.width, K.height, kernel_K, T_window_camera, params_.truncation_vox,
-                    window.cells(), map.pageSlots(), window.size(), map.voxels(), depths_);
+                    window.cells(), map.pageSlots(), window.size(), map.distances(), depths_);
   const cl::NDRange eights = lanes.overEights(K.width, K.height);
   fit_planes_.launch(eights, lanes.rowGroup(), depths_, K.width, K.height, K.fx, planes_);
   orient_surface_.launch(eights, lanes.rowGroup(), depths_, planes_, K.width, K.height, kernel_K,

@@ -5,7 +5,6 @@
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/brick_map.h"
-#include "core/fusion/brick_window.h"
 #include "core/fusion/fusion_params.h"
 #include "core/fusion/surface_maps.h"
 
@@ -16,10 +15,9 @@ class Raycaster {
  public:
   [[nodiscard]] static Result<Raycaster> create(ComputeContext& compute, const FusionParams& params);
 
-  /// Fills `surface`, whose `K` and `T_world_camera` say from where. `slots` are the bricks in that view,
-  /// `window` its pages.
-  void cast(const BrickMap& map, const BrickWindow& window, std::span<const cl_int> slots,
-            SurfaceMaps& surface);
+  /// Fills `surface`, whose `K` and `T_world_camera` say from where, and whose `window` holds the pages of
+  /// that view. `slots` are the bricks in it.
+  void cast(const BrickMap& map, std::span<const cl_int> slots, SurfaceMaps& surface);
 
  private:
   Raycaster(ComputeContext& compute, const FusionParams& params) : compute_(&compute), params_(params) {}

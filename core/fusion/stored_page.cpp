@@ -1,35 +1,42 @@
 #include "core/fusion/stored_page.h"
 
-#include <cstring>
+#include <algorithm>
 
 #include "core/base/check.h"
 
 namespace scantrove {
 namespace {
 
-static_assert(sizeof(TsdfVoxel) == sizeof(std::uint32_t));
-
 // Of a place, in one word.
 constexpr std::uint32_t kCellBits = 0xffU;
 constexpr std::uint32_t kIsBrick = 0x100U;
 constexpr std::uint32_t kIsDormant = 0x200U;
-constexpr std::size_t kPools = 3;
+constexpr std::size_t kWordsOfVoxel = 3;  // distance and weight, label, colour
+
+// Weights are kept in 1/256 observations.
+constexpr unsigned kWeightBits = 24;
+
+std::uint32_t wordOf(cl_short distance, cl_uchar weight) {
+  return static_cast<std::uint16_t>(distance) | std::uint32_t{weight} << kWeightBits;
+}
 
 }  // namespace
 
 std::vector<std::uint32_t> StoredPage::toWords() const {
-  SCANTROVE_CHECK(voxels.size() == bricks.count() * BRICK_VOXELS);
-  SCANTROVE_CHECK(labels.size() == voxels.size() && colors.size() == voxels.size());
-  std::vector<std::uint32_t> words(PAGE_BRICKS + kPools * voxels.size());
+  const std::size_t count = contents.voxels();
+  SCANTROVE_CHECK(count == bricks.count() * BRICK_VOXELS && contents.weights.size() == count);
+  SCANTROVE_CHECK(contents.labels.size() == count && contents.colors.size() == count);
+  std::vector<std::uint32_t> words(PAGE_BRICKS + kWordsOfVoxel * count);
   for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
     words[i] =
         static_cast<std::uint8_t>(cells[i]) | (bricks[i] ? kIsBrick : 0U) | (dormant[i] ? kIsDormant : 0U);
   }
-  if (voxels.empty()) return words;
-  std::uint32_t* to = words.data() + PAGE_BRICKS;
-  std::memcpy(to, voxels.data(), voxels.size() * sizeof(TsdfVoxel));
-  std::memcpy(to + voxels.size(), labels.data(), labels.size() * sizeof(cl_uint));
-  std::memcpy(to + 2 * voxels.size(), colors.data(), colors.size() * sizeof(cl_uint));
+  const auto place = [&](std::size_t i) {
+    return words.begin() + static_cast<std::ptrdiff_t>(PAGE_BRICKS + i * count);
+  };
+  std::ranges::transform(contents.distances, contents.weights, place(0), wordOf);
+  std::ranges::copy(contents.labels, place(1));
+  std::ranges::copy(contents.colors, place(2));
   return words;
 }
 
@@ -44,15 +51,18 @@ std::optional<StoredPage> StoredPage::fromWords(std::span<const std::uint32_t> w
     if (!is_cell || (page.dormant[i] && !page.bricks[i])) return std::nullopt;
   }
   const std::size_t count = page.bricks.count() * BRICK_VOXELS;
-  if (words.size() != PAGE_BRICKS + kPools * count) return std::nullopt;
-  page.voxels.resize(count);
-  page.labels.resize(count);
-  page.colors.resize(count);
-  if (count == 0) return page;
-  const std::uint32_t* from = words.data() + PAGE_BRICKS;
-  std::memcpy(page.voxels.data(), from, count * sizeof(TsdfVoxel));
-  std::memcpy(page.labels.data(), from + count, count * sizeof(cl_uint));
-  std::memcpy(page.colors.data(), from + 2 * count, count * sizeof(cl_uint));
+  if (words.size() != PAGE_BRICKS + kWordsOfVoxel * count) return std::nullopt;
+  page.contents = BrickContents(page.bricks.count());
+  const auto part = [&](std::size_t i) { return words.subspan(PAGE_BRICKS + i * count, count); };
+  std::ranges::transform(part(0), page.contents.weights.begin(),
+                         [](std::uint32_t word) { return static_cast<cl_uchar>(word >> kWeightBits); });
+  std::ranges::transform(part(0), page.contents.distances.begin(), [](std::uint32_t word) {
+    if (word >> kWeightBits == 0) return cl_short{DISTANCE_UNSEEN};
+    const auto distance = static_cast<cl_short>(word);
+    return distance == DISTANCE_UNSEEN ? cl_short{DISTANCE_UNSEEN + 1} : distance;
+  });
+  std::ranges::copy(part(1), page.contents.labels.begin());
+  std::ranges::copy(part(2), page.contents.colors.begin());
   return page;
 }
 

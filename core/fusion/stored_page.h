@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/compute/opencl.h"
-#include "core/fusion/kernels/brick_layout.h"
+#include "core/fusion/brick_contents.h"
 #include "core/fusion/kernels/brick_page.h"
 
 namespace scantrove {
@@ -18,9 +17,7 @@ struct StoredPage {
   std::array<std::int8_t, PAGE_BRICKS> cells{};
   std::bitset<PAGE_BRICKS> bricks;   ///< which there are, dormant ones too
   std::bitset<PAGE_BRICKS> dormant;  ///< those of them that are laid aside
-  std::vector<TsdfVoxel> voxels;     ///< BRICK_VOXELS a brick, in the order of the local indices
-  std::vector<cl_uint> labels;       ///< likewise
-  std::vector<cl_uint> colors;       ///< likewise; color_voxel.h
+  BrickContents contents;            ///< in the order of the local indices
 
   [[nodiscard]] std::vector<std::uint32_t> toWords() const;
   /// Of words that toWords made; none: they are not.

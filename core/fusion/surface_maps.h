@@ -3,6 +3,7 @@
 
 #include "core/capture/intrinsics.h"
 #include "core/compute/buffer.h"
+#include "core/fusion/brick_window.h"
 
 namespace scantrove {
 
@@ -13,6 +14,7 @@ struct SurfaceMaps {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   Buffer<cl_float4> vertices_world;  ///< (x, y, z, 1) metres in the world; all 0 where no surface was met
   Buffer<cl_float4> normals_world;   ///< (x, y, z, 1) unit, towards the camera; all 0 where there is none
+  BrickWindow window = {};           ///< the bricks in view, as they are until the map is next changed
 };
 
 }  // namespace scantrove

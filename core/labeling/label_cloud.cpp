@@ -36,8 +36,8 @@ std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const Br
   fit(projected_, static_cast<std::size_t>(pixels));
   const Lanes& lanes = compute_.lanes();
   project_labels_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
-                         surface.vertices_world, cl_int{pixels}, bricks.table(), bricks.tableMask(),
-                         bricks.labels(), 1.0F / bricks.voxelSize(), projected_);
+                         surface.vertices_world, cl_int{pixels}, surface.window.cells(), bricks.pageSlots(),
+                         surface.window.size(), surface.window.firstVoxel(), bricks.labels(), 1.0F / bricks.voxelSize(), projected_);
   std::vector<FragmentId> result(static_cast<std::size_t>(pixels));
   static_assert(sizeof(FragmentId) == sizeof(cl_uint));
   projected_.read(compute_.queue(), {reinterpret_cast<cl_uint*>(result.data()), result.size()});
@@ -163,7 +163,7 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
       in_file[page].push_back(i);
     }
   }
-  extractListed(listed, map.voxels(), map.labels(), map.colors(), map.voxelSize(), truncation_vox, found);
+  extractListed(listed, map.distances(), map.labels(), map.colors(), map.voxelSize(), truncation_vox, found);
   for (const auto& [page, asked] : in_file) {
     const std::vector<Eigen::Vector3i> in_page = map.bricksOfPage(page);
     const std::optional<StoredPage> stored = map.readStored(page);
@@ -173,13 +173,14 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
       const auto place = std::ranges::find(in_page, bricks[i]);
       if (place != in_page.end()) list(i, static_cast<int>(place - in_page.begin()));
     }
-    fit(stored_voxels_, stored->voxels.size());
-    fit(stored_labels_, stored->labels.size());
-    fit(stored_colors_, stored->colors.size());
-    stored_voxels_.write(compute_.queue(), stored->voxels);
-    stored_labels_.write(compute_.queue(), stored->labels);
-    stored_colors_.write(compute_.queue(), stored->colors);
-    extractListed(listed, stored_voxels_, stored_labels_, stored_colors_, map.voxelSize(), truncation_vox,
+    const BrickContents& held = stored->contents;
+    fit(stored_distances_, held.voxels());
+    fit(stored_labels_, held.voxels());
+    fit(stored_colors_, held.voxels());
+    stored_distances_.write(compute_.queue(), held.distances);
+    stored_labels_.write(compute_.queue(), held.labels);
+    stored_colors_.write(compute_.queue(), held.colors);
+    extractListed(listed, stored_distances_, stored_labels_, stored_colors_, map.voxelSize(), truncation_vox,
                   found);
   }
   found.first.push_back(static_cast<std::uint32_t>(found.points.size()));
@@ -199,7 +200,7 @@ LabelCloud::Extract LabelCloud::extract(std::span<const Eigen::Vector3i> bricks,
   return result;
 }
 
-void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<TsdfVoxel>& voxels,
+void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,
                                const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors,
                                float voxel_size_m, float truncation_vox, Extract& extract) {
   if (listed.empty()) return;
@@ -208,9 +209,9 @@ void LabelCloud::extractListed(std::span<const cl_int4> listed, const Buffer<Tsd
   fit(points_, 1);
   listed_.write(compute_.queue(), listed);
   const auto run = [&](int write) {
-    const auto band = static_cast<cl_int>(32767.0F / truncation_vox);
+    const auto band = static_cast<cl_int>(DISTANCE_ONE / truncation_vox);
     extract_points_.launch(cl::NDRange(listed.size()), cl::NDRange(8), listed_,
-                           static_cast<cl_int>(listed.size()), voxels, labels, colors, voxel_size_m, band,
+                           static_cast<cl_int>(listed.size()), distances, labels, colors, voxel_size_m, band,
                            cl_int{write}, offsets_, points_);
   };
   run(0);

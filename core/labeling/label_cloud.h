@@ -64,7 +64,7 @@ class LabelCloud {
                                                          const BrickMap& map);
   void fitStamps(const BrickMap& map);
   /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
-  void extractListed(std::span<const cl_int4> listed, const Buffer<TsdfVoxel>& voxels,
+  void extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,
                      const Buffer<cl_uint>& labels, const Buffer<cl_uint>& colors, float voxel_size_m,
                      float truncation_vox, Extract& extract);
   template <class T>
@@ -76,7 +76,7 @@ class LabelCloud {
   Kernel project_labels_, update_labels_, extract_points_, relabel_voxels_;
   Buffer<cl_int> stamps_, touched_, counts_, offsets_;
   Buffer<cl_int4> listed_, missing_;
-  Buffer<TsdfVoxel> stored_voxels_;
+  Buffer<cl_short> stored_distances_;
   Buffer<cl_uint> stored_labels_, stored_colors_;
   Buffer<cl_uint> projected_, new_labels_;
   Buffer<cl_int> fragment_voxels_;

@@ -93,9 +93,9 @@ void PageMesher::addCell(const Eigen::Vector3i& first, std::size_t at) {
     const auto& [x, y, z] = kCubeCorners[corner];
     const std::ptrdiff_t step =
         x * VoxelBlock::kSteps[0] + y * VoxelBlock::kSteps[1] + z * VoxelBlock::kSteps[2];
-    const TsdfVoxel& voxel = block_.voxel(at + static_cast<std::size_t>(step));
-    if (voxel.weight == 0) return;
-    if (voxel.distance >= 0) outside |= 1U << corner;
+    const int distance = block_.distance(at + static_cast<std::size_t>(step));
+    if (distance == DISTANCE_UNSEEN) return;
+    if (distance > 0) outside |= 1U << corner;
   }
   const std::span<const int> edges = trianglesOfCube(outside);
   for (std::size_t i = 0; i < edges.size(); i += 3) {
@@ -129,8 +129,8 @@ std::uint32_t PageMesher::vertexOn(const Eigen::Vector3i& start, int axis) {
 Vertex PageMesher::makeVertex(const Eigen::Vector3i& start, int axis) const {
   const std::size_t from = VoxelBlock::at(start);
   const std::size_t to = from + static_cast<std::size_t>(VoxelBlock::kSteps[static_cast<std::size_t>(axis)]);
-  const float at_from = block_.voxel(from).distance;
-  const float at_to = block_.voxel(to).distance;
+  const auto at_from = static_cast<float>(block_.distance(from));
+  const auto at_to = static_cast<float>(block_.distance(to));
   const float share = std::clamp(at_from / (at_from - at_to), kFromEnd_vox, 1 - kFromEnd_vox);
   const Eigen::Vector3i along = Eigen::Vector3i::Unit(axis);
 
@@ -176,10 +176,10 @@ Eigen::Vector3f PageMesher::gradientAt(std::size_t at) const {
   Eigen::Vector3f gradient;
   for (int axis = 0; axis < 3; ++axis) {
     const auto step = static_cast<std::size_t>(VoxelBlock::kSteps[static_cast<std::size_t>(axis)]);
-    const bool is_low = block_.voxel(at - step).weight != 0;
-    const bool is_high = block_.voxel(at + step).weight != 0;
-    const int low = block_.voxel(is_low ? at - step : at).distance;
-    const int high = block_.voxel(is_high ? at + step : at).distance;
+    const bool is_low = block_.distance(at - step) != DISTANCE_UNSEEN;
+    const bool is_high = block_.distance(at + step) != DISTANCE_UNSEEN;
+    const int low = block_.distance(is_low ? at - step : at);
+    const int high = block_.distance(is_high ? at + step : at);
     gradient[axis] = static_cast<float>(high - low) / (is_low && is_high ? 2.0F : 1.0F);
   }
   return gradient;

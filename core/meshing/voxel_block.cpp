@@ -16,10 +16,10 @@ Eigen::Vector3i placeInPage(std::size_t local) {
 
 }  // namespace
 
-VoxelBlock::VoxelBlock() : voxels_(kBlockVoxels), labels_(kBlockVoxels), colors_(kBlockVoxels) {}
+VoxelBlock::VoxelBlock() : distances_(kBlockVoxels), labels_(kBlockVoxels), colors_(kBlockVoxels) {}
 
 void VoxelBlock::load(PageReader& reader, int page) {
-  std::ranges::fill(voxels_, TsdfVoxel{});
+  std::ranges::fill(distances_, cl_short{DISTANCE_UNSEEN});
   std::ranges::fill(labels_, 0U);
   std::ranges::fill(colors_, 0U);
   has_labels_ = has_colors_ = false;
@@ -35,12 +35,12 @@ void VoxelBlock::load(PageReader& reader, int page) {
     std::size_t number = 0;
     for (std::size_t local = 0; local < PAGE_BRICKS; ++local) {
       if (!stored.bricks[local]) continue;
-      copyBrick(stored, number++, kPageVoxels * offset + BRICK_SIDE * placeInPage(local));
+      copyBrick(stored.contents, number++, kPageVoxels * offset + BRICK_SIDE * placeInPage(local));
     }
   }
 }
 
-void VoxelBlock::copyBrick(const StoredPage& page, std::size_t number, const Eigen::Vector3i& first) {
+void VoxelBlock::copyBrick(const BrickContents& held, std::size_t number, const Eigen::Vector3i& first) {
   const Eigen::Vector3i from = first.cwiseMax(kLow);
   const Eigen::Vector3i to = (first + Eigen::Vector3i::Constant(BRICK_SIDE - 1)).cwiseMin(kHigh);
   if ((to.array() < from.array()).any()) return;
@@ -53,12 +53,12 @@ void VoxelBlock::copyBrick(const StoredPage& page, std::size_t number, const Eig
           number * BRICK_VOXELS +
           static_cast<std::size_t>(local.x() + BRICK_SIDE * (local.y() + BRICK_SIDE * local.z()));
       const std::size_t target = at({from.x(), y, z});
-      std::copy_n(&page.voxels[source], count, &voxels_[target]);
+      std::copy_n(&held.distances[source], count, &distances_[target]);
       for (std::size_t i = 0; i < count; ++i) {
-        labels_[target + i] = page.labels[source + i];
-        colors_[target + i] = page.colors[source + i];
-        has_labels_ |= page.labels[source + i] != 0;
-        has_colors_ |= page.colors[source + i] != 0;
+        labels_[target + i] = held.labels[source + i];
+        colors_[target + i] = held.colors[source + i];
+        has_labels_ |= held.labels[source + i] != 0;
+        has_colors_ |= held.colors[source + i] != 0;
       }
     }
   }

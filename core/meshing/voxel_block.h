@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fusion/kernels/brick_layout.h"
+#include "core/fusion/brick_contents.h"
 #include "core/fusion/kernels/brick_page.h"
 #include "core/meshing/page_reader.h"
 
@@ -39,7 +39,7 @@ class VoxelBlock {
   /// How far apart neighbours along an axis are.
   static constexpr std::array<std::ptrdiff_t, 3> kSteps{1, kSide, std::ptrdiff_t{kSide} * kSide};
 
-  [[nodiscard]] const TsdfVoxel& voxel(std::size_t i) const { return voxels_[i]; }
+  [[nodiscard]] int distance(std::size_t i) const { return distances_[i]; }      ///< brick_layout.h
   [[nodiscard]] std::uint32_t label(std::size_t i) const { return labels_[i]; }  ///< label_voxel.h
   [[nodiscard]] std::uint32_t color(std::size_t i) const { return colors_[i]; }  ///< color_voxel.h
   [[nodiscard]] bool hasLabels() const { return has_labels_; }                   ///< any at all
@@ -47,10 +47,10 @@ class VoxelBlock {
 
  private:
   /// Copies what of a brick lies in the block. `first`: its first voxel, counted from the page's; `number`:
-  /// of the brick in `page`.
-  void copyBrick(const StoredPage& page, std::size_t number, const Eigen::Vector3i& first);
+  /// of the brick in `held`.
+  void copyBrick(const BrickContents& held, std::size_t number, const Eigen::Vector3i& first);
 
-  std::vector<TsdfVoxel> voxels_;
+  std::vector<cl_short> distances_;
   std::vector<std::uint32_t> labels_, colors_;
   std::bitset<PAGE_BRICKS> bricks_;
   Eigen::Vector3i first_voxel_ = Eigen::Vector3i::Zero();

@@ -11,8 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr double kBrickPoolBytes =
-    3 * BRICK_VOXELS * static_cast<double>(sizeof(TsdfVoxel));  // distances, labels and colours
+constexpr double kBrickPoolBytes = BRICK_VOXELS * VOXEL_BYTES;
 constexpr double kGigabyte = 1e9;
 
 template <class... Parts>

@@ -35,7 +35,7 @@ Fragments fragmentsOf(const SavedScan& scan) {
 /// Counts the page's voxels. Of a scan that broke off, pages may be up to a few seconds older than its
 /// regions: what held a fragment that was given up meanwhile is without label.
 void keepLabels(StoredPage& page, Fragments& fragments) {
-  for (cl_uint& label : page.labels) {
+  for (cl_uint& label : page.contents.labels) {
     if (label == 0) continue;
     const std::size_t fragment = LABEL_OF(label);
     if (fragment < fragments.regions.size() && fragments.regions[fragment]) {

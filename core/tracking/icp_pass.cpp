@@ -11,7 +11,7 @@ namespace {
 
 // A core with vectors does long runs without a group; a GPU needs many short ones. A float sum holds at most
 // group * run terms.
-constexpr int kLongRun_px = 600;
+constexpr int kLongRun_px = 640;
 constexpr int kShortRuns = 32;  // of a group
 constexpr int kShortRun_px = 8;
 

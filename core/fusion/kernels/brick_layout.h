@@ -18,12 +18,15 @@ typedef struct BrickEntry {
   int slot; /* BRICK_NONE = free entry */
 } BrickEntry;
 
-/* Signed distance and weight of one voxel. Distance is in units of truncation / 32767. Weight 0 = never seen.
- */
-typedef struct TsdfVoxel {
-  short distance;
-  unsigned short weight; /* in 1/256 observations */
-} TsdfVoxel;
+/* Of each voxel there are, in pools of their own, so that rays and colours only read what they need:
+   a signed distance  short, in units of truncation / DISTANCE_ONE; DISTANCE_UNSEEN where there is none yet,
+                      which no distance is (one that rounds to it is the next larger)
+   a weight           uchar, observations; 0 where there is no distance
+   a label            label_voxel.h
+   a colour           color_voxel.h */
+#define VOXEL_BYTES 11
+#define DISTANCE_ONE 32767
+#define DISTANCE_UNSEEN 0
 
 /* Hash of a brick's position before masking with capacity - 1. */
 static inline unsigned int brick_hash(int x, int y, int z) {

@@ -15,6 +15,7 @@
 #define UNSEEN_GAP 3.0f   /* voxels */
 #define BEHIND_FACE 0.05f /* voxels past a brick's face, to be safely in the next */
 #define SECANT_STEPS 3
+#define CONVERGED 1e-3f   /* truncations */
 
 // The rays o + t d of a block, t = camera z in metres. Of each: how far it has come, and the distance at the last voxel seen.
 typedef struct Rays {
@@ -30,12 +31,10 @@ typedef struct Rays {
 } Rays;
 
 // The voxels that the rays have come to.
-typedef struct Sample {
+typedef struct Place {
   intN x, y, z;
   intN slot;
-  intN seen;
-  floatN distance;
-} Sample;
+} Place;
 
 // Where the ray leaves the cube of `side` (a power of two) voxels around voxel i, along one axis.
 inline floatN leave_cube(const float o, const floatN d, const floatN inverse_d, const intN i, const intN side) {
@@ -70,19 +69,18 @@ inline Rays begin_rays(const float2 range, const int u, const int v, const int w
   return rays;
 }
 
-inline Sample look(const Field* field, const float3 o, const Rays* rays) {
-  Sample at;
+inline Place place_of(const Field* field, const float3 o, const Rays* rays) {
+  Place at;
   at.x = voxel_of(o.x + rays->t * rays->dx);
   at.y = voxel_of(o.y + rays->t * rays->dy);
   at.z = voxel_of(o.z + rays->t * rays->dz);
   at.slot = field_slot(field, field_page(field, at.x, at.y, at.z), at.x, at.y, at.z);
-  at.distance = field_voxel(field, at.slot, at.x, at.y, at.z, &at.seen);
   return at;
 }
 
-inline void step_on(Rays* rays, const Sample* at, const float3 o, const float truncation_vox) {
-  const floatN now = at->distance;
-  const intN seen = at->seen;
+inline void step_on(Rays* rays, const Place* at, const intN distance, const float3 o, const float truncation_vox) {
+  const intN seen = distance != DISTANCE_UNSEEN;
+  const floatN now = in_truncations(distance);
   const intN met_now = rays->active & seen & (rays->before > 0.0f) & (now <= 0.0f);
   const intN from_behind = seen & (rays->before < 0.0f) & (now > 0.0f);
   rays->met |= met_now;
@@ -113,12 +111,13 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
   intN known;
   const floatN metres = truncation_vox * rays->t_voxel; /* of camera z for one truncation along the ray */
   floatN t0 = rays->t;
-  floatN f0 = field_at(field, o.x + t0 * rays->dx, o.y + t0 * rays->dy, o.z + t0 * rays->dz, &known);
+  floatN f0 = field_at(field, rays->met, o.x + t0 * rays->dx, o.y + t0 * rays->dy, o.z + t0 * rays->dz, &known);
   const intN met = rays->met & known;
   floatN t1 = t0 + f0 * metres;
 #pragma unroll
   for (int i = 0; i < SECANT_STEPS; ++i) {
-    const floatN f1 = field_at(field, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
+    const floatN f1 = field_at(field, met, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
+    if (!any_lane(met & (fabs(f1) > CONVERGED))) return met & (t1 > 0.0f) ? t1 : 0.0f;
     const floatN slope = (f1 - f0) / (t1 - t0);
     // A slope that is not clearly downwards says nothing: step by the distance instead.
     const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;
@@ -133,12 +132,12 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
 
 kernel void cast_rays(global const float2* ranges, const int width, const int height,
                       const float4 K, const float16 T_window_camera, const float truncation_vox, global const int* cells,
-                      global const int* page_slots, const int4 window_size, global const uint* voxels,
+                      global const int* page_slots, const int4 window_size, global const short* distances,
                       global float* depths) {
   const int first = RAY_BLOCKS(LANES) * LANES_X * (int)get_global_id(0);
   const int v = LANES_Y * (int)get_global_id(1);
   if (first >= width || v >= height) return;
-  const Field field = {cells, page_slots, voxels, window_size};
+  const Field field = {cells, page_slots, distances, window_size};
   const float3 o = (float3)(T_window_camera.s3, T_window_camera.s7, T_window_camera.sb);
 
   Rays rays[RAY_BLOCKS(LANES)];
@@ -151,15 +150,17 @@ kernel void cast_rays(global const float2* ranges, const int width, const int he
   }
 #if RAY_BLOCKS(LANES) == 2
   while (any_lane(rays[0].active | rays[1].active)) {
-    const Sample at_0 = look(&field, o, &rays[0]);
-    const Sample at_1 = look(&field, o, &rays[1]);
-    step_on(&rays[0], &at_0, o, truncation_vox);
-    step_on(&rays[1], &at_1, o, truncation_vox);
+    const Place at_0 = place_of(&field, o, &rays[0]);
+    const Place at_1 = place_of(&field, o, &rays[1]);
+    const intN distance_0 = field_distance(&field, at_0.slot, at_0.x, at_0.y, at_0.z);
+    const intN distance_1 = field_distance(&field, at_1.slot, at_1.x, at_1.y, at_1.z);
+    step_on(&rays[0], &at_0, distance_0, o, truncation_vox);
+    step_on(&rays[1], &at_1, distance_1, o, truncation_vox);
   }
 #else
   while (any_lane(rays[0].active)) {
-    const Sample at = look(&field, o, &rays[0]);
-    step_on(&rays[0], &at, o, truncation_vox);
+    const Place at = place_of(&field, o, &rays[0]);
+    step_on(&rays[0], &at, field_distance(&field, at.slot, at.x, at.y, at.z), o, truncation_vox);
   }
 #endif
 

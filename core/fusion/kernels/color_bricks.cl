@@ -10,7 +10,7 @@
 // bricks: brick_count of (x, y, z, slot), counted from the brick `first` (w: number of the frame). T_camera_bricks,
 // T_color_bricks: voxels from there to metres of the depth and of the colour camera. size: pixels of the depth camera; depths,
 // ratings: by its cells of COLOR_CELL^2 pixels. image: color_size pixels of blue, green, red, and one more byte.
-// voxels: BRICK_VOXELS a slot, TsdfVoxel as one uint (distance low, weight high); colors: likewise, color_voxel.h.
+// distances, weights, colors: BRICK_VOXELS a slot, brick_layout.h.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/brick_layout.h"
 #include "core/fusion/kernels/brick_work.h"
@@ -42,7 +42,8 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
                          global const float* restrict depths, global const uint* restrict ratings,
                          const float16 T_color_bricks, const float4 K_color, const int2 color_size,
                          global const uchar* restrict image, const int band,
-                         global const uintN* restrict voxels, global uintN* restrict colors) {
+                         global const shortN* restrict distances, global const ucharN* restrict weights,
+                         global uintN* restrict colors) {
   const int number = (int)get_global_id(0) / BRICK_ITEMS(LANES);
   if (number >= brick_count) return;
   const int4 brick = bricks[number];
@@ -52,10 +53,8 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
 
   for (int run = (int)get_global_id(0) % BRICK_ITEMS(LANES); run < BRICK_VOXELS / LANES; run += BRICK_ITEMS(LANES)) {
     const int index = brick.w * (BRICK_VOXELS / LANES) + run;
-    const intN voxel = as_intN(voxels[index]);
-    const intN distance = (voxel << 16) >> 16;
-    const intN observed = (voxel >> 16) & 0xffff;
-    const intN near = (observed != 0) & (distance <= band) & (distance >= -band);
+    const intN distance = convert_intN(distances[index]);
+    const intN near = (distance != DISTANCE_UNSEEN) & (distance <= band) & (distance >= -band);
     if (!any_lane(near)) continue;
     const int first_voxel = LANES * run;
     const intN column_x = LANE_X + (BRICK_SIDE * brick.x + (first_voxel & 7));
@@ -89,7 +88,7 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
 
     const uintN old = colors[index];
     const floatN held = convert_floatN(as_intN(COLOR_WEIGHT(old)));
-    const floatN observations = convert_floatN(observed) * (1.0f / 256.0f);
+    const floatN observations = convert_floatN(convert_intN(weights[index]));
     const floatN alike = weight * observations;
     const floatN before = ((observations < FRESH) & (alike < held)) ? alike : held;
     const floatN sum = before + weight;

@@ -5,16 +5,16 @@
 //   mask         mask_width * mask_height, as in leave_out_moving
 //   readings     camera frame, w = 0: none; vertices: world, w = 0: no surface
 //   apart        (metres, metres per z^2), z the reading's
-//   voxels       slots x 512 TsdfVoxel as uint (distance low, weight high), in/out
+//   weights      slots x 512 observations, in/out
 #include "core/compute/kernels/common.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
 
-#define DOUBTED 512u /* two observations */
+#define DOUBTED 2 /* observations */
 
 kernel void doubt_surface(global const uchar* mask, const int mask_width, const int mask_height,
                           global const float4* readings, global const float4* vertices, const float16 T_camera_world,
                           const float4 eye, const float2 apart, const float voxel_size, const float reach,
-                          global const BrickEntry* table, const uint table_mask, global uint* voxels) {
+                          global const BrickEntry* table, const uint table_mask, global uchar* weights) {
   const int column = (int)get_global_id(0);
   const int row = (int)get_global_id(1);
   const int width = (int)get_global_size(0);
@@ -37,9 +37,8 @@ kernel void doubt_surface(global const uchar* mask, const int mask_width, const 
       const int3 v = first + (int3)(corner & 1, (corner >> 1) & 1, corner >> 2);
       const int slot = find_brick(table, table_mask, v.x >> BRICK_SHIFT, v.y >> BRICK_SHIFT, v.z >> BRICK_SHIFT);
       if (slot == BRICK_NONE) continue;
-      global uint* voxel = voxels + slot * BRICK_VOXELS + (v.x & 7) + 8 * ((v.y & 7) + 8 * (v.z & 7));
-      const uint held = *voxel;
-      if ((held >> 16) > DOUBTED) *voxel = (held & 0xffffu) | (DOUBTED << 16);
+      global uchar* weight = weights + slot * BRICK_VOXELS + (v.x & 7) + 8 * ((v.y & 7) + 8 * (v.z & 7));
+      if (*weight > DOUBTED) *weight = DOUBTED;
     }
   }
 }

@@ -12,31 +12,34 @@
 // readings: bounds of the readings that each brick may meet (see find_brick_readings). They tell most voxels that lie wholly
 // behind (left as they are) or in front (free space, d = 1) of the surface without a look at the image.
 // T_camera_window: voxels from the window's first to camera metres. depth_m: width * height metres; only readings in
-// (0, max_depth_m] count. voxels: BRICK_VOXELS a slot, TsdfVoxel as one uint (distance low, weight high).
+// (0, max_depth_m] count. distances, weights: BRICK_VOXELS a slot, brick_layout.h.
 // empty(brick) = 1 if the image shows free space in all of it, so that no reading's band touches it, and its averages say so
 // too: no voxel within half a truncation of a surface; else 0.
-#define WEIGHT_ONE 256.0f
 #define ROUNDING_M 1e-4f
 #define HALF_TRUNCATION 16384
 
+typedef struct Voxels {
+  intN distance;
+  intN weight;
+} Voxels;
+
 // The running average of what voxels have and what they have `seen` now.
-inline uintN average(const uintN voxels, const floatN seen, const float max_weight) {
-  const intN old = as_intN(voxels);
-  const floatN old_distance = convert_floatN((old << 16) >> 16);
-  const floatN old_weight = convert_floatN((old >> 16) & 0xffff);
-  const floatN sum = old_weight + WEIGHT_ONE;
-  const floatN mean = (old_distance * old_weight + seen * WEIGHT_ONE) / sum;
+inline Voxels average(const Voxels old, const floatN seen, const int max_weight) {
+  const floatN weight = convert_floatN(old.weight);
+  const floatN mean = (convert_floatN(old.distance) * weight + seen) / (weight + 1.0f);
   // Rounds half up: mean is in [-32767, 32767].
   const intN rounded = convert_intN(mean + 32768.5f) - 32768;
-  const floatN weight = sum < max_weight ? sum : max_weight;
-  return as_uintN((rounded & 0xffff) | (convert_intN(weight) << 16));
+  Voxels fresh;
+  fresh.distance = rounded == DISTANCE_UNSEEN ? (intN)(DISTANCE_UNSEEN + 1) : rounded;
+  fresh.weight = min(old.weight + 1, (intN)(max_weight));
+  return fresh;
 }
 
 // Returns how many of the work-item's runs of LANES voxels hold nothing but free space.
 inline int integrate_brick(const int4 brick, const int item, const float2 reading, const float16 T, const float4 K,
                            const int width, const int height, global const float* restrict depth_m,
-                           const float max_depth_m, const float truncation_m, const float max_weight,
-                           global uintN* restrict voxels) {
+                           const float max_depth_m, const float truncation_m, const int max_weight,
+                           global shortN* restrict distances, global ucharN* restrict weights) {
   if (reading.y == 0.0f) return 0;
   const float behind = reading.y + truncation_m + ROUNDING_M;
   const float in_front = reading.x - truncation_m - ROUNDING_M;
@@ -68,9 +71,11 @@ inline int integrate_brick(const int4 brick, const int item, const float2 readin
     if (camera_first_z + nearest_of_run > behind) continue;
     const int index = brick.w * (BRICK_VOXELS / LANES) + run;
     if (camera_first_z + farthest_of_run < in_front) {
-      const uintN fresh = average(voxels[index], 32767.0f, max_weight);
-      voxels[index] = fresh;
-      const intN near = (as_intN(fresh) << 16) >> 16 < HALF_TRUNCATION;
+      const Voxels old = {convert_intN(distances[index]), convert_intN(weights[index])};
+      const Voxels fresh = average(old, (float)DISTANCE_ONE, max_weight);
+      distances[index] = convert_shortN(fresh.distance);
+      weights[index] = convert_ucharN(fresh.weight);
+      const intN near = fresh.distance < HALF_TRUNCATION;
       const int far_off = camera_first_z + farthest_of_run + centre_to_corner < in_front;
       if (far_off && !any_lane(near)) ++free_runs;
       continue;
@@ -82,14 +87,16 @@ inline int integrate_brick(const int4 brick, const int item, const float2 readin
     const floatN u = camera_x * inverse_z * K.x + (K.z + 0.5f);
     const floatN v = camera_y * inverse_z * K.y + (K.w + 0.5f);
     const intN inside = (camera_z > 0.0f) & (u >= 0.0f) & (u < (float)width) & (v >= 0.0f) & (v < (float)height);
-    const intN pixel = inside ? convert_intN(v) * width + convert_intN(u) : 0;
+    const intN pixel = convert_intN(inside ? v : 0.0f) * width + convert_intN(inside ? u : 0.0f);
     const floatN depth = GATHER(floatN, depth_m, pixel);
     const floatN distance = (depth - camera_z) * (1.0f / truncation_m);
     const intN update = inside & (depth > 0.0f) & (depth <= max_depth_m) & (distance > -1.0f);
     if (!any_lane(update)) continue;
-    const floatN seen = update ? (distance < 1.0f ? distance : 1.0f) * 32767.0f : 0.0f;
-    const uintN old = voxels[index];
-    voxels[index] = update ? average(old, seen, max_weight) : old;
+    const floatN seen = update ? (distance < 1.0f ? distance : 1.0f) * DISTANCE_ONE : 0.0f;
+    const Voxels old = {convert_intN(distances[index]), convert_intN(weights[index])};
+    const Voxels fresh = average(old, seen, max_weight);
+    distances[index] = convert_shortN(update ? fresh.distance : old.distance);
+    weights[index] = convert_ucharN(update ? fresh.weight : old.weight);
   }
   return free_runs;
 }
@@ -97,14 +104,15 @@ inline int integrate_brick(const int4 brick, const int item, const float2 readin
 kernel void integrate_bricks(global const int4* restrict bricks, const int brick_count,
                              global const float2* restrict readings, const float16 T_camera_window, const float4 K,
                              const int width, const int height, global const float* restrict depth_m,
-                             const float max_depth_m, const float truncation_m, const float max_weight,
-                             global uintN* restrict voxels, global uchar* restrict empty) {
+                             const float max_depth_m, const float truncation_m, const int max_weight,
+                             global shortN* restrict distances, global ucharN* restrict weights,
+                             global uchar* restrict empty) {
   const int number = (int)get_global_id(0) / BRICK_ITEMS(LANES);
   const int item = (int)get_global_id(0) % BRICK_ITEMS(LANES);
   int free_runs = 0;
   if (number < brick_count) {
     free_runs = integrate_brick(bricks[number], item, readings[number], T_camera_window, K, width, height, depth_m,
-                                max_depth_m, truncation_m, max_weight, voxels);
+                                max_depth_m, truncation_m, max_weight, distances, weights);
   }
 #if BRICK_ITEMS(LANES) == 1
   if (number < brick_count) empty[number] = free_runs == BRICK_VOXELS / LANES;

@@ -1,35 +1,29 @@
-// Normals of the surface that has been seen at least `settled` (TsdfVoxel::weight) at its voxel; elsewhere all 0. counts: pixels
+// Normals of the surface that has been seen at least `settled` times at its voxel; elsewhere all 0. counts: pixels
 // with surface that has not, and with surface; both are added to.
-// One work-item: LANES pixels, one after the other. vertices: world, w = 0: no surface. voxels: slots x 512 TsdfVoxel as uint
-// (weight high).
-#include "core/fusion/kernels/brick_lookup.clh"
+// One work-item: LANES pixels. vertices: world, w = 0: no surface. cells, page_slots, window_size: the view's window
+// (brick_page.h); first: the voxel at which it starts. weights: BRICK_VOXELS a slot.
+#include "core/fusion/kernels/brick_field.clh"
 
 kernel void leave_out_fresh(global const float4* vertices, global const float4* normals, const int pixels,
-                            global const BrickEntry* table, const uint table_mask, global const uint* voxels,
-                            const float voxels_per_metre, const uint settled, global float4* settled_normals,
-                            volatile global int* counts) {
-  const int first = LANES * (int)get_global_id(0);
-  const int count = min(LANES, pixels - first);
-  KnownBrick known = no_brick_known();
-  // First where all of them are, then what is there: so the memory is waited for once.
-  int places[LANES];
-  int with_surface = 0;
-  for (int i = 0; i < count; ++i) {
-    const float4 vertex = vertices[first + i];
-    const int3 v = convert_int3(floor(vertex.xyz * voxels_per_metre));
-    const int slot = vertex.w > 0.0f ? find_near(&known, table, table_mask, v.x >> BRICK_SHIFT, v.y >> BRICK_SHIFT,
-                                                 v.z >> BRICK_SHIFT)
-                                     : BRICK_NONE;
-    with_surface += vertex.w > 0.0f ? 1 : 0;
-    places[i] = slot == BRICK_NONE ? -1 : slot * BRICK_VOXELS + (v.x & 7) + 8 * ((v.y & 7) + 8 * (v.z & 7));
-  }
-  int settled_here = 0;
-  for (int i = 0; i < count; ++i) {
-    const bool is_settled = places[i] >= 0 && (voxels[places[i]] >> 16) >= settled;
-    settled_normals[first + i] = is_settled ? normals[first + i] : (float4)(0.0f);
-    settled_here += is_settled ? 1 : 0;
-  }
-  const int fresh = with_surface - settled_here;
+                            global const int* cells, global const int* page_slots, const int4 window_size,
+                            const int4 first, global const uchar* weights, const float voxels_per_metre,
+                            const int settled, global float4* settled_normals, volatile global int* counts) {
+  const int begin = LANES * (int)get_global_id(0);
+  if (begin >= pixels) return;
+  const Field field = {cells, page_slots, 0, window_size};
+  const intN pixel = begin + LANE;
+  const Points v = points_at(vertices, min(pixel, (intN)(pixels - 1)));
+  const intN met = (pixel < pixels) & (v.w > 0.0f);
+  const intN place = field_places(&field, first, met ? v.x : 0.0f, met ? v.y : 0.0f, met ? v.z : 0.0f, voxels_per_metre);
+  const intN found = met & (place >= 0);
+  const intN weight = GATHER(intN, weights, found ? place : 0);
+  const intN is_settled = found & (weight >= settled);
+  int settled_lanes[LANES];
+  STORE(is_settled, settled_lanes);
+  for (int i = 0; i < min(LANES, pixels - begin); ++i)
+    settled_normals[begin + i] = settled_lanes[i] ? normals[begin + i] : (float4)(0.0f);
+  const int with_surface = (int)sum_of_lanes(one_where(met));
+  const int fresh = with_surface - (int)sum_of_lanes(one_where(is_settled));
   if (fresh > 0) atomic_add(counts, fresh);
   if (with_surface > 0) atomic_add(counts + 1, with_surface);
 }

@@ -5,7 +5,7 @@
 //             seen or lies in another brick; where there is neither, 0
 //   height    the distance over its slope: a voxel beside a surface seen aslant is nearer to it than rays tell
 //   listed    bricks to visit: position x, y, z and slot
-//   voxels    slots x 512 signed distances
+//   distances slots x 512 signed distances
 //   labels    slots x 512 label voxels
 //   colors    slots x 512 colour voxels
 //   offsets   listed_count; write = 0, out: points of the brick; write = 1, in: where its points go
@@ -14,29 +14,29 @@
 #include "core/labeling/kernels/label_voxel.h"
 
 // Slope along the axis on which voxels lie `step` apart in `brick`, at voxel i, the `place`-th of its row.
-inline float slope_at(global const TsdfVoxel* brick, const int i, const int step, const int place) {
-  const int low = place > 0 && brick[i - step].weight != 0 ? i - step : i;
-  const int high = place < BRICK_SIDE - 1 && brick[i + step].weight != 0 ? i + step : i;
+inline float slope_at(global const short* brick, const int i, const int step, const int place) {
+  const int low = place > 0 && brick[i - step] != DISTANCE_UNSEEN ? i - step : i;
+  const int high = place < BRICK_SIDE - 1 && brick[i + step] != DISTANCE_UNSEEN ? i + step : i;
   if (low == high) return 0.0f;
   const float apart = low < i && high > i ? 2.0f : 1.0f;
-  return ((float)brick[high].distance - (float)brick[low].distance) / apart;
+  return ((float)brick[high] - (float)brick[low]) / apart;
 }
 
 kernel void extract_points(global const int4* listed, const int listed_count,
-                           global const TsdfVoxel* voxels, global const uint* labels, global const uint* colors,
+                           global const short* distances, global const uint* labels, global const uint* colors,
                            const float voxel_size, const int band, const int write, global int* offsets,
                            global LabelPoint* points) {
   const int item = get_global_id(0);
   if (item >= listed_count) return;
   const int4 brick = listed[item];
   const int slot = brick.w;
-  global const TsdfVoxel* held = voxels + slot * BRICK_VOXELS;
+  global const short* held = distances + slot * BRICK_VOXELS;
   global LabelPoint* out = points + (write ? offsets[item] : 0);
   int count = 0;
   for (int i = 0; i < BRICK_VOXELS; ++i) {
     const uint label = LABEL_OF(labels[slot * BRICK_VOXELS + i]);
-    const TsdfVoxel voxel = held[i];
-    if (label == 0u || voxel.weight == 0 || abs((int)voxel.distance) > (uint)band) continue;
+    const int distance = held[i];
+    if (label == 0u || distance == DISTANCE_UNSEEN || abs(distance) > (uint)band) continue;
     if (write) {
       const int x = i & 7;
       const int y = (i >> 3) & 7;
@@ -53,7 +53,7 @@ kernel void extract_points(global const int4* listed, const int listed_count,
       out[count].normal_y = normal.y;
       out[count].normal_z = normal.z;
       out[count].color = colors[slot * BRICK_VOXELS + i];
-      out[count].height = (float)voxel.distance * flatness;
+      out[count].height = (float)distance * flatness;
     }
     ++count;
   }

@@ -7,11 +7,26 @@
 // A pixel of the overlap that lies farther from the camera than the model's surface there, by more than that distance, is
 // behind it; nearer, before it.
 // Sums of icp_layout.h; no NaN is converted: bounds are tested positively.
-// One work-item: `run` pixels, GROUP (build option) apart; the group's sums are added in a fixed order.
+// One work-item: `run` pixels, LANES of them at a time, GROUP * LANES (GROUP: build option) apart; the lanes' and the group's
+// sums are added in a fixed order.
 // vertices, normals: pixel_count, camera frame; model_vertices, model_normals: model_width * model_height,
 // world; sums: ICP_SUMS per group.
-#include "core/compute/kernels/common.clh"
+#include "core/compute/kernels/lanes.clh"
 #include "core/tracking/kernels/icp_layout.h"
+
+inline Points transformed(const float16 T, const Points p) {
+  const Points result = {T.s0 * p.x + T.s1 * p.y + T.s2 * p.z + T.s3, T.s4 * p.x + T.s5 * p.y + T.s6 * p.z + T.s7,
+                         T.s8 * p.x + T.s9 * p.y + T.sa * p.z + T.sb, p.w};
+  return result;
+}
+
+inline floatN dot_of(const Points a, const Points b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// Huber's weight of residuals of that size, whose noise is `noise` times that for which `delta` is meant.
+inline floatN huber_weight(const floatN size, const floatN noise, const float delta) {
+  const floatN reach = delta * noise;
+  return (size < reach ? 1.0f : reach / size) / (noise * noise);
+}
 
 kernel void accumulate_icp(global const float4* restrict vertices, global const float4* restrict normals,
                            const int pixel_count, const int run, const float16 T_world_frame,
@@ -19,57 +34,65 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
                            const int model_height, global const float4* restrict model_vertices,
                            global const float4* restrict model_normals, const float4 centre, const float8 gate,
                            global float* restrict sums) {
-  const int begin = (int)get_group_id(0) * GROUP * run + (int)get_local_id(0);
-  float8 row0 = 0.0f, row1 = 0.0f, row2 = 0.0f, row3 = 0.0f, row4 = 0.0f, row5 = 0.0f, row6 = 0.0f, counts = 0.0f;
+  floatN total[ICP_SUMS];
+#pragma unroll
+  for (int i = 0; i < ICP_SUMS; ++i) total[i] = 0.0f;
+  const float16 turn = (float16)(T_world_frame.s012, 0.0f, T_world_frame.s456, 0.0f, T_world_frame.s89a, 0.0f, (float4)(0.0f));
 
-  float fit_weight = 0.0f, fit_error = 0.0f, before = 0.0f, behind = 0.0f;
-  for (int k = 0; k < run; ++k) {
-    const int i = begin + k * GROUP;
-    if (i >= pixel_count) break;
-    const float4 vertex = vertices[i];
-    if (!(vertex.w > 0.0f)) continue;
-    counts.s2 += 1.0f;
-    const float3 p = transform_point(T_world_frame, vertex.xyz);
-    const float3 q = transform_point(T_model_world, p);
-    if (!(q.z > 0.05f)) continue;
-    const float u = K_model.x * q.x / q.z + K_model.z + 0.5f;
-    const float v = K_model.y * q.y / q.z + K_model.w + 0.5f;
-    if (!(u >= 0.0f && u < (float)model_width && v >= 0.0f && v < (float)model_height)) continue;
-    const int m = (int)v * model_width + (int)u;
-    const float4 n4 = model_normals[m];
-    if (!(n4.w > 0.0f)) continue;
-    counts.s1 += 1.0f;
-    const float3 n = n4.xyz;
-    const float3 model_vertex = model_vertices[m].xyz;
-    const float3 difference = model_vertex - p;
-    const float z2 = vertex.z * vertex.z;
-    const float reach = gate.s0 + gate.s1 * z2;
-    const float farther = q.z - transform_point(T_model_world, model_vertex).z;
-    before += farther < -reach ? 1.0f : 0.0f;
-    behind += farther > reach ? 1.0f : 0.0f;
-    if (!(dot(difference, difference) < reach * reach)) continue;
-    if (!(dot(rotate_vector(T_world_frame, normals[i].xyz), n) > gate.s2)) continue;
+  const int begin = LANES * ((int)get_group_id(0) * GROUP * (run / LANES) + (int)get_local_id(0));
+  for (int k = 0; k < run / LANES; ++k) {
+    const intN i = begin + k * GROUP * LANES + LANE;
+    const intN pixel = min(i, (intN)(pixel_count - 1));
+    const Points vertex = points_at(vertices, pixel);
+    const intN reading = (i < pixel_count) & (vertex.w > 0.0f);
+    if (!any_lane(reading)) continue;
+    total[ICP_READINGS] += one_where(reading);
+    const Points p = transformed(T_world_frame, vertex);
+    const Points q = transformed(T_model_world, p);
+    const floatN per_z = 1.0f / q.z;
+    const floatN u = K_model.x * q.x * per_z + (K_model.z + 0.5f);
+    const floatN v = K_model.y * q.y * per_z + (K_model.w + 0.5f);
+    const intN inside = reading & (q.z > 0.05f) & (u >= 0.0f) & (u < (float)model_width) & (v >= 0.0f) &
+                        (v < (float)model_height);
+    const intN m = convert_intN(inside ? v : 0.0f) * model_width + convert_intN(inside ? u : 0.0f);
+    const Points n = points_at(model_normals, m);
+    const intN overlap = inside & (n.w > 0.0f);
+    if (!any_lane(overlap)) continue;
+    total[ICP_OVERLAP] += one_where(overlap);
+    const Points model = points_at(model_vertices, m);
+    const Points difference = {model.x - p.x, model.y - p.y, model.z - p.z, 0.0f};
+    const floatN z2 = vertex.z * vertex.z;
+    const floatN reach = gate.s0 + gate.s1 * z2;
+    const floatN farther = q.z - transformed(T_model_world, model).z;
+    total[ICP_BEFORE] += one_where(overlap & (farther < -reach));
+    total[ICP_BEHIND] += one_where(overlap & (farther > reach));
+    const Points normal = transformed(turn, points_at(normals, pixel));
+    const intN meets =
+        overlap & (dot_of(difference, difference) < reach * reach) & (dot_of(normal, n) > gate.s2);
+    if (!any_lane(meets)) continue;
 
-    const float r = dot(n, difference);
-    const float noise = 1.0f + gate.s4 * z2;
-    const float size = fmax(fabs(r), 1e-12f);
-    const float w = fmin(1.0f, gate.s3 * noise / size) / (noise * noise);
-    const float fit_noise = 1.0f + gate.s6 * z2;
-    const float h = fmin(1.0f, gate.s5 * fit_noise / size) / (fit_noise * fit_noise);
-    fit_weight += h;
-    fit_error += h * r * r;
-    const float3 arm = p - centre.xyz;
-    const float3 moment = cross(arm, n);
-    const float8 J = (float8)(moment, n, r, 0.0f);
-    const float8 wJ = w * J;
-    row0 = fma((float8)(J.s0), wJ, row0);
-    row1 = fma((float8)(J.s1), wJ, row1);
-    row2 = fma((float8)(J.s2), wJ, row2);
-    row3 = fma((float8)(J.s3), wJ, row3);
-    row4 = fma((float8)(J.s4), wJ, row4);
-    row5 = fma((float8)(J.s5), wJ, row5);
-    row6 = fma((float8)(r), wJ, row6);
-    counts += (float8)(1.0f, 0.0f, 0.0f, arm, dot(arm, arm), r * r);
+    const floatN r = meets ? dot_of(n, difference) : 0.0f;
+    const floatN w = meets ? huber_weight(fabs(r), 1.0f + gate.s4 * z2, gate.s3) : 0.0f;
+    const floatN h = meets ? huber_weight(fabs(r), 1.0f + gate.s6 * z2, gate.s5) : 0.0f;
+    total[ICP_FIT_WEIGHT] += h;
+    total[ICP_FIT_ERROR] += h * r * r;
+    const floatN arm_x = meets ? p.x - centre.x : 0.0f;
+    const floatN arm_y = meets ? p.y - centre.y : 0.0f;
+    const floatN arm_z = meets ? p.z - centre.z : 0.0f;
+    const floatN J[7] = {arm_y * n.z - arm_z * n.y, arm_z * n.x - arm_x * n.z, arm_x * n.y - arm_y * n.x,
+                         n.x, n.y, n.z, r};
+#pragma unroll
+    for (int row = 0; row < 7; ++row) {
+      const floatN weighted = w * J[row];
+#pragma unroll
+      for (int column = row; column < 7; ++column) total[8 * row + column] += weighted * J[column];
+    }
+    total[ICP_INLIERS] += one_where(meets);
+    total[ICP_POINT] += arm_x;
+    total[ICP_POINT + 1] += arm_y;
+    total[ICP_POINT + 2] += arm_z;
+    total[ICP_POINT_2] += arm_x * arm_x + arm_y * arm_y + arm_z * arm_z;
+    total[ICP_ERROR] += r * r;
   }
 
 #if GROUP == 1
@@ -78,18 +101,14 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
   local float shared_sums[GROUP * ICP_SUMS];
   local float* out = shared_sums + (int)get_local_id(0) * ICP_SUMS;
 #endif
-  row0.s7 = fit_weight;
-  row1.s7 = fit_error;
-  row2.s7 = before;
-  row3.s7 = behind;
-  vstore8(row0, 0, out);
-  vstore8(row1, 1, out);
-  vstore8(row2, 2, out);
-  vstore8(row3, 3, out);
-  vstore8(row4, 4, out);
-  vstore8(row5, 5, out);
-  vstore8(row6, 6, out);
-  vstore8(counts, 7, out);
+#pragma unroll
+  for (int row = 0; row < 8; ++row) {
+#pragma unroll
+    for (int column = 0; column < 8; ++column) {
+      const bool is_mirrored = row < 7 && column < row;
+      out[8 * row + column] = sum_of_lanes(total[is_mirrored ? 8 * column + row : 8 * row + column]);
+    }
+  }
 #if GROUP > 1
   barrier(CLK_LOCAL_MEM_FENCE);
   for (int j = (int)get_local_id(0); j < ICP_SUMS; j += GROUP) {

@@ -22,7 +22,7 @@ TEST(BrickBudget, IsWhatWasAskedForOrAQuarterOfTheMachineAndNoMoreThanTheDeviceH
     const double most = bricksThatFit(compute.memory());
     FusionParams params;
     params.memory_budget_mb = 64;
-    EXPECT_EQ(brickBudget(params, compute).bricks, 10699);  // 64 MiB / 6272
+    EXPECT_EQ(brickBudget(params, compute).bricks, 11650);  // 64 MiB / (11 * 512 + 128)
     params.memory_budget_mb = 1 << 20;
     EXPECT_EQ(brickBudget(params, compute).bricks, static_cast<int>(most));
     params.memory_budget_mb = 0;

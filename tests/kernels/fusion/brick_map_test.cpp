@@ -9,6 +9,7 @@
 #include <set>
 
 #include "tests/support/analytic_scene.h"
+#include "tests/support/brick_contents.h"
 #include "tests/support/each_device.h"
 
 namespace scantrove {
@@ -81,8 +82,8 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
     const std::vector<Brick> first = randomBricks(1000, 40, 1);
     map.allocate(first);
     const int marked = map.brickCount();
-    map.voxels().fill(compute.queue(), TsdfVoxel{-123, 456}, 0,
-                      static_cast<std::size_t>(marked) * BRICK_VOXELS);
+    test::writeVoxels(compute, map,
+                      std::vector<test::HostVoxel>(static_cast<std::size_t>(marked) * BRICK_VOXELS, {-123, 45}));
 
     std::vector<Brick> all = first;
     for (unsigned batch = 0; batch < 6; ++batch) {
@@ -92,17 +93,18 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
     }
     EXPECT_GT(map.brickCount(), 48000);
     EXPECT_GE(map.slotCapacity(), map.brickCount());
-    EXPECT_EQ(map.voxels().size(), static_cast<std::size_t>(map.slotCapacity()) * BRICK_VOXELS);
-    EXPECT_EQ(map.labels().size(), map.voxels().size());
-    EXPECT_GT(map.deviceBytes(), map.voxels().size() * (sizeof(TsdfVoxel) + sizeof(cl_uint)));
+    EXPECT_EQ(map.distances().size(), static_cast<std::size_t>(map.slotCapacity()) * BRICK_VOXELS);
+    EXPECT_EQ(map.weights().size(), map.distances().size());
+    EXPECT_EQ(map.labels().size(), map.distances().size());
+    EXPECT_GT(map.deviceBytes(), map.distances().size() * VOXEL_BYTES);
     expectDeviceTableIsTheHosts(compute, map, all);
 
-    std::vector<TsdfVoxel> voxels(static_cast<std::size_t>(map.brickCount()) * BRICK_VOXELS);
-    map.voxels().read(compute.queue(), std::span<TsdfVoxel>(voxels));
+    const std::vector<test::HostVoxel> voxels = test::usedVoxels(compute, map);
+    ASSERT_EQ(voxels.size(), static_cast<std::size_t>(map.brickCount()) * BRICK_VOXELS);
     for (std::size_t i = 0; i < voxels.size(); ++i) {
       const bool old = i < static_cast<std::size_t>(marked) * BRICK_VOXELS;
       ASSERT_EQ(voxels[i].distance, old ? -123 : 0) << i;
-      ASSERT_EQ(voxels[i].weight, old ? 456 : 0) << i;
+      ASSERT_EQ(voxels[i].weight, old ? 45 : 0) << i;
     }
   });
 }

@@ -15,28 +15,10 @@ namespace {
 
 constexpr std::size_t kBrick = BRICK_VOXELS;
 
-struct Held {
-  explicit Held(std::size_t bricks)
-      : voxels(bricks * kBrick), labels(bricks * kBrick), colors(bricks * kBrick) {}
-  [[nodiscard]] bool isNothing() const {
-    const auto is_unseen = [](const TsdfVoxel& voxel) { return voxel.distance == 0 && voxel.weight == 0; };
-    const auto is_zero = [](cl_uint value) { return value == 0; };
-    return std::ranges::all_of(voxels, is_unseen) && std::ranges::all_of(labels, is_zero) &&
-           std::ranges::all_of(colors, is_zero);
-  }
-  std::vector<TsdfVoxel> voxels;
-  std::vector<cl_uint> labels, colors;
-};
-
-Held heldIn(const BrickPools& pools, const std::vector<int>& slots) {
-  Held held(slots.size());
-  pools.read(slots, held.voxels, held.labels, held.colors);
-  return held;
-}
-
-Held something() {
-  Held held(1);
-  std::ranges::fill(held.voxels, TsdfVoxel{-5, 6});
+BrickContents something() {
+  BrickContents held(1);
+  std::ranges::fill(held.distances, cl_short{-5});
+  std::ranges::fill(held.weights, cl_uchar{6});
   std::ranges::fill(held.labels, 7U);
   std::ranges::fill(held.colors, 8U);
   return held;
@@ -57,14 +39,14 @@ TEST(BrickPools, ASlotIsEmptyWhenItIsHandedOutFirstAndAgain) {
       if (at_once && !(compute.isCpu() && pools.makeAtOnce(40))) continue;
       if (!at_once) pools.grow(40, 0);
       pools.clear(std::vector{0, 1, 2});
-      EXPECT_TRUE(heldIn(pools, {0, 1, 2}).isNothing());
-      const Held full = something();
-      pools.write(std::vector{1}, full.voxels, full.labels, full.colors);
-      pools.write(std::vector{9}, full.voxels, full.labels, full.colors);  // was never cleared
-      EXPECT_EQ(heldIn(pools, {9}).labels, full.labels);
-      EXPECT_TRUE(heldIn(pools, {0, 2}).isNothing());
+      EXPECT_EQ(pools.read(std::vector{0, 1, 2}), BrickContents(3));
+      const BrickContents full = something();
+      pools.write(std::vector{1}, full);
+      pools.write(std::vector{9}, full);  // was never cleared
+      EXPECT_EQ(pools.read(std::vector{9}), full);
+      EXPECT_EQ(pools.read(std::vector{0, 2}), BrickContents(2));
       pools.clear(std::vector{9, 10, 1});
-      EXPECT_TRUE(heldIn(pools, {0, 1, 2, 9, 10}).isNothing());
+      EXPECT_EQ(pools.read(std::vector{0, 1, 2, 9, 10}), BrickContents(5));
     }
   });
 }
@@ -73,30 +55,31 @@ TEST(BrickPools, StayEmptyBeyondTheRoomThatWasMadeAtOnce) {
   onEachDevice([](ComputeContext& compute) {
     BrickPools pools(compute);
     if (!compute.isCpu() || !pools.makeAtOnce(4)) return;
-    const Held full = something();
-    pools.write(std::vector{3}, full.voxels, full.labels, full.colors);
+    const BrickContents full = something();
+    pools.write(std::vector{3}, full);
     pools.grow(40, 4);
-    EXPECT_EQ(heldIn(pools, {3}).colors, full.colors);
+    EXPECT_EQ(pools.read(std::vector{3}), full);
     pools.clear(std::vector{3, 20});
-    EXPECT_TRUE(heldIn(pools, {3, 20}).isNothing());
+    EXPECT_EQ(pools.read(std::vector{3, 20}), BrickContents(2));
   });
 }
 
-TEST(BrickPools, BricksWithoutLabelsAndColorsTakeAThird) {
+TEST(BrickPools, LabelsAndColorsTakeMemoryOnlyWhereThereAreAny) {
   onEachDevice([](ComputeContext& compute) {
     if (!compute.isCpu()) return;
-    constexpr int kBricks = 20'000;  // 40 MB of distances, and as much of labels and of colours
+    constexpr int kBricks = 20'000;  // 30 MB of distances and weights, and 80 of labels and colours
     BrickPools pools(compute);
     ASSERT_TRUE(pools.makeAtOnce(kBricks));
     const double before = residentMegabytes();
     std::vector<int> slots(kBricks);
     std::iota(slots.begin(), slots.end(), 0);
     pools.clear(slots);
-    pools.voxels().fill(compute.queue(), TsdfVoxel{1, 2}, 0, kBricks * kBrick);
+    pools.distances().fill(compute.queue(), 1, 0, kBricks * kBrick);
+    pools.weights().fill(compute.queue(), 2, 0, kBricks * kBrick);
     compute.finish();
     const double grown = residentMegabytes() - before;
-    EXPECT_GT(grown, 35);
-    EXPECT_LT(grown, 60);
+    EXPECT_GT(grown, 25);
+    EXPECT_LT(grown, 50);
   });
 }
 

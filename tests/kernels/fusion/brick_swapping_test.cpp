@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -23,7 +23,7 @@ constexpr int kBudget = 600;  // bricks
 constexpr std::size_t kVoxels = BRICK_VOXELS;
 
 struct Contents {
-  std::vector<cl_uint> voxels, labels, colors;  // bits
+  BrickContents held = BrickContents(1);
   bool dormant = false;
 };
 
@@ -59,11 +59,7 @@ class TwoMaps {
     }
     ASSERT_EQ(small.allocate(wanted), large.allocate(wanted));
     for (const Brick& brick : wanted) {
-      Contents& expected = model[brick];
-      expected.dormant = false;
-      if (expected.voxels.empty()) expected.voxels.assign(kVoxels, 0);
-      if (expected.labels.empty()) expected.labels.assign(kVoxels, 0);
-      if (expected.colors.empty()) expected.colors.assign(kVoxels, 0);
+      model[brick].dormant = false;
     }
     std::vector<Brick> aside;
     for (auto& [brick, expected] : model) {
@@ -88,9 +84,7 @@ class TwoMaps {
       const int slot = small.slotOf(brick);
       ASSERT_NE(slot, BRICK_NONE) << brick.transpose();
       ASSERT_EQ(lookUp(table, brick), slot);
-      ASSERT_EQ(read(small.voxels(), slot), expected.voxels);
-      ASSERT_EQ(read(small.labels(), slot), expected.labels);
-      ASSERT_EQ(read(small.colors(), slot), expected.colors);
+      ASSERT_EQ(read(small, slot), expected.held);
     }
     for (const int page : inView(small)) {
       const int block = small.pages().page(page).block;
@@ -121,18 +115,14 @@ class TwoMaps {
       ASSERT_EQ(copy->bricks.count(), bricks.size());
       for (std::size_t i = 0; i < bricks.size(); ++i, ++found) {
         const Contents& expected = model.at(bricks[i]);
-        ASSERT_EQ(std::memcmp(&copy->voxels[i * kVoxels], expected.voxels.data(), 4 * kVoxels), 0);
-        ASSERT_EQ(std::memcmp(&copy->labels[i * kVoxels], expected.labels.data(), 4 * kVoxels), 0);
-        ASSERT_EQ(std::memcmp(&copy->colors[i * kVoxels], expected.colors.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(brickOf(copy->contents, i), expected.held);
         ASSERT_EQ(copy->dormant[localBrick(bricks[i])], expected.dormant);
         if (!stored) {
-          ASSERT_EQ(read(small.voxels(), small.slotOf(bricks[i])), expected.voxels);
+          ASSERT_EQ(read(small, small.slotOf(bricks[i])), expected.held);
           continue;
         }
         ASSERT_EQ(small.slotOf(bricks[i]), BRICK_NONE);
-        ASSERT_EQ(std::memcmp(&stored->voxels[i * kVoxels], expected.voxels.data(), 4 * kVoxels), 0);
-        ASSERT_EQ(std::memcmp(&stored->labels[i * kVoxels], expected.labels.data(), 4 * kVoxels), 0);
-        ASSERT_EQ(std::memcmp(&stored->colors[i * kVoxels], expected.colors.data(), 4 * kVoxels), 0);
+        ASSERT_EQ(brickOf(stored->contents, i), expected.held);
         ASSERT_EQ(stored->dormant[localBrick(bricks[i])], expected.dormant);
       }
     }
@@ -162,26 +152,43 @@ class TwoMaps {
   }
 
   void write(const Brick& brick, Contents& expected) {
-    for (std::vector<cl_uint>* words : {&expected.voxels, &expected.labels, &expected.colors}) {
+    BrickContents& held = expected.held;
+    for (std::vector<cl_uint>* words : {&held.labels, &held.colors}) {
       for (cl_uint& word : *words) word = random_() % 2 == 0 ? 0 : static_cast<cl_uint>(random_());
     }
-    std::vector<TsdfVoxel> voxels(kVoxels);
-    std::memcpy(voxels.data(), expected.voxels.data(), 4 * kVoxels);
+    for (std::size_t i = 0; i < kVoxels; ++i) {
+      const bool is_seen = random_() % 2 == 0;
+      const int distance = static_cast<int>(random_() % 65535) - DISTANCE_ONE;
+      held.distances[i] = static_cast<cl_short>(!is_seen ? DISTANCE_UNSEEN : distance == 0 ? 1 : distance);
+      held.weights[i] = static_cast<cl_uchar>(is_seen ? 1 + random_() % 255 : 0);
+    }
     for (BrickMap* map : {&small, &large}) {
       const auto start = static_cast<std::size_t>(map->slotOf(brick)) * kVoxels;
-      map->voxels().write(compute_.queue(), voxels, start);
-      map->labels().write(compute_.queue(), expected.labels, start);
-      map->colors().write(compute_.queue(), expected.colors, start);
+      map->distances().write(compute_.queue(), held.distances, start);
+      map->weights().write(compute_.queue(), held.weights, start);
+      map->labels().write(compute_.queue(), held.labels, start);
+      map->colors().write(compute_.queue(), held.colors, start);
     }
   }
 
-  template <class T>
-  [[nodiscard]] std::vector<cl_uint> read(const Buffer<T>& pool, int slot) const {
-    std::vector<T> values(kVoxels);
-    pool.read(compute_.queue(), std::span<T>(values), static_cast<std::size_t>(slot) * kVoxels);
-    std::vector<cl_uint> words(kVoxels);
-    std::memcpy(words.data(), values.data(), 4 * kVoxels);
-    return words;
+  [[nodiscard]] BrickContents read(const BrickMap& map, int slot) const {
+    const std::size_t start = static_cast<std::size_t>(slot) * kVoxels;
+    BrickContents held(1);
+    map.distances().read(compute_.queue(), std::span(held.distances), start);
+    map.weights().read(compute_.queue(), std::span(held.weights), start);
+    map.labels().read(compute_.queue(), std::span(held.labels), start);
+    map.colors().read(compute_.queue(), std::span(held.colors), start);
+    return held;
+  }
+
+  [[nodiscard]] static BrickContents brickOf(const BrickContents& all, std::size_t brick) {
+    BrickContents one(1);
+    const auto first = static_cast<std::ptrdiff_t>(brick * kVoxels);
+    std::copy_n(all.distances.begin() + first, kVoxels, one.distances.begin());
+    std::copy_n(all.weights.begin() + first, kVoxels, one.weights.begin());
+    std::copy_n(all.labels.begin() + first, kVoxels, one.labels.begin());
+    std::copy_n(all.colors.begin() + first, kVoxels, one.colors.begin());
+    return one;
   }
 
   [[nodiscard]] int lookUp(const std::vector<BrickEntry>& table, const Brick& brick) const {

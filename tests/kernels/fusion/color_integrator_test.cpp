@@ -117,7 +117,7 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
                                   {camera.K.width, camera.K.height});
         makeHoles(compute, shot);
         const reference::ColorView view = referenceView(compute, shot, camera, params);
-        const std::vector<TsdfVoxel> voxels = test::usedPart(compute, map, map.voxels());
+        const std::vector<test::HostVoxel> voxels = test::usedVoxels(compute, map);
         for (std::size_t i = 0; i < voxels.size(); ++i) {
           // A voxel and a half of the truncation's four, in its units.
           if (voxels[i].weight == 0 || std::abs(voxels[i].distance) > 32767 * 1.5 / 4) continue;
@@ -128,7 +128,7 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
               view.at((voxel.cast<double>().array() + 0.5) * static_cast<double>(params.voxel_size_m));
           Expected& of_voxel = expected[i];
           of_voxel.decided = of_voxel.decided && answer.decided;
-          if (answer.seen) of_voxel.mean.add(*answer.seen, voxels[i].weight / 256.0);
+          if (answer.seen) of_voxel.mean.add(*answer.seen, voxels[i].weight);
         }
         rig.paint(shot);
         ++views;

@@ -36,10 +36,10 @@ namespace scantrove::test {
 class HostVoxels {
  public:
   HostVoxels(ComputeContext& compute, const BrickMap& map)
-      : map_(map), voxels_(usedPart(compute, map, map.voxels())) {}
+      : map_(map), voxels_(usedVoxels(compute, map)) {}
 
   /// The voxel as stored, or null where there is no brick.
-  [[nodiscard]] const TsdfVoxel* find(const Eigen::Vector3i& voxel) const {
+  [[nodiscard]] const HostVoxel* find(const Eigen::Vector3i& voxel) const {
     const Eigen::Vector3i brick(voxel.x() >> BRICK_SHIFT, voxel.y() >> BRICK_SHIFT, voxel.z() >> BRICK_SHIFT);
     const int slot = map_.slotOf(brick);
     if (slot == BRICK_NONE) return nullptr;
@@ -50,17 +50,17 @@ class HostVoxels {
 
   [[nodiscard]] reference::VoxelField field() const {
     return [this](const Eigen::Vector3i& voxel) -> std::optional<double> {
-      const TsdfVoxel* found = find(voxel);
+      const HostVoxel* found = find(voxel);
       if (found == nullptr || found->weight == 0) return std::nullopt;
       return found->distance / 32767.0;
     };
   }
 
-  [[nodiscard]] const std::vector<TsdfVoxel>& all() const { return voxels_; }
+  [[nodiscard]] const std::vector<HostVoxel>& all() const { return voxels_; }
 
  private:
   const BrickMap& map_;
-  std::vector<TsdfVoxel> voxels_;
+  std::vector<HostVoxel> voxels_;
 };
 
 }  // namespace scantrove::test

@@ -68,6 +68,7 @@ class LabelCloudTest : public testing::TestWithParam<int> {
     std::vector<cl_float4> values;
     for (const auto& v : vertices) values.push_back({{v.x(), v.y(), v.z(), v.w()}});
     surface.vertices_world.write(compute_->queue(), values);
+    surface.window = test::windowOfAll(*compute_, *bricks_);
     return surface;
   }
 
@@ -174,7 +175,7 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
   (void)cloud_->update(surface, merged, {}, params, *bricks_);
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
   dense.update(vertices, merged.fragments, kCamera, T, params.update_distance_vox * kVoxel);
-  const std::vector<FragmentId> projected = cloud_->project(surface, *bricks_);
+  const std::vector<FragmentId> projected = cloud_->project(toSurface(vertices, T), *bricks_);
   std::size_t labelled = 0;
   std::size_t different = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -335,10 +336,9 @@ TEST_P(LabelCloudTest, ExtractGivesEachBrickItsOwnNearSurfaceVoxels) {
   EXPECT_TRUE(cloud_->extract(bricks, *bricks_, 4).points.empty())
       << "nothing was fused, so nothing has a surface";
   // Every second voxel lies on the surface, the others half a truncation away.
-  std::vector<TsdfVoxel> voxels = test::usedPart(*compute_, *bricks_, bricks_->voxels());
-  for (std::size_t i = 0; i < voxels.size(); ++i)
-    voxels[i] = {static_cast<cl_short>(i % 2 == 0 ? 0 : 16000), 256};
-  bricks_->voxels().write(compute_->queue(), voxels);
+  std::vector<test::HostVoxel> voxels = test::usedVoxels(*compute_, *bricks_);
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = {i % 2 == 0 ? 1 : 16000, 1};
+  test::writeVoxels(*compute_, *bricks_, voxels);
   const LabelCloud::Extract extract = cloud_->extract(bricks, *bricks_, 4);
   ASSERT_EQ(extract.first.size(), bricks.size() + 1);
   const std::vector<cl_uint> labels = test::usedPart(*compute_, *bricks_, bricks_->labels());

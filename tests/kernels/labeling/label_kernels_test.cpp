@@ -8,6 +8,7 @@
 #include "core/labeling/label_cloud.h"
 #include "embedded/labeling_kernels.h"
 #include "tests/reference/label_reference.h"
+#include "tests/support/brick_contents.h"
 #include "tests/support/each_device.h"
 #include "tests/support/temporary_folder.h"
 
@@ -15,7 +16,9 @@ namespace scantrove {
 namespace {
 
 using reference::Voxel;
+using test::HostVoxel;
 using test::onEachDevice;
+using test::onEachWidth;
 
 Eigen::Vector3i voxelIn(const Eigen::Vector3i& brick, int index) {
   return 8 * brick + Eigen::Vector3i(index % 8, index / 8 % 8, index / 64);
@@ -65,9 +68,10 @@ std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& m
   input.write(compute.queue(), values);
   Buffer<cl_uint> projected(compute.context(), values.size());
   projected.fill(compute.queue(), 12345);
+  const BrickWindow window = test::windowOfAll(compute, map.bricks);
   kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), input, static_cast<cl_int>(values.size()),
-                 map.bricks.table(), map.bricks.tableMask(), map.voxels, 1.0F / map.bricks.voxelSize(),
-                 projected);
+                 window.cells(), map.bricks.pageSlots(), window.size(), window.firstVoxel(), map.voxels,
+                 1.0F / map.bricks.voxelSize(), projected);
   return projected.read(compute.queue());
 }
 
@@ -75,7 +79,7 @@ std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& m
 constexpr float kExactVoxel_m = 1.0F / 128;
 
 TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const LabelledMap map(compute, kExactVoxel_m);
     std::vector<Eigen::Vector4f> vertices;
     std::vector<std::uint32_t> expected;
@@ -103,7 +107,7 @@ TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
 }
 
 TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     constexpr float kVoxel_m = 0.006F;
     const LabelledMap map(compute, kVoxel_m);
     std::mt19937 random(4);
@@ -129,7 +133,7 @@ TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
 }
 
 TEST(ProjectLabels, GivesNothingWhereThereIsNoVertex) {
-  onEachDevice([](ComputeContext& compute) {
+  onEachWidth([](ComputeContext& compute) {
     const LabelledMap map(compute, kExactVoxel_m);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THAT(project(compute, map,
@@ -146,15 +150,13 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     auto cloud = LabelCloud::create(compute);
     ASSERT_TRUE(cloud) << cloud.error().message();
     // Distances on both sides of the limit, to the last digit, for a truncation of 4 voxels.
-    const std::vector<int> distances{0, 1, -1, 8191, -8191, 8192, -8192, 16000, 32767, -32767};
+    const std::vector<int> distances{2, 1, -1, 8191, -8191, 8192, -8192, 16000, 32767, -32767};
     std::mt19937 random(2);
-    std::vector<TsdfVoxel> voxels(bricks.voxels().size(), TsdfVoxel{0, 0});
-    std::vector<cl_uint> labels(voxels.size(), 0);
     const auto used = static_cast<std::size_t>(bricks.brickCount()) * BRICK_VOXELS;
+    std::vector<HostVoxel> voxels(used);
+    std::vector<cl_uint> labels(used, 0);
     for (std::size_t i = 0; i < used; ++i) {
-      const int weight = random() % 5 == 0 ? 0 : 256;
-      voxels[i] = {static_cast<cl_short>(distances[random() % distances.size()]),
-                   static_cast<cl_ushort>(weight)};
+      if (random() % 5 != 0) voxels[i] = {distances[random() % distances.size()], 1};
       const cl_uint label = random() % 3 == 0 ? 0 : static_cast<cl_uint>(random() % LABEL_MAX);
       labels[i] = label == 0 ? 0 : LABEL_VOXEL(label, 1U);
     }
@@ -162,7 +164,7 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
     std::fill_n(labels.begin() + 3 * BRICK_VOXELS, BRICK_VOXELS, 0U);
     std::vector<cl_uint> colors(voxels.size());
     for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
-    bricks.voxels().write(compute.queue(), voxels);
+    test::writeVoxels(compute, bricks, voxels);
     bricks.labels().write(compute.queue(), labels);
     bricks.colors().write(compute.queue(), colors);
 
@@ -222,13 +224,13 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     bricks.allocate(all);
     const auto used = static_cast<std::size_t>(bricks.slotEnd()) * BRICK_VOXELS;
     std::mt19937 random(4);
-    std::vector<TsdfVoxel> voxels(used);
+    std::vector<HostVoxel> voxels(used);
     std::vector<cl_uint> labels(used);
-    for (TsdfVoxel& voxel : voxels) voxel = {static_cast<cl_short>(random() % 12000), 256};
+    for (HostVoxel& voxel : voxels) voxel = {1 + static_cast<int>(random() % 12000), 1};
     for (cl_uint& label : labels) label = LABEL_VOXEL(static_cast<cl_uint>(random() % 40), 1U);
     std::vector<cl_uint> colors(used);
     for (cl_uint& color : colors) color = static_cast<cl_uint>(random());
-    bricks.voxels().write(compute.queue(), voxels);
+    test::writeVoxels(compute, bricks, voxels);
     bricks.labels().write(compute.queue(), labels);
     bricks.colors().write(compute.queue(), colors);
     // Of several pages, all mixed up.

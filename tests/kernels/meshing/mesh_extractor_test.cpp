@@ -8,6 +8,7 @@
 #include "core/fusion/kernels/color_voxel.h"
 #include "core/labeling/kernels/label_voxel.h"
 #include "tests/kernels/meshing/mesh_checks.h"
+#include "tests/support/brick_contents.h"
 #include "tests/support/color_rig.h"
 #include "tests/support/each_device.h"
 
@@ -49,16 +50,17 @@ std::vector<Eigen::Isometry3d> around(const Eigen::Vector3d& centre, double dist
 void fillMap(ComputeContext& compute, BrickMap& map,
              const std::function<double(const Eigen::Vector3d&)>& field,
              const std::function<bool(const Eigen::Vector3i& voxel)>& is_seen) {
-  std::vector<TsdfVoxel> voxels(static_cast<std::size_t>(map.slotEnd()) * BRICK_VOXELS);
+  std::vector<test::HostVoxel> voxels(static_cast<std::size_t>(map.slotEnd()) * BRICK_VOXELS);
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     const Eigen::Vector3i local(static_cast<int>(i % 8), static_cast<int>(i / 8 % 8),
                                 static_cast<int>(i / 64 % 8));
     const Eigen::Vector3i voxel = 8 * map.positionOf(static_cast<int>(i / BRICK_VOXELS)) + local;
     if (!is_seen(voxel)) continue;
     const double value = std::clamp(field(voxel.cast<double>().array() + 0.5) / 4, -1.0, 1.0);
-    voxels[i] = {static_cast<cl_short>(std::lround(32767 * value)), 256};
+    const auto distance = static_cast<int>(std::lround(DISTANCE_ONE * value));
+    voxels[i] = {distance == DISTANCE_UNSEEN ? 1 : distance, 1};
   }
-  map.voxels().write(compute.queue(), voxels);
+  test::writeVoxels(compute, map, voxels);
 }
 
 std::vector<Eigen::Vector3i> cubeOfBricks(int from, int to) {

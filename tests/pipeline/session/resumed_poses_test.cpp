@@ -67,10 +67,6 @@ Kept keptIn(const std::filesystem::path& folder) {
   return kept;
 }
 
-bool isSame(const TsdfVoxel& a, const TsdfVoxel& b) {
-  return a.distance == b.distance && a.weight == b.weight;
-}
-
 /// That of the wall has two of three directions of motion that its depth leaves open: poses rest on what
 /// earlier frames have seen. In that of the mover something walks through the view.
 class ResumedPoses : public testing::TestWithParam<Film> {};
@@ -92,9 +88,9 @@ TEST_P(ResumedPoses, AreToTheLastBitThoseOfAScanThatNeverStopped) {
     const std::string place = testing::PrintToString(position);
     EXPECT_EQ(other.bricks, page.bricks) << place;
     EXPECT_EQ(other.dormant, page.dormant) << place;
-    EXPECT_TRUE(std::ranges::equal(other.voxels, page.voxels, isSame))
-        << "other distances or weights in page " << place;
-    EXPECT_TRUE(other.colors == page.colors) << "other colours in page " << place;
+    EXPECT_TRUE(other.contents.distances == page.contents.distances) << "other distances in page " << place;
+    EXPECT_TRUE(other.contents.weights == page.contents.weights) << "other weights in page " << place;
+    EXPECT_TRUE(other.contents.colors == page.contents.colors) << "other colours in page " << place;
   }
 }
 
@@ -110,7 +106,7 @@ void changeSession(const std::filesystem::path& folder, const char* how) {
 std::map<FragmentId, int> labelsOf(const Kept& kept) {
   std::map<FragmentId, int> voxels;
   for (const auto& [position, page] : kept.pages) {
-    for (const cl_uint label : page.labels) {
+    for (const cl_uint label : page.contents.labels) {
       if (LABEL_OF(label) != 0) ++voxels[FragmentId{LABEL_OF(label)}];
     }
   }

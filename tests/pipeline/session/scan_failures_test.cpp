@@ -106,6 +106,7 @@ TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
 TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
   ScanRequest quiet = request(60);
   quiet.database = (folder_ / "quiet.sqlite").string();
+  quiet.output_folder = folder_ / "quiet";  // as the other one: what is kept is looked at again
   session_.start(quiet);
   session_.wait();
   const std::size_t found = log_.all<ObjectAdded>().size();
