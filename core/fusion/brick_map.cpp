@@ -49,8 +49,8 @@ void BrickMap::reserve(int slots) {
 
 std::size_t BrickMap::deviceBytes() const {
   const auto slots = static_cast<std::size_t>(budget_.at_once ? slotEnd() : slotCapacity());
-  return slots * BRICK_VOXELS * VOXEL_BYTES +
-         table_.buffer().size() * sizeof(BrickEntry) + page_slots_.buffer().size() * sizeof(cl_int);
+  return slots * BRICK_VOXELS * VOXEL_BYTES + table_.buffer().size() * sizeof(BrickEntry) +
+         page_slots_.buffer().size() * sizeof(cl_int);
 }
 
 const Eigen::Vector3i& BrickMap::positionOf(int slot) const {

@@ -136,8 +136,8 @@ void BrickPools::clear(std::span<const int> slots) {
   std::vector<int> used;
   std::ranges::copy_if(slots, std::back_inserter(used), [this](int slot) { return slot < zero_from_; });
   use(slots);
-  // Of memory that is read before it is written to, the system gives zeros first and a page later, for which it
-  // stops all cores. Every brick gets distances: write at once.
+  // Of memory that is read before it is written to, the system gives zeros first and a page later, for which
+  // it stops all cores. Every brick gets distances: write at once.
   clearPool(compute_, distances_, slots);
   clearPool(compute_, weights_, slots);
   clearPool(compute_, labels_, std::span(used));

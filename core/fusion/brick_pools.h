@@ -9,8 +9,9 @@
 
 namespace scantrove {
 
-/// What the bricks of a map hold, on the device, by slot: a distance, a weight, a label and a colour for each of
-/// their 512 voxels (brick_layout.h). All may throw cl::Error (no memory left, device lost). One thread, the context's.
+/// What the bricks of a map hold, on the device, by slot: a distance, a weight, a label and a colour for each
+/// of their 512 voxels (brick_layout.h). All may throw cl::Error (no memory left, device lost). One thread,
+/// the context's.
 class BrickPools {
  public:
   explicit BrickPools(ComputeContext& compute) : compute_(compute) {}

@@ -24,11 +24,6 @@ void BrickWindow::set(ComputeContext& compute, const BrickPages& all, std::span<
   first_brick_ = PAGE_SIDE * first;
 }
 
-cl_int4 BrickWindow::firstVoxel() const {
-  const Eigen::Vector3i voxel = BRICK_SIDE * first_brick_;
-  return {{voxel.x(), voxel.y(), voxel.z(), 0}};
-}
-
 Eigen::Matrix4d BrickWindow::fromCamera(const Eigen::Isometry3d& T_world_camera, double brick_size_m,
                                         double unit_m) const {
   Eigen::Matrix4d T = T_world_camera.matrix();

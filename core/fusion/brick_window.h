@@ -24,8 +24,8 @@ class BrickWindow {
   /// The brick at which the window starts.
   [[nodiscard]] const Eigen::Vector3i& firstBrick() const { return first_brick_; }
 
-  /// The voxel at which it starts, as kernels take it.
-  [[nodiscard]] cl_int4 firstVoxel() const;
+  /// The same as kernels take it.
+  [[nodiscard]] cl_int4 first() const { return {{first_brick_.x(), first_brick_.y(), first_brick_.z(), 0}}; }
 
   /// Maps camera points in metres to units of `unit_m` counted from the window's first brick of side
   /// `brick_size_m`.

@@ -80,15 +80,16 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
     T.linear() *= voxel_size_m;
     return toKernel(T);
   };
-  const auto band = static_cast<cl_int>(DISTANCE_ONE * std::min(kColorBand_vox / params_.truncation_vox, 1.0F));
+  const auto band =
+      static_cast<cl_int>(DISTANCE_ONE * std::min(kColorBand_vox / params_.truncation_vox, 1.0F));
   const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
-  color_bricks_.launch(cl::NDRange(items * host_bricks_.size()), cl::NDRange(items > 1 ? items : kGroup),
-                       bricks_, static_cast<cl_int>(host_bricks_.size()),
-                       cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(turns_.frame)}},
-                       fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy),
-                       cl_int2{{K.width, K.height}}, depths_, ratings_, fromBricks(T_world_color),
-                       toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
-                       cl_int2{{image.cols, image.rows}}, image_, band, map.distances(), map.weights(), map.colors());
+  color_bricks_.launch(
+      cl::NDRange(items * host_bricks_.size()), cl::NDRange(items > 1 ? items : kGroup), bricks_,
+      static_cast<cl_int>(host_bricks_.size()),
+      cl_int4{{first.x(), first.y(), first.z(), static_cast<cl_int>(turns_.frame)}},
+      fromBricks(T_world_camera), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int2{{K.width, K.height}}, depths_,
+      ratings_, fromBricks(T_world_color), toKernel(K_color.fx, K_color.fy, K_color.cx, K_color.cy),
+      cl_int2{{image.cols, image.rows}}, image_, band, map.distances(), map.weights(), map.colors());
 }
 
 void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,

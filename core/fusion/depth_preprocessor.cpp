@@ -143,7 +143,8 @@ void DepthPreprocessor::halve(const Buffer<cl_float>& large, int large_stride, i
 }
 
 void DepthPreprocessor::buildSurface(const DepthPlane& plane, DepthPyramid::Level& level) {
-  build_surface_.launch(imageRange(plane.width, plane.height), Lanes::pixelGroup(), plane.metres,
+  const Lanes& lanes = compute_.lanes();
+  build_surface_.launch(lanes.overRows(plane.width, plane.height), lanes.rowGroup(), plane.metres,
                         cl_int{plane.width}, cl_int{plane.height}, cl_int{plane.stride},
                         toKernel(level.K.fx, level.K.fy, level.K.cx, level.K.cy), level.vertices_camera,
                         level.normals_camera);

@@ -61,7 +61,8 @@ void Integrator::integrate(BrickMap& map, const BrickWindow& window, std::span<c
   const std::size_t items = BRICK_ITEMS(compute_->lanes().count());
   integrate_bricks_.launch(cl::NDRange(items * slots.size()), cl::NDRange(items > 1 ? items : kGroupBricks),
                            bricks_, count, readings_, T, K, frame.K.width, frame.K.height, frame.depth_m,
-                           params_.max_depth_m, truncation_m, max_weight, map.distances(), map.weights(), empty_);
+                           params_.max_depth_m, truncation_m, max_weight, map.distances(), map.weights(),
+                           empty_);
 }
 
 std::vector<Eigen::Vector3i> Integrator::takeEmptyBricks() {

@@ -99,7 +99,7 @@ const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const Brick
   leave_out_fresh_.launch(compute_.lanes().inTurn(pixels), compute_.lanes().inTurnGroup(),
                           surface.vertices_world, surface.normals_world, static_cast<cl_int>(pixels),
                           surface.window.cells(), bricks.pageSlots(), surface.window.size(),
-                          surface.window.firstVoxel(), bricks.weights(), 1 / bricks.voxelSize(), kSettled,
+                          surface.window.first(), bricks.weights(), 1 / bricks.voxelSize(), kSettled,
                           settled_normals_, fresh_counts_);
   std::array<cl_int, 2> counts{};
   fresh_counts_.read(compute_.queue(), std::span<cl_int>(counts));

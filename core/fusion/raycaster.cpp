@@ -39,9 +39,9 @@ void Raycaster::cast(const BrickMap& map, std::span<const cl_int> slots, Surface
   cast_rays_.launch(lanes.overBlocks(K.width, K.height, RAY_BLOCKS(lanes.count())), lanes.blockGroup(),
                     ranges_, K.width, K.height, kernel_K, T_window_camera, params_.truncation_vox,
                     window.cells(), map.pageSlots(), window.size(), map.distances(), depths_);
-  const cl::NDRange eights = lanes.overEights(K.width, K.height);
-  fit_planes_.launch(eights, lanes.rowGroup(), depths_, K.width, K.height, K.fx, planes_);
-  orient_surface_.launch(eights, lanes.rowGroup(), depths_, planes_, K.width, K.height, kernel_K,
+  const cl::NDRange rows = lanes.overRows(K.width, K.height);
+  fit_planes_.launch(rows, lanes.rowGroup(), depths_, K.width, K.height, K.fx, planes_);
+  orient_surface_.launch(rows, lanes.rowGroup(), depths_, planes_, K.width, K.height, kernel_K,
                          T_window_camera, map.voxelSize(),
                          toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
                                   static_cast<float>(origin_m.z()), 0.0F),

@@ -37,7 +37,8 @@ std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const Br
   const Lanes& lanes = compute_.lanes();
   project_labels_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
                          surface.vertices_world, cl_int{pixels}, surface.window.cells(), bricks.pageSlots(),
-                         surface.window.size(), surface.window.firstVoxel(), bricks.labels(), 1.0F / bricks.voxelSize(), projected_);
+                         surface.window.size(), surface.window.first(), bricks.labels(),
+                         1.0F / bricks.voxelSize(), projected_);
   std::vector<FragmentId> result(static_cast<std::size_t>(pixels));
   static_assert(sizeof(FragmentId) == sizeof(cl_uint));
   projected_.read(compute_.queue(), {reinterpret_cast<cl_uint*>(result.data()), result.size()});
@@ -91,7 +92,8 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
   const Intrinsics& K = surface.K;
   const Lanes& lanes = compute_.lanes();
   update_labels_.launch(lanes.inTurn(static_cast<std::size_t>(K.pixels())), lanes.inTurnGroup(),
-                        surface.vertices_world, new_labels_, map.table(), map.tableMask(),
+                        surface.vertices_world, new_labels_, surface.window.cells(), map.pageSlots(),
+                        surface.window.size(), surface.window.first(), map.table(), map.tableMask(),
                         toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
                         cl_int{K.width}, cl_int{K.height}, map.voxelSize(),
                         params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},

@@ -6,7 +6,7 @@
 // At an edge this takes the plane of one side, so that normals stay sharp (Kuwahara's rule). The normal of
 // q = a du + b dv + c is (a fx, b fy, c - a (u - cx) - b (v - cy)).
 //
-// One work-item: LANES_X neighbouring pixels of a row.
+// One work-item: LANES neighbouring pixels of a row.
 // depths, planes: see there. T_window_camera: camera metres to voxels of the window, of which origin_m is the first corner in
 // the world. vertices, normals: width * height, world, w = 1, or all 0.
 #include "core/compute/kernels/lanes.clh"
@@ -18,27 +18,27 @@
 kernel void orient_surface(global const float* depths, global const float* planes, const int width, const int height,
                            const float4 K, const float16 T_window_camera, const float voxel_size_m,
                            const float4 origin_m, global float4* vertices, global float4* normals) {
-  const int u = LANES_X * (int)get_global_id(0);
+  const int u = LANES * (int)get_global_id(0);
   const int v = (int)get_global_id(1);
   if (u >= width || v >= height) return;
   const int stride = RAY_STRIDE(width);
   const int start = u + RAY_PAD;
-  const floatH z = LOAD_H(depths + (v + RAY_PAD) * stride + start);
-  const intH met = z > 0.0f;
-  const floatH q = 1.0f / (met ? z : 1.0f);
+  const floatN z = LOAD(depths + (v + RAY_PAD) * stride + start);
+  const intN met = z > 0.0f;
+  const floatN q = 1.0f / (met ? z : 1.0f);
 
-  floatH best = 1e20f;
-  floatH a = 0.0f, b = 0.0f, c = 0.0f; /* of the best plane, c at this pixel */
+  floatN best = 1e20f;
+  floatN a = 0.0f, b = 0.0f, c = 0.0f; /* of the best plane, c at this pixel */
   for (int j = -FIT_RADIUS; j <= FIT_RADIUS; j += FIT_RADIUS) {
     for (int i = -FIT_RADIUS; i <= FIT_RADIUS; i += FIT_RADIUS) {
       global const float* plane = planes + 4 * (v + j + RAY_PAD) * stride + start + i;
-      const floatH plane_a = LOAD_H(plane);
-      const floatH plane_b = LOAD_H(plane + stride);
-      const floatH plane_c = LOAD_H(plane + 2 * stride) - plane_a * (float)i - plane_b * (float)j;
-      const floatH miss = (plane_c - q) * z;
-      floatH cost = LOAD_H(plane + 3 * stride) + DEPTH_SHARE * miss * miss;
+      const floatN plane_a = LOAD(plane);
+      const floatN plane_b = LOAD(plane + stride);
+      const floatN plane_c = LOAD(plane + 2 * stride) - plane_a * (float)i - plane_b * (float)j;
+      const floatN miss = (plane_c - q) * z;
+      floatN cost = LOAD(plane + 3 * stride) + DEPTH_SHARE * miss * miss;
       cost = (i == 0 && j == 0) ? cost * MIDDLE_SHARE : cost;
-      const intH better = cost < best;
+      const intN better = cost < best;
       best = better ? cost : best;
       a = better ? plane_a : a;
       b = better ? plane_b : b;
@@ -47,43 +47,28 @@ kernel void orient_surface(global const float* depths, global const float* plane
   }
 
   const float16 T = T_window_camera;
-  const floatH du = (float)u + convert_floatH(LANE_H) - K.z;
+  const floatN du = (float)u + convert_floatN(LANE) - K.z;
   const float dv = (float)v - K.w;
-  const floatH cx = du * z / K.x;
-  const floatH cy = dv * z / K.y;
-  const floatH x = T.s0 * cx + T.s1 * cy + T.s2 * z + T.s3;
-  const floatH y = T.s4 * cx + T.s5 * cy + T.s6 * z + T.s7;
-  const floatH w = T.s8 * cx + T.s9 * cy + T.sa * z + T.sb;
-  const floatH nu = -a * K.x;
-  const floatH nv = -b * K.y;
-  const floatH nw = a * du + b * dv - c;
-  const floatH nx = T.s0 * nu + T.s1 * nv + T.s2 * nw;
-  const floatH ny = T.s4 * nu + T.s5 * nv + T.s6 * nw;
-  const floatH nz = T.s8 * nu + T.s9 * nv + T.sa * nw;
-  const floatH squared = nx * nx + ny * ny + nz * nz;
-  const intH oriented = met & (best < 1e20f) & (squared > 0.0f);
-  const floatH scale = oriented ? 1.0f / sqrt(squared) : 0.0f;
+  const floatN cx = du * z / K.x;
+  const floatN cy = dv * z / K.y;
+  const floatN x = T.s0 * cx + T.s1 * cy + T.s2 * z + T.s3;
+  const floatN y = T.s4 * cx + T.s5 * cy + T.s6 * z + T.s7;
+  const floatN w = T.s8 * cx + T.s9 * cy + T.sa * z + T.sb;
+  const floatN nu = -a * K.x;
+  const floatN nv = -b * K.y;
+  const floatN nw = a * du + b * dv - c;
+  const floatN nx = T.s0 * nu + T.s1 * nv + T.s2 * nw;
+  const floatN ny = T.s4 * nu + T.s5 * nv + T.s6 * nw;
+  const floatN nz = T.s8 * nu + T.s9 * nv + T.sa * nw;
+  const floatN squared = nx * nx + ny * ny + nz * nz;
+  const intN oriented = met & (best < 1e20f) & (squared > 0.0f);
+  const floatN scale = oriented ? 1.0f / sqrt(squared) : 0.0f;
 
   const int out = v * width + u;
-#if LANES == 1
-  const float4 at =
-      (float4)(origin_m.x + voxel_size_m * x, origin_m.y + voxel_size_m * y, origin_m.z + voxel_size_m * w, 1.0f);
-  vertices[out] = met ? at : (float4)(0.0f);
-  normals[out] = oriented ? (float4)(nx * scale, ny * scale, nz * scale, 1.0f) : (float4)(0.0f);
-#else
-  float lanes[8][LANES_X];
-  STORE_H(met ? origin_m.x + voxel_size_m * x : 0.0f, lanes[0]);
-  STORE_H(met ? origin_m.y + voxel_size_m * y : 0.0f, lanes[1]);
-  STORE_H(met ? origin_m.z + voxel_size_m * w : 0.0f, lanes[2]);
-  STORE_H(met ? 1.0f : 0.0f, lanes[3]);
-  STORE_H(oriented ? nx * scale : 0.0f, lanes[4]);
-  STORE_H(oriented ? ny * scale : 0.0f, lanes[5]);
-  STORE_H(oriented ? nz * scale : 0.0f, lanes[6]);
-  STORE_H(oriented ? 1.0f : 0.0f, lanes[7]);
-  const int count = min(LANES_X, width - u);
-  for (int i = 0; i < count; ++i) {
-    vertices[out + i] = (float4)(lanes[0][i], lanes[1][i], lanes[2][i], lanes[3][i]);
-    normals[out + i] = (float4)(lanes[4][i], lanes[5][i], lanes[6][i], lanes[7][i]);
-  }
-#endif
+  const Points vertex = {met ? origin_m.x + voxel_size_m * x : 0.0f, met ? origin_m.y + voxel_size_m * y : 0.0f,
+                         met ? origin_m.z + voxel_size_m * w : 0.0f, one_where(met)};
+  const Points normal = {oriented ? nx * scale : 0.0f, oriented ? ny * scale : 0.0f, oriented ? nz * scale : 0.0f,
+                         one_where(oriented)};
+  store_points(vertex, vertices + out, width - u);
+  store_points(normal, normals + out, width - u);
 }

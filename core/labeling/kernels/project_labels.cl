@@ -2,7 +2,7 @@
 //   S_prj,t(u) = raw label of voxel floor(V_t(u) / voxel_size)
 // One work-item: LANES pixels.
 //   vertices   pixels x float4, world, w = 0: no surface
-//   cells, page_slots, window_size  the view's window (brick_page.h); first: the voxel at which it starts
+//   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts
 //   labels     slots x 512 label voxels
 //   projected  pixels, out: raw label or 0
 #include "core/fusion/kernels/brick_field.clh"
@@ -19,5 +19,6 @@ kernel void project_labels(global const float4* vertices, const int pixels, glob
   const intN place = field_places(&field, first, met ? v.x : 0.0f, met ? v.y : 0.0f, met ? v.z : 0.0f, voxels_per_metre);
   const intN found = met & (place >= 0);
   const uintN held = GATHER(uintN, labels, found ? place : 0);
-  store_first(found ? LABEL_OF(held) : 0u, projected + begin, pixels - begin);
+  const uintN label = found ? LABEL_OF(held) : 0u;
+  STORE_FIRST(uint, label, projected + begin, pixels - begin);
 }

@@ -9,6 +9,7 @@
 // alone takes its label then.
 // One work-item: LANES pixels.
 //   vertices         pixels x float4, world, w = 0: no surface
+//   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts. Bricks in it are found fast
 //   new_labels       pixels, S_cloud,t as fragments, with LABEL_AT_ONCE
 //   labels           slots x 512 label voxels, in/out
 //   fragment_voxels  voxels that hold each fragment, in/out
@@ -19,6 +20,7 @@
 //                    capacity are not stored
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
+#include "core/fusion/kernels/brick_window.clh"
 #include "core/labeling/kernels/label_voxel.h"
 
 inline uint changed_voxel(const uint voxel, const uint new_label, const int use_confidence) {
@@ -77,7 +79,9 @@ typedef struct {
 } Pixels;
 
 kernel void update_labels(global const float4* vertices, global const uint* new_labels,
-                          global const BrickEntry* table, const uint mask, const float16 T_camera_world,
+                          global const int* cells, global const int* page_slots, const int4 window_size,
+                          const int4 first, global const BrickEntry* table, const uint mask,
+                          const float16 T_camera_world,
                           const float4 K, const int width, const int height, const float voxel_size,
                           const float reach, const int use_confidence, const int stamp, const int only_new,
                           global uint* labels, volatile global int* fragment_voxels, volatile global int* stamps,
@@ -86,15 +90,15 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
   const float16 T = T_camera_world;
   const float per_metre = 1.0f / voxel_size;
   const float around = reach * per_metre + 1e-3f; /* voxels; a little more against rounding */
-  const int first = LANES * (int)get_global_id(0);
+  const int begin = LANES * (int)get_global_id(0);
   const int last = width * height - 1;
-  const intN pixel = min(first + LANE, (intN)last);
+  const intN pixel = min(begin + LANE, (intN)last);
   const uintN label = GATHER(uintN, new_labels, pixel);
   const floatN vertex_x = EACH_LANE(floatN, X_AT, vertices, pixel);
   const floatN vertex_y = EACH_LANE(floatN, Y_AT, vertices, pixel);
   const floatN vertex_z = EACH_LANE(floatN, Z_AT, vertices, pixel);
   const floatN vertex_w = EACH_LANE(floatN, W_AT, vertices, pixel);
-  const intN active = (first + LANE <= last) & (vertex_w > 0.0f) & (label != 0u);
+  const intN active = (begin + LANE <= last) & (vertex_w > 0.0f) & (label != 0u);
   if (!any_lane(active)) return;
   const intN row = pixel / width;
   const intN column = pixel - row * width;
@@ -138,7 +142,15 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
         const int vx = pixels.x0[lane] + n.x, vy = pixels.y0[lane] + n.y, vz = pixels.z0[lane] + n.z;
         const int bx = vx >> BRICK_SHIFT, by = vy >> BRICK_SHIFT, bz = vz >> BRICK_SHIFT;
         const bool is_known = known.x == bx && known.y == by && known.z == bz;
-        const int slot = find_near(&known, table, mask, bx, by, bz);
+        if (!is_known) {
+          const int in_window = window_slot(cells, page_slots, window_size, bx - first.x, by - first.y,
+                                            bz - first.z);
+          known.x = bx;
+          known.y = by;
+          known.z = bz;
+          known.slot = in_window >= 0 ? in_window : find_brick(table, mask, bx, by, bz);
+        }
+        const int slot = known.slot;
         if (slot == BRICK_NONE) {
           if (is_known) continue;
           const int place = atomic_inc(counts + 1);
@@ -148,7 +160,7 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
         if (only_new && stamps[slot] != LABEL_BRICK_NEW && stamps[slot] != stamp) continue;
         waiting.slots[waiting.count] = slot;
         waiting.places[waiting.count] = slot * BRICK_VOXELS + (vx & 7) + 8 * ((vy & 7) + 8 * (vz & 7));
-        waiting.labels[waiting.count] = new_labels[first + lane];
+        waiting.labels[waiting.count] = new_labels[begin + lane];
         if (++waiting.count == MOST_WAITING)
           change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, counts, touched);
       }

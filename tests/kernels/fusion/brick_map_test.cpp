@@ -82,8 +82,9 @@ TEST(BrickMap, GrowsWithoutLosingEntriesOrVoxels) {
     const std::vector<Brick> first = randomBricks(1000, 40, 1);
     map.allocate(first);
     const int marked = map.brickCount();
-    test::writeVoxels(compute, map,
-                      std::vector<test::HostVoxel>(static_cast<std::size_t>(marked) * BRICK_VOXELS, {-123, 45}));
+    test::writeVoxels(
+        compute, map,
+        std::vector<test::HostVoxel>(static_cast<std::size_t>(marked) * BRICK_VOXELS, {-123, 45}));
 
     std::vector<Brick> all = first;
     for (unsigned batch = 0; batch < 6; ++batch) {

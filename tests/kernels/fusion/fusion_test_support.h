@@ -35,8 +35,7 @@ namespace scantrove::test {
 /// All voxels of a map on the host.
 class HostVoxels {
  public:
-  HostVoxels(ComputeContext& compute, const BrickMap& map)
-      : map_(map), voxels_(usedVoxels(compute, map)) {}
+  HostVoxels(ComputeContext& compute, const BrickMap& map) : map_(map), voxels_(usedVoxels(compute, map)) {}
 
   /// The voxel as stored, or null where there is no brick.
   [[nodiscard]] const HostVoxel* find(const Eigen::Vector3i& voxel) const {

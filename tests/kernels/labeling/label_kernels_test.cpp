@@ -70,7 +70,7 @@ std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& m
   projected.fill(compute.queue(), 12345);
   const BrickWindow window = test::windowOfAll(compute, map.bricks);
   kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), input, static_cast<cl_int>(values.size()),
-                 window.cells(), map.bricks.pageSlots(), window.size(), window.firstVoxel(), map.voxels,
+                 window.cells(), map.bricks.pageSlots(), window.size(), window.first(), map.voxels,
                  1.0F / map.bricks.voxelSize(), projected);
   return projected.read(compute.queue());
 }
