@@ -22,17 +22,19 @@ cv::Mat FreeSpace::contradicting(const DepthView& now) const {
   const auto askOfRows = [&](const Witness& witness, const cv::Range& rows) {
     const Eigen::Affine3f T((witness.T_camera_world * now.T_world_camera).cast<float>());
     const Intrinsics& K = witness.K;
+    const Eigen::Vector3f along_row = T.linear().col(0) / now.K.fx;
     for (int v = rows.start; v < rows.end; ++v) {
       const auto* z = now.z_m.ptr<float>(v);
       auto* vote = votes.ptr<std::uint8_t>(v);
+      const Eigen::Vector3f first = T.linear() * Eigen::Vector3f(-now.K.cx / now.K.fx,
+                                                                 (static_cast<float>(v) - now.K.cy) / now.K.fy, 1);
       for (int u = 0; u < now.z_m.cols; ++u) {
         if (!(z[u] > 0)) continue;
-        const Eigen::Vector3f q =
-            T * Eigen::Vector3f((static_cast<float>(u) - now.K.cx) / now.K.fx * z[u],
-                                (static_cast<float>(v) - now.K.cy) / now.K.fy * z[u], z[u]);
+        const Eigen::Vector3f q = z[u] * (first + static_cast<float>(u) * along_row) + T.translation();
         if (!(q.z() > 0)) continue;
-        const float x = K.fx * q.x() / q.z() + K.cx + 0.5F;
-        const float y = K.fy * q.y() / q.z() + K.cy + 0.5F;
+        const float per_z = 1 / q.z();
+        const float x = K.fx * q.x() * per_z + K.cx + 0.5F;
+        const float y = K.fy * q.y() * per_z + K.cy + 0.5F;
         if (!(x >= 0 && y >= 0 && x < static_cast<float>(K.width) && y < static_cast<float>(K.height)))
           continue;
         const float seen = witness.nearest_m.at<float>(static_cast<int>(y), static_cast<int>(x));

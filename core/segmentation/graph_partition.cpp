@@ -1,13 +1,16 @@
 #include "core/segmentation/graph_partition.h"
 
+#include <numeric>
+
 #include "core/segmentation/edge_keys.h"
 
 namespace scantrove {
 
 void GraphPartition::reset(std::size_t node_count, float k) {
   k_ = k;
-  nodes_.resize(node_count);
-  for (std::size_t i = 0; i < node_count; ++i) nodes_[i] = {static_cast<std::uint32_t>(i), 1, k};
+  parents_.resize(node_count);
+  std::iota(parents_.begin(), parents_.end(), 0U);
+  roots_.assign(node_count, {1, k});
 }
 
 void sortEdges(std::span<const std::uint16_t> keys, std::vector<std::uint32_t>& counts,

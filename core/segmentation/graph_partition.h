@@ -21,7 +21,7 @@ class GraphPartition {
     std::uint32_t root_a = find(a);
     std::uint32_t root_b = find(b);
     if (root_a == root_b) return true;
-    if (weight > std::min(nodes_[root_a].limit, nodes_[root_b].limit)) return false;
+    if (weight > std::min(roots_[root_a].limit, roots_[root_b].limit)) return false;
     unite(root_a, root_b, weight);
     return true;
   }
@@ -32,35 +32,37 @@ class GraphPartition {
   void absorb(std::uint32_t a, std::uint32_t b, float weight, std::uint32_t min_size) {
     const std::uint32_t root_a = find(a);
     const std::uint32_t root_b = find(b);
-    if (root_a == root_b || std::min(nodes_[root_a].size, nodes_[root_b].size) >= min_size) return;
+    if (root_a == root_b || std::min(roots_[root_a].size, roots_[root_b].size) >= min_size) return;
     unite(root_a, root_b, weight);
   }
 
   /// The component of a node, as the number of one of its nodes.
   [[nodiscard]] std::uint32_t find(std::uint32_t node) {
-    while (nodes_[node].parent != node) {
-      nodes_[node].parent = nodes_[nodes_[node].parent].parent;
-      node = nodes_[node].parent;
+    for (std::uint32_t parent = parents_[node]; parent != node; parent = parents_[node]) {
+      const std::uint32_t grandparent = parents_[parent];
+      parents_[node] = grandparent;
+      node = grandparent;
     }
     return node;
   }
 
  private:
-  struct Node {
-    std::uint32_t parent;
-    std::uint32_t size;  ///< of a root: nodes of the component
-    float limit;         ///< of a root: Int(C) + k / |C|
+  struct Root {
+    std::uint32_t size;  ///< nodes of the component
+    float limit;         ///< Int(C) + k / |C|
   };
 
   void unite(std::uint32_t root_a, std::uint32_t root_b, float weight) {
-    if (nodes_[root_a].size < nodes_[root_b].size) std::swap(root_a, root_b);
-    Node& winner = nodes_[root_a];
-    nodes_[root_b].parent = root_a;
-    winner.size += nodes_[root_b].size;
+    if (roots_[root_a].size < roots_[root_b].size) std::swap(root_a, root_b);
+    Root& winner = roots_[root_a];
+    parents_[root_b] = root_a;
+    winner.size += roots_[root_b].size;
     winner.limit = weight + k_ / static_cast<float>(winner.size);
   }
 
-  std::vector<Node> nodes_;
+  // Apart, so that the parents, which are asked for all the time, stay in the cache.
+  std::vector<std::uint32_t> parents_;
+  std::vector<Root> roots_;  ///< by node; of those that are none what they once were
   float k_ = 0;
 };
 
