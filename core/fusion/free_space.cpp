@@ -26,8 +26,9 @@ cv::Mat FreeSpace::contradicting(const DepthView& now) const {
     for (int v = rows.start; v < rows.end; ++v) {
       const auto* z = now.z_m.ptr<float>(v);
       auto* vote = votes.ptr<std::uint8_t>(v);
-      const Eigen::Vector3f first = T.linear() * Eigen::Vector3f(-now.K.cx / now.K.fx,
-                                                                 (static_cast<float>(v) - now.K.cy) / now.K.fy, 1);
+      const Eigen::Vector3f first =
+          T.linear() *
+          Eigen::Vector3f(-now.K.cx / now.K.fx, (static_cast<float>(v) - now.K.cy) / now.K.fy, 1);
       for (int u = 0; u < now.z_m.cols; ++u) {
         if (!(z[u] > 0)) continue;
         const Eigen::Vector3f q = z[u] * (first + static_cast<float>(u) * along_row) + T.translation();

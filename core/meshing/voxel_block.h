@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fusion/brick_contents.h"
+#include "core/compute/opencl.h"
+#include "core/fusion/kernels/brick_layout.h"
 #include "core/fusion/kernels/brick_page.h"
 #include "core/meshing/page_reader.h"
 
 namespace scantrove {
+
+struct BrickContents;
 
 /// The voxels of one page of bricks on the host, with a margin of those of the pages around it, so that
 /// whoever works on the page need not know where it ends. What does not exist is as if never seen.

@@ -15,7 +15,7 @@
 #define UNSEEN_GAP 3.0f   /* voxels */
 #define BEHIND_FACE 0.05f /* voxels past a brick's face, to be safely in the next */
 #define SECANT_STEPS 3
-#define CONVERGED 1e-3f   /* truncations */
+#define CONVERGED 1e-3f   /* truncations: a tenth of a millimetre or less */
 
 // The rays o + t d of a block, t = camera z in metres. Of each: how far it has come, and the distance at the last voxel seen.
 typedef struct Rays {
@@ -117,7 +117,7 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
 #pragma unroll
   for (int i = 0; i < SECANT_STEPS; ++i) {
     const floatN f1 = field_at(field, met, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
-    if (!any_lane(met & (fabs(f1) > CONVERGED))) return met & (t1 > 0.0f) ? t1 : 0.0f;
+    if (!any_lane(met & (~known | (fabs(f1) > CONVERGED)))) break;
     const floatN slope = (f1 - f0) / (t1 - t0);
     // A slope that is not clearly downwards says nothing: step by the distance instead.
     const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;

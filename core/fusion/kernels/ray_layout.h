@@ -3,8 +3,8 @@
 #define SCANTROVE_RAY_LAYOUT_H
 
 // Rays of a tile of RAY_TILE x RAY_TILE pixels share their range. Rows hold a whole number of runs of RAY_RUN
-// pixels, for the lanes of any device, and RAY_PAD pixels lie around an image, so that windows of planes need no
-// test of its bounds.
+// pixels, for the lanes of any device, and RAY_PAD pixels lie around an image, so that windows of planes need
+// no test of its bounds.
 #define RAY_TILE 8
 #define RAY_PAD 4
 #define RAY_RUN 16

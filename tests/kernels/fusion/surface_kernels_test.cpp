@@ -21,10 +21,10 @@ constexpr float kNoPlane = 1e30F;
 // in float.
 constexpr double kUndecided = 1e-3;
 
-/// Rows of the kernels' images: 8 ceil(width / 8) pixels within a frame of kPad.
+/// Rows of the kernels' images: 16 ceil(width / 16) pixels within a frame of kPad.
 struct PaddedImage {
   int width, height, stride;
-  PaddedImage(int w, int h) : width(w), height(h), stride((w + 7) / 8 * 8 + 2 * kPad) {}
+  PaddedImage(int w, int h) : width(w), height(h), stride((w + 15) / 16 * 16 + 2 * kPad) {}
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(stride * (height + 2 * kPad)); }
   [[nodiscard]] std::size_t at(int u, int v) const {
     return static_cast<std::size_t>((v + kPad) * stride + u + kPad);
@@ -94,7 +94,7 @@ Buffer<cl_float> padded(ComputeContext& compute, const Case& c) {
 }
 
 cl::NDRange itemsOf(const ComputeContext& compute, const Intrinsics& K) {
-  return compute.lanes().overEights(K.width, K.height);
+  return compute.lanes().overRows(K.width, K.height);
 }
 
 TEST(FitPlanes, MatchesTheFormula) {

@@ -278,7 +278,7 @@ void filmBalls(ColorRig& rig) {
 TEST(MeshExtractor, TheMemoryBudgetChangesNothing) {
   test::onEachDevice([](ComputeContext& compute) {
     ColorRig with_all(compute, meshParams());
-    ColorRig with_little(compute, meshParams(2));
+    ColorRig with_little(compute, meshParams(1));
     filmBalls(with_all);
     filmBalls(with_little);
     EXPECT_EQ(with_all.map().bricks().storedBytes(), 0U);

@@ -68,7 +68,7 @@ void expectCreaseWeight(ComputeContext& compute, bool convex, double turn_rad, b
 }
 
 TEST(WeighEdges, BoxEdgeIsConvexAndBoxOnTableConcave) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     for (const double turn_rad : {0.3, 0.9, 1.5}) {
       for (const bool level : {false, true}) {
         const double bend = 1 - std::cos(turn_rad);
@@ -128,7 +128,7 @@ TEST(WeighEdges, EqualsTheFormula) {
            toEigen(normals[i]).allFinite();
   };
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
-  test::onEachDevice([&](ComputeContext& compute) {
+  test::onEachWidth([&](ComputeContext& compute) {
     for (const int neighbours : {4, 8}) {
       SegmentationParams params;
       params.neighbours = neighbours;
@@ -180,7 +180,7 @@ TEST(WeighEdges, EqualsTheFormula) {
 }
 
 TEST(WeighEdges, EmptyFrameHasNoEdges) {
-  test::onEachDevice([](ComputeContext& compute) {
+  test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K{100, 100, 8, 6, 17, 13};
     const std::vector<cl_float4> nothing(17 * 13, cl_float4{{0, 0, 0, 0}});
     const EdgeKeys edges = weigh(compute, upload(compute, K, nothing, nothing), {});
