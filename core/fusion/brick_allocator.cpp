@@ -21,12 +21,6 @@ cl_int crossingsOf(const FusionParams& params) {
   return std::max(1, crossings);
 }
 
-// Of the image's rows those are looked at in which every brick is seen twice, wherever in the range it lies.
-cl_int rowStepOf(const Intrinsics& K, const FusionParams& params) {
-  const float brick_px = BRICK_SIDE * params.voxel_size_m * K.fy / params.max_depth_m;
-  return brick_px >= 4 ? 2 : 1;
-}
-
 }  // namespace
 
 Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const FusionParams& params) {
@@ -44,9 +38,7 @@ Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const Fus
 int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                              const Eigen::Isometry3d& T_world_camera) {
   SCANTROVE_CHECK(frame.K.width >= kLeastWidth_px);
-  const cl_int row_step = rowStepOf(frame.K, params_);
-  const int rows = (frame.K.height + row_step - 1) / row_step;
-  const cl::NDRange groups = compute_->lanes().overRows(frame.K.width, rows);
+  const cl::NDRange groups = compute_->lanes().overRows(frame.K.width, frame.K.height);
   const std::size_t group_count = groups.get()[0] * groups.get()[1];
   if (missing_.size() < group_count) missing_ = Buffer<cl_uchar>(compute_->context(), group_count);
   const double voxel_size_m = map.voxelSize();
@@ -57,8 +49,7 @@ int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const Dep
   find_missing_bricks_.launch(groups, compute_->lanes().rowGroup(), frame.depth_m, frame.K.width,
                               frame.K.height, toKernel(frame.K.fx, frame.K.fy, frame.K.cx, frame.K.cy),
                               toKernel(Eigen::Isometry3d(T_window_camera)), truncation_m, depth_range,
-                              window.cells(), map.pageSlots(), window.size(), crossingsOf(params_), row_step,
-                              missing_);
+                              window.cells(), map.pageSlots(), window.size(), crossingsOf(params_), missing_);
 
   std::vector<cl_int4> found = listMissing(map, window, frame, T_world_camera, groups);
   if (found.empty()) return 0;
@@ -86,8 +77,7 @@ std::vector<cl_int4> BrickAllocator::listMissing(const BrickMap& map, const Bric
     count_.fill(compute_->queue(), 0);
     list_missing_bricks_.launch(groups, compute_->lanes().rowGroup(), frame.depth_m, frame.K.width,
                                 frame.K.height, K, T_window_camera, truncation_m, depth_range, window.cells(),
-                                map.pageSlots(), window.size(), crossingsOf(params_),
-                                rowStepOf(frame.K, params_), missing_, seen_, list_,
+                                map.pageSlots(), window.size(), crossingsOf(params_), missing_, seen_, list_,
                                 static_cast<cl_int>(list_.size()), count_);
     cl_int count = 0;
     count_.read(compute_->queue(), std::span(&count, 1));

@@ -4,9 +4,9 @@
 // touches a brick that does not exist yet, else 0: the brick of the band's near end, and one more wherever it crosses a
 // brick's face; `crossings` = the most faces it can cross along one axis.
 //
-// One work-item: one group, LANES neighbouring pixels of every `row_step`-th row; the last group of a row ends with it (and
-// overlaps the one before). width >= LANES. depth_m: width * height metres, anything outside of [depth_range.x,
-// depth_range.y] is no reading. missing: ceil(width / LANES) for each of these rows. T_window_camera: camera metres to voxels of the window.
+// One work-item: one group, LANES neighbouring pixels of a row; the last group of a row ends with it (and overlaps the one
+// before). width >= LANES. depth_m: width * height metres, anything outside of [depth_range.x,
+// depth_range.y] is no reading. missing: ceil(width / LANES) a row. T_window_camera: camera metres to voxels of the window.
 
 // True where the band (near end a, direction d, per axis) crosses its k-th face of the first axis and the brick behind it
 // does not exist; the order of the axes is told by `axis` (0: x first, 1: y first, 2: z first).
@@ -30,10 +30,9 @@ inline intN misses_behind(const Field* field, const int axis, const int k, const
 kernel void find_missing_bricks(global const float* depth_m, const int width, const int height, const float4 K,
                                 const float16 T_window_camera, const float truncation_m, const float2 depth_range,
                                 global const int* cells, global const int* page_slots, const int4 window_size,
-                                const int crossings, const int row_step, global uchar* missing) {
+                                const int crossings, global uchar* missing) {
   const int group = (int)get_global_id(0);
-  const int row = (int)get_global_id(1);
-  const int v = row_step * row;
+  const int v = (int)get_global_id(1);
   const int groups = (width + LANES - 1) / LANES;
   if (group >= groups || v >= height) return;
   const int u = min(LANES * group, width - LANES);
@@ -66,5 +65,5 @@ kernel void find_missing_bricks(global const float* depth_m, const int width, co
       any |= misses_behind(&field, 2, k, az, dz, ax, dx, ay, dy);
     }
   }
-  missing[row * groups + group] = any_lane(valid & any) ? 1 : 0;
+  missing[v * groups + group] = any_lane(valid & any) ? 1 : 0;
 }

@@ -32,13 +32,12 @@ inline void list_brick(const int x, const int y, const int z, global uint* seen,
 kernel void list_missing_bricks(global const float* depth_m, const int width, const int height, const float4 K,
                                 const float16 T_window_camera, const float truncation_m, const float2 depth_range,
                                 global const int* cells, global const int* page_slots, const int4 window_size,
-                                const int crossings, const int row_step, global const uchar* missing,
-                                global uint* seen, global int4* list, const int capacity, global int* count) {
+                                const int crossings, global const uchar* missing, global uint* seen,
+                                global int4* list, const int capacity, global int* count) {
   const int group = (int)get_global_id(0);
-  const int row = (int)get_global_id(1);
-  const int v = row_step * row;
+  const int v = (int)get_global_id(1);
   const int groups = (width + LANES - 1) / LANES;
-  if (group >= groups || v >= height || !missing[row * groups + group]) return;
+  if (group >= groups || v >= height || !missing[v * groups + group]) return;
   for (int u = LANES * group; u < min(LANES * group + LANES, width); ++u) {
     const float z = depth_m[v * width + u];
     if (!(z >= depth_range.x && z <= depth_range.y)) continue;
