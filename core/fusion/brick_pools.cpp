@@ -9,6 +9,7 @@ namespace scantrove {
 namespace {
 
 constexpr std::size_t kBrickVoxels = BRICK_VOXELS;
+static_assert(VOXEL_BYTES == sizeof(cl_short) + sizeof(cl_uchar) + 2 * sizeof(cl_uint));
 
 std::size_t voxelsOf(int slots) { return static_cast<std::size_t>(slots) * kBrickVoxels; }
 

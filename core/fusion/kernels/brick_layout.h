@@ -24,7 +24,7 @@ typedef struct BrickEntry {
    a weight           uchar, observations; 0 where there is no distance
    a label            label_voxel.h
    a colour           color_voxel.h */
-#define VOXEL_BYTES 11
+#define VOXEL_BYTES 11 /* of all four */
 #define DISTANCE_ONE 32767
 #define DISTANCE_UNSEEN 0
 
