@@ -14,10 +14,10 @@ constexpr std::uint32_t kIsDormant = 0x200U;
 constexpr std::size_t kWordsOfVoxel = 3;  // distance and weight, label, colour
 
 // Weights are kept in 1/256 observations.
-constexpr unsigned kWeightBits = 24;
+constexpr unsigned kWeightShift = 24;
 
 std::uint32_t wordOf(cl_short distance, cl_uchar weight) {
-  return static_cast<std::uint16_t>(distance) | std::uint32_t{weight} << kWeightBits;
+  return static_cast<std::uint16_t>(distance) | std::uint32_t{weight} << kWeightShift;
 }
 
 }  // namespace
@@ -55,9 +55,9 @@ std::optional<StoredPage> StoredPage::fromWords(std::span<const std::uint32_t> w
   page.contents = BrickContents(page.bricks.count());
   const auto part = [&](std::size_t i) { return words.subspan(PAGE_BRICKS + i * count, count); };
   std::ranges::transform(part(0), page.contents.weights.begin(),
-                         [](std::uint32_t word) { return static_cast<cl_uchar>(word >> kWeightBits); });
+                         [](std::uint32_t word) { return static_cast<cl_uchar>(word >> kWeightShift); });
   std::ranges::transform(part(0), page.contents.distances.begin(), [](std::uint32_t word) {
-    if (word >> kWeightBits == 0) return cl_short{DISTANCE_UNSEEN};
+    if (word >> kWeightShift == 0) return cl_short{DISTANCE_UNSEEN};
     const auto distance = static_cast<cl_short>(word);
     return distance == DISTANCE_UNSEEN ? cl_short{DISTANCE_UNSEEN + 1} : distance;
   });

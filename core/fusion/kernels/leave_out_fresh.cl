@@ -14,7 +14,7 @@ kernel void leave_out_fresh(global const float4* vertices, global const float4* 
   const intN pixel = begin + LANE;
   const Points v = points_at(vertices, min(pixel, (intN)(pixels - 1)));
   const intN met = (pixel < pixels) & (v.w > 0.0f);
-  const intN place = field_places(&field, first, met ? v.x : 0.0f, met ? v.y : 0.0f, met ? v.z : 0.0f, voxels_per_metre);
+  const intN place = field_places(&field, first, v, voxels_per_metre);
   const intN found = met & (place >= 0);
   const intN weight = GATHER(intN, weights, found ? place : 0);
   const intN is_settled = found & (weight >= settled);

@@ -15,9 +15,8 @@ kernel void project_labels(global const float4* vertices, const int pixels, glob
   if (begin >= pixels) return;
   const Field field = {cells, page_slots, 0, window_size};
   const Points v = points_at(vertices, min(begin + LANE, (intN)(pixels - 1)));
-  const intN met = v.w > 0.0f;
-  const intN place = field_places(&field, first, met ? v.x : 0.0f, met ? v.y : 0.0f, met ? v.z : 0.0f, voxels_per_metre);
-  const intN found = met & (place >= 0);
+  const intN place = field_places(&field, first, v, voxels_per_metre);
+  const intN found = place >= 0;
   const uintN held = GATHER(uintN, labels, found ? place : 0);
   const uintN label = found ? LABEL_OF(held) : 0u;
   STORE_FIRST(uint, label, projected + begin, pixels - begin);

@@ -22,8 +22,6 @@ typedef struct Surface {
   intN exists;
 } Surface;
 
-inline floatN dot_of(const Points a, const Points b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 inline Points less(const Points a, const Points b) {
   const Points difference = {a.x - b.x, a.y - b.y, a.z - b.z, 0.0f};
   return difference;

@@ -20,8 +20,6 @@ inline Points transformed(const float16 T, const Points p) {
   return result;
 }
 
-inline floatN dot_of(const Points a, const Points b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 // Huber's weight of residuals of that size, whose noise is `noise` times that for which `delta` is meant.
 inline floatN huber_weight(const floatN size, const floatN noise, const float delta) {
   const floatN reach = delta * noise;
