@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kFullLength_px = 16;  // borders this long count fully
 constexpr float kLargeFrom = 9.5F;    // logarithm of the voxels of half a square metre
+constexpr float kFurnitureFrom = 8;  // logarithm of the voxels of a tenth of a square metre
 constexpr float kLeastBends = 0.3F;   // weighed looks at a bend from which it counts
 
 /// A logistic model: intercept, then a coefficient for each feature.
@@ -21,8 +22,8 @@ struct Model {
 /// colour, 1.5 would leave small things a little better (0.864 instead of 0.853 of them over half on those
 /// scenes) and large ones clearly worse (0.86 instead of 0.91).
 constexpr Model kWithColor{4.85F,
-                           {-0.24F, -0.90F, 2.42F, -0.21F, 3.85F, 0.72F, -0.19F, 0.08F, -1.14F, -1.79F}};
-constexpr Model kWithoutColor{0.41F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0}};
+                           {-0.24F, -0.90F, 2.42F, -0.21F, 3.85F, 0.72F, -0.19F, 0.08F, -1.14F, -1.79F, 0, 0}};
+constexpr Model kWithoutColor{0.41F, {-0.73F, -1.81F, 1.14F, 0.46F, 3.82F, 0.88F, -0.10F, 0.18F, -1.42F, 0, 0, 0}};
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
 constexpr float kHolds = 0.01F;    // any other border outweighs it
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
@@ -42,6 +43,16 @@ constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look 
 float weightOf(const FragmentContact& contact) {
   const float far = contact.depth_m / kFarFrom_m;
   return std::min(1.0F, static_cast<float>(contact.length_px) / kFullLength_px) / (1 + far * far);
+}
+
+/// How far a fragment of so many voxels may be a whole thing that a hand could hold: 0 .. 1. Wrongly joined,
+/// such a one is lost; a smaller one is a speck, a larger one remains most of what it is.
+float sizeOfThings(int voxels) {
+  const auto part = [](float from, float to, float size) {
+    return std::clamp(std::log(size / from) / std::log(to / from), 0.0F, 1.0F);
+  };
+  const float size = static_cast<float>(voxels) + 10;
+  return part(110, 310, size) * part(9010, 4010, size);
 }
 
 /// One look more that says yes or no; of both together no more than kMostLooks are remembered.
@@ -94,7 +105,9 @@ std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels
           std::log(static_cast<float>(fewer) + 10),
           std::log(static_cast<float>(more) + 10),
           std::max(0.0F, std::log(static_cast<float>(more) + 10) - kLargeFrom),
-          std::log(color_shift.value_or(0) + 1)};
+          std::log(color_shift.value_or(0) + 1),
+          sizeOfThings(fewer),
+          bent * folded * std::max(0.0F, std::log(static_cast<float>(fewer) + 10) - kFurnitureFrom)};
 }
 
 float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {

@@ -13,6 +13,8 @@
 namespace scantrove {
 namespace {
 constexpr int kMissingCapacity = 1 << 16;
+/// Pixels that only confirm what is sure write in one of so many updates, so many neighbours together.
+constexpr std::size_t kTurns = 4, kTurnPixels = 16;
 }  // namespace
 
 LabelCloud::LabelCloud(ComputeContext& compute)
@@ -39,9 +41,12 @@ std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const Br
                          surface.vertices_world, cl_int{pixels}, surface.window.cells(), bricks.pageSlots(),
                          surface.window.size(), surface.window.first(), bricks.labels(),
                          1.0F / bricks.voxelSize(), projected_);
-  std::vector<FragmentId> result(static_cast<std::size_t>(pixels));
-  static_assert(sizeof(FragmentId) == sizeof(cl_uint));
-  projected_.read(compute_.queue(), {reinterpret_cast<cl_uint*>(result.data()), result.size()});
+  projected_host_.resize(static_cast<std::size_t>(pixels));
+  projected_.read(compute_.queue(), std::span<cl_uint>(projected_host_));
+  projected_view_ = surface.T_world_camera;
+  std::vector<FragmentId> result(projected_host_.size());
+  std::ranges::transform(projected_host_, result.begin(),
+                         [](cl_uint label) { return FragmentId{label & LABEL_MAX}; });
   return result;
 }
 
@@ -59,16 +64,8 @@ void LabelCloud::fitFragments(std::uint32_t highest) {
 std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
                                                     std::span<const FragmentId> carved,
                                                     const LabelingParams& params, BrickMap& map) {
-  new_labels_host_.resize(merged.fragments.size());
-  std::uint32_t highest = 0;
-  std::ranges::transform(merged.fragments, new_labels_host_.begin(), [&](FragmentId fragment) {
-    highest = std::max(highest, fragment.value);
-    const bool at_once = std::ranges::find(carved, fragment) != carved.end();
-    return fragment.value | (at_once ? LABEL_AT_ONCE : 0U);
-  });
-  fitFragments(highest);
-  fit(new_labels_, new_labels_host_.size());
-  new_labels_.write(compute_.queue(), new_labels_host_);
+  const bool is_projected = projected_view_ && projected_view_->matrix() == surface.T_world_camera.matrix();
+  listPixels(merged, carved, !params.voxel_confidence || !is_projected);
   touched_bricks_.clear();
   std::vector<Eigen::Vector3i> missing = writeLabels(surface, params, false, map);
   while (!missing.empty()) {
@@ -84,18 +81,41 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, 
   return touched_bricks_;
 }
 
+void LabelCloud::listPixels(const RegionMap& merged, std::span<const FragmentId> carved, bool all) {
+  ++updates_;
+  pixels_host_.clear();
+  new_labels_host_.clear();
+  std::uint32_t highest = 0;
+  for (std::size_t pixel = 0; pixel < merged.fragments.size(); ++pixel) {
+    const std::uint32_t fragment = merged.fragments[pixel].value;
+    const bool has_turn = all || (pixel / kTurnPixels + updates_) % kTurns == 0;
+    if (fragment == 0 || (!has_turn && projected_host_[pixel] == (fragment | LABEL_SURE))) continue;
+    highest = std::max(highest, fragment);
+    const bool at_once = std::ranges::find(carved, FragmentId{fragment}) != carved.end();
+    pixels_host_.push_back(static_cast<cl_int>(pixel));
+    new_labels_host_.push_back(fragment | (at_once ? LABEL_AT_ONCE : 0U));
+  }
+  fitFragments(highest);
+  fit(pixels_, pixels_host_.size());
+  fit(new_labels_, new_labels_host_.size());
+  pixels_.write(compute_.queue(), pixels_host_);
+  new_labels_.write(compute_.queue(), new_labels_host_);
+}
+
 std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface, const LabelingParams& params,
                                                      bool only_new, const BrickMap& map) {
+  if (pixels_host_.empty()) return {};
   fitStamps(map);
   counts_.fill(compute_.queue(), 0);
   ++stamp_;
   const Intrinsics& K = surface.K;
   const Lanes& lanes = compute_.lanes();
-  update_labels_.launch(lanes.inTurn(static_cast<std::size_t>(K.pixels())), lanes.inTurnGroup(),
-                        surface.vertices_world, new_labels_, surface.window.cells(), map.pageSlots(),
+  update_labels_.launch(lanes.inTurn(pixels_host_.size()), lanes.inTurnGroup(), surface.vertices_world,
+                        pixels_, new_labels_, static_cast<cl_int>(pixels_host_.size()),
+                        surface.window.cells(), map.pageSlots(),
                         surface.window.size(), surface.window.first(), map.table(), map.tableMask(),
                         toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
-                        cl_int{K.width}, cl_int{K.height}, map.voxelSize(),
+                        cl_int{K.width}, map.voxelSize(),
                         params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
                         cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.labels(), fragment_voxels_, stamps_,
                         counts_, touched_, missing_, cl_int{kMissingCapacity});

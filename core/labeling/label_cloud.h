@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,12 +21,14 @@ class LabelCloud {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
 
-  /// S_prj,t: the fragment at each vertex of `surface`, row by row.
+  /// S_prj,t: the fragment at each vertex of `surface`, row by row. An update() of the same view that follows
+  /// knows from it which voxels are sure.
   [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface, const BrickMap& bricks);
 
   /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
   /// With `params.voxel_confidence` a voxel that holds another fragment gives way only after as many frames
-  /// as it was sure of; to the fragments `carved` it gives way at once. Allocates bricks where such a voxel
+  /// as it was sure of; to the fragments `carved` it gives way at once; and pixels that only confirm what is
+  /// sure (project()) have their turn every fourth time. Allocates bricks where such a voxel
   /// has none. Returns the bricks that were written to.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMap& merged,
                                           std::span<const FragmentId> carved, const LabelingParams& params,
@@ -62,6 +65,8 @@ class LabelCloud {
   [[nodiscard]] std::vector<Eigen::Vector3i> writeLabels(const SurfaceMaps& surface,
                                                          const LabelingParams& params, bool only_new,
                                                          const BrickMap& map);
+  /// Fills pixels_ and new_labels_.
+  void listPixels(const RegionMap& merged, std::span<const FragmentId> carved, bool all);
   void fitStamps(const BrickMap& map);
   /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
   void extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,
@@ -79,12 +84,16 @@ class LabelCloud {
   Buffer<cl_short> stored_distances_;
   Buffer<cl_uint> stored_labels_, stored_colors_;
   Buffer<cl_uint> projected_, new_labels_;
+  Buffer<cl_int> pixels_;
   Buffer<cl_int> fragment_voxels_;
   Buffer<LabelPoint> points_;
   std::vector<cl_int> touched_slots_, fragment_voxels_host_;
   std::vector<Eigen::Vector3i> touched_bricks_;
-  std::vector<cl_uint> new_labels_host_;
+  std::vector<cl_uint> projected_host_, new_labels_host_;
+  std::vector<cl_int> pixels_host_;
   cl_int stamp_ = 0;
+  std::size_t updates_ = 0;
+  std::optional<Eigen::Isometry3d> projected_view_;  ///< T_world_camera of what projected_host_ holds
 };
 
 }  // namespace scantrove

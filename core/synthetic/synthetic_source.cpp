@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/synthetic/drab_colours.h"
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
 #include "core/synthetic/renderer.h"
@@ -131,6 +132,8 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
       options.noise = false;
     } else if (mode == "uneven") {
       options.uneven = true;
+    } else if (mode == "drab") {
+      options.drab = true;
     } else {
       const char* end = mode.data() + mode.size();
       const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
@@ -146,9 +149,8 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
 Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& given) {
   SyntheticOptions options = given;
   synthetic::FilmSet set = options.set();
-  if (options.uneven) {
-    set.scene = synthetic::makeUneven(std::move(set.scene), options.seed);
-  }
+  if (options.uneven) set.scene = synthetic::makeUneven(std::move(set.scene), options.seed);
+  if (options.drab) set.scene = synthetic::makeDrab(std::move(set.scene), options.seed);
   if (options.frames <= 0) {
     options.frames = set.frames;
   }
@@ -189,8 +191,8 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     return fail(
         fmt::format("There is no demo scene '{}'.", scene),
         "Choose tabletop, room, sweep, moving, wall or corridor; add :7 for the random scene of that "
-        "seed (not of wall and corridor), :uneven for bumps on its surfaces, :exact for depth without "
-        "noise.");
+        "seed (not of wall and corridor), :uneven for bumps on its surfaces, :drab for few colours, :exact "
+        "for depth without noise.");
   }
   options.start = given.start;
   options.stride = given.stride;

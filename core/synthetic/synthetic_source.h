@@ -22,9 +22,10 @@ struct SyntheticOptions {
   std::optional<int> at_most;  ///< so many of them
   bool noise = true;  ///< Kinect model on depth and sensor noise on colour; false: exact, rounded to the unit
   bool uneven = false;     ///< surfaces with bumps of 2 - 5 mm
+  bool drab = false;       ///< walls, furniture and things share three tints
   bool color = true;       ///< false: no colour images (a good third faster)
   bool tremor = true;      ///< the small shaking of a hand
-  std::uint32_t seed = 1;  ///< of noise, tremor and bumps; what is filmed is up to `set`
+  std::uint32_t seed = 1;  ///< of noise, tremor, bumps and tints; what is filmed is up to `set`
   float metres_per_unit = 0.001F;
 };
 
@@ -42,8 +43,8 @@ class SyntheticSource : public FrameSource {
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& options);
 
 /// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "wall" or "corridor". With ":7" appended, the
-/// random scene of that seed; with ":exact", without noise; with ":uneven", with bumps on its surfaces; in
-/// any order. Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays, of colour
+/// random scene of that seed; with ":exact", without noise; with ":uneven", with bumps on its surfaces; with
+/// ":drab", in few colours; in any order. Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays, of colour
 /// too). Error: names the scene and those there are.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);

@@ -18,9 +18,6 @@
 
 #define FRESH 4.0f
 
-// Blue, green, red from the lowest byte on; in the highest what comes after them.
-#define PIXEL_AT(image, byte) as_uint(vload4(0, (image) + (byte)))
-
 // As brick_hash.
 inline uintN hash_voxels(const uintN x, const uintN y, const uint z, const uint frame) {
   uintN h = x * 73856093u ^ y * 19349669u ^ (z * 83492791u ^ frame * 0x9e3779b9u);
@@ -51,6 +48,7 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
   const float16 C = T_color_bricks;
   const int columns = (size.x + COLOR_CELL - 1) / COLOR_CELL;
 
+  int is_written = 0; /* some of the brick's colours */
   for (int run = (int)get_global_id(0) % BRICK_ITEMS(LANES); run < BRICK_VOXELS / LANES; run += BRICK_ITEMS(LANES)) {
     const int index = brick.w * (BRICK_VOXELS / LANES) + run;
     const intN distance = convert_intN(distances[index]);
@@ -83,9 +81,12 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
     const intN seen = shown & (color_z > 0.0f) & (s >= 0.0f) & (s < (float)color_size.x) & (t >= 0.0f) & (t < (float)color_size.y);
     if (!any_lane(seen)) continue;
     const intN byte = seen ? 3 * (convert_intN(t) * color_size.x + convert_intN(s)) : 0;
-    const uintN bgr = EACH_LANE(uintN, PIXEL_AT, image, byte);
+    // Blue, green, red from the lowest byte on; in the highest what comes after them.
+    const uintN bgr = GATHER_BYTES(image, byte);
     const floatN weight = seen ? convert_floatN(as_intN(COLOR_RATING_WEIGHT(rating))) : 1.0f;
 
+    if (!is_written) write_before_read((volatile global uint*)(colors + index));
+    is_written = 1;
     const uintN old = colors[index];
     const floatN held = convert_floatN(as_intN(COLOR_WEIGHT(old)));
     const floatN observations = convert_floatN(convert_intN(weights[index]));

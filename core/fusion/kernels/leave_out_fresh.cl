@@ -16,7 +16,7 @@ kernel void leave_out_fresh(global const float4* vertices, global const float4* 
   const intN met = (pixel < pixels) & (v.w > 0.0f);
   const intN place = field_places(&field, first, v, voxels_per_metre);
   const intN found = met & (place >= 0);
-  const intN weight = GATHER(intN, weights, found ? place : 0);
+  const intN weight = GATHER_UCHAR(weights, found ? place : 0);
   const intN is_settled = found & (weight >= settled);
   int settled_lanes[LANES];
   STORE(is_settled, settled_lanes);

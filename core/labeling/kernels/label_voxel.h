@@ -11,6 +11,7 @@
 #define LABEL_MAX 0xffffffu
 #define LABEL_BRICK_NEW (-2)      /* stamp of a brick that was made for an update, update_labels.cl */
 #define LABEL_AT_ONCE 0x80000000u /* of a pixel's new label: voxels take it whatever they hold */
+#define LABEL_SURE 0x80000000u    /* of a pixel's projected label: its voxel is as sure as it can be */
 
 /* A labelled voxel near the surface, as extract_points writes it. */
 typedef struct LabelPoint {

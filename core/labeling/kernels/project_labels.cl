@@ -4,7 +4,7 @@
 //   vertices   pixels x float4, world, w = 0: no surface
 //   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts
 //   labels     slots x 512 label voxels
-//   projected  pixels, out: raw label or 0
+//   projected  pixels, out: raw label, with LABEL_SURE where the voxel's confidence is full; or 0
 #include "core/fusion/kernels/brick_field.clh"
 #include "core/labeling/kernels/label_voxel.h"
 
@@ -18,6 +18,7 @@ kernel void project_labels(global const float4* vertices, const int pixels, glob
   const intN place = field_places(&field, first, v, voxels_per_metre);
   const intN found = place >= 0;
   const uintN held = GATHER(uintN, labels, found ? place : 0);
-  const uintN label = found ? LABEL_OF(held) : 0u;
+  const uintN sure = CONFIDENCE_OF(held) >= LABEL_CONFIDENCE_MAX ? (uintN)(LABEL_SURE) : (uintN)(0u);
+  const uintN label = found ? LABEL_OF(held) | sure : 0u;
   STORE_FIRST(uint, label, projected + begin, pixels - begin);
 }

@@ -7,10 +7,10 @@
 // changes at zero, or at once where LABEL_AT_ONCE says so; without: it is overwritten.
 // A voxel whose brick does not exist is told of and left for another run, with only_new: once its brick has been made, it
 // alone takes its label then.
-// One work-item: LANES pixels.
-//   vertices         pixels x float4, world, w = 0: no surface
+// One work-item: LANES of the listed pixels.
+//   vertices         pixels of the view x float4, world, w = 0: no surface
 //   cells, page_slots, window_size  the view's window (brick_page.h); first: the brick at which it starts. Bricks in it are found fast
-//   new_labels       pixels, S_cloud,t as fragments, with LABEL_AT_ONCE
+//   pixels           count, of those that write; new_labels: their S_cloud,t as fragments (not 0), with LABEL_AT_ONCE
 //   labels           slots x 512 label voxels, in/out
 //   fragment_voxels  voxels that hold each fragment, in/out
 //   stamps           slots, in/out: number of the run in which the slot was last listed, so that it is listed once;
@@ -18,52 +18,138 @@
 //   touched          out: slots in which a voxel was visited, counts[0] of them
 //   missing          capacity x int4, out: bricks that do not exist, with repetitions; counts[1] of them, those beyond the
 //                    capacity are not stored
-#include "core/compute/kernels/lanes.clh"
+#include "core/fusion/kernels/brick_field.clh"
 #include "core/fusion/kernels/brick_lookup.clh"
-#include "core/fusion/kernels/brick_window.clh"
 #include "core/labeling/kernels/label_voxel.h"
 
-inline uint changed_voxel(const uint voxel, const uint new_label, const int use_confidence) {
-  const uint label = new_label & LABEL_MAX;
-  const uint held = LABEL_OF(voxel);
-  const uint confidence = CONFIDENCE_OF(voxel);
-  if (!use_confidence || held == 0u) return LABEL_VOXEL(label, 1u);
-  if (held == label) return LABEL_VOXEL(held, min(confidence + 1u, LABEL_CONFIDENCE_MAX));
-  const bool gives_way = confidence <= 1u || (new_label & LABEL_AT_ONCE) != 0u;
-  return gives_way ? LABEL_VOXEL(label, 1u) : LABEL_VOXEL(held, confidence - 1u);
+inline uintN changed_voxels(const uintN voxel, const uintN new_label, const int use_confidence) {
+  const uintN label = new_label & LABEL_MAX;
+  const uintN fresh = LABEL_VOXEL(label, 1u);
+  if (!use_confidence) return fresh;
+  const uintN held = LABEL_OF(voxel);
+  const uintN confidence = CONFIDENCE_OF(voxel);
+  const uintN surer = LABEL_VOXEL(held, min(confidence + 1u, (uintN)(LABEL_CONFIDENCE_MAX)));
+  const intN gives_way = (held == 0u) | (confidence <= 1u) | ((new_label & LABEL_AT_ONCE) != 0u);
+  const uintN less_sure = gives_way ? fresh : LABEL_VOXEL(held, confidence - 1u);
+  return held == label ? surer : less_sure;
 }
 
-// Voxels that have been found to take a label, until there are so many of them; so the memory is waited for once.
-#define MOST_WAITING 32
+// Voxels that have been found to take a label, until there are so many of them: they are looked up LANES at a time.
+#define MOST_WAITING 64
 typedef struct {
   int count;
-  int slots[MOST_WAITING];
-  int places[MOST_WAITING];  /* of the voxel in `labels` */
-  uint labels[MOST_WAITING]; /* with LABEL_AT_ONCE */
+  int x[MOST_WAITING], y[MOST_WAITING], z[MOST_WAITING]; /* of the world */
+  uint labels[MOST_WAITING];                             /* with LABEL_AT_ONCE */
 } WaitingVoxels;
 
-inline void change_waiting(WaitingVoxels* waiting, const int use_confidence, const int stamp, global uint* labels,
-                           volatile global int* fragment_voxels, volatile global int* stamps,
-                           volatile global int* counts, global int* touched) {
-  uint before[MOST_WAITING];
-  for (int i = 0; i < waiting->count; ++i) before[i] = labels[waiting->places[i]];
-  for (int i = 0; i < waiting->count; ++i) {
-    const uint after = changed_voxel(before[i], waiting->labels[i], use_confidence);
-    labels[waiting->places[i]] = after;
-    if (LABEL_OF(before[i]) != LABEL_OF(after)) {
-      if (LABEL_OF(before[i]) != 0u) atomic_dec(fragment_voxels + LABEL_OF(before[i]));
-      atomic_inc(fragment_voxels + LABEL_OF(after));
+// Where labels are, and what is told of those that change.
+typedef struct {
+  Field field;
+  int4 first;
+  global const BrickEntry* table;
+  uint mask;
+  global uint* labels;
+  volatile global int* fragment_voxels;
+  volatile global int* stamps;
+  volatile global int* counts;
+  global int* touched;
+  global int4* missing;
+  int capacity;
+  int stamp;
+} Cloud;
+
+// The slots of voxels of lanes beyond the window, where the brick exists; others are told of.
+inline void find_beyond_window(const Cloud* cloud, const WaitingVoxels* waiting, const int from, int* slots) {
+  KnownBrick known = no_brick_known();
+  for (int lane = 0; lane < min(LANES, waiting->count - from); ++lane) {
+    if (slots[lane] >= 0) continue;
+    const int x = waiting->x[from + lane] >> BRICK_SHIFT, y = waiting->y[from + lane] >> BRICK_SHIFT,
+              z = waiting->z[from + lane] >> BRICK_SHIFT;
+    if (known.x != x || known.y != y || known.z != z) {
+      known.x = x;
+      known.y = y;
+      known.z = z;
+      known.slot = find_brick(cloud->table, cloud->mask, x, y, z);
+      const int place = known.slot == BRICK_NONE ? atomic_inc(cloud->counts + 1) : cloud->capacity;
+      if (place < cloud->capacity) cloud->missing[place] = (int4)(x, y, z, 0);
     }
-    const int slot = waiting->slots[i];
-    if (stamps[slot] != stamp && atomic_xchg(stamps + slot, stamp) != stamp) touched[atomic_inc(counts)] = slot;
+    slots[lane] = known.slot;
   }
-  waiting->count = 0;
 }
 
-#define X_AT(vertices, i) (vertices)[i].x
-#define Y_AT(vertices, i) (vertices)[i].y
-#define Z_AT(vertices, i) (vertices)[i].z
-#define W_AT(vertices, i) (vertices)[i].w
+// What the lanes' voxels hold, and where.
+typedef struct {
+  intN active, slot, place, stamped;
+  uintN before;
+} Held;
+
+inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int from, const int only_new) {
+  const intN x = LOAD(waiting->x + from) - BRICK_SIDE * cloud->first.x;
+  const intN y = LOAD(waiting->y + from) - BRICK_SIDE * cloud->first.y;
+  const intN z = LOAD(waiting->z + from) - BRICK_SIDE * cloud->first.z;
+  const intN exists = from + LANE < waiting->count;
+  intN slot = field_slot(&cloud->field, field_page(&cloud->field, x, y, z), x, y, z);
+  if (any_lane(exists & (slot < 0))) {
+    int slots[LANES];
+    STORE(slot, slots);
+    find_beyond_window(cloud, waiting, from, slots);
+    slot = LOAD(slots);
+  }
+  Held held;
+  held.active = exists & (slot >= 0);
+  held.slot = held.active ? slot : 0;
+  held.stamped = GATHER(intN, cloud->stamps, held.slot);
+  if (only_new) held.active &= (held.stamped == LABEL_BRICK_NEW) | (held.stamped == cloud->stamp);
+  const intN is_first = held.active & (held.stamped != cloud->stamp);
+  if (any_lane(is_first)) {
+    int slots[LANES], firsts[LANES];
+    STORE(held.slot, slots);
+    STORE(is_first, firsts);
+    for (int lane = 0; lane < LANES; ++lane)
+      if (firsts[lane]) write_before_read(cloud->labels + slots[lane] * BRICK_VOXELS);
+  }
+  held.place = held.active ? held.slot * BRICK_VOXELS + (x & 7) + 8 * (y & 7) + 64 * (z & 7) : 0;
+  held.before = GATHER(uintN, cloud->labels, held.place);
+  return held;
+}
+
+inline void change(const Cloud* cloud, const Held* held, const uintN label, const int use_confidence) {
+  const uintN after = changed_voxels(held->before, label, use_confidence);
+  const intN changed = held->active & (held->before != after);
+  const intN first_here = held->active & (held->stamped != cloud->stamp);
+  if (!any_lane(changed | first_here)) return;
+  int is_changed[LANES], is_first[LANES], places[LANES], slots[LANES];
+  uint old[LANES], fresh[LANES];
+  STORE(changed, is_changed);
+  STORE(first_here, is_first);
+  STORE(held->place, places);
+  STORE(held->slot, slots);
+  STORE(held->before, old);
+  STORE(after, fresh);
+  for (int lane = 0; lane < LANES; ++lane) {
+    if (is_changed[lane]) {
+      cloud->labels[places[lane]] = fresh[lane];
+      if (LABEL_OF(old[lane]) != LABEL_OF(fresh[lane])) {
+        if (LABEL_OF(old[lane]) != 0u) atomic_dec(cloud->fragment_voxels + LABEL_OF(old[lane]));
+        atomic_inc(cloud->fragment_voxels + LABEL_OF(fresh[lane]));
+      }
+    }
+    if (is_first[lane] && atomic_xchg(cloud->stamps + slots[lane], cloud->stamp) != cloud->stamp)
+      cloud->touched[atomic_inc(cloud->counts)] = slots[lane];
+  }
+}
+
+// All are looked up before any is changed, so that the memory is waited for once.
+inline void change_waiting(const Cloud* cloud, WaitingVoxels* waiting, const int use_confidence, const int only_new) {
+  Held held[MOST_WAITING / LANES];
+#pragma unroll
+  for (int i = 0; i < MOST_WAITING / LANES; ++i)
+    if (LANES * i < waiting->count) held[i] = look_up(cloud, waiting, LANES * i, only_new);
+#pragma unroll
+  for (int i = 0; i < MOST_WAITING / LANES; ++i)
+    if (LANES * i < waiting->count) change(cloud, &held[i], LOAD(waiting->labels + LANES * i), use_confidence);
+  waiting->count = 0;
+}
 
 // Voxel n of a cube of side^3; per_side = 65536 / side + 1: divisions take long. Right for sides up to 12.
 inline int3 voxel_in_cube(const int n, const int side, const int per_side) {
@@ -76,13 +162,14 @@ inline int3 voxel_in_cube(const int n, const int side, const int per_side) {
 typedef struct {
   int x0[LANES], y0[LANES], z0[LANES]; /* the first voxel of the cube around the vertex */
   int found[LANES];                    /* bit i: voxel from + i of the cube is the pixel's */
+  uint labels[LANES];
 } Pixels;
 
-kernel void update_labels(global const float4* vertices, global const uint* new_labels,
-                          global const int* cells, global const int* page_slots, const int4 window_size,
+kernel void update_labels(global const float4* vertices, global const int* pixels, global const uint* new_labels,
+                          const int count, global const int* cells, global const int* page_slots, const int4 window_size,
                           const int4 first, global const BrickEntry* table, const uint mask,
                           const float16 T_camera_world,
-                          const float4 K, const int width, const int height, const float voxel_size,
+                          const float4 K, const int width, const float voxel_size,
                           const float reach, const int use_confidence, const int stamp, const int only_new,
                           global uint* labels, volatile global int* fragment_voxels, volatile global int* stamps,
                           volatile global int* counts, global int* touched, global int4* missing,
@@ -91,14 +178,12 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
   const float per_metre = 1.0f / voxel_size;
   const float around = reach * per_metre + 1e-3f; /* voxels; a little more against rounding */
   const int begin = LANES * (int)get_global_id(0);
-  const int last = width * height - 1;
-  const intN pixel = min(begin + LANE, (intN)last);
-  const uintN label = GATHER(uintN, new_labels, pixel);
-  const floatN vertex_x = EACH_LANE(floatN, X_AT, vertices, pixel);
-  const floatN vertex_y = EACH_LANE(floatN, Y_AT, vertices, pixel);
-  const floatN vertex_z = EACH_LANE(floatN, Z_AT, vertices, pixel);
-  const floatN vertex_w = EACH_LANE(floatN, W_AT, vertices, pixel);
-  const intN active = (begin + LANE <= last) & (vertex_w > 0.0f) & (label != 0u);
+  if (begin >= count) return;
+  const intN listed = min(begin + LANE, (intN)(count - 1));
+  const intN pixel = GATHER(intN, pixels, listed);
+  const uintN label = GATHER(uintN, new_labels, listed);
+  const Points vertex = points_at(vertices, pixel);
+  const intN active = (begin + LANE < count) & (vertex.w > 0.0f);
   if (!any_lane(active)) return;
   const intN row = pixel / width;
   const intN column = pixel - row * width;
@@ -106,16 +191,18 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
   // Voxels whose centres may lie within reach, along each axis: two or three of them for a reach of one voxel.
   const int side = (int)floor(2.0f * around) + 1;
   const int per_side = 65536 / side + 1;
-  const floatN x0 = ceil(vertex_x * per_metre - 0.5f - around);
-  const floatN y0 = ceil(vertex_y * per_metre - 0.5f - around);
-  const floatN z0 = ceil(vertex_z * per_metre - 0.5f - around);
+  const floatN x0 = ceil(vertex.x * per_metre - 0.5f - around);
+  const floatN y0 = ceil(vertex.y * per_metre - 0.5f - around);
+  const floatN z0 = ceil(vertex.z * per_metre - 0.5f - around);
   const floatN left = convert_floatN(column), top = convert_floatN(row);
 
-  Pixels pixels;
-  STORE(convert_intN(x0), pixels.x0);
-  STORE(convert_intN(y0), pixels.y0);
-  STORE(convert_intN(z0), pixels.z0);
-  KnownBrick known = no_brick_known();
+  Pixels asked;
+  STORE(convert_intN(x0), asked.x0);
+  STORE(convert_intN(y0), asked.y0);
+  STORE(convert_intN(z0), asked.z0);
+  STORE(label, asked.labels);
+  const Cloud cloud = {{cells, page_slots, 0, window_size}, first, table, mask, labels, fragment_voxels, stamps, counts, touched,
+                       missing, capacity, stamp};
   WaitingVoxels waiting;
   waiting.count = 0;
   const int voxels = side * side * side;
@@ -126,7 +213,7 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
       const floatN x = (x0 + (float)n.x + 0.5f) * voxel_size;
       const floatN y = (y0 + (float)n.y + 0.5f) * voxel_size;
       const floatN z = (z0 + (float)n.z + 0.5f) * voxel_size;
-      const floatN dx = vertex_x - x, dy = vertex_y - y, dz = vertex_z - z;
+      const floatN dx = vertex.x - x, dy = vertex.y - y, dz = vertex.z - z;
       const intN near = active & (dx * dx + dy * dy + dz * dz < reach * reach);
       if (!any_lane(near)) continue;
       const floatN depth = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
@@ -135,36 +222,17 @@ kernel void update_labels(global const float4* vertices, global const uint* new_
       const intN seen = near & (depth > 0.0f) & (u >= left) & (u < left + 1.0f) & (v >= top) & (v < top + 1.0f);
       found |= seen ? (intN)(1 << i) : (intN)0;
     }
-    STORE(found, pixels.found);
+    STORE(found, asked.found);
     for (int lane = 0; lane < LANES; ++lane) {
-      for (uint bits = (uint)pixels.found[lane]; bits != 0u; bits &= bits - 1u) {
+      for (uint bits = (uint)asked.found[lane]; bits != 0u; bits &= bits - 1u) {
         const int3 n = voxel_in_cube(from + 31 - (int)clz(bits & -bits), side, per_side);
-        const int vx = pixels.x0[lane] + n.x, vy = pixels.y0[lane] + n.y, vz = pixels.z0[lane] + n.z;
-        const int bx = vx >> BRICK_SHIFT, by = vy >> BRICK_SHIFT, bz = vz >> BRICK_SHIFT;
-        const bool is_known = known.x == bx && known.y == by && known.z == bz;
-        if (!is_known) {
-          const int in_window = window_slot(cells, page_slots, window_size, bx - first.x, by - first.y,
-                                            bz - first.z);
-          known.x = bx;
-          known.y = by;
-          known.z = bz;
-          known.slot = in_window >= 0 ? in_window : find_brick(table, mask, bx, by, bz);
-        }
-        const int slot = known.slot;
-        if (slot == BRICK_NONE) {
-          if (is_known) continue;
-          const int place = atomic_inc(counts + 1);
-          if (place < capacity) missing[place] = (int4)(bx, by, bz, 0);
-          continue;
-        }
-        if (only_new && stamps[slot] != LABEL_BRICK_NEW && stamps[slot] != stamp) continue;
-        waiting.slots[waiting.count] = slot;
-        waiting.places[waiting.count] = slot * BRICK_VOXELS + (vx & 7) + 8 * ((vy & 7) + 8 * (vz & 7));
-        waiting.labels[waiting.count] = new_labels[begin + lane];
-        if (++waiting.count == MOST_WAITING)
-          change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, counts, touched);
+        waiting.x[waiting.count] = asked.x0[lane] + n.x;
+        waiting.y[waiting.count] = asked.y0[lane] + n.y;
+        waiting.z[waiting.count] = asked.z0[lane] + n.z;
+        waiting.labels[waiting.count] = asked.labels[lane];
+        if (++waiting.count == MOST_WAITING) change_waiting(&cloud, &waiting, use_confidence, only_new);
       }
     }
   }
-  change_waiting(&waiting, use_confidence, stamp, labels, fragment_voxels, stamps, counts, touched);
+  change_waiting(&cloud, &waiting, use_confidence, only_new);
 }

@@ -35,7 +35,7 @@ std::vector<Eigen::Vector3i> bricksAroundOrigin(int reach) {
   return bricks;
 }
 
-/// A map with a label of its own in every voxel.
+/// A map with a label of its own in every voxel, more or less sure; `labels` are as projected.
 struct LabelledMap {
   LabelledMap(ComputeContext& compute, float voxel_size_m) : bricks(compute, voxel_size_m) {
     bricks.allocate(bricksAroundOrigin(2));
@@ -45,8 +45,9 @@ struct LabelledMap {
         const auto at = static_cast<std::size_t>(slot) * BRICK_VOXELS + static_cast<std::size_t>(i);
         const auto label = static_cast<std::uint32_t>(at + 1);
         const Eigen::Vector3i voxel = voxelIn(bricks.positionOf(slot), i);
-        labels[{voxel.x(), voxel.y(), voxel.z()}] = label;
-        values[at] = LABEL_VOXEL(label, 3U);
+        const std::uint32_t confidence = 3 + label % 8;
+        labels[{voxel.x(), voxel.y(), voxel.z()}] = label | (confidence == LABEL_CONFIDENCE_MAX ? LABEL_SURE : 0);
+        values[at] = LABEL_VOXEL(label, confidence);
       }
     }
     voxels = Buffer<cl_uint>(compute.context(), values.size());
