@@ -36,10 +36,11 @@ Result<void> LabelCloud::buildKernels() {
 std::vector<FragmentId> LabelCloud::project(const SurfaceMaps& surface, const BrickMap& bricks) {
   const int pixels = surface.K.pixels();
   fit(projected_, static_cast<std::size_t>(pixels));
+  fitStamps(bricks);
   const Lanes& lanes = compute_.lanes();
   project_labels_.launch(lanes.inTurn(static_cast<std::size_t>(pixels)), lanes.inTurnGroup(),
                          surface.vertices_world, cl_int{pixels}, surface.window.cells(), bricks.pageSlots(),
-                         surface.window.size(), surface.window.first(), bricks.labels(),
+                         surface.window.size(), surface.window.first(), bricks.labels(), stamps_,
                          1.0F / bricks.voxelSize(), projected_);
   projected_host_.resize(static_cast<std::size_t>(pixels));
   projected_.read(compute_.queue(), std::span<cl_uint>(projected_host_));
@@ -139,7 +140,7 @@ void LabelCloud::fitStamps(const BrickMap& map) {
   if (stamps_.size() >= slots) return;
   fit(stamps_, slots);
   fit(touched_, slots);
-  stamps_.fill(compute_.queue(), -1);
+  stamps_.fill(compute_.queue(), LABEL_BRICK_UNUSED);
 }
 
 void LabelCloud::relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map) {

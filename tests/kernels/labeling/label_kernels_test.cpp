@@ -69,9 +69,11 @@ std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& m
   input.write(compute.queue(), values);
   Buffer<cl_uint> projected(compute.context(), values.size());
   projected.fill(compute.queue(), 12345);
+  Buffer<cl_int> stamps(compute.context(), static_cast<std::size_t>(map.bricks.slotCapacity()));
+  stamps.fill(compute.queue(), LABEL_BRICK_UNUSED);
   const BrickWindow window = test::windowOfAll(compute, map.bricks);
   kernel->launch(cl::NDRange(values.size()), cl::NDRange(64), input, static_cast<cl_int>(values.size()),
-                 window.cells(), map.bricks.pageSlots(), window.size(), window.first(), map.voxels,
+                 window.cells(), map.bricks.pageSlots(), window.size(), window.first(), map.voxels, stamps,
                  1.0F / map.bricks.voxelSize(), projected);
   return projected.read(compute.queue());
 }
