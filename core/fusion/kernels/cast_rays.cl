@@ -148,21 +148,20 @@ kernel void cast_rays(global const float2* ranges, const int width, const int he
     const float2 range = ranges[v / RAY_TILE * RAY_TILES(width) + min(u, width - 1) / RAY_TILE];
     rays[k] = begin_rays(range, u, v, width, height, K, T_window_camera);
   }
-#if RAY_BLOCKS(LANES) == 2
-  while (any_lane(rays[0].active | rays[1].active)) {
-    const Place at_0 = place_of(&field, o, &rays[0]);
-    const Place at_1 = place_of(&field, o, &rays[1]);
-    const intN distance_0 = field_distance(&field, at_0.slot, at_0.x, at_0.y, at_0.z);
-    const intN distance_1 = field_distance(&field, at_1.slot, at_1.x, at_1.y, at_1.z);
-    step_on(&rays[0], &at_0, distance_0, o, truncation_vox);
-    step_on(&rays[1], &at_1, distance_1, o, truncation_vox);
+  while (1) {
+    intN going = rays[0].active;
+#pragma unroll
+    for (int k = 1; k < RAY_BLOCKS(LANES); ++k) going |= rays[k].active;
+    if (!any_lane(going)) break;
+    Place at[RAY_BLOCKS(LANES)];
+    intN distance[RAY_BLOCKS(LANES)];
+#pragma unroll
+    for (int k = 0; k < RAY_BLOCKS(LANES); ++k) at[k] = place_of(&field, o, &rays[k]);
+#pragma unroll
+    for (int k = 0; k < RAY_BLOCKS(LANES); ++k) distance[k] = field_distance(&field, at[k].slot, at[k].x, at[k].y, at[k].z);
+#pragma unroll
+    for (int k = 0; k < RAY_BLOCKS(LANES); ++k) step_on(&rays[k], &at[k], distance[k], o, truncation_vox);
   }
-#else
-  while (any_lane(rays[0].active)) {
-    const Place at = place_of(&field, o, &rays[0]);
-    step_on(&rays[0], &at, field_distance(&field, at.slot, at.x, at.y, at.z), o, truncation_vox);
-  }
-#endif
 
 #pragma unroll
   for (int k = 0; k < RAY_BLOCKS(LANES); ++k) {

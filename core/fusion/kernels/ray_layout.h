@@ -11,7 +11,7 @@
 #define RAY_TILES(pixels) (((pixels) + RAY_TILE - 1) / RAY_TILE)
 #define RAY_STRIDE(width) (((width) + RAY_RUN - 1) / RAY_RUN * RAY_RUN + 2 * RAY_PAD)
 
-#define RAY_BLOCKS(lanes) ((lanes) < 8 ? 1 : 2) /* blocks of lanes of a work-item, cast_rays.cl */
+#define RAY_BLOCKS(lanes) ((lanes) < 8 ? 1 : 4) /* blocks of lanes of a work-item, cast_rays.cl */
 
 #define FIT_RADIUS 3   /* pixels; a plane is fitted to (2 FIT_RADIUS + 1)^2 of them */
 #define FIT_SLOPE 3.0f /* see fit_planes.cl */

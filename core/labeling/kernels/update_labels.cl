@@ -14,7 +14,7 @@
 //   labels           slots x 512 label voxels, in/out
 //   fragment_voxels  voxels that hold each fragment, in/out
 //   stamps           slots, in/out: number of the run in which the slot was last listed, so that it is listed once;
-//                    LABEL_BRICK_NEW: not in any
+//                    negative: not in any
 //   touched          out: slots in which a voxel was visited, counts[0] of them
 //   missing          capacity x int4, out: bricks that do not exist, with repetitions; counts[1] of them, those beyond the
 //                    capacity are not stored
@@ -100,13 +100,13 @@ inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int 
   held.slot = held.active ? slot : 0;
   held.stamped = GATHER(intN, cloud->stamps, held.slot);
   if (only_new) held.active &= (held.stamped == LABEL_BRICK_NEW) | (held.stamped == cloud->stamp);
-  const intN is_first = held.active & (held.stamped != cloud->stamp);
-  if (any_lane(is_first)) {
-    int slots[LANES], firsts[LANES];
+  const intN unused = held.active & (held.stamped < 0);
+  if (any_lane(unused)) {
+    int slots[LANES], is_unused[LANES];
     STORE(held.slot, slots);
-    STORE(is_first, firsts);
+    STORE(unused, is_unused);
     for (int lane = 0; lane < LANES; ++lane)
-      if (firsts[lane]) write_before_read(cloud->labels + slots[lane] * BRICK_VOXELS);
+      if (is_unused[lane]) write_before_read(cloud->labels + slots[lane] * BRICK_VOXELS);
   }
   held.place = held.active ? held.slot * BRICK_VOXELS + (x & 7) + 8 * (y & 7) + 64 * (z & 7) : 0;
   held.before = GATHER(uintN, cloud->labels, held.place);
