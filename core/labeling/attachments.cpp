@@ -50,6 +50,7 @@ class FrameOutlines {
     offset_m_ = static_cast<float>(T_camera_world(2, 3));
     for (int y = 0; y < map.height; ++y) {
       for (int x = 0; x < map.width; ++x) {
+        if (isWithin(x, y)) continue;
         look(x, y, 1, 0);
         look(x, y, 0, 1);
         look(x, y, -1, 0);
@@ -101,8 +102,21 @@ class FrameOutlines {
     return axis_.dot(vertex.head<3>()) + offset_m_;
   }
 
+  /// None of a pixel's neighbours is another region's.
+  [[nodiscard]] bool isWithin(int x, int y) const {
+    if (x == 0 || y == 0 || x + 1 == map_.width || y + 1 == map_.height) return false;
+    const std::size_t here = at(x, y);
+    const auto width = static_cast<std::size_t>(map_.width);
+    const RegionId region = map_.regions[here];
+    return map_.regions[here + 1] == region && map_.regions[here - 1] == region &&
+           map_.regions[here + width] == region && map_.regions[here - width] == region;
+  }
+
   Known& know(RegionId region) {
+    if (known_last_ != nullptr && last_ == region) return *known_last_;
     const auto [entry, is_new] = outlines_.try_emplace(region);
+    last_ = region;
+    known_last_ = &entry->second;  // stays where it is, whatever else becomes known
     if (!is_new) return entry->second;
     int voxels = 0;
     for (const FragmentId fragment : table_.fragmentsOf(region))
@@ -119,7 +133,7 @@ class FrameOutlines {
     if (!is_cut && map_.regions[at(x + dx, y + dy)] == region) return;
     Known& known = know(region);
     if (!known.is_thing) return;
-    Outline& outline = known.outline;  // stays where it is, whatever else becomes known
+    Outline& outline = known.outline;
     const int u = x + kBeyond_px * dx, v = y + kBeyond_px * dy;
     if (is_cut || !isInside(u, v)) {
       ++outline.known;
@@ -167,6 +181,8 @@ class FrameOutlines {
   Eigen::Vector3f axis_;
   float offset_m_ = 0;
   std::unordered_map<RegionId, Known> outlines_;
+  RegionId last_;
+  Known* known_last_ = nullptr;  // of last_
   std::vector<Touch> touches_;
 };
 

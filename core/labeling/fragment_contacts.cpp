@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace scantrove {
 namespace {
@@ -13,7 +14,6 @@ constexpr int kBendReach_px = 3;           // normals and segments are compared 
 constexpr float kBendGap = 4;              // times d_max: normals farther apart belong to something else
 
 struct Step {
-  std::uint64_t pair;  // a in the upper half
   float length_m, depth_m, concavity_rad;
   bool bridged, has_bend;
   Eigen::Vector3f color = Eigen::Vector3f::Zero();  // of b less that of a
@@ -24,20 +24,62 @@ std::uint64_t pairKey(FragmentId a, FragmentId b) {
   return std::uint64_t{low} << 32 | high;
 }
 
+/// What the steps from one fragment to another add up to.
+struct Sum {
+  std::uint64_t pair = 0;  // a in the upper half
+  FragmentContact contact;
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();
+
+  void add(const Step& step) {
+    ++contact.length_px;
+    contact.bridged_px += step.bridged ? 1 : 0;
+    contact.length_m += step.length_m;
+    contact.depth_m += step.depth_m;
+    color += step.color;
+    if (!step.has_bend) return;
+    ++contact.bends;
+    contact.concavity_rad += step.concavity_rad;
+    contact.turn_rad += std::abs(step.concavity_rad);
+    contact.folded += step.concavity_rad > kClearBend_rad ? 1.0F : 0.0F;
+    contact.ridged += step.concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
+  }
+
+  /// Sums to means.
+  [[nodiscard]] FragmentContact mean(bool has_color) const {
+    FragmentContact result = contact;
+    result.a.value = static_cast<std::uint32_t>(pair >> 32);
+    result.b.value = static_cast<std::uint32_t>(pair);
+    result.depth_m /= static_cast<float>(contact.length_px);
+    if (has_color) result.color_shift = color.norm() / static_cast<float>(contact.length_px);
+    if (contact.bends > 0) {
+      result.concavity_rad /= static_cast<float>(contact.bends);
+      result.turn_rad /= static_cast<float>(contact.bends);
+      result.folded /= static_cast<float>(contact.bends);
+      result.ridged /= static_cast<float>(contact.bends);
+    }
+    return result;
+  }
+};
+
 class StepFinder {
  public:
   StepFinder(const MergeInput& input, std::span<const FragmentId> parts)
       : input_(input), parts_(parts), focal_px_(std::min(input.K.fx, input.K.fy)) {}
 
-  std::vector<Step> find() {
-    for (int y = 0; y < input_.K.height; ++y) {
-      for (int x = 0; x < input_.K.width; ++x) {
-        if (!parts_[at(x, y)]) continue;
-        look(x, y, 1, 0);
-        look(x, y, 0, 1);
+  /// Ordered by pair.
+  std::vector<Sum> find() {
+    const int last_x = input_.K.width - 1, last_y = input_.K.height - 1;
+    for (int y = 0; y <= last_y; ++y) {
+      const FragmentId* row = parts_.data() + at(0, y);
+      const FragmentId* below = parts_.data() + at(0, std::min(y + 1, last_y));
+      for (int x = 0; x <= last_x; ++x) {
+        if (!row[x]) continue;
+        if (x < last_x && row[x + 1] != row[x]) look(x, y, 1, 0);
+        if (below[x] != row[x]) look(x, y, 0, 1);
       }
     }
-    return std::move(steps_);
+    std::ranges::sort(sums_, {}, &Sum::pair);
+    return std::move(sums_);
   }
 
  private:
@@ -69,8 +111,7 @@ class StepFinder {
     const float reach_m = std::max(kDistanceFactor * z / focal_px_, kLeastDistance_m);
     if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F)))
       return;
-    Step step{
-        pairKey(parts_[here], parts_[there]), z / focal_px_, z, 0, false, false, Eigen::Vector3f::Zero()};
+    Step step{z / focal_px_, z, 0, false, false, Eigen::Vector3f::Zero()};
     // A little off the border: that of the segments and that of the voxels are never quite the same.
     for (int off = kBendReach_px; off >= 0; --off) {
       if (!isInside(x - off * dx, y - off * dy) || !isInside(u + off * dx, v + off * dy)) continue;
@@ -84,7 +125,16 @@ class StepFinder {
       }
       break;
     }
-    steps_.push_back(step);
+    sumOf(pairKey(parts_[here], parts_[there])).add(step);
+  }
+
+  Sum& sumOf(std::uint64_t pair) {
+    if (sums_.empty() || sums_[last_].pair != pair) {
+      const auto [entry, is_new] = index_.try_emplace(pair, sums_.size());
+      if (is_new) sums_.emplace_back().pair = pair;
+      last_ = entry->second;
+    }
+    return sums_[last_];
   }
 
   void measureBend(std::size_t here, std::size_t there, float gap_m, Step& step) {
@@ -102,48 +152,17 @@ class StepFinder {
   const MergeInput& input_;
   std::span<const FragmentId> parts_;
   float focal_px_;
-  std::vector<Step> steps_;
+  std::vector<Sum> sums_;
+  std::unordered_map<std::uint64_t, std::size_t> index_;  // of pairs in sums_
+  std::size_t last_ = 0;                                  // of the pair that was met last
 };
-
-FragmentContact summarise(std::span<const Step> steps, bool has_color) {
-  FragmentContact contact;
-  contact.a.value = static_cast<std::uint32_t>(steps.front().pair >> 32);
-  contact.b.value = static_cast<std::uint32_t>(steps.front().pair);
-  contact.length_px = static_cast<int>(steps.size());
-  Eigen::Vector3f color = Eigen::Vector3f::Zero();
-  for (const Step& step : steps) {
-    contact.bridged_px += step.bridged ? 1 : 0;
-    contact.length_m += step.length_m;
-    contact.depth_m += step.depth_m;
-    color += step.color;
-    if (!step.has_bend) continue;
-    ++contact.bends;
-    contact.concavity_rad += step.concavity_rad;
-    contact.turn_rad += std::abs(step.concavity_rad);
-    contact.folded += step.concavity_rad > kClearBend_rad ? 1.0F : 0.0F;
-    contact.ridged += step.concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
-  }
-  contact.depth_m /= static_cast<float>(contact.length_px);
-  if (has_color) contact.color_shift = color.norm() / static_cast<float>(contact.length_px);
-  if (contact.bends > 0) {
-    contact.concavity_rad /= static_cast<float>(contact.bends);
-    contact.turn_rad /= static_cast<float>(contact.bends);
-    contact.folded /= static_cast<float>(contact.bends);
-    contact.ridged /= static_cast<float>(contact.bends);
-  }
-  return contact;
-}
 
 }  // namespace
 
 std::vector<FragmentContact> findContacts(const MergeInput& input, std::span<const FragmentId> parts) {
-  std::vector<Step> steps = StepFinder(input, parts).find();
-  std::ranges::stable_sort(steps, {}, &Step::pair);
   std::vector<FragmentContact> contacts;
-  for (std::size_t first = 0, next = 0; first < steps.size(); first = next) {
-    while (next < steps.size() && steps[next].pair == steps[first].pair) ++next;
-    contacts.push_back(summarise(std::span(steps).subspan(first, next - first), !input.color_lab.empty()));
-  }
+  for (const Sum& sum : StepFinder(input, parts).find())
+    contacts.push_back(sum.mean(!input.color_lab.empty()));
   return contacts;
 }
 

@@ -36,14 +36,15 @@ std::vector<FragmentCutter::Cut> FragmentCutter::find(const MergeInput& input,
     ++sides_of[owner[edge.segment]];
   }
   if (std::ranges::all_of(sides_of, [](const auto& entry) { return entry.second < 2; })) return {};
+  for (std::size_t segment = 0; segment < owner.size(); ++segment)
+    is_side[segment] = is_side[segment] && sides_of[owner[segment]] >= 2;
 
   std::vector<FragmentId> parts(input.projected.size());
   std::vector<Side> sides(owner.size());
   const float pixel_area = 1 / (input.K.fx * input.K.fy);
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
     const std::uint32_t segment = input.segments.ids[pixel];
-    if (!is_side[segment] || input.projected[pixel] != owner[segment] || sides_of[owner[segment]] < 2)
-      continue;
+    if (!is_side[segment] || input.projected[pixel] != owner[segment]) continue;
     parts[pixel] = FragmentId{segment};
     Side& side = sides[segment];
     side.sum += input.vertices_world[pixel].head<3>();

@@ -168,15 +168,21 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
   RegionMap& map = outcome.map;
   map.width = segments.width;
   map.height = segments.height;
-  map.fragments.assign(input.projected.begin(), input.projected.end());
-  map.regions.resize(map.fragments.size());
-  for (std::size_t pixel = 0; pixel < map.fragments.size(); ++pixel) {
-    FragmentId& fragment = map.fragments[pixel];
-    const std::uint32_t segment = segments.ids[pixel];
+  map.fragments.resize(input.projected.size());
+  map.regions.resize(input.projected.size());
+  for (std::size_t first = 0, pixel = 0; first < map.fragments.size(); first = pixel) {
+    const FragmentId projected = input.projected[first];
+    const std::uint32_t segment = segments.ids[first];
+    FragmentId fragment = projected;
     const FragmentId owner = owners.owner[segment];
     if (owner && !owners.covers(segment, fragment)) fragment = owner;
     if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];
-    map.regions[pixel] = table.regionOf(fragment);
+    const RegionId region = table.regionOf(fragment);
+    for (; pixel < map.fragments.size() && input.projected[pixel] == projected && segments.ids[pixel] == segment;
+         ++pixel) {
+      map.fragments[pixel] = fragment;
+      map.regions[pixel] = region;
+    }
   }
   lookForAttachments(input, map, table);
   return outcome;

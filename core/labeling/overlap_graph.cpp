@@ -16,24 +16,21 @@ OverlapGraph<PatchId> buildOverlapGraph(const SegmentMap& segments, std::span<co
   // Counts by (patch index, segment); a row a patch, made when the patch is first seen.
   std::vector<int> counts;
   std::unordered_map<PatchId, std::uint32_t> index_of_patch;
-  PatchId last_patch;
-  std::uint32_t last_index = 0;
-  for (std::size_t pixel = 0; pixel < projected.size(); ++pixel) {
-    const PatchId patch = projected[pixel];
+  for (std::size_t first = 0, pixel = 0; first < projected.size(); first = pixel) {
+    const PatchId patch = projected[first];
+    const std::uint32_t segment = segments.ids[first];
+    while (pixel < projected.size() && projected[pixel] == patch && segments.ids[pixel] == segment) ++pixel;
     if (!patch) continue;
-    if (patch != last_patch) {
-      const auto [entry, is_new] =
-          index_of_patch.try_emplace(patch, static_cast<std::uint32_t>(graph.patches.size()));
-      if (is_new) {
-        graph.patches.push_back(patch);
-        graph.patch_areas_px.push_back(0);
-        counts.resize(counts.size() + segment_count, 0);
-      }
-      last_patch = patch;
-      last_index = entry->second;
+    const auto [entry, is_new] =
+        index_of_patch.try_emplace(patch, static_cast<std::uint32_t>(graph.patches.size()));
+    if (is_new) {
+      graph.patches.push_back(patch);
+      graph.patch_areas_px.push_back(0);
+      counts.resize(counts.size() + segment_count, 0);
     }
-    ++graph.patch_areas_px[last_index];
-    ++counts[last_index * segment_count + segments.ids[pixel]];
+    const auto run = static_cast<int>(pixel - first);
+    graph.patch_areas_px[entry->second] += run;
+    counts[entry->second * segment_count + segment] += run;
   }
 
   for (std::uint32_t segment = 1; segment < segment_count; ++segment) {
