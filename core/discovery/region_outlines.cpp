@@ -119,9 +119,13 @@ RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParam
   SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
   SCANTROVE_CHECK(input.normals_world.size() == input.regions.regions.size());
   const StepJudge judge(input, params);
+  RegionId last;
+  std::vector<Beyond>* of_last = nullptr;
   const auto add = [&](RegionId from, RegionId to, End end) {
     if (!from) return;
-    std::vector<Beyond>& outline = outlines_[from];
+    if (of_last == nullptr || from != last) of_last = &outlines_[from];
+    last = from;
+    std::vector<Beyond>& outline = *of_last;
     auto beyond = std::ranges::find(outline, to, &Beyond::region);
     if (beyond == outline.end()) beyond = outline.insert(outline.end(), {to, {}});
     ++(beyond->steps.*end);

@@ -34,9 +34,13 @@ cv::Mat contradictedSurface(const DepthView& now, const Intrinsics& K,
       const cv::Point pixel(readingsAt(u, sx, image.width), readingsAt(v, sy, image.height));
       const float reading = now.z_m.at<float>(pixel);
       if (!(reading > 0) || agrees(reading)) continue;
-      const cv::Mat around = now.z_m(cv::Rect(pixel - reach, pixel + reach + cv::Point(1, 1)) & image);
-      if (std::none_of(around.begin<float>(), around.end<float>(), agrees))
-        contradicted.at<std::uint8_t>(v, u) = 255;
+      const cv::Rect around = cv::Rect(pixel - reach, pixel + reach + cv::Point(1, 1)) & image;
+      bool any_agrees = false;
+      for (int y = around.y; y < around.br().y && !any_agrees; ++y) {
+        const float* row = now.z_m.ptr<float>(y);
+        any_agrees = std::any_of(row + around.x, row + around.br().x, agrees);
+      }
+      if (!any_agrees) contradicted.at<std::uint8_t>(v, u) = 255;
     }
   }
   return contradicted;

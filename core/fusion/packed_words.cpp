@@ -3,7 +3,10 @@
 #include <lz4.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
+#include <opencv2/core.hpp>
 
 #include "core/base/check.h"
 
@@ -14,15 +17,15 @@ constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
 
 /// The first byte of every word, then the second, ...
 std::vector<char> toPlanes(std::span<const std::uint32_t> words) {
-  const std::size_t count = words.size();
-  std::vector<char> planes(count * kWordBytes);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t word = words[i];
-    planes[i] = static_cast<char>(word & 255U);
-    planes[count + i] = static_cast<char>((word >> 8U) & 255U);
-    planes[2 * count + i] = static_cast<char>((word >> 16U) & 255U);
-    planes[3 * count + i] = static_cast<char>(word >> 24U);
-  }
+  static_assert(std::endian::native == std::endian::little);
+  const int count = static_cast<int>(words.size());
+  std::vector<char> planes(words.size_bytes());
+  // OpenCV only reads what it is told to split.
+  const cv::Mat whole(1, count, CV_8UC4, const_cast<std::uint32_t*>(words.data()));
+  std::array<cv::Mat, kWordBytes> parts;
+  for (std::size_t byte = 0; byte < kWordBytes; ++byte)
+    parts[byte] = cv::Mat(1, count, CV_8UC1, planes.data() + byte * words.size());
+  cv::split(whole, parts.data());
   return planes;
 }
 

@@ -55,10 +55,15 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   return pipeline;
 }
 
-DepthView ScanPipeline::depthViewOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) const {
-  DepthView view{working_K_.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
-  frame.depth.convertTo(view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
-  return view;
+ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame,
+                                                const Eigen::Isometry3d& T_world_camera,
+                                                std::span<const Eigen::Vector4f> vertices_world) const {
+  Readings readings;
+  readings.view = {working_K_.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
+  frame.depth.convertTo(readings.view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
+  readings.contradicted =
+      contradictedSurface(readings.view, working_K_, vertices_world, params_.fusion.depth_noise_m);
+  return readings;
 }
 
 template <class Work>
@@ -151,17 +156,20 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
     return cloud_->project(surface_, map_->bricks());
   });
   const SurfaceInColor in_color = stage("color", [&] {
-    SurfaceInColor located =
-        locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
-    color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, located.hidden},
+    return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+  });
+  std::future<FrameClues> looked = std::async(std::launch::async, [&] {
+    return FrameClues{labColors(frame, in_color), readingsOf(frame, T_world_camera, result.vertices_world)};
+  });
+  stage("color", [&] {
+    color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, in_color.hidden},
                                  frame);
-    return located;
   });
   beginNext(next);
-  const std::span<const Eigen::Vector3f> lab = stage("color", [&] { return labColors(frame, in_color); });
   result.segments = stage("segment", [&] { return segments.get(); });
+  const FrameClues clues = stage("color", [&] { return looked.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
-    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, lab,
+    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, clues.lab,
                            working_K_, T_world_camera, cloud_->voxelsOfFragments(), cameWith()},
                           table_, params_.labeling);
   });
@@ -175,14 +183,13 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
-  const DepthView readings = depthViewOf(frame, T_world_camera);
   const std::vector<Candidate> candidates =
-      stage("discover", [&] { return findCandidates(*finder_, result, readings, cameWith()); });
+      stage("discover", [&] { return findCandidates(*finder_, result, clues.readings, cameWith()); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
     keepKnown(result.objects);
-    collector_->lookForThoseMet(readings, params_.fusion.depth_noise_m);
+    collector_->lookForThoseMet(clues.readings.view, params_.fusion.depth_noise_m);
     last_seen_ = {frame, T_world_camera};
   }
   if (tracker_) result.late = integrateLate();
@@ -213,7 +220,7 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
 }
 
 std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, const FrameResult& result,
-                                                    const DepthView& readings,
+                                                    const Readings& readings,
                                                     std::span<const std::uint8_t> came) {
   const auto joiningOdds = [this](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
@@ -221,13 +228,11 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
   };
   // What is not there, or stands behind somebody, is on the map but not in this frame's images.
   RegionMap shown = result.regions;
-  const cv::Mat contradicted =
-      contradictedSurface(readings, working_K_, result.vertices_world, params_.fusion.depth_noise_m);
   for (std::size_t i = 0; i < shown.regions.size(); ++i) {
-    if (contradicted.data[i] != 0) shown.regions[i] = {};
+    if (readings.contradicted.data[i] != 0) shown.regions[i] = {};
   }
   const DiscoveryInput input{shown,      result.vertices_world,   result.normals_world,
-                             working_K_, readings.T_world_camera, joiningOdds,
+                             working_K_, readings.view.T_world_camera, joiningOdds,
                              came};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
@@ -278,10 +283,9 @@ void ScanPipeline::readSurface(const SurfaceMaps& surface, FrameResult& result) 
   read(surface.normals_world, result.normals_world);
 }
 
-std::span<const Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame,
-                                                         const SurfaceInColor& in_color) {
-  color_lab_.clear();
-  if (frame.color.empty()) return color_lab_;
+std::vector<Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame,
+                                                     const SurfaceInColor& in_color) const {
+  if (frame.color.empty()) return {};
   cv::Mat small, soft, lab;
   const cv::Size working(working_K_.width, working_K_.height);
   cv::resize(frame.color, small, working, 0, 0, cv::INTER_AREA);
@@ -295,8 +299,7 @@ std::span<const Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame,
   cv::cvtColor(soft, lab, cv::COLOR_BGR2Lab);
   static_assert(sizeof(cv::Vec3f) == sizeof(Eigen::Vector3f));
   const auto* first = reinterpret_cast<const Eigen::Vector3f*>(lab.ptr<float>());
-  color_lab_.assign(first, first + lab.total());
-  return color_lab_;
+  return {first, first + lab.total()};
 }
 
 void ScanPipeline::forgetFragments() {

@@ -207,11 +207,21 @@ class ScanPipeline {
   /// Begins findPose() of the next frame.
   void beginNext(const NextFrame& next);
   [[nodiscard]] RegionMap regionsSeenAgain(const Eigen::Isometry3d& T_world_camera);
-  /// The frame's depth where it was taken.
-  [[nodiscard]] DepthView depthViewOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) const;
+  /// A frame's depth where it was taken, and where it contradicts the map's surface (contradictedSurface).
+  struct Readings {
+    DepthView view;
+    cv::Mat contradicted;
+  };
+  [[nodiscard]] Readings readingsOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                    std::span<const Eigen::Vector4f> vertices_world) const;
+  /// What merging and discovery ask a frame's own images for.
+  struct FrameClues {
+    std::vector<Eigen::Vector3f> lab;  ///< MergeInput::color_lab
+    Readings readings;
+  };
   /// `readings`: of the frame that `result` is of.
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateFinder& finder, const FrameResult& result,
-                                                      const DepthView& readings,
+                                                      const Readings& readings,
                                                       std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
@@ -231,8 +241,8 @@ class ScanPipeline {
   void keepKnown(const FrameObjects& objects);
   void readSurface(const SurfaceMaps& surface, FrameResult& result);
   /// Colours of the surface in CIE L*a*b* by working pixel, a little blurred.
-  [[nodiscard]] std::span<const Eigen::Vector3f> labColors(const RgbdFrame& frame,
-                                                           const SurfaceInColor& in_color);
+  [[nodiscard]] std::vector<Eigen::Vector3f> labColors(const RgbdFrame& frame,
+                                                       const SurfaceInColor& in_color) const;
   /// Earlier frames whose poses were uncertain, and are certain now, go into the map.
   [[nodiscard]] std::vector<LateFrame> integrateLate();
   /// MergeInput::came of the frame that went through the motion filter last; valid until the next one.
@@ -273,7 +283,6 @@ class ScanPipeline {
   bool has_pose_ = false;  // the last frame: surface_ is of it
   SurfaceMaps followed_;   // what of it the camera is followed by
   std::span<const Eigen::Vector3i> touched_;
-  std::vector<Eigen::Vector3f> color_lab_;
   cv::Mat came_;
   int frames_ = 0;  // given to processFrame
 

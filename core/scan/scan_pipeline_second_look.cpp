@@ -67,8 +67,9 @@ Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
     readSurface(seen_again_, result);
     const SurfaceInColor in_color =
         locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+    const Readings readings = readingsOf(frame, T_world_camera, result.vertices_world);
     return collector_->collect(frame, result.pose, in_color,
-                               findCandidates(*finder_of_kept_, result, depthViewOf(frame, T_world_camera)));
+                               findCandidates(*finder_of_kept_, result, readings));
   });
 }
 

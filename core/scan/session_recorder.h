@@ -22,7 +22,7 @@ namespace scantrove {
 class SessionRecorder {
  public:
   /// A killed program loses no more than this, and what the disk was slower.
-  static constexpr std::chrono::milliseconds kBetweenSaves{3000};
+  static constexpr std::chrono::milliseconds kBetweenSaves{4000};
 
   struct KeptFrame {
     SavedKeyFrame images;
