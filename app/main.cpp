@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/window_command.h"
 #include "app/window_main.h"
+#include "core/base/heap.h"
 #include "core/base/log.h"
 #include "core/compute/device_threads.h"
 
@@ -30,6 +31,7 @@ int afterPrinting(int exit_code) {
 }
 
 int run(int argc, char** argv) {
+  keepHeapTogether();
   initialiseLog();
   keepDeviceThreadsApart();
   CommandOutcome outcome;

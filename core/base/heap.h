@@ -1,0 +1,10 @@
+#pragma once
+
+namespace scantrove {
+
+/// All threads allocate from one heap, for the rest of the process: threads come and go with every frame, and
+/// what the heap of one has free is lost to the others (40 MB in a scan). Before other threads start; nothing
+/// where the C library is not GNU's, or when MALLOC_ARENA_MAX says what to do.
+void keepHeapTogether();
+
+}  // namespace scantrove
