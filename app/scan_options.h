@@ -36,7 +36,7 @@ inline constexpr const char* kSourceHelp =
     "a folder, an .oni file, 'camera', 'camera:URI', 'freenect' (a Kinect v1), 'demo', 'demo:room', "
     "'demo:wall',\n'demo:corridor'; a random scene: 'demo:room:SEED', and so tabletop, sweep, moving; "
     "':uneven' "
-    "gives a\ndemo's surfaces bumps, ':exact' takes the noise away";
+    "gives a\ndemo's surfaces bumps, ':drab' few colours, ':exact' takes the noise away";
 
 /// The parameters after `config` (none when empty), then `settings`. Throws CLI::ValidationError.
 [[nodiscard]] ScanParams paramsFrom(const std::string& config, const std::vector<std::string>& settings);

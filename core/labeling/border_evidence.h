@@ -41,7 +41,7 @@ struct BorderEvidence {
   void addAttachment(bool is_attached);
 
   /// What logOdds() weighs.
-  static constexpr std::size_t kFeatures = 12;
+  static constexpr std::size_t kFeatures = 11;
   [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
   /// Logarithm of the odds that the two are one thing, by a logistic model of the above; fitted to random

@@ -7,6 +7,7 @@
 
 #include "core/labeling/attachments.h"
 #include "core/labeling/fragment_contacts.h"
+#include "core/labeling/fragment_specks.h"
 #include "core/labeling/region_partition.h"
 #include "core/labeling/thesis_merger.h"
 
@@ -20,6 +21,8 @@ std::unique_ptr<RegionMerger> makeRegionMerger(LabelingParams::Rule rule) {
 namespace {
 
 using Overlaps = OverlapGraph<FragmentId>;
+
+constexpr int kSpecksInImage = 3000;  // smaller pieces of a fragment mean nothing: 25 pixels of 320 x 240
 
 /// How the visible part of each fragment is shared out among segments.
 class SegmentShares {
@@ -137,7 +140,9 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
 void GraphMerger::look(const MergeInput& input, const Overlaps& overlaps) {
   const SegmentShares shares(overlaps);
   const ArrivedFragments arrived(input);
-  for (const FragmentContact& contact : findContacts(input, input.projected)) {
+  const std::vector<FragmentId> parts =
+      withoutSpecks(input.projected, input.K.width, input.K.pixels() / kSpecksInImage);
+  for (const FragmentContact& contact : findContacts(input, parts)) {
     BorderEvidence& border = graph_.between(contact.a, contact.b);
     border.add(contact, shares.shared(contact.a, contact.b));
     if (const auto are_one = arrived.areOne(contact.a, contact.b)) border.addArrival(*are_one);

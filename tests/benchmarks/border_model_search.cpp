@@ -228,7 +228,7 @@ bool isSensible(const Change& change) {
 }
 
 /// Steps of random size in random directions, each kept if it is sensible and worth more.
-Change search(const std::vector<const Scene*>& scenes, int steps, bool free) {
+Change search(const std::vector<const Scene*>& scenes, int steps) {
   constexpr double kLeastStep = 0.05, kMostStep = 0.5;
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
@@ -241,7 +241,7 @@ Change search(const std::vector<const Scene*>& scenes, int steps, bool free) {
     for (float& coefficient : next.coefficients) {
       if (random() % 3 == 0) coefficient += static_cast<float>(0.5 * step * normal(random));
     }
-    const double other = free || isSensible(next) ? scoreOf(scenes, next).worth() : -HUGE_VAL;
+    const double other = isSensible(next) ? scoreOf(scenes, next).worth() : -HUGE_VAL;
     if (other > worth) {
       worth = other;
       best = next;
@@ -265,32 +265,23 @@ Result<std::vector<Scene>> collect(const SceneOptions& options) {
   return scenes;
 }
 
-Result<void> run(const SceneOptions& options, int steps, bool all, bool free) {
+Result<void> run(const SceneOptions& options, int steps, bool all) {
   const auto scenes = collect(options);
   if (!scenes) return fail(scenes.error());
   std::vector<const Scene*> searched, left_out;
   for (std::size_t i = 0; i < scenes->size(); ++i)
     (all || i % 2 == 0 ? searched : left_out).push_back(&(*scenes)[i]);
-  std::vector<const Scene*> ln, ld, sn, sd;
-  for (std::size_t i = 0; i < scenes->size(); ++i)
-    (i % 4 == 0 ? sn : i % 4 == 1 ? ln : i % 4 == 2 ? sd : ld).push_back(&(*scenes)[i]);
-  const auto show = [&](const Change& c, const std::string& n) {
-    scoreOf(sn, c).print((n + " searched").c_str());
-    scoreOf(sd, c).print((n + " searched drab").c_str());
-    scoreOf(ln, c).print((n + " left").c_str());
-    scoreOf(ld, c).print((n + " left drab").c_str());
-  };
-  show({}, "as is");
-  for (const bool f : {false, true}) {
-    const Change change = search(searched, steps, f);
-    show(change, f ? "free" : "bound");
-    std::printf("{%.2fF, {", static_cast<double>(change.intercept));
-    for (std::size_t i = 0; i < change.coefficients.size(); ++i)
-      std::printf("%s%.2fF", i == 0 ? "" : ", ", static_cast<double>(change.coefficients[i]));
-    std::printf("}}\n");
-    std::fflush(stdout);
+  const Change change = search(searched, steps);
+  scoreOf(searched, {}).print("searched, as it is");
+  scoreOf(searched, change).print("searched, changed");
+  if (!left_out.empty()) {
+    scoreOf(left_out, {}).print("left out, as it is");
+    scoreOf(left_out, change).print("left out, changed");
   }
-  (void)free; (void)all;
+  std::printf("\nto be added to the model:\n{%.2fF, {", static_cast<double>(change.intercept));
+  for (std::size_t i = 0; i < change.coefficients.size(); ++i)
+    std::printf("%s%.2fF", i == 0 ? "" : ", ", static_cast<double>(change.coefficients[i]));
+  std::printf("}}\n");
   return {};
 }
 
@@ -301,14 +292,13 @@ int main(int argc, char** argv) {
   using namespace scantrove;
   benchmarks::SceneOptions options;
   int steps = 2000;
-  bool all = false, free = false;
+  bool all = false;
   CLI::App app("Searches what borders between fragments say by the regions that it makes");
   options.addTo(app);
   app.add_option("--steps", steps, "of the search")->check(CLI::PositiveNumber);
   app.add_flag("--all", all, "search on all scenes, leave none out");
-  app.add_flag("--free", free, "whatever frames and folds then say");
   CLI11_PARSE(app, argc, argv);
-  const auto done = benchmarks::run(options, steps, all, free);
+  const auto done = benchmarks::run(options, steps, all);
   if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
   return done ? 0 : 1;
 }
