@@ -111,5 +111,41 @@ TEST(Lanes, ValuesMasksAndGathersMeanTheSameAtEveryWidth) {
   });
 }
 
+TEST(Lanes, GathersOfEverySizeReadWhatLiesThere) {
+  test::onEachWidth([](ComputeContext& compute) {
+    auto kernel = compute.kernel(kernels::lane_operations, "gather_each");
+    ASSERT_TRUE(kernel) << kernel.error().message();
+    constexpr int kCount = 64;
+    std::vector<cl_short> shorts;
+    std::vector<cl_uchar> bytes;
+    std::vector<cl_int> places;
+    for (int i = 0; i < kCount; ++i) {
+      shorts.push_back(static_cast<cl_short>(i % 3 == 0 ? -32768 + i : 700 * i - 20000));  // of either sign
+      bytes.push_back(static_cast<cl_uchar>(255 - 3 * i));
+      places.push_back(i == 0 ? kCount - 4 : (7 * i + 3) % (kCount - 3));
+    }
+    const auto sent = [&](const auto& values) {
+      Buffer<std::decay_t<decltype(values.front())>> buffer(compute.context(), values.size());
+      buffer.write(compute.queue(), values);
+      return buffer;
+    };
+    Buffer<cl_int> of_shorts(compute.context(), kCount), of_bytes(compute.context(), kCount);
+    Buffer<cl_uint> words(compute.context(), kCount);
+    kernel->launch(cl::NDRange(static_cast<std::size_t>(kCount / compute.lanes().count())), cl::NullRange,
+                   sent(shorts), sent(bytes), sent(places), of_shorts, of_bytes, words);
+    const std::vector<cl_int> short_values = of_shorts.read(compute.queue()),
+                              byte_values = of_bytes.read(compute.queue());
+    const std::vector<cl_uint> word_values = words.read(compute.queue());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto place = static_cast<std::size_t>(places[i]);
+      EXPECT_EQ(short_values[i], shorts[place]) << i;
+      EXPECT_EQ(byte_values[i], bytes[place]) << i;
+      const cl_uint word = bytes[place] | cl_uint{bytes[place + 1]} << 8U | cl_uint{bytes[place + 2]} << 16U |
+                           cl_uint{bytes[place + 3]} << 24U;
+      EXPECT_EQ(word_values[i], word) << i;
+    }
+  });
+}
+
 }  // namespace
 }  // namespace scantrove

@@ -288,6 +288,42 @@ TEST_P(LabelCloudConfidenceTest, GivesWayAtOnceToACarvedFragment) {
   EXPECT_EQ(held(), std::set{first_.value}) << "and a voxel begins again with what it was cut to";
 }
 
+TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
+  const Eigen::Isometry3d T = cameraAt(0, 0, 0);
+  const SurfaceMaps surface = toSurface(renderScene(T), T);
+  // Labelled voxels, all as sure as that from now on.
+  const auto setConfidence = [&](std::uint32_t confidence) {
+    std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+    for (cl_uint& voxel : voxels)
+      voxel = LABEL_OF(voxel) == 0 ? 0 : LABEL_VOXEL(LABEL_OF(voxel), confidence);
+    bricks_->labels().write(compute_->queue(), voxels);
+  };
+  // Which voxels an update writes to that follows a look at the view, where all were sure.
+  const auto writtenBy = [&](FragmentId fragment) {
+    setConfidence(LABEL_CONFIDENCE_MAX);
+    (void)cloud_->project(surface, *bricks_);
+    setConfidence(5);
+    (void)cloud_->update(surface, onlyFragment(fragment), {}, params_, *bricks_);
+    std::set<std::size_t> written;
+    const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+      if (voxels[i] != 0 && CONFIDENCE_OF(voxels[i]) != 5) written.insert(i);
+    }
+    return written;
+  };
+  write(first_, 1);
+  const std::set<std::size_t> all = writtenBy(second_);
+  ASSERT_GT(all.size(), 5000U) << "what is new has its turn at once";
+  std::set<std::size_t> in_turns;
+  for (int turn = 0; turn < 4; ++turn) {
+    const std::set<std::size_t> now = writtenBy(first_);
+    EXPECT_GT(now.size(), all.size() / 8);
+    EXPECT_LT(now.size(), all.size() / 2);
+    in_turns.insert(now.begin(), now.end());
+  }
+  EXPECT_EQ(in_turns, all);
+}
+
 TEST_P(LabelCloudConfidenceTest, WithoutItEveryFrameOverwrites) {
   params_.voxel_confidence = false;
   write(first_, 8);

@@ -12,3 +12,13 @@ kernel void pick_negative(global const float* values, global const int* from, gl
   any[item] = any_lane(negative);
   STORE((negative & ~second) ? value : block, picked + LANES * item);
 }
+
+// Elements of two, one and four bytes at the places `from`; the last begin at any byte.
+kernel void gather_each(global const short* shorts, global const uchar* bytes, global const int* from,
+                        global int* of_shorts, global int* of_bytes, global uint* words) {
+  const int first = LANES * (int)get_global_id(0);
+  const intN place = GATHER(intN, from, first + LANE);
+  STORE(GATHER_SHORT(shorts, place), of_shorts + first);
+  STORE(GATHER_UCHAR(bytes, place), of_bytes + first);
+  STORE(GATHER_BYTES(bytes, place), words + first);
+}
