@@ -25,7 +25,8 @@ class Pieces {
         const FragmentId fragment = fragments[static_cast<std::size_t>(begin)];
         int end = begin + 1;
         while (end < row + width && fragments[static_cast<std::size_t>(end)] == fragment) ++end;
-        if (fragment) add({begin, end, fragment, static_cast<std::uint32_t>(runs_.size())}, width, above, first_of_row);
+        if (fragment)
+          add({begin, end, fragment, static_cast<std::uint32_t>(runs_.size())}, width, above, first_of_row);
         begin = end;
       }
       above = first_of_row;

@@ -183,7 +183,8 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
     if (owner && !owners.covers(segment, fragment)) fragment = owner;
     if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];
     const RegionId region = table.regionOf(fragment);
-    for (; pixel < map.fragments.size() && input.projected[pixel] == projected && segments.ids[pixel] == segment;
+    for (; pixel < map.fragments.size() && input.projected[pixel] == projected &&
+           segments.ids[pixel] == segment;
          ++pixel) {
       map.fragments[pixel] = fragment;
       map.regions[pixel] = region;

@@ -111,15 +111,14 @@ std::vector<Eigen::Vector3i> LabelCloud::writeLabels(const SurfaceMaps& surface,
   ++stamp_;
   const Intrinsics& K = surface.K;
   const Lanes& lanes = compute_.lanes();
-  update_labels_.launch(lanes.inTurn(pixels_host_.size()), lanes.inTurnGroup(), surface.vertices_world,
-                        pixels_, new_labels_, static_cast<cl_int>(pixels_host_.size()),
-                        surface.window.cells(), map.pageSlots(),
-                        surface.window.size(), surface.window.first(), map.table(), map.tableMask(),
-                        toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy),
-                        cl_int{K.width}, map.voxelSize(),
-                        params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
-                        cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.labels(), fragment_voxels_, stamps_,
-                        counts_, touched_, missing_, cl_int{kMissingCapacity});
+  update_labels_.launch(
+      lanes.inTurn(pixels_host_.size()), lanes.inTurnGroup(), surface.vertices_world, pixels_, new_labels_,
+      static_cast<cl_int>(pixels_host_.size()), surface.window.cells(), map.pageSlots(),
+      surface.window.size(), surface.window.first(), map.table(), map.tableMask(),
+      toKernel(surface.T_world_camera.inverse()), toKernel(K.fx, K.fy, K.cx, K.cy), cl_int{K.width},
+      map.voxelSize(), params.update_distance_vox * map.voxelSize(), cl_int{params.voxel_confidence ? 1 : 0},
+      cl_int{stamp_}, cl_int{only_new ? 1 : 0}, map.labels(), fragment_voxels_, stamps_, counts_, touched_,
+      missing_, cl_int{kMissingCapacity});
   std::array<cl_int, 2> counts{};
   counts_.read(compute_.queue(), std::span<cl_int>(counts));
   touched_slots_.resize(static_cast<std::size_t>(counts[0]));

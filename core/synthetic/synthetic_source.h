@@ -44,8 +44,8 @@ class SyntheticSource : public FrameSource {
 
 /// `scene`: "tabletop" (also ""), "room", "sweep", "moving", "wall" or "corridor". With ":7" appended, the
 /// random scene of that seed; with ":exact", without noise; with ":uneven", with bumps on its surfaces; with
-/// ":drab", in few colours; in any order. Intrinsics given in `options` are those the scene is filmed with (640 x 480 stays, of colour
-/// too). Error: names the scene and those there are.
+/// ":drab", in few colours; in any order. Intrinsics given in `options` are those the scene is filmed with
+/// (640 x 480 stays, of colour too). Error: names the scene and those there are.
 [[nodiscard]] Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& scene,
                                                                            const SourceOptions& options);
 

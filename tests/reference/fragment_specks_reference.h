@@ -21,8 +21,10 @@ namespace scantrove::reference {
     is_known[static_cast<std::size_t>(first)] = true;
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const int pixel = piece[i], x = pixel % width;
-      for (const int next : {x > 0 ? pixel - 1 : -1, x + 1 < width ? pixel + 1 : -1, pixel - width, pixel + width}) {
-        if (next < 0 || next >= pixels || is_known[static_cast<std::size_t>(next)] || at(next) != at(first)) continue;
+      for (const int next :
+           {x > 0 ? pixel - 1 : -1, x + 1 < width ? pixel + 1 : -1, pixel - width, pixel + width}) {
+        if (next < 0 || next >= pixels || is_known[static_cast<std::size_t>(next)] || at(next) != at(first))
+          continue;
         is_known[static_cast<std::size_t>(next)] = true;
         piece.push_back(next);
       }

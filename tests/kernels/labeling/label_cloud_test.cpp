@@ -295,8 +295,7 @@ TEST_P(LabelCloudConfidenceTest, WhatOnlyConfirmsWhatIsSureIsWrittenInTurns) {
   // Labelled voxels, all as sure as that from now on.
   const auto setConfidence = [&](std::uint32_t confidence) {
     std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
-    for (cl_uint& voxel : voxels)
-      voxel = LABEL_OF(voxel) == 0 ? 0 : LABEL_VOXEL(LABEL_OF(voxel), confidence);
+    for (cl_uint& voxel : voxels) voxel = LABEL_OF(voxel) == 0 ? 0 : LABEL_VOXEL(LABEL_OF(voxel), confidence);
     bricks_->labels().write(compute_->queue(), voxels);
   };
   // Which voxels an update writes to that follows a look at the view, where all were sure.

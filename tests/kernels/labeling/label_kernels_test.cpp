@@ -46,7 +46,8 @@ struct LabelledMap {
         const auto label = static_cast<std::uint32_t>(at + 1);
         const Eigen::Vector3i voxel = voxelIn(bricks.positionOf(slot), i);
         const std::uint32_t confidence = 3 + label % 8;
-        labels[{voxel.x(), voxel.y(), voxel.z()}] = label | (confidence == LABEL_CONFIDENCE_MAX ? LABEL_SURE : 0);
+        labels[{voxel.x(), voxel.y(), voxel.z()}] =
+            label | (confidence == LABEL_CONFIDENCE_MAX ? LABEL_SURE : 0);
         values[at] = LABEL_VOXEL(label, confidence);
       }
     }

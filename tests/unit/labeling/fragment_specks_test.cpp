@@ -59,7 +59,8 @@ TEST(FragmentSpecks, AreThoseOfTheDefinitionInRandomImages) {
     const auto kinds = 2 + static_cast<std::uint32_t>(random() % 3);
     for (FragmentId& fragment : image) fragment.value = static_cast<std::uint32_t>(random()) % kinds;
     const int least_px = static_cast<int>(random() % 12);
-    ASSERT_EQ(withoutSpecks(image, width, least_px), reference::withoutSpecks(image, width, least_px)) << trial;
+    ASSERT_EQ(withoutSpecks(image, width, least_px), reference::withoutSpecks(image, width, least_px))
+        << trial;
   }
 }
 
