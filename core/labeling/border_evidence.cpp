@@ -17,10 +17,10 @@ struct Model {
   std::array<float, BorderEvidence::kFeatures> coefficients;
 };
 /// By border_evidence_fit to demo:room:111, 121, 113:drab, 123:drab, 1:uneven and 2, and demo:tabletop:111,
-/// 121, 113:drab and 123:drab. The intercept is lower than fitted, by 1: small things suffer more from a
-/// wrong join than from a missed one. In those scenes and demo:room and demo:tabletop 112, 122, 114:drab and
-/// 124:drab 0.820 of the small things and 0.826 of the large ones are over half so; a half lower 0.832 and
-/// 0.798, a half higher 0.802 and 0.851. Before specks were left out of the contacts it was 0.795 and 0.873.
+/// 121, 113:drab, 123:drab and 1:uneven. The intercept is lower than fitted, by 1: small things suffer more
+/// from a wrong join than from a missed one. In rooms and tables 111, 112, 121, 122 and 113, 114, 123, 124
+/// drab 0.820 of the small things and 0.826 of the large ones are over half so; a half lower 0.832 and 0.798,
+/// a half higher 0.802 and 0.851. Before specks were left out of the contacts it was 0.795 and 0.873.
 constexpr Model kWithColor{
     5.28F, {-0.47F, -1.24F, 2.16F, 0.10F, 3.20F, 0.69F, -0.23F, 0.11F, -1.18F, -0.95F, -1.33F}};
 /// Likewise to demo:room:1-6 and 1:uneven, demo:tabletop:1-4 and 1:uneven, specks and all; lower by 1.5.
