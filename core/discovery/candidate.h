@@ -32,6 +32,10 @@ struct Candidate {
 
   bool has_come = false;  ///< into the scene, while it was watched
   bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
+  /// Of what is not whole, once no more looks will come: how well this one shows most of what is known of
+  /// it. 0: it does not, or more looks may come.
+  float last_resort = 0;
+  bool is_partial = false;  ///< the rules for what shows itself whole refuse it: there is only last_resort
 };
 
 }  // namespace scantrove

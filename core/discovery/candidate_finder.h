@@ -10,6 +10,7 @@
 #include "core/discovery/candidate.h"
 #include "core/discovery/discovery_params.h"
 #include "core/discovery/region_census.h"
+#include "core/discovery/region_samples.h"
 #include "core/labeling/region_map.h"
 
 namespace scantrove {
@@ -26,6 +27,8 @@ struct DiscoveryInput {
   std::function<float(RegionId, RegionId)> joining_odds = {};
   /// By pixel: not 0 for what came into the scene and rests there now. Empty: nothing did.
   std::span<const std::uint8_t> came = {};
+  /// All that is known of the regions, once nothing more comes. Null: more may come.
+  const RegionSamples* known = nullptr;
 };
 
 /// One way to discover objects; others plug in here.

@@ -10,9 +10,17 @@
 namespace scantrove {
 namespace {
 
-constexpr int kLeastContact = 4;           // steps along which two regions touch
 constexpr float kLeastContactPart = 0.1F;  // of the outline of one of them
 constexpr float kLeastRimPart = 0.2F;      // of a hollow's outline
+
+/// The outside of a thing is about as wide as its inside, at least; what stands in a plate is not.
+bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
+  constexpr float kWider = 1.2F;
+  const auto longest = [](const cv::Rect& box) {
+    return static_cast<float>(std::max(box.width, box.height));
+  };
+  return longest(hollow.box_px) <= kWider * longest(outside.box_px);
+}
 
 void include(const RegionExtent& other, RegionExtent& extent) {
   extent.pixels += other.pixels;
@@ -44,8 +52,11 @@ class Neighbourhood {
       const RegionId a = extent.region;
       for (const RegionId b : outlines.metBy(a, kLeastContact)) {
         if (b < a || !std::ranges::binary_search(regions, b, {}, &RegionExtent::region)) continue;
-        const bool is_a_in_b = hollows.contains(a) && !hollows.contains(b) && isRim(a, b);
-        const bool is_b_in_a = hollows.contains(b) && !hollows.contains(a) && isRim(b, a);
+        const RegionExtent& extent_b = *std::ranges::lower_bound(regions, b, {}, &RegionExtent::region);
+        const bool is_a_in_b =
+            hollows.contains(a) && !hollows.contains(b) && isRim(a, b) && couldHold(extent_b, extent);
+        const bool is_b_in_a =
+            hollows.contains(b) && !hollows.contains(a) && isRim(b, a) && couldHold(extent, extent_b);
         if (!(is_a_in_b || is_b_in_a || isContact(a, b) || isContact(b, a))) continue;
         const float odds = input.joining_odds(a, b);
         if (!(odds > -kNearOdds)) continue;

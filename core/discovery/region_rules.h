@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <limits>
 #include <opencv2/core/types.hpp>
 
 #include "core/capture/intrinsics.h"
@@ -25,14 +27,39 @@ namespace scantrove {
 [[nodiscard]] bool isCentral(const RegionExtent& extent, const Intrinsics& K, const DiscoveryParams& params);
 [[nodiscard]] bool isNotEccentric(const RegionExtent& extent, const DiscoveryParams& params);
 [[nodiscard]] bool isSizeInRange(const OrientedBox& box, const DiscoveryParams& params);
-/// From one side a box or a book is a plane too: flat is refused only where it is larger than a book.
-[[nodiscard]] bool isNotFlat(const OrientedBox& box, const DiscoveryParams& params);
+/// From one side a box or a book is a plane too: flat, or what bulges as little as the edge of a board does,
+/// is refused only where it is larger than a book.
+[[nodiscard]] bool isNotFlat(const OrientedBox& box, float bulge, const DiscoveryParams& params);
 
-/// From one side a thin thing bulges too; what is thin and does not is a strip of something larger.
+/// From one side a thin thing bulges too; what is thin and does not is a strip of something larger, and
+/// so is what is thin and longer than such things are.
 [[nodiscard]] bool isNotStrip(const OrientedBox& box, float bulge, const DiscoveryParams& params);
+
+/// Its size and shape are those of a thing.
+[[nodiscard]] inline bool isShapedAsThing(const OrientedBox& box, float bulge,
+                                          const DiscoveryParams& params) {
+  return isSizeInRange(box, params) && isNotFlat(box, bulge, params) && isNotStrip(box, bulge, params);
+}
 
 /// Things bulge; what is hollow is the inside of one, or a corner of the room.
 [[nodiscard]] bool isNotHollow(float bulge, const DiscoveryParams& params);
+
+/// What a look shows of a region of which other looks have shown more.
+struct PartialLook {
+  float shown_part = 0;  ///< of all that is known of it, what the image has room for
+  OutlineSteps outline;  ///< of what is seen
+  float bulge = 0;       ///< bulgeOf() what is seen
+  OrientedBox known;     ///< of all that is known
+  /// Log-odds of the most likely of what touches it to be one with it.
+  float odds = -std::numeric_limits<float>::infinity();
+
+  /// Of several looks the one with most of this is the best; > 0.
+  [[nodiscard]] float worth(std::int64_t pixels) const;
+};
+
+/// A thing, though the image cuts it off or others hide some of it: nearly all that is known of it is in
+/// view, it bulges, what is seen of its outline is its own, and there is nothing that it may be a part of.
+[[nodiscard]] bool isClearInPart(const PartialLook& look);
 
 /// Not a piece of floor or wall between nearer things.
 [[nodiscard]] bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 
 #include "core/base/check.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr float kOutlineSlack = 0.05F;
 /// Of a thing that the border cuts off so much must be seen, along each axis.
 constexpr float kMostOfThing = 0.6F;
+/// Of what is not seen whole there must be more to see, by half.
+constexpr float kPointsOfRest = 1.5F;
 /// Parts of a set may be smaller than what must be seen of a thing.
 constexpr int kLeastPartOfThing = 8;
 
@@ -100,9 +103,8 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines, hypotheses))
         continue;
       const OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
-      if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
       Candidate candidate = toCandidate(hypothesis, box, input);
-      if (!isNotStrip(box, candidate.bulge, params_)) continue;
+      if (!isShaped(hypothesis.regions, box, candidate.bulge, input)) continue;
       candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
@@ -113,17 +115,63 @@ class RuleBasedFinder final : public CandidateFinder {
       OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       box.size_m = reaches_.sizeOf(extent.region);
       std::sort(box.size_m.begin(), box.size_m.end(), std::greater<>());
-      if (!isSizeInRange(box, params_) || !isNotFlat(box, params_)) continue;
       Candidate candidate = toCandidate(hypothesis, box, input);
-      if (!isNotStrip(box, candidate.bulge, params_)) continue;
+      if (!isShaped(hypothesis.regions, box, candidate.bulge, input)) continue;
       candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
+    if (input.known != nullptr) lookAtRest(outlines, visible, input, candidates);
     std::ranges::sort(candidates, {}, &Candidate::regions);
     return candidates;
   }
 
  private:
+  /// As a thing, after this frame's `box` and `bulge`, or after all that is known.
+  [[nodiscard]] bool isShaped(const RegionSet& regions, const OrientedBox& box, float bulge,
+                              const DiscoveryInput& input) const {
+    if (input.known == nullptr) return isShapedAsThing(box, bulge, params_);
+    const RegionSamples::Shape known = input.known->shapeOf(regions);
+    return isShapedAsThing(known.box, known.bulge, params_);
+  }
+
+  /// Regions that may never show themselves whole, as well as this frame can show them.
+  void lookAtRest(const RegionOutlines& outlines, const cv::Rect& visible, const DiscoveryInput& input,
+                  std::vector<Candidate>& candidates) const {
+    for (const RegionExtent& extent : census_.extents) {
+      RegionExtent smaller = extent;
+      smaller.pixels = static_cast<std::int64_t>(static_cast<float>(extent.pixels) / kPointsOfRest);
+      if (!hasEnoughPoints(smaller, input.K, params_)) continue;
+      const PartialLook look = partialLook(extent, outlines, visible, input);
+      const RegionSet regions{extent.region};
+      if (!isClearInPart(look) || !isShaped(regions, look.known, look.bulge, input)) continue;
+      auto candidate = std::ranges::find(candidates, regions, &Candidate::regions);
+      if (candidate == candidates.end()) {
+        candidates.push_back(toCandidate({regions, extent, visibleArea(extent, input)}, look.known, input));
+        candidate = candidates.end() - 1;
+        candidate->is_partial = true;
+        candidate->outline = look.outline.own();
+        candidate->hidden = look.outline.hiddenPart();
+      }
+      if (!candidate->is_whole) candidate->last_resort = look.worth(extent.pixels);
+    }
+  }
+
+  [[nodiscard]] static PartialLook partialLook(const RegionExtent& extent, const RegionOutlines& outlines,
+                                               const cv::Rect& visible, const DiscoveryInput& input) {
+    const RegionId region = extent.region;
+    PartialLook look;
+    look.shown_part = input.known->partInView(region, input.K, input.T_world_camera, visible);
+    look.outline = outlines.of({region});
+    look.bulge = bulgeOf({region}, extent.box_px, input);
+    look.known = input.known->shapeOf({region}).box;
+    if (!input.joining_odds) return look;
+    for (const RegionId other : outlines.metBy(region, kLeastContact)) {
+      if (outlines.between(region, other).touching() >= kLeastContact)
+        look.odds = std::max(look.odds, input.joining_odds(region, other));
+    }
+    return look;
+  }
+
   /// Regions that are seen entirely: only their size means anything.
   [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census, const cv::Rect& visible,
                                                        const DiscoveryInput& input) const {

@@ -47,6 +47,17 @@ void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidat
                          view.direction, candidate.size_m.norm()});
 }
 
+void ObjectCollector::judgeShapes(const std::function<bool(RegionId)>& is_shaped_as_thing) {
+  for (KeptView& view : kept_views_) {
+    const ObjectRecord* holder = recordOf(catalogue_.holderOf(view.object));
+    if (holder == nullptr || isSettled(*holder) || by_person_.contains(view.object) ||
+        !CatalogueMirror::isOfThisScan(holder->id))
+      continue;
+    const std::vector<RegionId> regions = met_.regionsOf(view.object);
+    view.is_outdated = !regions.empty() && std::ranges::none_of(regions, is_shaped_as_thing);
+  }
+}
+
 std::vector<int> ObjectCollector::beginLookingAgain() {
   mergeJoined(Which::all);
   is_looking_again_ = true;
@@ -58,6 +69,23 @@ std::vector<int> ObjectCollector::beginLookingAgain() {
 std::optional<Eigen::Isometry3d> ObjectCollector::cameraOfViews(int frame_index) const {
   const auto view = std::ranges::find(kept_views_, frame_index, &KeptView::frame_index);
   return view == kept_views_.end() ? std::nullopt : std::optional(view->T_world_camera);
+}
+
+std::vector<int> ObjectCollector::beginLastLooks() {
+  are_last_looks_ = true;
+  std::set<int> frames;
+  for (const auto& [regions, best] : best_looks_) {
+    if (!met_.objectOf(regions)) frames.insert(best.frame_index);
+  }
+  return {frames.begin(), frames.end()};
+}
+
+bool ObjectCollector::isLastResort(const Candidate& candidate, const Look& look) {
+  if (!(candidate.last_resort > 0)) return false;
+  BestLook& best = best_looks_[candidate.regions];
+  if (are_last_looks_) return best.last_resort > 0 && best.frame_index == look.frame.index;
+  if (candidate.last_resort > best.last_resort) best = {candidate.last_resort, look.frame.index};
+  return false;
 }
 
 void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface,
@@ -134,7 +162,8 @@ void ObjectCollector::mergeSuccessors() {
 }
 
 void ObjectCollector::endLookingAgain() {
-  is_looking_again_ = false;
+  is_looking_again_ = are_last_looks_ = false;
+  best_looks_.clear();
   mergeSuccessors();
   std::set<ObjectId> are_there;
   for (const KeptView& view : kept_views_) {

@@ -39,8 +39,13 @@ void MetObjects::unbind(const RegionSet& regions, ObjectId object) {
   }
 }
 
-bool MetObjects::hasRegions(ObjectId object) const {
-  return std::ranges::any_of(object_of_region_, [&](const auto& entry) { return entry.second == object; });
+std::vector<RegionId> MetObjects::regionsOf(ObjectId object) const {
+  std::vector<RegionId> regions;
+  for (const auto& [region, of_region] : object_of_region_) {
+    if (of_region == object) regions.push_back(region);
+  }
+  std::ranges::sort(regions);
+  return regions;
 }
 
 ObjectId MetObjects::objectOf(RegionId region) const {

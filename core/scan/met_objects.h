@@ -29,7 +29,8 @@ class MetObjects {
   void bind(const RegionSet& regions, ObjectId object);
   /// Those of the regions that are the object are of none any more.
   void unbind(const RegionSet& regions, ObjectId object);
-  [[nodiscard]] bool hasRegions(ObjectId object) const;
+  [[nodiscard]] bool hasRegions(ObjectId object) const { return !regionsOf(object).empty(); }
+  [[nodiscard]] std::vector<RegionId> regionsOf(ObjectId object) const;
   /// The object of all those of the regions that are of any; none where they are of none, or of several.
   [[nodiscard]] ObjectId objectOf(const RegionSet& regions) const;
   [[nodiscard]] ObjectId objectOf(RegionId region) const;

@@ -209,10 +209,13 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     met_.stillThere(doubt->second.object, frame_);
   if (!identity) {
     const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
-    if (isWanted(candidate) || (isClear(candidate, kForObject) && is_unknown))
+    if (isWanted(candidate) || (isClear(candidate, kForObject) && is_unknown) ||
+        isLastResort(candidate, look))
       addToCatalogue(candidate, look);
     return;
   }
+  // Of an object that is there a look that is not clear says nothing more.
+  if (candidate.is_partial && (met_.objectOf(candidate.regions) || nearby(candidate))) return;
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
   const bool is_alike = known == nullptr || isAlike(*known, candidate, look);
   // A set that is much larger than the object holds more than it: its other regions stay free. Of what came,

@@ -109,13 +109,20 @@ class ObjectCollector {
                                        const SurfaceInColor& in_color,
                                        const std::vector<Candidate>& candidates);
 
-  // At the end of a scan, when regions do not change any more: begin; judge the views of all frames that it
-  // names; collect() from frames of the scan; end.
+  // At the end of a scan, when regions do not change any more: judge objects by shape; begin; judge the views
+  // of all frames that it names; collect() from frames of the scan; begin the last looks; collect() from the
+  // frames that it names; end.
 
+  /// Objects of this scan alone leave it at the end where none of their regions `is_shaped_as_thing`, after
+  /// all that is known of it now. Those that a person said something of stay.
+  void judgeShapes(const std::function<bool(RegionId)>& is_shaped_as_thing);
   /// Frames (RgbdFrame::index) of which this scan kept views.
   [[nodiscard]] std::vector<int> beginLookingAgain();
   /// Where that frame was taken. None: no views of it were kept.
   [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
+  /// All frames were collected from; now those (RgbdFrame::index), once more, that show best what never was
+  /// whole. What is no object by then becomes one.
+  [[nodiscard]] std::vector<int> beginLastLooks();
   /// Views of that frame that show their objects otherwise than the map does now count no longer. Where most
   /// of what a view shows has been taken away since, it counts, unless the object is there all the same.
   /// `now` and `surface`: what the map shows from there; `depth_noise_m`: FusionParams.
@@ -210,6 +217,8 @@ class ObjectCollector {
   /// What was waited for is there.
   void fulfil(const Candidate& candidate, ObjectId object);
   void addToCatalogue(const Candidate& candidate, const Look& look);
+  /// Of what no look will show whole this is the best, and no more will come. Until then, remembers which is.
+  [[nodiscard]] bool isLastResort(const Candidate& candidate, const Look& look);
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
   [[nodiscard]] const ObjectRecord* recordOf(ObjectId holder) const { return catalogue_.record(holder); }
   /// None: the colour image does not show it.
@@ -268,6 +277,12 @@ class ObjectCollector {
   /// New ones that came into the scene; how often each missing one was held against them.
   std::map<ObjectId, std::map<ObjectId, int>> came_;
   bool is_looking_again_ = false;
+  struct BestLook {
+    float last_resort = 0;  ///< Candidate::last_resort
+    int frame_index = 0;
+  };
+  std::map<RegionSet, BestLook> best_looks_;  // at what is not whole
+  bool are_last_looks_ = false;
   int frame_ = 0;
 };
 

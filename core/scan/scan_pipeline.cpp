@@ -233,7 +233,7 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
   }
   const DiscoveryInput input{shown,      result.vertices_world,        result.normals_world,
                              working_K_, readings.view.T_world_camera, joiningOdds,
-                             came};
+                             came,       &finder == finder_of_kept_.get() ? &known_regions_ : nullptr};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
     constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something

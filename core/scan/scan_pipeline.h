@@ -135,11 +135,13 @@ class ScanPipeline {
   /// Looks at what there is again, at the end of a scan and with the regions as they are now: views of
   /// objects that show them otherwise are left behind, and what became clear too late is found. First begin,
   /// which says of which frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then
-  /// lookAgain() at frames of the scan; then end. Error: the device failed.
-  [[nodiscard]] std::vector<int> beginLookingAgain();
+  /// lookAgain() at frames of the scan; then beginLastLooks() and lookAgain() at those that it names; then
+  /// end. Error: the device failed.
+  [[nodiscard]] Result<std::vector<int>> beginLookingAgain();
   [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
   [[nodiscard]] Result<FrameObjects> lookAgain(const RgbdFrame& frame,
                                                const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] std::vector<int> beginLastLooks();
   void endLookingAgain();
 
   /// Ends the collecting; see ObjectCollector::finish. What a person waits for and the last frame shows is
@@ -277,6 +279,7 @@ class ScanPipeline {
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<CandidateFinder> finder_of_kept_;  // while it is looked again, and what is seen then
   SurfaceMaps seen_again_;
+  RegionSamples known_regions_;
   std::unique_ptr<ObjectCollector> collector_;
 
   SurfaceMaps surface_;    // V_t, N_t of the last usable frame

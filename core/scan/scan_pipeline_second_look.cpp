@@ -1,4 +1,5 @@
 // What ScanPipeline does when a scan has ended and it looks at everything again.
+#include "core/discovery/region_rules.h"
 #include "core/scan/guarded.h"
 #include "core/scan/scan_pipeline.h"
 
@@ -26,8 +27,19 @@ DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intr
 
 }  // namespace
 
-std::vector<int> ScanPipeline::beginLookingAgain() {
-  if (!collector_) return {};
+Result<std::vector<int>> ScanPipeline::beginLookingAgain() {
+  if (!collector_) return std::vector<int>{};
+  known_regions_ = {};
+  SCANTROVE_TRY(forEachCloudPoint([&](const LabelPoint& point) {
+    if (const RegionId region = table_.regionOf(FragmentId{point.fragment}))
+      known_regions_.add(region, {point.x, point.y, point.z},
+                         {point.normal_x, point.normal_y, point.normal_z});
+  }));
+  collector_->judgeShapes([this](RegionId region) {
+    const RegionSamples::Shape shape = known_regions_.shapeOf({region});
+    // Of what was taken away the map knows nothing any more.
+    return shape.box.size_m.isZero() || isShapedAsThing(shape.box, shape.bulge, params_.discovery);
+  });
   finder_of_kept_ = makeRuleBasedFinder(paramsOfSecondLook(params_.discovery));
   return collector_->beginLookingAgain();
 }
@@ -73,10 +85,15 @@ Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
   });
 }
 
+std::vector<int> ScanPipeline::beginLastLooks() {
+  return collector_ ? collector_->beginLastLooks() : std::vector<int>{};
+}
+
 void ScanPipeline::endLookingAgain() {
   if (!collector_ || !finder_of_kept_) return;
   finder_of_kept_.reset();
   seen_again_ = {};
+  known_regions_ = {};
   collector_->endLookingAgain();
 }
 

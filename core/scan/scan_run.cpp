@@ -308,22 +308,35 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   auto kept = recorder_->keptFrames();
   if (!kept) return fail(kept.error());
   const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*kept), kMostFramesAgain);
-  const std::vector<int> judged = pipeline_->beginLookingAgain();
-  const int steps = static_cast<int>(judged.size() + frames.size());
+  const Result<std::vector<int>> judged = pipeline_->beginLookingAgain();
+  if (!judged) return fail(judged.error());
+  int steps = static_cast<int>(judged->size() + frames.size());
   int done = 0;
-  for (const int frame_index : judged) {
+  for (const int frame_index : *judged) {
     if (!goes_on()) return {};
     listener_(LookingAgain{done++, steps});
     SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));
   }
-  for (const auto& [images, saved] : frames) {
-    if (!goes_on()) break;
+  const auto lookAt = [&](const SessionRecorder::KeptFrame& kept_frame) -> Result<void> {
     listener_(LookingAgain{done++, steps});
+    const auto& [images, saved] = kept_frame;
     const Result<RgbdFrame> frame = readKeyFrame(recorder_->folder(), images, saved);
-    if (!frame) continue;  // who looks at it is told
+    if (!frame) return {};  // who looks at it is told
     const Result<FrameObjects> objects = pipeline_->lookAgain(*frame, saved.T_world_camera);
     if (!objects) return fail(objects.error());
     announce(*objects);
+    return {};
+  };
+  for (const SessionRecorder::KeptFrame& frame : frames) {
+    if (!goes_on()) break;
+    SCANTROVE_TRY(lookAt(frame));
+  }
+  const std::vector<int> last = pipeline_->beginLastLooks();
+  steps += static_cast<int>(last.size());
+  for (const SessionRecorder::KeptFrame& frame : frames) {
+    if (!std::ranges::binary_search(last, frame.frame.source_index)) continue;
+    if (!goes_on()) break;
+    SCANTROVE_TRY(lookAt(frame));
   }
   pipeline_->endLookingAgain();
   return {};

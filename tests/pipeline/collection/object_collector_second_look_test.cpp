@@ -172,5 +172,58 @@ TEST_F(SecondLook, TwoOfAKindStayTwoHoweverFarApartTheyAreSeen) {
   EXPECT_NE(collector_->objectOf(other.region), mug);
 }
 
+TEST_F(SecondLook, WhatIsNeverWholeBecomesAnObjectByItsBestLook) {
+  static_cast<void>(collector_->beginLookingAgain());
+  Candidate part = mug_.candidate();
+  part.is_whole = false;
+  part.is_partial = true;
+  std::vector<int> frames;
+  for (const float worth : {1.0F, 3.0F, 2.0F}) {
+    part.last_resort = worth;
+    frames.push_back(frame_);
+    static_cast<void>(lookAt({part}, {mug_}));
+  }
+  EXPECT_TRUE(objects().empty()) << "it may still show itself whole";
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(frames[1]));
+  frame_ = frames[2];
+  static_cast<void>(lookAt({part}, {mug_}));
+  EXPECT_TRUE(objects().empty()) << "not the best look";
+  frame_ = frames[1];
+  static_cast<void>(lookAt({part}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_THAT(framesOfViews(objects()[0].id), testing::ElementsAre(frames[1]));
+}
+
+TEST_F(SecondLook, AnObjectThatIsThereGainsNothingByAPartOfIt) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  static_cast<void>(collector_->beginLookingAgain());
+  Candidate part = mug_.candidate();
+  part.is_whole = false;
+  part.is_partial = true;
+  part.last_resort = 1;
+  part.regions = {RegionId{77}};  // at the same place
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({part}, {mug_}, 60));
+  EXPECT_THAT(collector_->beginLastLooks(), testing::IsEmpty());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(framesOfViews(mug).size(), 1U);
+}
+
+TEST_F(SecondLook, WhatIsNotShapedAsAThingLeavesUnlessAPersonSpokeOfIt) {
+  const FrameObjects found = study({mug_, box_});
+  ASSERT_EQ(found.added.size(), 2U);
+  const ObjectId box = collector_->objectOf(box_.region);
+  ASSERT_TRUE(person_->rename(box, "my box"));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->judgeShapes([](RegionId) { return false; });
+  lookAgain(mapWith(mug_, 1), {});
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].id, box);
+}
+
 }  // namespace
 }  // namespace scantrove

@@ -88,6 +88,26 @@ TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
   EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}));
 }
 
+TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
+  PaintedScene scene;
+  const RegionId can{7}, plate{8};
+  scene.paint(plate.value, {50, 50, 60, 30}, [](int u, int v) {
+    const float x = (static_cast<float>(u) - 79.5F) / 30, y = (static_cast<float>(v) - 64.5F) / 15;
+    return 1.08F + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
+  });
+  scene.paintBump(can.value, {68, 40, 24, 26}, 1.0F, 0.5F);
+  scene.joining_odds = [](RegionId, RegionId) { return -1.5F; };
+  const DiscoveryInput input = scene.input();
+  ASSERT_LT(bulgeOf({plate}, {50, 50, 60, 30}, input), -0.03F) << "it is hollow";
+  const DiscoveryParams params;
+  const RegionOutlines outlines(input, params);
+  std::vector<RegionExtent> regions = RegionCounter().count(scene.map).extents;
+  std::erase_if(regions, [](const RegionExtent& extent) { return extent.region == RegionId{1}; });
+  const std::vector<RegionHypothesis> hypotheses = proposeHypotheses(regions, outlines, input, params);
+  ASSERT_GE(hypotheses.size(), 2U) << "each by itself";
+  for (const RegionHypothesis& hypothesis : hypotheses) EXPECT_FALSE(hypothesis.is_torn);
+}
+
 TEST(Candidate, AClearThingMayBeHiddenMore) {
   Candidate candidate;
   candidate.outline = 0.95F;

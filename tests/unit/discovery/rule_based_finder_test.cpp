@@ -56,7 +56,7 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
   ask("central", isCentral(*extent, scene.K, params));
   ask("not eccentric", isNotEccentric(*extent, params));
   ask("size in range", isSizeInRange(box, params));
-  ask("not flat", isNotFlat(box, params));
+  ask("not flat", isNotFlat(box, bulgeOf({extent->region}, extent->box_px, input), params));
   ask("not a strip", isNotStrip(box, bulgeOf({extent->region}, extent->box_px, input), params));
   ask("not background", isNotBackground(RegionOutlines(input, params).of({extent->region}), params));
   return rules;
@@ -72,9 +72,75 @@ TEST(RegionRules, WhatIsThinAndDoesNotBulgeIsAStrip) {
   EXPECT_FALSE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, params)) << "the edge of a shelf";
   EXPECT_TRUE(isNotStrip(boxOf(0.15F, 0.01F), 0.5F, params)) << "a pen";
   EXPECT_TRUE(isNotStrip(boxOf(0.25F, 0.15F), 0.03F, params)) << "a book that lies";
+  EXPECT_FALSE(isNotStrip(boxOf(0.6F, 0.05F), 0.3F, params)) << "the leg of a table";
+  EXPECT_TRUE(isNotStrip(boxOf(0.3F, 0.06F), 0.3F, params)) << "a bottle";
   DiscoveryParams all;
   all.min_strip_ratio = 0;
   EXPECT_TRUE(isNotStrip(boxOf(0.4F, 0.05F), 0.0F, all));
+}
+
+TEST(RegionRules, WhatIsLargerThanABookMustBulge) {
+  const DiscoveryParams params;
+  OrientedBox box;
+  box.size_m = {0.5F, 0.4F, 0.05F};
+  box.thickness_ratio = 0.06F;
+  EXPECT_FALSE(isNotFlat(box, 0.03F, params)) << "the door of a cupboard";
+  EXPECT_TRUE(isNotFlat(box, 0.3F, params)) << "a cushion";
+  box.size_m = {0.35F, 0.25F, 0.02F};
+  EXPECT_TRUE(isNotFlat(box, 0.0F, params)) << "a book";
+}
+
+TEST(RegionRules, APartOfAThingIsClearWhereNothingElseCanBeMeant) {
+  PartialLook clear;
+  clear.shown_part = 0.9F;
+  clear.bulge = 0.3F;
+  clear.known.size_m = {0.2F, 0.15F, 0.1F};
+  clear.outline = {.open = 40, .folded = 20, .smooth = 2, .ridged = 2, .hidden = 10, .cut = 20, .unseen = 10};
+  clear.odds = -3;
+  EXPECT_TRUE(isClearInPart(clear));
+  const auto isClearWith = [&clear](const std::function<void(PartialLook&)>& change) {
+    PartialLook look = clear;
+    change(look);
+    return isClearInPart(look);
+  };
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.shown_part = 0.6F; })) << "much of it is elsewhere";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.bulge = 0.05F; })) << "a patch of the table";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.known.size_m[0] = 0.65F; })) << "a corner of a chest";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.smooth = 30; })) << "it goes on";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.hidden = 90; })) << "it is behind something";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.cut = 80; })) << "half of it is outside";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.unseen = 60; }))
+      << "nobody knows how it ends";
+  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.odds = -0.3F; })) << "it may be a part of that";
+}
+
+TEST(RuleBasedFinder, WhatTheBorderCutsOffCountsOnceNothingMoreComes) {
+  PaintedScene scene;
+  scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
+  EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
+  RegionSamples known;
+  const DiscoveryInput input = scene.input();
+  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+    if (scene.map.regions[i] == RegionId{7})
+      known.add(RegionId{7}, input.vertices_world[i].head<3>(), input.normals_world[i].head<3>());
+  }
+  const auto find = [&] {
+    DiscoveryInput with_known = scene.input();
+    with_known.known = &known;
+    return makeRuleBasedFinder(testParams())->find(with_known);
+  };
+  const std::vector<Candidate> found = find();
+  ASSERT_THAT(idsOf(found), ElementsAre(7U));
+  EXPECT_TRUE(found[0].is_partial);
+  EXPECT_FALSE(found[0].is_whole);
+  EXPECT_GT(found[0].last_resort, 0);
+  // As much of it again is known to lie outside of the image.
+  const Eigen::Vector3f aside = (scene.T_world_camera.linear() * Eigen::Vector3d(-0.4, 0, 0)).cast<float>();
+  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+    if (scene.map.regions[i] == RegionId{7})
+      known.add(RegionId{7}, scene.vertices[i].head<3>() + aside, Eigen::Vector3f::Zero());
+  }
+  EXPECT_THAT(find(), IsEmpty());
 }
 
 TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
@@ -194,7 +260,7 @@ TEST(RuleBasedFinder, RefusesWhatIsNotCentral) {
 
 TEST(RuleBasedFinder, RefusesTooLargeAndTooSmall) {
   PaintedScene scene;
-  scene.paintBump(7, {20, 20, 120, 80}, 1.6F, 0.2F);  // 1.28 m
+  scene.paintBump(7, {20, 20, 120, 80}, 1.6F, 0.6F);  // 1.28 m
   EXPECT_THAT(findAfter(scene, testParams(), 6), IsEmpty());
   EXPECT_THAT(broken(scene, testParams(), 7), ElementsAre("size in range"));
   DiscoveryParams params = testParams();
