@@ -23,7 +23,6 @@ struct RegionHypothesis {
                                                               const DiscoveryInput& input,
                                                               const DiscoveryParams& params);
 
-inline constexpr int kLeastContact = 4;  ///< steps along which two regions touch
 inline constexpr float kNearOdds = 3;
 inline constexpr std::size_t kMostRegions = 4;  ///< of a set
 inline constexpr std::size_t kMostSets = 96;

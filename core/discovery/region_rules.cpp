@@ -63,8 +63,8 @@ float PartialLook::worth(std::int64_t pixels) const {
 }
 
 bool isClearInPart(const PartialLook& look) {
-  constexpr float kMostOfKnown = 0.8F, kMostCut = 0.4F, kMostHidden = 0.5F, kLeastOwn = 0.8F;
-  constexpr float kMostUnseen = 0.3F, kLikelyPart = -0.8F;
+  constexpr float kMostOfKnown = 0.8F, kMostCut = 0.4F, kMostHidden = 0.45F, kLeastOwn = 0.8F;
+  constexpr float kMostUnseen = 0.3F, kLikelyPart = -1.1F;
   // Larger things that the image cuts off are corners of furniture.
   constexpr float kLargest_m = 0.55F;
   const auto known_steps = static_cast<float>(look.outline.known());

@@ -21,6 +21,8 @@ constexpr float kOutlineSlack = 0.05F;
 constexpr float kMostOfThing = 0.6F;
 /// Of what is not seen whole there must be more to see, by half.
 constexpr float kPointsOfRest = 1.5F;
+/// Steps along which it touches what it may be a part of.
+constexpr int kLeastTouch = 2;
 /// Parts of a set may be smaller than what must be seen of a thing.
 constexpr int kLeastPartOfThing = 8;
 
@@ -165,8 +167,8 @@ class RuleBasedFinder final : public CandidateFinder {
     look.bulge = bulgeOf({region}, extent.box_px, input);
     look.known = input.known->shapeOf({region}).box;
     if (!input.joining_odds) return look;
-    for (const RegionId other : outlines.metBy(region, kLeastContact)) {
-      if (outlines.between(region, other).touching() >= kLeastContact)
+    for (const RegionId other : outlines.metBy(region, kLeastTouch)) {
+      if (outlines.between(region, other).touching() >= kLeastTouch)
         look.odds = std::max(look.odds, input.joining_odds(region, other));
     }
     return look;
