@@ -43,7 +43,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
   EventQueue events;
   ProgressLine progress;
   bool is_stopping = false;
-  request.cloud = false;  // what is watched are numbers
+  request.pictures = false;  // what is watched are numbers
   listenForStop();
   ScanSession session([&](const ScanEvent& event) { events.push(event); });
   session.start(std::move(request));

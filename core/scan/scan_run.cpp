@@ -65,7 +65,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
                                                LatestValue<ScanSnapshot>& mailbox,
                                                std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
-  if (!request.cloud) run->snapshots_.leaveOutCloud();
+  if (!request.pictures) run->snapshots_.leaveOutPictures();
   SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
   const SourceInfo& info = run->source_->info();
   const bool poses_given = request.poses == ScanRequest::Poses::given;

@@ -43,7 +43,7 @@ struct ScanRequest {
   /// frames looked at, and data sets made of it.
   bool review = false;
   bool start_paused = false;
-  bool cloud = true;             ///< snapshots hold the label cloud; nobody looks at it else
+  bool pictures = true;          ///< snapshots hold what is looked at; else numbers alone
   bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
   /// How long the end of the scan waits for a catalogue in which nothing can be stored.
   std::chrono::milliseconds catalogue_patience{20000};

@@ -48,6 +48,17 @@ cv::Mat fusedDepth(const FrameResult& result, const Intrinsics& K) {
   return depth;
 }
 
+/// Different regions in the image.
+int countRegions(const RegionMap& map) {
+  std::unordered_set<RegionId> in_view;
+  RegionId last;
+  for (const RegionId region : map.regions) {
+    if (region != last && region) in_view.insert(region);
+    last = region;
+  }
+  return static_cast<int>(in_view.size());
+}
+
 CloudBrick::Point cloudPoint(const LabelPoint& point) {
   CloudBrick::Point packed{point.x, point.y, point.z, FragmentId{point.fragment}};
   if (COLOR_WEIGHT(point.color) > 0) {
@@ -89,7 +100,7 @@ void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eige
 }
 
 void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
-  if (has_cloud_) waiting_.add(bricks);
+  if (has_pictures_) waiting_.add(bricks);
 }
 
 void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) {
@@ -102,7 +113,7 @@ void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) 
 void SnapshotBuilder::endEdit(ScanPipeline& pipeline) {
   keepRegionChanges(pipeline, true);
   const std::vector<Eigen::Vector3i> edited = pipeline.takeEditedBricks();
-  if (has_cloud_) waiting_.addByPerson(edited);
+  if (has_pictures_) waiting_.addByPerson(edited);
 }
 
 Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
@@ -115,27 +126,17 @@ Result<void> SnapshotBuilder::flush(ScanPipeline& pipeline, const ScanProgress& 
 }
 
 Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress, Bricks which) {
-  const Intrinsics& K = pipeline.workingIntrinsics();
   auto snapshot = std::make_shared<ScanSnapshot>();
   snapshot->state = progress.state;
   snapshot->frame_index = frame_.index;
   snapshot->frames = progress.frames;
   snapshot->frames_total = progress.frames_total;
   snapshot->pose = result_.pose;
-  snapshot->K = K;
-  snapshot->trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
-  snapshot->color = frame_.color;
-  const bool goes_on = progress.state == ScanState::scanning || progress.state == ScanState::paused;
-  if (goes_on && !result_.pose.usable()) snapshot->last_seen = last_seen_;
-  snapshot->depth_raw_m = rawDepth(frame_, K);
-  snapshot->depth_fused_m = fusedDepth(result_, K);
-  snapshot->segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
-  snapshot->regions = idImage(result_.regions.regions, result_.regions.width, result_.regions.height);
-  snapshot->objects = result_.objects.seen;
-  if (const ObjectCollector* collector = pipeline.collector()) {
-    for (SeenObject& seen : snapshot->objects) collector->describeObject(seen);
+  snapshot->K = pipeline.workingIntrinsics();
+  if (has_pictures_) {
+    addPictures(pipeline, *snapshot);
+    addRegions(pipeline, *snapshot);
   }
-  addRegions(pipeline, *snapshot);
   snapshot->key_frames = key_frames_;
   snapshot->shown_key_frame = shown_key_frame_;
   SCANTROVE_TRY(addChangedBricks(pipeline, which, *snapshot));
@@ -145,12 +146,25 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   snapshot->fps = fps_;
   snapshot->map_bricks = pipeline.bricks().brickCount();
   snapshot->map_megabytes = static_cast<double>(pipeline.deviceBytes()) / (1 << 20);
-  std::unordered_set<RegionId> in_view(result_.regions.regions.begin(), result_.regions.regions.end());
-  in_view.erase(RegionId{});
-  snapshot->region_count = static_cast<int>(in_view.size());
+  snapshot->region_count = countRegions(result_.regions);
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));
   return {};
+}
+
+void SnapshotBuilder::addPictures(const ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
+  snapshot.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
+  snapshot.color = frame_.color;
+  const bool goes_on = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
+  if (goes_on && !result_.pose.usable()) snapshot.last_seen = last_seen_;
+  snapshot.depth_raw_m = rawDepth(frame_, snapshot.K);
+  snapshot.depth_fused_m = fusedDepth(result_, snapshot.K);
+  snapshot.segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
+  snapshot.regions = idImage(result_.regions.regions, result_.regions.width, result_.regions.height);
+  snapshot.objects = result_.objects.seen;
+  if (const ObjectCollector* collector = pipeline.collector()) {
+    for (SeenObject& seen : snapshot.objects) collector->describeObject(seen);
+  }
 }
 
 void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const {

@@ -40,8 +40,8 @@ class SnapshotBuilder {
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
-  /// Snapshots hold no bricks from now on.
-  void leaveOutCloud() { has_cloud_ = false; }
+  /// Snapshots hold numbers alone from now on: no images, no regions, no bricks.
+  void leaveOutPictures() { has_pictures_ = false; }
   /// Around something that a person does to the regions: what that changes is sent before all else, and
   /// marked.
   void beginEdit(ScanPipeline& pipeline) { keepRegionChanges(pipeline, false); }
@@ -74,11 +74,12 @@ class SnapshotBuilder {
   [[nodiscard]] Result<void> readBricks(ScanPipeline& pipeline, std::span<const WaitingBricks::Brick> bricks,
                                         std::vector<CloudBrick>& to);
   void keepRegionChanges(ScanPipeline& pipeline, bool by_person);
+  void addPictures(const ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;
-  bool has_cloud_ = true;
+  bool has_pictures_ = true;
   RgbdFrame frame_;
   FrameResult result_;
   cv::Mat last_seen_;  // colour image of the last frame with a pose
