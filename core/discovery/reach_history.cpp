@@ -13,7 +13,8 @@
 namespace scantrove {
 namespace {
 
-/// Pixels are looked at in steps of so many: an end may be missed by so much less than kSlack_m.
+/// Pixels are looked at in steps of so many, of 320 x 240: an end may be missed by so much less than
+/// kSlack_m.
 constexpr int kStep_px = 2;
 /// Ends so near to each other are one: surfaces are noisy, and labels waver along outlines.
 constexpr float kSlack_m = 0.015F;
@@ -93,8 +94,9 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
   const Interior interior(input, visible_px);
   RegionId last;
   Seen* of_last = nullptr;  // null: nobody wants to know
-  for (int v = 0; v < input.regions.height; v += kStep_px) {
-    for (int u = 0; u < input.regions.width; u += kStep_px) {
+  const int step_px = kStep_px * stepOfMeans(input.regions.width);
+  for (int v = 0; v < input.regions.height; v += step_px) {
+    for (int u = 0; u < input.regions.width; u += step_px) {
       const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.regions.width) +
                          static_cast<std::size_t>(u);
       const RegionId region = input.regions.regions[pixel];

@@ -42,24 +42,19 @@ cv::Mat bodyOf(const cv::Mat& mask, const cv::Mat1f& z_m) {
   return body | (mask & (z_m <= farthest_of_body));
 }
 
-/// Calls `use` with each pixel of the regions that shows a surface, and its place in the box.
+/// Calls `use` with each pixel of the regions that shows a surface, and its place in the box; or with those
+/// of every `step`-th row and column.
 template <class Use>
-void forEachPixel(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use) {
-  for (int v = box.y; v < box.br().y; ++v) {
+void forEachPixel(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use,
+                  int step = 1) {
+  for (int v = box.y; v < box.br().y; v += step) {
     const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.regions.width);
-    for (int u = box.x; u < box.br().x; ++u) {
+    for (int u = box.x; u < box.br().x; u += step) {
       const std::size_t pixel = row + static_cast<std::size_t>(u);
       if (!regions.contains(input.regions.regions[pixel])) continue;
       if (isSurface(input.vertices_world[pixel])) use(pixel, cv::Point(u, v) - box.tl());
     }
   }
-}
-
-/// Calls `use` with each vertex of the regions that is a surface point.
-template <class Use>
-void forEachPoint(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use) {
-  forEachPixel(regions, box, input,
-               [&](std::size_t pixel, const cv::Point& /*place*/) { use(input.vertices_world[pixel]); });
 }
 
 /// z in the camera frame of world points.
@@ -83,29 +78,35 @@ class CameraDepth {
 
 float visibleArea(const RegionExtent& extent, const DiscoveryInput& input) {
   const CameraDepth depth(input);
+  const int step = stepOfMeans(input.regions.width);
   double sum = 0;
-  forEachPoint({extent.region}, extent.box_px, input, [&](const Eigen::Vector4f& vertex) {
-    const float z = depth(vertex);
+  const auto add = [&](std::size_t pixel, const cv::Point& /*place*/) {
+    const float z = depth(input.vertices_world[pixel]);
     sum += static_cast<double>(z * z);
-  });
-  return static_cast<float>(sum / (static_cast<double>(input.K.fx) * static_cast<double>(input.K.fy)));
+  };
+  forEachPixel({extent.region}, extent.box_px, input, add, step);
+  return static_cast<float>(sum * step * step /
+                            (static_cast<double>(input.K.fx) * static_cast<double>(input.K.fy)));
 }
 
 float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input) {
+  const int step = stepOfMeans(input.regions.width);
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   int points = 0;
-  forEachPoint(regions, box_px, input, [&](const Eigen::Vector4f& vertex) {
-    sum += vertex.head<3>();
+  const auto add = [&](std::size_t pixel, const cv::Point& /*place*/) {
+    sum += input.vertices_world[pixel].head<3>();
     ++points;
-  });
+  };
+  forEachPixel(regions, box_px, input, add, step);
   const Eigen::Vector3f middle = sum / static_cast<float>(std::max(points, 1));
   float outwards = 0, away = 0;
-  forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& /*place*/) {
+  const auto compare = [&](std::size_t pixel, const cv::Point& /*place*/) {
     if (!isSurface(input.normals_world[pixel])) return;
     const Eigen::Vector3f from_middle = input.vertices_world[pixel].head<3>() - middle;
     outwards += from_middle.dot(input.normals_world[pixel].head<3>());
     away += from_middle.norm();
-  });
+  };
+  forEachPixel(regions, box_px, input, compare, step);
   return away > 0 ? outwards / away : 0;
 }
 

@@ -12,6 +12,12 @@ namespace scantrove {
   return vertex.w() != 0 && std::isfinite(vertex.x() + vertex.y() + vertex.z());
 }
 
+/// Means over regions are as good from every so many-th row and column of an image of that width.
+[[nodiscard]] constexpr int stepOfMeans(int width) {
+  constexpr int kEnough = 320;
+  return width > kEnough ? width / kEnough : 1;
+}
+
 /// What the camera sees of a region as if face on: the sum of z^2 / (fx fy) over its pixels that have a
 /// surface, m^2. Unlike the area in pixels it stays the same as the camera comes near.
 [[nodiscard]] float visibleArea(const RegionExtent& extent, const DiscoveryInput& input);
