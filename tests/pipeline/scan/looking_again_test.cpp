@@ -18,15 +18,18 @@ ScanRequest requestIn(const test::TemporaryFolder& folder) {
   return request;
 }
 
-TEST(LookingAgain, EveryKeyFrameOfASessionOnce) {
+TEST(LookingAgain, TellsHowFarItIs) {
   const test::TemporaryFolder folder;
   const ScanEnding ending = runScan(requestIn(folder));
   ASSERT_TRUE(ending.report) << ending.error;
   ASSERT_FALSE(ending.again.empty());
   for (std::size_t i = 0; i < ending.again.size(); ++i) {
     EXPECT_EQ(ending.again[i].done, static_cast<int>(i));
-    EXPECT_EQ(ending.again[i].steps, static_cast<int>(ending.again.size()));
+    EXPECT_GT(ending.again[i].steps, static_cast<int>(i));
+    // Frames that show best what is never whole are looked at twice: how many these are is known late.
+    if (i > 0) EXPECT_GE(ending.again[i].steps, ending.again[i - 1].steps);
   }
+  EXPECT_EQ(ending.again.back().steps, static_cast<int>(ending.again.size()));
 }
 
 TEST(LookingAgain, NotWithoutASession) {

@@ -98,14 +98,31 @@ TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
   EXPECT_EQ(idle->trail->size(), 1U);
 }
 
-TEST_F(SnapshotBuilderTest, LeavesTheCloudOutWhereNobodyLooksAtIt) {
-  builder_.leaveOutCloud();
+TEST_F(SnapshotBuilderTest, HoldsNumbersAloneWhereNobodyLooks) {
+  builder_.leaveOutPictures();
   ASSERT_FALSE(addFrame().empty());
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
   const auto snapshot = mailbox_.collect();
   ASSERT_TRUE(snapshot);
   EXPECT_TRUE(snapshot->changed_bricks.empty());
+  EXPECT_TRUE(snapshot->color.empty());
+  EXPECT_TRUE(snapshot->regions.empty());
   EXPECT_FALSE(snapshot->changed_regions.empty());
+  EXPECT_EQ(snapshot->frames.done(), 1);
+  EXPECT_TRUE(snapshot->pose.usable());
+  EXPECT_GT(snapshot->region_count, 0);
+  EXPECT_FALSE(snapshot->stage_times.empty());
+}
+
+TEST_F(SnapshotBuilderTest, CountsTheRegionsInView) {
+  static_cast<void>(addFrame());
+  ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
+  const auto snapshot = mailbox_.collect();
+  std::set<std::int32_t> in_view(snapshot->regions.begin<std::int32_t>(),
+                                 snapshot->regions.end<std::int32_t>());
+  in_view.erase(0);
+  ASSERT_GT(in_view.size(), 1U);
+  EXPECT_EQ(snapshot->region_count, static_cast<int>(in_view.size()));
 }
 
 // However much waits: what a person did comes with the next snapshot, and is marked.
