@@ -27,7 +27,7 @@ TEST(LookingAgain, TellsHowFarItIs) {
     EXPECT_EQ(ending.again[i].done, static_cast<int>(i));
     EXPECT_GT(ending.again[i].steps, static_cast<int>(i));
     // Frames that show best what is never whole are looked at twice: how many these are is known late.
-    if (i > 0) EXPECT_GE(ending.again[i].steps, ending.again[i - 1].steps);
+    EXPECT_GE(ending.again[i].steps, ending.again[i > 0 ? i - 1 : 0].steps);
   }
   EXPECT_EQ(ending.again.back().steps, static_cast<int>(ending.again.size()));
 }
