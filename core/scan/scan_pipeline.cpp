@@ -231,9 +231,15 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
   for (std::size_t i = 0; i < shown.regions.size(); ++i) {
     if (readings.contradicted.data[i] != 0) shown.regions[i] = {};
   }
-  const DiscoveryInput input{shown,      result.vertices_world,        result.normals_world,
-                             working_K_, readings.view.T_world_camera, joiningOdds,
-                             came,       &finder == finder_of_kept_.get() ? &known_regions_ : nullptr};
+  const RegionSamples* known = &finder == finder_of_kept_.get() ? &known_regions_ : nullptr;
+  const DiscoveryInput input{shown,
+                             result.vertices_world,
+                             result.normals_world,
+                             working_K_,
+                             readings.view.T_world_camera,
+                             joiningOdds,
+                             came,
+                             known};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
     constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something
