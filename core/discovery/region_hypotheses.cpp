@@ -52,12 +52,12 @@ class Neighbourhood {
     for (const RegionExtent& extent : regions) {
       const RegionId a = extent.region;
       for (const RegionId b : outlines.metBy(a, kLeastContact)) {
-        if (b < a || !std::ranges::binary_search(regions, b, {}, &RegionExtent::region)) continue;
-        const RegionExtent& extent_b = *std::ranges::lower_bound(regions, b, {}, &RegionExtent::region);
+        const auto found = std::ranges::lower_bound(regions, b, {}, &RegionExtent::region);
+        if (b < a || found == regions.end() || found->region != b) continue;
         const bool is_a_in_b =
-            hollows.contains(a) && !hollows.contains(b) && isRim(a, b) && couldHold(extent_b, extent);
+            hollows.contains(a) && !hollows.contains(b) && isRim(a, b) && couldHold(*found, extent);
         const bool is_b_in_a =
-            hollows.contains(b) && !hollows.contains(a) && isRim(b, a) && couldHold(extent, extent_b);
+            hollows.contains(b) && !hollows.contains(a) && isRim(b, a) && couldHold(extent, *found);
         if (!(is_a_in_b || is_b_in_a || isContact(a, b) || isContact(b, a))) continue;
         const float odds = input.joining_odds(a, b);
         if (!(odds > -kNearOdds)) continue;

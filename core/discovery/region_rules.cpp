@@ -68,8 +68,9 @@ bool isClearInPart(const PartialLook& look) {
   // Larger things that the image cuts off are corners of furniture.
   constexpr float kLargest_m = 0.55F;
   const auto known_steps = static_cast<float>(look.outline.known());
-  return look.shown_part >= kMostOfKnown && look.bulge >= kClearBulge && look.known.size_m[0] <= kLargest_m &&
-         look.outline.own() >= kLeastOwn && look.outline.hiddenPart() <= kMostHidden &&
+  return look.shown_part >= kMostOfKnown && look.bulge >= kClearBulge &&
+         look.known.box.size_m[0] <= kLargest_m && look.outline.own() >= kLeastOwn &&
+         look.outline.hiddenPart() <= kMostHidden &&
          static_cast<float>(look.outline.cut) <= kMostCut * known_steps &&
          static_cast<float>(look.outline.unseen) <= kMostUnseen * known_steps && look.odds < kLikelyPart;
 }

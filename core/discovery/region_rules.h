@@ -8,6 +8,7 @@
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/region_census.h"
 #include "core/discovery/region_outlines.h"
+#include "core/discovery/region_samples.h"
 
 namespace scantrove {
 
@@ -46,10 +47,10 @@ namespace scantrove {
 
 /// What a look shows of a region of which other looks have shown more.
 struct PartialLook {
-  float shown_part = 0;  ///< of all that is known of it, what the image has room for
-  OutlineSteps outline;  ///< of what is seen
-  float bulge = 0;       ///< bulgeOf() what is seen
-  OrientedBox known;     ///< of all that is known
+  float shown_part = 0;        ///< of all that is known of it, what the image has room for
+  OutlineSteps outline;        ///< of what is seen
+  float bulge = 0;             ///< bulgeOf() what is seen
+  RegionSamples::Shape known;  ///< of all that is known
   /// Log-odds of the most likely of what touches it to be one with it.
   float odds = -std::numeric_limits<float>::infinity();
 

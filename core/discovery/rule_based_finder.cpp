@@ -145,10 +145,11 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!hasEnoughPoints(smaller, input.K, params_)) continue;
       const PartialLook look = partialLook(extent, outlines, visible, input);
       const RegionSet regions{extent.region};
-      if (!isClearInPart(look) || !isShaped(regions, look.known, look.bulge, input)) continue;
+      if (!isClearInPart(look) || !isShapedAsThing(look.known.box, look.known.bulge, params_)) continue;
       auto candidate = std::ranges::find(candidates, regions, &Candidate::regions);
       if (candidate == candidates.end()) {
-        candidates.push_back(toCandidate({regions, extent, visibleArea(extent, input)}, look.known, input));
+        candidates.push_back(
+            toCandidate({regions, extent, visibleArea(extent, input)}, look.known.box, input));
         candidate = candidates.end() - 1;
         candidate->is_partial = true;
         candidate->outline = look.outline.own();
@@ -165,7 +166,7 @@ class RuleBasedFinder final : public CandidateFinder {
     look.shown_part = input.known->partInView(region, input.K, input.T_world_camera, visible);
     look.outline = outlines.of({region});
     look.bulge = bulgeOf({region}, extent.box_px, input);
-    look.known = input.known->shapeOf({region}).box;
+    look.known = input.known->shapeOf({region});
     if (!input.joining_odds) return look;
     for (const RegionId other : outlines.metBy(region, kLeastTouch)) {
       if (outlines.between(region, other).touching() >= kLeastTouch)

@@ -127,7 +127,7 @@ std::vector<ParamInfo> makeRegistry() {
       number("discovery.size_tolerance", d, &D::size_tolerance, "", 0.01, 10,
              "relative change of size that is still stable"),
       number("discovery.max_flat_size_m", d, &D::max_flat_size_m, "m", 0, 10,
-             "flat regions longer than this are no objects"),
+             "regions longer than this are no objects where they are flat or bars"),
       number("discovery.max_hidden_fraction", d, &D::max_hidden_fraction, "", 0, 1,
              "regions with more of their outline behind nearer things are background"),
       number("discovery.min_thickness_ratio", d, &D::min_thickness_ratio, "", 0, 1,

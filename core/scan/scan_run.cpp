@@ -308,6 +308,7 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   auto kept = recorder_->keptFrames();
   if (!kept) return fail(kept.error());
   const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*kept), kMostFramesAgain);
+  if (!goes_on()) return {};  // it begins by reading the whole map
   const Result<std::vector<int>> judged = pipeline_->beginLookingAgain();
   if (!judged) return fail(judged.error());
   int steps = static_cast<int>(judged->size() + frames.size());

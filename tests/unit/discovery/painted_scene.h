@@ -50,6 +50,15 @@ struct PaintedScene {
     });
   }
 
+  /// The inside of a bowl over the rectangle, 8 cm behind its rim.
+  void paintBowl(std::uint32_t region, const cv::Rect& box, float rim_z) {
+    paint(region, box, [&](int u, int v) {
+      const float x = (static_cast<float>(u - box.x) + 0.5F) / static_cast<float>(box.width) * 2 - 1;
+      const float y = (static_cast<float>(v - box.y) + 0.5F) / static_cast<float>(box.height) * 2 - 1;
+      return rim_z + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
+    });
+  }
+
   /// Normals follow from the vertices, by differences within a region.
   [[nodiscard]] DiscoveryInput input() const {
     normals.assign(vertices.size(), Eigen::Vector4f::Zero());

@@ -74,10 +74,7 @@ TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
   // Seen from above: a hollow whose near side the front wall hides.
   PaintedScene scene;
   const RegionId inside{8}, outside{7};
-  scene.paint(inside.value, {60, 40, 40, 20}, [](int u, int v) {
-    const float x = (static_cast<float>(u) - 79.5F) / 20, y = (static_cast<float>(v) - 49.5F) / 10;
-    return 1.08F + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
-  });
+  scene.paintBowl(inside.value, {60, 40, 40, 20}, 1.08F);
   scene.paintBump(outside.value, {60, 60, 40, 20}, 1.0F, 0.5F);
   EXPECT_THAT(setsIn(scene), ElementsAre(RegionSet{outside}, RegionSet{inside}))
       << "that they touch is not known";
@@ -91,10 +88,7 @@ TEST(RuleBasedFinder, TheInsideOfABowlIsNothingWithoutItsOutside) {
 TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
   PaintedScene scene;
   const RegionId can{7}, plate{8};
-  scene.paint(plate.value, {50, 50, 60, 30}, [](int u, int v) {
-    const float x = (static_cast<float>(u) - 79.5F) / 30, y = (static_cast<float>(v) - 64.5F) / 15;
-    return 1.08F + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
-  });
+  scene.paintBowl(plate.value, {50, 50, 60, 30}, 1.08F);
   scene.paintBump(can.value, {68, 40, 24, 26}, 1.0F, 0.5F);
   scene.joining_odds = [](RegionId, RegionId) { return -1.5F; };
   const DiscoveryInput input = scene.input();
