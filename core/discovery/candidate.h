@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 #include "core/discovery/region_set.h"
 
@@ -32,10 +33,8 @@ struct Candidate {
 
   bool has_come = false;  ///< into the scene, while it was watched
   bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
-  /// Of what is not whole, once no more looks will come: how well this one shows most of what is known of
-  /// it. 0: it does not, or more looks may come.
-  float last_resort = 0;
-  bool is_partial = false;  ///< the rules for what shows itself whole refuse it: there is only last_resort
+  /// Log-odds that this look shows one whole thing, by all that is known (RegionJudge). None: more may come.
+  std::optional<float> wholeness;
 };
 
 }  // namespace scantrove

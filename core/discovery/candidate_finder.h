@@ -10,7 +10,6 @@
 #include "core/discovery/candidate.h"
 #include "core/discovery/discovery_params.h"
 #include "core/discovery/region_census.h"
-#include "core/discovery/region_samples.h"
 #include "core/labeling/region_map.h"
 
 namespace scantrove {
@@ -27,20 +26,24 @@ struct DiscoveryInput {
   std::function<float(RegionId, RegionId)> joining_odds = {};
   /// By pixel: not 0 for what came into the scene and rests there now. Empty: nothing did.
   std::span<const std::uint8_t> came = {};
-  /// All that is known of the regions, once nothing more comes. Null: more may come.
-  const RegionSamples* known = nullptr;
 };
 
-/// One way to discover objects; others plug in here.
-class CandidateFinder {
+/// Says what may be an object in one frame.
+class CandidateSource {
  public:
-  virtual ~CandidateFinder() = default;
-  virtual void setParams(const DiscoveryParams& params) = 0;
+  virtual ~CandidateSource() = default;
   /// Candidates of this frame, by their regions. They may overlap: each is one way to see the scene (see
-  /// chooseDisjoint). Keeps what it needs to know of earlier frames.
+  /// chooseDisjoint).
   [[nodiscard]] virtual std::vector<Candidate> find(const DiscoveryInput& input) = 0;
   /// What find() saw last.
   [[nodiscard]] virtual const RegionCensus& census() const = 0;
+};
+
+/// One way to discover objects while a scan runs; others plug in here. Keeps what it needs to know of earlier
+/// frames.
+class CandidateFinder : public CandidateSource {
+ public:
+  virtual void setParams(const DiscoveryParams& params) = 0;
   /// `from` is now part of `into`: its history goes with it.
   virtual void regionsJoined(RegionId into, RegionId from) = 0;
   /// `from` is not as large any more.

@@ -13,6 +13,7 @@ namespace {
 constexpr int kLeastContact = 4;           // steps along which two regions touch
 constexpr float kLeastContactPart = 0.1F;  // of the outline of one of them
 constexpr float kLeastRimPart = 0.2F;      // of a hollow's outline
+constexpr float kOddsOfRim = -2.99F;       // at least
 
 /// The outside of a thing is about as wide as its inside, at least; what stands in a plate is not.
 bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
@@ -59,7 +60,9 @@ class Neighbourhood {
         const bool is_b_in_a =
             hollows.contains(b) && !hollows.contains(a) && isRim(b, a) && couldHold(extent, *found);
         if (!(is_a_in_b || is_b_in_a || isContact(a, b) || isContact(b, a))) continue;
-        const float odds = input.joining_odds(a, b);
+        float odds = input.joining_odds(a, b);
+        // Over the rim of a hollow nothing is seen to touch.
+        if (is_a_in_b || is_b_in_a) odds = std::max(odds, kOddsOfRim);
         if (!(odds > -kNearOdds)) continue;
         neighbours_[a].push_back({b, odds});
         neighbours_[b].push_back({a, odds});

@@ -58,23 +58,6 @@ bool isNotStrip(const OrientedBox& box, float bulge, const DiscoveryParams& para
 
 bool isNotHollow(float bulge, const DiscoveryParams& params) { return bulge >= params.min_bulge; }
 
-float PartialLook::worth(std::int64_t pixels) const {
-  return static_cast<float>(pixels) * std::pow(shown_part, 3.0F) * (1 - outline.hiddenPart());
-}
-
-bool isClearInPart(const PartialLook& look) {
-  constexpr float kMostOfKnown = 0.8F, kMostCut = 0.4F, kMostHidden = 0.45F, kLeastOwn = 0.8F;
-  constexpr float kMostUnseen = 0.3F, kLikelyPart = -1.1F;
-  // Larger things that the image cuts off are corners of furniture.
-  constexpr float kLargest_m = 0.55F;
-  const auto known_steps = static_cast<float>(look.outline.known());
-  return look.shown_part >= kMostOfKnown && look.bulge >= kClearBulge &&
-         look.known.box.size_m[0] <= kLargest_m && look.outline.own() >= kLeastOwn &&
-         look.outline.hiddenPart() <= kMostHidden &&
-         static_cast<float>(look.outline.cut) <= kMostCut * known_steps &&
-         static_cast<float>(look.outline.unseen) <= kMostUnseen * known_steps && look.odds < kLikelyPart;
-}
-
 bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params) {
   return outline.hiddenPart() <= params.max_hidden_fraction;
 }

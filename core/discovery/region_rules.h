@@ -1,6 +1,4 @@
 #pragma once
-#include <cstdint>
-#include <limits>
 #include <opencv2/core/types.hpp>
 
 #include "core/capture/intrinsics.h"
@@ -8,7 +6,6 @@
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/region_census.h"
 #include "core/discovery/region_outlines.h"
-#include "core/discovery/region_samples.h"
 
 namespace scantrove {
 
@@ -44,23 +41,6 @@ namespace scantrove {
 
 /// Things bulge; what is hollow is the inside of one, or a corner of the room.
 [[nodiscard]] bool isNotHollow(float bulge, const DiscoveryParams& params);
-
-/// What a look shows of a region of which other looks have shown more.
-struct PartialLook {
-  float shown_part = 0;        ///< of all that is known of it, what the image has room for
-  OutlineSteps outline;        ///< of what is seen
-  float bulge = 0;             ///< bulgeOf() what is seen
-  RegionSamples::Shape known;  ///< of all that is known
-  /// Log-odds of the most likely of what touches it to be one with it.
-  float odds = -std::numeric_limits<float>::infinity();
-
-  /// Of several looks the one with most of this is the best; > 0.
-  [[nodiscard]] float worth(std::int64_t pixels) const;
-};
-
-/// A thing, though the image cuts it off or others hide some of it: nearly all that is known of it is in
-/// view, it bulges, what is seen of its outline is its own, and there is nothing that it may be a part of.
-[[nodiscard]] bool isClearInPart(const PartialLook& look);
 
 /// Not a piece of floor or wall between nearer things.
 [[nodiscard]] bool isNotBackground(const OutlineSteps& outline, const DiscoveryParams& params);

@@ -13,8 +13,8 @@
 
 namespace scantrove {
 
-/// All that a map knows of its regions, in some hundred points each: how large they are, what shape, and how
-/// much of them a view could show.
+/// All that a map knows of its regions, in some hundred points each: how large they are, what shape, and
+/// how much of them a view could show.
 class RegionSamples {
  public:
   /// Points of a region's surface, each once: world, m, and the normal there, 0 where it is not known.
@@ -26,6 +26,7 @@ class RegionSamples {
   };
   /// Of the regions together; nothing is known of a region that there is not.
   [[nodiscard]] Shape shapeOf(const RegionSet& regions) const;
+
   /// The part of its points that lies within `visible_px` of the camera's image, behind something else or
   /// not; 0 where none is known.
   [[nodiscard]] float partInView(RegionId region, const Intrinsics& K,

@@ -4,6 +4,7 @@
 
 #include "core/base/check.h"
 #include "core/discovery/candidate_finder.h"
+#include "core/discovery/hypothesis_candidate.h"
 #include "core/discovery/look_history.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/reach_history.h"
@@ -19,54 +20,8 @@ namespace {
 constexpr float kOutlineSlack = 0.05F;
 /// Of a thing that the border cuts off so much must be seen, along each axis.
 constexpr float kMostOfThing = 0.6F;
-/// Of what is not seen whole there must be more to see, by half.
-constexpr float kPointsOfRest = 1.5F;
-/// Steps along which it touches what it may be a part of.
-constexpr int kLeastTouch = 2;
 /// Parts of a set may be smaller than what must be seen of a thing.
 constexpr int kLeastPartOfThing = 8;
-
-cv::Mat maskOf(const RegionHypothesis& hypothesis, const RegionMap& map) {
-  const cv::Rect& box = hypothesis.extent.box_px;
-  cv::Mat mask(box.size(), CV_8UC1);
-  for (int y = 0; y < mask.rows; ++y) {
-    const RegionId* regions = map.regions.data() + static_cast<std::ptrdiff_t>(box.y + y) * map.width + box.x;
-    unsigned char* out = mask.ptr(y);
-    for (int x = 0; x < mask.cols; ++x) out[x] = hypothesis.regions.contains(regions[x]) ? 255 : 0;
-  }
-  return mask;
-}
-
-/// Most of what is masked came into the scene.
-bool hasCome(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& input) {
-  if (input.came.empty()) return false;
-  int all = 0, came = 0;
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      if (mask.at<unsigned char>(y, x) == 0) continue;
-      const int at = (box_px.y + y) * input.regions.width + box_px.x + x;
-      ++all;
-      came += input.came[static_cast<std::size_t>(at)] != 0 ? 1 : 0;
-    }
-  }
-  return 2 * came > all;
-}
-
-Candidate toCandidate(const RegionHypothesis& hypothesis, const OrientedBox& box,
-                      const DiscoveryInput& input) {
-  Candidate candidate;
-  candidate.regions = hypothesis.regions;
-  candidate.box_px = hypothesis.extent.box_px;
-  candidate.mask = maskOf(hypothesis, input.regions);
-  candidate.has_come = hasCome(candidate.mask, candidate.box_px, input);
-  candidate.centroid_world = box.mean;
-  candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
-  candidate.size_m = box.size_m;
-  candidate.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
-  candidate.odds = hypothesis.odds;
-  candidate.pixels = static_cast<int>(hypothesis.extent.pixels);
-  return candidate;
-}
 
 class RuleBasedFinder final : public CandidateFinder {
  public:
@@ -105,8 +60,8 @@ class RuleBasedFinder final : public CandidateFinder {
       if (!isNotBackground(outline, params_) || !isOutlineKept(hypothesis, outline, outlines, hypotheses))
         continue;
       const OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
-      Candidate candidate = toCandidate(hypothesis, box, input);
-      if (!isShaped(hypothesis.regions, box, candidate.bulge, input)) continue;
+      Candidate candidate = candidateOf(hypothesis, box, input);
+      if (!isShapedAsThing(box, candidate.bulge, params_)) continue;
       candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
@@ -117,64 +72,16 @@ class RuleBasedFinder final : public CandidateFinder {
       OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
       box.size_m = reaches_.sizeOf(extent.region);
       std::sort(box.size_m.begin(), box.size_m.end(), std::greater<>());
-      Candidate candidate = toCandidate(hypothesis, box, input);
-      if (!isShaped(hypothesis.regions, box, candidate.bulge, input)) continue;
+      Candidate candidate = candidateOf(hypothesis, box, input);
+      if (!isShapedAsThing(box, candidate.bulge, params_)) continue;
       candidates.push_back(std::move(candidate));
       look(outline, input, candidates.back());
     }
-    if (input.known != nullptr) lookAtRest(outlines, visible, input, candidates);
     std::ranges::sort(candidates, {}, &Candidate::regions);
     return candidates;
   }
 
  private:
-  /// As a thing, after this frame's `box` and `bulge`, or after all that is known.
-  [[nodiscard]] bool isShaped(const RegionSet& regions, const OrientedBox& box, float bulge,
-                              const DiscoveryInput& input) const {
-    if (input.known == nullptr) return isShapedAsThing(box, bulge, params_);
-    const RegionSamples::Shape known = input.known->shapeOf(regions);
-    return isShapedAsThing(known.box, known.bulge, params_);
-  }
-
-  /// Regions that may never show themselves whole, as well as this frame can show them.
-  void lookAtRest(const RegionOutlines& outlines, const cv::Rect& visible, const DiscoveryInput& input,
-                  std::vector<Candidate>& candidates) const {
-    for (const RegionExtent& extent : census_.extents) {
-      RegionExtent smaller = extent;
-      smaller.pixels = static_cast<std::int64_t>(static_cast<float>(extent.pixels) / kPointsOfRest);
-      if (!hasEnoughPoints(smaller, input.K, params_)) continue;
-      const PartialLook look = partialLook(extent, outlines, visible, input);
-      const RegionSet regions{extent.region};
-      if (!isClearInPart(look) || !isShapedAsThing(look.known.box, look.known.bulge, params_)) continue;
-      auto candidate = std::ranges::find(candidates, regions, &Candidate::regions);
-      if (candidate == candidates.end()) {
-        candidates.push_back(
-            toCandidate({regions, extent, visibleArea(extent, input)}, look.known.box, input));
-        candidate = candidates.end() - 1;
-        candidate->is_partial = true;
-        candidate->outline = look.outline.own();
-        candidate->hidden = look.outline.hiddenPart();
-      }
-      if (!candidate->is_whole) candidate->last_resort = look.worth(extent.pixels);
-    }
-  }
-
-  [[nodiscard]] static PartialLook partialLook(const RegionExtent& extent, const RegionOutlines& outlines,
-                                               const cv::Rect& visible, const DiscoveryInput& input) {
-    const RegionId region = extent.region;
-    PartialLook look;
-    look.shown_part = input.known->partInView(region, input.K, input.T_world_camera, visible);
-    look.outline = outlines.of({region});
-    look.bulge = bulgeOf({region}, extent.box_px, input);
-    look.known = input.known->shapeOf({region});
-    if (!input.joining_odds) return look;
-    for (const RegionId other : outlines.metBy(region, kLeastTouch)) {
-      if (outlines.between(region, other).touching() >= kLeastTouch)
-        look.odds = std::max(look.odds, input.joining_odds(region, other));
-    }
-    return look;
-  }
-
   /// Regions that are seen entirely: only their size means anything.
   [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census, const cv::Rect& visible,
                                                        const DiscoveryInput& input) const {

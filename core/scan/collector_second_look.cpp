@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "core/scan/clarity.h"
 #include "core/scan/object_collector.h"
 
 namespace scantrove {
@@ -11,6 +12,8 @@ namespace {
 
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
+/// Log-odds below which what was an object is none any more: fewer than half of such are one.
+constexpr float kUnlikely = 0.3F;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `working` pixels.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
@@ -47,23 +50,57 @@ void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidat
                          view.direction, candidate.size_m.norm()});
 }
 
-void ObjectCollector::judgeShapes(const std::function<bool(RegionId)>& is_shaped_as_thing) {
-  for (KeptView& view : kept_views_) {
-    const ObjectRecord* holder = recordOf(catalogue_.holderOf(view.object));
-    if (holder == nullptr || isSettled(*holder) || by_person_.contains(view.object) ||
-        !CatalogueMirror::isOfThisScan(holder->id))
-      continue;
-    const std::vector<RegionId> regions = met_.regionsOf(view.object);
-    view.is_outdated = !regions.empty() && std::ranges::none_of(regions, is_shaped_as_thing);
+void ObjectCollector::beginLookingAgain() {
+  mergeJoined(Which::all);
+  is_looking_again_ = true;
+}
+
+void ObjectCollector::rate(int frame_index, const std::vector<Candidate>& candidates) {
+  best_looks_.add(frame_index, candidates);
+}
+
+bool ObjectCollector::staysAsItIs(ObjectId object) const {
+  const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
+  return holder == nullptr || isSettled(*holder) || by_person_.contains(object) ||
+         !CatalogueMirror::isOfThisScan(holder->id);
+}
+
+void ObjectCollector::bindWholes() {
+  std::set<ObjectId> taken;
+  for (const BestLooks::Best& best : best_looks_.disjoint(kForObject.least_wholeness)) {
+    std::vector<ObjectId> objects;  // that its regions were taken for, and that are there
+    for (const RegionId region : best.regions) {
+      const ObjectId object = met_.objectOf(region);
+      if (catalogue_.holderOf(object) && !std::ranges::count(objects, object)) objects.push_back(object);
+    }
+    // What a person spoke of comes first, and stays apart.
+    std::ranges::stable_partition(objects, [this](ObjectId object) { return staysAsItIs(object); });
+    if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
+    wholes_.emplace(best.regions, best.frame_index);
+    std::erase_if(objects, [&](ObjectId object) { return taken.contains(catalogue_.holderOf(object)); });
+    for (const RegionId region : best.regions) met_.unbind({region}, met_.objectOf(region));
+    if (objects.empty()) continue;
+    met_.bind(best.regions, objects.front());
+    taken.insert(catalogue_.holderOf(objects.front()));
   }
 }
 
-std::vector<int> ObjectCollector::beginLookingAgain() {
-  mergeJoined(Which::all);
-  is_looking_again_ = true;
+std::vector<int> ObjectCollector::settleWholes() {
+  bindWholes();
   std::set<int> frames;
-  for (const KeptView& view : kept_views_) frames.insert(view.frame_index);
+  for (KeptView& view : kept_views_) {
+    const std::vector<RegionId> regions = met_.regionsOf(view.object);
+    view.is_outdated = !staysAsItIs(view.object) && !regions.empty() &&
+                       std::ranges::all_of(regions, [this](RegionId region) {
+                         return best_looks_.isUnlikely(region, kUnlikely);
+                       });
+    frames.insert(view.frame_index);
+  }
   return {frames.begin(), frames.end()};
+}
+
+bool ObjectCollector::mayBeObject(const Candidate& candidate) const {
+  return !candidate.wholeness || wholes_.contains(candidate.regions) || isWanted(candidate);
 }
 
 std::optional<Eigen::Isometry3d> ObjectCollector::cameraOfViews(int frame_index) const {
@@ -74,18 +111,16 @@ std::optional<Eigen::Isometry3d> ObjectCollector::cameraOfViews(int frame_index)
 std::vector<int> ObjectCollector::beginLastLooks() {
   are_last_looks_ = true;
   std::set<int> frames;
-  for (const auto& [regions, best] : best_looks_) {
-    if (!met_.objectOf(regions)) frames.insert(best.frame_index);
+  for (const auto& [regions, frame_index] : wholes_) {
+    if (!met_.objectOf(regions)) frames.insert(frame_index);
   }
   return {frames.begin(), frames.end()};
 }
 
-bool ObjectCollector::isLastResort(const Candidate& candidate, const Look& look) {
-  if (!(candidate.last_resort > 0)) return false;
-  BestLook& best = best_looks_[candidate.regions];
-  if (are_last_looks_) return best.last_resort > 0 && best.frame_index == look.frame.index;
-  if (candidate.last_resort > best.last_resort) best = {candidate.last_resort, look.frame.index};
-  return false;
+bool ObjectCollector::isLastLook(const Candidate& candidate, const Look& look) const {
+  if (!are_last_looks_) return false;
+  const auto whole = wholes_.find(candidate.regions);
+  return whole != wholes_.end() && whole->second == look.frame.index;
 }
 
 void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface,
@@ -163,7 +198,8 @@ void ObjectCollector::mergeSuccessors() {
 
 void ObjectCollector::endLookingAgain() {
   is_looking_again_ = are_last_looks_ = false;
-  best_looks_.clear();
+  best_looks_ = {};
+  wholes_.clear();
   mergeSuccessors();
   std::set<ObjectId> are_there;
   for (const KeptView& view : kept_views_) {

@@ -65,8 +65,9 @@ void ObjectCollector::setParams(const DetectionParams& params) {
 
 FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
                                       const SurfaceInColor& in_color,
-                                      const std::vector<Candidate>& candidates) {
+                                      std::vector<Candidate> candidates) {
   FrameObjects objects;
+  std::erase_if(candidates, [this](const Candidate& candidate) { return !mayBeObject(candidate); });
   frame_ += is_looking_again_ ? RecognitionHistory::kFramesApart : 1;
   takeNews(objects);
   mergeJoined();
@@ -210,12 +211,10 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   if (!identity) {
     const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
     if (isWanted(candidate) || (isClear(candidate, kForObject) && is_unknown) ||
-        isLastResort(candidate, look))
+        isLastLook(candidate, look))
       addToCatalogue(candidate, look);
     return;
   }
-  // Of an object that is there a look that is not clear says nothing more.
-  if (candidate.is_partial && (met_.objectOf(candidate.regions) || nearby(candidate))) return;
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
   const bool is_alike = known == nullptr || isAlike(*known, candidate, look);
   // A set that is much larger than the object holds more than it: its other regions stay free. Of what came,

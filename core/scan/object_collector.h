@@ -16,6 +16,7 @@
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
 #include "core/labeling/region_map.h"
+#include "core/scan/best_looks.h"
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/catalogue_writer.h"
 #include "core/scan/frame_objects.h"
@@ -56,7 +57,7 @@ class ObjectCollector {
   /// the last call and that the catalogue fails is part of the outcome; it ends nothing.
   [[nodiscard]] FrameObjects collect(const RgbdFrame& frame, const PoseEstimate& pose,
                                      const SurfaceInColor& in_color,
-                                     const std::vector<Candidate>& candidates);
+                                     std::vector<Candidate> candidates);
 
   /// What the next frame to be collected shows, whether it is a candidate or not: an object whose regions are
   /// in view is not met under others.
@@ -109,19 +110,21 @@ class ObjectCollector {
                                        const SurfaceInColor& in_color,
                                        const std::vector<Candidate>& candidates);
 
-  // At the end of a scan, when regions do not change any more: judge objects by shape; begin; judge the views
-  // of all frames that it names; collect() from frames of the scan; begin the last looks; collect() from the
-  // frames that it names; end.
+  // At the end of a scan, when regions do not change any more: begin; rate() what frames of the scan show;
+  // settle what is whole; judge the views of all frames that this names; collect() from the frames that were
+  // rated; begin the last looks; collect() from the frames that it names; end.
 
-  /// Objects of this scan alone leave it at the end where none of their regions `is_shaped_as_thing`, after
-  /// all that is known of it now. Those that a person said something of stay.
-  void judgeShapes(const std::function<bool(RegionId)>& is_shaped_as_thing);
-  /// Frames (RgbdFrame::index) of which this scan kept views.
-  [[nodiscard]] std::vector<int> beginLookingAgain();
+  void beginLookingAgain();
+  /// What that frame (RgbdFrame::index) shows, with Candidate::wholeness.
+  void rate(int frame_index, const std::vector<Candidate>& candidates);
+  /// From now on the scene is made of the most likely wholes. An object is what its regions are a part of;
+  /// where that is nothing, and nobody spoke of it, it leaves. Frames (RgbdFrame::index) of which this scan
+  /// kept views.
+  [[nodiscard]] std::vector<int> settleWholes();
   /// Where that frame was taken. None: no views of it were kept.
   [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
-  /// All frames were collected from; now those (RgbdFrame::index), once more, that show best what never was
-  /// whole. What is no object by then becomes one.
+  /// All frames were collected from; now those (RgbdFrame::index), once more, that show best what is a whole
+  /// and no object yet. It becomes one then.
   [[nodiscard]] std::vector<int> beginLastLooks();
   /// Views of that frame that show their objects otherwise than the map does now count no longer. Where most
   /// of what a view shows has been taken away since, it counts, unless the object is there all the same.
@@ -217,8 +220,14 @@ class ObjectCollector {
   /// What was waited for is there.
   void fulfil(const Candidate& candidate, ObjectId object);
   void addToCatalogue(const Candidate& candidate, const Look& look);
-  /// Of what no look will show whole this is the best, and no more will come. Until then, remembers which is.
-  [[nodiscard]] bool isLastResort(const Candidate& candidate, const Look& look);
+  /// It is a whole, and no look will show that better.
+  [[nodiscard]] bool isLastLook(const Candidate& candidate, const Look& look) const;
+  /// Once the wholes are settled: one of them, or wanted.
+  [[nodiscard]] bool mayBeObject(const Candidate& candidate) const;
+  /// The wholes take the objects that their regions were taken for, each one, and none that another has.
+  void bindWholes();
+  /// A person spoke of it, or it is not of this scan alone.
+  [[nodiscard]] bool staysAsItIs(ObjectId object) const;
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
   [[nodiscard]] const ObjectRecord* recordOf(ObjectId holder) const { return catalogue_.record(holder); }
   /// None: the colour image does not show it.
@@ -277,11 +286,8 @@ class ObjectCollector {
   /// New ones that came into the scene; how often each missing one was held against them.
   std::map<ObjectId, std::map<ObjectId, int>> came_;
   bool is_looking_again_ = false;
-  struct BestLook {
-    float last_resort = 0;  ///< Candidate::last_resort
-    int frame_index = 0;
-  };
-  std::map<RegionSet, BestLook> best_looks_;  // at what is not whole
+  BestLooks best_looks_;
+  std::map<RegionSet, int> wholes_;  // and the frames (RgbdFrame::index) that show them best
   bool are_last_looks_ = false;
   int frame_ = 0;
 };

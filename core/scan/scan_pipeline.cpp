@@ -219,7 +219,7 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
   return late;
 }
 
-std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, const FrameResult& result,
+std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const FrameResult& result,
                                                     const Readings& readings,
                                                     std::span<const std::uint8_t> came) {
   const auto joiningOdds = [this](RegionId a, RegionId b) {
@@ -231,15 +231,13 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateFinder& finder, con
   for (std::size_t i = 0; i < shown.regions.size(); ++i) {
     if (readings.contradicted.data[i] != 0) shown.regions[i] = {};
   }
-  const RegionSamples* known = &finder == finder_of_kept_.get() ? &known_regions_ : nullptr;
   const DiscoveryInput input{shown,
                              result.vertices_world,
                              result.normals_world,
                              working_K_,
                              readings.view.T_world_camera,
                              joiningOdds,
-                             came,
-                             known};
+                             came};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
     constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something

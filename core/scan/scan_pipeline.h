@@ -13,6 +13,7 @@
 #include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/discovery/candidate_finder.h"
+#include "core/discovery/region_judge.h"
 #include "core/editing/region_editor.h"
 #include "core/fusion/color_integrator.h"
 #include "core/fusion/dense_map.h"
@@ -132,17 +133,31 @@ class ScanPipeline {
   [[nodiscard]] FrameObjects followCatalogue() {
     return collector_ ? collector_->followCatalogue() : FrameObjects{};
   }
-  /// Looks at what there is again, at the end of a scan and with the regions as they are now: views of
-  /// objects that show them otherwise are left behind, and what became clear too late is found. First begin,
-  /// which says of which frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then
-  /// lookAgain() at frames of the scan; then beginLastLooks() and lookAgain() at those that it names; then
-  /// end. Error: the device failed.
-  [[nodiscard]] Result<std::vector<int>> beginLookingAgain();
+  /// Looks at what there is again, at the end of a scan and with the regions as they are now: what is one
+  /// whole thing by all that is known becomes an object, and objects, or views of them, that show something
+  /// else are left behind. First begin; then rate() frames of the scan; then settle, which says of which
+  /// frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then lookAgain() at the
+  /// frames that were rated; then beginLastLooks() and lookAgain() at those that it names; then end. Error:
+  /// the device failed.
+  [[nodiscard]] Result<void> beginLookingAgain();
+  [[nodiscard]] Result<void> rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] std::vector<int> settleWholes();
   [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
   [[nodiscard]] Result<FrameObjects> lookAgain(const RgbdFrame& frame,
                                                const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] std::vector<int> beginLastLooks();
   void endLookingAgain();
+
+  /// All that the map knows of its regions. Error: the device failed.
+  [[nodiscard]] Result<RegionSamples> sampleRegions();
+  /// What the map and one of the scan's frames show from there.
+  struct SeenAgain {
+    FrameResult result;
+    std::vector<Candidate> candidates;
+  };
+  /// With the regions as they are now. May throw cl::Error.
+  [[nodiscard]] SeenAgain seeAgain(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                   CandidateSource& finder);
 
   /// Ends the collecting; see ObjectCollector::finish. What a person waits for and the last frame shows is
   /// added first.
@@ -222,7 +237,7 @@ class ScanPipeline {
     Readings readings;
   };
   /// `readings`: of the frame that `result` is of.
-  [[nodiscard]] std::vector<Candidate> findCandidates(CandidateFinder& finder, const FrameResult& result,
+  [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const FrameResult& result,
                                                       const Readings& readings,
                                                       std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
@@ -277,9 +292,8 @@ class ScanPipeline {
   std::optional<EditableCloud> editable_;
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
-  std::unique_ptr<CandidateFinder> finder_of_kept_;  // while it is looked again, and what is seen then
+  std::unique_ptr<RegionJudge> judge_;  // while it is looked again, and what is seen then
   SurfaceMaps seen_again_;
-  RegionSamples known_regions_;
   std::unique_ptr<ObjectCollector> collector_;
 
   SurfaceMaps surface_;    // V_t, N_t of the last usable frame

@@ -1,20 +1,9 @@
 // What ScanPipeline does when a scan has ended and it looks at everything again.
-#include "core/discovery/region_rules.h"
 #include "core/scan/guarded.h"
 #include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
 namespace {
-
-/// Regions do not change any more, and looks are as far apart as key frames are.
-DiscoveryParams paramsOfSecondLook(DiscoveryParams params) {
-  constexpr int kLooks = 2;
-  params.persistent_frames = 1;
-  params.whole_looks = kLooks;
-  params.whole_angle_deg = 0;
-  params.still_frames = 0;
-  return params;
-}
 
 DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intrinsics& K,
                   const Eigen::Isometry3d& T_world_camera) {
@@ -27,21 +16,22 @@ DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intr
 
 }  // namespace
 
-Result<std::vector<int>> ScanPipeline::beginLookingAgain() {
-  if (!collector_) return std::vector<int>{};
-  known_regions_ = {};
+Result<RegionSamples> ScanPipeline::sampleRegions() {
+  RegionSamples samples;
   SCANTROVE_TRY(forEachCloudPoint([&](const LabelPoint& point) {
     if (const RegionId region = table_.regionOf(FragmentId{point.fragment}))
-      known_regions_.add(region, {point.x, point.y, point.z},
-                         {point.normal_x, point.normal_y, point.normal_z});
+      samples.add(region, {point.x, point.y, point.z}, {point.normal_x, point.normal_y, point.normal_z});
   }));
-  collector_->judgeShapes([this](RegionId region) {
-    const RegionSamples::Shape shape = known_regions_.shapeOf({region});
-    // Of what was taken away the map knows nothing any more.
-    return shape.box.size_m.isZero() || isShapedAsThing(shape.box, shape.bulge, params_.discovery);
-  });
-  finder_of_kept_ = makeRuleBasedFinder(paramsOfSecondLook(params_.discovery));
-  return collector_->beginLookingAgain();
+  return samples;
+}
+
+Result<void> ScanPipeline::beginLookingAgain() {
+  if (!collector_) return {};
+  Result<RegionSamples> known = sampleRegions();
+  if (!known) return fail(known.error());
+  judge_ = std::make_unique<RegionJudge>(params_.discovery, std::move(*known));
+  collector_->beginLookingAgain();
+  return {};
 }
 
 RegionMap ScanPipeline::regionsSeenAgain(const Eigen::Isometry3d& T_world_camera) {
@@ -69,19 +59,38 @@ Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
   });
 }
 
+ScanPipeline::SeenAgain ScanPipeline::seeAgain(const RgbdFrame& frame,
+                                               const Eigen::Isometry3d& T_world_camera,
+                                               CandidateSource& finder) {
+  SeenAgain seen;
+  seen.result.pose.T_world_camera = T_world_camera;
+  seen.result.regions = regionsSeenAgain(T_world_camera);
+  readSurface(seen_again_, seen.result);
+  const Readings readings = readingsOf(frame, T_world_camera, seen.result.vertices_world);
+  seen.candidates = findCandidates(finder, seen.result, readings);
+  return seen;
+}
+
+Result<void> ScanPipeline::rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+  return guarded("rating frame " + std::to_string(frame.index), [&]() -> Result<void> {
+    if (!collector_ || !judge_) return {};
+    collector_->rate(frame.index, seeAgain(frame, T_world_camera, *judge_).candidates);
+    return {};
+  });
+}
+
+std::vector<int> ScanPipeline::settleWholes() {
+  return collector_ ? collector_->settleWholes() : std::vector<int>{};
+}
+
 Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
                                              const Eigen::Isometry3d& T_world_camera) {
   return guarded("looking again at frame " + std::to_string(frame.index), [&]() -> Result<FrameObjects> {
-    if (!collector_ || !finder_of_kept_) return FrameObjects{};
-    FrameResult result;
-    result.pose.T_world_camera = T_world_camera;
-    result.regions = regionsSeenAgain(T_world_camera);
-    readSurface(seen_again_, result);
+    if (!collector_ || !judge_) return FrameObjects{};
+    const SeenAgain seen = seeAgain(frame, T_world_camera, *judge_);
     const SurfaceInColor in_color =
-        locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
-    const Readings readings = readingsOf(frame, T_world_camera, result.vertices_world);
-    return collector_->collect(frame, result.pose, in_color,
-                               findCandidates(*finder_of_kept_, result, readings));
+        locateInColor(frame.color_camera, working_K_, T_world_camera, seen.result.vertices_world);
+    return collector_->collect(frame, seen.result.pose, in_color, seen.candidates);
   });
 }
 
@@ -90,10 +99,9 @@ std::vector<int> ScanPipeline::beginLastLooks() {
 }
 
 void ScanPipeline::endLookingAgain() {
-  if (!collector_ || !finder_of_kept_) return;
-  finder_of_kept_.reset();
+  if (!collector_ || !judge_) return;
+  judge_.reset();
   seen_again_ = {};
-  known_regions_ = {};
   collector_->endLookingAgain();
 }
 

@@ -305,25 +305,33 @@ void ScanRun::stopClock() {
 Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
   SCANTROVE_TRY(recorder_->save(*pipeline_));
-  auto kept = recorder_->keptFrames();
-  if (!kept) return fail(kept.error());
-  const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*kept), kMostFramesAgain);
+  auto all = recorder_->keptFrames();
+  if (!all) return fail(all.error());
+  const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*all), kMostFramesAgain);
   if (!goes_on()) return {};  // it begins by reading the whole map
-  const Result<std::vector<int>> judged = pipeline_->beginLookingAgain();
-  if (!judged) return fail(judged.error());
-  int steps = static_cast<int>(judged->size() + frames.size());
+  SCANTROVE_TRY(pipeline_->beginLookingAgain());
+  auto steps = static_cast<int>(2 * frames.size());
   int done = 0;
-  for (const int frame_index : *judged) {
-    if (!goes_on()) return {};
+  const auto readAgain = [&](const SessionRecorder::KeptFrame& kept) {
+    listener_(LookingAgain{done++, steps});
+    return readKeyFrame(recorder_->folder(), kept.images, kept.frame);
+  };
+  for (const SessionRecorder::KeptFrame& kept : frames) {
+    if (!goes_on()) return {};  // what is settled after some of them only is settled wrongly
+    const Result<RgbdFrame> frame = readAgain(kept);
+    if (frame) SCANTROVE_TRY(pipeline_->rate(*frame, kept.frame.T_world_camera));
+  }
+  const std::vector<int> judged = pipeline_->settleWholes();
+  steps += static_cast<int>(judged.size());
+  for (const int frame_index : judged) {
+    if (!goes_on()) break;
     listener_(LookingAgain{done++, steps});
     SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));
   }
-  const auto lookAt = [&](const SessionRecorder::KeptFrame& kept_frame) -> Result<void> {
-    listener_(LookingAgain{done++, steps});
-    const auto& [images, saved] = kept_frame;
-    const Result<RgbdFrame> frame = readKeyFrame(recorder_->folder(), images, saved);
+  const auto lookAt = [&](const SessionRecorder::KeptFrame& kept) -> Result<void> {
+    const Result<RgbdFrame> frame = readAgain(kept);
     if (!frame) return {};  // who looks at it is told
-    const Result<FrameObjects> objects = pipeline_->lookAgain(*frame, saved.T_world_camera);
+    const Result<FrameObjects> objects = pipeline_->lookAgain(*frame, kept.frame.T_world_camera);
     if (!objects) return fail(objects.error());
     announce(*objects);
     return {};

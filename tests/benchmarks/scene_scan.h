@@ -63,8 +63,10 @@ struct SceneScan {
   double drift_mm = 0;  ///< farthest that the tracked camera was from where it should be
 };
 
-/// Called with what a frame gave, and its true instances at the working resolution.
-using FrameVisit = std::function<void(const ScanPipeline&, const FrameResult&, const cv::Mat& truth)>;
+/// Called with the number of a frame in the recording, what it gave, and its true instances at the working
+/// resolution.
+using FrameVisit =
+    std::function<void(const ScanPipeline&, int index, const FrameResult&, const cv::Mat& truth)>;
 
 /// Scans a recording of SceneCache; visits every `options.every`-th frame if it has a pose.
 inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const ScanParams& params,
@@ -99,7 +101,7 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
     const Intrinsics& K = scan.pipeline->workingIntrinsics();
     cv::Mat small;
     cv::resize(*truth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
-    visit(*scan.pipeline, *result, small);
+    visit(*scan.pipeline, read.frame.index, *result, small);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   scan.seconds = elapsed.count();
@@ -125,7 +127,7 @@ inline Result<std::size_t> scanForEvidence(const SceneOptions& options, const Ev
     if (!recording) return fail(recording.error());
     const auto scan =
         scanScene(*recording, params, options, **compute,
-                  [&](const ScanPipeline& pipeline, const FrameResult& result, const cv::Mat& truth) {
+                  [&](const ScanPipeline& pipeline, int, const FrameResult& result, const cv::Mat& truth) {
                     const auto& merger = dynamic_cast<const GraphMerger&>(pipeline.regionMerger());
                     visit(scene, pipeline, merger.graph(), result, truth);
                   });

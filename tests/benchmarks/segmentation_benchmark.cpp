@@ -81,7 +81,7 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
   SceneScore score;
   const auto scan = scanScene(
       recording, params, options.scenes, compute,
-      [&](const ScanPipeline& pipeline, const FrameResult& result, const cv::Mat& truth) {
+      [&](const ScanPipeline& pipeline, int, const FrameResult& result, const cv::Mat& truth) {
         const Intrinsics& K = pipeline.workingIntrinsics();
         single.push_back(evaluateSegmentation(labelImage(result.segments.ids, K), truth));
         merged.push_back(evaluateSegmentation(labelImage(numbersOf(result.regions.regions), K), truth));

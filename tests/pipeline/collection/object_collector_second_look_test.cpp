@@ -36,7 +36,8 @@ class SecondLook : public test::ObjectCollectorFixture {
                  double degrees = 0) {
     const DepthView surface{
         test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, surface_m)};
-    for (const int frame : collector_->beginLookingAgain()) {
+    collector_->beginLookingAgain();
+    for (const int frame : collector_->settleWholes()) {
       EXPECT_TRUE(collector_->cameraOfViews(frame));
       collector_->judgeViewsOf(frame, map, surface, 0.0015F);
     }
@@ -172,57 +173,116 @@ TEST_F(SecondLook, TwoOfAKindStayTwoHoweverFarApartTheyAreSeen) {
   EXPECT_NE(collector_->objectOf(other.region), mug);
 }
 
-TEST_F(SecondLook, WhatIsNeverWholeBecomesAnObjectByItsBestLook) {
-  static_cast<void>(collector_->beginLookingAgain());
-  Candidate part = mug_.candidate();
-  part.is_whole = false;
-  part.is_partial = true;
-  std::vector<int> frames;
-  for (const float worth : {1.0F, 3.0F, 2.0F}) {
-    part.last_resort = worth;
-    frames.push_back(frame_);
-    static_cast<void>(lookAt({part}, {mug_}));
-  }
-  EXPECT_TRUE(objects().empty()) << "it may still show itself whole";
-  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(frames[1]));
-  frame_ = frames[2];
-  static_cast<void>(lookAt({part}, {mug_}));
+/// The thing, as one of the last looks shows it.
+Candidate judged(const Thing& thing, float wholeness) {
+  Candidate candidate = thing.candidate();
+  candidate.is_whole = false;
+  candidate.wholeness = wholeness;
+  return candidate;
+}
+
+TEST_F(SecondLook, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 1)});
+  collector_->rate(4, {judged(mug_, 3)});
+  collector_->rate(5, {judged(mug_, 2)});
+  EXPECT_THAT(collector_->settleWholes(), testing::IsEmpty()) << "no views were kept";
+  frame_ = 5;
+  static_cast<void>(lookAt({judged(mug_, 2)}, {mug_}));
+  EXPECT_TRUE(objects().empty()) << "it may yet be recognised";
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(4));
+  frame_ = 5;
+  static_cast<void>(lookAt({judged(mug_, 2)}, {mug_}));
   EXPECT_TRUE(objects().empty()) << "not the best look";
-  frame_ = frames[1];
-  static_cast<void>(lookAt({part}, {mug_}));
+  frame_ = 4;
+  static_cast<void>(lookAt({judged(mug_, 3)}, {mug_}));
   collector_->endLookingAgain();
   settle();
   ASSERT_EQ(objects().size(), 1U);
-  EXPECT_THAT(framesOfViews(objects()[0].id), testing::ElementsAre(frames[1]));
+  EXPECT_THAT(framesOfViews(objects()[0].id), testing::ElementsAre(4));
 }
 
-TEST_F(SecondLook, AnObjectThatIsThereGainsNothingByAPartOfIt) {
-  const ObjectId mug = study({mug_}).added.at(0).id;
-  static_cast<void>(collector_->beginLookingAgain());
-  Candidate part = mug_.candidate();
-  part.is_whole = false;
-  part.is_partial = true;
-  part.last_resort = 1;
-  part.regions = {RegionId{77}};  // at the same place
-  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({part}, {mug_}, 60));
+TEST_F(SecondLook, WhatIsUnlikelyToBeAWholeIsNoneHoweverOftenItIsSeen) {
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, -0.5F)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, -0.5F)}, {mug_}));
   EXPECT_THAT(collector_->beginLastLooks(), testing::IsEmpty());
   collector_->endLookingAgain();
   settle();
-  EXPECT_EQ(objects().size(), 1U);
-  EXPECT_EQ(framesOfViews(mug).size(), 1U);
+  EXPECT_TRUE(objects().empty());
 }
 
-TEST_F(SecondLook, WhatIsNotShapedAsAThingLeavesUnlessAPersonSpokeOfIt) {
-  const FrameObjects found = study({mug_, box_});
-  ASSERT_EQ(found.added.size(), 2U);
+TEST_F(SecondLook, AnObjectOfThisScanThatIsUnlikelyToBeOneLeavesUnlessAPersonSpokeOfIt) {
+  static_cast<void>(study({mug_, box_}));
+  ASSERT_EQ(objects().size(), 2U);
   const ObjectId box = collector_->objectOf(box_.region);
   ASSERT_TRUE(person_->rename(box, "my box"));
   settle();
   static_cast<void>(collector_->followCatalogue());
-  collector_->judgeShapes([](RegionId) { return false; });
-  lookAgain(mapWith(mug_, 1), {});
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, -2), judged(box_, -2)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].id, box);
+}
+
+TEST_F(SecondLook, WhatTheLastLooksDoNotShowStays) {
+  static_cast<void>(study({mug_}));
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(box_, -2)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(SecondLook, AnObjectIsTheWholeThatItsRegionIsAPartOf) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const RegionId handle{77};
+  Candidate both = judged(mug_, 3);
+  both.regions.add(handle);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 1), both});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(handle), mug);
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 1)}, {mug_}, 60));
+  EXPECT_EQ(framesOfViews(mug).size(), 1U) << "a part of it is no view of it";
+  static_cast<void>(lookAt({both}, {mug_}, 60));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(framesOfViews(mug).size(), 2U);
+}
+
+TEST_F(SecondLook, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  collector_->bind(box_.region, mug);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 3), judged(box_, 2)});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_FALSE(collector_->objectOf(box_.region));
+  collector_->endLookingAgain();
+}
+
+TEST_F(SecondLook, WhatAPersonKeepsApartIsNotOneWhole) {
+  static_cast<void>(study({mug_, box_}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
+  ASSERT_TRUE(person_->rename(mug, "my mug"));
+  ASSERT_TRUE(person_->rename(box, "my box"));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  Candidate both = judged(mug_, 3);
+  both.regions.add(box_.region);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {both});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_EQ(collector_->objectOf(box_.region), box);
+  collector_->endLookingAgain();
 }
 
 }  // namespace

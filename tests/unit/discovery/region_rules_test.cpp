@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 namespace scantrove {
 namespace {
 
@@ -33,31 +31,6 @@ TEST(RegionRules, WhatIsLargerThanABookMustBulge) {
   EXPECT_TRUE(isNotFlat(box, 0.3F, params)) << "a cushion";
   box.size_m = {0.35F, 0.25F, 0.02F};
   EXPECT_TRUE(isNotFlat(box, 0.0F, params)) << "a book";
-}
-
-TEST(RegionRules, APartOfAThingIsClearWhereNothingElseCanBeMeant) {
-  PartialLook clear;
-  clear.shown_part = 0.9F;
-  clear.bulge = 0.3F;
-  clear.known.box.size_m = {0.2F, 0.15F, 0.1F};
-  clear.outline = {.open = 40, .folded = 20, .smooth = 2, .ridged = 2, .hidden = 10, .cut = 20, .unseen = 10};
-  clear.odds = -3;
-  EXPECT_TRUE(isClearInPart(clear));
-  const auto isClearWith = [&clear](const std::function<void(PartialLook&)>& change) {
-    PartialLook look = clear;
-    change(look);
-    return isClearInPart(look);
-  };
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.shown_part = 0.6F; })) << "much of it is elsewhere";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.bulge = 0.05F; })) << "a patch of the table";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.known.box.size_m[0] = 0.65F; }))
-      << "a corner of a chest";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.smooth = 30; })) << "it goes on";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.hidden = 90; })) << "it is behind something";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.cut = 80; })) << "half of it is outside";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.outline.unseen = 60; }))
-      << "nobody knows how it ends";
-  EXPECT_FALSE(isClearWith([](PartialLook& look) { look.odds = -0.3F; })) << "it may be a part of that";
 }
 
 }  // namespace

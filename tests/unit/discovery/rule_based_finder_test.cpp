@@ -62,35 +62,6 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
   return rules;
 }
 
-TEST(RuleBasedFinder, WhatTheBorderCutsOffCountsOnceNothingMoreComes) {
-  PaintedScene scene;
-  scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
-  EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
-  RegionSamples known;
-  const DiscoveryInput input = scene.input();
-  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
-    if (scene.map.regions[i] == RegionId{7})
-      known.add(RegionId{7}, input.vertices_world[i].head<3>(), input.normals_world[i].head<3>());
-  }
-  const auto find = [&] {
-    DiscoveryInput with_known = scene.input();
-    with_known.known = &known;
-    return makeRuleBasedFinder(testParams())->find(with_known);
-  };
-  const std::vector<Candidate> found = find();
-  ASSERT_THAT(idsOf(found), ElementsAre(7U));
-  EXPECT_TRUE(found[0].is_partial);
-  EXPECT_FALSE(found[0].is_whole);
-  EXPECT_GT(found[0].last_resort, 0);
-  // As much of it again is known to lie outside of the image.
-  const Eigen::Vector3f aside = (scene.T_world_camera.linear() * Eigen::Vector3d(-0.4, 0, 0)).cast<float>();
-  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
-    if (scene.map.regions[i] == RegionId{7})
-      known.add(RegionId{7}, scene.vertices[i].head<3>() + aside, Eigen::Vector3f::Zero());
-  }
-  EXPECT_THAT(find(), IsEmpty());
-}
-
 TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);

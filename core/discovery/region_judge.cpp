@@ -1,0 +1,97 @@
+#include "core/discovery/region_judge.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+#include "core/discovery/hypothesis_candidate.h"
+#include "core/discovery/oriented_box.h"
+#include "core/discovery/region_points.h"
+#include "core/discovery/region_rules.h"
+
+namespace scantrove {
+namespace {
+
+/// Larger ones are furniture.
+constexpr float kLargest_m = 0.8F;
+constexpr float kLeastPixels = 60;      // of 320 x 240: of fewer nothing can be said ...
+constexpr float kLeastPartPixels = 30;  // ... and of fewer still not that they are a part of something
+constexpr double kUsualPixels = 320.0 * 240.0;
+/// What a look has no room for, and what was never seen, is not judged by it.
+constexpr double kLeastShown = 0.8;                 // of all that is known of it
+constexpr float kMostCut = 0.3F, kMostUnseen = 0.3F;  // of the outline
+
+bool isInView(const OutlineSteps& outline) {
+  const auto known = static_cast<float>(outline.known()), unseen = static_cast<float>(outline.unseen);
+  return static_cast<float>(outline.cut) <= kMostCut * known && unseen <= kMostUnseen * (known + unseen);
+}
+
+}  // namespace
+
+const RegionSamples::Shape& RegionJudge::shapeOf(const RegionSet& regions) {
+  const auto [entry, is_new] = shapes_.try_emplace(regions);
+  if (is_new) entry->second = known_.shapeOf(regions);
+  return entry->second;
+}
+
+std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input) {
+  SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
+  census_ = counter_.count(input.regions);
+  const auto scale = static_cast<float>(kUsualPixels / static_cast<double>(input.K.pixels()));
+  std::vector<RegionExtent> parts;
+  std::ranges::copy_if(census_.extents, std::back_inserter(parts), [&](const RegionExtent& extent) {
+    if (static_cast<float>(extent.pixels) * scale < kLeastPartPixels) return false;
+    const float size_m = shapeOf({extent.region}).box.size_m[0];
+    return size_m >= params_.min_size_m && size_m <= kLargest_m;
+  });
+  const RegionOutlines outlines(input, params_);
+  const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
+  std::vector<Judged> judged;
+  for (RegionHypothesis& hypothesis : proposeHypotheses(parts, outlines, input, params_)) {
+    WholenessEvidence evidence;
+    evidence.pixels = static_cast<float>(hypothesis.extent.pixels) * scale;
+    if (evidence.pixels < kLeastPixels) continue;
+    const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
+    if (known.box.size_m[0] > kLargest_m) continue;
+    const OutlineSteps outline = outlines.of(hypothesis.regions);
+    if (!isInView(outline)) continue;
+    const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
+      return static_cast<float>(of) / static_cast<float>(steps);
+    };
+    evidence.open = partOfOutline(outline.open);
+    evidence.folded = partOfOutline(outline.folded);
+    evidence.hidden = partOfOutline(outline.hidden);
+    evidence.fill = static_cast<float>(hypothesis.extent.pixels) /
+                    static_cast<float>(std::max(1, hypothesis.extent.box_px.area()));
+    evidence.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
+    evidence.known_bulge = known.bulge;
+    evidence.known_flatness = known.box.thickness_ratio;
+    evidence.known_size_m = known.box.size_m;
+    evidence.is_torn = hypothesis.is_torn;
+    std::int64_t largest = 0;
+    double shown = 0;
+    for (const RegionId region : hypothesis.regions) {
+      const std::int64_t pixels = std::ranges::find(parts, region, &RegionExtent::region)->pixels;
+      largest = std::max(largest, pixels);
+      shown += static_cast<double>(pixels) *
+               static_cast<double>(known_.partInView(region, input.K, input.T_world_camera, visible));
+    }
+    if (shown < kLeastShown * static_cast<double>(hypothesis.extent.pixels)) continue;
+    evidence.largest_part = static_cast<float>(largest) / static_cast<float>(hypothesis.extent.pixels);
+    evidence.odds = hypothesis.odds;
+    judged.push_back({std::move(hypothesis), evidence});
+  }
+  return judged;
+}
+
+std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
+  std::vector<Candidate> candidates;
+  for (const auto& [hypothesis, evidence] : judge(input)) {
+    const std::vector<Eigen::Vector4f> points =
+        pointsOf(hypothesis.regions, hypothesis.extent.box_px, input);
+    candidates.push_back(candidateOf(hypothesis, fitOrientedBox(points), input));
+    candidates.back().wholeness = evidence.logOdds();
+  }
+  return candidates;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,36 @@
+#include "core/discovery/wholeness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/discovery/wholeness_trees.h"
+
+namespace scantrove {
+
+std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() const {
+  constexpr float kLeastSize_m = 0.01F, kMostOdds = 4;
+  const float longest_m = std::max(known_size_m[0], kLeastSize_m);
+  return {std::log(std::max(pixels, 1.0F)),
+          open,
+          folded,
+          hidden,
+          bulge,
+          known_bulge,
+          std::log(longest_m),
+          known_size_m[1] / longest_m,
+          known_size_m[2] / longest_m,
+          known_flatness,
+          fill,
+          is_torn ? 1.0F : 0.0F,
+          largest_part,
+          largest_part < 1 ? std::min(odds, kMostOdds) : kMostOdds};
+}
+
+float WholenessEvidence::logOdds() const {
+  const std::array<float, kFeatures> x = features();
+  float sum = kWholenessPrior;
+  for (const BoostedTree& tree : kWholenessTrees) sum += tree.valueOf(x);
+  return sum;
+}
+
+}  // namespace scantrove

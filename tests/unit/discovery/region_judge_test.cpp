@@ -1,0 +1,94 @@
+#include "core/discovery/region_judge.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/discovery/painted_scene.h"
+
+namespace scantrove {
+namespace {
+
+using test::PaintedScene;
+
+const RegionId kThing{7};
+
+/// What the scene shows of the things, moved by `aside` of its camera, is all that is known of them.
+void addKnown(const PaintedScene& scene, RegionSamples& known,
+              const Eigen::Vector3d& aside = Eigen::Vector3d::Zero()) {
+  const DiscoveryInput input = scene.input();
+  const Eigen::Vector3f moved = (scene.T_world_camera.linear() * aside).cast<float>();
+  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+    const RegionId region = scene.map.regions[i];
+    if (region != RegionId{1})
+      known.add(region, input.vertices_world[i].head<3>() + moved, input.normals_world[i].head<3>());
+  }
+}
+
+std::vector<RegionJudge::Judged> judge(const PaintedScene& scene, RegionSamples known) {
+  return RegionJudge(DiscoveryParams{}, std::move(known)).judge(scene.input());
+}
+std::vector<RegionJudge::Judged> judge(const PaintedScene& scene) {
+  RegionSamples known;
+  addKnown(scene, known);
+  return judge(scene, std::move(known));
+}
+
+TEST(RegionJudge, SeesWhatTheThingIsLike) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  const auto judged = judge(scene);
+  ASSERT_EQ(judged.size(), 1U) << "the wall is too large, and nothing is known of it";
+  EXPECT_EQ(judged[0].hypothesis.regions, RegionSet{kThing});
+  const WholenessEvidence& evidence = judged[0].evidence;
+  EXPECT_FLOAT_EQ(evidence.pixels, 4 * 40 * 30) << "of an image twice as wide and high";
+  EXPECT_FLOAT_EQ(evidence.open, 1) << "the wall lies a metre behind it";
+  EXPECT_FLOAT_EQ(evidence.fill, 1);
+  EXPECT_GT(evidence.bulge, 0.3F);
+  EXPECT_NEAR(evidence.known_size_m[0], 0.26F, 0.04F);
+  EXPECT_EQ(evidence.largest_part, 1);
+}
+
+TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
+  scene.paint(8, {10, 20, 30, 60}, [](int, int) { return 2.0F; });
+  RegionSamples known;
+  addKnown(scene, known);
+  const std::vector<Candidate> found = RegionJudge(DiscoveryParams{}, std::move(known)).find(scene.input());
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_GT(*found[0].wholeness, 0.7F);
+  EXPECT_LT(*found[1].wholeness, 0);
+  EXPECT_EQ(found[0].box_px, cv::Rect(60, 50, 40, 30));
+}
+
+TEST(RegionJudge, ALookThatHasNoRoomForTheThingSaysNothingOfIt) {
+  PaintedScene scene;
+  scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
+  EXPECT_EQ(judge(scene).size(), 1U) << "a quarter of its outline is cut off, and no more of it is known";
+  RegionSamples known;
+  addKnown(scene, known);
+  addKnown(scene, known, {-0.3, 0, 0});
+  EXPECT_TRUE(judge(scene, std::move(known)).empty()) << "as much of it is known to lie outside";
+}
+
+TEST(RegionJudge, NorDoesOneThatCutsOffMostOfItsOutline) {
+  PaintedScene scene;
+  scene.paintBump(7, {0, 0, 60, 30}, 1.0F);
+  EXPECT_TRUE(judge(scene).empty());
+}
+
+TEST(RegionJudge, RegionsThatMayBeOneAreJudgedTogetherToo) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 50, 20, 30}, 1.0F, 0.2F);
+  scene.paintBump(8, {80, 50, 20, 30}, 1.0F, 0.2F);
+  scene.joining_odds = [](RegionId, RegionId) { return -0.5F; };
+  const auto judged = judge(scene);
+  ASSERT_EQ(judged.size(), 3U);
+  const auto both = std::ranges::find_if(
+      judged, [](const RegionJudge::Judged& one) { return one.hypothesis.regions.size() == 2; });
+  ASSERT_NE(both, judged.end());
+  EXPECT_FLOAT_EQ(both->evidence.odds, -0.5F);
+  EXPECT_FLOAT_EQ(both->evidence.largest_part, 0.5F);
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,86 @@
+#include "core/discovery/wholeness.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/discovery/boosted_tree.h"
+
+namespace scantrove {
+namespace {
+
+/// The root asks for feature 0 and its children for feature 1, of which the left one says 0 .. 3, the right
+/// one 4 .. 7; the last level asks for feature 2.
+BoostedTree countingTree() {
+  BoostedTree tree{};
+  tree.splits = {{{0, 0.5F}, {1, 1}, {1, -1}, {2, 0}, {2, 0}, {2, 0}, {2, 10}}};
+  tree.leaves = {0, 1, 2, 3, 4, 5, 6, 7};
+  return tree;
+}
+
+TEST(BoostedTree, GoesLeftUpToTheLimitAndRightBeyond) {
+  const BoostedTree tree = countingTree();
+  const auto valueOf = [&tree](float a, float b, float c) { return tree.valueOf(std::array{a, b, c}); };
+  EXPECT_EQ(valueOf(0, 0, -1), 0);
+  EXPECT_EQ(valueOf(0.5F, 1, 0), 0) << "the limit itself";
+  EXPECT_EQ(valueOf(0, 0, 1), 1);
+  EXPECT_EQ(valueOf(0, 2, 0), 2);
+  EXPECT_EQ(valueOf(0, 2, 1), 3);
+  EXPECT_EQ(valueOf(1, -2, 0), 4);
+  EXPECT_EQ(valueOf(1, -2, 1), 5);
+  EXPECT_EQ(valueOf(1, 0, 9), 6);
+  EXPECT_EQ(valueOf(1, 0, 11), 7);
+}
+
+/// A mug on a table, seen from nearby.
+WholenessEvidence mug() {
+  WholenessEvidence evidence;
+  evidence.pixels = 1500;
+  evidence.open = 0.75F;
+  evidence.folded = 0.2F;
+  evidence.fill = 0.75F;
+  evidence.bulge = 0.5F;
+  evidence.known_bulge = 0.45F;
+  evidence.known_flatness = 0.5F;
+  evidence.known_size_m = {0.13F, 0.1F, 0.09F};
+  return evidence;
+}
+
+TEST(Wholeness, WeighsSizesAsTheirShape) {
+  WholenessEvidence evidence = mug();
+  evidence.largest_part = 0.8F;
+  evidence.odds = -1.5F;
+  const auto x = evidence.features();
+  EXPECT_FLOAT_EQ(x[0], std::log(1500.0F));
+  EXPECT_FLOAT_EQ(x[6], std::log(0.13F));
+  EXPECT_FLOAT_EQ(x[7], 0.1F / 0.13F);
+  EXPECT_FLOAT_EQ(x[8], 0.09F / 0.13F);
+  EXPECT_FLOAT_EQ(x[13], -1.5F);
+  EXPECT_FLOAT_EQ(mug().features()[13], 4) << "one region holds together";
+}
+
+TEST(Wholeness, WhatIsNothingYetHasFeaturesToo) {
+  for (const float x : WholenessEvidence{}.features()) EXPECT_TRUE(std::isfinite(x));
+}
+
+TEST(Wholeness, AThingOnATableIsOneAndAPatchOfTheWallIsNone) {
+  EXPECT_GT(mug().logOdds(), 1.5F);
+  WholenessEvidence patch = mug();
+  patch.open = 0.1F;
+  patch.folded = 0.1F;
+  patch.hidden = 0.6F;
+  patch.bulge = patch.known_bulge = 0;
+  patch.known_flatness = 0.02F;
+  patch.known_size_m = {0.6F, 0.3F, 0.01F};
+  EXPECT_LT(patch.logOdds(), -1.5F);
+}
+
+TEST(Wholeness, SeveralRegionsThatHardlyHoldTogetherAreLessLikely) {
+  WholenessEvidence set = mug();
+  set.largest_part = 0.5F;
+  set.odds = -2.9F;
+  EXPECT_LT(set.logOdds(), mug().logOdds());
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,58 @@
+#include "core/scan/best_looks.h"
+
+#include <gmock/gmock.h>
+
+namespace scantrove {
+namespace {
+
+const RegionId kShade{1}, kPole{2}, kBox{3};
+
+Candidate looked(const RegionSet& regions, float wholeness) {
+  Candidate candidate;
+  candidate.regions = regions;
+  candidate.wholeness = wholeness;
+  return candidate;
+}
+
+TEST(BestLooks, OfEachSetTheBestCounts) {
+  BestLooks looks;
+  looks.add(10, std::vector{looked({kBox}, 1)});
+  looks.add(20, std::vector{looked({kBox}, 2.5F)});
+  looks.add(30, std::vector{looked({kBox}, 2)});
+  const auto best = looks.disjoint(0);
+  ASSERT_EQ(best.size(), 1U);
+  EXPECT_EQ(best[0].regions, RegionSet{kBox});
+  EXPECT_EQ(best[0].wholeness, 2.5F);
+  EXPECT_EQ(best[0].frame_index, 20);
+}
+
+TEST(BestLooks, OfSetsThatShareRegionsTheMostLikelyStays) {
+  BestLooks looks;
+  looks.add(1, std::vector{looked({kShade}, 1.5F), looked({kPole}, 0.5F), looked({kBox}, 1)});
+  looks.add(2, std::vector{looked({kShade, kPole}, 2), looked({kPole, kBox}, 1.2F)});
+  const auto best = looks.disjoint(0.7F);
+  ASSERT_EQ(best.size(), 2U);
+  EXPECT_EQ(best[0].regions, (RegionSet{kShade, kPole}));
+  EXPECT_EQ(best[1].regions, RegionSet{kBox});
+}
+
+TEST(BestLooks, UnlikelyIsWhatWasJudgedAndIsNoPartOfAnythingLikely) {
+  BestLooks looks;
+  looks.add(1, std::vector{looked({kShade}, -2), looked({kShade, kPole}, 1), looked({kPole}, -2),
+                           looked({kBox}, -2)});
+  EXPECT_TRUE(looks.isUnlikely(kBox, 0));
+  EXPECT_FALSE(looks.isUnlikely(kShade, 0)) << "a part of the lamp";
+  EXPECT_TRUE(looks.isUnlikely(kShade, 1.5F));
+  EXPECT_FALSE(looks.isUnlikely(RegionId{99}, 0)) << "nothing was said of it";
+}
+
+TEST(BestLooks, WhatWasNotJudgedSaysNothing) {
+  Candidate while_it_ran;
+  while_it_ran.regions = {kBox};
+  BestLooks looks;
+  looks.add(1, std::vector{while_it_ran});
+  EXPECT_TRUE(looks.disjoint(-100).empty());
+}
+
+}  // namespace
+}  // namespace scantrove
