@@ -1,25 +1,38 @@
 #include "core/scan/best_looks.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace scantrove {
+namespace {
+
+constexpr std::size_t kLooks = 3;
+
+}  // namespace
+
+float BestLooks::Looks::together() const {
+  return std::accumulate(best.begin(), best.end(), 0.0F) / static_cast<float>(best.size() + 1);
+}
 
 void BestLooks::add(int frame_index, std::span<const Candidate> candidates) {
   for (const Candidate& candidate : candidates) {
     if (!candidate.wholeness) continue;
-    const auto [entry, is_new] =
-        best_.try_emplace(candidate.regions, Look{*candidate.wholeness, frame_index});
-    if (!is_new && *candidate.wholeness > entry->second.wholeness)
-      entry->second = {*candidate.wholeness, frame_index};
+    Looks& looks = looks_[candidate.regions];
+    if (looks.best.empty() || *candidate.wholeness > looks.best.front()) looks.frame_index = frame_index;
+    looks.best.insert(std::ranges::lower_bound(looks.best, *candidate.wholeness, std::greater<>()),
+                      *candidate.wholeness);
+    if (looks.best.size() > kLooks) looks.best.pop_back();
   }
 }
 
 std::vector<BestLooks::Best> BestLooks::disjoint(float least_wholeness) const {
   std::vector<Best> likely;
-  for (const auto& [regions, look] : best_) {
-    if (look.wholeness >= least_wholeness) likely.push_back({regions, look.wholeness, look.frame_index});
+  for (const auto& [regions, looks] : looks_) {
+    const float wholeness = looks.together();
+    if (wholeness >= least_wholeness) likely.push_back({regions, wholeness, looks.frame_index});
   }
-  std::ranges::stable_sort(likely, std::ranges::greater(), &Best::wholeness);
+  std::ranges::stable_sort(likely, std::greater<>(), &Best::wholeness);
   std::vector<Best> chosen;
   for (Best& best : likely) {
     if (std::ranges::none_of(chosen, [&](const Best& other) { return best.regions.overlaps(other.regions); }))
@@ -29,8 +42,8 @@ std::vector<BestLooks::Best> BestLooks::disjoint(float least_wholeness) const {
 }
 
 bool BestLooks::isUnlikely(RegionId region, float least_wholeness) const {
-  return best_.contains(RegionSet{region}) && std::ranges::none_of(best_, [&](const auto& entry) {
-           return entry.second.wholeness >= least_wholeness && entry.first.contains(region);
+  return looks_.contains(RegionSet{region}) && std::ranges::none_of(looks_, [&](const auto& entry) {
+           return entry.second.together() >= least_wholeness && entry.first.contains(region);
          });
 }
 

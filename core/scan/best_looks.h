@@ -7,14 +7,15 @@
 
 namespace scantrove {
 
-/// The best look at each set of regions, once nothing more comes of a scan, and which of the sets are the
-/// things that the scan has seen.
+/// The best looks at each set of regions, once nothing more comes of a scan, and which of the sets are the
+/// things that the scan has seen. One look may mislead: the best three count together, and as one more that
+/// says nothing either way.
 class BestLooks {
  public:
   struct Best {
     RegionSet regions;
-    float wholeness = 0;  ///< Candidate::wholeness
-    int frame_index = 0;
+    float wholeness = 0;  ///< sum of the best three Candidate::wholeness, by one more than these are
+    int frame_index = 0;  ///< of the best look
   };
 
   /// What one frame shows.
@@ -26,11 +27,12 @@ class BestLooks {
   [[nodiscard]] bool isUnlikely(RegionId region, float least_wholeness) const;
 
  private:
-  struct Look {
-    float wholeness = 0;
-    int frame_index = 0;
+  struct Looks {
+    std::vector<float> best;  ///< Candidate::wholeness, falling; at most three
+    int frame_index = 0;      ///< of the first of them
+    [[nodiscard]] float together() const;
   };
-  std::map<RegionSet, Look> best_;
+  std::map<RegionSet, Looks> looks_;
 };
 
 }  // namespace scantrove

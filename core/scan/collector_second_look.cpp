@@ -4,7 +4,6 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "core/scan/clarity.h"
 #include "core/scan/object_collector.h"
 
 namespace scantrove {
@@ -12,8 +11,8 @@ namespace {
 
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
-/// Log-odds below which what was an object is none any more: fewer than half of such are one.
-constexpr float kUnlikely = 0.3F;
+/// Of BestLooks: from the one on something is a whole; below the other what was an object is none any more.
+constexpr float kWhole = 0.5F, kUnlikely = 0.2F;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `working` pixels.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
@@ -67,7 +66,7 @@ bool ObjectCollector::staysAsItIs(ObjectId object) const {
 
 void ObjectCollector::bindWholes() {
   std::set<ObjectId> taken;
-  for (const BestLooks::Best& best : best_looks_.disjoint(kForObject.least_wholeness)) {
+  for (const BestLooks::Best& best : best_looks_.disjoint(kWhole)) {
     std::vector<ObjectId> objects;  // that its regions were taken for, and that are there
     for (const RegionId region : best.regions) {
       const ObjectId object = met_.objectOf(region);

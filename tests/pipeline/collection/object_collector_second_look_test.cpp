@@ -245,7 +245,7 @@ TEST_F(SecondLook, AnObjectIsTheWholeThatItsRegionIsAPartOf) {
   Candidate both = judged(mug_, 3);
   both.regions.add(handle);
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 1), both});
+  collector_->rate(3, {judged(mug_, 2), both});
   static_cast<void>(collector_->settleWholes());
   EXPECT_EQ(collector_->objectOf(handle), mug);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 1)}, {mug_}, 60));
@@ -261,7 +261,7 @@ TEST_F(SecondLook, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   collector_->bind(box_.region, mug);
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 3), judged(box_, 2)});
+  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
   static_cast<void>(collector_->settleWholes());
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
   EXPECT_FALSE(collector_->objectOf(box_.region));

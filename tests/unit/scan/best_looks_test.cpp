@@ -14,22 +14,24 @@ Candidate looked(const RegionSet& regions, float wholeness) {
   return candidate;
 }
 
-TEST(BestLooks, OfEachSetTheBestCounts) {
+TEST(BestLooks, TheBestThreeCountTogetherWithOneThatSaysNothing) {
   BestLooks looks;
   looks.add(10, std::vector{looked({kBox}, 1)});
-  looks.add(20, std::vector{looked({kBox}, 2.5F)});
+  EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, 0.5F);
+  looks.add(20, std::vector{looked({kBox}, 3)});
   looks.add(30, std::vector{looked({kBox}, 2)});
+  looks.add(40, std::vector{looked({kBox}, -1)});
   const auto best = looks.disjoint(0);
   ASSERT_EQ(best.size(), 1U);
   EXPECT_EQ(best[0].regions, RegionSet{kBox});
-  EXPECT_EQ(best[0].wholeness, 2.5F);
+  EXPECT_FLOAT_EQ(best[0].wholeness, (3 + 2 + 1) / 4.0F);
   EXPECT_EQ(best[0].frame_index, 20);
 }
 
 TEST(BestLooks, OfSetsThatShareRegionsTheMostLikelyStays) {
   BestLooks looks;
-  looks.add(1, std::vector{looked({kShade}, 1.5F), looked({kPole}, 0.5F), looked({kBox}, 1)});
-  looks.add(2, std::vector{looked({kShade, kPole}, 2), looked({kPole, kBox}, 1.2F)});
+  looks.add(1, std::vector{looked({kShade}, 3), looked({kPole}, 1), looked({kBox}, 2)});
+  looks.add(1, std::vector{looked({kShade, kPole}, 4), looked({kPole, kBox}, 2.4F)});
   const auto best = looks.disjoint(0.7F);
   ASSERT_EQ(best.size(), 2U);
   EXPECT_EQ(best[0].regions, (RegionSet{kShade, kPole}));
@@ -38,7 +40,7 @@ TEST(BestLooks, OfSetsThatShareRegionsTheMostLikelyStays) {
 
 TEST(BestLooks, UnlikelyIsWhatWasJudgedAndIsNoPartOfAnythingLikely) {
   BestLooks looks;
-  looks.add(1, std::vector{looked({kShade}, -2), looked({kShade, kPole}, 1), looked({kPole}, -2),
+  looks.add(1, std::vector{looked({kShade}, -2), looked({kShade, kPole}, 2), looked({kPole}, -2),
                            looked({kBox}, -2)});
   EXPECT_TRUE(looks.isUnlikely(kBox, 0));
   EXPECT_FALSE(looks.isUnlikely(kShade, 0)) << "a part of the lamp";
