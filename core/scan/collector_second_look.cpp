@@ -67,17 +67,20 @@ bool ObjectCollector::staysAsItIs(ObjectId object) const {
 void ObjectCollector::bindWholes() {
   std::set<ObjectId> taken;
   for (const BestLooks::Best& best : best_looks_.disjoint(kWhole)) {
-    std::vector<ObjectId> objects;  // that its regions were taken for, and that are there
+    std::vector<ObjectId> objects;  // that its regions were taken for
     for (const RegionId region : best.regions) {
       const ObjectId object = met_.objectOf(region);
-      if (catalogue_.holderOf(object) && !std::ranges::count(objects, object)) objects.push_back(object);
+      if (object && !std::ranges::count(objects, object)) objects.push_back(object);
     }
+    // What a person deleted stays so.
+    if (!std::ranges::all_of(objects, [this](ObjectId object) { return !!catalogue_.holderOf(object); }))
+      continue;
     // What a person spoke of comes first, and stays apart.
     std::ranges::stable_partition(objects, [this](ObjectId object) { return staysAsItIs(object); });
     if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
     wholes_.emplace(best.regions, best.frame_index);
+    for (const ObjectId object : objects) met_.unbind(best.regions, object);
     std::erase_if(objects, [&](ObjectId object) { return taken.contains(catalogue_.holderOf(object)); });
-    for (const RegionId region : best.regions) met_.unbind({region}, met_.objectOf(region));
     if (objects.empty()) continue;
     met_.bind(best.regions, objects.front());
     taken.insert(catalogue_.holderOf(objects.front()));

@@ -268,6 +268,24 @@ TEST_F(SecondLook, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
   collector_->endLookingAgain();
 }
 
+TEST_F(SecondLook, WhatAPersonDeletedIsNotFoundAgain) {
+  static_cast<void>(study({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  ASSERT_TRUE(person_->remove(std::array{objects()[0].id}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
+  static_cast<void>(collector_->beginLastLooks());
+  frame_ = 3;
+  static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_TRUE(objects().empty());
+}
+
 TEST_F(SecondLook, WhatAPersonKeepsApartIsNotOneWhole) {
   static_cast<void>(study({mug_, box_}));
   const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
