@@ -17,7 +17,7 @@ constexpr float kLeastPixels = 60;      // of 320 x 240: of fewer nothing can be
 constexpr float kLeastPartPixels = 30;  // ... and of fewer still not that they are a part of something
 constexpr double kUsualPixels = 320.0 * 240.0;
 /// What a look has no room for, and what was never seen, is not judged by it.
-constexpr double kLeastShown = 0.8;                 // of all that is known of it
+constexpr double kLeastShown = 0.8;                   // of all that is known of it
 constexpr float kMostCut = 0.3F, kMostUnseen = 0.3F;  // of the outline
 
 bool isInView(const OutlineSteps& outline) {
@@ -86,8 +86,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
 std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
   std::vector<Candidate> candidates;
   for (const auto& [hypothesis, evidence] : judge(input)) {
-    const std::vector<Eigen::Vector4f> points =
-        pointsOf(hypothesis.regions, hypothesis.extent.box_px, input);
+    const std::vector<Eigen::Vector4f> points = pointsOf(hypothesis.regions, hypothesis.extent.box_px, input);
     candidates.push_back(candidateOf(hypothesis, fitOrientedBox(points), input));
     candidates.back().wholeness = evidence.logOdds();
   }

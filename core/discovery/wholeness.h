@@ -10,14 +10,14 @@ struct WholenessEvidence {
   float pixels = 0;  ///< that show them, of an image of 320 x 240
   // Of their outline in the image, parts of what is known of it (OutlineSteps).
   float open = 0, folded = 0, hidden = 0;
-  float fill = 0;           ///< the part of their box in the image that they fill
-  float bulge = 0;          ///< bulgeOf() what is seen
-  float known_bulge = 0;    ///< of all that is known
+  float fill = 0;            ///< the part of their box in the image that they fill
+  float bulge = 0;           ///< bulgeOf() what is seen
+  float known_bulge = 0;     ///< of all that is known
   float known_flatness = 0;  ///< OrientedBox::thickness_ratio of all that is known
   Eigen::Vector3f known_size_m = Eigen::Vector3f::Zero();  ///< longest first
   bool is_torn = false;                                    ///< RegionHypothesis::is_torn
-  float largest_part = 1;  ///< of the pixels, those of the region with most
-  float odds = 0;          ///< RegionHypothesis::odds, of several regions
+  float largest_part = 1;                                  ///< of the pixels, those of the region with most
+  float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
 
   static constexpr std::size_t kFeatures = 14;
   /// What logOdds() weighs.

@@ -5,7 +5,8 @@
 
 namespace scantrove {
 
-// By wholeness_fit to demo:room:161-164,171-174,181-184,191-194 and demo:tabletop:161-164,171-174,181-184,191-194.
+// By wholeness_fit to demo:room:161-164,171-174,181-184,191-194 and
+// demo:tabletop:161-164,171-174,181-184,191-194.
 inline constexpr float kWholenessPrior = 0.05148F;
 // clang-format off
 inline constexpr std::array<BoostedTree, 40> kWholenessTrees{{

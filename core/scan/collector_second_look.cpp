@@ -76,7 +76,8 @@ void ObjectCollector::bindWholes() {
     if (!std::ranges::all_of(objects, [this](ObjectId object) { return !!catalogue_.holderOf(object); }))
       continue;
     // What a person spoke of comes first, and stays apart.
-    std::ranges::stable_partition(objects, [this](ObjectId object) { return staysAsItIs(object); });
+    std::stable_partition(objects.begin(), objects.end(),
+                          [this](ObjectId object) { return staysAsItIs(object); });
     if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
     wholes_.emplace(best.regions, best.frame_index);
     for (const ObjectId object : objects) met_.unbind(best.regions, object);

@@ -56,8 +56,7 @@ class ObjectCollector {
   /// Candidates of one frame, which may share regions; `in_color` at their resolution. What was stored since
   /// the last call and that the catalogue fails is part of the outcome; it ends nothing.
   [[nodiscard]] FrameObjects collect(const RgbdFrame& frame, const PoseEstimate& pose,
-                                     const SurfaceInColor& in_color,
-                                     std::vector<Candidate> candidates);
+                                     const SurfaceInColor& in_color, std::vector<Candidate> candidates);
 
   /// What the next frame to be collected shows, whether it is a candidate or not: an object whose regions are
   /// in view is not met under others.

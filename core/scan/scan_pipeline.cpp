@@ -231,12 +231,8 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, con
   for (std::size_t i = 0; i < shown.regions.size(); ++i) {
     if (readings.contradicted.data[i] != 0) shown.regions[i] = {};
   }
-  const DiscoveryInput input{shown,
-                             result.vertices_world,
-                             result.normals_world,
-                             working_K_,
-                             readings.view.T_world_camera,
-                             joiningOdds,
+  const DiscoveryInput input{shown,      result.vertices_world,        result.normals_world,
+                             working_K_, readings.view.T_world_camera, joiningOdds,
                              came};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {

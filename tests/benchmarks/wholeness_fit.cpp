@@ -1,5 +1,5 @@
-// Fits the trees of WholenessEvidence::logOdds() to random scenes with exact truth. A sample is a region, or a
-// set of regions, in a frame of a scan that has ended: what RegionJudge says of it, and whether it is one
+// Fits the trees of WholenessEvidence::logOdds() to random scenes with exact truth. A sample is a region, or
+// a set of regions, in a frame of a scan that has ended: what RegionJudge says of it, and whether it is one
 // whole thing there (IoU > 0.6). Prints how well the trees do on scenes that they were not fitted to, and
 // core/discovery/wholeness_trees.h.
 //
@@ -137,10 +137,9 @@ class Boosting {
     for (std::size_t i = 0; i < kTrees; ++i) addTree();
   }
   [[nodiscard]] double oddsOf(const Features& x) const {
-    return std::accumulate(trees.begin(), trees.end(), static_cast<double>(prior),
-                           [&](double sum, const BoostedTree& tree) {
-                             return sum + static_cast<double>(tree.valueOf(x));
-                           });
+    return std::accumulate(
+        trees.begin(), trees.end(), static_cast<double>(prior),
+        [&](double sum, const BoostedTree& tree) { return sum + static_cast<double>(tree.valueOf(x)); });
   }
 
   float prior = 0;
@@ -239,18 +238,21 @@ std::string inCpp(float value) {
 }
 
 void print(const Boosting& boosting, const SceneOptions& options) {
-  std::printf("#pragma once\n#include <array>\n\n#include \"core/discovery/boosted_tree.h\"\n\n"
-              "namespace scantrove {\n\n// By wholeness_fit to demo:room:%s and demo:tabletop:%s.\n",
-              fmt::format("{}", fmt::join(options.rooms, ",")).c_str(),
-              fmt::format("{}", fmt::join(options.tables, ",")).c_str());
-  std::printf("inline constexpr float kWholenessPrior = %s;\n// clang-format off\n"
-              "inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n",
-              inCpp(boosting.prior).c_str(), boosting.trees.size());
+  std::printf(
+      "#pragma once\n#include <array>\n\n#include \"core/discovery/boosted_tree.h\"\n\n"
+      "namespace scantrove {\n\n// By wholeness_fit to demo:room:%s and demo:tabletop:%s.\n",
+      fmt::format("{}", fmt::join(options.rooms, ",")).c_str(),
+      fmt::format("{}", fmt::join(options.tables, ",")).c_str());
+  std::printf(
+      "inline constexpr float kWholenessPrior = %s;\n// clang-format off\n"
+      "inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n",
+      inCpp(boosting.prior).c_str(), boosting.trees.size());
   for (const BoostedTree& tree : boosting.trees) {
     std::vector<std::string> splits, leaves;
     for (const auto& [feature, most] : tree.splits) {
       const bool is_split = most < std::numeric_limits<float>::max();
-      splits.push_back(fmt::format("{{{}, {}}}", static_cast<int>(feature), is_split ? inCpp(most) : "1e30F"));
+      splits.push_back(
+          fmt::format("{{{}, {}}}", static_cast<int>(feature), is_split ? inCpp(most) : "1e30F"));
     }
     for (const float leaf : tree.leaves) leaves.push_back(inCpp(leaf));
     std::printf("    {{{%s}}, {%s}},\n", fmt::format("{}", fmt::join(splits, ", ")).c_str(),
