@@ -81,10 +81,11 @@ void ObjectCollector::bindWholes() {
     if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
     wholes_.emplace(best.regions, best.frame_index);
     for (const ObjectId object : objects) met_.unbind(best.regions, object);
-    std::erase_if(objects, [&](ObjectId object) { return taken.contains(catalogue_.holderOf(object)); });
+    // Two wholes are one object only where a person said so, or merged what they were taken for.
+    std::erase_if(objects, [&](ObjectId object) { return !staysAsItIs(object) && taken.contains(object); });
     if (objects.empty()) continue;
     met_.bind(best.regions, objects.front());
-    taken.insert(catalogue_.holderOf(objects.front()));
+    taken.insert(objects.front());
   }
 }
 

@@ -268,6 +268,20 @@ TEST_F(SecondLook, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
   collector_->endLookingAgain();
 }
 
+TEST_F(SecondLook, TwoWholesAreOneObjectWhereAPersonMergedThem) {
+  static_cast<void>(study({mug_, box_}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
+  ASSERT_TRUE(person_->merge(std::array{mug, box}));  // neither is named or confirmed
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_EQ(collector_->objectOf(box_.region), mug);
+  collector_->endLookingAgain();
+}
+
 TEST_F(SecondLook, WhatAPersonDeletedIsNotFoundAgain) {
   static_cast<void>(study({mug_}));
   ASSERT_EQ(objects().size(), 1U);
