@@ -4,7 +4,6 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/discovery/oriented_box.h"
 #include "core/discovery/region_points.h"
 
 namespace scantrove {
@@ -19,7 +18,54 @@ cv::Mat pixelsOfRegion(RegionId region, const RegionMap& map) {
   return pixels;
 }
 
+cv::Mat maskOf(const RegionHypothesis& hypothesis, const RegionMap& map) {
+  const cv::Rect& box = hypothesis.extent.box_px;
+  cv::Mat mask(box.size(), CV_8UC1);
+  for (int y = 0; y < mask.rows; ++y) {
+    const RegionId* regions = map.regions.data() + static_cast<std::ptrdiff_t>(box.y + y) * map.width + box.x;
+    unsigned char* out = mask.ptr(y);
+    for (int x = 0; x < mask.cols; ++x) out[x] = hypothesis.regions.contains(regions[x]) ? 255 : 0;
+  }
+  return mask;
+}
+
+/// Most of what is masked came into the scene.
+bool hasCome(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& input) {
+  if (input.came.empty()) return false;
+  int all = 0, came = 0;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<unsigned char>(y, x) == 0) continue;
+      const int at = (box_px.y + y) * input.regions.width + box_px.x + x;
+      ++all;
+      came += input.came[static_cast<std::size_t>(at)] != 0 ? 1 : 0;
+    }
+  }
+  return 2 * came > all;
+}
+
+/// Where the box has it.
+void place(const OrientedBox& box, const DiscoveryInput& input, Candidate& candidate) {
+  candidate.centroid_world = box.mean;
+  candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
+  candidate.size_m = box.size_m;
+}
+
 }  // namespace
+
+Candidate candidateOf(const RegionHypothesis& hypothesis, const OrientedBox& box,
+                      const DiscoveryInput& input) {
+  Candidate candidate;
+  candidate.regions = hypothesis.regions;
+  candidate.box_px = hypothesis.extent.box_px;
+  candidate.mask = maskOf(hypothesis, input.regions);
+  candidate.has_come = hasCome(candidate.mask, candidate.box_px, input);
+  candidate.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
+  candidate.odds = hypothesis.odds;
+  candidate.pixels = static_cast<int>(hypothesis.extent.pixels);
+  place(box, input, candidate);
+  return candidate;
+}
 
 std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& input, int least_points) {
   const cv::Mat pixels = pixelsOfRegion(region, input.regions);
@@ -27,14 +73,11 @@ std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& inpu
   if (box_px.empty()) return std::nullopt;
   const std::vector<Eigen::Vector4f> points = pointsOf({region}, box_px, input);
   if (points.size() < static_cast<std::size_t>(std::max(3, least_points))) return std::nullopt;
-  const OrientedBox box = fitOrientedBox(points);
   Candidate candidate;
   candidate.regions = {region};
   candidate.box_px = box_px;
   candidate.mask = pixels(box_px).clone();
-  candidate.centroid_world = box.mean;
-  candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
-  candidate.size_m = box.size_m;
+  place(fitOrientedBox(points), input, candidate);
   candidate.pixels = cv::countNonZero(candidate.mask);
   return candidate;
 }

@@ -13,7 +13,6 @@ namespace {
 constexpr int kLeastContact = 4;           // steps along which two regions touch
 constexpr float kLeastContactPart = 0.1F;  // of the outline of one of them
 constexpr float kLeastRimPart = 0.2F;      // of a hollow's outline
-constexpr float kOddsOfRim = -2.99F;       // at least
 
 /// The outside of a thing is about as wide as its inside, at least; what stands in a plate is not.
 bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
@@ -59,11 +58,11 @@ class Neighbourhood {
             hollows.contains(a) && !hollows.contains(b) && isRim(a, b) && couldHold(*found, extent);
         const bool is_b_in_a =
             hollows.contains(b) && !hollows.contains(a) && isRim(b, a) && couldHold(extent, *found);
-        if (!(is_a_in_b || is_b_in_a || isContact(a, b) || isContact(b, a))) continue;
+        const bool is_rim = is_a_in_b || is_b_in_a;
+        if (!(is_rim || isContact(a, b) || isContact(b, a))) continue;
         float odds = input.joining_odds(a, b);
-        // Over the rim of a hollow nothing is seen to touch.
-        if (is_a_in_b || is_b_in_a) odds = std::max(odds, kOddsOfRim);
-        if (!(odds > -kNearOdds)) continue;
+        if (is_rim) odds = std::max(odds, -kNearOdds);  // over it nothing is seen to touch
+        if (!(odds >= -kNearOdds)) continue;
         neighbours_[a].push_back({b, odds});
         neighbours_[b].push_back({a, odds});
         if (is_a_in_b) noteInside(a, b);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/check.h"
-#include "core/discovery/hypothesis_candidate.h"
 #include "core/discovery/oriented_box.h"
+#include "core/discovery/region_candidate.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
 
@@ -17,7 +17,7 @@ constexpr float kLeastPixels = 60;      // of 320 x 240: of fewer nothing can be
 constexpr float kLeastPartPixels = 30;  // ... and of fewer still not that they are a part of something
 constexpr double kUsualPixels = 320.0 * 240.0;
 /// What a look has no room for, and what was never seen, is not judged by it.
-constexpr double kLeastShown = 0.8;                   // of all that is known of it
+constexpr float kLeastShown = 0.8F;                   // of all that is known of it
 constexpr float kMostCut = 0.3F, kMostUnseen = 0.3F;  // of the outline
 
 bool isInView(const OutlineSteps& outline) {
@@ -45,42 +45,48 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   });
   const RegionOutlines outlines(input, params_);
   const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
+  const auto pixelsOf = [&parts](RegionId region) {
+    return std::ranges::find(parts, region, &RegionExtent::region)->pixels;
+  };
   std::vector<Judged> judged;
   for (RegionHypothesis& hypothesis : proposeHypotheses(parts, outlines, input, params_)) {
-    WholenessEvidence evidence;
-    evidence.pixels = static_cast<float>(hypothesis.extent.pixels) * scale;
-    if (evidence.pixels < kLeastPixels) continue;
-    const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
-    if (known.box.size_m[0] > kLargest_m) continue;
+    const auto pixels = static_cast<float>(hypothesis.extent.pixels);
+    if (pixels * scale < kLeastPixels || shapeOf(hypothesis.regions).box.size_m[0] > kLargest_m) continue;
     const OutlineSteps outline = outlines.of(hypothesis.regions);
-    if (!isInView(outline)) continue;
-    const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
-      return static_cast<float>(of) / static_cast<float>(steps);
-    };
-    evidence.open = partOfOutline(outline.open);
-    evidence.folded = partOfOutline(outline.folded);
-    evidence.hidden = partOfOutline(outline.hidden);
-    evidence.fill = static_cast<float>(hypothesis.extent.pixels) /
-                    static_cast<float>(std::max(1, hypothesis.extent.box_px.area()));
-    evidence.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
-    evidence.known_bulge = known.bulge;
-    evidence.known_flatness = known.box.thickness_ratio;
-    evidence.known_size_m = known.box.size_m;
-    evidence.is_torn = hypothesis.is_torn;
-    std::int64_t largest = 0;
-    double shown = 0;
+    float shown = 0, largest = 0;
     for (const RegionId region : hypothesis.regions) {
-      const std::int64_t pixels = std::ranges::find(parts, region, &RegionExtent::region)->pixels;
-      largest = std::max(largest, pixels);
-      shown += static_cast<double>(pixels) *
-               static_cast<double>(known_.partInView(region, input.K, input.T_world_camera, visible));
+      const auto of_region = static_cast<float>(pixelsOf(region));
+      shown += of_region * known_.partInView(region, input.K, input.T_world_camera, visible);
+      largest = std::max(largest, of_region);
     }
-    if (shown < kLeastShown * static_cast<double>(hypothesis.extent.pixels)) continue;
-    evidence.largest_part = static_cast<float>(largest) / static_cast<float>(hypothesis.extent.pixels);
-    evidence.odds = hypothesis.odds;
+    if (!isInView(outline) || shown < kLeastShown * pixels) continue;
+    WholenessEvidence evidence = evidenceOf(hypothesis, outline, input);
+    evidence.pixels = pixels * scale;
+    evidence.largest_part = largest / pixels;
     judged.push_back({std::move(hypothesis), evidence});
   }
   return judged;
+}
+
+WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
+                                          const DiscoveryInput& input) {
+  const RegionExtent& extent = hypothesis.extent;
+  const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
+    return static_cast<float>(of) / static_cast<float>(steps);
+  };
+  WholenessEvidence evidence;
+  evidence.open = partOfOutline(outline.open);
+  evidence.folded = partOfOutline(outline.folded);
+  evidence.hidden = partOfOutline(outline.hidden);
+  evidence.fill = static_cast<float>(extent.pixels) / static_cast<float>(std::max(1, extent.box_px.area()));
+  evidence.bulge = bulgeOf(hypothesis.regions, extent.box_px, input);
+  const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
+  evidence.known_bulge = known.bulge;
+  evidence.known_flatness = known.box.thickness_ratio;
+  evidence.known_size_m = known.box.size_m;
+  evidence.is_torn = hypothesis.is_torn;
+  evidence.odds = hypothesis.odds;
+  return evidence;
 }
 
 std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {

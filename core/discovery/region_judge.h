@@ -30,6 +30,9 @@ class RegionJudge final : public CandidateSource {
 
  private:
   [[nodiscard]] const RegionSamples::Shape& shapeOf(const RegionSet& regions);
+  /// All but how large they are in the image.
+  [[nodiscard]] WholenessEvidence evidenceOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
+                                             const DiscoveryInput& input);
 
   DiscoveryParams params_;
   RegionSamples known_;

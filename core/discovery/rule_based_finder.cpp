@@ -4,10 +4,10 @@
 
 #include "core/base/check.h"
 #include "core/discovery/candidate_finder.h"
-#include "core/discovery/hypothesis_candidate.h"
 #include "core/discovery/look_history.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/reach_history.h"
+#include "core/discovery/region_candidate.h"
 #include "core/discovery/region_hypotheses.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"

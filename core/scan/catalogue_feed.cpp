@@ -11,8 +11,9 @@ struct CatalogueFeed::Effects {
   std::set<ObjectId> first_views = feed.first_views_;                          ///< that are still to come
   std::multiset<std::pair<ObjectId, ObjectId>> own_merges = feed.own_merges_;  ///< likewise
   std::set<ObjectId> changed = {};  ///< whose records are to be read again
-  bool holders = false;             ///< views have gone from one object to another, or to none
-  bool views = false;               ///< there are more
+  std::vector<ObjectId> regrouped = {};
+  bool holders = false;  ///< views have gone from one object to another, or to none
+  bool views = false;    ///< there are more
   std::vector<std::int64_t> own_first_views = {};
   std::vector<ObjectId> added = {};
   std::vector<std::pair<ObjectId, ObjectId>> unmerged = {};
@@ -53,6 +54,7 @@ struct CatalogueFeed::Effects {
  private:
   void regroup(ObjectId object) {
     changed.insert(object);
+    regrouped.push_back(object);
     holders = true;
   }
 };
@@ -74,6 +76,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
   if (effects.views) SCANTROVE_TRY(readViews(edits, now.view));
   edits.added = std::move(effects.added);
   edits.unmerged = std::move(effects.unmerged);
+  edits.regrouped = std::move(effects.regrouped);
   // All was read: from here on nothing fails.
   kept_apart_.insert(edits.unmerged.begin(), edits.unmerged.end());
   first_views_ = std::move(effects.first_views);

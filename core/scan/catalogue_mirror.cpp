@@ -252,6 +252,7 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
     records_[record.id] = std::move(record);
   }
   for (const auto& [a, b] : edits.unmerged) kept_apart_.insert(std::minmax(keyOf(a), keyOf(b)));
+  for (const ObjectId object : edits.regrouped) regrouped_.insert(keyOf(object));
   applyToCome();
 }
 

@@ -36,6 +36,8 @@ class CatalogueMirror {
   [[nodiscard]] bool areKeptApart(ObjectId a, ObjectId b) const {
     return kept_apart_.contains(std::minmax(a, b));
   }
+  /// Others brought it back, merged it, or took it apart.
+  [[nodiscard]] bool isRegrouped(ObjectId object) const { return regrouped_.contains(object); }
   [[nodiscard]] Detector& detector() { return detector_; }
 
   /// This scan found the object.
@@ -88,6 +90,7 @@ class CatalogueMirror {
   std::set<ObjectId> objects_;                                        // that ever were
   std::unordered_map<ObjectId, std::vector<Eigen::Vector3f>> sizes_;  // of the views, by first object
   std::set<std::pair<ObjectId, ObjectId>> kept_apart_;                // smaller id first
+  std::set<ObjectId> regrouped_;
 
   std::uint32_t next_key_ = kFirstKey;
   std::unordered_map<ObjectId, ObjectId> ids_, keys_;            // of this scan's objects that are stored

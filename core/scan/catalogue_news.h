@@ -24,6 +24,7 @@ struct CatalogueEdits {
   std::vector<ObjectId> hidden;                         ///< objects without a record
   std::vector<StoredDescriptor> views;                  ///< that are new
   std::vector<std::pair<ObjectId, ObjectId>> unmerged;  ///< merges that were taken back; smaller id first
+  std::vector<ObjectId> regrouped;  ///< that were deleted, brought back, merged or taken apart
 
   [[nodiscard]] bool isEmpty() const {
     return added.empty() && holders.empty() && records.empty() && hidden.empty() && views.empty() &&

@@ -58,10 +58,14 @@ void ObjectCollector::rate(int frame_index, const std::vector<Candidate>& candid
   best_looks_.add(frame_index, candidates);
 }
 
-bool ObjectCollector::staysAsItIs(ObjectId object) const {
+bool ObjectCollector::isByPerson(ObjectId object) const {
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
   return holder == nullptr || isSettled(*holder) || by_person_.contains(object) ||
-         !CatalogueMirror::isOfThisScan(holder->id);
+         catalogue_.isRegrouped(holder->id);
+}
+
+bool ObjectCollector::staysAsItIs(ObjectId object) const {
+  return isByPerson(object) || !CatalogueMirror::isOfThisScan(catalogue_.holderOf(object));
 }
 
 void ObjectCollector::bindWholes() {
@@ -153,9 +157,7 @@ bool ObjectCollector::haveOneSuccessor(ObjectId a, ObjectId b) const {
 }
 
 bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
-  const ObjectRecord* holder = recordOf(catalogue_.holderOf(view.object));
-  // What a person said something of is as it was then.
-  if (holder == nullptr || isSettled(*holder) || by_person_.contains(view.object)) return false;
+  if (isByPerson(view.object)) return false;  // it is as it was then
   struct Pixels {
     bool is_own = false;
     float all = 0, shared = 0;

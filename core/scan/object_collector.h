@@ -225,7 +225,9 @@ class ObjectCollector {
   [[nodiscard]] bool mayBeObject(const Candidate& candidate) const;
   /// The wholes take the objects that their regions were taken for, each one, and none that another has.
   void bindWholes();
-  /// A person spoke of it, or it is not of this scan alone.
+  /// A person said something of it, or deleted it.
+  [[nodiscard]] bool isByPerson(ObjectId object) const;
+  /// That, or it is not of this scan alone.
   [[nodiscard]] bool staysAsItIs(ObjectId object) const;
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
   [[nodiscard]] const ObjectRecord* recordOf(ObjectId holder) const { return catalogue_.record(holder); }

@@ -12,7 +12,6 @@
 #include "core/base/overloaded.h"
 #include "core/catalog/object_database.h"
 #include "core/scan/guarded.h"
-#include "core/scan/key_frame_files.h"
 #include "core/scan/open_source.h"
 #include "core/scan/session_restorer.h"
 
@@ -30,18 +29,6 @@ bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
   const auto isNear = [](float x, float y, float scale) { return std::abs(x - y) <= 0.01F * scale; };
   return a.width == b.width && a.height == b.height && isNear(a.fx, b.fx, a.fx) && isNear(a.fy, b.fy, a.fy) &&
          isNear(a.cx, b.cx, a.fx) && isNear(a.cy, b.cy, a.fy);
-}
-
-/// Looking again at one takes about as long as a frame of the scan.
-constexpr std::size_t kMostFramesAgain = 200;
-
-/// At most so many of them, as far apart in the list as can be.
-template <class T>
-std::vector<T> evenly(std::vector<T> all, std::size_t most) {
-  if (all.size() <= most) return all;
-  std::vector<T> chosen;
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(std::move(all[i * all.size() / most]));
-  return chosen;
 }
 
 /// Landmarks tell where they are to a few centimetres.
@@ -300,55 +287,6 @@ void ScanRun::startClock() {
 void ScanRun::stopClock() {
   if (clock_start_) elapsed_s_ += millisecondsSince(*clock_start_) / 1000.0;
   clock_start_.reset();
-}
-
-Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
-  if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
-  SCANTROVE_TRY(recorder_->save(*pipeline_));
-  auto all = recorder_->keptFrames();
-  if (!all) return fail(all.error());
-  const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*all), kMostFramesAgain);
-  if (!goes_on()) return {};  // it begins by reading the whole map
-  SCANTROVE_TRY(pipeline_->beginLookingAgain());
-  auto steps = static_cast<int>(2 * frames.size());
-  int done = 0;
-  const auto readAgain = [&](const SessionRecorder::KeptFrame& kept) {
-    listener_(LookingAgain{done++, steps});
-    return readKeyFrame(recorder_->folder(), kept.images, kept.frame);
-  };
-  for (const SessionRecorder::KeptFrame& kept : frames) {
-    if (!goes_on()) return {};  // what is settled after some of them only is settled wrongly
-    const Result<RgbdFrame> frame = readAgain(kept);
-    if (frame) SCANTROVE_TRY(pipeline_->rate(*frame, kept.frame.T_world_camera));
-  }
-  const std::vector<int> judged = pipeline_->settleWholes();
-  steps += static_cast<int>(judged.size());
-  for (const int frame_index : judged) {
-    if (!goes_on()) break;
-    listener_(LookingAgain{done++, steps});
-    SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));
-  }
-  const auto lookAt = [&](const SessionRecorder::KeptFrame& kept) -> Result<void> {
-    const Result<RgbdFrame> frame = readAgain(kept);
-    if (!frame) return {};  // who looks at it is told
-    const Result<FrameObjects> objects = pipeline_->lookAgain(*frame, kept.frame.T_world_camera);
-    if (!objects) return fail(objects.error());
-    announce(*objects);
-    return {};
-  };
-  for (const SessionRecorder::KeptFrame& frame : frames) {
-    if (!goes_on()) break;
-    SCANTROVE_TRY(lookAt(frame));
-  }
-  const std::vector<int> last = pipeline_->beginLastLooks();
-  steps += static_cast<int>(last.size());
-  for (const SessionRecorder::KeptFrame& frame : frames) {
-    if (!std::ranges::binary_search(last, frame.frame.source_index)) continue;
-    if (!goes_on()) break;
-    SCANTROVE_TRY(lookAt(frame));
-  }
-  pipeline_->endLookingAgain();
-  return {};
 }
 
 Result<ScanReport> ScanRun::finish(const std::function<bool()>& goes_on) {

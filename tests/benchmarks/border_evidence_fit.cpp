@@ -145,13 +145,9 @@ Result<void> run(const SceneOptions& options) {
 }  // namespace scantrove::benchmarks
 
 int main(int argc, char** argv) {
-  using namespace scantrove;
-  benchmarks::SceneOptions options;
+  using namespace scantrove::benchmarks;
+  SceneOptions options;
   options.every = 20;
-  CLI::App app("Fits what borders between fragments say, on random scenes");
-  options.addTo(app);
-  CLI11_PARSE(app, argc, argv);
-  const auto done = benchmarks::run(options);
-  if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
-  return done ? 0 : 1;
+  return withScenes(argc, argv, "Fits what borders between fragments say, on random scenes", options,
+                    [&] { return run(options); });
 }

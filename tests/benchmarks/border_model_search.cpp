@@ -289,16 +289,15 @@ Result<void> run(const SceneOptions& options, int steps, bool all) {
 }  // namespace scantrove::benchmarks
 
 int main(int argc, char** argv) {
-  using namespace scantrove;
-  benchmarks::SceneOptions options;
+  using namespace scantrove::benchmarks;
+  SceneOptions options;
   int steps = 2000;
   bool all = false;
-  CLI::App app("Searches what borders between fragments say by the regions that it makes");
-  options.addTo(app);
-  app.add_option("--steps", steps, "of the search")->check(CLI::PositiveNumber);
-  app.add_flag("--all", all, "search on all scenes, leave none out");
-  CLI11_PARSE(app, argc, argv);
-  const auto done = benchmarks::run(options, steps, all);
-  if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
-  return done ? 0 : 1;
+  return withScenes(
+      argc, argv, "Searches what borders between fragments say by the regions that it makes", options,
+      [&] { return run(options, steps, all); },
+      [&](CLI::App& app) {
+        app.add_option("--steps", steps, "of the search")->check(CLI::PositiveNumber);
+        app.add_flag("--all", all, "search on all scenes, leave none out");
+      });
 }

@@ -54,6 +54,19 @@ struct SceneOptions {
   }
 };
 
+/// The main() of a program that does something with scenes. `add_more` options, where it has some.
+inline int withScenes(int argc, char** argv, const std::string& what_for, SceneOptions& options,
+                      const std::function<Result<void>()>& run,
+                      const std::function<void(CLI::App&)>& add_more = {}) {
+  CLI::App app(what_for);
+  options.addTo(app);
+  if (add_more) add_more(app);
+  CLI11_PARSE(app, argc, argv);
+  const Result<void> done = run();
+  if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
+  return done ? 0 : 1;
+}
+
 /// What is left of a scan that is done.
 struct SceneScan {
   std::unique_ptr<ScanPipeline> pipeline;

@@ -176,13 +176,12 @@ Result<void> run(const Options& options) {
 }  // namespace scantrove::benchmarks
 
 int main(int argc, char** argv) {
-  using namespace scantrove;
-  benchmarks::Options options;
-  CLI::App app("Single frames against merged regions on random scenes");
-  options.scenes.addTo(app);
-  app.add_option("--rule", options.rules, "rules of labeling to compare")->delimiter(',');
-  CLI11_PARSE(app, argc, argv);
-  const auto done = benchmarks::run(options);
-  if (!done) std::fprintf(stderr, "%s\n", done.error().message().c_str());
-  return done ? 0 : 1;
+  using namespace scantrove::benchmarks;
+  Options options;
+  return withScenes(
+      argc, argv, "Single frames against merged regions on random scenes", options.scenes,
+      [&] { return run(options); },
+      [&](CLI::App& app) {
+        app.add_option("--rule", options.rules, "rules of labeling to compare")->delimiter(',');
+      });
 }

@@ -331,15 +331,9 @@ Result<void> run(const SceneOptions& options) {
 }  // namespace scantrove::benchmarks
 
 int main(int argc, char** argv) {
-  using namespace scantrove;
-  benchmarks::SceneOptions options;
+  using namespace scantrove::benchmarks;
+  SceneOptions options;
   options.every = 15;
-  CLI::App app("Fits the trees that say what is one whole thing.");
-  options.addTo(app);
-  CLI11_PARSE(app, argc, argv);
-  if (const auto done = benchmarks::run(options); !done) {
-    std::fprintf(stderr, "%s\n", done.error().message().c_str());
-    return 1;
-  }
-  return 0;
+  return withScenes(argc, argv, "Fits the trees that say what is one whole thing, on random scenes", options,
+                    [&] { return run(options); });
 }

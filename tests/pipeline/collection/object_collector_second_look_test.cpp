@@ -229,6 +229,25 @@ TEST_F(SecondLook, AnObjectOfThisScanThatIsUnlikelyToBeOneLeavesUnlessAPersonSpo
   EXPECT_EQ(objects()[0].id, box);
 }
 
+TEST_F(SecondLook, WhatAPersonMergedOrBroughtBackStaysHoweverUnlikely) {
+  const Thing can{7, 2, RegionId{78}};
+  static_cast<void>(study({mug_, box_, can}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region),
+                 back = collector_->objectOf(can.region);
+  ASSERT_TRUE(mug && box && back);
+  ASSERT_TRUE(person_->merge(std::array{mug, box}));
+  ASSERT_TRUE(person_->remove(std::array{back}));
+  ASSERT_TRUE(person_->restore(std::array{back}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, -2), judged(box_, -2), judged(can, -2)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
 TEST_F(SecondLook, WhatTheLastLooksDoNotShowStays) {
   static_cast<void>(study({mug_}));
   collector_->beginLookingAgain();

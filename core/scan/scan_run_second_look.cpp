@@ -1,0 +1,75 @@
+// What ScanRun does when its frames have ended and it looks at those that are kept once more.
+#include <algorithm>
+#include <utility>
+
+#include "core/scan/key_frame_files.h"
+#include "core/scan/scan_run.h"
+
+namespace scantrove {
+namespace {
+
+/// Looking again at one takes about as long as a frame of the scan.
+constexpr std::size_t kMostFramesAgain = 200;
+
+/// At most so many of them, as far apart in the list as can be.
+template <class T>
+std::vector<T> evenly(std::vector<T> all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<T> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(std::move(all[i * all.size() / most]));
+  return chosen;
+}
+
+}  // namespace
+
+Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
+  if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
+  SCANTROVE_TRY(recorder_->save(*pipeline_));
+  auto all = recorder_->keptFrames();
+  if (!all) return fail(all.error());
+  const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*all), kMostFramesAgain);
+  if (!goes_on()) return {};  // it begins by reading the whole map
+  SCANTROVE_TRY(pipeline_->beginLookingAgain());
+  auto steps = static_cast<int>(2 * frames.size());
+  int done = 0;
+  const auto readAgain = [&](const SessionRecorder::KeptFrame& kept) {
+    listener_(LookingAgain{done++, steps});
+    return readKeyFrame(recorder_->folder(), kept.images, kept.frame);
+  };
+  // What is settled after a part of the looks is settled wrongly: who stops before keeps what there was.
+  for (const SessionRecorder::KeptFrame& kept : frames) {
+    if (!goes_on()) return {};
+    const Result<RgbdFrame> frame = readAgain(kept);
+    if (frame) SCANTROVE_TRY(pipeline_->rate(*frame, kept.frame.T_world_camera));
+  }
+  const std::vector<int> judged = pipeline_->settleWholes();
+  steps += static_cast<int>(judged.size());
+  for (const int frame_index : judged) {
+    if (!goes_on()) return {};
+    listener_(LookingAgain{done++, steps});
+    SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));
+  }
+  const auto lookAt = [&](const SessionRecorder::KeptFrame& kept) -> Result<void> {
+    const Result<RgbdFrame> frame = readAgain(kept);
+    if (!frame) return {};  // who looks at it is told
+    const Result<FrameObjects> objects = pipeline_->lookAgain(*frame, kept.frame.T_world_camera);
+    if (!objects) return fail(objects.error());
+    announce(*objects);
+    return {};
+  };
+  for (const SessionRecorder::KeptFrame& frame : frames) {
+    if (!goes_on()) break;
+    SCANTROVE_TRY(lookAt(frame));
+  }
+  const std::vector<int> last = pipeline_->beginLastLooks();
+  steps += static_cast<int>(last.size());
+  for (const SessionRecorder::KeptFrame& frame : frames) {
+    if (!std::ranges::binary_search(last, frame.frame.source_index)) continue;
+    if (!goes_on()) break;
+    SCANTROVE_TRY(lookAt(frame));
+  }
+  pipeline_->endLookingAgain();
+  return {};
+}
+
+}  // namespace scantrove
