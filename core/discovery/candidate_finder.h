@@ -26,6 +26,8 @@ struct DiscoveryInput {
   std::function<float(RegionId, RegionId)> joining_odds = {};
   /// By pixel: not 0 for what came into the scene and rests there now. Empty: nothing did.
   std::span<const std::uint8_t> came = {};
+  /// By pixel: CIE L*a*b* of the surface, a little blurred. Empty: the image has no colour.
+  std::span<const Eigen::Vector3f> color_lab = {};
 };
 
 /// Says what may be an object in one frame.

@@ -5,6 +5,7 @@
 #include "core/base/check.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/region_candidate.h"
+#include "core/discovery/region_colors.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
 
@@ -44,6 +45,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     return size_m >= params_.min_size_m && size_m <= kLargest_m;
   });
   const RegionOutlines outlines(input, params_);
+  const RegionColors colors(input);
   const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
   const auto pixelsOf = [&parts](RegionId region) {
     return std::ranges::find(parts, region, &RegionExtent::region)->pixels;
@@ -63,6 +65,8 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     WholenessEvidence evidence = evidenceOf(hypothesis, outline, input);
     evidence.pixels = pixels * scale;
     evidence.largest_part = largest / pixels;
+    if (const auto likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent.box_px))
+      evidence.likeness = *likeness;
     judged.push_back({std::move(hypothesis), evidence});
   }
   return judged;

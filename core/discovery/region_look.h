@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/discovery/color_histogram.h"
+
 namespace scantrove {
 
 /// A point of a region's surface, with its colour where that is known.
@@ -15,9 +17,8 @@ struct LookPoint {
 
 /// How large a region is and what colours it has: enough to tell which others look like it.
 struct RegionLook {
-  static constexpr std::size_t kBins = 5;             ///< of each of lightness, a* and b*
-  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();   ///< OrientedBox::size_m
-  std::array<float, kBins * kBins * kBins> colors{};  ///< their shares; sum 1, or 0 without colour
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< OrientedBox::size_m
+  ColorHistogram colors;                             ///< empty: without colour
 };
 
 [[nodiscard]] RegionLook lookOf(std::span<const LookPoint> points);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
+#include "core/discovery/camera_depth.h"
 #include "core/discovery/region_points.h"
 
 namespace scantrove {
@@ -22,11 +23,8 @@ using End = int OutlineSteps::*;
 /// Says how a region ends at one step.
 class StepJudge {
  public:
-  StepJudge(const DiscoveryInput& input, const DiscoveryParams& params) : input_(input), params_(params) {
-    const Eigen::Matrix4f T_camera_world = input.T_world_camera.inverse().matrix().cast<float>();
-    axis_ = T_camera_world.block<1, 3>(2, 0).transpose();
-    offset_ = T_camera_world(2, 3);
-  }
+  StepJudge(const DiscoveryInput& input, const DiscoveryParams& params)
+      : input_(input), params_(params), depth_(input.T_world_camera) {}
 
   /// From (u, v) in direction (du, dv), where the next pixel is another region's.
   [[nodiscard]] End judge(int u, int v, int du, int dv) const {
@@ -36,7 +34,7 @@ class StepJudge {
     const Eigen::Vector4f& there = vertexAt(u + kBeyond_px * du, v + kBeyond_px * dv);
     if (!isSurface(here) || !isSurface(there)) return &OutlineSteps::unseen;
     if (regionAt(u + kBeyond_px * du, v + kBeyond_px * dv) == region) return &OutlineSteps::unseen;  // a slit
-    const float z = depthOf(here), z_beyond = depthOf(there);
+    const float z = depth_(here), z_beyond = depth_(there);
     const float hides_from_m = params_.hiding_step_m * std::max(1.0F, z / kGrowsFrom_m);
     if (z_beyond < z - hides_from_m) return &OutlineSteps::hidden;
     if (z_beyond > z + hides_from_m) return &OutlineSteps::open;
@@ -83,14 +81,10 @@ class StepJudge {
   [[nodiscard]] const Eigen::Vector4f& vertexAt(int u, int v) const {
     return input_.vertices_world[at(u, v)];
   }
-  [[nodiscard]] float depthOf(const Eigen::Vector4f& vertex) const {
-    return axis_.dot(vertex.head<3>()) + offset_;
-  }
 
   const DiscoveryInput& input_;
   const DiscoveryParams& params_;
-  Eigen::Vector3f axis_;
-  float offset_;
+  CameraDepth depth_;
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 
+#include "core/discovery/camera_depth.h"
+
 namespace scantrove {
 namespace {
 
@@ -57,27 +59,10 @@ void forEachPixel(const RegionSet& regions, const cv::Rect& box, const Discovery
   }
 }
 
-/// z in the camera frame of world points.
-class CameraDepth {
- public:
-  explicit CameraDepth(const DiscoveryInput& input) {
-    const Eigen::Matrix4f T_camera_world = input.T_world_camera.inverse().matrix().cast<float>();
-    axis_ = T_camera_world.block<1, 3>(2, 0).transpose();
-    offset_ = T_camera_world(2, 3);
-  }
-  [[nodiscard]] float operator()(const Eigen::Vector4f& vertex) const {
-    return axis_.dot(vertex.head<3>()) + offset_;
-  }
-
- private:
-  Eigen::Vector3f axis_;
-  float offset_;
-};
-
 }  // namespace
 
 float visibleArea(const RegionExtent& extent, const DiscoveryInput& input) {
-  const CameraDepth depth(input);
+  const CameraDepth depth(input.T_world_camera);
   const int step = stepOfMeans(input.regions.width);
   double sum = 0;
   const auto add = [&](std::size_t pixel, const cv::Point& /*place*/) {
@@ -112,7 +97,7 @@ float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryI
 
 std::vector<Eigen::Vector4f> pointsOf(const RegionSet& regions, const cv::Rect& box_px,
                                       const DiscoveryInput& input) {
-  const CameraDepth depth(input);
+  const CameraDepth depth(input.T_world_camera);
   cv::Mat1f z_m(box_px.size(), 0.0F);
   cv::Mat1b mask(box_px.size(), 0);
   forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& place) {

@@ -23,7 +23,9 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
           fill,
           is_torn ? 1.0F : 0.0F,
           largest_part,
-          largest_part < 1 ? std::min(odds, kMostOdds) : kMostOdds};
+          largest_part < 1 ? std::min(odds, kMostOdds) : kMostOdds,
+          likeness.neighbour,
+          likeness.touching};
 }
 
 float WholenessEvidence::logOdds() const {

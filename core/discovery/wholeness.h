@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/discovery/region_colors.h"
+
 namespace scantrove {
 
 /// What one look at some regions, and all that is known of them, says of whether they are one whole thing.
@@ -19,7 +21,10 @@ struct WholenessEvidence {
   float largest_part = 1;                                  ///< of the pixels, those of the region with most
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
 
-  static constexpr std::size_t kFeatures = 14;
+  /// Where there is no colour, as things have it on the whole.
+  ColorLikeness likeness{0.54F, 0.45F};
+
+  static constexpr std::size_t kFeatures = 16;
   /// What logOdds() weighs.
   [[nodiscard]] std::array<float, kFeatures> features() const;
 

@@ -11,8 +11,8 @@ namespace {
 
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
-/// Of BestLooks: from the one on something is a whole; below the other what was an object is none any more.
-constexpr float kWhole = 0.5F, kUnlikely = 0.2F;
+/// Of BestLooks: from there on something is a whole; below, what was an object is none any more.
+constexpr float kWhole = 0.5F;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `working` pixels.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
@@ -100,7 +100,7 @@ std::vector<int> ObjectCollector::settleWholes() {
     const std::vector<RegionId> regions = met_.regionsOf(view.object);
     view.is_outdated = !staysAsItIs(view.object) && !regions.empty() &&
                        std::ranges::all_of(regions, [this](RegionId region) {
-                         return best_looks_.isUnlikely(region, kUnlikely);
+                         return best_looks_.isUnlikely(region, kWhole);
                        });
     frames.insert(view.frame_index);
   }

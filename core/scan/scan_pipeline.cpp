@@ -66,6 +66,13 @@ ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame,
   return readings;
 }
 
+ScanPipeline::FrameClues ScanPipeline::cluesOf(const RgbdFrame& frame,
+                                               const Eigen::Isometry3d& T_world_camera,
+                                               const SurfaceInColor& in_color,
+                                               std::span<const Eigen::Vector4f> vertices_world) const {
+  return {labColors(frame, in_color), readingsOf(frame, T_world_camera, vertices_world)};
+}
+
 template <class Work>
 decltype(auto) ScanPipeline::stage(std::string_view name, Work&& work) {
   return timer_.time(name, std::forward<Work>(work));
@@ -158,9 +165,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   const SurfaceInColor in_color = stage("color", [&] {
     return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
   });
-  std::future<FrameClues> looked = std::async(std::launch::async, [&] {
-    return FrameClues{labColors(frame, in_color), readingsOf(frame, T_world_camera, result.vertices_world)};
-  });
+  std::future<FrameClues> looked = std::async(
+      std::launch::async, [&] { return cluesOf(frame, T_world_camera, in_color, result.vertices_world); });
   stage("color", [&] {
     color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, in_color.hidden},
                                  frame);
@@ -184,7 +190,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
   const std::vector<Candidate> candidates =
-      stage("discover", [&] { return findCandidates(*finder_, result, clues.readings, cameWith()); });
+      stage("discover", [&] { return findCandidates(*finder_, result, clues, cameWith()); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
@@ -220,7 +226,7 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
 }
 
 std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                    const Readings& readings,
+                                                    const FrameClues& clues,
                                                     std::span<const std::uint8_t> came) {
   const auto joiningOdds = [this](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
@@ -229,11 +235,16 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, con
   // What is not there, or stands behind somebody, is on the map but not in this frame's images.
   RegionMap shown = result.regions;
   for (std::size_t i = 0; i < shown.regions.size(); ++i) {
-    if (readings.contradicted.data[i] != 0) shown.regions[i] = {};
+    if (clues.readings.contradicted.data[i] != 0) shown.regions[i] = {};
   }
-  const DiscoveryInput input{shown,      result.vertices_world,        result.normals_world,
-                             working_K_, readings.view.T_world_camera, joiningOdds,
-                             came};
+  const DiscoveryInput input{shown,
+                             result.vertices_world,
+                             result.normals_world,
+                             working_K_,
+                             clues.readings.view.T_world_camera,
+                             joiningOdds,
+                             came,
+                             clues.lab};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
     constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something

@@ -153,6 +153,7 @@ class ScanPipeline {
   /// What the map and one of the scan's frames show from there.
   struct SeenAgain {
     FrameResult result;
+    SurfaceInColor in_color;
     std::vector<Candidate> candidates;
   };
   /// With the regions as they are now. May throw cl::Error.
@@ -236,9 +237,12 @@ class ScanPipeline {
     std::vector<Eigen::Vector3f> lab;  ///< MergeInput::color_lab
     Readings readings;
   };
-  /// `readings`: of the frame that `result` is of.
+  [[nodiscard]] FrameClues cluesOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                   const SurfaceInColor& in_color,
+                                   std::span<const Eigen::Vector4f> vertices_world) const;
+  /// `clues`: of the frame that `result` is of.
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                      const Readings& readings,
+                                                      const FrameClues& clues,
                                                       std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);

@@ -66,8 +66,9 @@ ScanPipeline::SeenAgain ScanPipeline::seeAgain(const RgbdFrame& frame,
   seen.result.pose.T_world_camera = T_world_camera;
   seen.result.regions = regionsSeenAgain(T_world_camera);
   readSurface(seen_again_, seen.result);
-  const Readings readings = readingsOf(frame, T_world_camera, seen.result.vertices_world);
-  seen.candidates = findCandidates(finder, seen.result, readings);
+  seen.in_color = locateInColor(frame.color_camera, working_K_, T_world_camera, seen.result.vertices_world);
+  seen.candidates = findCandidates(finder, seen.result,
+                                   cluesOf(frame, T_world_camera, seen.in_color, seen.result.vertices_world));
   return seen;
 }
 
@@ -88,9 +89,7 @@ Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
   return guarded("looking again at frame " + std::to_string(frame.index), [&]() -> Result<FrameObjects> {
     if (!collector_ || !judge_) return FrameObjects{};
     const SeenAgain seen = seeAgain(frame, T_world_camera, *judge_);
-    const SurfaceInColor in_color =
-        locateInColor(frame.color_camera, working_K_, T_world_camera, seen.result.vertices_world);
-    return collector_->collect(frame, seen.result.pose, in_color, seen.candidates);
+    return collector_->collect(frame, seen.result.pose, seen.in_color, seen.candidates);
   });
 }
 

@@ -240,11 +240,12 @@ std::string inCpp(float value) {
 void print(const Boosting& boosting, const SceneOptions& options) {
   std::printf(
       "#pragma once\n#include <array>\n\n#include \"core/discovery/boosted_tree.h\"\n\n"
-      "namespace scantrove {\n\n// By wholeness_fit to demo:room:%s and demo:tabletop:%s.\n",
+      "namespace scantrove {\n\n// clang-format off\n// By wholeness_fit to demo:room:%s and "
+      "demo:tabletop:%s.\n",
       fmt::format("{}", fmt::join(options.rooms, ",")).c_str(),
       fmt::format("{}", fmt::join(options.tables, ",")).c_str());
   std::printf(
-      "inline constexpr float kWholenessPrior = %s;\n// clang-format off\n"
+      "inline constexpr float kWholenessPrior = %s;\n"
       "inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n",
       inCpp(boosting.prior).c_str(), boosting.trees.size());
   for (const BoostedTree& tree : boosting.trees) {

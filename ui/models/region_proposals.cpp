@@ -18,17 +18,19 @@ const QString kRejectionsKey = QStringLiteral("proposals/rejected");
 
 QByteArray bytesOf(const RegionLook& look) {
   QByteArray bytes(reinterpret_cast<const char*>(look.size_m.data()), 3 * sizeof(float));
-  bytes.append(reinterpret_cast<const char*>(look.colors.data()),
-               static_cast<qsizetype>(look.colors.size()) * static_cast<qsizetype>(sizeof(float)));
+  const ColorHistogram::Shares colors = look.colors.shares();
+  bytes.append(reinterpret_cast<const char*>(colors.data()), sizeof(colors));
   return bytes;
 }
 
 std::optional<RegionLook> lookOf(const QByteArray& bytes) {
   RegionLook look;
-  const std::size_t of_size = 3 * sizeof(float), of_colors = look.colors.size() * sizeof(float);
-  if (static_cast<std::size_t>(bytes.size()) != of_size + of_colors) return std::nullopt;
-  std::memcpy(look.size_m.data(), bytes.constData(), of_size);
-  std::memcpy(look.colors.data(), bytes.constData() + of_size, of_colors);
+  ColorHistogram::Shares colors{};
+  constexpr std::size_t kOfSize = 3 * sizeof(float);
+  if (static_cast<std::size_t>(bytes.size()) != kOfSize + sizeof(colors)) return std::nullopt;
+  std::memcpy(look.size_m.data(), bytes.constData(), kOfSize);
+  std::memcpy(colors.data(), bytes.constData() + kOfSize, sizeof(colors));
+  look.colors = ColorHistogram::ofShares(colors);
   return look;
 }
 

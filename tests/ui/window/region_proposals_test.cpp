@@ -11,7 +11,9 @@ namespace {
 RegionLook look(float length_m, std::size_t bin) {
   RegionLook look;
   look.size_m = {length_m, 0.08F, 0.08F};
-  look.colors[bin] = 1;
+  ColorHistogram::Shares shares{};
+  shares[bin] = 1;
+  look.colors = ColorHistogram::ofShares(shares);
   return look;
 }
 

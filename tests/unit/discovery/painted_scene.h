@@ -18,6 +18,7 @@ struct PaintedScene {
   mutable std::vector<Eigen::Vector4f> normals;
   std::function<float(RegionId, RegionId)> joining_odds;
   std::vector<std::uint8_t> came;
+  std::vector<Eigen::Vector3f> color_lab;
 
   PaintedScene() {
     map.width = K.width;
@@ -37,6 +38,14 @@ struct PaintedScene {
         const Eigen::Vector3f p = K.backProject(static_cast<float>(u), static_cast<float>(v), depth(u, v));
         vertices[pixel] << (T_world_camera * p.cast<double>()).cast<float>(), 1;
       }
+    }
+  }
+
+  /// All that was painted of the region; what has no colour by then is black.
+  void color(std::uint32_t region, const Eigen::Vector3f& lab) {
+    color_lab.resize(map.regions.size(), Eigen::Vector3f::Zero());
+    for (std::size_t i = 0; i < map.regions.size(); ++i) {
+      if (map.regions[i] == RegionId{region}) color_lab[i] = lab;
     }
   }
 
@@ -68,7 +77,7 @@ struct PaintedScene {
         if (normal.norm() > 0) normals[static_cast<std::size_t>(v * K.width + u)] << normal.normalized(), 1;
       }
     }
-    return {map, vertices, normals, K, T_world_camera, joining_odds, came};
+    return {map, vertices, normals, K, T_world_camera, joining_odds, came, color_lab};
   }
 
  private:

@@ -1,0 +1,40 @@
+#pragma once
+#include <map>
+#include <optional>
+
+#include "core/discovery/candidate_finder.h"
+#include "core/discovery/color_histogram.h"
+#include "core/discovery/region_set.h"
+
+namespace scantrove {
+
+/// How much two collections of colours are alike: 0 = nothing in common, 1 = the same.
+struct ColorLikeness {
+  /// With the neighbour in the image, of those that reach near it, that is most like it.
+  float neighbour = 0;
+  /// With what touches it: what lies around it and neither clearly before nor behind it.
+  float touching = 0;
+};
+
+/// The colours of the regions of an image. A piece of a thing is coloured like the rest of it, a whole thing
+/// often unlike what it stands on.
+class RegionColors {
+ public:
+  /// `input` must outlive this.
+  explicit RegionColors(const DiscoveryInput& input);
+
+  /// `box_px` holds all pixels of the regions. Nothing where the image has no colour.
+  [[nodiscard]] std::optional<ColorLikeness> likenessOf(const RegionSet& regions,
+                                                        const cv::Rect& box_px) const;
+
+ private:
+  /// 255 = near the regions in the image, and none of them. Of `around_px`.
+  [[nodiscard]] cv::Mat ringAround(const RegionSet& regions, const cv::Rect& around_px) const;
+  [[nodiscard]] ColorHistogram colorsOf(const RegionSet& regions) const;
+
+  const DiscoveryInput& input_;
+  std::map<RegionId, ColorHistogram> of_region_;
+  int reach_px_;  // how far around regions others are near
+};
+
+}  // namespace scantrove
