@@ -65,7 +65,9 @@ std::optional<ColorLikeness> RegionColors::likenessOf(const RegionSet& regions,
   const cv::Mat1b ring = ringAround(regions, around_px);
   const auto forEachAround = [&](const auto& use) {
     for (int y = 0; y < ring.rows; ++y) {
-      const std::size_t row = static_cast<std::size_t>((around_px.y + y) * image_px.width + around_px.x);
+      const cv::Point first = around_px.tl() + cv::Point(0, y);
+      const auto row = static_cast<std::size_t>(first.y) * static_cast<std::size_t>(image_px.width) +
+                       static_cast<std::size_t>(first.x);
       for (int x = 0; x < ring.cols; ++x) use(row + static_cast<std::size_t>(x), ring(y, x) != 0);
     }
   };

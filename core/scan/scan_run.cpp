@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/overloaded.h"
+#include "core/base/program_pages.h"
 #include "core/catalog/object_database.h"
 #include "core/scan/guarded.h"
 #include "core/scan/open_source.h"
@@ -23,6 +24,9 @@ double peakMemoryMegabytes() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // kilobytes on Linux
 }
+
+/// By then all kernels that frames need are built.
+constexpr std::size_t kFramesUntilBuilt = 20;
 
 /// The same pixels, and within a hundredth the same lens.
 bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
@@ -170,6 +174,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   });
   if (!result) return fail(result.error());
   frame_ms_.push_back(millisecondsSince(start));
+  if (frame_ms_.size() == kFramesUntilBuilt) releaseProgramPages();
   count(*result, frame.index);
   announce(result->objects);
   if (!result->pose.usable()) followCatalogue();
