@@ -14,12 +14,17 @@ namespace scantrove {
 #ifdef __linux__
 namespace {
 
+/// The loader gives addresses as numbers.
+void* pointerTo(std::uintptr_t address) {
+  return reinterpret_cast<void*>(address);  // NOLINT(performance-no-int-to-ptr)
+}
+
 /// The loader wrote into its code: the file does not hold what is in memory.
 bool hasChangedCode(const dl_phdr_info& object) {
   for (int i = 0; i < object.dlpi_phnum; ++i) {
     const ElfW(Phdr)& header = object.dlpi_phdr[i];
     if (header.p_type != PT_DYNAMIC) continue;
-    const auto* entry = reinterpret_cast<const ElfW(Dyn)*>(object.dlpi_addr + header.p_vaddr);
+    const auto* entry = static_cast<const ElfW(Dyn)*>(pointerTo(object.dlpi_addr + header.p_vaddr));
     for (; entry->d_tag != DT_NULL; ++entry) {
       if (entry->d_tag == DT_TEXTREL) return true;
       if (entry->d_tag == DT_FLAGS && (entry->d_un.d_val & DF_TEXTREL) != 0) return true;
@@ -37,7 +42,7 @@ int releasePagesOf(dl_phdr_info* object, std::size_t /*size*/, void* /*nothing*/
     const std::uintptr_t begin = (object->dlpi_addr + header.p_vaddr) / page * page;
     const std::uintptr_t end = object->dlpi_addr + header.p_vaddr + header.p_memsz;
     // A failure means that they stay: no harm.
-    ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+    ::madvise(pointerTo(begin), end - begin, MADV_DONTNEED);
   }
   return 0;
 }
