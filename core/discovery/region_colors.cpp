@@ -42,61 +42,56 @@ ColorHistogram RegionColors::colorsOf(const RegionSet& regions) const {
   return colors;
 }
 
-cv::Mat RegionColors::ringAround(const RegionSet& regions, const cv::Rect& around_px) const {
+RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const cv::Rect& box_px) const {
+  const int width = input_.regions.width;
+  const cv::Point reach(reach_px_, reach_px_);
+  const cv::Rect around_px =
+      cv::Rect(box_px.tl() - reach, box_px.br() + reach) & cv::Rect(0, 0, width, input_.regions.height);
+  const auto pixelAt = [&](int x, int y) {
+    return static_cast<std::size_t>(around_px.y + y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(around_px.x + x);
+  };
+  const CameraDepth depth(input_.T_world_camera);
   cv::Mat1b inside(around_px.size(), 0);
+  double sum_m = 0;
+  int points = 0;
   for (int y = 0; y < inside.rows; ++y) {
-    const RegionId* row = input_.regions.regions.data() +
-                          static_cast<std::ptrdiff_t>(around_px.y + y) * input_.regions.width + around_px.x;
-    for (int x = 0; x < inside.cols; ++x) inside(y, x) = regions.contains(row[x]) ? 255 : 0;
+    for (int x = 0; x < inside.cols; ++x) {
+      const std::size_t pixel = pixelAt(x, y);
+      if (!regions.contains(input_.regions.regions[pixel])) continue;
+      inside(y, x) = 255;
+      if (!isSurface(input_.vertices_world[pixel])) continue;
+      sum_m += static_cast<double>(depth(input_.vertices_world[pixel]));
+      ++points;
+    }
   }
-  cv::Mat ring;
-  cv::dilate(inside, ring, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, reach_px_);
-  ring -= inside;
-  return ring;
+  const auto middle_m = static_cast<float>(sum_m / std::max(points, 1));
+  const float touches_m = kTouches_m * std::max(1.0F, middle_m / kTouchGrowsFrom_m);
+
+  cv::Mat1b reached;
+  cv::dilate(inside, reached, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, reach_px_);
+  Surroundings surroundings;
+  for (int y = 0; y < inside.rows; ++y) {
+    for (int x = 0; x < inside.cols; ++x) {
+      if (reached(y, x) == 0 || inside(y, x) != 0) continue;
+      const std::size_t pixel = pixelAt(x, y);
+      if (const RegionId region = input_.regions.regions[pixel]) ++surroundings.pixels[region];
+      const Eigen::Vector4f& vertex = input_.vertices_world[pixel];
+      if (isSurface(vertex) && std::abs(depth(vertex) - middle_m) < touches_m)
+        surroundings.touching.add(input_.color_lab[pixel]);
+    }
+  }
+  return surroundings;
 }
 
 std::optional<ColorLikeness> RegionColors::likenessOf(const RegionSet& regions,
                                                       const cv::Rect& box_px) const {
   if (input_.color_lab.empty()) return std::nullopt;
-  const cv::Rect image_px(0, 0, input_.regions.width, input_.regions.height);
-  const cv::Rect around_px =
-      cv::Rect(box_px.tl() - cv::Point(reach_px_, reach_px_), box_px.br() + cv::Point(reach_px_, reach_px_)) &
-      image_px;
-  const cv::Mat1b ring = ringAround(regions, around_px);
-  const auto forEachAround = [&](const auto& use) {
-    for (int y = 0; y < ring.rows; ++y) {
-      const cv::Point first = around_px.tl() + cv::Point(0, y);
-      const auto row = static_cast<std::size_t>(first.y) * static_cast<std::size_t>(image_px.width) +
-                       static_cast<std::size_t>(first.x);
-      for (int x = 0; x < ring.cols; ++x) use(row + static_cast<std::size_t>(x), ring(y, x) != 0);
-    }
-  };
-
-  const CameraDepth depth(input_.T_world_camera);
-  double sum_m = 0;
-  int points = 0;
-  std::map<RegionId, int> near;
-  forEachAround([&](std::size_t pixel, bool is_ring) {
-    const RegionId region = input_.regions.regions[pixel];
-    if (is_ring && region) ++near[region];
-    if (is_ring || !regions.contains(region) || !isSurface(input_.vertices_world[pixel])) return;
-    sum_m += static_cast<double>(depth(input_.vertices_world[pixel]));
-    ++points;
-  });
-  const float middle_m = static_cast<float>(sum_m / std::max(points, 1));
-  const float touches_m = kTouches_m * std::max(1.0F, middle_m / kTouchGrowsFrom_m);
-
-  ColorHistogram touching;
-  forEachAround([&](std::size_t pixel, bool is_ring) {
-    if (!is_ring || !isSurface(input_.vertices_world[pixel])) return;
-    if (std::abs(depth(input_.vertices_world[pixel]) - middle_m) < touches_m)
-      touching.add(input_.color_lab[pixel]);
-  });
-
+  const Surroundings surroundings = around(regions, box_px);
   const ColorHistogram own = colorsOf(regions);
   ColorLikeness alike;
-  alike.touching = own.intersection(touching);
-  for (const auto& [region, pixels] : near) {
+  alike.touching = own.intersection(surroundings.touching);
+  for (const auto& [region, pixels] : surroundings.pixels) {
     if (pixels >= kLeastNear)
       alike.neighbour = std::max(alike.neighbour, own.intersection(colorsOf({region})));
   }

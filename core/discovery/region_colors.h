@@ -28,8 +28,12 @@ class RegionColors {
                                                         const cv::Rect& box_px) const;
 
  private:
-  /// 255 = near the regions in the image, and none of them. Of `around_px`.
-  [[nodiscard]] cv::Mat ringAround(const RegionSet& regions, const cv::Rect& around_px) const;
+  /// What is near some regions in the image.
+  struct Surroundings {
+    std::map<RegionId, int> pixels;  // of each region
+    ColorHistogram touching;         // of what is as far away as they are
+  };
+  [[nodiscard]] Surroundings around(const RegionSet& regions, const cv::Rect& box_px) const;
   [[nodiscard]] ColorHistogram colorsOf(const RegionSet& regions) const;
 
   const DiscoveryInput& input_;
