@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <string>
 #endif
 
 namespace scantrove {
@@ -33,6 +35,15 @@ bool hasChangedCode(const dl_phdr_info& object) {
   return false;
 }
 
+/// A debugger writes its breakpoints into the code: they would be lost.
+bool isTraced() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (long tracer = 0; word == "TracerPid:" && status >> tracer) return tracer != 0;
+  }
+  return false;
+}
+
 int releasePagesOf(dl_phdr_info* object, std::size_t /*size*/, void* /*nothing*/) {
   if (hasChangedCode(*object)) return 0;
   const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
@@ -49,7 +60,9 @@ int releasePagesOf(dl_phdr_info* object, std::size_t /*size*/, void* /*nothing*/
 
 }  // namespace
 
-void releaseProgramPages() { ::dl_iterate_phdr(releasePagesOf, nullptr); }
+void releaseProgramPages() {
+  if (!isTraced()) ::dl_iterate_phdr(releasePagesOf, nullptr);
+}
 #else
 void releaseProgramPages() {}
 #endif

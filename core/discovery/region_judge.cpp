@@ -65,8 +65,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     WholenessEvidence evidence = evidenceOf(hypothesis, outline, input);
     evidence.pixels = pixels * scale;
     evidence.largest_part = largest / pixels;
-    if (const auto likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent.box_px))
-      evidence.likeness = *likeness;
+    evidence.likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent.box_px);
     judged.push_back({std::move(hypothesis), evidence});
   }
   return judged;

@@ -24,8 +24,8 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
           is_torn ? 1.0F : 0.0F,
           largest_part,
           largest_part < 1 ? std::min(odds, kMostOdds) : kMostOdds,
-          likeness.neighbour,
-          likeness.touching};
+          likeness ? likeness->neighbour : kUsualNeighbourLikeness,
+          likeness ? likeness->touching : kUsualTouchingLikeness};
 }
 
 float WholenessEvidence::logOdds() const {

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "core/discovery/region_colors.h"
 
@@ -20,9 +21,7 @@ struct WholenessEvidence {
   bool is_torn = false;                                    ///< RegionHypothesis::is_torn
   float largest_part = 1;                                  ///< of the pixels, those of the region with most
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
-
-  /// Where there is no colour, as things have it on the whole.
-  ColorLikeness likeness{0.54F, 0.45F};
+  std::optional<ColorLikeness> likeness;                   ///< none: the image has no colour
 
   static constexpr std::size_t kFeatures = 16;
   /// What logOdds() weighs.

@@ -8,6 +8,8 @@ namespace scantrove {
 // clang-format off
 // By wholeness_fit to demo:room:161-164,171-174,181-184,191-194,201-208,211-214 and demo:tabletop:161-164,171-174,181-184,191-194,201-208,211-214.
 inline constexpr float kWholenessPrior = 0.1605F;
+// Medians, for what has no colour.
+inline constexpr float kUsualNeighbourLikeness = 0.5441F, kUsualTouchingLikeness = 0.4481F;
 inline constexpr std::array<BoostedTree, 40> kWholenessTrees{{
     {{{{4, 0.09046F}, {7, 0.6299F}, {12, 0.6655F}, {5, 0.07735F}, {1, 0.3852F}, {9, 0.1326F}, {6, -0.5222F}}}, {-0.3816F, -0.2372F, -0.2504F, 0.03446F, 0.09873F, -0.2595F, 0.2155F, -0.3009F}},
     {{{{5, 0.2807F}, {3, 0.4041F}, {1, 0.3953F}, {7, 0.399F}, {6, -0.8613F}, {15, 0.5075F}, {12, 0.6355F}}}, {-0.296F, -0.01021F, -0.2112F, -0.3535F, 0.1035F, -0.1521F, -0.2383F, 0.2384F}},

@@ -24,6 +24,7 @@ constexpr double kLearningRate = 0.2, kRidge = 1;
 constexpr int kLeastSamples = 40;  // of a leaf
 constexpr std::size_t kBins = 64;  // of a feature's values, as many in each
 constexpr std::size_t kFolds = 8;
+constexpr std::size_t kNeighbourLikeness = 14, kTouchingLikeness = 15;  // of WholenessEvidence::features()
 
 using Features = std::array<float, WholenessEvidence::kFeatures>;
 
@@ -237,7 +238,15 @@ std::string inCpp(float value) {
   return text + "F";
 }
 
-void print(const Boosting& boosting, const SceneOptions& options) {
+float medianOf(std::size_t feature, const std::vector<Sample>& samples) {
+  std::vector<float> values;
+  for (const Sample& sample : samples) values.push_back(sample.x[feature]);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+void print(const Boosting& boosting, const std::vector<Sample>& samples, const SceneOptions& options) {
   std::printf(
       "#pragma once\n#include <array>\n\n#include \"core/discovery/boosted_tree.h\"\n\n"
       "namespace scantrove {\n\n// clang-format off\n// By wholeness_fit to demo:room:%s and "
@@ -245,9 +254,11 @@ void print(const Boosting& boosting, const SceneOptions& options) {
       fmt::format("{}", fmt::join(options.rooms, ",")).c_str(),
       fmt::format("{}", fmt::join(options.tables, ",")).c_str());
   std::printf(
-      "inline constexpr float kWholenessPrior = %s;\n"
+      "inline constexpr float kWholenessPrior = %s;\n// Medians, for what has no colour.\n"
+      "inline constexpr float kUsualNeighbourLikeness = %s, kUsualTouchingLikeness = %s;\n"
       "inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n",
-      inCpp(boosting.prior).c_str(), boosting.trees.size());
+      inCpp(boosting.prior).c_str(), inCpp(medianOf(kNeighbourLikeness, samples)).c_str(),
+      inCpp(medianOf(kTouchingLikeness, samples)).c_str(), boosting.trees.size());
   for (const BoostedTree& tree : boosting.trees) {
     std::vector<std::string> splits, leaves;
     for (const auto& [feature, most] : tree.splits) {
@@ -324,7 +335,7 @@ Result<void> run(const SceneOptions& options) {
   std::fprintf(stderr, "%zu samples, %td whole\n", samples.size(),
                std::ranges::count(samples, true, &Sample::is_whole));
   reportOnOthers(samples);
-  print(Boosting(samples), options);
+  print(Boosting(samples), samples, options);
   return {};
 }
 

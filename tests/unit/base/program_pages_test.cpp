@@ -18,19 +18,15 @@ long mappedFiles_kB() {
   return 0;
 }
 
-TEST(ProgramPages, LeaveMemoryAndComeBackWhenTheyRun) {
+int written = 1;  // by the test: not what the program's file says
+
+TEST(ProgramPages, LeaveMemoryAndWhatWasWrittenStays) {
   const long before_kB = mappedFiles_kB();
   if (before_kB == 0) GTEST_SKIP() << "this system does not say how much of files is in memory";
+  written = 7;
   releaseProgramPages();
-  EXPECT_LT(mappedFiles_kB(), before_kB) << "what reads this file has come back, and little else";
-  std::string text;  // the library's and the test's own code still run, and find their constants
-  for (int i = 0; i < 3; ++i) text += std::to_string(i) + ", ";
-  EXPECT_EQ(text, "0, 1, 2, ");
-}
-
-TEST(ProgramPages, MayLeaveAgainAndAgain) {
-  for (int i = 0; i < 20; ++i) releaseProgramPages();
-  EXPECT_EQ(std::stoi("42"), 42);
+  EXPECT_LT(mappedFiles_kB(), before_kB * 3 / 4) << "what reads this file has come back, and little else";
+  EXPECT_EQ(written, 7);
 }
 
 }  // namespace

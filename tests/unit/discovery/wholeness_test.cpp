@@ -59,6 +59,22 @@ TEST(Wholeness, WeighsSizesAsTheirShape) {
   EXPECT_FLOAT_EQ(mug().features()[13], 4) << "one region holds together";
 }
 
+TEST(Wholeness, HearsColoursAndWithoutThemTakesThemForUsual) {
+  WholenessEvidence evidence = mug();
+  evidence.likeness = ColorLikeness{.neighbour = 0.9F, .touching = 0.8F};
+  EXPECT_EQ(evidence.features()[14], 0.9F);
+  EXPECT_EQ(evidence.features()[15], 0.8F);
+  const float like_all_around = evidence.logOdds();
+  evidence.likeness = ColorLikeness{.neighbour = 0.1F, .touching = 0.05F};
+  const float unlike = evidence.logOdds();
+  EXPECT_GT(unlike, like_all_around);
+  const auto usual = mug().features();
+  EXPECT_GT(usual[14], 0.1F);
+  EXPECT_LT(usual[14], 0.9F);
+  EXPECT_GT(usual[15], 0.05F);
+  EXPECT_LT(usual[15], 0.8F);
+}
+
 TEST(Wholeness, WhatIsNothingYetHasFeaturesToo) {
   for (const float x : WholenessEvidence{}.features()) EXPECT_TRUE(std::isfinite(x));
 }
