@@ -27,9 +27,9 @@ void Raycaster::cast(const BrickMap& map, std::span<const cl_int> slots, Surface
   const Intrinsics& K = surface.K;
   const std::size_t padded =
       static_cast<std::size_t>(RAY_STRIDE(K.width)) * static_cast<std::size_t>(K.height + 2 * RAY_PAD);
-  if (depths_.size() != padded) {
-    depths_ = Buffer<cl_float>(compute_->context(), padded);
-    depths_.fill(compute_->queue(), 0.0F);
+  if (inverse_depths_.size() != padded) {
+    inverse_depths_ = Buffer<cl_float>(compute_->context(), padded);
+    inverse_depths_.fill(compute_->queue(), 0.0F);
     planes_ = Buffer<cl_float>(compute_->context(), 4 * padded);
     planes_.fill(compute_->queue(), NO_PLANE);
   }
@@ -38,10 +38,10 @@ void Raycaster::cast(const BrickMap& map, std::span<const cl_int> slots, Surface
   const Lanes& lanes = compute_->lanes();
   cast_rays_.launch(lanes.overBlocks(K.width, K.height, RAY_BLOCKS(lanes.count())), lanes.blockGroup(),
                     ranges_, K.width, K.height, kernel_K, T_window_camera, params_.truncation_vox,
-                    window.cells(), map.pageSlots(), window.size(), map.distances(), depths_);
+                    window.cells(), map.pageSlots(), window.size(), map.distances(), inverse_depths_);
   const cl::NDRange rows = lanes.overRows(K.width, K.height);
-  fit_planes_.launch(rows, lanes.rowGroup(), depths_, K.width, K.height, K.fx, planes_);
-  orient_surface_.launch(rows, lanes.rowGroup(), depths_, planes_, K.width, K.height, kernel_K,
+  fit_planes_.launch(rows, lanes.rowGroup(), inverse_depths_, K.width, K.height, K.fx, planes_);
+  orient_surface_.launch(rows, lanes.rowGroup(), inverse_depths_, planes_, K.width, K.height, kernel_K,
                          T_window_camera, map.voxelSize(),
                          toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),
                                   static_cast<float>(origin_m.z()), 0.0F),

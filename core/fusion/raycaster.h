@@ -29,7 +29,7 @@ class Raycaster {
   Kernel fit_planes_;
   Kernel orient_surface_;
   Buffer<cl_float2> ranges_;
-  Buffer<cl_float> depths_;
+  Buffer<cl_float> inverse_depths_;
   Buffer<cl_float> planes_;
   std::vector<cl_float2> host_ranges_;
 };

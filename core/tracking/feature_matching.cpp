@@ -1,38 +1,17 @@
 #include "core/tracking/feature_matching.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
-#include "core/base/check.h"
+#include "core/tracking/descriptor_bits.h"
 
 namespace scantrove {
 namespace {
 
 constexpr int kFarthestBits = 64;  // of 256 that may differ between descriptors of one point
-constexpr int kDescriptorBytes = 32;
 /// How far, in parts of the image's width, a landmark may be seen from where the guess has it.
 constexpr float kReach = 0.08F;
 constexpr int kNobody = -1;
-
-using Descriptor = std::array<std::uint64_t, kDescriptorBytes / sizeof(std::uint64_t)>;
-
-std::vector<Descriptor> descriptorsOf(const cv::Mat& rows) {
-  SCANTROVE_CHECK(rows.type() == CV_8UC1 && (rows.rows == 0 || rows.cols == kDescriptorBytes));
-  std::vector<Descriptor> descriptors(static_cast<std::size_t>(rows.rows));
-  for (int i = 0; i < rows.rows; ++i)
-    std::memcpy(descriptors[static_cast<std::size_t>(i)].data(), rows.ptr(i), kDescriptorBytes);
-  return descriptors;
-}
-
-int differentBits(const Descriptor& a, const Descriptor& b) {
-  int bits = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) bits += std::popcount(a[i] ^ b[i]);
-  return bits;
-}
 
 /// The best partner that one has met; the first of equals.
 struct Best {
@@ -46,37 +25,28 @@ struct Best {
   }
 };
 
+/// Who looks most like whom, of those that are compared.
 class Matching {
  public:
-  Matching(const ColorView& view, const Landmarks& landmarks)
-      : features_(descriptorsOf(view.descriptors)),
-        landmarks_(descriptorsOf(landmarks.descriptors)),
-        of_feature_(features_.size()),
-        of_landmark_(landmarks_.size()) {}
+  Matching(std::size_t features, std::size_t landmarks) : of_feature_(features), of_landmark_(landmarks) {}
 
-  [[nodiscard]] int features() const { return static_cast<int>(features_.size()); }
-  [[nodiscard]] int landmarks() const { return static_cast<int>(landmarks_.size()); }
-
-  void compare(int feature, int landmark) {
-    const auto f = static_cast<std::size_t>(feature), l = static_cast<std::size_t>(landmark);
-    const int bits = differentBits(features_[f], landmarks_[l]);
-    of_feature_[f].meet(landmark, bits);
-    of_landmark_[l].meet(feature, bits);
+  void compare(std::size_t feature, std::size_t landmark, int different_bits) {
+    of_feature_[feature].meet(static_cast<int>(landmark), different_bits);
+    of_landmark_[landmark].meet(static_cast<int>(feature), different_bits);
   }
 
   [[nodiscard]] std::vector<FeatureMatch> mutual() const {
     std::vector<FeatureMatch> matches;
-    for (int feature = 0; feature < features(); ++feature) {
-      const Best& best = of_feature_[static_cast<std::size_t>(feature)];
+    for (std::size_t feature = 0; feature < of_feature_.size(); ++feature) {
+      const Best& best = of_feature_[feature];
       if (best.partner == kNobody || best.bits > kFarthestBits) continue;
-      if (of_landmark_[static_cast<std::size_t>(best.partner)].partner == feature)
-        matches.push_back({feature, best.partner});
+      if (of_landmark_[static_cast<std::size_t>(best.partner)].partner == static_cast<int>(feature))
+        matches.push_back({static_cast<int>(feature), best.partner, best.bits});
     }
     return matches;
   }
 
  private:
-  std::vector<Descriptor> features_, landmarks_;
   std::vector<Best> of_feature_, of_landmark_;
 };
 
@@ -89,7 +59,7 @@ class FeatureGrid {
         rows_(static_cast<int>(static_cast<float>(view.K.height) / reach_px) + 1),
         cells_(static_cast<std::size_t>(columns_ * rows_)) {
     for (std::size_t i = 0; i < view.pixels.size(); ++i)
-      cells_[cellAt(columnOf(view.pixels[i].x), rowOf(view.pixels[i].y))].push_back(static_cast<int>(i));
+      cells_[cellAt(columnOf(view.pixels[i].x), rowOf(view.pixels[i].y))].push_back(i);
   }
 
   /// Gives all features that may be in reach of `pixel`, which lies anywhere.
@@ -97,7 +67,7 @@ class FeatureGrid {
   void around(const cv::Point2f& pixel, Give&& give) const {
     for (int row = rowOf(pixel.y - reach_px_); row <= rowOf(pixel.y + reach_px_); ++row) {
       for (int column = columnOf(pixel.x - reach_px_); column <= columnOf(pixel.x + reach_px_); ++column) {
-        for (const int feature : cells_[cellAt(column, row)]) give(feature);
+        for (const std::size_t feature : cells_[cellAt(column, row)]) give(feature);
       }
     }
   }
@@ -115,38 +85,51 @@ class FeatureGrid {
 
   float reach_px_;
   int columns_, rows_;
-  std::vector<std::vector<int>> cells_;
+  std::vector<std::vector<std::size_t>> cells_;
 };
 
 }  // namespace
 
-std::vector<FeatureMatch> matchAll(const ColorView& view, const Landmarks& landmarks) {
-  std::vector<cv::DMatch> found;
-  if (view.descriptors.empty() || landmarks.descriptors.empty()) return {};
-  cv::BFMatcher(cv::NORM_HAMMING, true).match(view.descriptors, landmarks.descriptors, found);
-  std::vector<FeatureMatch> matches;
-  for (const cv::DMatch& match : found) {
-    if (match.distance <= kFarthestBits) matches.push_back({match.queryIdx, match.trainIdx});
+std::vector<FeatureMatch> matchAll(const cv::Mat& features, const Landmarks& landmarks) {
+  const std::vector<Descriptor> seen = descriptorsOf(features), known = descriptorsOf(landmarks.descriptors);
+  Matching matching(seen.size(), known.size());
+  std::vector<int> bits(known.size());
+  for (std::size_t feature = 0; feature < seen.size(); ++feature) {
+    countDifferentBits(seen[feature], known, bits);
+    for (std::size_t landmark = 0; landmark < known.size(); ++landmark)
+      matching.compare(feature, landmark, bits[landmark]);
   }
-  return matches;
+  return matching.mutual();
 }
 
 std::vector<FeatureMatch> matchNear(const ColorView& view, const Landmarks& landmarks,
                                     const Eigen::Isometry3d& T_world_depth) {
   const float reach_px = kReach * static_cast<float>(view.K.width);
   if (!(reach_px > 0)) return {};
-  Matching matching(view, landmarks);
+  const std::vector<Descriptor> seen = descriptorsOf(view.descriptors),
+                                known = descriptorsOf(landmarks.descriptors);
+  Matching matching(seen.size(), known.size());
   const FeatureGrid grid(view, reach_px);
   const Eigen::Isometry3f T_color_world = (view.T_color_depth * T_world_depth.inverse()).cast<float>();
-  for (int landmark = 0; landmark < matching.landmarks(); ++landmark) {
-    const cv::Point3f& point = landmarks.points_world[static_cast<std::size_t>(landmark)];
+  std::vector<std::size_t> near;
+  std::vector<Descriptor> of_near;
+  std::vector<int> bits;
+  for (std::size_t landmark = 0; landmark < known.size(); ++landmark) {
+    const cv::Point3f& point = landmarks.points_world[landmark];
     const Eigen::Vector3f p = T_color_world * Eigen::Vector3f(point.x, point.y, point.z);
     if (!(p.z() > 0.1F)) continue;
     const cv::Point2f expected(view.K.fx * p.x() / p.z() + view.K.cx, view.K.fy * p.y() / p.z() + view.K.cy);
-    grid.around(expected, [&](int feature) {
-      const cv::Point2f apart = view.pixels[static_cast<std::size_t>(feature)] - expected;
-      if (apart.dot(apart) <= reach_px * reach_px) matching.compare(feature, landmark);
+    near.clear();
+    of_near.clear();
+    grid.around(expected, [&](std::size_t feature) {
+      const cv::Point2f apart = view.pixels[feature] - expected;
+      if (apart.dot(apart) > reach_px * reach_px) return;
+      near.push_back(feature);
+      of_near.push_back(seen[feature]);
     });
+    bits.resize(near.size());
+    countDifferentBits(known[landmark], of_near, bits);
+    for (std::size_t i = 0; i < near.size(); ++i) matching.compare(near[i], landmark, bits[i]);
   }
   return matching.mutual();
 }

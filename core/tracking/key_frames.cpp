@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "core/tracking/feature_matching.h"
 #include "core/tracking/view_distance.h"
 
 namespace scantrove {
@@ -13,16 +14,13 @@ constexpr double kNear = 3;  ///< times that: near enough to have much in common
 const cv::Size kThumbnail(40, 30);
 constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
 constexpr int kProbes = 200;              // features that are compared
-constexpr float kAlikeBits = 50;
+constexpr int kAlikeBits = 50;
 
 /// How many of the view's strongest features the key frame has.
 int sharedFeatures(const ColorView& view, const Landmarks& landmarks) {
-  if (view.descriptors.empty() || landmarks.descriptors.empty()) return 0;
-  std::vector<cv::DMatch> matches;
   const cv::Mat probes = view.descriptors.rowRange(0, std::min(kProbes, view.descriptors.rows));
-  cv::BFMatcher(cv::NORM_HAMMING, true).match(probes, landmarks.descriptors, matches);
-  return static_cast<int>(
-      std::ranges::count_if(matches, [](const cv::DMatch& match) { return match.distance <= kAlikeBits; }));
+  return static_cast<int>(std::ranges::count_if(
+      matchAll(probes, landmarks), [](const FeatureMatch& match) { return match.bits <= kAlikeBits; }));
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landm
     return std::nullopt;
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
-  for (const auto& [feature, landmark] :
-       about ? matchNear(view, landmarks, *about) : matchAll(view, landmarks)) {
-    points.push_back(landmarks.points_world[static_cast<std::size_t>(landmark)]);
-    pixels.push_back(view.pixels[static_cast<std::size_t>(feature)]);
+  for (const FeatureMatch& match :
+       about ? matchNear(view, landmarks, *about) : matchAll(view.descriptors, landmarks)) {
+    points.push_back(landmarks.points_world[static_cast<std::size_t>(match.landmark)]);
+    pixels.push_back(view.pixels[static_cast<std::size_t>(match.feature)]);
   }
   if (static_cast<int>(points.size()) < kLeastInliers) return std::nullopt;
 

@@ -8,14 +8,16 @@
 // One work-item: RAY_BLOCKS(LANES) blocks of LANES_X * LANES_Y pixels, side by side: while the voxels of one come from memory,
 // which takes most of the time, the next is looked at.
 // ranges: (nearest, farthest) camera z of the bricks in view per tile of RAY_TILE^2 pixels, ceil(width / RAY_TILE) a row;
-// nearest >= farthest = none. T_window_camera: camera metres to voxels of the window. depths: camera z, 0 = no surface,
+// nearest >= farthest = none. T_window_camera: camera metres to voxels of the window. inverse_depths: 1 / camera z, 0 = no surface,
 // (height + 2 RAY_PAD) rows of RAY_STRIDE(width); only the inner ones are written.
 #define OVERSHOOT 0.5f    /* voxels; lands behind the surface rather than creeping up to it */
-#define UNSEEN_STEP 1.0f  /* voxels */
-#define UNSEEN_GAP 3.0f   /* voxels */
+#define GAP_STEP 1.0f     /* voxels; through voxels never seen, once a distance has announced a surface */
+#define GAP 3.0f          /* voxels; a longer one, and the surface is not announced any more */
+#define UNSEEN_STEP 0.5f  /* truncations; through voxels never seen, where nothing is announced: a surface that is has a whole
+                             truncation of distances before it */
 #define BEHIND_FACE 0.05f /* voxels past a brick's face, to be safely in the next */
 #define SECANT_STEPS 3
-#define CONVERGED 1e-3f   /* truncations: a tenth of a millimetre or less */
+#define CONVERGED 8e-3f   /* truncations: half a millimetre or less; the last step leaves much less */
 
 // The rays o + t d of a block, t = camera z in metres. Of each: how far it has come, and the distance at the last voxel seen.
 typedef struct Rays {
@@ -86,7 +88,8 @@ inline void step_on(Rays* rays, const Place* at, const intN distance, const floa
   rays->met |= met_now;
   rays->active &= ~(met_now | from_behind);
   const floatN t = rays->t;
-  floatN next = t + rays->t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : UNSEEN_STEP);
+  const floatN unseen = rays->before > 0.0f ? GAP_STEP : UNSEEN_STEP * truncation_vox;
+  floatN next = t + rays->t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : unseen);
   if (any_lane(rays->active & (at->slot < 0))) {
     const intN side = (intN)BRICK_SIDE << (at->slot < 0 ? -1 - at->slot : 0);
     const floatN leave = fmin(leave_cube(o.x, rays->dx, rays->inverse_x, at->x, side),
@@ -98,7 +101,7 @@ inline void step_on(Rays* rays, const Place* at, const intN distance, const floa
   const floatN between = rays->t_before + (t - rays->t_before) * rays->before / (rays->before - now);
   // Voxels never seen (a speck without depth) do not hide the surface that the last distance has announced.
   const intN lost =
-      ~seen & (t - rays->t_before > (fabs(rays->before) * truncation_vox + UNSEEN_GAP) * rays->t_voxel);
+      ~seen & (t - rays->t_before > (fabs(rays->before) * truncation_vox + GAP) * rays->t_voxel);
   rays->before = rays->active ? (seen ? now : (lost ? 0.0f : rays->before)) : rays->before;
   rays->t_before = rays->active & seen ? t : rays->t_before;
   rays->t = rays->active ? next : (met_now ? between : t);
@@ -117,7 +120,7 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
 #pragma unroll
   for (int i = 0; i < SECANT_STEPS; ++i) {
     const floatN f1 = field_at(field, met, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
-    if (!any_lane(met & (~known | (fabs(f1) > CONVERGED)))) break;
+    const intN is_near = known & (fabs(f1) <= CONVERGED);
     const floatN slope = (f1 - f0) / (t1 - t0);
     // A slope that is not clearly downwards says nothing: step by the distance instead.
     const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;
@@ -126,6 +129,7 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
     t0 = known ? t1 : t0;
     f0 = known ? f1 : f0;
     t1 = known ? t2 : t0;
+    if (!any_lane(met & ~is_near)) break;
   }
   return (met & (t1 > 0.0f)) ? t1 : 0.0f;
 }
@@ -133,7 +137,7 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
 kernel void cast_rays(global const float2* ranges, const int width, const int height,
                       const float4 K, const float16 T_window_camera, const float truncation_vox, global const int* cells,
                       global const int* page_slots, const int4 window_size, global const short* distances,
-                      global float* depths) {
+                      global float* inverse_depths) {
   const int first = RAY_BLOCKS(LANES) * LANES_X * (int)get_global_id(0);
   const int v = LANES_Y * (int)get_global_id(1);
   if (first >= width || v >= height) return;
@@ -168,12 +172,13 @@ kernel void cast_rays(global const float2* ranges, const int width, const int he
     const int u = first + k * LANES_X;
     if (u >= width) continue;
     const floatN depth = refined_depth(&field, o, &rays[k], truncation_vox);
-    global float* out = depths + (v + RAY_PAD) * RAY_STRIDE(width) + u + RAY_PAD;
+    const floatN inverse = depth > 0.0f ? 1.0f / depth : 0.0f;
+    global float* out = inverse_depths + (v + RAY_PAD) * RAY_STRIDE(width) + u + RAY_PAD;
 #if LANES_Y == 2
-    STORE_H(depth.lo, out);
-    if (v + 1 < height) STORE_H(depth.hi, out + RAY_STRIDE(width));
+    STORE_H(inverse.lo, out);
+    if (v + 1 < height) STORE_H(inverse.hi, out + RAY_STRIDE(width));
 #else
-    STORE(depth, out);
+    STORE(inverse, out);
 #endif
   }
 }

@@ -4,32 +4,35 @@
 // distance.
 //
 // One work-item: LANES neighbouring pixels of a row.
-// depths: see cast_rays. planes: for each of the same rows four rows of the same length, that of a, of b, of c and of the
+// inverse_depths: see cast_rays. planes: for each of the same rows four rows of the same length, that of a, of b, of c and of the
 // residual, the mean square error of q relative to the middle's q^2; NO_PLANE there where there is none.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/ray_layout.h"
 
-kernel void fit_planes(global const float* depths, const int width, const int height, const float focal,
+kernel void fit_planes(global const float* inverse_depths, const int width, const int height, const float focal,
                        global float* planes) {
   const int u = LANES * (int)get_global_id(0);
   const int v = (int)get_global_id(1);
   if (u >= width || v >= height) return;
   const int stride = RAY_STRIDE(width);
   const int start = u + RAY_PAD;
-  global const float* middle = depths + (v + RAY_PAD) * stride + start;
-  const floatN z = LOAD(middle);
-  const intN met = z > 0.0f;
-  const floatN q0 = 1.0f / (met ? z : 1.0f);
-  const floatN per_pixel = z * (FIT_SLOPE / focal);
+  global const float* middle = inverse_depths + (v + RAY_PAD) * stride + start;
+  const floatN q0 = LOAD(middle);
+  const intN met = q0 > 0.0f;
+  const floatN z = 1.0f / (met ? q0 : 1.0f);
+  const float per_pixel = FIT_SLOPE / focal;
 
   floatN n = 0.0f, su = 0.0f, sv = 0.0f, suu = 0.0f, suv = 0.0f, svv = 0.0f;
   floatN sq = 0.0f, suq = 0.0f, svq = 0.0f, sqq = 0.0f;
+#pragma unroll
   for (int j = -FIT_RADIUS; j <= FIT_RADIUS; ++j) {
+#pragma unroll
     for (int i = -FIT_RADIUS; i <= FIT_RADIUS; ++i) {
-      const floatN zi = LOAD(middle + j * stride + i);
-      const intN take = (zi > 0.0f) & (fabs(zi - z) <= per_pixel * (float)max(abs(i), abs(j)));
+      const floatN qi = LOAD(middle + j * stride + i);
+      const floatN nearer = z * qi; /* z / zi, for |zi - z| <= per_pixel z max(|i|, |j|) without a division */
+      const intN take = (qi > 0.0f) & (fabs(1.0f - nearer) <= per_pixel * (float)max(abs(i), abs(j)) * nearer);
       const floatN one = take ? 1.0f : 0.0f;
-      const floatN q = take ? 1.0f / zi - q0 : 0.0f;
+      const floatN q = take ? qi - q0 : 0.0f;
       n += one;
       su += one * (float)i;
       sv += one * (float)j;

@@ -1,4 +1,4 @@
-// V_t and N_t from the depths of cast_rays and the planes of fit_planes.
+// V_t and N_t from the inverse depths of cast_rays and the planes of fit_planes.
 //   V = T_world_camera (z (u - cx) / fx, z (v - cy) / fy, z)
 //   N = that of the best plane whose window holds the pixel: of the planes fitted around the pixels (u + i, v + j),
 //   i, j in {-FIT_RADIUS, 0, FIT_RADIUS}, that with the smallest residual + DEPTH_SHARE times the squared error at the pixel
@@ -7,7 +7,7 @@
 // q = a du + b dv + c is (a fx, b fy, c - a (u - cx) - b (v - cy)).
 //
 // One work-item: LANES neighbouring pixels of a row.
-// depths, planes: see there. T_window_camera: camera metres to voxels of the window, of which origin_m is the first corner in
+// inverse_depths, planes: see there. T_window_camera: camera metres to voxels of the window, of which origin_m is the first corner in
 // the world. vertices, normals: width * height, world, w = 1, or all 0.
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/ray_layout.h"
@@ -15,7 +15,7 @@
 #define DEPTH_SHARE 0.5f
 #define MIDDLE_SHARE 0.4f
 
-kernel void orient_surface(global const float* depths, global const float* planes, const int width, const int height,
+kernel void orient_surface(global const float* inverse_depths, global const float* planes, const int width, const int height,
                            const float4 K, const float16 T_window_camera, const float voxel_size_m,
                            const float4 origin_m, global float4* vertices, global float4* normals) {
   const int u = LANES * (int)get_global_id(0);
@@ -23,9 +23,9 @@ kernel void orient_surface(global const float* depths, global const float* plane
   if (u >= width || v >= height) return;
   const int stride = RAY_STRIDE(width);
   const int start = u + RAY_PAD;
-  const floatN z = LOAD(depths + (v + RAY_PAD) * stride + start);
-  const intN met = z > 0.0f;
-  const floatN q = 1.0f / (met ? z : 1.0f);
+  const floatN q = LOAD(inverse_depths + (v + RAY_PAD) * stride + start);
+  const intN met = q > 0.0f;
+  const floatN z = 1.0f / (met ? q : 1.0f);
 
   floatN best = 1e20f;
   floatN a = 0.0f, b = 0.0f, c = 0.0f; /* of the best plane, c at this pixel */

@@ -80,12 +80,14 @@ std::vector<Case> cases() {
   return all;
 }
 
-Buffer<cl_float> padded(ComputeContext& compute, const Case& c) {
+/// 1 / depth, 0 = none.
+Buffer<cl_float> inversePadded(ComputeContext& compute, const Case& c) {
   const PaddedImage image(c.K.width, c.K.height);
   std::vector<float> values(image.size(), 0.0F);
   for (int v = 0; v < c.K.height; ++v) {
     for (int u = 0; u < c.K.width; ++u) {
-      values[image.at(u, v)] = c.depth[static_cast<std::size_t>(v * c.K.width + u)];
+      const float depth = c.depth[static_cast<std::size_t>(v * c.K.width + u)];
+      values[image.at(u, v)] = depth == 0 ? 0 : 1 / depth;
     }
   }
   Buffer<cl_float> buffer(compute.context(), values.size());
@@ -108,7 +110,7 @@ TEST(FitPlanes, MatchesTheFormula) {
       const PaddedImage image(c.K.width, c.K.height);
       Buffer<cl_float> planes(compute.context(), 4 * image.size());
       planes.fill(compute.queue(), kNoPlane);
-      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), padded(compute, c), cl_int{c.K.width},
+      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), inversePadded(compute, c), cl_int{c.K.width},
                      cl_int{c.K.height}, cl_float{c.K.fx}, planes);
       const std::vector<float> actual = planes.read(compute.queue());
       const SurfaceReference reference(c.K, c.depth, {});
@@ -171,7 +173,7 @@ TEST(OrientSurface, MatchesTheFormula) {
       planes.write(compute.queue(), values);
       const auto pixels = static_cast<std::size_t>(c.K.pixels());
       Buffer<cl_float4> vertices(compute.context(), pixels), normals(compute.context(), pixels);
-      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), padded(compute, c), planes,
+      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), inversePadded(compute, c), planes,
                      cl_int{c.K.width}, cl_int{c.K.height}, toKernel(c.K.fx, c.K.fy, c.K.cx, c.K.cy),
                      toKernel(T_window_camera), kVoxel_m,
                      toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),

@@ -54,7 +54,7 @@ struct Sight {
 
 TEST(FeatureMatching, FindsEveryPartner) {
   const Sight sight(200, 20);
-  for (const auto& matches : {matchAll(sight.view, sight.landmarks),
+  for (const auto& matches : {matchAll(sight.view.descriptors, sight.landmarks),
                               matchNear(sight.view, sight.landmarks, sight.T_world_camera)}) {
     ASSERT_EQ(matches.size(), 200U);
     for (const FeatureMatch& match : matches) EXPECT_EQ(match.feature, match.landmark);
@@ -66,7 +66,7 @@ TEST(FeatureMatching, NearMeansNear) {
   EXPECT_EQ(matchNear(Sight(50, 50).view, Sight(50).landmarks, Sight(50).T_world_camera).size(), 50U);
   const Sight far(1, 53);
   EXPECT_TRUE(matchNear(far.view, far.landmarks, far.T_world_camera).empty());
-  EXPECT_EQ(matchAll(far.view, far.landmarks).size(), 1U);
+  EXPECT_EQ(matchAll(far.view.descriptors, far.landmarks).size(), 1U);
 }
 
 TEST(FeatureMatching, WhatLooksAlikeElsewhereDoesNotConfuse) {
@@ -83,7 +83,7 @@ TEST(FeatureMatching, WhatLooksAlikeElsewhereDoesNotConfuse) {
     }
     return -1;
   };
-  EXPECT_EQ(partnerOf4(matchAll(sight.view, sight.landmarks)), 30);
+  EXPECT_EQ(partnerOf4(matchAll(sight.view.descriptors, sight.landmarks)), 30);
   EXPECT_EQ(partnerOf4(matchNear(sight.view, sight.landmarks, sight.T_world_camera)), 4);
 }
 
@@ -95,7 +95,7 @@ TEST(FeatureMatching, PartnersAreMutualAndAlike) {
   sight.view.descriptors.push_back(withBitsFlipped(descriptor, 5));
   for (const int bits : {64, 65}) {
     withBitsFlipped(descriptor, bits).copyTo(sight.view.descriptors.row(0));
-    for (const auto& matches : {matchAll(sight.view, sight.landmarks),
+    for (const auto& matches : {matchAll(sight.view.descriptors, sight.landmarks),
                                 matchNear(sight.view, sight.landmarks, sight.T_world_camera)}) {
       ASSERT_EQ(matches.size(), 1U);
       EXPECT_EQ(matches[0].feature, 1);
@@ -113,7 +113,7 @@ TEST(FeatureMatching, WithNothingThereIsNothing) {
   EXPECT_TRUE(matchNear({}, sight.landmarks, sight.T_world_camera).empty());
   EXPECT_TRUE(matchAll({}, sight.landmarks).empty());
   EXPECT_TRUE(matchNear(sight.view, {}, sight.T_world_camera).empty());
-  EXPECT_TRUE(matchAll(sight.view, {}).empty());
+  EXPECT_TRUE(matchAll(sight.view.descriptors, {}).empty());
   // Landmarks behind the camera are not in sight.
   const Eigen::Isometry3d turned = sight.T_world_camera * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY());
   EXPECT_TRUE(matchNear(sight.view, sight.landmarks, turned).empty());
