@@ -1,23 +1,36 @@
 #include "core/fusion/known_surface.h"
 
+#include <algorithm>
 #include <opencv2/core/utility.hpp>
 #include <span>
 #include <vector>
 
 namespace scantrove {
+namespace {
 
-KnownSurface::KnownSurface(ComputeContext& compute, const SurfaceMaps& surface)
-    : view_{surface.K, surface.T_world_camera, cv::Mat(surface.K.height, surface.K.width, CV_32FC1)} {
-  const std::vector<cl_float4> vertices = surface.vertices_world.read(compute.queue());
-  const Eigen::RowVector4f depth_row = surface.T_world_camera.inverse().matrix().row(2).cast<float>();
-  cv::parallel_for_({0, view_.z_m.rows}, [&](const cv::Range& rows) {
-    auto* z = view_.z_m.ptr<float>(rows.start);
-    const auto columns = static_cast<std::size_t>(view_.z_m.cols);
-    for (const cl_float4& v : std::span(vertices).subspan(static_cast<std::size_t>(rows.start) * columns,
-                                                          static_cast<std::size_t>(rows.size()) * columns))
-      *z++ = v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F;
+std::vector<Eigen::Vector4f> verticesOf(ComputeContext& compute, const SurfaceMaps& surface) {
+  std::vector<Eigen::Vector4f> vertices(surface.vertices_world.size());
+  static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
+  surface.vertices_world.read(compute.queue(),
+                              {reinterpret_cast<cl_float4*>(vertices.data()), vertices.size()});
+  return vertices;
+}
+
+}  // namespace
+
+KnownSurface::KnownSurface(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
+                           std::span<const Eigen::Vector4f> vertices_world)
+    : view_{K, T_world_camera, {}} {
+  if (vertices_world.empty()) return;
+  view_.z_m.create(K.height, K.width, CV_32FC1);
+  const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
+  std::ranges::transform(vertices_world, view_.z_m.begin<float>(), [&](const Eigen::Vector4f& v) {
+    return v.w() > 0 ? depth_row.dot(Eigen::Vector4f(v.x(), v.y(), v.z(), 1)) : 0.0F;
   });
 }
+
+KnownSurface::KnownSurface(ComputeContext& compute, const SurfaceMaps& surface)
+    : KnownSurface(surface.K, surface.T_world_camera, verticesOf(compute, surface)) {}
 
 cv::Mat KnownSurface::standings(const DepthView& now, float depth_noise_m) const {
   cv::Mat standings(now.z_m.size(), CV_8UC1);

@@ -1,6 +1,8 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <span>
 
 #include "core/compute/compute_context.h"
 #include "core/fusion/depth_view.h"
@@ -22,7 +24,10 @@ class KnownSurface {
  public:
   /// Nothing is known.
   KnownSurface() = default;
-  /// Reads `surface` from the device.
+  /// `vertices_world`: K.pixels(), with w = 0 where there is no surface.
+  KnownSurface(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
+               std::span<const Eigen::Vector4f> vertices_world);
+  /// Reads `surface` from the device; one without buffers shows nothing.
   KnownSurface(ComputeContext& compute, const SurfaceMaps& surface);
 
   /// Standing by pixel, CV_8UC1. `depth_noise_m`: FusionParams.

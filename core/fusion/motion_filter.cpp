@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/compute/kernel_types.h"
-#include "core/fusion/known_surface.h"
 #include "core/fusion/moving_pixels.h"
 #include "embedded/fusion_kernels.h"
 
@@ -54,10 +53,8 @@ Result<std::unique_ptr<MotionFilter>> MotionFilter::create(ComputeContext& compu
 }
 
 const DepthPyramid& MotionFilter::still(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera,
-                                        const SurfaceMaps& last_surface) {
+                                        const KnownSurface& known) {
   const DepthView view = viewOf(compute_, frame, T_world_camera);
-  const KnownSurface known =
-      last_surface.vertices_world.size() > 0 ? KnownSurface(compute_, last_surface) : KnownSurface();
   const cv::Mat standings = known.standings(view, params_.depth_noise_m);
   const cv::Mat intruding = free_space_.contradicting(view);
   moving_ = orNone(movingPixels(intruding, standings, view.z_m));

@@ -9,6 +9,7 @@
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/free_space.h"
 #include "core/fusion/fusion_params.h"
+#include "core/fusion/known_surface.h"
 #include "core/fusion/surface_maps.h"
 
 namespace scantrove {
@@ -22,10 +23,9 @@ class MotionFilter {
                                                                     const FusionParams& params);
 
   /// The frame, taken at `T_world_camera`, without the readings of things that move; shares the buffers that
-  /// it does not change. Valid until the next call. `last_surface`: the map as seen from the frame before;
-  /// without buffers when there is none.
+  /// it does not change. Valid until the next call. `known`: the map as seen from the frame before.
   [[nodiscard]] const DepthPyramid& still(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera,
-                                          const SurfaceMaps& last_surface);
+                                          const KnownSurface& known);
 
   /// For the frame of the last still(), after it went into the map that `surface` shows from its pose: takes
   /// the weight from what the frame sees through, and from `surface` what the moving things hide of it.

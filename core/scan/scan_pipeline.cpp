@@ -142,7 +142,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
 
   const DepthPyramid* still = nullptr;
-  stage("filter", [&] { still = &motion_->still(depth, T_world_camera, surface_); });
+  stage("filter", [&] { still = &motion_->still(depth, T_world_camera, known_); });
   stage("integrate", [&] { map_->integrate(*still, T_world_camera); });
   stage("raycast", [&] {
     map_->raycast(T_world_camera, working_K_, surface_);
@@ -166,7 +166,10 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
     return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
   });
   std::future<FrameClues> looked = std::async(
-      std::launch::async, [&] { return cluesOf(frame, T_world_camera, in_color, result.vertices_world); });
+      std::launch::async, [&] {
+        known_ = KnownSurface(working_K_, T_world_camera, result.vertices_world);
+        return cluesOf(frame, T_world_camera, in_color, result.vertices_world);
+      });
   stage("color", [&] {
     color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, in_color.hidden},
                                  frame);
@@ -218,7 +221,7 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
     frame.pose = stage("track", [&] { return tracker_->reconsider(std::move(uncertain), *depth); });
     if (!frame.pose.usable()) continue;
     stage("integrate", [&] {
-      map_->integrate(motion_->still(*depth, frame.pose.T_world_camera, surface_), frame.pose.T_world_camera);
+      map_->integrate(motion_->still(*depth, frame.pose.T_world_camera, known_), frame.pose.T_world_camera);
     });
     late.push_back(frame);
   }

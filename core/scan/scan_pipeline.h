@@ -301,6 +301,7 @@ class ScanPipeline {
   std::unique_ptr<ObjectCollector> collector_;
 
   SurfaceMaps surface_;    // V_t, N_t of the last usable frame
+  KnownSurface known_;     // V_t, on the host
   bool has_pose_ = false;  // the last frame: surface_ is of it
   SurfaceMaps followed_;   // what of it the camera is followed by
   std::span<const Eigen::Vector3i> touched_;

@@ -30,6 +30,7 @@ bool ScanPipeline::goOnFrom(CameraMemory memory) {
   };
   working_K_ = memory.K;
   surface_ = {memory.K, memory.T_world_camera, sent(memory.vertices_world), sent(memory.normals_world)};
+  known_ = KnownSurface(compute_, surface_);
   motion_->freeSpace().goOnFrom(std::move(memory.free_space));
   motion_->arrivals().goOnFrom(std::move(memory.arrivals));
   color_integrator_->goOnFrom(memory.color_turns);
@@ -45,12 +46,14 @@ void ScanPipeline::recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& 
   const DepthPyramid& depth = preprocessor_->process(frame);
   working_K_ = depth.levels.front().K;
   map_->raycast(T_world_camera, working_K_, surface_);
+  known_ = KnownSurface(compute_, surface_);
   tracker_->learn(frame, depth, surface_);
 }
 
 void ScanPipeline::resumeAt(const Eigen::Isometry3d& T_world_camera) {
   if (!tracker_) return;
   map_->raycast(T_world_camera, working_K_, surface_);
+  known_ = KnownSurface(compute_, surface_);
   followed_ = surface_;
   tracker_->resumeAt(T_world_camera);
 }

@@ -2,6 +2,7 @@
 #include "core/scan/session_restorer.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/labeling/evidence_graph.h"
@@ -13,8 +14,8 @@ namespace {
 /// Frames that may still be understood late.
 constexpr std::size_t kRememberedFrames = 200;
 
-/// Bricks of pages that are handed over at once (6 MB), and how often before they are on disk.
-constexpr std::size_t kBricksAtOnce = 1024;
+/// Bricks of pages that are handed over at once (2 MB), and how often before they are on disk.
+constexpr std::size_t kBricksAtOnce = 256;
 constexpr std::size_t kMostWaitingPages = 2;
 
 }  // namespace
@@ -167,16 +168,20 @@ void SessionRecorder::beginPages(const BrickMap& bricks) {
 }
 
 bool SessionRecorder::handSomePages(BrickMap& bricks) {
-  std::vector<SavedPage> pages;
+  HandedPages pages;
   for (std::size_t count = 0; count < kBricksAtOnce && !pages_.empty(); pages_.pop_back()) {
-    const std::optional<StoredPage> copy = bricks.copyOfPage(pages_.back());
+    std::optional<StoredPage> copy = bricks.copyOfPage(pages_.back());
     if (!copy || copy->bricks.none()) continue;
-    pages.push_back({bricks.pages().page(pages_.back()).position, copy->toWords()});
     count += copy->bricks.count();
+    pages.emplace_back(bricks.pages().page(pages_.back()).position, std::move(*copy));
   }
-  const auto some = std::make_shared<const std::vector<SavedPage>>(std::move(pages));
+  const auto some = std::make_shared<const HandedPages>(std::move(pages));
   handed_pages_.push_back(some);
-  writer_->post([some](SessionStore& store) { return store.writePages(*some); });
+  writer_->post([some](SessionStore& store) -> Result<void> {
+    for (const auto& [position, page] : *some)
+      SCANTROVE_TRY(store.writePages(std::array{SavedPage{position, page.toWords()}}));
+    return {};
+  });
   return pages_.empty();
 }
 

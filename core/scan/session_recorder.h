@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/fusion/stored_page.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/session/session_writer.h"
@@ -62,6 +64,9 @@ class SessionRecorder {
   [[nodiscard]] std::optional<Error> takeFailure() { return writer_->takeFailure(); }
 
  private:
+  /// By position.
+  using HandedPages = std::vector<std::pair<Eigen::Vector3i, StoredPage>>;
+
   /// All but the map.
   [[nodiscard]] SavedDelta collect(ScanPipeline& pipeline);
   void collectRegions(ScanPipeline& pipeline, SavedDelta& delta);
@@ -87,7 +92,7 @@ class SessionRecorder {
   std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one
   std::map<RegionId, std::string> namings_;                      // as handed over
   std::vector<int> pages_;  // of the map, to be handed over; the next one last
-  std::vector<std::weak_ptr<const std::vector<SavedPage>>> handed_pages_;
+  std::vector<std::weak_ptr<const HandedPages>> handed_pages_;
   bool saves_pages_ = false;
   std::uint64_t view_ = 0;       // of the map: no page that lay in view later is part of the session
   std::uint64_t next_view_ = 0;  // the same, when all of pages_ are

@@ -164,7 +164,7 @@ class Watcher {
     const RgbdFrame frame = frameOf(scene, kKinect, T);
     for (int i = 0; i < frames; ++i) {
       depth_ = &preprocessor_->process(frame);
-      still_ = &filter_->still(*depth_, T, surface_);
+      still_ = &filter_->still(*depth_, T, KnownSurface(compute_, surface_));
       map_->integrate(*still_, T);
       map_->raycast(T, depth_->levels.front().K, surface_);
       filter_->apply(*depth_, map_->bricks(), surface_);
