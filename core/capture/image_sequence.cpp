@@ -5,7 +5,7 @@
 #include "core/capture/color_registration.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/folder_listing.h"
-#include "core/capture/image_file.h"
+#include "core/image/image_file.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/source_options.h"
 

@@ -1,20 +1,22 @@
 #include "core/catalog/image_blob.h"
 
-#include <opencv2/imgcodecs.hpp>
-#include <stdexcept>
-#include <vector>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/image/jpeg_decoder.h"
+#include "core/image/jpeg_encoder.h"
+#include "core/image/png_decoder.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
 
 constexpr std::uint64_t kMostPixels = 1ULL << 26U;
 
-QByteArray encoded(const char* format, const cv::Mat& image, const std::vector<int>& options) {
-  // An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
-  if (image.empty()) return QByteArray("");
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(format, image, bytes, options)) throw std::runtime_error("an image could not be encoded");
-  return {reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())};
+/// An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
+QByteArray blobOf(const std::string& bytes) {
+  return {bytes.data(), static_cast<qsizetype>(bytes.size())};
 }
 
 bool isPng(const QByteArray& bytes) { return bytes.startsWith("\x89PNG\r\n\x1a\n") && bytes.size() > 24; }
@@ -32,21 +34,19 @@ bool claimsTooMuch(const QByteArray& bytes) {
 
 }  // namespace
 
-QByteArray toPng(const cv::Mat& image) {
-  // Level 1: crops are small and written while scanning.
-  return encoded(".png", image, {cv::IMWRITE_PNG_COMPRESSION, 1});
+QByteArray toPng(const cv::Mat& image) { return image.empty() ? QByteArray("") : blobOf(encodePng(image)); }
+
+QByteArray toJpeg(const cv::Mat& bgr) {
+  constexpr int kQuality = 90;
+  return bgr.empty() ? QByteArray("") : blobOf(encodeJpeg(bgr, kQuality));
 }
 
-QByteArray toJpeg(const cv::Mat& bgr) { return encoded(".jpg", bgr, {cv::IMWRITE_JPEG_QUALITY, 90}); }
-
-cv::Mat decodedImage(const QByteArray& bytes) {
-  if (!isJpeg(bytes) && (!isPng(bytes) || claimsTooMuch(bytes))) return {};
-  const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.constData()));
-  try {
-    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {  // sizes that the decoder itself refuses
-    return {};
-  }
+cv::Mat decodedImage(const QByteArray& blob) {
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(blob.constData()),
+                        static_cast<std::size_t>(blob.size()));
+  if (isJpeg(blob)) return decodeJpeg(bytes, "a picture").value_or(cv::Mat());
+  if (!isPng(blob) || claimsTooMuch(blob)) return {};
+  return decodeAnyPng(bytes, "a picture").value_or(cv::Mat());
 }
 
 }  // namespace scantrove

@@ -13,7 +13,7 @@
 #include "core/dataset/region_choice.h"
 #include "core/dataset/silhouette.h"
 #include "core/dataset/up_direction.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
@@ -82,7 +82,7 @@ class BopScene {
     const std::string key = std::to_string(image.frame.index);
     const cv::Mat depth = toUnits(image.depth_m, image.frame.metres_per_unit);
     SCANTROVE_TRY(job_.write(kSceneFolder + "rgb/" + image.image_name, image.image_bytes));
-    SCANTROVE_TRY(job_.write(kSceneFolder + "depth/" + image.stem + ".png", encodeGrayPng(depth)));
+    SCANTROVE_TRY(job_.write(kSceneFolder + "depth/" + image.stem + ".png", encodePng(depth)));
     describeCamera(image, key);
     poses_[key] = ExportJson::array();
     infos_[key] = ExportJson::array();
@@ -131,8 +131,8 @@ class BopScene {
     const int inside = cv::countNonZero(mask);
     if (inside == 0) return {};
     const std::string file = fmt::format("/{}_{:06}.png", image.stem, poses_[key].size());
-    SCANTROVE_TRY(job_.write(kSceneFolder + "mask" + file, encodeMaskPng(mask)));
-    SCANTROVE_TRY(job_.write(kSceneFolder + "mask_visib" + file, encodeMaskPng(visible)));
+    SCANTROVE_TRY(job_.write(kSceneFolder + "mask" + file, encodePng(mask)));
+    SCANTROVE_TRY(job_.write(kSceneFolder + "mask_visib" + file, encodePng(visible)));
     last_mask_name_ = kSceneFolder + "mask_visib" + file;
     last_mask_ = visible;
     ++job_.summary().annotations;

@@ -6,7 +6,7 @@
 #include "core/dataset/image_bytes.h"
 #include "core/dataset/key_frame_images.h"
 #include "core/dataset/region_choice.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
@@ -51,7 +51,7 @@ Result<void> exportMasks(ExportJob& job) {
     last_mask = numberedMask(image.regions, *numbers);
     if (!image.image_name.empty()) SCANTROVE_TRY(job.write("color/" + image.image_name, image.image_bytes));
     job.summary().annotations += static_cast<int>(visibleRegions(image.regions).size());
-    return job.write(last_name, encodeGrayPng(last_mask));
+    return job.write(last_name, encodePng(last_mask));
   };
   SCANTROVE_TRY(forEachLabelledImage(job, false, writeOne));
   const ExportJson legend = legendOf(job.chosen());

@@ -2,20 +2,15 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <vector>
+
+#include "core/image/png_decoder.h"
 
 namespace scantrove {
 
-std::string encodeMaskPng(const cv::Mat& mask) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", mask, bytes, {cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_RLE});
-  return {bytes.begin(), bytes.end()};
-}
-
 cv::Mat decodePng(const std::string& bytes) {
   if (bytes.empty()) return {};
-  return cv::imdecode(std::vector<std::uint8_t>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
+  return decodeAnyPng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "a mask")
+      .value_or(cv::Mat());
 }
 
 bool isSameImage(const cv::Mat& a, const cv::Mat& b) {

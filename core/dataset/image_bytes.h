@@ -6,10 +6,7 @@
 
 namespace scantrove {
 
-/// The bytes of a PNG of a mask, CV_8UC1 of 0 and 255.
-[[nodiscard]] std::string encodeMaskPng(const cv::Mat& mask);
-
-/// Reads such bytes, or those of a 16-bit PNG, unchanged; empty if they are none.
+/// The image of a PNG's bytes, unchanged; empty if they are none.
 [[nodiscard]] cv::Mat decodePng(const std::string& bytes);
 
 /// Whether two images are of one size and type and the same in every pixel.

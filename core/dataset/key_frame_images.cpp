@@ -3,13 +3,13 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <utility>
 
 #include "core/base/regular_file.h"
 #include "core/dataset/region_masks.h"
 #include "core/dataset/registered_depth.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
@@ -41,9 +41,7 @@ Result<void> takeImage(LabelledImage& image, const cv::Mat& color) {
     image.image_bytes = std::move(*bytes);
     return {};
   }
-  std::vector<std::uint8_t> packed;
-  cv::imencode(".png", color, packed, {cv::IMWRITE_PNG_COMPRESSION, 3});
-  image.image_bytes.assign(packed.begin(), packed.end());
+  image.image_bytes = encodePng(color);
   return {};
 }
 

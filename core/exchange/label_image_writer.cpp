@@ -1,13 +1,13 @@
 #include "core/exchange/label_image_writer.h"
 
 #include <limits>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 
 #include "core/base/check.h"
 #include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/image_file.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 
@@ -25,19 +25,17 @@ Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const 
     }
     *pixel++ = static_cast<std::uint16_t>(label);
   }
-  return writeFileAtomically(path, encodeGrayPng(image), Durability::process);
+  return writeFileAtomically(path, encodePng(image), Durability::process);
 }
 
 Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {
   SCANTROVE_TRY(checkRegularFile(path));
-  cv::Mat image;
-  try {
-    image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception& error) {
-    return fail("Cannot read " + path.string() + ": " + error.what());
-  }
-  if (image.empty())
-    return fail("Cannot read " + path.string() + " as an image.", "Label images are 16-bit PNGs.");
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return fail(bytes.error());
+  Result<cv::Mat> decoded = decodeGreyImage(
+      {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, path.string());
+  if (!decoded) return fail(decoded.error());
+  cv::Mat image = *decoded;
   if (image.type() == CV_8UC1) image.convertTo(image, CV_16UC1);
   if (image.type() != CV_16UC1) {
     return fail(path.string() + " is not a label image.", "Label images have one channel of 16 (or 8) bits.");

@@ -3,12 +3,11 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
 #include "core/exchange/atomic_file.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
@@ -20,13 +19,6 @@ constexpr const char* kSuffixes[] = {"color.png", "pose.txt", "instance.png", "d
 
 Result<void> write(const fs::path& path, std::string_view bytes) {
   return writeFileAtomically(path, bytes, Durability::process);
-}
-
-/// Packed at the lowest level: noise does not get much smaller, only later.
-std::string encodeColorPng(const cv::Mat& image) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  return {bytes.begin(), bytes.end()};
 }
 
 /// The 4 x 4 matrix, row by row, with all digits that a double needs; fmt knows no languages.
@@ -101,16 +93,16 @@ Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) const {
 
 Result<void> RecordingWriter::writeParts(const RgbdFrame& frame) const {
   if (!frame.color.empty()) {
-    SCANTROVE_TRY(write(pathOf(frame.index, "color.png"), encodeColorPng(frame.color)));
+    SCANTROVE_TRY(write(pathOf(frame.index, "color.png"), encodePng(frame.color)));
   }
   if (frame.T_world_camera) {
     SCANTROVE_TRY(write(pathOf(frame.index, "pose.txt"), matrixText(*frame.T_world_camera)));
   }
   if (!frame.instances.empty()) {
-    SCANTROVE_TRY(write(pathOf(frame.index, "instance.png"), encodeGrayPng(frame.instances)));
+    SCANTROVE_TRY(write(pathOf(frame.index, "instance.png"), encodePng(frame.instances)));
   }
   // Last: without its depth image, readers take it for no frame.
-  return write(pathOf(frame.index, "depth.png"), encodeGrayPng(frame.depth));
+  return write(pathOf(frame.index, "depth.png"), encodePng(frame.depth));
 }
 
 fs::path RecordingWriter::pathOf(int index, const char* suffix) const {

@@ -4,7 +4,6 @@
 
 #include <map>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -16,7 +15,7 @@
 #include "core/dataset/image_bytes.h"
 #include "core/dataset/staged_folder.h"
 #include "core/exchange/atomic_file.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/png_encoder.h"
 #include "core/scan/guarded.h"
 
 namespace scantrove {
@@ -26,12 +25,6 @@ namespace fs = std::filesystem;
 
 /// So often it is begun again because somebody began to write into the catalogue.
 constexpr int kMostExports = 3;
-
-std::string colorPng(const cv::Mat& color) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", color, bytes);
-  return {bytes.begin(), bytes.end()};
-}
 
 ExportJson toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -143,9 +136,9 @@ class CatalogueJob {
 
   Result<void> writeView(const std::string& folder, const ObjectView& view) {
     const std::string stem = stemOf(folder, view);
-    if (!view.color.empty()) SCANTROVE_TRY(write(stem + ".color.png", colorPng(view.color)));
-    if (!view.mask.empty()) SCANTROVE_TRY(write(stem + ".mask.png", encodeMaskPng(view.mask)));
-    if (!view.depth_mm.empty()) SCANTROVE_TRY(write(stem + ".depth.png", encodeGrayPng(view.depth_mm)));
+    if (!view.color.empty()) SCANTROVE_TRY(write(stem + ".color.png", encodePng(view.color)));
+    if (!view.mask.empty()) SCANTROVE_TRY(write(stem + ".mask.png", encodePng(view.mask)));
+    if (!view.depth_mm.empty()) SCANTROVE_TRY(write(stem + ".depth.png", encodePng(view.depth_mm)));
     ++summary_.views;
     return write(stem + ".json", jsonText(viewToJson(view, cameras_)));
   }

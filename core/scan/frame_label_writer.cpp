@@ -7,7 +7,7 @@
 
 #include "core/base/thread_priority.h"
 #include "core/exchange/atomic_file.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/png_encoder.h"
 #include "core/exchange/label_image_writer.h"
 #include "core/scan/first_error.h"
 #include "core/scan/guarded.h"
@@ -76,7 +76,7 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, upsampler.apply(segments.ids), size));
   SCANTROVE_TRY(
       writeLabelImage(folder_ / "labels" / name, numbers_.numbersOf(upsampler.apply(frame.regions)), size));
-  SCANTROVE_TRY(writeFileAtomically(depthFile(name), encodeGrayPng(frame.depth), Durability::process));
+  SCANTROVE_TRY(writeFileAtomically(depthFile(name), encodePng(frame.depth), Durability::process));
   written_.push_back({name, frame.T_world_camera, frame.metres_per_unit});
   return {};
 }

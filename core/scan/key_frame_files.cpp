@@ -6,12 +6,13 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
-#include <opencv2/imgcodecs.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/exchange/atomic_file.h"
-#include "core/exchange/gray_png.h"
+#include "core/image/image_file.h"
+#include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
@@ -35,22 +36,18 @@ Result<void> writeColor(const fs::path& session_folder, const RgbdFrame& frame, 
   const std::string kept = extensionKept(frame.color_file);
   std::string bytes = kept.empty() ? "" : bytesOf(frame.color_file);
   const std::string extension = bytes.empty() ? ".png" : kept;
-  if (bytes.empty()) {
-    std::vector<unsigned char> encoded;
-    cv::imencode(".png", frame.color, encoded, {cv::IMWRITE_PNG_COMPRESSION, 1});
-    bytes.assign(encoded.begin(), encoded.end());
-  }
+  if (bytes.empty()) bytes = encodePng(frame.color);
   key.color_file = fs::path("keyframes") / fmt::format("{:06}.color{}", key.frame, extension);
   return writeFileAtomically(session_folder / key.color_file, bytes, Durability::process);
 }
 
-Result<cv::Mat> readImage(const fs::path& file, int flags) {
+/// `decode`: decodeGreyImage or decodeColorImage.
+template <class Decode>
+Result<cv::Mat> readImage(const fs::path& file, Decode&& decode) {
   const std::string bytes = bytesOf(file);
-  cv::Mat image;
-  if (!bytes.empty())
-    image = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data())),
-                         flags);
-  if (image.empty()) {
+  Result<cv::Mat> image = decode(
+      std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), file.string());
+  if (!image) {
     return fail("The key frame image " + file.string() + " is missing or damaged.",
                 "That frame is left out; the rest can be used.");
   }
@@ -69,7 +66,7 @@ Result<SavedKeyFrame> writeKeyFrame(const fs::path& session_folder, int number, 
   SCANTROVE_TRY(writeColor(session_folder, frame, key));
   key.depth_file = fs::path("keyframes") / fmt::format("{:06}.depth.png", number);
   SCANTROVE_TRY(
-      writeFileAtomically(session_folder / key.depth_file, encodeGrayPng(frame.depth), Durability::process));
+      writeFileAtomically(session_folder / key.depth_file, encodePng(frame.depth), Durability::process));
   return key;
 }
 
@@ -80,7 +77,7 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   read.timestamp_s = frame.time_s;
   read.metres_per_unit = key_frame.metres_per_unit;
   read.color_camera = key_frame.color_camera;
-  SCANTROVE_TRY(moveInto(read.depth, readImage(session_folder / key_frame.depth_file, cv::IMREAD_UNCHANGED)));
+  SCANTROVE_TRY(moveInto(read.depth, readImage(session_folder / key_frame.depth_file, decodeGreyImage)));
   if (read.depth.type() != CV_16UC1) {
     return fail("The key frame image " + (session_folder / key_frame.depth_file).string() +
                     " is no 16-bit depth image.",
@@ -89,7 +86,7 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   if (!key_frame.color_file.empty()) {
     read.color_file = session_folder / key_frame.color_file;
     SCANTROVE_TRY(
-        moveInto(read.color, readImage(read.color_file, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION)));
+        moveInto(read.color, readImage(read.color_file, decodeColorImage)));
   }
   return read;
 }

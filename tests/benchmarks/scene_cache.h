@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "core/capture/image_file.h"
+#include "core/image/image_file.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/label_image_writer.h"
 #include "core/exchange/recording_writer.h"

@@ -1,8 +1,8 @@
 // JPEG, and the formats that OpenCV decodes for us (PNM, BMP, TIFF), as colour and as depth.
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/capture/image_file.h"
-#include "core/capture/image_header.h"
+#include "core/image/image_file.h"
+#include "core/image/image_header.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace scantrove::test {

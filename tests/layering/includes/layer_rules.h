@@ -154,11 +154,13 @@ class LayerRules {
     if (layer != "core" || part == to_part || part == "scan" || to_part == "base") return {};
     if (to_part == "scan") return "scan calls the modules, no module knows scan";
     if (part == "dataset") {
-      return to_part == "capture" || to_part == "exchange" ? ""
-                                                           : "dataset stands on capture and exchange alone";
+      return to_part == "capture" || to_part == "exchange" || to_part == "image" ? ""
+                                                           : "dataset stands on capture, exchange and image alone";
     }
     if (to_part == "dataset" && (part == "capture" || part == "exchange")) return "dataset is above " + part;
     if (part == "base") return "base stands on nothing";
+    if (part == "image") return "image stands on base alone";
+    if (to_part == "image") return {};
     if (to_part == "compute") return {};
     if (part == "compute") return "compute stands on base alone";
     // Modules that are built on others.

@@ -1,10 +1,12 @@
-#include "core/exchange/gray_png.h"
+#include "core/image/png_encoder.h"
 
 #include <libdeflate.h>
 
 #include <memory>
 #include <new>
+#include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/check.h"
@@ -13,7 +15,7 @@ namespace scantrove {
 namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-constexpr char kUp = 2;  // the filter: difference to the byte above
+constexpr std::uint8_t kUp = 2;  // the filter: difference to the byte above
 constexpr int kFastest = 1;
 
 void appendBigEndian(std::string& bytes, std::uint32_t value) {
@@ -27,26 +29,29 @@ void appendChunk(std::string& png, std::string_view type, std::string_view conte
   appendBigEndian(png, libdeflate_crc32(0, png.data() + first, png.size() - first));
 }
 
+/// As files have them: RGB, 16 bits with the higher byte first.
+void copyAsStored(const cv::Mat& image, int y, std::span<std::uint8_t> row) {
+  const std::uint8_t* from = image.ptr(y);
+  const std::size_t step = image.elemSize();
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = from[i - i % step + (step - 1 - i % step)];
+}
+
 /// All rows, each behind the byte that names its filter.
-std::vector<char> filterRows(const cv::Mat& image) {
-  const auto columns = static_cast<std::size_t>(image.cols);
-  std::vector<char> rows(static_cast<std::size_t>(image.rows) * (1 + 2 * columns));
-  const std::vector<std::uint16_t> nothing(columns, 0);
-  const std::uint16_t* above = nothing.data();
-  char* out = rows.data();
+std::vector<std::uint8_t> filterRows(const cv::Mat& image) {
+  const std::size_t row_bytes = static_cast<std::size_t>(image.cols) * image.elemSize();
+  std::vector<std::uint8_t> rows(static_cast<std::size_t>(image.rows) * (1 + row_bytes));
+  std::vector<std::uint8_t> above(row_bytes, 0), row(row_bytes);
+  std::uint8_t* out = rows.data();
   for (int y = 0; y < image.rows; ++y) {
-    const auto* row = image.ptr<std::uint16_t>(y);
+    copyAsStored(image, y, row);
     *out++ = kUp;
-    for (std::size_t x = 0; x < columns; ++x) {
-      *out++ = static_cast<char>((row[x] >> 8) - (above[x] >> 8));
-      *out++ = static_cast<char>((row[x] & 0xff) - (above[x] & 0xff));
-    }
-    above = row;
+    for (std::size_t i = 0; i < row_bytes; ++i) *out++ = static_cast<std::uint8_t>(row[i] - above[i]);
+    std::swap(row, above);
   }
   return rows;
 }
 
-std::string compress(const std::vector<char>& bytes) {
+std::string compress(const std::vector<std::uint8_t>& bytes) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
       libdeflate_alloc_compressor(kFastest), &libdeflate_free_compressor);
   if (!compressor) throw std::bad_alloc();
@@ -58,12 +63,15 @@ std::string compress(const std::vector<char>& bytes) {
 
 }  // namespace
 
-std::string encodeGrayPng(const cv::Mat& image) {
-  SCANTROVE_CHECK(image.type() == CV_16UC1 && !image.empty());
+std::string encodePng(const cv::Mat& image) {
+  SCANTROVE_CHECK((image.type() == CV_16UC1 || image.type() == CV_8UC1 || image.type() == CV_8UC3) &&
+                  !image.empty());
   std::string header;
   appendBigEndian(header, static_cast<std::uint32_t>(image.cols));
   appendBigEndian(header, static_cast<std::uint32_t>(image.rows));
-  header += {16, 0, 0, 0, 0};  // bits, grey, deflate, adaptive filters, not interlaced
+  constexpr char kGrey = 0, kRgb = 2;
+  const char bits = image.depth() == CV_16U ? 16 : 8;
+  header += {bits, image.channels() == 1 ? kGrey : kRgb, 0, 0, 0};  // deflate, adaptive filters, not interlaced
   std::string png(kSignature);
   appendChunk(png, "IHDR", header);
   appendChunk(png, "IDAT", compress(filterRows(image)));

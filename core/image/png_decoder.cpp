@@ -1,4 +1,4 @@
-#include "core/capture/png_decoder.h"
+#include "core/image/png_decoder.h"
 
 #include <png.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/capture/image_header.h"
+#include "core/image/image_header.h"
 
 namespace scantrove {
 
@@ -133,6 +133,16 @@ Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::st
                 "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
   }
   return readImage(decoder, input, decoder.is16Bit() ? CV_16UC1 : CV_8UC1, name);
+}
+
+Result<cv::Mat> decodeAnyPng(std::span<const std::uint8_t> bytes, const std::string& name) {
+  Input input{bytes};
+  PngDecoder decoder(input);
+  if (!decoder.readHeader()) {
+    return cannotDecode(name, input);
+  }
+  const int grey = decoder.is16Bit() ? CV_16UC1 : CV_8UC1;
+  return readImage(decoder, input, decoder.channels() == 1 ? grey : CV_8UC3, name);
 }
 
 }  // namespace scantrove

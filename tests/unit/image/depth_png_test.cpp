@@ -1,4 +1,4 @@
-#include "core/capture/depth_png.h"
+#include "core/image/depth_png.h"
 
 #include <gtest/gtest.h>
 

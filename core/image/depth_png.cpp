@@ -1,4 +1,4 @@
-#include "core/capture/depth_png.h"
+#include "core/image/depth_png.h"
 
 #include <libdeflate.h>
 
@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/capture/image_header.h"
-#include "core/capture/png_filters.h"
+#include "core/image/image_header.h"
+#include "core/image/png_filters.h"
 
 namespace scantrove {
 

@@ -1,31 +1,12 @@
-#include "core/capture/jpeg_decoder.h"
+#include "core/image/jpeg_decoder.h"
 
-// libjpeg's headers need these before them.
-#include <cstddef>
-#include <cstdio>
+#include "core/image/jpeg_errors.h"
 
-#include <csetjmp>
-
-#include <jerror.h>
-#include <jpeglib.h>
+#include <jerror.h>  // after jpeglib.h
 
 namespace scantrove {
 
 namespace {
-
-/// libjpeg leaves a function that fails by longjmp, so whatever calls it between setjmp and its return has no
-/// object with a destructor.
-struct ErrorHandler {
-  jpeg_error_mgr base;
-  std::jmp_buf on_error;
-  char reason[JMSG_LENGTH_MAX];
-};
-
-[[noreturn]] void onError(j_common_ptr jpeg) {
-  auto* const handler = reinterpret_cast<ErrorHandler*>(jpeg->err);
-  jpeg->err->format_message(jpeg, handler->reason);
-  std::longjmp(handler->on_error, 1);
-}
 
 /// Messages of level -1 are warnings: the picture is not what was recorded, but for a few that tell nothing.
 void onMessage(j_common_ptr jpeg, int level) {
@@ -33,7 +14,7 @@ void onMessage(j_common_ptr jpeg, int level) {
   const bool is_harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_TOO_MUCH_DATA ||
                            code == JWRN_ADOBE_XFORM || code == JWRN_BOGUS_PROGRESSION;
   if (level < 0 && !is_harmless) {
-    onError(jpeg);
+    leaveJpeg(jpeg);
   }
 }
 
@@ -41,7 +22,7 @@ class JpegDecoder {
  public:
   explicit JpegDecoder(std::span<const std::uint8_t> bytes) {
     jpeg_.err = jpeg_std_error(&handler_.base);
-    handler_.base.error_exit = onError;
+    handler_.base.error_exit = leaveJpeg;
     handler_.base.emit_message = onMessage;
     jpeg_create_decompress(&jpeg_);
     jpeg_mem_src(&jpeg_, bytes.data(), static_cast<unsigned long>(bytes.size()));
@@ -79,7 +60,7 @@ class JpegDecoder {
   [[nodiscard]] const char* reason() const { return handler_.reason; }
 
  private:
-  ErrorHandler handler_{};
+  JpegErrorHandler handler_{};
   jpeg_decompress_struct jpeg_{};
 };
 

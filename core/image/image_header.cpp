@@ -1,4 +1,4 @@
-#include "core/capture/image_header.h"
+#include "core/image/image_header.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,9 +1,9 @@
-#include "core/capture/image_integrity.h"
+#include "core/image/image_integrity.h"
 
 #include <algorithm>
 #include <array>
 
-#include "core/capture/image_header.h"
+#include "core/image/image_header.h"
 
 namespace scantrove {
 

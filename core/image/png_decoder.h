@@ -16,4 +16,7 @@ namespace scantrove {
 /// a PNG of other channels, with how many it has.
 [[nodiscard]] Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
+/// Decodes a PNG of one channel as decodeGreyPng does, and any other as decodeColorPng does.
+[[nodiscard]] Result<cv::Mat> decodeAnyPng(std::span<const std::uint8_t> bytes, const std::string& name);
+
 }  // namespace scantrove

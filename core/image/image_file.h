@@ -14,6 +14,10 @@ namespace scantrove {
 /// image_header.h).
 [[nodiscard]] Result<cv::Mat> decodeColorImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
+/// Decodes an image of one channel as it is: depths, labels. (JPEGs, of which there are none, become BGR.)
+/// Error: as above, or a PNG of more channels.
+[[nodiscard]] Result<cv::Mat> decodeGreyImage(std::span<const std::uint8_t> bytes, const std::string& name);
+
 /// Decodes a depth image to CV_16UC1 in the file's units, with 65535 (7-Scenes' "invalid", a saturated value
 /// elsewhere) replaced by 0. Error: as above, or not one channel of 16 bits.
 [[nodiscard]] Result<cv::Mat> decodeDepthImage(std::span<const std::uint8_t> bytes, const std::string& name);

@@ -1,17 +1,15 @@
-#include "core/capture/image_file.h"
+#include "core/image/image_file.h"
 
 #include <cstdint>
-#include <mutex>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <span>
 
 #include "core/base/regular_file.h"
-#include "core/capture/depth_png.h"
-#include "core/capture/image_header.h"
-#include "core/capture/image_integrity.h"
-#include "core/capture/jpeg_decoder.h"
-#include "core/capture/png_decoder.h"
+#include "core/image/depth_png.h"
+#include "core/image/image_header.h"
+#include "core/image/image_integrity.h"
+#include "core/image/jpeg_decoder.h"
+#include "core/image/other_formats.h"
+#include "core/image/png_decoder.h"
 
 namespace scantrove {
 
@@ -33,21 +31,6 @@ Result<std::string> readImageBytes(const std::filesystem::path& file) {
     SCANTROVE_TRY(checkImageSize(*size, file.string()));
   }
   return start->size() < kImageHeaderBytes ? start : readFile(file);
-}
-
-/// The edge where OpenCV's exceptions end.
-Result<cv::Mat> decodeByOpenCv(Bytes bytes, int flags, const std::string& name) {
-  static std::once_flag silenced;  // what OpenCV would print we say better ourselves
-  std::call_once(silenced, [] { cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); });
-  try {
-    const cv::Mat input(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<std::uint8_t*>(bytes.data()));
-    if (cv::Mat image = cv::imdecode(input, flags); !image.empty()) {
-      return image;
-    }
-  } catch (const cv::Exception& exception) {
-    return fail(name + " cannot be decoded: " + exception.err + ".");
-  }
-  return fail(name + " cannot be decoded: it is damaged.");
 }
 
 /// The format, once it is sure that decoding is worth trying.
@@ -73,7 +56,9 @@ std::string describe(const cv::Mat& image) {
          (image.channels() == 1 ? " channel" : " channels");
 }
 
-Result<cv::Mat> decodeUnchanged(Bytes bytes, const std::string& name) {
+}  // namespace
+
+Result<cv::Mat> decodeGreyImage(Bytes bytes, const std::string& name) {
   const auto format = checkImage(bytes, name);
   if (!format) {
     return fail(format.error());
@@ -85,10 +70,8 @@ Result<cv::Mat> decodeUnchanged(Bytes bytes, const std::string& name) {
     return decodeGreyPng(bytes, name);
   }
   return *format == ImageFormat::jpeg ? decodeJpeg(bytes, name)
-                                      : decodeByOpenCv(bytes, cv::IMREAD_UNCHANGED, name);
+                                      : decodeOtherFormat(bytes, PictureWay::as_it_is, name);
 }
-
-}  // namespace
 
 Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
   const auto format = checkImage(bytes, name);
@@ -101,12 +84,12 @@ Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
     case ImageFormat::jpeg:
       return decodeJpeg(bytes, name);
     default:
-      return decodeByOpenCv(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION, name);
+      return decodeOtherFormat(bytes, PictureWay::to_color, name);
   }
 }
 
 Result<cv::Mat> decodeDepthImage(Bytes bytes, const std::string& name) {
-  auto image = decodeUnchanged(bytes, name);
+  auto image = decodeGreyImage(bytes, name);
   if (!image) {
     return image;
   }

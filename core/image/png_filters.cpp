@@ -1,4 +1,4 @@
-#include "core/capture/png_filters.h"
+#include "core/image/png_filters.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,13 +1,13 @@
 // Image files before and while they are decoded: size, damage, and what the decoders make of them.
-#include "core/capture/image_file.h"
+#include "core/image/image_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/capture/image_header.h"
-#include "core/capture/image_integrity.h"
+#include "core/image/image_header.h"
+#include "core/image/image_integrity.h"
 #include "tests/unit/capture/tiny_recordings.h"
 
 namespace scantrove {
