@@ -18,4 +18,10 @@ void keepHeapTogether() {
 #endif
 }
 
+void returnFreeHeap() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
 }  // namespace scantrove

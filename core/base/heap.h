@@ -7,4 +7,8 @@ namespace scantrove {
 /// where the C library is not GNU's, or when MALLOC_ARENA_MAX says what to do.
 void keepHeapTogether();
 
+/// Gives the system what the heap has free: after much was freed that nobody will want again, as when kernels
+/// have been compiled. Some milliseconds; any thread.
+void returnFreeHeap();
+
 }  // namespace scantrove

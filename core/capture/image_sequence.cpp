@@ -5,9 +5,9 @@
 #include "core/capture/color_registration.h"
 #include "core/capture/depth_plausibility.h"
 #include "core/capture/folder_listing.h"
-#include "core/image/image_file.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/source_options.h"
+#include "core/image/image_file.h"
 
 namespace scantrove {
 

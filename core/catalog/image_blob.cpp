@@ -15,9 +15,7 @@ namespace {
 constexpr std::uint64_t kMostPixels = 1ULL << 26U;
 
 /// An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
-QByteArray blobOf(const std::string& bytes) {
-  return {bytes.data(), static_cast<qsizetype>(bytes.size())};
-}
+QByteArray blobOf(const std::string& bytes) { return {bytes.data(), static_cast<qsizetype>(bytes.size())}; }
 
 bool isPng(const QByteArray& bytes) { return bytes.startsWith("\x89PNG\r\n\x1a\n") && bytes.size() > 24; }
 bool isJpeg(const QByteArray& bytes) { return bytes.startsWith("\xff\xd8\xff"); }

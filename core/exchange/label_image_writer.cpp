@@ -32,8 +32,8 @@ Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {
   SCANTROVE_TRY(checkRegularFile(path));
   const Result<std::string> bytes = readFile(path);
   if (!bytes) return fail(bytes.error());
-  Result<cv::Mat> decoded = decodeGreyImage(
-      {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, path.string());
+  Result<cv::Mat> decoded =
+      decodeGreyImage({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, path.string());
   if (!decoded) return fail(decoded.error());
   cv::Mat image = *decoded;
   if (image.type() == CV_8UC1) image.convertTo(image, CV_16UC1);

@@ -62,8 +62,8 @@ PackedWords packWords(std::span<const std::uint32_t> words) {
   const int size = static_cast<int>(planes.size());
   PackedWords packed;
   packed.bytes.resize(static_cast<std::size_t>(LZ4_compressBound(size)));
-  const int used =
-      LZ4_compress_fast(planes.data(), packed.bytes.data(), size, static_cast<int>(packed.bytes.size()), kAcceleration);
+  const int used = LZ4_compress_fast(planes.data(), packed.bytes.data(), size,
+                                     static_cast<int>(packed.bytes.size()), kAcceleration);
   SCANTROVE_CHECK(used > 0);
   packed.bytes.resize(static_cast<std::size_t>(used));
   packed.unpacked_bytes = static_cast<std::uint32_t>(size);

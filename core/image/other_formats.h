@@ -14,8 +14,8 @@ enum class PictureWay : std::uint8_t {
 };
 
 /// Decodes PNM, BMP and TIFF by OpenCV. Its codecs bring a hundred libraries with them (25 MB in memory), so
-/// they are a library of their own, loaded here the first time. Error: `name` and why; the library is missing.
-/// Any thread.
+/// they are a library of their own, loaded here the first time. Error: `name` and why; the library is
+/// missing. Any thread.
 [[nodiscard]] Result<cv::Mat> decodeOtherFormat(std::span<const std::uint8_t> bytes, PictureWay way,
                                                 const std::string& name);
 

@@ -71,7 +71,8 @@ std::string encodePng(const cv::Mat& image) {
   appendBigEndian(header, static_cast<std::uint32_t>(image.rows));
   constexpr char kGrey = 0, kRgb = 2;
   const char bits = image.depth() == CV_16U ? 16 : 8;
-  header += {bits, image.channels() == 1 ? kGrey : kRgb, 0, 0, 0};  // deflate, adaptive filters, not interlaced
+  header +=
+      {bits, image.channels() == 1 ? kGrey : kRgb, 0, 0, 0};  // deflate, adaptive filters, not interlaced
   std::string png(kSignature);
   appendChunk(png, "IHDR", header);
   appendChunk(png, "IDAT", compress(filterRows(image)));

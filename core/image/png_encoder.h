@@ -6,8 +6,8 @@
 namespace scantrove {
 
 /// The bytes of a PNG of `image`, not empty: CV_8UC1, CV_16UC1, or CV_8UC3 as BGR. For images of large even
-/// areas: every row is stored as its difference to the row above and packed at the lowest level, several times
-/// as fast as libpng. Any thread.
+/// areas: every row is stored as its difference to the row above and packed at the lowest level, several
+/// times as fast as libpng. Any thread.
 [[nodiscard]] std::string encodePng(const cv::Mat& image);
 
 }  // namespace scantrove

@@ -7,8 +7,8 @@
 
 #include "core/base/thread_priority.h"
 #include "core/exchange/atomic_file.h"
-#include "core/image/png_encoder.h"
 #include "core/exchange/label_image_writer.h"
+#include "core/image/png_encoder.h"
 #include "core/scan/first_error.h"
 #include "core/scan/guarded.h"
 #include "core/segmentation/upsample_segments.h"

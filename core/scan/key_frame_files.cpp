@@ -45,8 +45,8 @@ Result<void> writeColor(const fs::path& session_folder, const RgbdFrame& frame, 
 template <class Decode>
 Result<cv::Mat> readImage(const fs::path& file, Decode&& decode) {
   const std::string bytes = bytesOf(file);
-  Result<cv::Mat> image = decode(
-      std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), file.string());
+  Result<cv::Mat> image =
+      decode(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), file.string());
   if (!image) {
     return fail("The key frame image " + file.string() + " is missing or damaged.",
                 "That frame is left out; the rest can be used.");
@@ -85,8 +85,7 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   }
   if (!key_frame.color_file.empty()) {
     read.color_file = session_folder / key_frame.color_file;
-    SCANTROVE_TRY(
-        moveInto(read.color, readImage(read.color_file, decodeColorImage)));
+    SCANTROVE_TRY(moveInto(read.color, readImage(read.color_file, decodeColorImage)));
   }
   return read;
 }

@@ -165,11 +165,10 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   const SurfaceInColor in_color = stage("color", [&] {
     return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
   });
-  std::future<FrameClues> looked = std::async(
-      std::launch::async, [&] {
-        known_ = KnownSurface(working_K_, T_world_camera, result.vertices_world);
-        return cluesOf(frame, T_world_camera, in_color, result.vertices_world);
-      });
+  std::future<FrameClues> looked = std::async(std::launch::async, [&] {
+    known_ = KnownSurface(working_K_, T_world_camera, result.vertices_world);
+    return cluesOf(frame, T_world_camera, in_color, result.vertices_world);
+  });
   stage("color", [&] {
     color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, in_color.hidden},
                                  frame);

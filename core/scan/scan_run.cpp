@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/heap.h"
 #include "core/base/overloaded.h"
 #include "core/base/program_pages.h"
 #include "core/catalog/object_database.h"
@@ -174,7 +175,10 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   });
   if (!result) return fail(result.error());
   frame_ms_.push_back(millisecondsSince(start));
-  if (frame_ms_.size() == kFramesUntilBuilt) releaseProgramPages();
+  if (frame_ms_.size() == kFramesUntilBuilt) {
+    releaseProgramPages();
+    returnFreeHeap();
+  }
   count(*result, frame.index);
   announce(result->objects);
   if (!result->pose.usable()) followCatalogue();

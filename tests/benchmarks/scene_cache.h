@@ -5,10 +5,10 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "core/image/image_file.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/label_image_writer.h"
 #include "core/exchange/recording_writer.h"
+#include "core/image/image_file.h"
 #include "core/scan/open_source.h"
 #include "core/synthetic/synthetic_source.h"
 

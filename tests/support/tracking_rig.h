@@ -51,7 +51,7 @@ class TrackingRig {
       const PoseEstimate pose = tracker_->reconsider(std::move(uncertain), depth);
       if (!pose.usable()) continue;
       map_->integrate(motion_->still(depth, pose.T_world_camera, KnownSurface(compute_, model_)),
-                    pose.T_world_camera);
+                      pose.T_world_camera);
       late.emplace_back(index, pose);
     }
     return late;

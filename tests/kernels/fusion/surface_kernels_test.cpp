@@ -110,8 +110,8 @@ TEST(FitPlanes, MatchesTheFormula) {
       const PaddedImage image(c.K.width, c.K.height);
       Buffer<cl_float> planes(compute.context(), 4 * image.size());
       planes.fill(compute.queue(), kNoPlane);
-      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), inversePadded(compute, c), cl_int{c.K.width},
-                     cl_int{c.K.height}, cl_float{c.K.fx}, planes);
+      kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), inversePadded(compute, c),
+                     cl_int{c.K.width}, cl_int{c.K.height}, cl_float{c.K.fx}, planes);
       const std::vector<float> actual = planes.read(compute.queue());
       const SurfaceReference reference(c.K, c.depth, {});
       for (int v = 0; v < c.K.height; ++v) {

@@ -154,8 +154,9 @@ class LayerRules {
     if (layer != "core" || part == to_part || part == "scan" || to_part == "base") return {};
     if (to_part == "scan") return "scan calls the modules, no module knows scan";
     if (part == "dataset") {
-      return to_part == "capture" || to_part == "exchange" || to_part == "image" ? ""
-                                                           : "dataset stands on capture, exchange and image alone";
+      return to_part == "capture" || to_part == "exchange" || to_part == "image"
+                 ? ""
+                 : "dataset stands on capture, exchange and image alone";
     }
     if (to_part == "dataset" && (part == "capture" || part == "exchange")) return "dataset is above " + part;
     if (part == "base") return "base stands on nothing";

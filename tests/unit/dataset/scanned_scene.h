@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image_file.h"
 #include "core/dataset/labelled_scan.h"
+#include "core/image/image_file.h"
 #include "tests/support/analytic_scene.h"
 #include "tests/support/temporary_folder.h"
 
