@@ -16,7 +16,8 @@ class TrackingRig {
  public:
   /// `K`: of the frames' depth images. Throws on what create() refuses.
   TrackingRig(ComputeContext& compute, const Intrinsics& K)
-      : preprocessor_(std::move(DepthPreprocessor::create(compute, K, params_).value())),
+      : compute_(compute),
+        preprocessor_(std::move(DepthPreprocessor::create(compute, K, params_).value())),
         motion_(std::move(MotionFilter::create(compute, params_).value())),
         map_(std::move(DenseMap::create(compute, params_).value())),
         tracker_(std::move(
@@ -61,6 +62,7 @@ class TrackingRig {
   [[nodiscard]] std::vector<double> trackTimes_ms() const { return timer_.stages().front().all_ms; }
 
  private:
+  ComputeContext& compute_;
   FusionParams params_;
   Intrinsics working_K_;
   std::unique_ptr<DepthPreprocessor> preprocessor_;
