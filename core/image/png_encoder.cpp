@@ -5,11 +5,13 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/image/image_header.h"
 
 namespace scantrove {
 namespace {
@@ -66,6 +68,10 @@ std::string compress(const std::vector<std::uint8_t>& bytes) {
 std::string encodePng(const cv::Mat& image) {
   SCANTROVE_CHECK((image.type() == CV_16UC1 || image.type() == CV_8UC1 || image.type() == CV_8UC3) &&
                   !image.empty());
+  constexpr int kLongest_px = static_cast<int>(kLongestImageSide_px);
+  if (image.cols > kLongest_px || image.rows > kLongest_px)
+    throw std::runtime_error("an image of " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
+                             " pixels could not be encoded");
   std::string header;
   appendBigEndian(header, static_cast<std::uint32_t>(image.cols));
   appendBigEndian(header, static_cast<std::uint32_t>(image.rows));

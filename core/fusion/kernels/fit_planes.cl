@@ -30,7 +30,9 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
     for (int i = -FIT_RADIUS; i <= FIT_RADIUS; ++i) {
       const floatN qi = LOAD(middle + j * stride + i);
       const floatN nearer = z * qi; /* z / zi, for |zi - z| <= per_pixel z max(|i|, |j|) without a division */
-      const intN take = (qi > 0.0f) & (fabs(1.0f - nearer) <= per_pixel * (float)max(abs(i), abs(j)) * nearer);
+      const intN belongs = fabs(1.0f - nearer) <= per_pixel * (float)max(abs(i), abs(j)) * nearer;
+      const int is_middle = i == 0 && j == 0 ? -1 : 0; /* where `nearer` may be rounded to something beside 1 */
+      const intN take = (qi > 0.0f) & (belongs | is_middle);
       const floatN one = take ? 1.0f : 0.0f;
       const floatN q = take ? qi - q0 : 0.0f;
       n += one;
