@@ -14,8 +14,12 @@ namespace {
 /// Frames that may still be understood late.
 constexpr std::size_t kRememberedFrames = 200;
 
-/// Bricks of pages that are handed over at once (2 MB), and how often before they are on disk.
+/// Bricks of pages that are handed over at once (2 MB), so that no frame waits for many; and when that has
+/// not been enough for so long, as where frames are few.
 constexpr std::size_t kBricksAtOnce = 256;
+constexpr std::size_t kBricksWhenLate = 2048;
+constexpr std::chrono::milliseconds kLate{500};
+/// So often before they are on disk.
 constexpr std::size_t kMostWaitingPages = 2;
 
 }  // namespace
@@ -169,7 +173,9 @@ void SessionRecorder::beginPages(const BrickMap& bricks) {
 
 bool SessionRecorder::handSomePages(BrickMap& bricks) {
   HandedPages pages;
-  for (std::size_t count = 0; count < kBricksAtOnce && !pages_.empty(); pages_.pop_back()) {
+  const bool is_late = std::chrono::steady_clock::now() - last_save_ > kLate;
+  const std::size_t enough = is_late ? kBricksWhenLate : kBricksAtOnce;
+  for (std::size_t count = 0; count < enough && !pages_.empty(); pages_.pop_back()) {
     std::optional<StoredPage> copy = bricks.copyOfPage(pages_.back());
     if (!copy || copy->bricks.none()) continue;
     count += copy->bricks.count();
