@@ -156,7 +156,7 @@ class LayerRules {
     if (part == "dataset") {
       return to_part == "capture" || to_part == "exchange" || to_part == "image"
                  ? ""
-                 : "dataset stands on capture, exchange and image alone";
+                 : "dataset stands on image, capture and exchange alone";
     }
     if (to_part == "dataset" && (part == "capture" || part == "exchange")) return "dataset is above " + part;
     if (part == "base") return "base stands on nothing";

@@ -42,11 +42,17 @@ TEST(LayerRules, ModulesStandInTheirOrder) {
               IsEmpty());
 }
 
+TEST(LayerRules, ImagesAreReadByAllAndKnowNobody) {
+  EXPECT_THAT(LayerRules::broken({{"core/catalog/a.cpp", {"core/image/png_decoder.h"}}}), IsEmpty());
+  EXPECT_THAT(LayerRules::broken({{"core/image/a.cpp", {"core/capture/intrinsics.h"}}}),
+              ElementsAre(HasSubstr("image stands on base alone")));
+}
+
 TEST(LayerRules, DataSetsAreMadeOfWhatCameFromFilesAlone) {
-  EXPECT_THAT(LayerRules::broken(
-                  {{"core/dataset/a.cpp",
-                    {"core/capture/pose_files.h", "core/exchange/atomic_file.h", "core/base/result.h"}},
-                   {"core/scan/b.cpp", {"core/dataset/labelled_scan.h"}}}),
+  EXPECT_THAT(LayerRules::broken({{"core/dataset/a.cpp",
+                                   {"core/capture/pose_files.h", "core/exchange/atomic_file.h",
+                                    "core/image/png_decoder.h", "core/base/result.h"}},
+                                  {"core/scan/b.cpp", {"core/dataset/labelled_scan.h"}}}),
               IsEmpty());
   for (const char* header :
        {"core/fusion/brick_map.h", "core/labeling/region_map.h", "core/discovery/candidate.h"}) {
