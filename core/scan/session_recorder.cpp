@@ -14,11 +14,10 @@ namespace {
 /// Frames that may still be understood late.
 constexpr std::size_t kRememberedFrames = 200;
 
-/// Bricks of pages that are handed over at once (2 MB), so that no frame waits for many; and when that has
-/// not been enough for so long, as where frames are few.
-constexpr std::size_t kBricksAtOnce = 256;
-constexpr std::size_t kBricksWhenLate = 2048;
-constexpr std::chrono::milliseconds kLate{500};
+/// Bricks of pages that are handed over in a second of scanning, a frame's part with each: what one view has
+/// in about a second. And so many at most at once (6 MB).
+constexpr double kBricksPerSecond = 10'000;
+constexpr std::size_t kBricksAtOnce = 1024;
 /// So often before they are on disk.
 constexpr std::size_t kMostWaitingPages = 2;
 
@@ -171,10 +170,8 @@ void SessionRecorder::beginPages(const BrickMap& bricks) {
   last_save_ = std::chrono::steady_clock::now();
 }
 
-bool SessionRecorder::handSomePages(BrickMap& bricks) {
+bool SessionRecorder::handSomePages(BrickMap& bricks, std::size_t enough) {
   HandedPages pages;
-  const bool is_late = std::chrono::steady_clock::now() - last_save_ > kLate;
-  const std::size_t enough = is_late ? kBricksWhenLate : kBricksAtOnce;
   for (std::size_t count = 0; count < enough && !pages_.empty(); pages_.pop_back()) {
     std::optional<StoredPage> copy = bricks.copyOfPage(pages_.back());
     if (!copy || copy->bricks.none()) continue;
@@ -239,15 +236,19 @@ void SessionRecorder::saveWhenDue(ScanPipeline& pipeline) {
   if (!saves_pages_) {
     if (!is_due) return;
     beginPages(bricks);
+    last_handed_ = now;
   }
-  if (arePagesWaiting() || !handSomePages(bricks)) return;
+  if (arePagesWaiting()) return;
+  const std::chrono::duration<double> since = now - std::exchange(last_handed_, now);
+  const auto enough = 1 + static_cast<std::size_t>(kBricksPerSecond * since.count());
+  if (!handSomePages(bricks, std::min(enough, kBricksAtOnce))) return;
   endPages(pipeline);
 }
 
 Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
   BrickMap& bricks = pipeline.kept().bricks;
   beginPages(bricks);
-  while (!handSomePages(bricks)) SCANTROVE_TRY(writer_->flush());
+  while (!handSomePages(bricks, kBricksAtOnce)) SCANTROVE_TRY(writer_->flush());
   endPages(pipeline);
   return writer_->flush();
 }

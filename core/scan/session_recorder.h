@@ -73,8 +73,8 @@ class SessionRecorder {
   void collectNamings(const ObjectCollector& collector, SavedDelta& delta);
   /// From now on pages_ are those of the map that changed since they were handed over.
   void beginPages(const BrickMap& bricks);
-  /// Hands over some of pages_. True: those were the last.
-  [[nodiscard]] bool handSomePages(BrickMap& bricks);
+  /// Hands over so many bricks of pages_, in whole pages. True: those were the last.
+  [[nodiscard]] bool handSomePages(BrickMap& bricks, std::size_t enough);
   /// Hands over all else, now that these were all: so they are part of the session.
   void endPages(ScanPipeline& pipeline);
   /// As many of them as may wait are not on disk yet.
@@ -96,6 +96,7 @@ class SessionRecorder {
   bool saves_pages_ = false;
   std::uint64_t view_ = 0;       // of the map: no page that lay in view later is part of the session
   std::uint64_t next_view_ = 0;  // the same, when all of pages_ are
+  std::chrono::steady_clock::time_point last_handed_;
   std::chrono::steady_clock::time_point last_save_;
 };
 
