@@ -11,7 +11,6 @@ namespace scantrove {
 void keepHeapTogether() {
 #ifdef __GLIBC__
   if (std::getenv("MALLOC_ARENA_MAX") == nullptr) ::mallopt(M_ARENA_MAX, 1);
-  // What one frame gives back the next one takes: the system would have to clear it anew each time.
   constexpr int kKept_bytes = 32 << 20;
   ::mallopt(M_MMAP_THRESHOLD, kKept_bytes);
   ::mallopt(M_TRIM_THRESHOLD, kKept_bytes);

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "core/image/image_header.h"
 #include "core/image/jpeg_decoder.h"
 #include "core/image/jpeg_encoder.h"
 #include "core/image/png_decoder.h"
@@ -12,23 +13,10 @@
 namespace scantrove {
 namespace {
 
-constexpr std::uint64_t kMostPixels = 1ULL << 26U;
+constexpr const char* kName = "a picture";  // of errors that nobody is told
 
 /// An image file of size zero does not exist; an empty crop is stored as an empty (not null) blob.
 QByteArray blobOf(const std::string& bytes) { return {bytes.data(), static_cast<qsizetype>(bytes.size())}; }
-
-bool isPng(const QByteArray& bytes) { return bytes.startsWith("\x89PNG\r\n\x1a\n") && bytes.size() > 24; }
-bool isJpeg(const QByteArray& bytes) { return bytes.startsWith("\xff\xd8\xff"); }
-
-/// A few bytes of a damaged PNG can claim any size, which would be allocated before the damage is noticed.
-bool claimsTooMuch(const QByteArray& bytes) {
-  const auto number = [&](qsizetype at) {
-    std::uint64_t value = 0;
-    for (qsizetype i = at; i < at + 4; ++i) value = 256 * value + static_cast<std::uint8_t>(bytes[i]);
-    return value;
-  };
-  return number(16) * number(20) > kMostPixels;
-}
 
 }  // namespace
 
@@ -42,9 +30,12 @@ QByteArray toJpeg(const cv::Mat& bgr) {
 cv::Mat decodedImage(const QByteArray& blob) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(blob.constData()),
                         static_cast<std::size_t>(blob.size()));
-  if (isJpeg(blob)) return decodeJpeg(bytes, "a picture").value_or(cv::Mat());
-  if (!isPng(blob) || claimsTooMuch(blob)) return {};
-  return decodeAnyPng(bytes, "a picture").value_or(cv::Mat());
+  const auto format = imageFormat(bytes);
+  const auto size = imageSize(bytes);
+  // A few bytes of a damaged image can claim any size, which would be allocated before the damage is noticed.
+  if (!size || !checkImageSize(*size, kName)) return {};
+  if (format == ImageFormat::jpeg) return decodeJpeg(bytes, kName).value_or(cv::Mat());
+  return format == ImageFormat::png ? decodeAnyPng(bytes, kName).value_or(cv::Mat()) : cv::Mat();
 }
 
 }  // namespace scantrove

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "core/base/check.h"
-#include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
 #include "core/image/image_file.h"
 #include "core/image/png_encoder.h"
@@ -29,18 +28,14 @@ Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const 
 }
 
 Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {
-  SCANTROVE_TRY(checkRegularFile(path));
-  const Result<std::string> bytes = readFile(path);
-  if (!bytes) return fail(bytes.error());
-  Result<cv::Mat> decoded =
-      decodeGreyImage({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, path.string());
-  if (!decoded) return fail(decoded.error());
-  cv::Mat image = *decoded;
+  Result<cv::Mat> read = readGreyImage(path);
+  if (!read) return read;
+  cv::Mat& image = *read;
   if (image.type() == CV_8UC1) image.convertTo(image, CV_16UC1);
   if (image.type() != CV_16UC1) {
     return fail(path.string() + " is not a label image.", "Label images have one channel of 16 (or 8) bits.");
   }
-  return image;
+  return read;
 }
 
 }  // namespace scantrove

@@ -33,6 +33,13 @@ Result<std::string> readImageBytes(const std::filesystem::path& file) {
   return start->size() < kImageHeaderBytes ? start : readFile(file);
 }
 
+using Decode = Result<cv::Mat>(Bytes bytes, const std::string& name);
+
+Result<cv::Mat> readImage(const std::filesystem::path& file, Decode& decode) {
+  const auto bytes = readImageBytes(file);
+  return bytes ? decode(bytesOf(*bytes), file.string()) : fail(bytes.error());
+}
+
 /// The format, once it is sure that decoding is worth trying.
 Result<ImageFormat> checkImage(Bytes bytes, const std::string& name) {
   if (const std::string damage = findImageDamage(bytes); !damage.empty()) {
@@ -107,13 +114,13 @@ Result<cv::Mat> decodeDepthImage(Bytes bytes, const std::string& name) {
 }
 
 Result<cv::Mat> readColorImage(const std::filesystem::path& file) {
-  const auto bytes = readImageBytes(file);
-  return bytes ? decodeColorImage(bytesOf(*bytes), file.string()) : fail(bytes.error());
+  return readImage(file, decodeColorImage);
 }
 
+Result<cv::Mat> readGreyImage(const std::filesystem::path& file) { return readImage(file, decodeGreyImage); }
+
 Result<cv::Mat> readDepthImage(const std::filesystem::path& file) {
-  const auto bytes = readImageBytes(file);
-  return bytes ? decodeDepthImage(bytesOf(*bytes), file.string()) : fail(bytes.error());
+  return readImage(file, decodeDepthImage);
 }
 
 }  // namespace scantrove

@@ -25,6 +25,7 @@ namespace scantrove {
 /// The same of a file. Error: also what keeps it from being read; images that are too large are refused by
 /// their header, before the rest is read.
 [[nodiscard]] Result<cv::Mat> readColorImage(const std::filesystem::path& file);
+[[nodiscard]] Result<cv::Mat> readGreyImage(const std::filesystem::path& file);
 [[nodiscard]] Result<cv::Mat> readDepthImage(const std::filesystem::path& file);
 
 }  // namespace scantrove

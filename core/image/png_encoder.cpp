@@ -68,10 +68,9 @@ std::string compress(const std::vector<std::uint8_t>& bytes) {
 std::string encodePng(const cv::Mat& image) {
   SCANTROVE_CHECK((image.type() == CV_16UC1 || image.type() == CV_8UC1 || image.type() == CV_8UC3) &&
                   !image.empty());
-  constexpr int kLongest_px = static_cast<int>(kLongestImageSide_px);
-  if (image.cols > kLongest_px || image.rows > kLongest_px)
-    throw std::runtime_error("an image of " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
-                             " pixels could not be encoded");
+  const ImageSize size{static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows)};
+  if (const Result<void> fits = checkImageSize(size, "An image"); !fits)
+    throw std::runtime_error(fits.error().message());
   std::string header;
   appendBigEndian(header, static_cast<std::uint32_t>(image.cols));
   appendBigEndian(header, static_cast<std::uint32_t>(image.rows));

@@ -7,8 +7,8 @@ namespace scantrove {
 
 /// The bytes of a PNG of `image`, not empty: CV_8UC1, CV_16UC1, or CV_8UC3 as BGR. For images of large even
 /// areas: every row is stored as its difference to the row above and packed at the lowest level, several
-/// times as fast as libpng. Throws std::runtime_error where it is longer than our decoders read
-/// (kLongestImageSide_px). Any thread.
+/// times as fast as libpng. Throws std::runtime_error where it is larger than images that are read
+/// (checkImageSize). Any thread.
 [[nodiscard]] std::string encodePng(const cv::Mat& image);
 
 }  // namespace scantrove

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -41,17 +40,11 @@ Result<void> writeColor(const fs::path& session_folder, const RgbdFrame& frame, 
   return writeFileAtomically(session_folder / key.color_file, bytes, Durability::process);
 }
 
-/// `decode`: decodeGreyImage or decodeColorImage.
-template <class Decode>
-Result<cv::Mat> readImage(const fs::path& file, Decode&& decode) {
-  const std::string bytes = bytesOf(file);
-  Result<cv::Mat> image =
-      decode(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), file.string());
-  if (!image) {
-    return fail("The key frame image " + file.string() + " is missing or damaged.",
-                "That frame is left out; the rest can be used.");
-  }
-  return image;
+/// As a frame that cannot be used says it.
+Result<cv::Mat> orLeftOut(Result<cv::Mat> image, const fs::path& file) {
+  if (image) return image;
+  return fail("The key frame image " + file.string() + " is missing or damaged.",
+              "That frame is left out; the rest can be used.");
 }
 
 }  // namespace
@@ -77,15 +70,15 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   read.timestamp_s = frame.time_s;
   read.metres_per_unit = key_frame.metres_per_unit;
   read.color_camera = key_frame.color_camera;
-  SCANTROVE_TRY(moveInto(read.depth, readImage(session_folder / key_frame.depth_file, decodeGreyImage)));
+  const fs::path depth_file = session_folder / key_frame.depth_file;
+  SCANTROVE_TRY(moveInto(read.depth, orLeftOut(readGreyImage(depth_file), depth_file)));
   if (read.depth.type() != CV_16UC1) {
-    return fail("The key frame image " + (session_folder / key_frame.depth_file).string() +
-                    " is no 16-bit depth image.",
+    return fail("The key frame image " + depth_file.string() + " is no 16-bit depth image.",
                 "That frame is left out; the rest can be used.");
   }
   if (!key_frame.color_file.empty()) {
     read.color_file = session_folder / key_frame.color_file;
-    SCANTROVE_TRY(moveInto(read.color, readImage(read.color_file, decodeColorImage)));
+    SCANTROVE_TRY(moveInto(read.color, orLeftOut(readColorImage(read.color_file), read.color_file)));
   }
   return read;
 }

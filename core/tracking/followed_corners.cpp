@@ -30,8 +30,9 @@ std::vector<cv::Point2f> spreadOut(std::vector<cv::KeyPoint> points, const cv::S
     const int column = static_cast<int>(point.pt.x) / kApart_px;
     const int row = static_cast<int>(point.pt.y) / kApart_px;
     const cv::Mat around = taken(cv::Rect(column - 1, row - 1, 3, 3) & cells);
-    const bool is_near = std::any_of(around.begin<cv::Point2f>(), around.end<cv::Point2f>(),
-                                     [&](auto& other) { return cv::norm(other - point.pt) < kApart_px; });
+    const bool is_near =
+        std::any_of(around.begin<cv::Point2f>(), around.end<cv::Point2f>(),
+                    [&](const cv::Point2f& other) { return cv::norm(other - point.pt) < kApart_px; });
     if (is_near) continue;
     taken.at<cv::Point2f>(row, column) = point.pt;
     corners.push_back(point.pt);

@@ -24,6 +24,28 @@ using testing::IsEmpty;
 using testing::Not;
 using Status = FrameRead::Status;
 
+/// A PNG that says it has so many pixels; nothing may be decoded to find out.
+std::string pngHeader(std::uint32_t width, std::uint32_t height) {
+  std::string png = "\x89PNG\r\n\x1A\n" + std::string("\0\0\0\rIHDR", 8);
+  for (const std::uint32_t number : {width, height}) {
+    for (const int shift : {24, 16, 8, 0}) png += static_cast<char>(number >> shift);
+  }
+  return png + std::string("\x10\0\0\0\0", 5) + "sum." + std::string("\0\0\0\0IEND", 8) + "sum.";
+}
+
+TEST(BadInput, ImagesThatAreTooLargeAreRefusedByTheirHeader) {
+  const TemporaryFolder folder;
+  for (const auto& [width, height] :
+       {std::pair{8000U, 8000U}, {4097U, 4096U}, {1U, 16'777'217U}, {0x7FFFFFFFU, 9U}}) {
+    folder.write("depth/000000.png", pngHeader(width, height));
+    EXPECT_THAT(openError(folder.path()),
+                AllOf(HasSubstr("000000.png has " + std::to_string(width) + "x" + std::to_string(height)),
+                      HasSubstr("up to 4096x4096")));
+  }
+  folder.write("depth/000000.png", pngHeader(4096, 4096));
+  EXPECT_THAT(openError(folder.path()), HasSubstr("damaged"));  // large enough, but there are no pixels
+}
+
 TEST(BadInput, MissingPathIsNamed) {
   EXPECT_THAT(openError("/nowhere/recording"),
               AllOf(HasSubstr("/nowhere/recording"), HasSubstr("There is no")));
