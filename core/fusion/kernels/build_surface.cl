@@ -14,8 +14,8 @@ typedef struct Difference {
 } Difference;
 
 inline Difference difference_of(const floatN before, const floatN z, const floatN after, const floatN jump) {
-  const intN has_after = (after > 0.0f) & (fabs(after - z) < jump);
-  const intN has_before = (before > 0.0f) & (fabs(before - z) < jump);
+  const intN has_after = where(after > 0.0f) & where(fabs(after - z) < jump);
+  const intN has_before = where(before > 0.0f) & where(fabs(before - z) < jump);
   const Difference d = {has_after ? after : 0.0f, has_before ? before : 0.0f,
                         (has_after ? after : z) - (has_before ? before : z), has_after | has_before};
   return d;
@@ -47,7 +47,7 @@ kernel void build_surface(global const float* restrict plane, const int width, c
   const floatN nz = dx_v * dy_u - dy_v * dx_u;
   const floatN length2 = nx * nx + ny * ny + nz * nz;
   const intN has_vertex = z > 0.0f;
-  const intN has_normal = has_vertex & across.exists & down.exists & (length2 > 0.0f);
+  const intN has_normal = has_vertex & across.exists & down.exists & where(length2 > 0.0f);
   const floatN scale = has_normal ? 1.0f / sqrt(length2) : 0.0f;
   const int out = v * width + u;
   const Points vertex = {x_factor * z, y_factor * z, z, one_where(has_vertex)};

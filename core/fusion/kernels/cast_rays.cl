@@ -81,16 +81,16 @@ inline Place place_of(const Field* field, const float3 o, const Rays* rays) {
 }
 
 inline void step_on(Rays* rays, const Place* at, const intN distance, const float3 o, const float truncation_vox) {
-  const intN seen = distance != DISTANCE_UNSEEN;
+  const intN seen = where(distance != DISTANCE_UNSEEN);
   const floatN now = in_truncations(distance);
-  const intN met_now = rays->active & seen & (rays->before > 0.0f) & (now <= 0.0f);
-  const intN from_behind = seen & (rays->before < 0.0f) & (now > 0.0f);
+  const intN met_now = rays->active & seen & where(rays->before > 0.0f) & where(now <= 0.0f);
+  const intN from_behind = seen & where(rays->before < 0.0f) & where(now > 0.0f);
   rays->met |= met_now;
   rays->active &= ~(met_now | from_behind);
   const floatN t = rays->t;
   const floatN unseen = rays->before > 0.0f ? GAP_STEP : UNSEEN_STEP * truncation_vox;
   floatN next = t + rays->t_voxel * (seen ? fabs(now) * truncation_vox + OVERSHOOT : unseen);
-  if (any_lane(rays->active & (at->slot < 0))) {
+  if (any_lane(rays->active & where(at->slot < 0))) {
     const intN side = (intN)BRICK_SIDE << (at->slot < 0 ? -1 - at->slot : 0);
     const floatN leave = fmin(leave_cube(o.x, rays->dx, rays->inverse_x, at->x, side),
                               fmin(leave_cube(o.y, rays->dy, rays->inverse_y, at->y, side),
@@ -101,11 +101,11 @@ inline void step_on(Rays* rays, const Place* at, const intN distance, const floa
   const floatN between = rays->t_before + (t - rays->t_before) * rays->before / (rays->before - now);
   // Voxels never seen (a speck without depth) do not hide the surface that the last distance has announced.
   const intN lost =
-      ~seen & (t - rays->t_before > (fabs(rays->before) * truncation_vox + GAP) * rays->t_voxel);
+      ~seen & where(t - rays->t_before > (fabs(rays->before) * truncation_vox + GAP) * rays->t_voxel);
   rays->before = rays->active ? (seen ? now : (lost ? 0.0f : rays->before)) : rays->before;
   rays->t_before = rays->active & seen ? t : rays->t_before;
   rays->t = rays->active ? next : (met_now ? between : t);
-  rays->active &= rays->t < rays->farthest;
+  rays->active &= where(rays->t < rays->farthest);
 }
 
 // The zero of the trilinear field near rays->t, 0 where there is none.
@@ -120,7 +120,7 @@ inline floatN refined_depth(const Field* field, const float3 o, const Rays* rays
 #pragma unroll
   for (int i = 0; i < SECANT_STEPS; ++i) {
     const floatN f1 = field_at(field, met, o.x + t1 * rays->dx, o.y + t1 * rays->dy, o.z + t1 * rays->dz, &known);
-    const intN is_near = known & (fabs(f1) <= CONVERGED);
+    const intN is_near = known & where(fabs(f1) <= CONVERGED);
     const floatN slope = (f1 - f0) / (t1 - t0);
     // A slope that is not clearly downwards says nothing: step by the distance instead.
     const floatN step = slope * metres < -0.2f ? -f1 / slope : f1 * metres;

@@ -52,7 +52,7 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
   for (int run = (int)get_global_id(0) % BRICK_ITEMS(LANES); run < BRICK_VOXELS / LANES; run += BRICK_ITEMS(LANES)) {
     const int index = brick.w * (BRICK_VOXELS / LANES) + run;
     const intN distance = convert_intN(distances[index]);
-    const intN near = (distance != DISTANCE_UNSEEN) & (distance <= band) & (distance >= -band);
+    const intN near = where(distance != DISTANCE_UNSEEN) & where(distance <= band) & where(distance >= -band);
     if (!any_lane(near)) continue;
     const int first_voxel = LANES * run;
     const intN column_x = LANE_X + (BRICK_SIDE * brick.x + (first_voxel & 7));
@@ -66,19 +66,19 @@ kernel void color_bricks(global const int4* restrict bricks, const int brick_cou
     const floatN per_z = 1.0f / camera_z;
     const floatN u = (x * T.s0 + y * T.s1 + (T.s2 * z + T.s3)) * per_z * K.x + (K.z + 0.5f);
     const floatN v = (x * T.s4 + y * T.s5 + (T.s6 * z + T.s7)) * per_z * K.y + (K.w + 0.5f);
-    const intN in_depth = near & (camera_z > 0.0f) & (u >= 0.0f) & (u < (float)size.x) & (v >= 0.0f) & (v < (float)size.y);
+    const intN in_depth = near & where(camera_z > 0.0f) & where(u >= 0.0f) & where(u < (float)size.x) & where(v >= 0.0f) & where(v < (float)size.y);
     const intN cell = in_depth ? convert_intN(v) / COLOR_CELL * columns + convert_intN(u) / COLOR_CELL : 0;
     const floatN depth = GATHER(floatN, depths, cell);
     const uintN rating = GATHER(uintN, ratings, cell);
     const floatN reach = convert_floatN(as_intN(COLOR_RATING_REACH(rating))) * COLOR_REACH_STEP_M;
-    const intN shown = in_depth & (depth > 0.0f) & (fabs(camera_z - depth) <= reach);
+    const intN shown = in_depth & where(depth > 0.0f) & where(fabs(camera_z - depth) <= reach);
     if (!any_lane(shown)) continue;
 
     const floatN color_z = x * C.s8 + y * C.s9 + (C.sa * z + C.sb);
     const floatN per_color_z = 1.0f / color_z;
     const floatN s = (x * C.s0 + y * C.s1 + (C.s2 * z + C.s3)) * per_color_z * K_color.x + (K_color.z + 0.5f);
     const floatN t = (x * C.s4 + y * C.s5 + (C.s6 * z + C.s7)) * per_color_z * K_color.y + (K_color.w + 0.5f);
-    const intN seen = shown & (color_z > 0.0f) & (s >= 0.0f) & (s < (float)color_size.x) & (t >= 0.0f) & (t < (float)color_size.y);
+    const intN seen = shown & where(color_z > 0.0f) & where(s >= 0.0f) & where(s < (float)color_size.x) & where(t >= 0.0f) & where(t < (float)color_size.y);
     if (!any_lane(seen)) continue;
     const intN byte = seen ? 3 * (convert_intN(t) * color_size.x + convert_intN(s)) : 0;
     // Blue, green, red from the lowest byte on; in the highest what comes after them.

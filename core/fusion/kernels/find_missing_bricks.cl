@@ -16,7 +16,7 @@ inline intN misses_behind(const Field* field, const int axis, const int k, const
   const intN brick = d > 0.0f ? first + k : first - k;
   const floatN face = convert_floatN((d > 0.0f ? brick : brick + 1) << BRICK_SHIFT);
   const floatN t = (face - a) / d;
-  const intN crosses = (t > 0.0f) & (t <= 1.0f);
+  const intN crosses = where(t > 0.0f) & where(t <= 1.0f);
   if (!any_lane(crosses)) return 0;
   const intN p = brick << BRICK_SHIFT;
   const intN p1 = voxel_of(crosses ? a1 + t * d1 : a1);
@@ -37,7 +37,7 @@ kernel void find_missing_bricks(global const float* depth_m, const int width, co
   if (group >= groups || v >= height) return;
   const int u = min(LANES * group, width - LANES);
   const floatN reading = LOAD(depth_m + v * width + u);
-  const intN valid = (reading >= depth_range.x) & (reading <= depth_range.y);
+  const intN valid = where(reading >= depth_range.x) & where(reading <= depth_range.y);
   intN any = 0;
   if (any_lane(valid)) {
     const Field field = {cells, page_slots, 0, window_size};

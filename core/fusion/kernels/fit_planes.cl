@@ -9,6 +9,10 @@
 #include "core/compute/kernels/lanes.clh"
 #include "core/fusion/kernels/ray_layout.h"
 
+#if FIT_RADIUS != 3
+#error "The sums of other windows need other bits."
+#endif
+
 kernel void fit_planes(global const float* inverse_depths, const int width, const int height, const float focal,
                        global float* planes) {
   const int u = LANES * (int)get_global_id(0);
@@ -20,33 +24,45 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
   const floatN q0 = LOAD(middle);
   const intN met = q0 > 0.0f;
   const floatN z = 1.0f / (met ? q0 : 1.0f);
-  const float per_pixel = FIT_SLOPE / focal;
+  // Inverse depths that belong to the plane, by the rows or columns between: |zi - z| <= per_pixel z steps.
+  floatN lowest[FIT_RADIUS + 1], highest[FIT_RADIUS + 1];
+#pragma unroll
+  for (int steps = 0; steps <= FIT_RADIUS; ++steps) {
+    const float slope = FIT_SLOPE / focal * (float)steps;
+    lowest[steps] = q0 * (1.0f / (1.0f + slope));
+    highest[steps] = slope < 1.0f ? q0 * (1.0f / (1.0f - slope)) : FLT_MAX;
+  }
 
-  floatN n = 0.0f, su = 0.0f, sv = 0.0f, suu = 0.0f, suv = 0.0f, svv = 0.0f;
+  // Sums over the pixels that belong to it, i and j counted from the corner so that none is negative: they share words.
+  intN counts = 0;  /* 1, i, j, i^2 (of i from the middle) */
+  intN moments = 0; /* j^2 (from the middle), i j */
   floatN sq = 0.0f, suq = 0.0f, svq = 0.0f, sqq = 0.0f;
 #pragma unroll
   for (int j = -FIT_RADIUS; j <= FIT_RADIUS; ++j) {
+    floatN row = 0.0f;
 #pragma unroll
     for (int i = -FIT_RADIUS; i <= FIT_RADIUS; ++i) {
+      const int right = i + FIT_RADIUS, down = j + FIT_RADIUS;
+      const int steps = max(abs(i), abs(j));
       const floatN qi = LOAD(middle + j * stride + i);
-      const floatN nearer = z * qi; /* z / zi, for |zi - z| <= per_pixel z max(|i|, |j|) without a division */
-      const intN belongs = fabs(1.0f - nearer) <= per_pixel * (float)max(abs(i), abs(j)) * nearer;
-      const int is_middle = i == 0 && j == 0 ? -1 : 0; /* where `nearer` may be rounded to something beside 1 */
-      const intN take = (qi > 0.0f) & (belongs | is_middle);
-      const floatN one = take ? 1.0f : 0.0f;
+      const intN take = where(qi >= lowest[steps]) & where(qi <= highest[steps]);
       const floatN q = take ? qi - q0 : 0.0f;
-      n += one;
-      su += one * (float)i;
-      sv += one * (float)j;
-      suu += one * (float)(i * i);
-      suv += one * (float)(i * j);
-      svv += one * (float)(j * j);
-      sq += q;
+      counts += take ? (intN)(1 | right << 6 | down << 14 | i * i << 22) : (intN)(0);
+      moments += take ? (intN)(j * j | right * down << 8) : (intN)(0);
+      row += q;
       suq += q * (float)i;
-      svq += q * (float)j;
       sqq += q * q;
     }
+    sq += row;
+    svq += row * (float)j;
   }
+  const float radius = (float)FIT_RADIUS;
+  const floatN n = convert_floatN(counts & 63);
+  const floatN su = convert_floatN((counts >> 6) & 255) - radius * n;
+  const floatN sv = convert_floatN((counts >> 14) & 255) - radius * n;
+  const floatN suu = convert_floatN(counts >> 22);
+  const floatN svv = convert_floatN(moments & 255);
+  const floatN suv = convert_floatN(moments >> 8) - radius * (su + sv + radius * n);
   const floatN inverse_n = 1.0f / n;
   const floatN cuu = suu - su * su * inverse_n;
   const floatN cuv = suv - su * sv * inverse_n;
@@ -59,7 +75,7 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
   const floatN b = (cuu * cvq - cuv * cuq) / determinant;
   const floatN c = q0 + (sq - a * su - b * sv) * inverse_n;
   const floatN error = (cqq - a * cuq - b * cvq) * inverse_n * z * z;
-  const intN fits = met & (n >= 5.0f) & (determinant > 1.0f);
+  const intN fits = met & where(n >= 5.0f) & where(determinant > 1.0f);
 
   global float* out = planes + 4 * (v + RAY_PAD) * stride + start;
   STORE(fits ? a : 0.0f, out);

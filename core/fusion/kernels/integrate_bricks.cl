@@ -86,11 +86,11 @@ inline int integrate_brick(const int4 brick, const int item, const float2 readin
     const floatN inverse_z = 1.0f / camera_z;
     const floatN u = camera_x * inverse_z * K.x + (K.z + 0.5f);
     const floatN v = camera_y * inverse_z * K.y + (K.w + 0.5f);
-    const intN inside = (camera_z > 0.0f) & (u >= 0.0f) & (u < (float)width) & (v >= 0.0f) & (v < (float)height);
+    const intN inside = where(camera_z > 0.0f) & where(u >= 0.0f) & where(u < (float)width) & where(v >= 0.0f) & where(v < (float)height);
     const intN pixel = convert_intN(inside ? v : 0.0f) * width + convert_intN(inside ? u : 0.0f);
-    const floatN depth = GATHER(floatN, depth_m, pixel);
+    const floatN depth = GATHER_NEAR(floatN, depth_m, pixel);
     const floatN distance = (depth - camera_z) * (1.0f / truncation_m);
-    const intN update = inside & (depth > 0.0f) & (depth <= max_depth_m) & (distance > -1.0f);
+    const intN update = inside & where(depth > 0.0f) & where(depth <= max_depth_m) & where(distance > -1.0f);
     if (!any_lane(update)) continue;
     const floatN seen = update ? (distance < 1.0f ? distance : 1.0f) * DISTANCE_ONE : 0.0f;
     const Voxels old = {convert_intN(distances[index]), convert_intN(weights[index])};

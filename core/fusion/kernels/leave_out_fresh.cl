@@ -13,11 +13,11 @@ kernel void leave_out_fresh(global const float4* vertices, global const float4* 
   const Field field = {cells, page_slots, 0, window_size};
   const intN pixel = begin + LANE;
   const Points v = points_at(vertices, min(pixel, (intN)(pixels - 1)));
-  const intN met = (pixel < pixels) & (v.w > 0.0f);
+  const intN met = where(pixel < pixels) & where(v.w > 0.0f);
   const intN place = field_places(&field, first, v, voxels_per_metre);
-  const intN found = met & (place >= 0);
+  const intN found = met & where(place >= 0);
   const intN weight = GATHER_UCHAR(weights, found ? place : 0);
-  const intN is_settled = found & (weight >= settled);
+  const intN is_settled = found & where(weight >= settled);
   int settled_lanes[LANES];
   STORE(is_settled, settled_lanes);
   for (int i = 0; i < min(LANES, pixels - begin); ++i)

@@ -61,7 +61,7 @@ kernel void orient_surface(global const float* inverse_depths, global const floa
   const floatN ny = T.s4 * nu + T.s5 * nv + T.s6 * nw;
   const floatN nz = T.s8 * nu + T.s9 * nv + T.sa * nw;
   const floatN squared = nx * nx + ny * ny + nz * nz;
-  const intN oriented = met & (best < 1e20f) & (squared > 0.0f);
+  const intN oriented = met & where(best < 1e20f) & where(squared > 0.0f);
   const floatN scale = oriented ? 1.0f / sqrt(squared) : 0.0f;
 
   const int out = v * width + u;

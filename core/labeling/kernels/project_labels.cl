@@ -17,7 +17,7 @@ kernel void project_labels(global const float4* vertices, const int pixels, glob
   const Points v = points_at(vertices, min(begin + LANE, (intN)(pixels - 1)));
   const intN place = field_places(&field, first, v, voxels_per_metre);
   const intN found = place >= 0;
-  const intN unused = found & (GATHER(intN, stamps, found ? place / BRICK_VOXELS : 0) == LABEL_BRICK_UNUSED);
+  const intN unused = found & where(GATHER(intN, stamps, found ? place / BRICK_VOXELS : 0) == LABEL_BRICK_UNUSED);
   if (any_lane(unused)) {
     int places[LANES], is_unused[LANES];
     STORE(place, places);

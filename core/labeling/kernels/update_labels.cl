@@ -29,7 +29,7 @@ inline uintN changed_voxels(const uintN voxel, const uintN new_label, const int 
   const uintN held = LABEL_OF(voxel);
   const uintN confidence = CONFIDENCE_OF(voxel);
   const uintN surer = LABEL_VOXEL(held, min(confidence + 1u, (uintN)(LABEL_CONFIDENCE_MAX)));
-  const intN gives_way = (held == 0u) | (confidence <= 1u) | ((new_label & LABEL_AT_ONCE) != 0u);
+  const intN gives_way = where(held == 0u) | where(confidence <= 1u) | where((new_label & LABEL_AT_ONCE) != 0u);
   const uintN less_sure = gives_way ? fresh : LABEL_VOXEL(held, confidence - 1u);
   return held == label ? surer : less_sure;
 }
@@ -89,7 +89,7 @@ inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int 
   const intN z = LOAD(waiting->z + from) - BRICK_SIDE * cloud->first.z;
   const intN exists = from + LANE < waiting->count;
   intN slot = field_slot(&cloud->field, field_page(&cloud->field, x, y, z), x, y, z);
-  if (any_lane(exists & (slot < 0))) {
+  if (any_lane(exists & where(slot < 0))) {
     int slots[LANES];
     STORE(slot, slots);
     find_beyond_window(cloud, waiting, from, slots);
@@ -100,7 +100,7 @@ inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int 
   held.slot = held.active ? slot : 0;
   held.stamped = GATHER(intN, cloud->stamps, held.slot);
   if (only_new) held.active &= (held.stamped == LABEL_BRICK_NEW) | (held.stamped == cloud->stamp);
-  const intN unused = held.active & (held.stamped < 0);
+  const intN unused = held.active & where(held.stamped < 0);
   if (any_lane(unused)) {
     int slots[LANES], is_unused[LANES];
     STORE(held.slot, slots);
@@ -115,8 +115,8 @@ inline Held look_up(const Cloud* cloud, const WaitingVoxels* waiting, const int 
 
 inline void change(const Cloud* cloud, const Held* held, const uintN label, const int use_confidence) {
   const uintN after = changed_voxels(held->before, label, use_confidence);
-  const intN changed = held->active & (held->before != after);
-  const intN first_here = held->active & (held->stamped != cloud->stamp);
+  const intN changed = held->active & where(held->before != after);
+  const intN first_here = held->active & where(held->stamped != cloud->stamp);
   if (!any_lane(changed | first_here)) return;
   int is_changed[LANES], is_first[LANES], places[LANES], slots[LANES];
   uint old[LANES], fresh[LANES];
@@ -183,7 +183,7 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
   const intN pixel = GATHER(intN, pixels, listed);
   const uintN label = GATHER(uintN, new_labels, listed);
   const Points vertex = points_at(vertices, pixel);
-  const intN active = (begin + LANE < count) & (vertex.w > 0.0f);
+  const intN active = where(begin + LANE < count) & where(vertex.w > 0.0f);
   if (!any_lane(active)) return;
   const intN row = pixel / width;
   const intN column = pixel - row * width;
@@ -214,12 +214,12 @@ kernel void update_labels(global const float4* vertices, global const int* pixel
       const floatN y = (y0 + (float)n.y + 0.5f) * voxel_size;
       const floatN z = (z0 + (float)n.z + 0.5f) * voxel_size;
       const floatN dx = vertex.x - x, dy = vertex.y - y, dz = vertex.z - z;
-      const intN near = active & (dx * dx + dy * dy + dz * dz < reach * reach);
+      const intN near = active & where(dx * dx + dy * dy + dz * dz < reach * reach);
       if (!any_lane(near)) continue;
       const floatN depth = T.s8 * x + T.s9 * y + T.sa * z + T.sb;
       const floatN u = K.x * (T.s0 * x + T.s1 * y + T.s2 * z + T.s3) / depth + K.z + 0.5f;
       const floatN v = K.y * (T.s4 * x + T.s5 * y + T.s6 * z + T.s7) / depth + K.w + 0.5f;
-      const intN seen = near & (depth > 0.0f) & (u >= left) & (u < left + 1.0f) & (v >= top) & (v < top + 1.0f);
+      const intN seen = near & where(depth > 0.0f) & where(u >= left) & where(u < left + 1.0f) & where(v >= top) & where(v < top + 1.0f);
       found |= seen ? (intN)(1 << i) : (intN)0;
     }
     STORE(found, asked.found);

@@ -52,7 +52,7 @@ inline uintN edge_key(const Surface* i, const Surface j, const intN may_join, co
   const Points turn = less(i->n, j.n);
   const floatN concave = 0.5f * dot_of(turn, turn);
   const floatN weight = dot_of(step, j.n) > 0.0f ? concave * concave : concave;
-  const intN joins = may_join & i->exists & j.exists & (dot_of(step, step) < max_distance * max_distance);
+  const intN joins = may_join & i->exists & j.exists & where(dot_of(step, step) < max_distance * max_distance);
   return joins ? key_of(joins ? (weight < 4.0f ? weight : (floatN)(4.0f)) : (floatN)(1.0f)) : (uintN)(EDGE_NEVER);
 }
 
@@ -68,7 +68,7 @@ kernel void weigh_edges(global const float4* vertices, global const float4* norm
   const intN i = min(begin + LANE, last);
   const intN in_row = column < width;
   const intN east = column < width - 1;
-  const intN west = in_row & (column > 0);
+  const intN west = in_row & where(column > 0);
   const Surface here = surface_at(vertices, normals, i, depth_row);
 #define KEY_TO(offset, may_join)                                                                                     \
   edge_key(&here, surface_at(vertices, normals, min(i + (offset), last), depth_row), may_join, distance_factor_per_f, \

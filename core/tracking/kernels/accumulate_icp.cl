@@ -42,7 +42,7 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
     const intN i = begin + k * GROUP * LANES + LANE;
     const intN pixel = min(i, (intN)(pixel_count - 1));
     const Points vertex = points_at(vertices, pixel);
-    const intN reading = (i < pixel_count) & (vertex.w > 0.0f);
+    const intN reading = where(i < pixel_count) & where(vertex.w > 0.0f);
     if (!any_lane(reading)) continue;
     total[ICP_READINGS] += one_where(reading);
     const Points p = transformed(T_world_frame, vertex);
@@ -50,11 +50,11 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
     const floatN per_z = 1.0f / q.z;
     const floatN u = K_model.x * q.x * per_z + (K_model.z + 0.5f);
     const floatN v = K_model.y * q.y * per_z + (K_model.w + 0.5f);
-    const intN inside = reading & (q.z > 0.05f) & (u >= 0.0f) & (u < (float)model_width) & (v >= 0.0f) &
+    const intN inside = reading & where(q.z > 0.05f) & where(u >= 0.0f) & where(u < (float)model_width) & where(v >= 0.0f) &
                         (v < (float)model_height);
     const intN m = convert_intN(inside ? v : 0.0f) * model_width + convert_intN(inside ? u : 0.0f);
     const Points n = points_at(model_normals, m);
-    const intN overlap = inside & (n.w > 0.0f);
+    const intN overlap = inside & where(n.w > 0.0f);
     if (!any_lane(overlap)) continue;
     total[ICP_OVERLAP] += one_where(overlap);
     const Points model = points_at(model_vertices, m);
@@ -66,7 +66,7 @@ kernel void accumulate_icp(global const float4* restrict vertices, global const 
     total[ICP_BEHIND] += one_where(overlap & (farther > reach));
     const Points normal = transformed(turn, points_at(normals, pixel));
     const intN meets =
-        overlap & (dot_of(difference, difference) < reach * reach) & (dot_of(normal, n) > gate.s2);
+        overlap & where(dot_of(difference, difference) < reach * reach) & where(dot_of(normal, n) > gate.s2);
     if (!any_lane(meets)) continue;
 
     const floatN r = meets ? dot_of(n, difference) : 0.0f;
