@@ -22,6 +22,9 @@ class GraphMerger final : public RegionMerger {
                                                  std::span<const int> voxels,
                                                  const LabelingParams& params) const override;
   void mustBeOne(RegionId a, RegionId b, const RegionTable& table) override;
+  void mustBeApart(FragmentId a, FragmentId b) override {
+    constrain(a, b, LinkConstraint::cannot_link, false);
+  }
 
   void constrain(FragmentId a, FragmentId b, LinkConstraint constraint) override;
   [[nodiscard]] LinkConstraint constraintBetween(FragmentId a, FragmentId b) const override {

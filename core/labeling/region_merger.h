@@ -55,6 +55,9 @@ class RegionMerger {
                                                          const LabelingParams& params) const = 0;
   /// The regions are one thing whatever is seen; takes effect with the next frame.
   virtual void mustBeOne(RegionId a, RegionId b, const RegionTable& table) = 0;
+  /// The fragments are two things whatever is seen, unless a person says otherwise; takes effect with the
+  /// next frame.
+  virtual void mustBeApart(FragmentId a, FragmentId b) = 0;
 
   /// What is known of borders, for one who keeps it; null: the rule keeps nothing.
   [[nodiscard]] virtual EvidenceGraph* evidence() = 0;

@@ -19,6 +19,7 @@ class ThesisMerger final : public RegionMerger {
     return std::nullopt;
   }
   void mustBeOne(RegionId, RegionId, const RegionTable&) override {}
+  void mustBeApart(FragmentId, FragmentId) override {}
   [[nodiscard]] EvidenceGraph* evidence() override { return nullptr; }
   void constrain(FragmentId, FragmentId, LinkConstraint) override {}
   [[nodiscard]] LinkConstraint constraintBetween(FragmentId, FragmentId) const override {

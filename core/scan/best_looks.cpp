@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kLooks = 3;
+constexpr std::size_t kLooks = 5;
 
 }  // namespace
 
@@ -39,6 +39,14 @@ std::vector<BestLooks::Best> BestLooks::disjoint(float least_wholeness) const {
       chosen.push_back(std::move(best));
   }
   return chosen;
+}
+
+void BestLooks::rename(const Rename& rename) {
+  std::map<RegionSet, Looks> renamed;
+  for (auto& [regions, looks] : looks_) {
+    if (const std::optional<RegionSet> now = rename(regions)) renamed.emplace(*now, std::move(looks));
+  }
+  looks_ = std::move(renamed);
 }
 
 bool BestLooks::isUnlikely(RegionId region, float least_wholeness) const {

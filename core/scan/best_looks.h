@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,13 +10,13 @@
 namespace scantrove {
 
 /// The best looks at each set of regions, once nothing more comes of a scan, and which of the sets are the
-/// things that the scan has seen. One look may mislead: the best three count together, and as one more that
+/// things that the scan has seen. One look may mislead: the best five count together, and as one more that
 /// says nothing either way.
 class BestLooks {
  public:
   struct Best {
     RegionSet regions;
-    float wholeness = 0;  ///< sum of the best three Candidate::wholeness, by one more than these are
+    float wholeness = 0;  ///< sum of the best five Candidate::wholeness, by one more than these are
     int frame_index = 0;  ///< of the best look
   };
 
@@ -23,12 +25,15 @@ class BestLooks {
   /// The sets of at least that wholeness, but those that share a region with a more likely one. Most likely
   /// first.
   [[nodiscard]] std::vector<Best> disjoint(float least_wholeness) const;
+  using Rename = std::function<std::optional<RegionSet>(const RegionSet&)>;
+  /// Each set is called as `rename` says; none: it is forgotten. No two are called the same.
+  void rename(const Rename& rename);
   /// It was seen, but as no part of anything of that wholeness.
   [[nodiscard]] bool isUnlikely(RegionId region, float least_wholeness) const;
 
  private:
   struct Looks {
-    std::vector<float> best;  ///< Candidate::wholeness, falling; at most three
+    std::vector<float> best;  ///< Candidate::wholeness, falling; at most five
     int frame_index = 0;      ///< of the first of them
     [[nodiscard]] float together() const;
   };

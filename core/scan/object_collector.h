@@ -120,6 +120,15 @@ class ObjectCollector {
   /// where that is nothing, and nobody spoke of it, it leaves. Frames (RgbdFrame::index) of which this scan
   /// kept views.
   [[nodiscard]] std::vector<int> settleWholes();
+  /// The region was taken for an object that a person spoke of or deleted, or that is not of this scan alone.
+  [[nodiscard]] bool staysAsItIs(RegionId region) const {
+    const ObjectId object = met_.objectOf(region);
+    return object && staysAsItIs(object);
+  }
+  /// What was rated and is likely to be a whole, no two with a region in common.
+  [[nodiscard]] std::vector<RegionSet> ratedWholes() const;
+  /// The regions that were rated are called otherwise now; `rename` tells how, none: they are none any more.
+  void renameRated(const BestLooks::Rename& rename) { best_looks_.rename(rename); }
   /// Where that frame was taken. None: no views of it were kept.
   [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
   /// All frames were collected from; now those (RgbdFrame::index), once more, that show best what is a whole

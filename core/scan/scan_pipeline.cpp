@@ -192,7 +192,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
   const std::vector<Candidate> candidates =
-      stage("discover", [&] { return findCandidates(*finder_, result, clues, cameWith()); });
+      stage("discover", [&] { return findCandidates(*finder_, result, clues, table_, cameWith()); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
@@ -228,11 +228,11 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
 }
 
 std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                    const FrameClues& clues,
+                                                    const FrameClues& clues, const RegionTable& table,
                                                     std::span<const std::uint8_t> came) {
-  const auto joiningOdds = [this](RegionId a, RegionId b) {
+  const auto joiningOdds = [&](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
-    return merger_->joiningOdds(a, b, table_, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
+    return merger_->joiningOdds(a, b, table, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
   };
   // What is not there, or stands behind somebody, is on the map but not in this frame's images.
   RegionMap shown = result.regions;

@@ -27,6 +27,7 @@
 #include "core/meshing/mesh_extractor.h"
 #include "core/scan/camera_memory.h"
 #include "core/scan/editable_cloud.h"
+#include "core/scan/finer_regions.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
@@ -134,14 +135,14 @@ class ScanPipeline {
     return collector_ ? collector_->followCatalogue() : FrameObjects{};
   }
   /// Looks at what there is again, at the end of a scan and with the regions as they are now: what is one
-  /// whole thing by all that is known becomes an object, and objects, or views of them, that show something
-  /// else are left behind. First begin; then rate() frames of the scan; then settle, which says of which
-  /// frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then lookAgain() at the
-  /// frames that were rated; then beginLastLooks() and lookAgain() at those that it names; then end. Error:
-  /// the device failed.
+  /// whole thing by all that is known becomes an object, be it a part of a region or several, and objects, or
+  /// views of them, that show something else are left behind. First begin; then rate() frames of the scan;
+  /// then settle, which says of which frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of
+  /// these; then lookAgain() at the frames that were rated; then beginLastLooks() and lookAgain() at those
+  /// that it names; then end. Error: the device failed.
   [[nodiscard]] Result<void> beginLookingAgain();
   [[nodiscard]] Result<void> rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  [[nodiscard]] std::vector<int> settleWholes();
+  [[nodiscard]] Result<std::vector<int>> settleWholes();
   [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
   [[nodiscard]] Result<FrameObjects> lookAgain(const RgbdFrame& frame,
                                                const Eigen::Isometry3d& T_world_camera);
@@ -149,16 +150,32 @@ class ScanPipeline {
   void endLookingAgain();
 
   /// All that the map knows of its regions. Error: the device failed.
-  [[nodiscard]] Result<RegionSamples> sampleRegions();
+  [[nodiscard]] Result<RegionSamples> sampleRegions() { return sampleRegions(table_); }
+  /// The same with other regions of the map's fragments.
+  [[nodiscard]] Result<RegionSamples> sampleRegions(const RegionTable& table);
+  /// A frame's depth where it was taken, and where it contradicts the map's surface (contradictedSurface).
+  struct Readings {
+    DepthView view;
+    cv::Mat contradicted;
+  };
+  /// What merging and discovery ask a frame's own images for.
+  struct FrameClues {
+    std::vector<Eigen::Vector3f> lab;  ///< MergeInput::color_lab
+    Readings readings;
+  };
   /// What the map and one of the scan's frames show from there.
   struct SeenAgain {
     FrameResult result;
     SurfaceInColor in_color;
-    std::vector<Candidate> candidates;
+    FrameClues clues;
   };
   /// With the regions as they are now. May throw cl::Error.
-  [[nodiscard]] SeenAgain seeAgain(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
-                                   CandidateSource& finder);
+  [[nodiscard]] SeenAgain seeAgain(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  /// What may be an object there, with `table` for the regions.
+  [[nodiscard]] std::vector<Candidate> findAgain(SeenAgain& seen, CandidateSource& finder,
+                                                 const RegionTable& table);
+  /// The regions as they are now, divided; those of objects that a person spoke of stay as they are.
+  [[nodiscard]] FinerRegions finerRegions() const;
 
   /// Ends the collecting; see ObjectCollector::finish. What a person waits for and the last frame shows is
   /// added first.
@@ -225,24 +242,16 @@ class ScanPipeline {
   /// Begins findPose() of the next frame.
   void beginNext(const NextFrame& next);
   [[nodiscard]] RegionMap regionsSeenAgain(const Eigen::Isometry3d& T_world_camera);
-  /// A frame's depth where it was taken, and where it contradicts the map's surface (contradictedSurface).
-  struct Readings {
-    DepthView view;
-    cv::Mat contradicted;
-  };
+  /// Wholes that are parts of regions become regions.
+  [[nodiscard]] Result<void> partWholes();
   [[nodiscard]] Readings readingsOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
                                     std::span<const Eigen::Vector4f> vertices_world) const;
-  /// What merging and discovery ask a frame's own images for.
-  struct FrameClues {
-    std::vector<Eigen::Vector3f> lab;  ///< MergeInput::color_lab
-    Readings readings;
-  };
   [[nodiscard]] FrameClues cluesOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
                                    const SurfaceInColor& in_color,
                                    std::span<const Eigen::Vector4f> vertices_world) const;
   /// `clues`: of the frame that `result` is of.
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                      const FrameClues& clues,
+                                                      const FrameClues& clues, const RegionTable& table,
                                                       std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
@@ -297,6 +306,8 @@ class ScanPipeline {
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
   std::unique_ptr<RegionJudge> judge_;  // while it is looked again, and what is seen then
+  std::optional<FinerRegions> finer_;   // until the wholes are settled; and their judge
+  std::unique_ptr<RegionJudge> finer_judge_;
   SurfaceMaps seen_again_;
   std::unique_ptr<ObjectCollector> collector_;
 

@@ -1,4 +1,7 @@
 // What ScanPipeline does when a scan has ended and it looks at everything again.
+#include <algorithm>
+#include <iterator>
+
 #include "core/scan/guarded.h"
 #include "core/scan/scan_pipeline.h"
 
@@ -14,15 +17,26 @@ DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intr
   return view;
 }
 
+void setRegions(RegionMap& map, const RegionTable& table) {
+  map.regions.resize(map.fragments.size());
+  std::ranges::transform(map.fragments, map.regions.begin(),
+                         [&](FragmentId fragment) { return table.regionOf(fragment); });
+}
+
 }  // namespace
 
-Result<RegionSamples> ScanPipeline::sampleRegions() {
+Result<RegionSamples> ScanPipeline::sampleRegions(const RegionTable& table) {
   RegionSamples samples;
   SCANTROVE_TRY(forEachCloudPoint([&](const LabelPoint& point) {
-    if (const RegionId region = table_.regionOf(FragmentId{point.fragment}))
+    if (const RegionId region = table.regionOf(FragmentId{point.fragment}))
       samples.add(region, {point.x, point.y, point.z}, {point.normal_x, point.normal_y, point.normal_z});
   }));
   return samples;
+}
+
+FinerRegions ScanPipeline::finerRegions() const {
+  const auto stays = [this](RegionId region) { return collector_ && collector_->staysAsItIs(region); };
+  return {table_, *merger_, cloud_->voxelsOfFragments(), params_.labeling, stays};
 }
 
 Result<void> ScanPipeline::beginLookingAgain() {
@@ -30,6 +44,12 @@ Result<void> ScanPipeline::beginLookingAgain() {
   Result<RegionSamples> known = sampleRegions();
   if (!known) return fail(known.error());
   judge_ = std::make_unique<RegionJudge>(params_.discovery, std::move(*known));
+  finer_ = finerRegions();
+  if (finer_->areDivided()) {
+    Result<RegionSamples> of_parts = sampleRegions(finer_->table());
+    if (!of_parts) return fail(of_parts.error());
+    finer_judge_ = std::make_unique<RegionJudge>(params_.discovery, std::move(*of_parts));
+  }
   collector_->beginLookingAgain();
   return {};
 }
@@ -39,9 +59,8 @@ RegionMap ScanPipeline::regionsSeenAgain(const Eigen::Isometry3d& T_world_camera
   RegionMap map;
   map.width = working_K_.width;
   map.height = working_K_.height;
-  map.regions.reserve(static_cast<std::size_t>(working_K_.pixels()));
-  for (const FragmentId fragment : cloud_->project(seen_again_, map_->bricks()))
-    map.regions.push_back(table_.regionOf(fragment));
+  map.fragments = cloud_->project(seen_again_, map_->bricks());
+  setRegions(map, table_);
   return map;
 }
 
@@ -60,36 +79,64 @@ Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
 }
 
 ScanPipeline::SeenAgain ScanPipeline::seeAgain(const RgbdFrame& frame,
-                                               const Eigen::Isometry3d& T_world_camera,
-                                               CandidateSource& finder) {
+                                               const Eigen::Isometry3d& T_world_camera) {
   SeenAgain seen;
   seen.result.pose.T_world_camera = T_world_camera;
   seen.result.regions = regionsSeenAgain(T_world_camera);
   readSurface(seen_again_, seen.result);
   seen.in_color = locateInColor(frame.color_camera, working_K_, T_world_camera, seen.result.vertices_world);
-  seen.candidates = findCandidates(finder, seen.result,
-                                   cluesOf(frame, T_world_camera, seen.in_color, seen.result.vertices_world));
+  seen.clues = cluesOf(frame, T_world_camera, seen.in_color, seen.result.vertices_world);
   return seen;
+}
+
+std::vector<Candidate> ScanPipeline::findAgain(SeenAgain& seen, CandidateSource& finder,
+                                               const RegionTable& table) {
+  setRegions(seen.result.regions, table);
+  return findCandidates(finder, seen.result, seen.clues, table);
 }
 
 Result<void> ScanPipeline::rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
   return guarded("rating frame " + std::to_string(frame.index), [&]() -> Result<void> {
     if (!collector_ || !judge_) return {};
-    collector_->rate(frame.index, seeAgain(frame, T_world_camera, *judge_).candidates);
+    SeenAgain seen = seeAgain(frame, T_world_camera);
+    std::vector<Candidate> candidates = findAgain(seen, *judge_, table_);
+    if (finer_judge_) {
+      // All in finer regions; what holds no part has been rated as it is.
+      for (Candidate& candidate : candidates) candidate.regions = finer_->partsOf(candidate.regions);
+      std::ranges::copy_if(findAgain(seen, *finer_judge_, finer_->table()), std::back_inserter(candidates),
+                           [this](const Candidate& part) { return finer_->holdsPart(part.regions); });
+    }
+    collector_->rate(frame.index, candidates);
     return {};
   });
 }
 
-std::vector<int> ScanPipeline::settleWholes() {
-  return collector_ ? collector_->settleWholes() : std::vector<int>{};
+Result<void> ScanPipeline::partWholes() {
+  RegionEvents events;
+  finer_->apply(collector_->ratedWholes(), table_, *merger_, cloud_->voxelsOfFragments(), events);
+  collector_->renameRated([this](const RegionSet& rated) { return finer_->regionsOf(rated, table_); });
+  finer_judge_.reset();
+  finer_.reset();
+  if (events.parted.empty()) return {};
+  tellOf(events, ObjectCollector::JoinedBy::frames);
+  Result<RegionSamples> known = sampleRegions();
+  if (!known) return fail(known.error());
+  judge_ = std::make_unique<RegionJudge>(params_.discovery, std::move(*known));
+  return {};
+}
+
+Result<std::vector<int>> ScanPipeline::settleWholes() {
+  if (!collector_) return std::vector<int>{};
+  if (finer_judge_) SCANTROVE_TRY(partWholes());
+  return collector_->settleWholes();
 }
 
 Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
                                              const Eigen::Isometry3d& T_world_camera) {
   return guarded("looking again at frame " + std::to_string(frame.index), [&]() -> Result<FrameObjects> {
     if (!collector_ || !judge_) return FrameObjects{};
-    const SeenAgain seen = seeAgain(frame, T_world_camera, *judge_);
-    return collector_->collect(frame, seen.result.pose, seen.in_color, seen.candidates);
+    SeenAgain seen = seeAgain(frame, T_world_camera);
+    return collector_->collect(frame, seen.result.pose, seen.in_color, findAgain(seen, *judge_, table_));
   });
 }
 
@@ -100,6 +147,8 @@ std::vector<int> ScanPipeline::beginLastLooks() {
 void ScanPipeline::endLookingAgain() {
   if (!collector_ || !judge_) return;
   judge_.reset();
+  finer_judge_.reset();
+  finer_.reset();
   seen_again_ = {};
   collector_->endLookingAgain();
 }

@@ -42,9 +42,10 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
     const Result<RgbdFrame> frame = readAgain(kept);
     if (frame) SCANTROVE_TRY(pipeline_->rate(*frame, kept.frame.T_world_camera));
   }
-  const std::vector<int> judged = pipeline_->settleWholes();
-  steps += static_cast<int>(judged.size());
-  for (const int frame_index : judged) {
+  const Result<std::vector<int>> judged = pipeline_->settleWholes();
+  if (!judged) return fail(judged.error());
+  steps += static_cast<int>(judged->size());
+  for (const int frame_index : *judged) {
     if (!goes_on()) return {};
     listener_(LookingAgain{done++, steps});
     SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));

@@ -1,7 +1,7 @@
-// Fits the trees of WholenessEvidence::logOdds() to random scenes with exact truth. A sample is a region, or
-// a set of regions, in a frame of a scan that has ended: what RegionJudge says of it, and whether it is one
-// whole thing there (IoU > 0.6). Prints how well the trees do on scenes that they were not fitted to, and
-// core/discovery/wholeness_trees.h.
+// Fits the trees of WholenessEvidence::logOdds() to random scenes with exact truth. A sample is a region, a
+// part of one, or a set of these, in a frame of a scan that has ended: what RegionJudge says of it, and
+// whether it is one whole thing there (IoU > 0.6). Prints how well the trees do on scenes that they were not
+// fitted to, and core/discovery/wholeness_trees.h.
 //
 //   wholeness_fit --cache DIR --rooms 161-164,171-174 --tables 161-164,171-174 > wholeness_trees.h
 #include <cmath>
@@ -19,8 +19,8 @@ namespace scantrove::benchmarks {
 namespace {
 
 constexpr double kWholeOverlap = 0.6;  // as `scantrove evaluate catalogue` counts
-constexpr std::size_t kTrees = 40;
-constexpr double kLearningRate = 0.2, kRidge = 1;
+constexpr std::size_t kTrees = 120;
+constexpr double kLearningRate = 0.1, kRidge = 1;
 constexpr int kLeastSamples = 40;  // of a leaf
 constexpr std::size_t kBins = 64;  // of a feature's values, as many in each
 constexpr std::size_t kFolds = 8;
@@ -37,7 +37,9 @@ struct Sample {
 /// Keeps what a judge says of a frame, beside what is true there.
 class Recorder final : public CandidateSource {
  public:
-  Recorder(RegionJudge& judge, std::set<int> things) : judge_(judge), things_(std::move(things)) {}
+  /// `finer`: of whose regions the judge is; only what holds a part of a region is kept then. Null: all.
+  Recorder(RegionJudge judge, std::set<int> things, const FinerRegions* finer)
+      : judge_(std::move(judge)), things_(std::move(things)), finer_(finer) {}
 
   void nextFrame(std::size_t scene, cv::Mat truth) {
     scene_ = scene;
@@ -55,6 +57,7 @@ class Recorder final : public CandidateSource {
       ++pixels[input.regions.regions[i]];
     }
     for (const auto& [hypothesis, evidence] : judge_.judge(input)) {
+      if (finer_ != nullptr && !finer_->holdsPart(hypothesis.regions)) continue;
       int mask = 0;
       std::map<int, int> of;
       for (const RegionId region : hypothesis.regions) {
@@ -74,8 +77,9 @@ class Recorder final : public CandidateSource {
   std::vector<Sample> samples;
 
  private:
-  RegionJudge& judge_;
+  RegionJudge judge_;
   std::set<int> things_;
+  const FinerRegions* finer_;
   std::size_t scene_ = 0;
   cv::Mat truth_;
 };
@@ -301,21 +305,32 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
                   places[index] = {result.pose.T_world_camera, truth.clone()};
                 });
   if (!scan) return fail(scan.error());
-  Result<RegionSamples> known = scan->pipeline->sampleRegions();
-  if (!known) return fail(known.error());
-  RegionJudge judge({}, std::move(*known));
-  Recorder recorder(judge, *things);
+  const FinerRegions finer = scan->pipeline->finerRegions();
+  std::vector<Recorder> recorders;
+  for (const auto& [table, of] :
+       {std::pair(&scan->pipeline->regionTable(), static_cast<const FinerRegions*>(nullptr)),
+        std::pair(&finer.table(), &finer)}) {
+    Result<RegionSamples> known = scan->pipeline->sampleRegions(*table);
+    if (!known) return fail(known.error());
+    recorders.emplace_back(RegionJudge({}, std::move(*known)), *things, of);
+  }
   const auto source = openSource(recording.string(), {});
   if (!source) return fail(source.error());
   for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
        read = (*source)->next()) {
     const auto place = places.find(read.frame.index);
     if (place == places.end()) continue;
-    recorder.nextFrame(scene, place->second.truth);
-    static_cast<void>(scan->pipeline->seeAgain(read.frame, place->second.T_world_camera, recorder));
+    ScanPipeline::SeenAgain seen = scan->pipeline->seeAgain(read.frame, place->second.T_world_camera);
+    for (Recorder& recorder : recorders) {
+      recorder.nextFrame(scene, place->second.truth);
+      const bool are_parts = &recorder != &recorders.front();
+      static_cast<void>(scan->pipeline->findAgain(seen, recorder,
+                                                  are_parts ? finer.table() : scan->pipeline->regionTable()));
+    }
   }
-  std::fprintf(stderr, "%-18s %zu samples\n", name.c_str(), recorder.samples.size());
-  std::ranges::move(recorder.samples, std::back_inserter(samples));
+  std::fprintf(stderr, "%-18s %zu samples, %zu of parts\n", name.c_str(), recorders[0].samples.size(),
+               recorders[1].samples.size());
+  for (Recorder& recorder : recorders) std::ranges::move(recorder.samples, std::back_inserter(samples));
   return {};
 }
 

@@ -202,6 +202,41 @@ TEST_F(SecondLook, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
   EXPECT_THAT(framesOfViews(objects()[0].id), testing::ElementsAre(4));
 }
 
+TEST_F(SecondLook, APartThatWasRatedBecomesAnObjectAsTheRegionThatItIsThen) {
+  const RegionId part{501}, rest{502};
+  Candidate rated = judged(mug_, 3);
+  rated.regions = {part};
+  Candidate of_rest = judged(box_, -2);
+  of_rest.regions = {rest};
+  collector_->beginLookingAgain();
+  collector_->rate(3, {rated, of_rest});
+  EXPECT_THAT(collector_->ratedWholes(), testing::ElementsAre(RegionSet{part}));
+  collector_->renameRated([&](const RegionSet& regions) -> std::optional<RegionSet> {
+    if (regions == RegionSet{part}) return RegionSet{mug_.region};
+    return std::nullopt;
+  });
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
+  frame_ = 3;
+  static_cast<void>(lookAt({judged(mug_, 3)}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->objectOf(mug_.region), objects()[0].id);
+}
+
+TEST_F(SecondLook, RegionsOfWhatAPersonSpokeOfOrDeletedStay) {
+  static_cast<void>(study({mug_, box_, Thing{33, 2, RegionId{77}}}));
+  ASSERT_TRUE(person_->rename(collector_->objectOf(box_.region), "my box"));
+  ASSERT_TRUE(person_->remove(std::array{collector_->objectOf(RegionId{77})}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  EXPECT_TRUE(collector_->staysAsItIs(box_.region));
+  EXPECT_TRUE(collector_->staysAsItIs(RegionId{77})) << "or its parts would be found again";
+  EXPECT_FALSE(collector_->staysAsItIs(mug_.region));
+  EXPECT_FALSE(collector_->staysAsItIs(RegionId{999})) << "it is nothing yet";
+}
+
 TEST_F(SecondLook, WhatIsUnlikelyToBeAWholeIsNoneHoweverOftenItIsSeen) {
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, -0.5F)});

@@ -9,27 +9,32 @@
 namespace scantrove {
 namespace {
 
-/// The root asks for feature 0 and its children for feature 1, of which the left one says 0 .. 3, the right
-/// one 4 .. 7; the last level asks for feature 2.
+/// The root asks for feature 0, its children for feature 1, theirs for feature 2 and theirs for feature 3;
+/// leaves say 0 .. 15 from left to right.
 BoostedTree countingTree() {
   BoostedTree tree{};
   tree.splits = {{{0, 0.5F}, {1, 1}, {1, -1}, {2, 0}, {2, 0}, {2, 0}, {2, 10}}};
-  tree.leaves = {0, 1, 2, 3, 4, 5, 6, 7};
+  for (std::size_t last = 7; last < BoostedTree::kSplits; ++last) tree.splits[last] = {3, 5};
+  for (std::size_t leaf = 0; leaf < BoostedTree::kLeaves; ++leaf)
+    tree.leaves[leaf] = static_cast<float>(leaf);
   return tree;
 }
 
 TEST(BoostedTree, GoesLeftUpToTheLimitAndRightBeyond) {
   const BoostedTree tree = countingTree();
-  const auto valueOf = [&tree](float a, float b, float c) { return tree.valueOf(std::array{a, b, c}); };
-  EXPECT_EQ(valueOf(0, 0, -1), 0);
-  EXPECT_EQ(valueOf(0.5F, 1, 0), 0) << "the limit itself";
-  EXPECT_EQ(valueOf(0, 0, 1), 1);
-  EXPECT_EQ(valueOf(0, 2, 0), 2);
-  EXPECT_EQ(valueOf(0, 2, 1), 3);
-  EXPECT_EQ(valueOf(1, -2, 0), 4);
-  EXPECT_EQ(valueOf(1, -2, 1), 5);
-  EXPECT_EQ(valueOf(1, 0, 9), 6);
-  EXPECT_EQ(valueOf(1, 0, 11), 7);
+  const auto valueOf = [&tree](float a, float b, float c, float d) {
+    return tree.valueOf(std::array{a, b, c, d});
+  };
+  EXPECT_EQ(valueOf(0, 0, -1, 0), 0);
+  EXPECT_EQ(valueOf(0.5F, 1, 0, 5), 0) << "the limits themselves";
+  EXPECT_EQ(valueOf(0, 0, 0, 6), 1);
+  EXPECT_EQ(valueOf(0, 0, 1, 0), 2);
+  EXPECT_EQ(valueOf(0, 2, 0, 0), 4);
+  EXPECT_EQ(valueOf(0, 2, 1, 6), 7);
+  EXPECT_EQ(valueOf(1, -2, 0, 0), 8);
+  EXPECT_EQ(valueOf(1, -2, 1, 6), 11);
+  EXPECT_EQ(valueOf(1, 0, 9, 0), 12);
+  EXPECT_EQ(valueOf(1, 0, 11, 6), 15);
 }
 
 /// A mug on a table, seen from nearby.

@@ -14,17 +14,19 @@ Candidate looked(const RegionSet& regions, float wholeness) {
   return candidate;
 }
 
-TEST(BestLooks, TheBestThreeCountTogetherWithOneThatSaysNothing) {
+TEST(BestLooks, TheBestFiveCountTogetherWithOneThatSaysNothing) {
   BestLooks looks;
   looks.add(10, std::vector{looked({kBox}, 1)});
   EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, 0.5F);
   looks.add(20, std::vector{looked({kBox}, 3)});
   looks.add(30, std::vector{looked({kBox}, 2)});
   looks.add(40, std::vector{looked({kBox}, -1)});
+  looks.add(50, std::vector{looked({kBox}, 0.5F)});
+  looks.add(60, std::vector{looked({kBox}, -2)});
   const auto best = looks.disjoint(0);
   ASSERT_EQ(best.size(), 1U);
   EXPECT_EQ(best[0].regions, RegionSet{kBox});
-  EXPECT_FLOAT_EQ(best[0].wholeness, (3 + 2 + 1) / 4.0F);
+  EXPECT_FLOAT_EQ(best[0].wholeness, (3 + 2 + 1 + 0.5F - 1) / 6.0F);
   EXPECT_EQ(best[0].frame_index, 20);
 }
 
@@ -54,6 +56,23 @@ TEST(BestLooks, WhatWasNotJudgedSaysNothing) {
   BestLooks looks;
   looks.add(1, std::vector{while_it_ran});
   EXPECT_TRUE(looks.disjoint(-100).empty());
+}
+
+TEST(BestLooks, WhatIsCalledOtherwiseKeepsItsLooks) {
+  BestLooks looks;
+  looks.add(7, std::vector{looked({kShade}, 4), looked({kShade, kPole}, 1), looked({kPole}, 3)});
+  const RegionId upper{11};
+  looks.rename([&](const RegionSet& regions) -> std::optional<RegionSet> {
+    if (regions == RegionSet{kPole}) return std::nullopt;
+    return regions.size() == 1 ? RegionSet{upper} : RegionSet{kBox};
+  });
+  const auto best = looks.disjoint(0);
+  ASSERT_EQ(best.size(), 2U);
+  EXPECT_EQ(best[0].regions, RegionSet{upper});
+  EXPECT_FLOAT_EQ(best[0].wholeness, 2);
+  EXPECT_EQ(best[0].frame_index, 7);
+  EXPECT_EQ(best[1].regions, RegionSet{kBox});
+  EXPECT_FALSE(looks.isUnlikely(kPole, 0)) << "nothing is known of it any more";
 }
 
 }  // namespace
