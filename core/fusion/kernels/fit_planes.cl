@@ -24,7 +24,7 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
   const floatN q0 = LOAD(middle);
   const intN met = q0 > 0.0f;
   const floatN z = 1.0f / (met ? q0 : 1.0f);
-  // Inverse depths that belong to the plane, by the rows or columns between: |zi - z| <= per_pixel z steps.
+  // Inverse depths that belong to the plane, by how many rows or columns lie between (see above): bounds of q for those of z.
   floatN lowest[FIT_RADIUS + 1], highest[FIT_RADIUS + 1];
 #pragma unroll
   for (int steps = 0; steps <= FIT_RADIUS; ++steps) {
@@ -34,8 +34,8 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
   }
 
   // Sums over the pixels that belong to it, i and j counted from the corner so that none is negative: they share words.
-  intN counts = 0;  /* 1, i, j, i^2 (of i from the middle) */
-  intN moments = 0; /* j^2 (from the middle), i j */
+  intN counts = 0;  /* 1, i, j; i^2 from the middle */
+  intN moments = 0; /* j^2 from the middle; i j */
   floatN sq = 0.0f, suq = 0.0f, svq = 0.0f, sqq = 0.0f;
 #pragma unroll
   for (int j = -FIT_RADIUS; j <= FIT_RADIUS; ++j) {
