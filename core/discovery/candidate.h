@@ -35,6 +35,7 @@ struct Candidate {
   bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
   /// Log-odds that this look shows one whole thing, by all that is known (RegionJudge). None: more may come.
   std::optional<float> wholeness;
+  bool is_cut_off = false;  ///< the image holds only some of it: where there is a wholeness
 };
 
 }  // namespace scantrove

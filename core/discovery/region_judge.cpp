@@ -18,8 +18,10 @@ constexpr float kLeastPixels = 60;      // of 320 x 240: of fewer nothing can be
 constexpr float kLeastPartPixels = 30;  // ... and of fewer still not that they are a part of something
 constexpr double kUsualPixels = 320.0 * 240.0;
 /// What a look has no room for, and what was never seen, is not judged by it.
-constexpr float kLeastShown = 0.8F;                   // of all that is known of it
-constexpr float kMostCut = 0.3F, kMostUnseen = 0.3F;  // of the outline
+constexpr float kLeastShown = 0.45F;                  // of all that is known of it
+constexpr float kMostCut = 0.5F, kMostUnseen = 0.3F;  // of the outline
+/// From there on a look shows it entirely.
+constexpr float kEntirelyShown = 0.8F, kEntirelyCut = 0.3F;
 
 bool isInView(const OutlineSteps& outline) {
   const auto known = static_cast<float>(outline.known()), unseen = static_cast<float>(outline.unseen);
@@ -65,6 +67,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     WholenessEvidence evidence = evidenceOf(hypothesis, outline, input);
     evidence.pixels = pixels * scale;
     evidence.largest_part = largest / pixels;
+    evidence.shown = shown / pixels;
     evidence.likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent.box_px);
     judged.push_back({std::move(hypothesis), evidence});
   }
@@ -81,6 +84,7 @@ WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, co
   evidence.open = partOfOutline(outline.open);
   evidence.folded = partOfOutline(outline.folded);
   evidence.hidden = partOfOutline(outline.hidden);
+  evidence.cut = partOfOutline(outline.cut);
   evidence.fill = static_cast<float>(extent.pixels) / static_cast<float>(std::max(1, extent.box_px.area()));
   evidence.bulge = bulgeOf(hypothesis.regions, extent.box_px, input);
   const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
@@ -98,6 +102,7 @@ std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
     const std::vector<Eigen::Vector4f> points = pointsOf(hypothesis.regions, hypothesis.extent.box_px, input);
     candidates.push_back(candidateOf(hypothesis, fitOrientedBox(points), input));
     candidates.back().wholeness = evidence.logOdds();
+    candidates.back().is_cut_off = evidence.shown < kEntirelyShown || evidence.cut > kEntirelyCut;
   }
   return candidates;
 }

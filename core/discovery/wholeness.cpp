@@ -25,7 +25,9 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
           largest_part,
           largest_part < 1 ? std::min(odds, kMostOdds) : kMostOdds,
           likeness ? likeness->neighbour : kUsualNeighbourLikeness,
-          likeness ? likeness->touching : kUsualTouchingLikeness};
+          likeness ? likeness->touching : kUsualTouchingLikeness,
+          cut,
+          shown};
 }
 
 float WholenessEvidence::logOdds() const {

@@ -12,7 +12,8 @@ namespace scantrove {
 struct WholenessEvidence {
   float pixels = 0;  ///< that show them, of an image of 320 x 240
   // Of their outline in the image, parts of what is known of it (OutlineSteps).
-  float open = 0, folded = 0, hidden = 0;
+  float open = 0, folded = 0, hidden = 0, cut = 0;
+  float shown = 1;           ///< the part of all that is known that is in view
   float fill = 0;            ///< the part of their box in the image that they fill
   float bulge = 0;           ///< bulgeOf() what is seen
   float known_bulge = 0;     ///< of all that is known
@@ -23,7 +24,7 @@ struct WholenessEvidence {
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
   std::optional<ColorLikeness> likeness;                   ///< none: the image has no colour
 
-  static constexpr std::size_t kFeatures = 16;
+  static constexpr std::size_t kFeatures = 18;
   /// What logOdds() weighs.
   [[nodiscard]] std::array<float, kFeatures> features() const;
 

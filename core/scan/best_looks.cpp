@@ -19,7 +19,10 @@ void BestLooks::add(int frame_index, std::span<const Candidate> candidates) {
   for (const Candidate& candidate : candidates) {
     if (!candidate.wholeness) continue;
     Looks& looks = looks_[candidate.regions];
-    if (looks.best.empty() || *candidate.wholeness > looks.best.front()) looks.frame_index = frame_index;
+    if (const std::pair shown(!candidate.is_cut_off, *candidate.wholeness); shown > looks.shown) {
+      looks.shown = shown;
+      looks.frame_index = frame_index;
+    }
     looks.best.insert(std::ranges::lower_bound(looks.best, *candidate.wholeness, std::greater<>()),
                       *candidate.wholeness);
     if (looks.best.size() > kLooks) looks.best.pop_back();

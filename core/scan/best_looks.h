@@ -1,8 +1,10 @@
 #pragma once
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/discovery/candidate.h"
@@ -17,7 +19,7 @@ class BestLooks {
   struct Best {
     RegionSet regions;
     float wholeness = 0;  ///< sum of the best five Candidate::wholeness, by one more than these are
-    int frame_index = 0;  ///< of the best look
+    int frame_index = 0;  ///< of the best look: that shows them entirely, if one does
   };
 
   /// What one frame shows.
@@ -34,7 +36,9 @@ class BestLooks {
  private:
   struct Looks {
     std::vector<float> best;  ///< Candidate::wholeness, falling; at most five
-    int frame_index = 0;      ///< of the first of them
+    int frame_index = 0;      ///< of the one to show
+    std::pair<bool, float> shown = {false,
+                                    -std::numeric_limits<float>::infinity()};  ///< entirely, how likely
     [[nodiscard]] float together() const;
   };
   std::map<RegionSet, Looks> looks_;

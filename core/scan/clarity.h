@@ -15,7 +15,7 @@ constexpr Clarity kForObject{.least_outline = 0.85F, .most_hidden = 0.30F, .leas
 constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F, .least_wholeness = 0.5F};
 
 inline bool isClear(const Candidate& candidate, const Clarity& wanted) {
-  if (candidate.wholeness) return *candidate.wholeness >= wanted.least_wholeness;
+  if (candidate.wholeness) return *candidate.wholeness >= wanted.least_wholeness && !candidate.is_cut_off;
   return candidate.is_whole && candidate.outline >= wanted.least_outline &&
          candidate.hidden <= candidate.mostHidden(wanted.most_hidden);
 }

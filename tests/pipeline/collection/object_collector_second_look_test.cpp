@@ -202,6 +202,27 @@ TEST_F(SecondLook, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
   EXPECT_THAT(framesOfViews(objects()[0].id), testing::ElementsAre(4));
 }
 
+TEST_F(SecondLook, WhatTheImageCutsOffIsNoViewUnlessThereIsNoBetterLook) {
+  Candidate mug = judged(mug_, 3), box = judged(box_, 3), half_a_box = judged(box_, 4);
+  mug.is_cut_off = half_a_box.is_cut_off = true;
+  collector_->beginLookingAgain();
+  collector_->rate(3, {mug, half_a_box});
+  collector_->rate(4, {mug, box});
+  static_cast<void>(collector_->settleWholes());
+  for (frame_ = 3; frame_ < 9; ++frame_) static_cast<void>(lookAt({mug, half_a_box}, {mug_, box_}));
+  EXPECT_TRUE(objects().empty());
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3, 4));
+  frame_ = 3;
+  static_cast<void>(lookAt({mug, half_a_box}, {mug_, box_}));
+  frame_ = 4;
+  static_cast<void>(lookAt({mug, box}, {mug_, box_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_THAT(framesOfViews(collector_->objectOf(mug_.region)), testing::ElementsAre(3));
+  EXPECT_THAT(framesOfViews(collector_->objectOf(box_.region)), testing::ElementsAre(4));
+}
+
 TEST_F(SecondLook, APartThatWasRatedBecomesAnObjectAsTheRegionThatItIsThen) {
   const RegionId part{501}, rest{502};
   Candidate rated = judged(mug_, 3);

@@ -67,13 +67,30 @@ TEST(RegionJudge, ALookThatHasNoRoomForTheThingSaysNothingOfIt) {
   RegionSamples known;
   addKnown(scene, known);
   addKnown(scene, known, {-0.3, 0, 0});
-  EXPECT_TRUE(judge(scene, std::move(known)).empty()) << "as much of it is known to lie outside";
+  addKnown(scene, known, {-0.35, 0, 0});
+  EXPECT_TRUE(judge(scene, std::move(known)).empty()) << "twice as much of it is known to lie outside";
 }
 
 TEST(RegionJudge, NorDoesOneThatCutsOffMostOfItsOutline) {
   PaintedScene scene;
-  scene.paintBump(7, {0, 0, 60, 30}, 1.0F);
+  scene.paintBump(7, {0, 0, 30, 120}, 0.7F);
   EXPECT_TRUE(judge(scene).empty());
+}
+
+TEST(RegionJudge, WhatALookHasRoomForInPartIsJudgedAsCutOff) {
+  PaintedScene scene;
+  scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
+  RegionSamples known, twice;
+  addKnown(scene, known);
+  addKnown(scene, twice);
+  addKnown(scene, twice, {-0.3, 0, 0});
+  const auto found = [&scene](RegionSamples of) {
+    return RegionJudge(DiscoveryParams{}, std::move(of)).find(scene.input()).at(0).is_cut_off;
+  };
+  EXPECT_FALSE(found(known));
+  EXPECT_TRUE(found(twice)) << "as much of it is known to lie outside";
+  scene.paintBump(7, {0, 0, 60, 30}, 1.0F);
+  EXPECT_NEAR(judge(scene, twice).at(0).evidence.cut, 0.5F, 0.02F);
 }
 
 TEST(RegionJudge, RegionsThatMayBeOneAreJudgedTogetherToo) {

@@ -30,6 +30,19 @@ TEST(BestLooks, TheBestFiveCountTogetherWithOneThatSaysNothing) {
   EXPECT_EQ(best[0].frame_index, 20);
 }
 
+TEST(BestLooks, ALookThatShowsAThingEntirelyIsBetterThanALikelierOneThatDoesNot) {
+  Candidate cut_off = looked({kBox}, 3);
+  cut_off.is_cut_off = true;
+  BestLooks looks;
+  looks.add(10, std::vector{cut_off});
+  EXPECT_EQ(looks.disjoint(0).at(0).frame_index, 10) << "there is no other yet";
+  looks.add(20, std::vector{looked({kBox}, 1)});
+  looks.add(30, std::vector{cut_off});
+  looks.add(40, std::vector{looked({kBox}, 0.5F)});
+  EXPECT_EQ(looks.disjoint(0).at(0).frame_index, 20);
+  EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, (3 + 3 + 1 + 0.5F) / 5) << "what is likely is up to all";
+}
+
 TEST(BestLooks, OfSetsThatShareRegionsTheMostLikelyStays) {
   BestLooks looks;
   looks.add(1, std::vector{looked({kShade}, 3), looked({kPole}, 1), looked({kBox}, 2)});
