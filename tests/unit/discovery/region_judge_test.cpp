@@ -80,17 +80,24 @@ TEST(RegionJudge, NorDoesOneThatCutsOffMostOfItsOutline) {
 TEST(RegionJudge, WhatALookHasRoomForInPartIsJudgedAsCutOff) {
   PaintedScene scene;
   scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
-  RegionSamples known, twice;
+  RegionSamples known, more;
   addKnown(scene, known);
-  addKnown(scene, twice);
-  addKnown(scene, twice, {-0.3, 0, 0});
+  addKnown(scene, more);
+  addKnown(scene, more, {-0.15, 0, 0});
   const auto found = [&scene](RegionSamples of) {
     return RegionJudge(DiscoveryParams{}, std::move(of)).find(scene.input()).at(0).is_cut_off;
   };
   EXPECT_FALSE(found(known));
-  EXPECT_TRUE(found(twice)) << "as much of it is known to lie outside";
-  scene.paintBump(7, {0, 0, 60, 30}, 1.0F);
-  EXPECT_NEAR(judge(scene, twice).at(0).evidence.cut, 0.5F, 0.02F);
+  EXPECT_TRUE(found(more)) << "a third of it is known to lie outside";
+}
+
+TEST(RegionJudge, SoIsWhatTheImageCutsAlongAThirdOfItsOutline) {
+  PaintedScene scene;
+  scene.paintBump(7, {0, 30, 20, 60}, 1.0F);
+  RegionSamples known;
+  addKnown(scene, known);
+  EXPECT_NEAR(judge(scene, known).at(0).evidence.cut, 60.0F / 160, 0.02F);
+  EXPECT_TRUE(RegionJudge(DiscoveryParams{}, std::move(known)).find(scene.input()).at(0).is_cut_off);
 }
 
 TEST(RegionJudge, RegionsThatMayBeOneAreJudgedTogetherToo) {
