@@ -35,7 +35,8 @@ struct Candidate {
   bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
   /// Log-odds that this look shows one whole thing, by all that is known (RegionJudge). None: more may come.
   std::optional<float> wholeness;
-  bool is_cut_off = false;  ///< where that is given: this look holds only a part of it
+  bool is_cut_off =
+      false;  ///< by the image, as far as RegionJudge says; `size_m` is of all that is known then
 };
 
 }  // namespace scantrove

@@ -20,12 +20,15 @@ constexpr double kUsualPixels = 320.0 * 240.0;
 /// What a look has no room for, and what was never seen, is not judged by it.
 constexpr float kLeastShown = 0.45F;                  // of all that is known of it
 constexpr float kMostCut = 0.5F, kMostUnseen = 0.3F;  // of the outline
-/// From there on a look shows it entirely.
-constexpr float kEntirelyShown = 0.8F, kEntirelyCut = 0.3F;
 
 bool isInView(const OutlineSteps& outline) {
   const auto known = static_cast<float>(outline.known()), unseen = static_cast<float>(outline.unseen);
   return static_cast<float>(outline.cut) <= kMostCut * known && unseen <= kMostUnseen * (known + unseen);
+}
+
+bool isCutOff(const WholenessEvidence& evidence) {
+  constexpr float kShown = 0.8F, kCut = 0.3F;
+  return evidence.shown < kShown || evidence.cut > kCut;
 }
 
 }  // namespace
@@ -99,10 +102,14 @@ WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, co
 std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
   std::vector<Candidate> candidates;
   for (const auto& [hypothesis, evidence] : judge(input)) {
-    const std::vector<Eigen::Vector4f> points = pointsOf(hypothesis.regions, hypothesis.extent.box_px, input);
-    candidates.push_back(candidateOf(hypothesis, fitOrientedBox(points), input));
+    const bool is_cut_off = isCutOff(evidence);
+    // What is seen of a thing that is cut off does not say how large it is.
+    const OrientedBox box =
+        is_cut_off ? shapeOf(hypothesis.regions).box
+                   : fitOrientedBox(pointsOf(hypothesis.regions, hypothesis.extent.box_px, input));
+    candidates.push_back(candidateOf(hypothesis, box, input));
     candidates.back().wholeness = evidence.logOdds();
-    candidates.back().is_cut_off = evidence.shown < kEntirelyShown || evidence.cut > kEntirelyCut;
+    candidates.back().is_cut_off = is_cut_off;
   }
   return candidates;
 }

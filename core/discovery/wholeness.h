@@ -11,9 +11,9 @@ namespace scantrove {
 /// What one look at some regions, and all that is known of them, says of whether they are one whole thing.
 struct WholenessEvidence {
   float pixels = 0;  ///< that show them, of an image of 320 x 240
+  float shown = 1;   ///< the part of all that is known that is in view, hidden or not
   // Of their outline in the image, parts of what is known of it (OutlineSteps).
   float open = 0, folded = 0, hidden = 0, cut = 0;
-  float shown = 1;           ///< the part of all that is known that is in view
   float fill = 0;            ///< the part of their box in the image that they fill
   float bulge = 0;           ///< bulgeOf() what is seen
   float known_bulge = 0;     ///< of all that is known

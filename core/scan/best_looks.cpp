@@ -11,6 +11,10 @@ constexpr std::size_t kLooks = 5;
 
 }  // namespace
 
+bool BestLooks::Look::isBetterThan(const Look& other) const {
+  return is_cut_off != other.is_cut_off ? other.is_cut_off : wholeness > other.wholeness;
+}
+
 float BestLooks::Looks::together() const {
   return std::accumulate(best.begin(), best.end(), 0.0F) / static_cast<float>(best.size() + 1);
 }
@@ -19,10 +23,8 @@ void BestLooks::add(int frame_index, std::span<const Candidate> candidates) {
   for (const Candidate& candidate : candidates) {
     if (!candidate.wholeness) continue;
     Looks& looks = looks_[candidate.regions];
-    if (const std::pair shown(!candidate.is_cut_off, *candidate.wholeness); shown > looks.shown) {
-      looks.shown = shown;
-      looks.frame_index = frame_index;
-    }
+    const Look look{candidate.is_cut_off, *candidate.wholeness, frame_index};
+    if (!looks.to_show || look.isBetterThan(*looks.to_show)) looks.to_show = look;
     looks.best.insert(std::ranges::lower_bound(looks.best, *candidate.wholeness, std::greater<>()),
                       *candidate.wholeness);
     if (looks.best.size() > kLooks) looks.best.pop_back();
@@ -33,7 +35,7 @@ std::vector<BestLooks::Best> BestLooks::disjoint(float least_wholeness) const {
   std::vector<Best> likely;
   for (const auto& [regions, looks] : looks_) {
     const float wholeness = looks.together();
-    if (wholeness >= least_wholeness) likely.push_back({regions, wholeness, looks.frame_index});
+    if (wholeness >= least_wholeness) likely.push_back({regions, wholeness, looks.to_show->frame_index});
   }
   std::ranges::stable_sort(likely, std::greater<>(), &Best::wholeness);
   std::vector<Best> chosen;

@@ -1,10 +1,8 @@
 #pragma once
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/discovery/candidate.h"
@@ -34,11 +32,15 @@ class BestLooks {
   [[nodiscard]] bool isUnlikely(RegionId region, float least_wholeness) const;
 
  private:
+  struct Look {
+    bool is_cut_off = false;
+    float wholeness = 0;
+    int frame_index = 0;
+    [[nodiscard]] bool isBetterThan(const Look& other) const;
+  };
   struct Looks {
     std::vector<float> best;  ///< Candidate::wholeness, falling; at most five
-    int frame_index = 0;      ///< of the one to show
-    std::pair<bool, float> shown = {false,
-                                    -std::numeric_limits<float>::infinity()};  ///< entirely, how likely
+    std::optional<Look> to_show;
     [[nodiscard]] float together() const;
   };
   std::map<RegionSet, Looks> looks_;

@@ -7,7 +7,7 @@ namespace scantrove {
 struct Clarity {
   float least_outline;  ///< that is the thing's own
   float most_hidden;
-  float least_wholeness;  ///< of a look at the end (Candidate::wholeness): that alone
+  float least_wholeness;  ///< of a look at the end (Candidate::wholeness) that does not cut it off
 };
 /// To say that there is something new; and to be kept as one more view, of which there are many to choose
 /// from.

@@ -51,10 +51,12 @@ class Recorder final : public CandidateSource {
         mask += pixels[region];
         for (const auto& [instance, count] : shared[region]) of[instance] += count;
       }
-      WholenessSample sample{
-          scene_, regions_ == Regions::in_parts ? hypothesis.regions : finer_.partsOf(hypothesis.regions),
-          frame_, 0,
-          0,      evidence.features()};
+      WholenessSample sample;
+      sample.scene = scene_;
+      sample.regions =
+          regions_ == Regions::in_parts ? hypothesis.regions : finer_.partsOf(hypothesis.regions);
+      sample.frame = frame_;
+      sample.x = evidence.features();
       for (const auto& [instance, count] : of) {
         const float overlap =
             static_cast<float>(count) / static_cast<float>(mask + visible[instance] - count);

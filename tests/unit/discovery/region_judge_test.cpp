@@ -85,10 +85,12 @@ TEST(RegionJudge, WhatALookHasRoomForInPartIsJudgedAsCutOff) {
   addKnown(scene, more);
   addKnown(scene, more, {-0.15, 0, 0});
   const auto found = [&scene](RegionSamples of) {
-    return RegionJudge(DiscoveryParams{}, std::move(of)).find(scene.input()).at(0).is_cut_off;
+    return RegionJudge(DiscoveryParams{}, std::move(of)).find(scene.input()).at(0);
   };
-  EXPECT_FALSE(found(known));
-  EXPECT_TRUE(found(more)) << "a third of it is known to lie outside";
+  EXPECT_FALSE(found(known).is_cut_off);
+  EXPECT_TRUE(found(more).is_cut_off) << "a third of it is known to lie outside";
+  EXPECT_NEAR(found(more).size_m[0], found(known).size_m[0] + 0.15F, 0.04F)
+      << "all of it, not what is in view";
 }
 
 TEST(RegionJudge, SoIsWhatTheImageCutsAlongAThirdOfItsOutline) {
