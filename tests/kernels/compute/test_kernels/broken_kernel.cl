@@ -4,5 +4,5 @@
 kernel void broken_kernel(global float* out) {
   const int i = get_global_id(0);
 
-  out[i] = no_such_function(i);
+  out[i] = no_such_value + i;
 }
