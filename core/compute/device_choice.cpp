@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <mutex>
 
 namespace scantrove {
 namespace {
 
+// PoCL makes its devices when it is first asked for them, and who asks meanwhile hears of none.
 std::vector<cl::Device> allDevices() {
+  static std::mutex asking;
+  const std::scoped_lock one_at_a_time(asking);
   std::vector<cl::Device> devices;
   std::vector<cl::Platform> platforms;
   try {

@@ -14,12 +14,12 @@ inline constexpr float kClearBulge = 0.15F;
 /// Regions that may be an object, as seen in one frame.
 struct Candidate {
   RegionSet regions;
-  cv::Rect box_px;  ///< in the working resolution
+  cv::Rect box_px;  ///< in the image that it was seen in
   cv::Mat mask;     ///< box_px.height x box_px.width, CV_8UC1, 255 = belongs to the regions
   Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
   Eigen::Vector3f centroid_camera = Eigen::Vector3f::Zero();
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< sides of the oriented box, longest first
-  int pixels = 0;                                    ///< in the working resolution
+  int pixels = 0;                                    ///< of that image
   float outline = 0;  ///< part of what is seen of its outline that is its own (OutlineSteps::own)
   float hidden = 0;   ///< part of its outline that lies behind something nearer
   float bulge = 0;    ///< bulgeOf()

@@ -19,7 +19,7 @@ struct DiscoveryInput {
   const RegionMap& regions;
   std::span<const Eigen::Vector4f> vertices_world;  ///< V_t on the host; w = 0 = no surface
   std::span<const Eigen::Vector4f> normals_world;   ///< N_t on the host, towards the camera; w = 0 = none
-  Intrinsics K;                                     ///< of the working resolution
+  Intrinsics K;                                     ///< of these images
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   /// Log-odds that two regions that touch are one thing; below 0, or they would be. Empty: no sets of
   /// regions.

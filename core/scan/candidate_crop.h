@@ -19,7 +19,7 @@ namespace scantrove {
 /// The view of a candidate in one frame: colour and mask at the colour image's own resolution, depth in
 /// millimetres (as the depth camera measured it, laid over colour), pose, direction (thesis 5.1.1). What
 /// something else hides from the colour camera is no part of it. None: the colour image does not show the
-/// candidate at all. `in_color`: of the frame, at the working resolution.
+/// candidate at all. `in_color`: of the frame, for the image that the candidate was seen in.
 [[nodiscard]] std::optional<ObjectView> cutView(const RgbdFrame& frame,
                                                 const Eigen::Isometry3d& T_world_camera,
                                                 const SurfaceInColor& in_color, const Candidate& candidate);

@@ -14,11 +14,11 @@ constexpr float kLeastFit = 0.7F;
 /// Of BestLooks: from there on something is a whole; below, what was an object is none any more.
 constexpr float kWhole = 0.5F;
 
-/// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `working` pixels.
+/// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `image_px`.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
-                   const cv::Size& working) {
+                   const cv::Size& image_px) {
   cv::Mat depth, z_m;
-  cv::resize(frame.depth, depth, working, 0, 0, cv::INTER_NEAREST);
+  cv::resize(frame.depth, depth, image_px, 0, 0, cv::INTER_NEAREST);
   depth(box_px).convertTo(z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
   z_m.setTo(0, mask == 0);
   return z_m;
@@ -43,10 +43,11 @@ bool wasTakenAway(const KeptView& view, const DepthView& surface, float depth_no
 }  // namespace
 
 void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
-                               const cv::Size& working) {
-  kept_views_.push_back({view.object, view.frame_index, view.T_world_camera, candidate.box_px,
-                         candidate.mask.clone(), readingsAt(frame, candidate.box_px, candidate.mask, working),
-                         view.direction, candidate.size_m.norm()});
+                               const cv::Size& image_px) {
+  kept_views_.push_back({view.object, view.frame_index, view.T_world_camera, image_px, candidate.box_px,
+                         candidate.mask.clone(),
+                         readingsAt(frame, candidate.box_px, candidate.mask, image_px), view.direction,
+                         candidate.size_m.norm()});
 }
 
 void ObjectCollector::beginLookingAgain() {
@@ -117,9 +118,14 @@ bool ObjectCollector::mayBeObject(const Candidate& candidate) const {
   return !candidate.wholeness || wholes_.contains(candidate.regions) || isWanted(candidate);
 }
 
-std::optional<Eigen::Isometry3d> ObjectCollector::cameraOfViews(int frame_index) const {
-  const auto view = std::ranges::find(kept_views_, frame_index, &KeptView::frame_index);
-  return view == kept_views_.end() ? std::nullopt : std::optional(view->T_world_camera);
+std::vector<ObjectCollector::ViewsCamera> ObjectCollector::camerasOfViews(int frame_index) const {
+  std::vector<ViewsCamera> cameras;
+  for (const KeptView& view : kept_views_) {
+    if (view.frame_index == frame_index &&
+        std::ranges::find(cameras, view.image_px, &ViewsCamera::image_px) == cameras.end())
+      cameras.push_back({view.image_px, view.T_world_camera});
+  }
+  return cameras;
 }
 
 std::vector<int> ObjectCollector::beginLastLooks() {
@@ -141,7 +147,8 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
                                    float depth_noise_m) {
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
-    if (view.frame_index != frame_index || !isOutdated(view, now)) continue;
+    if (view.frame_index != frame_index || view.image_px != cv::Size(now.width, now.height)) continue;
+    if (!isOutdated(view, now)) continue;
     const bool is_doubted = successorOf(view.object) != view.object;
     if (!is_doubted && wasTakenAway(view, surface, depth_noise_m)) {
       view.is_of_what_left = true;

@@ -12,7 +12,8 @@ struct KeptView {
   ObjectId object;  ///< that it was stored for
   int frame_index = 0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  cv::Rect box_px;               ///< in the working resolution
+  cv::Size image_px;  ///< of the image that the rest of this is of
+  cv::Rect box_px;
   cv::Mat mask;                  ///< as Candidate::mask
   cv::Mat z_m;                   ///< CV_32FC1, of the same size: the frame's readings there, 0 = none
   Eigen::Vector3f direction;     ///< from the object to the camera, world

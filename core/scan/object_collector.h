@@ -129,14 +129,20 @@ class ObjectCollector {
   [[nodiscard]] std::vector<RegionSet> ratedWholes() const;
   /// The regions that were rated are called otherwise now; `rename` tells how, none: they are none any more.
   void renameRated(const BestLooks::Rename& rename) { best_looks_.rename(rename); }
-  /// Where that frame was taken. None: no views of it were kept.
-  [[nodiscard]] std::optional<Eigen::Isometry3d> cameraOfViews(int frame_index) const;
+  /// Where that frame was taken, and the size of the image that some views of it are of.
+  struct ViewsCamera {
+    cv::Size image_px;
+    Eigen::Isometry3d T_world_camera;
+  };
+  /// Of each size in which views of that frame were kept.
+  [[nodiscard]] std::vector<ViewsCamera> camerasOfViews(int frame_index) const;
   /// All frames were collected from; now those (RgbdFrame::index), once more, that show best what is a whole
   /// and no object yet. It becomes one then.
   [[nodiscard]] std::vector<int> beginLastLooks();
-  /// Views of that frame that show their objects otherwise than the map does now count no longer. Where most
-  /// of what a view shows has been taken away since, it counts, unless the object is there all the same.
-  /// `now` and `surface`: what the map shows from there; `depth_noise_m`: FusionParams.
+  /// Views of that frame, of images as large as `now`, that show their objects otherwise than the map does
+  /// now count no longer. Where most of what a view shows has been taken away since, it counts, unless the
+  /// object is there all the same. `now` and `surface`: what the map shows from there; `depth_noise_m`:
+  /// FusionParams.
   void judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface, float depth_noise_m);
   /// Those views leave the catalogue, and with them the objects that they were all of.
   void endLookingAgain();
@@ -243,9 +249,9 @@ class ObjectCollector {
   /// None: the colour image does not show it.
   [[nodiscard]] static std::optional<ObjectView> viewToKeep(const Candidate& candidate, const Look& look);
   [[nodiscard]] bool isMet(ObjectId holder) const;
-  /// `working`: the resolution of the candidate.
+  /// `image_px`: of the image that the candidate was seen in.
   void noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
-                const cv::Size& working);
+                const cv::Size& image_px);
   [[nodiscard]] bool isOutdated(const KeptView& view, const RegionMap& now) const;
   /// As far as is known, the object is about as large as this look shows it.
   [[nodiscard]] bool isAlike(const ObjectRecord& known, const Candidate& candidate, const Look& look) const;

@@ -56,21 +56,20 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
 }
 
 ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame,
-                                                const Eigen::Isometry3d& T_world_camera,
+                                                const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
                                                 std::span<const Eigen::Vector4f> vertices_world) const {
   Readings readings;
-  readings.view = {working_K_.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
+  readings.view = {K.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
   frame.depth.convertTo(readings.view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
-  readings.contradicted =
-      contradictedSurface(readings.view, working_K_, vertices_world, params_.fusion.depth_noise_m);
+  readings.contradicted = contradictedSurface(readings.view, K, vertices_world, params_.fusion.depth_noise_m);
   return readings;
 }
 
 ScanPipeline::FrameClues ScanPipeline::cluesOf(const RgbdFrame& frame,
-                                               const Eigen::Isometry3d& T_world_camera,
+                                               const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
                                                const SurfaceInColor& in_color,
                                                std::span<const Eigen::Vector4f> vertices_world) const {
-  return {labColors(frame, in_color), readingsOf(frame, T_world_camera, vertices_world)};
+  return {labColors(frame, K, in_color), readingsOf(frame, T_world_camera, K, vertices_world)};
 }
 
 template <class Work>
@@ -167,7 +166,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   });
   std::future<FrameClues> looked = std::async(std::launch::async, [&] {
     known_ = KnownSurface(working_K_, T_world_camera, result.vertices_world);
-    return cluesOf(frame, T_world_camera, in_color, result.vertices_world);
+    return cluesOf(frame, T_world_camera, working_K_, in_color, result.vertices_world);
   });
   stage("color", [&] {
     color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, in_color.hidden},
@@ -191,8 +190,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
-  const std::vector<Candidate> candidates =
-      stage("discover", [&] { return findCandidates(*finder_, result, clues, table_, cameWith()); });
+  const std::vector<Candidate> candidates = stage(
+      "discover", [&] { return findCandidates(*finder_, result, working_K_, clues, table_, cameWith()); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
@@ -228,7 +227,8 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
 }
 
 std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                    const FrameClues& clues, const RegionTable& table,
+                                                    const Intrinsics& K, const FrameClues& clues,
+                                                    const RegionTable& table,
                                                     std::span<const std::uint8_t> came) {
   const auto joiningOdds = [&](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
@@ -242,7 +242,7 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, con
   const DiscoveryInput input{shown,
                              result.vertices_world,
                              result.normals_world,
-                             working_K_,
+                             K,
                              clues.readings.view.T_world_camera,
                              joiningOdds,
                              came,
@@ -250,8 +250,7 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, con
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
     constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something
-    collector_->setRegionsInView(
-        finder.census().regionsOfSize(kLeastPart * static_cast<double>(working_K_.pixels())));
+    collector_->setRegionsInView(finder.census().regionsOfSize(kLeastPart * static_cast<double>(K.pixels())));
   }
   leaveOutSaid(candidates);
   addWanted(input, candidates);
@@ -289,22 +288,22 @@ std::vector<RegionChange> ScanPipeline::takeRegionChanges() {
 void ScanPipeline::readSurface(const SurfaceMaps& surface, FrameResult& result) {
   static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
   const auto read = [&](const Buffer<cl_float4>& from, std::vector<Eigen::Vector4f>& to) {
-    to.resize(static_cast<std::size_t>(working_K_.pixels()));
+    to.resize(static_cast<std::size_t>(surface.K.pixels()));
     from.read(compute_.queue(), {reinterpret_cast<cl_float4*>(to.data()), to.size()});
   };
   read(surface.vertices_world, result.vertices_world);
   read(surface.normals_world, result.normals_world);
 }
 
-std::vector<Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame,
+std::vector<Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame, const Intrinsics& K,
                                                      const SurfaceInColor& in_color) const {
   if (frame.color.empty()) return {};
   cv::Mat small, soft, lab;
-  const cv::Size working(working_K_.width, working_K_.height);
-  cv::resize(frame.color, small, working, 0, 0, cv::INTER_AREA);
+  const cv::Size size(K.width, K.height);
+  cv::resize(frame.color, small, size, 0, 0, cv::INTER_AREA);
   if (frame.color_camera) {
     cv::Mat seen;
-    cv::remap(small, seen, pixelsOf(in_color.places, working), {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    cv::remap(small, seen, pixelsOf(in_color.places, size), {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
     small = seen;
   }
   cv::blur(small, soft, {3, 3});

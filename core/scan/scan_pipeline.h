@@ -165,11 +165,13 @@ class ScanPipeline {
   };
   /// What the map and one of the scan's frames show from there.
   struct SeenAgain {
+    Intrinsics K;  ///< of what follows
     FrameResult result;
     SurfaceInColor in_color;
     FrameClues clues;
   };
-  /// With the regions as they are now. May throw cl::Error.
+  /// With the regions as they are now, and as closely as the depth image shows them (closeCamera). May throw
+  /// cl::Error.
   [[nodiscard]] SeenAgain seeAgain(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   /// What may be an object there, with `table` for the regions.
   [[nodiscard]] std::vector<Candidate> findAgain(SeenAgain& seen, CandidateSource& finder,
@@ -241,17 +243,23 @@ class ScanPipeline {
   std::pair<const DepthPyramid&, PoseEstimate> findPose(const RgbdFrame& frame);
   /// Begins findPose() of the next frame.
   void beginNext(const NextFrame& next);
-  [[nodiscard]] RegionMap regionsSeenAgain(const Eigen::Isometry3d& T_world_camera);
+  /// What is looked at again has the pixels of its depth image, as there is time for it: at most twice those
+  /// of working_K_ along each side.
+  [[nodiscard]] Intrinsics closeCamera(const cv::Size& depth) const;
+  /// Leaves the surface there in `seen_again_`.
+  [[nodiscard]] RegionMap regionsSeenAgain(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera);
   /// Wholes that are parts of regions become regions.
   [[nodiscard]] Result<void> partWholes();
   [[nodiscard]] Readings readingsOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                    const Intrinsics& K,
                                     std::span<const Eigen::Vector4f> vertices_world) const;
   [[nodiscard]] FrameClues cluesOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
-                                   const SurfaceInColor& in_color,
+                                   const Intrinsics& K, const SurfaceInColor& in_color,
                                    std::span<const Eigen::Vector4f> vertices_world) const;
-  /// `clues`: of the frame that `result` is of.
+  /// `clues`: of the frame that `result` is of, with images of `K`.
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                      const FrameClues& clues, const RegionTable& table,
+                                                      const Intrinsics& K, const FrameClues& clues,
+                                                      const RegionTable& table,
                                                       std::span<const std::uint8_t> came = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
@@ -270,8 +278,8 @@ class ScanPipeline {
   /// one.
   void keepKnown(const FrameObjects& objects);
   void readSurface(const SurfaceMaps& surface, FrameResult& result);
-  /// Colours of the surface in CIE L*a*b* by working pixel, a little blurred.
-  [[nodiscard]] std::vector<Eigen::Vector3f> labColors(const RgbdFrame& frame,
+  /// Colours of the surface in CIE L*a*b* by pixel of `K`, a little blurred.
+  [[nodiscard]] std::vector<Eigen::Vector3f> labColors(const RgbdFrame& frame, const Intrinsics& K,
                                                        const SurfaceInColor& in_color) const;
   /// Earlier frames whose poses were uncertain, and are certain now, go into the map.
   [[nodiscard]] std::vector<LateFrame> integrateLate();

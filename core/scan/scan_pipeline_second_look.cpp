@@ -54,11 +54,18 @@ Result<void> ScanPipeline::beginLookingAgain() {
   return {};
 }
 
-RegionMap ScanPipeline::regionsSeenAgain(const Eigen::Isometry3d& T_world_camera) {
-  map_->raycast(T_world_camera, working_K_, seen_again_);
+Intrinsics ScanPipeline::closeCamera(const cv::Size& depth) const {
+  constexpr int kCloser = 2;
+  const int width = std::min(depth.width, kCloser * working_K_.width);
+  if (width <= working_K_.width) return working_K_;
+  return working_K_.resizedTo(width, (width * working_K_.height + working_K_.width / 2) / working_K_.width);
+}
+
+RegionMap ScanPipeline::regionsSeenAgain(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
+  map_->raycast(T_world_camera, K, seen_again_);
   RegionMap map;
-  map.width = working_K_.width;
-  map.height = working_K_.height;
+  map.width = K.width;
+  map.height = K.height;
   map.fragments = cloud_->project(seen_again_, map_->bricks());
   setRegions(map, table_);
   return map;
@@ -67,13 +74,14 @@ RegionMap ScanPipeline::regionsSeenAgain(const Eigen::Isometry3d& T_world_camera
 Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
   return guarded("looking again at the views of frame " + std::to_string(frame_index), [&]() -> Result<void> {
     if (!collector_) return {};
-    const std::optional<Eigen::Isometry3d> T_world_camera = collector_->cameraOfViews(frame_index);
-    if (!T_world_camera) return {};
-    const RegionMap now = regionsSeenAgain(*T_world_camera);
-    FrameResult result;
-    readSurface(seen_again_, result);
-    collector_->judgeViewsOf(frame_index, now, depthOf(result.vertices_world, working_K_, *T_world_camera),
-                             params_.fusion.depth_noise_m);
+    for (const auto& [image_px, T_world_camera] : collector_->camerasOfViews(frame_index)) {
+      const Intrinsics K = working_K_.resizedTo(image_px.width, image_px.height);
+      const RegionMap now = regionsSeenAgain(K, T_world_camera);
+      FrameResult result;
+      readSurface(seen_again_, result);
+      collector_->judgeViewsOf(frame_index, now, depthOf(result.vertices_world, K, T_world_camera),
+                               params_.fusion.depth_noise_m);
+    }
     return {};
   });
 }
@@ -81,18 +89,19 @@ Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
 ScanPipeline::SeenAgain ScanPipeline::seeAgain(const RgbdFrame& frame,
                                                const Eigen::Isometry3d& T_world_camera) {
   SeenAgain seen;
+  seen.K = closeCamera(frame.depth.size());
   seen.result.pose.T_world_camera = T_world_camera;
-  seen.result.regions = regionsSeenAgain(T_world_camera);
+  seen.result.regions = regionsSeenAgain(seen.K, T_world_camera);
   readSurface(seen_again_, seen.result);
-  seen.in_color = locateInColor(frame.color_camera, working_K_, T_world_camera, seen.result.vertices_world);
-  seen.clues = cluesOf(frame, T_world_camera, seen.in_color, seen.result.vertices_world);
+  seen.in_color = locateInColor(frame.color_camera, seen.K, T_world_camera, seen.result.vertices_world);
+  seen.clues = cluesOf(frame, T_world_camera, seen.K, seen.in_color, seen.result.vertices_world);
   return seen;
 }
 
 std::vector<Candidate> ScanPipeline::findAgain(SeenAgain& seen, CandidateSource& finder,
                                                const RegionTable& table) {
   setRegions(seen.result.regions, table);
-  return findCandidates(finder, seen.result, seen.clues, table);
+  return findCandidates(finder, seen.result, seen.K, seen.clues, table);
 }
 
 Result<void> ScanPipeline::rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {

@@ -76,6 +76,15 @@ struct SceneScan {
   double drift_mm = 0;  ///< farthest that the tracked camera was from where it should be
 };
 
+/// The true instances of a frame of a recording of SceneCache, in images of `K`.
+inline Result<cv::Mat> truthAt(const std::filesystem::path& recording, int frame_index, const Intrinsics& K) {
+  const auto truth = readLabelImage(recording / fmt::format("frame-{:06}.instance.png", frame_index));
+  if (!truth) return fail(truth.error());
+  cv::Mat resized;
+  cv::resize(*truth, resized, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
+  return resized;
+}
+
 /// Called with the number of a frame in the recording, what it gave, and its true instances at the working
 /// resolution.
 using FrameVisit =
@@ -109,12 +118,9 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
     const Eigen::Isometry3d pose = *T_truth_estimate * result->pose.T_world_camera;
     scan.drift_mm = std::max(scan.drift_mm, 1000 * (pose.translation() - truth_pose.translation()).norm());
     if (scan.frames % options.every != 0) continue;
-    const auto truth = readLabelImage(recording / fmt::format("frame-{:06}.instance.png", read.frame.index));
+    const Result<cv::Mat> truth = truthAt(recording, read.frame.index, scan.pipeline->workingIntrinsics());
     if (!truth) return fail(truth.error());
-    const Intrinsics& K = scan.pipeline->workingIntrinsics();
-    cv::Mat small;
-    cv::resize(*truth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
-    visit(*scan.pipeline, read.frame.index, *result, small);
+    visit(*scan.pipeline, read.frame.index, *result, *truth);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   scan.seconds = elapsed.count();

@@ -206,16 +206,13 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
                      std::vector<WholenessSample>& samples) {
   const Result<std::set<int>> things = thingsOf(name);
   if (!things) return fail(things.error());
-  struct Place {
-    Eigen::Isometry3d T_world_camera;
-    cv::Mat truth;
-  };
-  std::map<int, Place> places;  // by RgbdFrame::index
-  const auto scan =
-      scanScene(recording, {}, options, compute,
-                [&](const ScanPipeline&, int index, const FrameResult& result, const cv::Mat& truth) {
-                  places[index] = {result.pose.T_world_camera, truth.clone()};
-                });
+  ScanParams params;
+  for (const std::string& setting : options.settings) SCANTROVE_TRY(applySetting(params, setting));
+  std::map<int, Eigen::Isometry3d> cameras;  // by RgbdFrame::index
+  const auto scan = scanScene(recording, params, options, compute,
+                              [&](const ScanPipeline&, int index, const FrameResult& result, const cv::Mat&) {
+                                cameras[index] = result.pose.T_world_camera;
+                              });
   if (!scan) return fail(scan.error());
   const FinerRegions finer = scan->pipeline->finerRegions();
   std::vector<Recorder> recorders;
@@ -230,11 +227,13 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
   if (!source) return fail(source.error());
   for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
        read = (*source)->next()) {
-    const auto place = places.find(read.frame.index);
-    if (place == places.end()) continue;
-    ScanPipeline::SeenAgain seen = scan->pipeline->seeAgain(read.frame, place->second.T_world_camera);
+    const auto camera = cameras.find(read.frame.index);
+    if (camera == cameras.end()) continue;
+    ScanPipeline::SeenAgain seen = scan->pipeline->seeAgain(read.frame, camera->second);
+    const Result<cv::Mat> truth = truthAt(recording, read.frame.index, seen.K);
+    if (!truth) return fail(truth.error());
     for (Recorder& recorder : recorders) {
-      recorder.nextFrame(scene, read.frame.index, place->second.truth);
+      recorder.nextFrame(scene, read.frame.index, *truth);
       const bool are_parts = &recorder != &recorders.front();
       static_cast<void>(scan->pipeline->findAgain(seen, recorder,
                                                   are_parts ? finer.table() : scan->pipeline->regionTable()));
