@@ -6,15 +6,15 @@
 
 namespace scantrove {
 
-/// A balanced decision tree of four levels, one of many whose values add up.
+/// A balanced decision tree of five levels, one of many whose values add up.
 struct BoostedTree {
   struct Split {
     std::int8_t feature;
     float most;  ///< up to this the way goes to the left
   };
-  static constexpr std::size_t kSplits = 15, kLeaves = 16;
+  static constexpr std::size_t kSplits = 31, kLeaves = 32;
 
-  std::array<Split, kSplits> splits;  ///< the root, its two children, their four, their eight
+  std::array<Split, kSplits> splits;  ///< the root, its two children, their four, and so on
   std::array<float, kLeaves> leaves;  ///< from left to right
 
   [[nodiscard]] float valueOf(std::span<const float> features) const {

@@ -11,8 +11,8 @@ namespace {
 
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
-/// Of BestLooks: from there on something is a whole; below, what was an object is none any more.
-constexpr float kWhole = 0.5F;
+/// Of RatedSets: from there on something is a whole; below, what was an object is none any more.
+constexpr float kWhole = 0.2F;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `image_px`.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
@@ -56,12 +56,12 @@ void ObjectCollector::beginLookingAgain() {
 }
 
 void ObjectCollector::rate(int frame_index, const std::vector<Candidate>& candidates) {
-  best_looks_.add(frame_index, candidates);
+  rated_.add(frame_index, candidates);
 }
 
 std::vector<RegionSet> ObjectCollector::ratedWholes() const {
   std::vector<RegionSet> wholes;
-  for (const BestLooks::Best& best : best_looks_.disjoint(kWhole)) wholes.push_back(best.regions);
+  for (const RatedSets::Rated& rated : rated_.disjoint(kWhole)) wholes.push_back(rated.regions);
   return wholes;
 }
 
@@ -77,9 +77,9 @@ bool ObjectCollector::staysAsItIs(ObjectId object) const {
 
 void ObjectCollector::bindWholes() {
   std::set<ObjectId> taken;
-  for (const BestLooks::Best& best : best_looks_.disjoint(kWhole)) {
+  for (const RatedSets::Rated& rated : rated_.disjoint(kWhole)) {
     std::vector<ObjectId> objects;  // that its regions were taken for
-    for (const RegionId region : best.regions) {
+    for (const RegionId region : rated.regions) {
       const ObjectId object = met_.objectOf(region);
       if (object && !std::ranges::count(objects, object)) objects.push_back(object);
     }
@@ -90,12 +90,12 @@ void ObjectCollector::bindWholes() {
     std::stable_partition(objects.begin(), objects.end(),
                           [this](ObjectId object) { return staysAsItIs(object); });
     if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
-    wholes_.emplace(best.regions, best.frame_index);
-    for (const ObjectId object : objects) met_.unbind(best.regions, object);
+    wholes_.emplace(rated.regions, rated.frame_index);
+    for (const ObjectId object : objects) met_.unbind(rated.regions, object);
     // Two wholes are one object only where a person said so, or merged what they were taken for.
     std::erase_if(objects, [&](ObjectId object) { return !staysAsItIs(object) && taken.contains(object); });
     if (objects.empty()) continue;
-    met_.bind(best.regions, objects.front());
+    met_.bind(rated.regions, objects.front());
     taken.insert(objects.front());
   }
 }
@@ -105,10 +105,9 @@ std::vector<int> ObjectCollector::settleWholes() {
   std::set<int> frames;
   for (KeptView& view : kept_views_) {
     const std::vector<RegionId> regions = met_.regionsOf(view.object);
-    view.is_outdated = !staysAsItIs(view.object) && !regions.empty() &&
-                       std::ranges::all_of(regions, [this](RegionId region) {
-                         return best_looks_.isUnlikely(region, kWhole);
-                       });
+    view.is_outdated =
+        !staysAsItIs(view.object) && !regions.empty() &&
+        std::ranges::all_of(regions, [this](RegionId region) { return rated_.isUnlikely(region, kWhole); });
     frames.insert(view.frame_index);
   }
   return {frames.begin(), frames.end()};
@@ -217,7 +216,7 @@ void ObjectCollector::mergeSuccessors() {
 
 void ObjectCollector::endLookingAgain() {
   is_looking_again_ = are_last_looks_ = false;
-  best_looks_ = {};
+  rated_ = {};
   wholes_.clear();
   mergeSuccessors();
   std::set<ObjectId> are_there;

@@ -8,7 +8,7 @@ namespace scantrove {
 namespace {
 
 /// Log-odds that every border speaks less for joining.
-constexpr float kLess = 2;
+constexpr float kLess = 4;
 
 using Fragments = std::vector<FragmentId>;
 

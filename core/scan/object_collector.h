@@ -16,13 +16,13 @@
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
 #include "core/labeling/region_map.h"
-#include "core/scan/best_looks.h"
 #include "core/scan/catalogue_mirror.h"
 #include "core/scan/catalogue_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/kept_namings.h"
 #include "core/scan/kept_view.h"
 #include "core/scan/met_objects.h"
+#include "core/scan/rated_sets.h"
 #include "core/scan/recognition_history.h"
 #include "core/scan/scan_report.h"
 #include "core/tracking/pose_estimate.h"
@@ -128,7 +128,7 @@ class ObjectCollector {
   /// What was rated and is likely to be a whole, no two with a region in common.
   [[nodiscard]] std::vector<RegionSet> ratedWholes() const;
   /// The regions that were rated are called otherwise now; `rename` tells how, none: they are none any more.
-  void renameRated(const BestLooks::Rename& rename) { best_looks_.rename(rename); }
+  void renameRated(const RatedSets::Rename& rename) { rated_.rename(rename); }
   /// Where that frame was taken, and the size of the image that some views of it are of.
   struct ViewsCamera {
     cv::Size image_px;
@@ -302,7 +302,7 @@ class ObjectCollector {
   /// New ones that came into the scene; how often each missing one was held against them.
   std::map<ObjectId, std::map<ObjectId, int>> came_;
   bool is_looking_again_ = false;
-  BestLooks best_looks_;
+  RatedSets rated_;
   std::map<RegionSet, int> wholes_;  // and the frames (RgbdFrame::index) that show them best
   bool are_last_looks_ = false;
   int frame_ = 0;

@@ -136,10 +136,12 @@ class ScanPipeline {
   }
   /// Looks at what there is again, at the end of a scan and with the regions as they are now: what is one
   /// whole thing by all that is known becomes an object, be it a part of a region or several, and objects, or
-  /// views of them, that show something else are left behind. First begin; then rate() frames of the scan;
-  /// then settle, which says of which frames (RgbdFrame::index) views were kept; then judgeViewsOf() all of
-  /// these; then lookAgain() at the frames that were rated; then beginLastLooks() and lookAgain() at those
-  /// that it names; then end. Error: the device failed.
+  /// views of them, that show something else are left behind. First segmentCloser() frames of the scan, which
+  /// changes regions as a frame does: what is as narrow as the spine of a book parts only so. Then begin;
+  /// then rate() these frames; then settle, which says of which frames (RgbdFrame::index) views were kept;
+  /// then judgeViewsOf() all of these; then lookAgain() at the frames that were rated; then beginLastLooks()
+  /// and lookAgain() at those that it names; then end. Error: the device failed.
+  [[nodiscard]] Result<void> segmentCloser(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] Result<void> beginLookingAgain();
   [[nodiscard]] Result<void> rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] Result<std::vector<int>> settleWholes();

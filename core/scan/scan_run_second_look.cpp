@@ -8,8 +8,8 @@
 namespace scantrove {
 namespace {
 
-/// Looking again at one takes about as long as a frame of the scan.
-constexpr std::size_t kMostFramesAgain = 200;
+/// Looking at one three times takes about as long as six frames of the scan.
+constexpr std::size_t kMostFramesAgain = 120;
 
 /// At most so many of them, as far apart in the list as can be.
 template <class T>
@@ -28,14 +28,19 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   auto all = recorder_->keptFrames();
   if (!all) return fail(all.error());
   const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*all), kMostFramesAgain);
-  if (!goes_on()) return {};  // it begins by reading the whole map
-  SCANTROVE_TRY(pipeline_->beginLookingAgain());
-  auto steps = static_cast<int>(2 * frames.size());
+  auto steps = static_cast<int>(3 * frames.size());
   int done = 0;
   const auto readAgain = [&](const SessionRecorder::KeptFrame& kept) {
     listener_(LookingAgain{done++, steps});
     return readKeyFrame(recorder_->folder(), kept.images, kept.frame);
   };
+  for (const SessionRecorder::KeptFrame& kept : frames) {
+    if (!goes_on()) return {};
+    const Result<RgbdFrame> frame = readAgain(kept);
+    if (frame) SCANTROVE_TRY(pipeline_->segmentCloser(*frame, kept.frame.T_world_camera));
+  }
+  if (!goes_on()) return {};  // it begins by reading the whole map
+  SCANTROVE_TRY(pipeline_->beginLookingAgain());
   // What is settled after a part of the looks is settled wrongly: who stops before keeps what there was.
   for (const SessionRecorder::KeptFrame& kept : frames) {
     if (!goes_on()) return {};

@@ -8,9 +8,9 @@
 namespace scantrove::benchmarks {
 namespace {
 
-constexpr std::size_t kTrees = 120;
-constexpr double kLearningRate = 0.1, kRidge = 1;
-constexpr int kLeastSamples = 40;  // of a leaf
+constexpr std::size_t kTrees = 300;
+constexpr double kLearningRate = 0.07, kRidge = 5;
+constexpr int kLeastSamples = 60;  // of a leaf
 constexpr std::size_t kBins = 64;  // of a feature's values, as many in each
 
 /// Samples by feature and bin, so that splits are found by sums over bins.

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/discovery/region_judge.h"
-#include "core/scan/best_looks.h"
+#include "core/scan/rated_sets.h"
 #include "tests/benchmarks/scene_scan.h"
 #include "tests/benchmarks/wholeness_boosting.h"
 
@@ -97,14 +97,14 @@ class LeftOut {
   void print() const {
     std::set<std::pair<std::size_t, int>> all;
     for (const auto& [set, thing] : things_) all.emplace(set.first, thing);
-    for (int tenths = -5; tenths <= 20; tenths += 2) {
+    for (int tenths = -8; tenths <= 12; ++tenths) {
       const float threshold = static_cast<float>(tenths) / 10;
       int chosen = 0, whole = 0;
       std::set<std::pair<std::size_t, int>> found;
       for (const auto& [scene, looks] : looks_) {
-        for (const BestLooks::Best& best : looks.disjoint(threshold)) {
+        for (const RatedSets::Rated& rated : looks.disjoint(threshold)) {
           ++chosen;
-          const auto thing = things_.find({scene, best.regions});
+          const auto thing = things_.find({scene, rated.regions});
           if (thing == things_.end()) continue;
           ++whole;
           found.emplace(scene, thing->second);
@@ -118,7 +118,7 @@ class LeftOut {
   }
 
  private:
-  std::map<std::size_t, BestLooks> looks_;
+  std::map<std::size_t, RatedSets> looks_;
   std::map<std::pair<std::size_t, RegionSet>, int> things_;
 };
 
@@ -214,6 +214,20 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
                                 cameras[index] = result.pose.T_world_camera;
                               });
   if (!scan) return fail(scan.error());
+  /// Calls `visit` with each frame that has a camera, and the camera.
+  const auto lookAgain = [&](const auto& visit) -> Result<void> {
+    const auto source = openSource(recording.string(), {});
+    if (!source) return fail(source.error());
+    for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
+         read = (*source)->next()) {
+      const auto camera = cameras.find(read.frame.index);
+      if (camera != cameras.end()) SCANTROVE_TRY(visit(read.frame, camera->second));
+    }
+    return {};
+  };
+  SCANTROVE_TRY(lookAgain([&](const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+    return scan->pipeline->segmentCloser(frame, T_world_camera);
+  }));
   const FinerRegions finer = scan->pipeline->finerRegions();
   std::vector<Recorder> recorders;
   for (const auto& [table, regions] :
@@ -223,22 +237,19 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
     if (!known) return fail(known.error());
     recorders.emplace_back(RegionJudge({}, std::move(*known)), *things, finer, regions);
   }
-  const auto source = openSource(recording.string(), {});
-  if (!source) return fail(source.error());
-  for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;
-       read = (*source)->next()) {
-    const auto camera = cameras.find(read.frame.index);
-    if (camera == cameras.end()) continue;
-    ScanPipeline::SeenAgain seen = scan->pipeline->seeAgain(read.frame, camera->second);
-    const Result<cv::Mat> truth = truthAt(recording, read.frame.index, seen.K);
-    if (!truth) return fail(truth.error());
-    for (Recorder& recorder : recorders) {
-      recorder.nextFrame(scene, read.frame.index, *truth);
-      const bool are_parts = &recorder != &recorders.front();
-      static_cast<void>(scan->pipeline->findAgain(seen, recorder,
-                                                  are_parts ? finer.table() : scan->pipeline->regionTable()));
-    }
-  }
+  SCANTROVE_TRY(
+      lookAgain([&](const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) -> Result<void> {
+        ScanPipeline::SeenAgain seen = scan->pipeline->seeAgain(frame, T_world_camera);
+        const Result<cv::Mat> truth = truthAt(recording, frame.index, seen.K);
+        if (!truth) return fail(truth.error());
+        for (Recorder& recorder : recorders) {
+          recorder.nextFrame(scene, frame.index, *truth);
+          const bool are_parts = &recorder != &recorders.front();
+          static_cast<void>(scan->pipeline->findAgain(
+              seen, recorder, are_parts ? finer.table() : scan->pipeline->regionTable()));
+        }
+        return {};
+      }));
   std::fprintf(stderr, "%-18s %zu samples, %zu of parts\n", name.c_str(), recorders[0].samples.size(),
                recorders[1].samples.size());
   for (Recorder& recorder : recorders) std::ranges::move(recorder.samples, std::back_inserter(samples));

@@ -77,4 +77,42 @@ inline synthetic::FilmSet makeChairFloorSet() {
           .lit_radius_m = 2};
 }
 
+/// Seven books ("book 0" ... "book 6") in a row on a table, 2.5 to 4.5 cm thick, spines towards the camera,
+/// which walks along them a metre away.
+inline synthetic::FilmSet makeBookRowSet() {
+  using namespace synthetic;
+  SyntheticScene scene;
+  const auto floor = scene.addInstance("floor", false);
+  addBox(scene, floor, {}, {5, 5, 0.1}, 0, {Pattern::tiles, rgb(0xcfc8bb), rgb(0x8f887c), {}, 0.3F},
+         {0, 0, -0.1});
+  addTable(scene, {}, {1.4, 0.8, 0.70}, {Pattern::wood, rgb(0xc79a66)});
+  addWall(scene, "wall, back", {0, 0.9, 0, 0}, 4.4, 0xe6e1d6);
+  const std::uint32_t covers[] = {0xa23b3b, 0x2b4c7e, 0x3f7f5f, 0xd9902f, 0x6b4c8c, 0x1f5f6b, 0x8c2f39};
+  double x = -0.13;
+  for (int i = 0; i < 7; ++i) {
+    const double thickness = 0.025 + 0.005 * (3 * i % 5);
+    const double height = 0.19 + 0.015 * (2 * i % 5), depth = 0.13 + 0.008 * (i % 4);
+    addBook(scene, "book " + std::to_string(i), {x + thickness / 2, -0.10 + 0.006 * (3 * i % 5) + depth / 2, 0.70},
+            {depth, height, thickness},
+            {Pattern::bookCover, rgb(covers[i]), rgb(0xf1e4c8), rgb(0x8fc1b5), 0.03F, 0, true,
+             static_cast<std::uint32_t>(i) + 1},
+            true);
+    x += thickness + 0.001;
+  }
+  addCarton(scene, "carton", {-0.45, 0.05, 0.70, 25}, {0.17, 0.07, 0.24},
+            {Pattern::boxLabel, rgb(0xf2b632), rgb(0xc8402f), rgb(0xfff4d8), 0.03F, 0.05F, true, 3});
+  addVase(scene, "vase", {0.42, 0.02, 0.70},
+          {Pattern::bands, rgb(0x2f6f8f), rgb(0xe8eef0), {}, 0.032F, 0.35F});
+  const auto path = [](double t) -> Gaze {
+    const double along = 0.45 * std::sin(t * 2 * std::numbers::pi / 8);
+    return {{along, -1.0, 1.15}, {0.1 * along, 0, 0.78}};
+  };
+  return {.name = "book_row",
+          .scene = std::move(scene),
+          .path = path,
+          .frames = 90,
+          .lit_centre = {0, 0, 0.7},
+          .lit_radius_m = 1.5};
+}
+
 }  // namespace scantrove::test

@@ -56,7 +56,7 @@ TEST_F(FinerRegionsTest, WhatLittleHoldsTogetherIsDividedAndNothingElse) {
 }
 
 TEST_F(FinerRegionsTest, WhatMuchHoldsTogetherStaysOne) {
-  speakForJoining(4);
+  speakForJoining(6);
   EXPECT_FALSE(finer().areDivided());
 }
 

@@ -9,14 +9,14 @@
 
 namespace scantrove {
 
-/// The best looks at each set of regions, once nothing more comes of a scan, and which of the sets are the
-/// things that the scan has seen. One look may mislead: the best five count together, and as one more that
-/// says nothing either way.
-class BestLooks {
+/// Sets of regions as looks at them rated them, once nothing more comes of a scan, and which of the sets are
+/// the things that the scan has seen. One look may mislead: all count together, and as one more that says
+/// nothing either way.
+class RatedSets {
  public:
-  struct Best {
+  struct Rated {
     RegionSet regions;
-    float wholeness = 0;  ///< sum of the best five Candidate::wholeness, by one more than these are
+    float wholeness = 0;  ///< sum of Candidate::wholeness, by one more than there were looks
     int frame_index = 0;  ///< of the best look: that shows them entirely, if one does
   };
 
@@ -24,7 +24,7 @@ class BestLooks {
   void add(int frame_index, std::span<const Candidate> candidates);
   /// The sets of at least that wholeness, but those that share a region with a more likely one. Most likely
   /// first.
-  [[nodiscard]] std::vector<Best> disjoint(float least_wholeness) const;
+  [[nodiscard]] std::vector<Rated> disjoint(float least_wholeness) const;
   using Rename = std::function<std::optional<RegionSet>(const RegionSet&)>;
   /// Each set is called as `rename` says; none: it is forgotten. No two are called the same.
   void rename(const Rename& rename);
@@ -39,9 +39,10 @@ class BestLooks {
     [[nodiscard]] bool isBetterThan(const Look& other) const;
   };
   struct Looks {
-    std::vector<float> best;  ///< Candidate::wholeness, falling; at most five
+    float sum = 0;
+    int count = 0;
     std::optional<Look> to_show;
-    [[nodiscard]] float together() const;
+    [[nodiscard]] float together() const { return sum / static_cast<float>(count + 1); }
   };
   std::map<RegionSet, Looks> looks_;
 };

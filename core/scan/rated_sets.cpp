@@ -1,52 +1,42 @@
-#include "core/scan/best_looks.h"
+#include "core/scan/rated_sets.h"
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace scantrove {
-namespace {
 
-constexpr std::size_t kLooks = 5;
-
-}  // namespace
-
-bool BestLooks::Look::isBetterThan(const Look& other) const {
+bool RatedSets::Look::isBetterThan(const Look& other) const {
   return is_cut_off != other.is_cut_off ? other.is_cut_off : wholeness > other.wholeness;
 }
 
-float BestLooks::Looks::together() const {
-  return std::accumulate(best.begin(), best.end(), 0.0F) / static_cast<float>(best.size() + 1);
-}
-
-void BestLooks::add(int frame_index, std::span<const Candidate> candidates) {
+void RatedSets::add(int frame_index, std::span<const Candidate> candidates) {
   for (const Candidate& candidate : candidates) {
     if (!candidate.wholeness) continue;
     Looks& looks = looks_[candidate.regions];
     const Look look{candidate.is_cut_off, *candidate.wholeness, frame_index};
     if (!looks.to_show || look.isBetterThan(*looks.to_show)) looks.to_show = look;
-    looks.best.insert(std::ranges::lower_bound(looks.best, *candidate.wholeness, std::greater<>()),
-                      *candidate.wholeness);
-    if (looks.best.size() > kLooks) looks.best.pop_back();
+    looks.sum += *candidate.wholeness;
+    ++looks.count;
   }
 }
 
-std::vector<BestLooks::Best> BestLooks::disjoint(float least_wholeness) const {
-  std::vector<Best> likely;
+std::vector<RatedSets::Rated> RatedSets::disjoint(float least_wholeness) const {
+  std::vector<Rated> likely;
   for (const auto& [regions, looks] : looks_) {
     const float wholeness = looks.together();
     if (wholeness >= least_wholeness) likely.push_back({regions, wholeness, looks.to_show->frame_index});
   }
-  std::ranges::stable_sort(likely, std::greater<>(), &Best::wholeness);
-  std::vector<Best> chosen;
-  for (Best& best : likely) {
-    if (std::ranges::none_of(chosen, [&](const Best& other) { return best.regions.overlaps(other.regions); }))
-      chosen.push_back(std::move(best));
+  std::ranges::stable_sort(likely, std::greater<>(), &Rated::wholeness);
+  std::vector<Rated> chosen;
+  for (Rated& rated : likely) {
+    if (std::ranges::none_of(chosen,
+                             [&](const Rated& other) { return rated.regions.overlaps(other.regions); }))
+      chosen.push_back(std::move(rated));
   }
   return chosen;
 }
 
-void BestLooks::rename(const Rename& rename) {
+void RatedSets::rename(const Rename& rename) {
   std::map<RegionSet, Looks> renamed;
   for (auto& [regions, looks] : looks_) {
     if (const std::optional<RegionSet> now = rename(regions)) renamed.emplace(*now, std::move(looks));
@@ -54,7 +44,7 @@ void BestLooks::rename(const Rename& rename) {
   looks_ = std::move(renamed);
 }
 
-bool BestLooks::isUnlikely(RegionId region, float least_wholeness) const {
+bool RatedSets::isUnlikely(RegionId region, float least_wholeness) const {
   return looks_.contains(RegionSet{region}) && std::ranges::none_of(looks_, [&](const auto& entry) {
            return entry.second.together() >= least_wholeness && entry.first.contains(region);
          });

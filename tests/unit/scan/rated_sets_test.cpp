@@ -1,4 +1,4 @@
-#include "core/scan/best_looks.h"
+#include "core/scan/rated_sets.h"
 
 #include <gmock/gmock.h>
 
@@ -14,8 +14,8 @@ Candidate looked(const RegionSet& regions, float wholeness) {
   return candidate;
 }
 
-TEST(BestLooks, TheBestFiveCountTogetherWithOneThatSaysNothing) {
-  BestLooks looks;
+TEST(RatedSets, AllLooksCountTogetherWithOneThatSaysNothing) {
+  RatedSets looks;
   looks.add(10, std::vector{looked({kBox}, 1)});
   EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, 0.5F);
   looks.add(20, std::vector{looked({kBox}, 3)});
@@ -26,14 +26,14 @@ TEST(BestLooks, TheBestFiveCountTogetherWithOneThatSaysNothing) {
   const auto best = looks.disjoint(0);
   ASSERT_EQ(best.size(), 1U);
   EXPECT_EQ(best[0].regions, RegionSet{kBox});
-  EXPECT_FLOAT_EQ(best[0].wholeness, (3 + 2 + 1 + 0.5F - 1) / 6.0F);
+  EXPECT_FLOAT_EQ(best[0].wholeness, (3 + 2 + 1 + 0.5F - 1 - 2) / 7.0F);
   EXPECT_EQ(best[0].frame_index, 20);
 }
 
-TEST(BestLooks, ALookThatShowsAThingEntirelyIsBetterThanALikelierOneThatDoesNot) {
+TEST(RatedSets, ALookThatShowsAThingEntirelyIsBetterThanALikelierOneThatDoesNot) {
   Candidate cut_off = looked({kBox}, 3);
   cut_off.is_cut_off = true;
-  BestLooks looks;
+  RatedSets looks;
   looks.add(10, std::vector{cut_off});
   EXPECT_EQ(looks.disjoint(0).at(0).frame_index, 10) << "there is no other yet";
   looks.add(20, std::vector{looked({kBox}, 1)});
@@ -43,8 +43,8 @@ TEST(BestLooks, ALookThatShowsAThingEntirelyIsBetterThanALikelierOneThatDoesNot)
   EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, (3 + 3 + 1 + 0.5F) / 5) << "what is likely is up to all";
 }
 
-TEST(BestLooks, OfSetsThatShareRegionsTheMostLikelyStays) {
-  BestLooks looks;
+TEST(RatedSets, OfSetsThatShareRegionsTheMostLikelyStays) {
+  RatedSets looks;
   looks.add(1, std::vector{looked({kShade}, 3), looked({kPole}, 1), looked({kBox}, 2)});
   looks.add(1, std::vector{looked({kShade, kPole}, 4), looked({kPole, kBox}, 2.4F)});
   const auto best = looks.disjoint(0.7F);
@@ -53,8 +53,8 @@ TEST(BestLooks, OfSetsThatShareRegionsTheMostLikelyStays) {
   EXPECT_EQ(best[1].regions, RegionSet{kBox});
 }
 
-TEST(BestLooks, UnlikelyIsWhatWasJudgedAndIsNoPartOfAnythingLikely) {
-  BestLooks looks;
+TEST(RatedSets, UnlikelyIsWhatWasJudgedAndIsNoPartOfAnythingLikely) {
+  RatedSets looks;
   looks.add(1, std::vector{looked({kShade}, -2), looked({kShade, kPole}, 2), looked({kPole}, -2),
                            looked({kBox}, -2)});
   EXPECT_TRUE(looks.isUnlikely(kBox, 0));
@@ -63,16 +63,16 @@ TEST(BestLooks, UnlikelyIsWhatWasJudgedAndIsNoPartOfAnythingLikely) {
   EXPECT_FALSE(looks.isUnlikely(RegionId{99}, 0)) << "nothing was said of it";
 }
 
-TEST(BestLooks, WhatWasNotJudgedSaysNothing) {
+TEST(RatedSets, WhatWasNotJudgedSaysNothing) {
   Candidate while_it_ran;
   while_it_ran.regions = {kBox};
-  BestLooks looks;
+  RatedSets looks;
   looks.add(1, std::vector{while_it_ran});
   EXPECT_TRUE(looks.disjoint(-100).empty());
 }
 
-TEST(BestLooks, WhatIsCalledOtherwiseKeepsItsLooks) {
-  BestLooks looks;
+TEST(RatedSets, WhatIsCalledOtherwiseKeepsItsLooks) {
+  RatedSets looks;
   looks.add(7, std::vector{looked({kShade}, 4), looked({kShade, kPole}, 1), looked({kPole}, 3)});
   const RegionId upper{11};
   looks.rename([&](const RegionSet& regions) -> std::optional<RegionSet> {
