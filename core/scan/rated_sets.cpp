@@ -2,11 +2,21 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace scantrove {
+namespace {
+
+constexpr std::size_t kLooks = 8;
+
+}  // namespace
 
 bool RatedSets::Look::isBetterThan(const Look& other) const {
   return is_cut_off != other.is_cut_off ? other.is_cut_off : wholeness > other.wholeness;
+}
+
+float RatedSets::Looks::together() const {
+  return std::accumulate(best.begin(), best.end(), 0.0F) / static_cast<float>(best.size() + 1);
 }
 
 void RatedSets::add(int frame_index, std::span<const Candidate> candidates) {
@@ -15,8 +25,9 @@ void RatedSets::add(int frame_index, std::span<const Candidate> candidates) {
     Looks& looks = looks_[candidate.regions];
     const Look look{candidate.is_cut_off, *candidate.wholeness, frame_index};
     if (!looks.to_show || look.isBetterThan(*looks.to_show)) looks.to_show = look;
-    looks.sum += *candidate.wholeness;
-    ++looks.count;
+    looks.best.insert(std::ranges::lower_bound(looks.best, *candidate.wholeness, std::greater<>()),
+                      *candidate.wholeness);
+    if (looks.best.size() > kLooks) looks.best.pop_back();
   }
 }
 

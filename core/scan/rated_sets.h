@@ -10,13 +10,13 @@
 namespace scantrove {
 
 /// Sets of regions as looks at them rated them, once nothing more comes of a scan, and which of the sets are
-/// the things that the scan has seen. One look may mislead: all count together, and as one more that says
-/// nothing either way.
+/// the things that the scan has seen. One look may mislead: the best eight count together, and as one more
+/// that says nothing either way. Others may be poor ones (from afar, of a blurred image) of a clear thing.
 class RatedSets {
  public:
   struct Rated {
     RegionSet regions;
-    float wholeness = 0;  ///< sum of Candidate::wholeness, by one more than there were looks
+    float wholeness = 0;  ///< sum of the best eight Candidate::wholeness, by one more than these are
     int frame_index = 0;  ///< of the best look: that shows them entirely, if one does
   };
 
@@ -39,10 +39,9 @@ class RatedSets {
     [[nodiscard]] bool isBetterThan(const Look& other) const;
   };
   struct Looks {
-    float sum = 0;
-    int count = 0;
+    std::vector<float> best;  ///< Candidate::wholeness, falling; at most eight
     std::optional<Look> to_show;
-    [[nodiscard]] float together() const { return sum / static_cast<float>(count + 1); }
+    [[nodiscard]] float together() const;
   };
   std::map<RegionSet, Looks> looks_;
 };
