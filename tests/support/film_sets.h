@@ -92,8 +92,8 @@ inline synthetic::FilmSet makeBookRowSet() {
   for (int i = 0; i < 7; ++i) {
     const double thickness = 0.025 + 0.005 * (3 * i % 5);
     const double height = 0.19 + 0.015 * (2 * i % 5), depth = 0.13 + 0.008 * (i % 4);
-    addBook(scene, "book " + std::to_string(i), {x + thickness / 2, -0.10 + 0.006 * (3 * i % 5) + depth / 2, 0.70},
-            {depth, height, thickness},
+    addBook(scene, "book " + std::to_string(i),
+            {x + thickness / 2, -0.10 + 0.006 * (3 * i % 5) + depth / 2, 0.70}, {depth, height, thickness},
             {Pattern::bookCover, rgb(covers[i]), rgb(0xf1e4c8), rgb(0x8fc1b5), 0.03F, 0, true,
              static_cast<std::uint32_t>(i) + 1},
             true);

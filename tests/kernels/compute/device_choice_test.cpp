@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <thread>
 
 namespace scantrove {
 namespace {
@@ -28,6 +29,17 @@ class DeviceChoice : public testing::Test {
 
   std::vector<DeviceInfo> devices_;
 };
+
+// By its own, for nobody may have asked before.
+TEST(FirstDevices, AreThereForAllThreadsThatAskAtOnce) {
+  std::vector<std::size_t> found(4);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t& devices : found) threads.emplace_back([&devices] { devices = listDevices().size(); });
+  }
+  EXPECT_GT(found.front(), 0U);
+  EXPECT_THAT(found, testing::Each(found.front()));
+}
 
 TEST_F(DeviceChoice, ListsGpusFirstWithRunningIndices) {
   for (std::size_t i = 0; i < devices_.size(); ++i) {
