@@ -180,13 +180,8 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
                            working_K_, T_world_camera, cloud_->voxelsOfFragments(), cameWith()},
                           table_, params_.labeling);
   });
-  for (std::size_t i = 0; i < merged.carved.size(); ++i)
-    editor_->cutOut(merged.carved[i], merged.carved_from[i]);
+  touched_ = stage("update", [&] { return label(surface_, merged); });
   result.regions = std::move(merged.map);
-  touched_ = stage("update", [&] {
-    return cloud_->update(surface_, result.regions, merged.carved, params_.labeling, map_->bricks());
-  });
-  forgetFragments();
   stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
@@ -312,6 +307,16 @@ std::vector<Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame, con
   static_assert(sizeof(cv::Vec3f) == sizeof(Eigen::Vector3f));
   const auto* first = reinterpret_cast<const Eigen::Vector3f*>(lab.ptr<float>());
   return {first, first + lab.total()};
+}
+
+std::span<const Eigen::Vector3i> ScanPipeline::label(const SurfaceMaps& surface,
+                                                     const RegionMerger::Outcome& merged) {
+  for (std::size_t i = 0; i < merged.carved.size(); ++i)
+    editor_->cutOut(merged.carved[i], merged.carved_from[i]);
+  const std::span<const Eigen::Vector3i> touched =
+      cloud_->update(surface, merged.map, merged.carved, params_.labeling, map_->bricks());
+  forgetFragments();
+  return touched;
 }
 
 void ScanPipeline::forgetFragments() {

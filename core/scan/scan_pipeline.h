@@ -137,10 +137,11 @@ class ScanPipeline {
   /// Looks at what there is again, at the end of a scan and with the regions as they are now: what is one
   /// whole thing by all that is known becomes an object, be it a part of a region or several, and objects, or
   /// views of them, that show something else are left behind. First segmentCloser() frames of the scan, which
-  /// changes regions as a frame does: what is as narrow as the spine of a book parts only so. Then begin;
-  /// then rate() these frames; then settle, which says of which frames (RgbdFrame::index) views were kept;
-  /// then judgeViewsOf() all of these; then lookAgain() at the frames that were rated; then beginLastLooks()
-  /// and lookAgain() at those that it names; then end. Error: the device failed.
+  /// changes regions as a frame does (by the rule `graph`): what is as narrow as the spine of a book parts
+  /// only so. Then begin; then rate() these frames; then settle, which says of which frames
+  /// (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then lookAgain() at the frames
+  /// that were rated; then beginLastLooks() and lookAgain() at those that it names; then end. Error: the
+  /// device failed.
   [[nodiscard]] Result<void> segmentCloser(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] Result<void> beginLookingAgain();
   [[nodiscard]] Result<void> rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
@@ -287,6 +288,8 @@ class ScanPipeline {
   [[nodiscard]] std::vector<LateFrame> integrateLate();
   /// MergeInput::came of the frame that went through the motion filter last; valid until the next one.
   [[nodiscard]] std::span<const std::uint8_t> cameWith();
+  /// The voxels along `surface` take the fragments that it was merged with; the bricks that this touched.
+  std::span<const Eigen::Vector3i> label(const SurfaceMaps& surface, const RegionMerger::Outcome& merged);
   /// Fragments that no voxel holds any more go; their numbers are used again.
   void forgetFragments();
   [[nodiscard]] Error outOfMemory(int frame_index) const;

@@ -44,15 +44,11 @@ Result<void> ScanPipeline::segmentCloser(const RgbdFrame& frame, const Eigen::Is
     if (params_.labeling.rule != LabelingParams::Rule::graph) return {};
     const SeenAgain seen = seeAgain(frame, T_world_camera);
     const SegmentMap segments = segmenter_->segment(seen_again_, params_.segmentation);
-    RegionMerger::Outcome merged = merger_->merge(
+    const RegionMerger::Outcome merged = merger_->merge(
         {segments, seen.result.regions.fragments, seen.result.vertices_world, seen.result.normals_world,
          seen.clues.lab, seen.K, T_world_camera, cloud_->voxelsOfFragments()},
         table_, params_.labeling);
-    for (std::size_t i = 0; i < merged.carved.size(); ++i)
-      editor_->cutOut(merged.carved[i], merged.carved_from[i]);
-    static_cast<void>(
-        cloud_->update(seen_again_, merged.map, merged.carved, params_.labeling, map_->bricks()));
-    forgetFragments();
+    static_cast<void>(label(seen_again_, merged));
     tellOf(merged.events, ObjectCollector::JoinedBy::frames);
     return {};
   });

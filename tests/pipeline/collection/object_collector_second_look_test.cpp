@@ -64,6 +64,19 @@ TEST_F(SecondLook, ViewsThatShowTheirObjectStay) {
   EXPECT_TRUE(collector_->camerasOfViews(12345).empty());
 }
 
+TEST_F(SecondLook, ViewsAreHeldAgainstAMapOfTheirOwnSizeAlone) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const std::vector<int> before = framesOfViews(mug);
+  RegionMap closer;
+  closer.width = 2 * test::kWorking.width;
+  closer.height = 2 * test::kWorking.height;
+  closer.regions.resize(4 * static_cast<std::size_t>(test::kWorking.pixels()));
+  lookAgain(closer, {mug_});
+  EXPECT_EQ(framesOfViews(mug), before);
+  lookAgain(mapWith(mug_, 0.5), {mug_});
+  EXPECT_NE(framesOfViews(mug), before) << "half of the mug is on a map of that size";
+}
+
 TEST_F(SecondLook, AViewOfWhatTheRegionWasOnceGivesWayToOneOfWhatItIs) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const std::vector<int> before = framesOfViews(mug);

@@ -56,7 +56,7 @@ TEST(RatedSets, OfSetsThatShareRegionsTheMostLikelyStays) {
 TEST(RatedSets, UnlikelyIsWhatWasJudgedAndIsNoPartOfAnythingLikely) {
   RatedSets looks;
   looks.add(1, std::vector{looked({kShade}, -2), looked({kShade, kPole}, 2), looked({kPole}, -2),
-                           looked({kBox}, -0.5F)});
+                           looked({kBox}, -2)});
   EXPECT_TRUE(looks.isUnlikely(kBox, 0));
   EXPECT_FALSE(looks.isUnlikely(kShade, 0)) << "a part of the lamp";
   EXPECT_TRUE(looks.isUnlikely(kShade, 1.5F));
