@@ -10,24 +10,16 @@ namespace scantrove {
 Result<Detector> Detector::create(ComputeContext& compute) {
   Result<ThumbnailMatcher> matcher = ThumbnailMatcher::create(compute);
   if (!matcher) return fail(matcher.error());
-  Detector detector(std::move(*matcher));
-  try {
-    detector.warmUp();
-  } catch (const cl::Error& error) {
-    return fail("The OpenCL device " + compute.deviceName() + " could not run the detector (" + error.what() +
-                    ", code " + std::to_string(error.err()) + ").",
-                "Choose another with --device; 'scantrove devices' lists them.");
-  }
-  return detector;
+  return Detector(std::move(*matcher));
 }
 
-/// Colour tables and device code are made on first use: now, not in the middle of a scan.
 void Detector::warmUp() {
   const cv::Mat color(2, 2, CV_8UC3, cv::Scalar(10, 20, 30)), mask(2, 2, CV_8UC1, cv::Scalar(255));
   const Thumbnail thumbnail = makeThumbnail(color, mask).value();
-  matcher_.append(thumbnail);
+  const bool is_empty = matcher_.size() == 0;
+  if (is_empty) matcher_.append(thumbnail);
   static_cast<void>(matcher_.distances({thumbnail}, {{0, 0}}));
-  matcher_.clear();
+  if (is_empty) matcher_.clear();
 }
 
 void Detector::add(const StoredDescriptor& view) {

@@ -48,12 +48,15 @@ class Detector {
   void setHolder(const ObjectHolder& entry) { index_.setHolder(entry); }
   [[nodiscard]] ObjectId holderOf(ObjectId object) const { return index_.holderOf(object); }
 
+  /// Colour tables and device code are made on first use, which takes a second where the driver has none of
+  /// the code yet: now, not in the middle of a scan.
+  void warmUp();
+
   /// All candidates of a frame in one batch; one match for each query, in order: who holds the best view.
   [[nodiscard]] std::vector<DetectionMatch> find(const std::vector<DetectionQuery>& queries);
 
  private:
   explicit Detector(ThumbnailMatcher matcher) : matcher_(std::move(matcher)) {}
-  void warmUp();
 
   DetectionParams params_;
   ThumbnailMatcher matcher_;

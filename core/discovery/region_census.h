@@ -17,7 +17,9 @@ struct RegionExtent {
 
   [[nodiscard]] double centroidU() const { return sum_u / static_cast<double>(pixels); }
   [[nodiscard]] double centroidV() const { return sum_v / static_cast<double>(pixels); }
-  /// Of the ellipse with the same second moments: 0 = round, towards 1 = a line.
+  /// Of the longer axis of the ellipse with the same second moments, from u towards v.
+  [[nodiscard]] double orientation_rad() const;
+  /// Of that ellipse: 0 = round, towards 1 = a line.
   [[nodiscard]] float eccentricity() const;
 };
 

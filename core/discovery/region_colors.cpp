@@ -1,6 +1,7 @@
 #include "core/discovery/region_colors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -84,10 +85,31 @@ RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const 
   return surroundings;
 }
 
+void RegionColors::compareHalves(const RegionSet& regions, const RegionExtent& extent,
+                                 ColorLikeness& alike) const {
+  const double angle = extent.orientation_rad();
+  const double c = std::cos(angle), s = std::sin(angle);
+  std::array<ColorHistogram, 2> along, across;
+  for (int v = extent.box_px.y; v < extent.box_px.br().y; ++v) {
+    // Every other pixel says as much.
+    for (int u = extent.box_px.x + (extent.box_px.x + v) % 2; u < extent.box_px.br().x; u += 2) {
+      const std::size_t pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.regions.width) +
+                                static_cast<std::size_t>(u);
+      const RegionId region = input_.regions.regions[pixel];
+      if (!region || !regions.contains(region)) continue;
+      const double x = u - extent.centroidU(), y = v - extent.centroidV();
+      along[c * x + s * y > 0 ? 1 : 0].add(input_.color_lab[pixel]);
+      across[c * y - s * x > 0 ? 1 : 0].add(input_.color_lab[pixel]);
+    }
+  }
+  alike.end_to_end = along[0].intersection(along[1]);
+  alike.side_to_side = across[0].intersection(across[1]);
+}
+
 std::optional<ColorLikeness> RegionColors::likenessOf(const RegionSet& regions,
-                                                      const cv::Rect& box_px) const {
+                                                      const RegionExtent& extent) const {
   if (input_.color_lab.empty()) return std::nullopt;
-  const Surroundings surroundings = around(regions, box_px);
+  const Surroundings surroundings = around(regions, extent.box_px);
   const ColorHistogram own = colorsOf(regions);
   ColorLikeness alike;
   alike.touching = own.intersection(surroundings.touching);
@@ -95,6 +117,7 @@ std::optional<ColorLikeness> RegionColors::likenessOf(const RegionSet& regions,
     if (pixels >= kLeastNear)
       alike.neighbour = std::max(alike.neighbour, own.intersection(colorsOf({region})));
   }
+  compareHalves(regions, extent, alike);
   return alike;
 }
 

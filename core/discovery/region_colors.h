@@ -4,6 +4,7 @@
 
 #include "core/discovery/candidate_finder.h"
 #include "core/discovery/color_histogram.h"
+#include "core/discovery/region_census.h"
 #include "core/discovery/region_set.h"
 
 namespace scantrove {
@@ -14,6 +15,9 @@ struct ColorLikeness {
   float neighbour = 0;
   /// With what touches it: what lies around it and neither clearly before nor behind it.
   float touching = 0;
+  // Of their two halves: on either side of the middle of their longer axis in the image, and of the other.
+  // Things in a row are halved between them, or nearly so.
+  float end_to_end = 0, side_to_side = 0;
 };
 
 /// The colours of the regions of an image. A piece of a thing is coloured like the rest of it, a whole thing
@@ -23,9 +27,9 @@ class RegionColors {
   /// `input` must outlive this.
   explicit RegionColors(const DiscoveryInput& input);
 
-  /// `box_px` holds all pixels of the regions. Nothing where the image has no colour.
+  /// `extent` is that of all the regions together. Nothing where the image has no colour.
   [[nodiscard]] std::optional<ColorLikeness> likenessOf(const RegionSet& regions,
-                                                        const cv::Rect& box_px) const;
+                                                        const RegionExtent& extent) const;
 
  private:
   /// What is near some regions in the image.
@@ -35,6 +39,7 @@ class RegionColors {
   };
   [[nodiscard]] Surroundings around(const RegionSet& regions, const cv::Rect& box_px) const;
   [[nodiscard]] ColorHistogram colorsOf(const RegionSet& regions) const;
+  void compareHalves(const RegionSet& regions, const RegionExtent& extent, ColorLikeness& alike) const;
 
   const DiscoveryInput& input_;
   std::map<RegionId, ColorHistogram> of_region_;

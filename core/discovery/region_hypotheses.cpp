@@ -10,7 +10,6 @@
 namespace scantrove {
 namespace {
 
-constexpr int kLeastContact = 4;           // steps along which two regions touch
 constexpr float kLeastContactPart = 0.1F;  // of the outline of one of them
 constexpr float kLeastRimPart = 0.2F;      // of a hollow's outline
 

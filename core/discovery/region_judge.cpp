@@ -4,10 +4,12 @@
 
 #include "core/base/check.h"
 #include "core/discovery/oriented_box.h"
+#include "core/discovery/outward_odds.h"
 #include "core/discovery/region_candidate.h"
 #include "core/discovery/region_colors.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/region_rules.h"
+#include "core/discovery/silhouette.h"
 
 namespace scantrove {
 namespace {
@@ -71,7 +73,10 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     evidence.pixels = pixels * scale;
     evidence.largest_part = largest / pixels;
     evidence.shown = shown / pixels;
-    evidence.likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent.box_px);
+    evidence.likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent);
+    const auto [most, joined_part] = outwardOddsOf(hypothesis.regions, outlines, input);
+    evidence.outward_odds = most;
+    evidence.joined_part = joined_part;
     judged.push_back({std::move(hypothesis), evidence});
   }
   return judged;
@@ -86,10 +91,15 @@ WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, co
   WholenessEvidence evidence;
   evidence.open = partOfOutline(outline.open);
   evidence.folded = partOfOutline(outline.folded);
+  evidence.ridged = partOfOutline(outline.ridged);
   evidence.hidden = partOfOutline(outline.hidden);
   evidence.cut = partOfOutline(outline.cut);
   evidence.fill = static_cast<float>(extent.pixels) / static_cast<float>(std::max(1, extent.box_px.area()));
   evidence.bulge = bulgeOf(hypothesis.regions, extent.box_px, input);
+  const Silhouette silhouette = silhouetteOf(hypothesis.regions, extent.box_px, input);
+  evidence.convexity = silhouette.convexity;
+  evidence.relief_m = silhouette.relief_m;
+  evidence.area_m2 = hypothesis.visible_area_m2;
   const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
   evidence.known_bulge = known.bulge;
   evidence.known_flatness = known.box.thickness_ratio;

@@ -108,6 +108,17 @@ float OutlineSteps::hiddenPart() const {
   return known() == 0 ? 0 : static_cast<float>(hidden) / static_cast<float>(known());
 }
 
+template <class Visit>
+void RegionOutlines::forEachBeyond(const RegionSet& regions, const Visit& visit) const {
+  for (const RegionId region : regions) {
+    const auto outline = outlines_.find(region);
+    if (outline == outlines_.end()) continue;
+    for (const Beyond& beyond : outline->second) {
+      if (!regions.contains(beyond.region)) visit(beyond);
+    }
+  }
+}
+
 RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParams& params) {
   const int width = input.regions.width, height = input.regions.height;
   SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
@@ -146,15 +157,15 @@ RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParam
 }
 
 OutlineSteps RegionOutlines::of(const RegionSet& regions) const {
-  OutlineSteps steps;
-  for (const RegionId region : regions) {
-    const auto outline = outlines_.find(region);
-    if (outline == outlines_.end()) continue;
-    for (const Beyond& beyond : outline->second) {
-      if (!regions.contains(beyond.region)) steps += beyond.steps;
-    }
-  }
-  return steps;
+  OutlineSteps all;
+  forEachBeyond(regions, [&all](const Beyond& beyond) { all += beyond.steps; });
+  return all;
+}
+
+std::map<RegionId, OutlineSteps> RegionOutlines::beyond(const RegionSet& regions) const {
+  std::map<RegionId, OutlineSteps> all;
+  forEachBeyond(regions, [&all](const Beyond& beyond) { all[beyond.region] += beyond.steps; });
+  return all;
 }
 
 OutlineSteps RegionOutlines::between(RegionId a, RegionId b) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -29,6 +30,8 @@ struct OutlineSteps {
   [[nodiscard]] float hiddenPart() const;
 };
 
+inline constexpr int kLeastContact = 4;  ///< steps along which two regions touch, of one thing or not
+
 /// How the regions of an image end, and against what.
 class RegionOutlines {
  public:
@@ -37,6 +40,8 @@ class RegionOutlines {
 
   /// Of the set's outline: steps from one of its regions to another are inside.
   [[nodiscard]] OutlineSteps of(const RegionSet& regions) const;
+  /// The same, by what lies beyond; none: no region there.
+  [[nodiscard]] std::map<RegionId, OutlineSteps> beyond(const RegionSet& regions) const;
   /// From `a` to `b`.
   [[nodiscard]] OutlineSteps between(RegionId a, RegionId b) const;
   /// Regions that `region` meets along at least `least_steps` steps of which something is known, whether it
@@ -48,6 +53,10 @@ class RegionOutlines {
     RegionId region;
     OutlineSteps steps;
   };
+  /// What lies beyond the set's outline, once for each of its regions.
+  template <class Visit>
+  void forEachBeyond(const RegionSet& regions, const Visit& visit) const;
+
   std::unordered_map<RegionId, std::vector<Beyond>> outlines_;  // none: no region there
 };
 

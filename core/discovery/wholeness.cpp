@@ -27,7 +27,15 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
           likeness ? likeness->neighbour : kUsualNeighbourLikeness,
           likeness ? likeness->touching : kUsualTouchingLikeness,
           cut,
-          shown};
+          shown,
+          ridged,
+          std::min(outward_odds, kMostOdds),
+          joined_part,
+          convexity,
+          likeness ? likeness->end_to_end : kUsualEndToEndLikeness,
+          likeness ? likeness->side_to_side : kUsualSideToSideLikeness,
+          relief_m,
+          area_m2};
 }
 
 float WholenessEvidence::logOdds() const {

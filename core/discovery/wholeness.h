@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/discovery/outward_odds.h"
 #include "core/discovery/region_colors.h"
 
 namespace scantrove {
@@ -13,8 +14,11 @@ struct WholenessEvidence {
   float pixels = 0;  ///< that show them, of an image of 320 x 240
   float shown = 1;   ///< the part of all that is known that is in view, hidden or not
   // Of their outline in the image, parts of what is known of it (OutlineSteps).
-  float open = 0, folded = 0, hidden = 0, cut = 0;
+  float open = 0, folded = 0, ridged = 0, hidden = 0, cut = 0;
   float fill = 0;            ///< the part of their box in the image that they fill
+  float convexity = 1;       ///< Silhouette
+  float relief_m = 0;        ///< Silhouette
+  float area_m2 = 0;         ///< visibleArea()
   float bulge = 0;           ///< bulgeOf() what is seen
   float known_bulge = 0;     ///< of all that is known
   float known_flatness = 0;  ///< OrientedBox::thickness_ratio of all that is known
@@ -22,9 +26,11 @@ struct WholenessEvidence {
   bool is_torn = false;                                    ///< RegionHypothesis::is_torn
   float largest_part = 1;                                  ///< of the pixels, those of the region with most
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
+  float outward_odds = OutwardOdds::kLeast;                ///< OutwardOdds::most
+  float joined_part = 0;                                   ///< OutwardOdds
   std::optional<ColorLikeness> likeness;                   ///< none: the image has no colour
 
-  static constexpr std::size_t kFeatures = 18;
+  static constexpr std::size_t kFeatures = 26;
   /// What logOdds() weighs.
   [[nodiscard]] std::array<float, kFeatures> features() const;
 

@@ -12,7 +12,7 @@ namespace {
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
 /// Of RatedSets: from there on something is a whole; below, what was an object is none any more.
-constexpr float kWhole = 0.4F;
+constexpr float kWhole = 0.2F;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `image_px`.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,

@@ -67,6 +67,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
                                       const SurfaceInColor& in_color, std::vector<Candidate> candidates) {
   FrameObjects objects;
   std::erase_if(candidates, [this](const Candidate& candidate) { return !mayBeObject(candidate); });
+  if (frame_ == 1) catalogue_.detector().warmUp();  // the first has been shown by then
   frame_ += is_looking_again_ ? RecognitionHistory::kFramesApart : 1;
   takeNews(objects);
   mergeJoined();

@@ -17,7 +17,9 @@ namespace scantrove::benchmarks {
 namespace {
 
 constexpr std::size_t kFolds = 8;
-constexpr std::size_t kNeighbourLikeness = 14, kTouchingLikeness = 15;  // of WholenessEvidence::features()
+// Of WholenessEvidence::features().
+constexpr std::size_t kNeighbourLikeness = 14, kTouchingLikeness = 15, kEndToEndLikeness = 22,
+                      kSideToSideLikeness = 23;
 
 /// Keeps what a judge says of a frame, beside what is true there.
 class Recorder final : public CandidateSource {
@@ -171,9 +173,12 @@ void print(const WholenessTrees& fitted, const std::vector<WholenessSample>& sam
   std::printf(
       "inline constexpr float kWholenessPrior = %s;\n// Medians, for what has no colour.\n"
       "inline constexpr float kUsualNeighbourLikeness = %s, kUsualTouchingLikeness = %s;\n"
+      "inline constexpr float kUsualEndToEndLikeness = %s, kUsualSideToSideLikeness = %s;\n"
       "inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n",
       inCpp(fitted.prior).c_str(), inCpp(medianOf(kNeighbourLikeness, samples)).c_str(),
-      inCpp(medianOf(kTouchingLikeness, samples)).c_str(), fitted.trees.size());
+      inCpp(medianOf(kTouchingLikeness, samples)).c_str(),
+      inCpp(medianOf(kEndToEndLikeness, samples)).c_str(),
+      inCpp(medianOf(kSideToSideLikeness, samples)).c_str(), fitted.trees.size());
   for (const BoostedTree& tree : fitted.trees) {
     std::vector<std::string> splits, leaves;
     for (const auto& [feature, most] : tree.splits) {

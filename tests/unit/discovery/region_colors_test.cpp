@@ -13,9 +13,26 @@ using test::PaintedScene;
 const Eigen::Vector3f kGreyLab{50, 0, 0}, kRedLab{50, 50, 25};
 const cv::Rect kPlace{60, 40, 30, 20};
 
+RegionExtent extentOf(const PaintedScene& scene, const RegionSet& regions, const cv::Rect& box_px) {
+  RegionExtent extent;
+  extent.box_px = box_px;
+  for (int v = box_px.y; v < box_px.br().y; ++v) {
+    for (int u = box_px.x; u < box_px.br().x; ++u) {
+      if (!regions.contains(scene.map.regions[static_cast<std::size_t>(v * scene.K.width + u)])) continue;
+      ++extent.pixels;
+      extent.sum_u += u;
+      extent.sum_v += v;
+      extent.sum_uu += u * u;
+      extent.sum_uv += u * v;
+      extent.sum_vv += v * v;
+    }
+  }
+  return extent;
+}
+
 ColorLikeness likenessOf(const PaintedScene& scene, const RegionSet& regions, const cv::Rect& box_px) {
   const DiscoveryInput input = scene.input();
-  const auto likeness = RegionColors(input).likenessOf(regions, box_px);
+  const auto likeness = RegionColors(input).likenessOf(regions, extentOf(scene, regions, box_px));
   EXPECT_TRUE(likeness);
   return likeness.value_or(ColorLikeness{-1, -1});
 }
@@ -33,7 +50,7 @@ TEST(RegionColors, OfAnImageWithoutColourNothingIsSaid) {
   PaintedScene scene;
   scene.paint(7, kPlace, [](int, int) { return 1.0F; });
   const DiscoveryInput input = scene.input();
-  EXPECT_FALSE(RegionColors(input).likenessOf({RegionId{7}}, kPlace));
+  EXPECT_FALSE(RegionColors(input).likenessOf({RegionId{7}}, extentOf(scene, {RegionId{7}}, kPlace)));
 }
 
 TEST(RegionColors, APatchOfTheWallIsLikeTheWall) {
@@ -73,6 +90,34 @@ TEST(RegionColors, AFewPixelsNearItAreNoNeighbour) {
   scene.paint(8, {kPlace.br().x, kPlace.y, 1, 7}, [](int, int) { return 2.0F; });
   scene.color(8, kRedLab);
   EXPECT_EQ(likenessOf(scene, {RegionId{7}}, kPlace).neighbour, 0);
+}
+
+TEST(RegionColors, OneColourIsAlikeInAllHalves) {
+  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kRedLab), {RegionId{7}}, kPlace);
+  EXPECT_NEAR(likeness.end_to_end, 1, 1e-4);
+  EXPECT_NEAR(likeness.side_to_side, 1, 1e-4);
+}
+
+TEST(RegionColors, TwoThingsBesideOneAnotherAreNotAlikeEndToEnd) {
+  PaintedScene scene = beforeGreyWall(1, kRedLab);
+  const cv::Rect beside(kPlace.br().x, kPlace.y, kPlace.width, kPlace.height);
+  scene.paint(8, beside, [](int, int) { return 1.0F; });
+  scene.color(8, kGreyLab);
+  const RegionSet both{RegionId{7}, RegionId{8}};
+  const ColorLikeness likeness = likenessOf(scene, both, kPlace | beside);
+  EXPECT_EQ(likeness.end_to_end, 0);
+  EXPECT_NEAR(likeness.side_to_side, 1, 1e-4) << "half of each half is red";
+}
+
+TEST(RegionColors, NorAreThoseOfASlantedRow) {
+  // Steps down to the right, red and then grey: the longer axis is their diagonal.
+  PaintedScene scene = beforeGreyWall(1, kRedLab);
+  const cv::Rect below(kPlace.br().x, kPlace.br().y, kPlace.width, kPlace.height);
+  scene.paint(8, below, [](int, int) { return 1.0F; });
+  scene.color(8, kGreyLab);
+  const ColorLikeness likeness = likenessOf(scene, {RegionId{7}, RegionId{8}}, kPlace | below);
+  EXPECT_EQ(likeness.end_to_end, 0);
+  EXPECT_GT(likeness.side_to_side, 0.8F) << "the axis cuts either into two halves, nearly";
 }
 
 TEST(RegionColors, AtTheImagesEdgeToo) {

@@ -46,6 +46,9 @@ WholenessEvidence mug() {
   evidence.open = 0.75F;
   evidence.folded = 0.2F;
   evidence.fill = 0.75F;
+  evidence.convexity = 0.95F;
+  evidence.relief_m = 0.1F;
+  evidence.area_m2 = 0.009F;
   evidence.bulge = 0.5F;
   evidence.known_bulge = 0.45F;
   evidence.known_flatness = 0.5F;
@@ -68,11 +71,15 @@ TEST(Wholeness, WeighsSizesAsTheirShape) {
 
 TEST(Wholeness, HearsColoursAndWithoutThemTakesThemForUsual) {
   WholenessEvidence evidence = mug();
-  evidence.likeness = ColorLikeness{.neighbour = 0.9F, .touching = 0.8F};
+  evidence.likeness =
+      ColorLikeness{.neighbour = 0.9F, .touching = 0.8F, .end_to_end = 0.7F, .side_to_side = 0.6F};
   EXPECT_EQ(evidence.features()[14], 0.9F);
   EXPECT_EQ(evidence.features()[15], 0.8F);
+  EXPECT_EQ(evidence.features()[22], 0.7F);
+  EXPECT_EQ(evidence.features()[23], 0.6F);
   const float like_all_around = evidence.logOdds();
-  evidence.likeness = ColorLikeness{.neighbour = 0.1F, .touching = 0.05F};
+  evidence.likeness =
+      ColorLikeness{.neighbour = 0.1F, .touching = 0.05F, .end_to_end = 0.7F, .side_to_side = 0.6F};
   const float unlike = evidence.logOdds();
   EXPECT_GT(unlike, like_all_around);
   const auto usual = mug().features();
@@ -80,6 +87,13 @@ TEST(Wholeness, HearsColoursAndWithoutThemTakesThemForUsual) {
   EXPECT_LT(usual[14], 0.9F);
   EXPECT_GT(usual[15], 0.05F);
   EXPECT_LT(usual[15], 0.8F);
+}
+
+TEST(Wholeness, WhatIsSaidToBeOneWithItsNeighbourIsNoWhole) {
+  WholenessEvidence part = mug();
+  EXPECT_EQ(part.features()[19], OutwardOdds::kLeast) << "it touches nothing";
+  part.outward_odds = 9;
+  EXPECT_FLOAT_EQ(part.features()[19], 4) << "more is as good as certain";
 }
 
 TEST(Wholeness, WhatIsNothingYetHasFeaturesToo) {
