@@ -173,6 +173,10 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
   struct Pixels {
     bool is_own = false;
     float all = 0, shared = 0;
+    void operator+=(const Pixels& other) {
+      all += other.all;
+      shared += other.shared;
+    }
     [[nodiscard]] float fit(float mask) const { return shared / std::max(mask + all - shared, 1.0F); }
   };
   std::map<RegionId, Pixels> regions;
@@ -192,13 +196,24 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
       entry->second.shared += is_masked ? 1.0F : 0.0F;
     }
   }
+  float best = 0;
+  bool is_known_whole = false;
+  for (const auto& [whole, frame_index] : wholes_) {
+    if (!haveOneSuccessor(met_.objectOf(whole), view.object)) continue;
+    is_known_whole = true;
+    Pixels together;
+    for (const RegionId region : whole) {
+      if (const auto found = regions.find(region); found != regions.end()) together += found->second;
+    }
+    best = std::max(best, together.fit(mask));
+  }
+  if (is_known_whole) return best < kLeastFit;
   // The largest region of the object, or all of them together: the others are parts.
   Pixels all_own, largest;
   for (const auto& [region, pixels] : regions) {
     if (!pixels.is_own) continue;
     if (pixels.all > largest.all) largest = pixels;
-    all_own.all += pixels.all;
-    all_own.shared += pixels.shared;
+    all_own += pixels;
   }
   return std::max(largest.fit(mask), all_own.fit(mask)) < kLeastFit;
 }

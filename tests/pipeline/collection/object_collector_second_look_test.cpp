@@ -347,6 +347,32 @@ TEST_F(SecondLook, AnObjectIsTheWholeThatItsRegionIsAPartOf) {
   EXPECT_EQ(framesOfViews(mug).size(), 2U);
 }
 
+TEST_F(SecondLook, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const std::vector<int> before = framesOfViews(mug);
+  const RegionId handle{77};
+  Candidate both = judged(mug_, 3);
+  both.regions.add(handle);
+  RegionMap map = mapWith(mug_, 1);
+  // Beside it and half as large, so that the mug alone is still the larger part.
+  const cv::Rect box_px = mug_.candidate().box_px;
+  for (int v = box_px.y; v < box_px.br().y; ++v) {
+    const auto beside = map.regions.begin() + v * map.width + box_px.br().x;
+    std::fill_n(beside, box_px.width / 2, handle);
+  }
+  collector_->beginLookingAgain();
+  collector_->rate(3, {both});
+  const DepthView surface{
+      test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
+  for (const int frame : collector_->settleWholes()) collector_->judgeViewsOf(frame, map, surface, 0.0015F);
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({both}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(framesOfViews(mug).size(), 1U) << "from the same side";
+  EXPECT_NE(framesOfViews(mug), before);
+}
+
 TEST_F(SecondLook, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   collector_->bind(box_.region, mug);
