@@ -11,6 +11,8 @@ namespace {
 
 /// Of mask and region together both must be this part, or the view is of what the region was once.
 constexpr float kLeastFit = 0.7F;
+/// The same of a whole of several regions, whose views may be of one of them.
+constexpr float kLeastFitOfWhole = 0.6F;
 /// Of RatedSets: from there on something is a whole; below, what was an object is none any more.
 constexpr float kWhole = 0.2F;
 
@@ -196,8 +198,8 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
       entry->second.shared += is_masked ? 1.0F : 0.0F;
     }
   }
-  float best = 0;
   bool is_known_whole = false;
+  float best = 0;
   for (const auto& [whole, frame_index] : wholes_) {
     if (!haveOneSuccessor(met_.objectOf(whole), view.object)) continue;
     is_known_whole = true;
@@ -207,7 +209,6 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
     }
     best = std::max(best, together.fit(mask));
   }
-  if (is_known_whole) return best < kLeastFit;
   // The largest region of the object, or all of them together: the others are parts.
   Pixels all_own, largest;
   for (const auto& [region, pixels] : regions) {
@@ -215,7 +216,8 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
     if (pixels.all > largest.all) largest = pixels;
     all_own += pixels;
   }
-  return std::max(largest.fit(mask), all_own.fit(mask)) < kLeastFit;
+  return std::max(largest.fit(mask), all_own.fit(mask)) < kLeastFit ||
+         (is_known_whole && best < kLeastFitOfWhole);
 }
 
 void ObjectCollector::mergeSuccessors() {

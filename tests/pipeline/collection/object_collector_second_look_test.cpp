@@ -354,11 +354,11 @@ TEST_F(SecondLook, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
   Candidate both = judged(mug_, 3);
   both.regions.add(handle);
   RegionMap map = mapWith(mug_, 1);
-  // Beside it and half as large, so that the mug alone is still the larger part.
+  // Beside it and nearly as large: the mug alone is still the larger part, of a little more than half.
   const cv::Rect box_px = mug_.candidate().box_px;
   for (int v = box_px.y; v < box_px.br().y; ++v) {
     const auto beside = map.regions.begin() + v * map.width + box_px.br().x;
-    std::fill_n(beside, box_px.width / 2, handle);
+    std::fill_n(beside, 9 * box_px.width / 10, handle);
   }
   collector_->beginLookingAgain();
   collector_->rate(3, {both});
