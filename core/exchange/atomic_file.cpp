@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace scantrove {
 namespace {
@@ -85,15 +86,22 @@ class PartFile {
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
   /// Every byte reached the file, and the disk if asked for.
-  [[nodiscard]] bool fill(std::string_view bytes, Durability durability) const {
-    return file_.isOpen() && file_.writeAll(bytes) && (durability != Durability::power || file_.flush()) &&
-           file_.settle();
+  [[nodiscard]] bool fill(const std::function<std::string_view()>& next, Durability durability) const {
+    if (!file_.isOpen()) return false;
+    for (std::string_view bytes = next(); !bytes.empty(); bytes = next()) {
+      if (!file_.writeAll(bytes)) return false;
+    }
+    return (durability != Durability::power || file_.flush()) && file_.settle();
   }
 
  private:
   fs::path path_;
   Descriptor file_;
 };
+
+std::function<std::string_view()> onePiece(std::string_view bytes) {
+  return [bytes]() mutable { return std::exchange(bytes, {}); };
+}
 
 /// What killed runs left: part files that nobody has locked.
 void removeAbandonedParts(const fs::path& folder) {
@@ -117,8 +125,13 @@ void flushFolder(const fs::path& path) {
 }  // namespace
 
 Result<void> writeFileAtomically(const fs::path& path, std::string_view bytes, Durability durability) {
+  return writeFileAtomically(path, onePiece(bytes), durability);
+}
+
+Result<void> writeFileAtomically(const fs::path& path, const std::function<std::string_view()>& next,
+                                 Durability durability) {
   const PartFile part(path);
-  if (!part.fill(bytes, durability)) return cannotWrite(path, reason(errno));
+  if (!part.fill(next, durability)) return cannotWrite(path, reason(errno));
   std::error_code failure;
   fs::rename(part.path(), path, failure);
   if (failure) return cannotWrite(path, failure.message());
@@ -134,7 +147,7 @@ Result<void> prepareOutputFolder(const fs::path& folder) {
                 "Choose another output folder.");
   }
   const PartFile probe(folder / "probe");
-  if (!probe.fill("x", Durability::process)) {
+  if (!probe.fill(onePiece("x"), Durability::process)) {
     return fail("Cannot write to the folder " + folder.string() + ": " + reason(errno) + ".",
                 "Choose another output folder.");
   }

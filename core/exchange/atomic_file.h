@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -17,6 +18,12 @@ enum class Durability {
 /// no file, or the whole new one, never half of it. Error: names `path` and the system's reason (full disk,
 /// read-only folder, ...).
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes,
+                                 Durability durability = Durability::power);
+
+/// The same of bytes that need not be in memory at once: `next` gives one piece after the other, each good
+/// until it is asked again, and an empty one at the end.
+Result<void> writeFileAtomically(const std::filesystem::path& path,
+                                 const std::function<std::string_view()>& next,
                                  Durability durability = Durability::power);
 
 /// Creates `folder` with its parents and proves by a small file that it can be written to. Removes the

@@ -17,10 +17,10 @@ namespace scantrove {
 
 /// Binary PCD with fields `x y z rgba label`; reads back as pcl::PointXYZRGBL. An empty cloud is a valid
 /// file. Written beside and renamed. Error: names `path`.
-Result<void> writePcd(const std::filesystem::path& path, std::span<const LabeledPoint> points);
+Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points);
 
 /// Binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label`.
 /// Written beside and renamed. Error: names `path`.
-Result<void> writePly(const std::filesystem::path& path, std::span<const LabeledPoint> points);
+Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points);
 
 }  // namespace scantrove

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <deque>
 
 namespace scantrove {
 
@@ -11,5 +12,8 @@ struct LabeledPoint {
 
   bool operator==(const LabeledPoint&) const = default;
 };
+
+/// As many as a scan has: they are not copied as they become more.
+using LabeledCloud = std::deque<LabeledPoint>;
 
 }  // namespace scantrove

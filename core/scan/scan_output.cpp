@@ -71,7 +71,7 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
 }
 
 Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
-  std::vector<LabeledPoint> points;
+  LabeledCloud points;
   std::map<std::uint32_t, LabelMapEntry> entries;  // by number
   FirstError outcome;
   const auto add = [&](const LabelPoint& point) {

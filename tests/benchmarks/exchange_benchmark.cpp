@@ -14,9 +14,9 @@ namespace {
 std::filesystem::path scratchFile(const char* name) { return std::filesystem::temp_directory_path() / name; }
 
 void BM_WriteCloud(benchmark::State& state,
-                   Result<void> (*write)(const std::filesystem::path&, std::span<const LabeledPoint>)) {
+                   Result<void> (*write)(const std::filesystem::path&, const LabeledCloud&)) {
   std::mt19937 random(1);
-  std::vector<LabeledPoint> points(static_cast<std::size_t>(state.range(0)));
+  LabeledCloud points(static_cast<std::size_t>(state.range(0)));
   for (LabeledPoint& p : points) {
     p.x = static_cast<float>(random() % 3000) * 1e-3F;
     p.label = static_cast<std::uint32_t>(random() % 200);

@@ -34,6 +34,18 @@ TEST(AtomicFile, WritesAndReplacesWholeFiles) {
   EXPECT_EQ(filesIn(folder.path()), 1);
 }
 
+TEST(AtomicFile, WritesOnePieceAfterTheOther) {
+  const TemporaryFolder folder;
+  std::array<std::string_view, 4> pieces{"one ", "two ", "three", ""};
+  int asked = 0;
+  ASSERT_TRUE(
+      writeFileAtomically(folder / "a.txt", [&] { return pieces.at(static_cast<std::size_t>(asked++)); }));
+  EXPECT_EQ(readText(folder / "a.txt"), "one two three");
+  EXPECT_EQ(asked, 4);
+  ASSERT_TRUE(writeFileAtomically(folder / "b.txt", [] { return std::string_view(); }));
+  EXPECT_EQ(readText(folder / "b.txt"), "");
+}
+
 TEST(AtomicFile, NamesThePathAndTheReasonOfAFolderThatIsMissing) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "missing" / "a.txt";

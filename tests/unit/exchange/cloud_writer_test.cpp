@@ -17,10 +17,10 @@ namespace {
 using test::TemporaryFolder;
 using PclCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
 
-std::vector<LabeledPoint> somePoints() {
+LabeledCloud somePoints(std::size_t count = 1000) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> coordinate(-3, 3);
-  std::vector<LabeledPoint> points(1000);
+  LabeledCloud points(count);
   for (LabeledPoint& p : points) {
     p = {coordinate(random),
          coordinate(random),
@@ -36,8 +36,8 @@ std::vector<LabeledPoint> somePoints() {
   return points;
 }
 
-std::vector<LabeledPoint> fromPcl(const PclCloud& cloud) {
-  std::vector<LabeledPoint> points;
+LabeledCloud fromPcl(const PclCloud& cloud) {
+  LabeledCloud points;
   for (const auto& p : cloud) points.push_back({p.x, p.y, p.z, p.r, p.g, p.b, p.label});
   return points;
 }
@@ -57,10 +57,12 @@ TEST(CloudWriter, PcdReadsBackEqual) {
 TEST(CloudWriter, PcdTellsWhereItWasSeenFrom) {
   const TemporaryFolder folder;
   const Eigen::Isometry3d viewpoint = test::pose(10, -20, 30, 1, -2, 0.5);
-  const auto file = folder.write("cloud.pcd", encodePcd(somePoints(), viewpoint));
+  const LabeledCloud points = somePoints();
+  const auto file = folder.write(
+      "cloud.pcd", encodePcd(std::vector<LabeledPoint>(points.begin(), points.end()), viewpoint));
   PclCloud cloud;
   ASSERT_EQ(pcl::io::loadPCDFile(file.string(), cloud), 0);
-  EXPECT_EQ(fromPcl(cloud), somePoints());
+  EXPECT_EQ(fromPcl(cloud), points);
   EXPECT_LT((cloud.sensor_origin_.head<3>().cast<double>() - viewpoint.translation()).norm(), 1e-5);
   EXPECT_LT((cloud.sensor_orientation_.toRotationMatrix().cast<double>() - viewpoint.linear()).norm(), 1e-5);
 }
@@ -72,6 +74,18 @@ TEST(CloudWriter, PlyReadsBackEqual) {
   PclCloud cloud;
   ASSERT_EQ(pcl::io::loadPLYFile((folder / "cloud.ply").string(), cloud), 0);
   EXPECT_EQ(fromPcl(cloud), points);
+}
+
+TEST(CloudWriter, AreTheSameInManyPieces) {
+  const TemporaryFolder folder;
+  const LabeledCloud points = somePoints(40000);
+  ASSERT_TRUE(writePcd(folder / "cloud.pcd", points));
+  ASSERT_TRUE(writePly(folder / "cloud.ply", points));
+  PclCloud pcd, ply;
+  ASSERT_EQ(pcl::io::loadPCDFile((folder / "cloud.pcd").string(), pcd), 0);
+  ASSERT_EQ(pcl::io::loadPLYFile((folder / "cloud.ply").string(), ply), 0);
+  EXPECT_EQ(fromPcl(pcd), points);
+  EXPECT_EQ(fromPcl(ply), points);
 }
 
 TEST(CloudWriter, AnEmptyCloudIsAFileWithoutPoints) {
