@@ -26,7 +26,7 @@ void addRun(RegionExtent& extent, int v, int begin, int end) {
 
 }  // namespace
 
-double RegionExtent::orientation_rad() const {
+double RegionExtent::orientation() const {
   const double n = static_cast<double>(pixels);
   const double u = centroidU(), v = centroidV();
   return std::atan2(2 * (sum_uv / n - u * v), sum_uu / n - u * u - (sum_vv / n - v * v)) / 2;

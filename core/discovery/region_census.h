@@ -17,8 +17,8 @@ struct RegionExtent {
 
   [[nodiscard]] double centroidU() const { return sum_u / static_cast<double>(pixels); }
   [[nodiscard]] double centroidV() const { return sum_v / static_cast<double>(pixels); }
-  /// Of the longer axis of the ellipse with the same second moments, from u towards v.
-  [[nodiscard]] double orientation_rad() const;
+  /// Of the longer axis of the ellipse with the same second moments, from u towards v, radians.
+  [[nodiscard]] double orientation() const;
   /// Of that ellipse: 0 = round, towards 1 = a line.
   [[nodiscard]] float eccentricity() const;
 };

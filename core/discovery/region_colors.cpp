@@ -87,7 +87,7 @@ RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const 
 
 void RegionColors::compareHalves(const RegionSet& regions, const RegionExtent& extent,
                                  ColorLikeness& alike) const {
-  const double angle = extent.orientation_rad();
+  const double angle = extent.orientation();
   const double c = std::cos(angle), s = std::sin(angle);
   std::array<ColorHistogram, 2> along, across;
   for (int v = extent.box_px.y; v < extent.box_px.br().y; ++v) {
