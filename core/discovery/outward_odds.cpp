@@ -9,8 +9,10 @@ OutwardOdds outwardOddsOf(const RegionSet& regions, const RegionOutlines& outlin
                           const DiscoveryInput& input) {
   OutwardOdds outward;
   if (!input.joining_odds) return outward;
-  const auto known = static_cast<float>(std::max(1, outlines.of(regions).known()));
-  for (const auto& [beyond, steps] : outlines.beyond(regions)) {
+  const std::map<RegionId, OutlineSteps> all = outlines.beyond(regions);
+  int known = 0;
+  for (const auto& [beyond, steps] : all) known += steps.known();
+  for (const auto& [beyond, steps] : all) {
     if (!beyond || steps.touching() < kLeastContact) continue;
     float odds = OutwardOdds::kLeast;
     for (const RegionId region : regions) {
@@ -18,7 +20,8 @@ OutwardOdds outwardOddsOf(const RegionSet& regions, const RegionOutlines& outlin
         odds = std::max(odds, input.joining_odds(region, beyond));
     }
     outward.most = std::max(outward.most, odds);
-    outward.joined_part += static_cast<float>(steps.touching()) / known / (1 + std::exp(-odds));
+    outward.joined_part +=
+        static_cast<float>(steps.touching()) / static_cast<float>(known) / (1 + std::exp(-odds));
   }
   return outward;
 }

@@ -79,6 +79,8 @@ std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewp
 
 std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint) {
   std::string bytes = pcdHeader(points.size(), T_world_viewpoint);
+  constexpr std::size_t kPointBytes = 3 * sizeof(float) + 2 * sizeof(std::uint32_t);
+  bytes.reserve(bytes.size() + points.size() * kPointBytes);
   for (const LabeledPoint& point : points) putPcd(point, bytes);
   return bytes;
 }

@@ -76,6 +76,16 @@ TEST_F(DetectorTest, RecognisesAtAnotherSizeBeforeAnotherBackground) {
   for (std::size_t i = 20; i < 40; ++i) EXPECT_FALSE(matches[i].object) << i << " " << matches[i].distance;
 }
 
+TEST_F(DetectorTest, WarmingUpLeavesTheCatalogueAsItIs) {
+  detector_->warmUp();
+  EXPECT_FALSE(detector_->find({Look(0, {90, 70}, 0).query()})[0].object) << "still empty";
+  for (int seed = 0; seed < 3; ++seed) addObject(seed);
+  detector_->warmUp();
+  EXPECT_EQ(detector_->viewCount(), 3);
+  for (int seed = 0; seed < 3; ++seed)
+    EXPECT_EQ(find(Look(seed, {61, 50}, 9).query()), static_cast<std::uint32_t>(seed + 1));
+}
+
 TEST_F(DetectorTest, FindsAmongManyAfterPruning) {
   for (int seed = 0; seed < 400; ++seed) addObject(seed);
   EXPECT_EQ(detector_->viewCount(), 400);

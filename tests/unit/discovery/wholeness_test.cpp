@@ -89,7 +89,7 @@ TEST(Wholeness, HearsColoursAndWithoutThemTakesThemForUsual) {
   EXPECT_LT(usual[15], 0.8F);
 }
 
-TEST(Wholeness, WhatIsSaidToBeOneWithItsNeighbourIsNoWhole) {
+TEST(Wholeness, OddsOfWhatItTouchesCountUpToWhatIsAsGoodAsCertain) {
   WholenessEvidence part = mug();
   EXPECT_EQ(part.features()[19], OutwardOdds::kLeast) << "it touches nothing";
   part.outward_odds = 9;

@@ -1,0 +1,261 @@
+// What ObjectCollector makes of the sets of regions that the looks at the end of a scan say are whole.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "tests/pipeline/collection/second_look_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using test::Thing;
+
+class Wholes : public test::SecondLookFixture {};
+
+/// The thing, as one of the last looks shows it.
+Candidate judged(const Thing& thing, float wholeness) {
+  Candidate candidate = thing.candidate();
+  candidate.is_whole = false;
+  candidate.wholeness = wholeness;
+  return candidate;
+}
+
+TEST_F(Wholes, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 1)});
+  collector_->rate(4, {judged(mug_, 3)});
+  collector_->rate(5, {judged(mug_, 2)});
+  EXPECT_THAT(collector_->settleWholes(), testing::IsEmpty()) << "no views were kept";
+  frame_ = 5;
+  static_cast<void>(lookAt({judged(mug_, 2)}, {mug_}));
+  EXPECT_TRUE(objects().empty()) << "it may yet be recognised";
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(4));
+  frame_ = 5;
+  static_cast<void>(lookAt({judged(mug_, 2)}, {mug_}));
+  EXPECT_TRUE(objects().empty()) << "not the best look";
+  frame_ = 4;
+  static_cast<void>(lookAt({judged(mug_, 3)}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_THAT(framesOfViews(objects()[0].id), testing::ElementsAre(4));
+}
+
+TEST_F(Wholes, WhatTheImageCutsOffIsNoViewUnlessThereIsNoBetterLook) {
+  Candidate mug = judged(mug_, 3), box = judged(box_, 3), half_a_box = judged(box_, 4);
+  mug.is_cut_off = half_a_box.is_cut_off = true;
+  collector_->beginLookingAgain();
+  collector_->rate(3, {mug, half_a_box});
+  collector_->rate(4, {mug, box});
+  static_cast<void>(collector_->settleWholes());
+  for (frame_ = 3; frame_ < 9; ++frame_) static_cast<void>(lookAt({mug, half_a_box}, {mug_, box_}));
+  EXPECT_TRUE(objects().empty());
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3, 4));
+  frame_ = 3;
+  static_cast<void>(lookAt({mug, half_a_box}, {mug_, box_}));
+  frame_ = 4;
+  static_cast<void>(lookAt({mug, box}, {mug_, box_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_THAT(framesOfViews(collector_->objectOf(mug_.region)), testing::ElementsAre(3));
+  EXPECT_THAT(framesOfViews(collector_->objectOf(box_.region)), testing::ElementsAre(4));
+}
+
+TEST_F(Wholes, APartThatWasRatedBecomesAnObjectAsTheRegionThatItIsThen) {
+  const RegionId part{501}, rest{502};
+  Candidate rated = judged(mug_, 3);
+  rated.regions = {part};
+  Candidate of_rest = judged(box_, -2);
+  of_rest.regions = {rest};
+  collector_->beginLookingAgain();
+  collector_->rate(3, {rated, of_rest});
+  EXPECT_THAT(collector_->ratedWholes(), testing::ElementsAre(RegionSet{part}));
+  collector_->renameRated([&](const RegionSet& regions) -> std::optional<RegionSet> {
+    if (regions == RegionSet{part}) return RegionSet{mug_.region};
+    return std::nullopt;
+  });
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
+  frame_ = 3;
+  static_cast<void>(lookAt({judged(mug_, 3)}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(collector_->objectOf(mug_.region), objects()[0].id);
+}
+
+TEST_F(Wholes, RegionsOfWhatAPersonSpokeOfOrDeletedStay) {
+  static_cast<void>(study({mug_, box_, Thing{33, 2, RegionId{77}}}));
+  ASSERT_TRUE(person_->rename(collector_->objectOf(box_.region), "my box"));
+  ASSERT_TRUE(person_->remove(std::array{collector_->objectOf(RegionId{77})}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  EXPECT_TRUE(collector_->staysAsItIs(box_.region));
+  EXPECT_TRUE(collector_->staysAsItIs(RegionId{77})) << "or its parts would be found again";
+  EXPECT_FALSE(collector_->staysAsItIs(mug_.region));
+  EXPECT_FALSE(collector_->staysAsItIs(RegionId{999})) << "it is nothing yet";
+}
+
+TEST_F(Wholes, WhatIsUnlikelyToBeAWholeIsNoneHoweverOftenItIsSeen) {
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, -0.5F)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, -0.5F)}, {mug_}));
+  EXPECT_THAT(collector_->beginLastLooks(), testing::IsEmpty());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_TRUE(objects().empty());
+}
+
+TEST_F(Wholes, AnObjectOfThisScanThatIsUnlikelyToBeOneLeavesUnlessAPersonSpokeOfIt) {
+  static_cast<void>(study({mug_, box_}));
+  ASSERT_EQ(objects().size(), 2U);
+  const ObjectId box = collector_->objectOf(box_.region);
+  ASSERT_TRUE(person_->rename(box, "my box"));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, -2), judged(box_, -2)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_EQ(objects()[0].id, box);
+}
+
+TEST_F(Wholes, WhatAPersonMergedOrBroughtBackStaysHoweverUnlikely) {
+  const Thing can{7, 2, RegionId{78}};
+  static_cast<void>(study({mug_, box_, can}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region),
+                 back = collector_->objectOf(can.region);
+  ASSERT_TRUE(mug && box && back);
+  ASSERT_TRUE(person_->merge(std::array{mug, box}));
+  ASSERT_TRUE(person_->remove(std::array{back}));
+  ASSERT_TRUE(person_->restore(std::array{back}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, -2), judged(box_, -2), judged(can, -2)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(Wholes, WhatTheLastLooksDoNotShowStays) {
+  static_cast<void>(study({mug_}));
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(box_, -2)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+}
+
+TEST_F(Wholes, AnObjectIsTheWholeThatItsRegionIsAPartOf) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const RegionId handle{77};
+  Candidate both = judged(mug_, 3);
+  both.regions.add(handle);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 2), both});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(handle), mug);
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 1)}, {mug_}, 60));
+  EXPECT_EQ(framesOfViews(mug).size(), 1U) << "a part of it is no view of it";
+  static_cast<void>(lookAt({both}, {mug_}, 60));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(framesOfViews(mug).size(), 2U);
+}
+
+TEST_F(Wholes, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const std::vector<int> before = framesOfViews(mug);
+  const RegionId handle{77};
+  Candidate both = judged(mug_, 3);
+  both.regions.add(handle);
+  RegionMap map = mapWith(mug_, 1);
+  // Beside it and nearly as large: the mug alone is still the larger part, of a little more than half.
+  const cv::Rect box_px = mug_.candidate().box_px;
+  for (int v = box_px.y; v < box_px.br().y; ++v) {
+    const auto beside = map.regions.begin() + v * map.width + box_px.br().x;
+    std::fill_n(beside, 9 * box_px.width / 10, handle);
+  }
+  collector_->beginLookingAgain();
+  collector_->rate(3, {both});
+  const DepthView surface{
+      test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
+  for (const int frame : collector_->settleWholes()) collector_->judgeViewsOf(frame, map, surface, 0.0015F);
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({both}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(framesOfViews(mug).size(), 1U) << "from the same side";
+  EXPECT_NE(framesOfViews(mug), before);
+}
+
+TEST_F(Wholes, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  collector_->bind(box_.region, mug);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_FALSE(collector_->objectOf(box_.region));
+  collector_->endLookingAgain();
+}
+
+TEST_F(Wholes, TwoWholesAreOneObjectWhereAPersonMergedThem) {
+  static_cast<void>(study({mug_, box_}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
+  ASSERT_TRUE(person_->merge(std::array{mug, box}));  // neither is named or confirmed
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_EQ(collector_->objectOf(box_.region), mug);
+  collector_->endLookingAgain();
+}
+
+TEST_F(Wholes, WhatAPersonDeletedIsNotFoundAgain) {
+  static_cast<void>(study({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  ASSERT_TRUE(person_->remove(std::array{objects()[0].id}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
+  static_cast<void>(collector_->beginLastLooks());
+  frame_ = 3;
+  static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_TRUE(objects().empty());
+}
+
+TEST_F(Wholes, WhatAPersonKeepsApartIsNotOneWhole) {
+  static_cast<void>(study({mug_, box_}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
+  ASSERT_TRUE(person_->rename(mug, "my mug"));
+  ASSERT_TRUE(person_->rename(box, "my box"));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  Candidate both = judged(mug_, 3);
+  both.regions.add(box_.region);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {both});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_EQ(collector_->objectOf(box_.region), box);
+  collector_->endLookingAgain();
+}
+
+}  // namespace
+}  // namespace scantrove
