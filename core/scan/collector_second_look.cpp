@@ -26,6 +26,49 @@ cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat
   return z_m;
 }
 
+/// What regions a map shows where a view has its mask.
+class MaskOverlap {
+ public:
+  struct Pixels {
+    float all = 0, masked = 0;
+    void operator+=(const Pixels& other) {
+      all += other.all;
+      masked += other.masked;
+    }
+  };
+
+  MaskOverlap(const KeptView& view, const RegionMap& map) {
+    std::size_t i = 0;
+    for (int v = 0; v < map.height; ++v) {
+      for (int u = 0; u < map.width; ++u) {
+        const cv::Point pixel(u, v);
+        const bool is_masked =
+            view.box_px.contains(pixel) && view.mask.at<unsigned char>(pixel - view.box_px.tl()) != 0;
+        const Pixels here{1, is_masked ? 1.0F : 0.0F};
+        mask_ += here.masked;
+        if (const RegionId region = map.regions[i++]) regions_[region] += here;
+      }
+    }
+  }
+
+  [[nodiscard]] const std::map<RegionId, Pixels>& regions() const { return regions_; }
+  [[nodiscard]] Pixels of(const RegionSet& regions) const {
+    Pixels together;
+    for (const RegionId region : regions) {
+      if (const auto found = regions_.find(region); found != regions_.end()) together += found->second;
+    }
+    return together;
+  }
+  /// Pixels of both mask and regions, by those of either.
+  [[nodiscard]] float fit(const Pixels& pixels) const {
+    return pixels.masked / std::max(mask_ + pixels.all - pixels.masked, 1.0F);
+  }
+
+ private:
+  std::map<RegionId, Pixels> regions_;
+  float mask_ = 0;
+};
+
 /// Where most of the view's thing was there is no surface any more, or something stands before it.
 bool wasTakenAway(const KeptView& view, const DepthView& surface, float depth_noise_m) {
   int there = 0, gone = 0;
@@ -172,52 +215,22 @@ bool ObjectCollector::haveOneSuccessor(ObjectId a, ObjectId b) const {
 
 bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
   if (isByPerson(view.object)) return false;  // it is as it was then
-  struct Pixels {
-    bool is_own = false;
-    float all = 0, shared = 0;
-    void operator+=(const Pixels& other) {
-      all += other.all;
-      shared += other.shared;
-    }
-    [[nodiscard]] float fit(float mask) const { return shared / std::max(mask + all - shared, 1.0F); }
-  };
-  std::map<RegionId, Pixels> regions;
-  float mask = 0;
-  for (int v = 0; v < now.height; ++v) {
-    for (int u = 0; u < now.width; ++u) {
-      const cv::Point pixel(u, v);
-      const bool is_masked =
-          view.box_px.contains(pixel) && view.mask.at<unsigned char>(pixel - view.box_px.tl()) != 0;
-      mask += is_masked ? 1.0F : 0.0F;
-      const RegionId region = now.regions[static_cast<std::size_t>(v) * static_cast<std::size_t>(now.width) +
-                                          static_cast<std::size_t>(u)];
-      if (!region) continue;
-      const auto [entry, is_new] = regions.try_emplace(region);
-      if (is_new) entry->second.is_own = haveOneSuccessor(met_.objectOf(region), view.object);
-      entry->second.all += 1;
-      entry->second.shared += is_masked ? 1.0F : 0.0F;
-    }
+  const MaskOverlap overlap(view, now);
+  // The largest region of the object, or all of them together: the others are parts.
+  MaskOverlap::Pixels together, largest;
+  for (const auto& [region, pixels] : overlap.regions()) {
+    if (!haveOneSuccessor(met_.objectOf(region), view.object)) continue;
+    if (pixels.all > largest.all) largest = pixels;
+    together += pixels;
   }
-  bool is_known_whole = false;
-  float best = 0;
+  if (std::max(overlap.fit(largest), overlap.fit(together)) < kLeastFit) return true;
+  bool is_known_whole = false, fits_whole = false;
   for (const auto& [whole, frame_index] : wholes_) {
     if (!haveOneSuccessor(met_.objectOf(whole), view.object)) continue;
     is_known_whole = true;
-    Pixels together;
-    for (const RegionId region : whole) {
-      if (const auto found = regions.find(region); found != regions.end()) together += found->second;
-    }
-    best = std::max(best, together.fit(mask));
+    fits_whole = fits_whole || overlap.fit(overlap.of(whole)) >= kLeastFitOfWhole;
   }
-  // The largest region of the object, or all of them together: the others are parts.
-  Pixels all_own, largest;
-  for (const auto& [region, pixels] : regions) {
-    if (!pixels.is_own) continue;
-    if (pixels.all > largest.all) largest = pixels;
-    all_own += pixels;
-  }
-  return std::max(largest.fit(mask), all_own.fit(mask)) < kLeastFit ||
-         (is_known_whole && best < kLeastFitOfWhole);
+  return is_known_whole && !fits_whole;
 }
 
 void ObjectCollector::mergeSuccessors() {
