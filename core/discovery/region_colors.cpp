@@ -8,6 +8,7 @@
 #include "core/base/check.h"
 #include "core/discovery/camera_depth.h"
 #include "core/discovery/region_points.h"
+#include "core/discovery/set_pixels.h"
 
 namespace scantrove {
 namespace {
@@ -87,21 +88,16 @@ RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const 
 
 void RegionColors::compareHalves(const RegionSet& regions, const RegionExtent& extent,
                                  ColorLikeness& alike) const {
-  const double angle = extent.orientation();
-  const double c = std::cos(angle), s = std::sin(angle);
+  const SetPixels pixels(regions, input_);
+  const SetAxes axes(pixels, extent);
   std::array<ColorHistogram, 2> along, across;
-  for (int v = extent.box_px.y; v < extent.box_px.br().y; ++v) {
-    // Every other pixel says as much.
-    for (int u = extent.box_px.x + (extent.box_px.x + v) % 2; u < extent.box_px.br().x; u += 2) {
-      const std::size_t pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.regions.width) +
-                                static_cast<std::size_t>(u);
-      const RegionId region = input_.regions.regions[pixel];
-      if (!region || !regions.contains(region)) continue;
-      const double x = u - extent.centroidU(), y = v - extent.centroidV();
-      along[c * x + s * y > 0 ? 1 : 0].add(input_.color_lab[pixel]);
-      across[c * y - s * x > 0 ? 1 : 0].add(input_.color_lab[pixel]);
-    }
-  }
+  pixels.forEach(extent.box_px, [&](int u, int v) {
+    if ((u + v) % 2 != 0) return;  // every other pixel says as much
+    const Eigen::Vector2f place = axes(u, v);
+    const Eigen::Vector3f& lab = input_.color_lab[pixels.at(u, v)];
+    along[place.x() > 0 ? 1 : 0].add(lab);
+    across[place.y() > 0 ? 1 : 0].add(lab);
+  });
   alike.end_to_end = along[0].intersection(along[1]);
   alike.side_to_side = across[0].intersection(across[1]);
 }

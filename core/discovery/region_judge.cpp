@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/discovery/color_changes.h"
 #include "core/discovery/oriented_box.h"
+#include "core/discovery/outline_bounds.h"
 #include "core/discovery/outward_odds.h"
 #include "core/discovery/region_candidate.h"
 #include "core/discovery/region_colors.h"
@@ -100,6 +102,8 @@ WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, co
   evidence.convexity = silhouette.convexity;
   evidence.relief_m = silhouette.relief_m;
   evidence.area_m2 = hypothesis.visible_area_m2;
+  evidence.bounds = outlineBoundsOf(hypothesis.regions, extent, input, params_);
+  if (!input.color_lab.empty()) evidence.changes = colorChangesOf(hypothesis.regions, extent, input);
   const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
   evidence.known_bulge = known.bulge;
   evidence.known_flatness = known.box.thickness_ratio;

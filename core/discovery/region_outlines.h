@@ -5,30 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/discovery/candidate_finder.h"
+#include "core/discovery/outline_step.h"
 #include "core/discovery/region_census.h"
 
 namespace scantrove {
-
-/// Steps from pixels of a region across its outline, by what lies beyond.
-struct OutlineSteps {
-  int open = 0;    ///< the surface beyond lies deeper or lower: here the thing ends
-  int folded = 0;  ///< it touches and rises: the thing stands on it or leans against it
-  int smooth = 0;  ///< it goes on as it was: a cut across a surface
-  int ridged = 0;  ///< it bends away: another side of the same thing, as a rule
-  int hidden = 0;  ///< it is nearer and hides what the thing is like there
-  int cut = 0;     ///< the image ends
-  int unseen = 0;  ///< nothing is known there: says neither
-
-  void operator+=(const OutlineSteps& other);
-  [[nodiscard]] int touching() const { return folded + smooth + ridged; }
-  [[nodiscard]] int known() const { return open + touching() + hidden + cut; }
-  /// Part of what is known, and neither hidden nor cut off, that is the thing's own edge: open, or a fold. 0
-  /// where that is nothing.
-  [[nodiscard]] float own() const;
-  /// Part of what is known that lies behind something nearer.
-  [[nodiscard]] float hiddenPart() const;
-};
 
 inline constexpr int kLeastContact = 4;  ///< steps along which two regions touch, of one thing or not
 

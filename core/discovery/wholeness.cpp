@@ -35,7 +35,13 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
           likeness ? likeness->end_to_end : kUsualEndToEndLikeness,
           likeness ? likeness->side_to_side : kUsualSideToSideLikeness,
           relief_m,
-          area_m2};
+          area_m2,
+          bounds.mean,
+          bounds.least_side,
+          changes ? changes->along.contrast : kUsualContrastAlong,
+          changes ? changes->across.contrast : kUsualContrastAcross,
+          changes ? changes->along.likeness : kUsualLikenessAlong,
+          changes ? changes->across.likeness : kUsualLikenessAcross};
 }
 
 float WholenessEvidence::logOdds() const {

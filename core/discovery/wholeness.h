@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/discovery/color_changes.h"
+#include "core/discovery/outline_bounds.h"
 #include "core/discovery/outward_odds.h"
 #include "core/discovery/region_colors.h"
 
@@ -28,9 +30,12 @@ struct WholenessEvidence {
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
   float outward_odds = OutwardOdds::kLeast;                ///< OutwardOdds::most
   float joined_part = 0;                                   ///< OutwardOdds
-  std::optional<ColorLikeness> likeness;                   ///< none: the image has no colour
+  OutlineBounds bounds;
+  // None: the image has no colour.
+  std::optional<ColorLikeness> likeness;
+  std::optional<ColorChanges> changes;
 
-  static constexpr std::size_t kFeatures = 26;
+  static constexpr std::size_t kFeatures = 32;
   /// What logOdds() weighs.
   [[nodiscard]] std::array<float, kFeatures> features() const;
 

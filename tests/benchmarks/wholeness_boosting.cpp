@@ -4,13 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 
 namespace scantrove::benchmarks {
 namespace {
 
 constexpr std::size_t kTrees = 300;
-constexpr double kLearningRate = 0.07, kRidge = 5;
-constexpr int kLeastSamples = 60;  // of a leaf
+constexpr double kLearningRate = 0.07, kRidge = 20;
+constexpr int kLeastSamples = 120;       // of a leaf
+constexpr double kPartOfFeatures = 0.4;  // that a tree may ask for, by chance: the trees differ more
 constexpr std::size_t kBins = 64;  // of a feature's values, as many in each
 
 /// Samples by feature and bin, so that splits are found by sums over bins.
@@ -85,12 +87,13 @@ class Boosting {
   void addTree() {
     std::vector<Slope> slopes;
     for (std::size_t i = 0; i < samples_.size(); ++i) slopes.push_back(slopeAt(i));
+    const std::vector<std::size_t> features = drawFeatures();
     BoostedTree tree{};
     std::vector<std::vector<std::size_t>> nodes(BoostedTree::kSplits + BoostedTree::kLeaves);
     nodes[0].resize(samples_.size());
     std::iota(nodes[0].begin(), nodes[0].end(), std::size_t{0});
     for (std::size_t node = 0; node < BoostedTree::kSplits; ++node) {
-      tree.splits[node] = bestSplit(nodes[node], slopes);
+      tree.splits[node] = bestSplit(nodes[node], slopes, features);
       const auto [feature, most] = tree.splits[node];
       for (const std::size_t i : nodes[node]) {
         const bool is_left = samples_[i].sample->x[static_cast<std::size_t>(feature)] <= most;
@@ -105,12 +108,21 @@ class Boosting {
     for (std::size_t i = 0; i < samples_.size(); ++i) odds_[i] += tree.valueOf(samples_[i].sample->x);
     fitted_.trees.push_back(tree);
   }
+  [[nodiscard]] std::vector<std::size_t> drawFeatures() {
+    std::vector<std::size_t> features(WholenessEvidence::kFeatures);
+    std::iota(features.begin(), features.end(), std::size_t{0});
+    const auto drawn = static_cast<std::size_t>(kPartOfFeatures * static_cast<double>(features.size()));
+    for (std::size_t i = 0; i < drawn; ++i) std::swap(features[i], features[i + random_() % (features.size() - i)]);
+    features.resize(drawn);
+    return features;
+  }
   /// Where nothing is gained all go to the left.
   [[nodiscard]] BoostedTree::Split bestSplit(const std::vector<std::size_t>& node,
-                                             const std::vector<Slope>& slopes) const {
+                                             const std::vector<Slope>& slopes,
+                                             const std::vector<std::size_t>& features) const {
     BoostedTree::Split best{0, std::numeric_limits<float>::max()};
     double most = 0;
-    for (std::size_t feature = 0; feature < WholenessEvidence::kFeatures; ++feature) {
+    for (const std::size_t feature : features) {
       const std::vector<float>& limits = bins_.limits(feature);
       std::vector<Slope> sums(limits.size() + 1);
       Slope all;
@@ -136,6 +148,7 @@ class Boosting {
   Bins bins_;
   std::vector<float> odds_;
   WholenessTrees fitted_;
+  std::mt19937 random_;  // as it starts by default: the same trees each time
 };
 
 }  // namespace

@@ -18,8 +18,19 @@ namespace {
 
 constexpr std::size_t kFolds = 8;
 // Of WholenessEvidence::features().
-constexpr std::size_t kNeighbourLikeness = 14, kTouchingLikeness = 15, kEndToEndLikeness = 22,
-                      kSideToSideLikeness = 23;
+struct NamedFeature {
+  std::size_t feature;
+  const char* name;
+};
+/// What colour says: an image without is taken for what is usual.
+constexpr std::array<NamedFeature, 8> kOfColor{{{14, "NeighbourLikeness"},
+                                                {15, "TouchingLikeness"},
+                                                {22, "EndToEndLikeness"},
+                                                {23, "SideToSideLikeness"},
+                                                {28, "ContrastAlong"},
+                                                {29, "ContrastAcross"},
+                                                {30, "LikenessAlong"},
+                                                {31, "LikenessAcross"}}};
 
 /// Keeps what a judge says of a frame, beside what is true there.
 class Recorder final : public CandidateSource {
@@ -170,15 +181,11 @@ void print(const WholenessTrees& fitted, const std::vector<WholenessSample>& sam
       "demo:tabletop:%s.\n",
       fmt::format("{}", fmt::join(options.rooms, ",")).c_str(),
       fmt::format("{}", fmt::join(options.tables, ",")).c_str());
-  std::printf(
-      "inline constexpr float kWholenessPrior = %s;\n// Medians, for what has no colour.\n"
-      "inline constexpr float kUsualNeighbourLikeness = %s, kUsualTouchingLikeness = %s;\n"
-      "inline constexpr float kUsualEndToEndLikeness = %s, kUsualSideToSideLikeness = %s;\n"
-      "inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n",
-      inCpp(fitted.prior).c_str(), inCpp(medianOf(kNeighbourLikeness, samples)).c_str(),
-      inCpp(medianOf(kTouchingLikeness, samples)).c_str(),
-      inCpp(medianOf(kEndToEndLikeness, samples)).c_str(),
-      inCpp(medianOf(kSideToSideLikeness, samples)).c_str(), fitted.trees.size());
+  std::printf("inline constexpr float kWholenessPrior = %s;\n// Medians, for what has no colour.\n",
+              inCpp(fitted.prior).c_str());
+  for (const auto& [feature, name] : kOfColor)
+    std::printf("inline constexpr float kUsual%s = %s;\n", name, inCpp(medianOf(feature, samples)).c_str());
+  std::printf("inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n", fitted.trees.size());
   for (const BoostedTree& tree : fitted.trees) {
     std::vector<std::string> splits, leaves;
     for (const auto& [feature, most] : tree.splits) {

@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "core/discovery/candidate_finder.h"
+#include "core/discovery/region_census.h"
+#include "core/discovery/region_set.h"
 
 namespace scantrove::test {
+
+// CIE L*a*b*, at bins of a ColorHistogram: 25 apart.
+inline const Eigen::Vector3f kGreyLab{50, 0, 0}, kRedLab{50, 50, 25};
 
 /// A camera of 160 x 120 at the origin of a world turned and moved by `T_world_camera`, looking at regions
 /// that are painted as image rectangles with a depth for each pixel.
@@ -66,6 +71,24 @@ struct PaintedScene {
       const float y = (static_cast<float>(v - box.y) + 0.5F) / static_cast<float>(box.height) * 2 - 1;
       return rim_z + 0.08F * std::sqrt(std::max(0.0F, 2 - x * x - y * y));
     });
+  }
+
+  /// Of all the regions together.
+  [[nodiscard]] RegionExtent extentOf(const RegionSet& regions) const {
+    RegionExtent extent;
+    for (int v = 0; v < K.height; ++v) {
+      for (int u = 0; u < K.width; ++u) {
+        if (!regions.contains(map.regions[static_cast<std::size_t>(v * K.width + u)])) continue;
+        ++extent.pixels;
+        extent.box_px |= cv::Rect(u, v, 1, 1);
+        extent.sum_u += u;
+        extent.sum_v += v;
+        extent.sum_uu += u * u;
+        extent.sum_uv += u * v;
+        extent.sum_vv += v * v;
+      }
+    }
+    return extent;
   }
 
   /// Normals follow from the vertices, by differences within a region.

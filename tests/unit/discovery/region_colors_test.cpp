@@ -7,32 +7,15 @@
 namespace scantrove {
 namespace {
 
+using test::kGreyLab;
+using test::kRedLab;
 using test::PaintedScene;
 
-// At bins: 25 apart.
-const Eigen::Vector3f kGreyLab{50, 0, 0}, kRedLab{50, 50, 25};
 const cv::Rect kPlace{60, 40, 30, 20};
 
-RegionExtent extentOf(const PaintedScene& scene, const RegionSet& regions, const cv::Rect& box_px) {
-  RegionExtent extent;
-  extent.box_px = box_px;
-  for (int v = box_px.y; v < box_px.br().y; ++v) {
-    for (int u = box_px.x; u < box_px.br().x; ++u) {
-      if (!regions.contains(scene.map.regions[static_cast<std::size_t>(v * scene.K.width + u)])) continue;
-      ++extent.pixels;
-      extent.sum_u += u;
-      extent.sum_v += v;
-      extent.sum_uu += u * u;
-      extent.sum_uv += u * v;
-      extent.sum_vv += v * v;
-    }
-  }
-  return extent;
-}
-
-ColorLikeness likenessOf(const PaintedScene& scene, const RegionSet& regions, const cv::Rect& box_px) {
+ColorLikeness likenessOf(const PaintedScene& scene, const RegionSet& regions) {
   const DiscoveryInput input = scene.input();
-  const auto likeness = RegionColors(input).likenessOf(regions, extentOf(scene, regions, box_px));
+  const auto likeness = RegionColors(input).likenessOf(regions, scene.extentOf(regions));
   EXPECT_TRUE(likeness);
   return likeness.value_or(ColorLikeness{-1, -1});
 }
@@ -50,23 +33,23 @@ TEST(RegionColors, OfAnImageWithoutColourNothingIsSaid) {
   PaintedScene scene;
   scene.paint(7, kPlace, [](int, int) { return 1.0F; });
   const DiscoveryInput input = scene.input();
-  EXPECT_FALSE(RegionColors(input).likenessOf({RegionId{7}}, extentOf(scene, {RegionId{7}}, kPlace)));
+  EXPECT_FALSE(RegionColors(input).likenessOf({RegionId{7}}, scene.extentOf({RegionId{7}})));
 }
 
 TEST(RegionColors, APatchOfTheWallIsLikeTheWall) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(2, kGreyLab), {RegionId{7}}, kPlace);
+  const ColorLikeness likeness = likenessOf(beforeGreyWall(2, kGreyLab), {RegionId{7}});
   EXPECT_FLOAT_EQ(likeness.neighbour, 1);
   EXPECT_FLOAT_EQ(likeness.touching, 1);
 }
 
 TEST(RegionColors, ARedThingOnItIsNot) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(2, kRedLab), {RegionId{7}}, kPlace);
+  const ColorLikeness likeness = likenessOf(beforeGreyWall(2, kRedLab), {RegionId{7}});
   EXPECT_EQ(likeness.neighbour, 0);
   EXPECT_EQ(likeness.touching, 0);
 }
 
 TEST(RegionColors, WhatLiesFarBehindDoesNotTouchIt) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kGreyLab), {RegionId{7}}, kPlace);
+  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kGreyLab), {RegionId{7}});
   EXPECT_FLOAT_EQ(likeness.neighbour, 1) << "but it is its neighbour in the image";
   EXPECT_EQ(likeness.touching, 0);
 }
@@ -76,11 +59,11 @@ TEST(RegionColors, TheNeighbourMostLikeItCounts) {
   const cv::Rect beside(kPlace.br().x, kPlace.y, 30, kPlace.height);
   scene.paint(8, beside, [](int, int) { return 2.0F; });
   scene.color(8, kRedLab);
-  const ColorLikeness alone = likenessOf(scene, {RegionId{7}}, kPlace);
+  const ColorLikeness alone = likenessOf(scene, {RegionId{7}});
   EXPECT_NEAR(alone.neighbour, 1, 1e-4);
   EXPECT_GT(alone.touching, 0.1F);
   EXPECT_LT(alone.touching, 0.4F) << "one side of four touches it";
-  const ColorLikeness both = likenessOf(scene, {RegionId{7}, RegionId{8}}, kPlace | beside);
+  const ColorLikeness both = likenessOf(scene, {RegionId{7}, RegionId{8}});
   EXPECT_EQ(both.neighbour, 0);
   EXPECT_EQ(both.touching, 0);
 }
@@ -89,11 +72,11 @@ TEST(RegionColors, AFewPixelsNearItAreNoNeighbour) {
   PaintedScene scene = beforeGreyWall(2, kRedLab);
   scene.paint(8, {kPlace.br().x, kPlace.y, 1, 7}, [](int, int) { return 2.0F; });
   scene.color(8, kRedLab);
-  EXPECT_EQ(likenessOf(scene, {RegionId{7}}, kPlace).neighbour, 0);
+  EXPECT_EQ(likenessOf(scene, {RegionId{7}}).neighbour, 0);
 }
 
 TEST(RegionColors, OneColourIsAlikeInAllHalves) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kRedLab), {RegionId{7}}, kPlace);
+  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kRedLab), {RegionId{7}});
   EXPECT_NEAR(likeness.end_to_end, 1, 1e-4);
   EXPECT_NEAR(likeness.side_to_side, 1, 1e-4);
 }
@@ -104,7 +87,7 @@ TEST(RegionColors, TwoThingsBesideOneAnotherAreNotAlikeEndToEnd) {
   scene.paint(8, beside, [](int, int) { return 1.0F; });
   scene.color(8, kGreyLab);
   const RegionSet both{RegionId{7}, RegionId{8}};
-  const ColorLikeness likeness = likenessOf(scene, both, kPlace | beside);
+  const ColorLikeness likeness = likenessOf(scene, both);
   EXPECT_EQ(likeness.end_to_end, 0);
   EXPECT_NEAR(likeness.side_to_side, 1, 1e-4) << "half of each half is red";
 }
@@ -115,7 +98,7 @@ TEST(RegionColors, NorAreThoseOfASlantedRow) {
   const cv::Rect below(kPlace.br().x, kPlace.br().y, kPlace.width, kPlace.height);
   scene.paint(8, below, [](int, int) { return 1.0F; });
   scene.color(8, kGreyLab);
-  const ColorLikeness likeness = likenessOf(scene, {RegionId{7}, RegionId{8}}, kPlace | below);
+  const ColorLikeness likeness = likenessOf(scene, {RegionId{7}, RegionId{8}});
   EXPECT_EQ(likeness.end_to_end, 0);
   EXPECT_GT(likeness.side_to_side, 0.8F) << "the axis cuts either into two halves, nearly";
 }
@@ -126,7 +109,7 @@ TEST(RegionColors, AtTheImagesEdgeToo) {
   scene.paint(7, corner, [](int, int) { return 2.0F; });
   scene.color(1, kGreyLab);
   scene.color(7, kGreyLab);
-  EXPECT_FLOAT_EQ(likenessOf(scene, {RegionId{7}}, corner).touching, 1);
+  EXPECT_FLOAT_EQ(likenessOf(scene, {RegionId{7}}).touching, 1);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ WholenessEvidence mug() {
   evidence.known_bulge = 0.45F;
   evidence.known_flatness = 0.5F;
   evidence.known_size_m = {0.13F, 0.1F, 0.09F};
+  evidence.bounds = {.mean = 0.98F, .least_side = 0.95F};
   return evidence;
 }
 
@@ -87,6 +88,32 @@ TEST(Wholeness, HearsColoursAndWithoutThemTakesThemForUsual) {
   EXPECT_LT(usual[14], 0.9F);
   EXPECT_GT(usual[15], 0.05F);
   EXPECT_LT(usual[15], 0.8F);
+}
+
+TEST(Wholeness, HearsWhereColoursChangeAndWithoutThemTakesThatForUsual) {
+  WholenessEvidence evidence = mug();
+  evidence.changes = ColorChanges{.along = {.contrast = 0.9F, .likeness = 0.1F},
+                                  .across = {.contrast = 0.8F, .likeness = 0.2F}};
+  const auto x = evidence.features();
+  EXPECT_EQ(x[28], 0.9F);
+  EXPECT_EQ(x[29], 0.8F);
+  EXPECT_EQ(x[30], 0.1F);
+  EXPECT_EQ(x[31], 0.2F);
+  const auto usual = mug().features();
+  for (const std::size_t i : {28, 29, 30, 31}) {
+    EXPECT_GT(usual[i], 0.2F);
+    EXPECT_LT(usual[i], 0.9F);
+  }
+}
+
+TEST(Wholeness, HearsHowWellItsOutlineIsBounded) {
+  WholenessEvidence evidence = mug();
+  evidence.bounds = {.mean = 0.9F, .least_side = 0.7F};
+  EXPECT_EQ(evidence.features()[26], 0.9F);
+  EXPECT_EQ(evidence.features()[27], 0.7F);
+  const float bounded = evidence.logOdds();
+  evidence.bounds = {.mean = 0.6F, .least_side = 0.1F};
+  EXPECT_LT(evidence.logOdds(), bounded) << "a piece of something";
 }
 
 TEST(Wholeness, OddsOfWhatItTouchesCountUpToWhatIsAsGoodAsCertain) {

@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+
+namespace scantrove {
+
+/// How clearly two colours (CIE L*a*b*) differ: 0 = not at all, 1 = as much as two things side by side
+/// mostly do, or more.
+[[nodiscard]] inline float colorContrast(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  constexpr float kClear = 30;
+  return std::min((a - b).norm(), kClear) / kClear;
+}
+
+/// Colours are compared so many pixels off an edge, which is blurred: in an image of that width.
+[[nodiscard]] constexpr int colorReach(int width) {
+  constexpr int kLeast_px = 2, kPart = 160;
+  return std::max(kLeast_px, width / kPart);
+}
+
+}  // namespace scantrove

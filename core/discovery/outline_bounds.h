@@ -1,0 +1,20 @@
+#pragma once
+#include "core/discovery/outline_step.h"
+#include "core/discovery/region_census.h"
+#include "core/discovery/region_set.h"
+
+namespace scantrove {
+
+/// How clearly some regions end where they do: 1 = the surface ends there or folds, 0 = it goes on and its
+/// colour, too. Of a piece of a thing, or of one of several in a row, some side is not bounded.
+struct OutlineBounds {
+  float mean = 0.5F;
+  float least_side = 0.5F;  ///< of the four sides, along and across the longer axis, the one bounded least
+};
+
+/// What is hidden, cut off or unseen says nothing; what is not known of a side is taken for half.
+/// `extent` is that of all the regions together.
+[[nodiscard]] OutlineBounds outlineBoundsOf(const RegionSet& regions, const RegionExtent& extent,
+                                            const DiscoveryInput& input, const DiscoveryParams& params);
+
+}  // namespace scantrove

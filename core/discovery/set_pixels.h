@@ -1,0 +1,74 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "core/discovery/candidate_finder.h"
+#include "core/discovery/region_census.h"
+#include "core/discovery/region_set.h"
+
+namespace scantrove {
+
+/// Which pixels of an image some regions fill.
+class SetPixels {
+ public:
+  /// All must outlive this.
+  SetPixels(const RegionSet& regions, const DiscoveryInput& input) : regions_(regions), map_(input.regions) {}
+
+  [[nodiscard]] bool isInside(int u, int v) const {
+    return u >= 0 && v >= 0 && u < map_.width && v < map_.height;
+  }
+  [[nodiscard]] std::size_t at(int u, int v) const {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(u);
+  }
+  /// False outside of the image.
+  [[nodiscard]] bool contains(int u, int v) const {
+    if (!isInside(u, v)) return false;
+    const RegionId region = map_.regions[at(u, v)];
+    return region && regions_.contains(region);
+  }
+  /// Each pixel, row by row; `box_px` holds them all.
+  template <class Visit>
+  void forEach(const cv::Rect& box_px, const Visit& visit) const {
+    for (int v = box_px.y; v < box_px.br().y; ++v) {
+      for (int u = box_px.x; u < box_px.br().x; ++u) {
+        if (contains(u, v)) visit(u, v);
+      }
+    }
+  }
+
+ private:
+  const RegionSet& regions_;
+  const RegionMap& map_;
+};
+
+/// Pixels as parts of half of what some regions measure along their longer axis (x) and across it (y), from
+/// their middle.
+class SetAxes {
+ public:
+  /// `extent` is that of all the regions together.
+  SetAxes(const SetPixels& pixels, const RegionExtent& extent)
+      : middle_(static_cast<float>(extent.centroidU()), static_cast<float>(extent.centroidV())),
+        longer_(static_cast<float>(std::cos(extent.orientation())),
+                static_cast<float>(std::sin(extent.orientation()))) {
+    pixels.forEach(extent.box_px, [&](int u, int v) {
+      half_ = half_.cwiseMax(turned(u, v).cwiseAbs());
+    });
+  }
+
+  /// Of their longer axis.
+  [[nodiscard]] const Eigen::Vector2f& longer() const { return longer_; }
+  [[nodiscard]] Eigen::Vector2f operator()(int u, int v) const {
+    return turned(u, v).cwiseQuotient(half_);
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector2f turned(int u, int v) const {
+    const Eigen::Vector2f from_middle = Eigen::Vector2i(u, v).cast<float>() - middle_;
+    return {longer_.dot(from_middle), longer_.x() * from_middle.y() - longer_.y() * from_middle.x()};
+  }
+  Eigen::Vector2f middle_, longer_;
+  Eigen::Vector2f half_ = Eigen::Vector2f::Ones();
+};
+
+}  // namespace scantrove
