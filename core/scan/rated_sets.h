@@ -12,11 +12,14 @@ namespace scantrove {
 /// Sets of regions as looks at them rated them, once nothing more comes of a scan, and which of the sets are
 /// the things that the scan has seen. One look may mislead: the best eight count together, and as one more
 /// that says nothing either way. Others may be poor ones (from afar, of a blurred image) of a clear thing.
+/// What is large is less likely than its looks say: there are many more sets of pieces of furniture than
+/// large things, and the best of many is kept.
 class RatedSets {
  public:
   struct Rated {
     RegionSet regions;
-    float wholeness = 0;  ///< sum of the best eight Candidate::wholeness, by one more than these are
+    /// Sum of the best eight Candidate::wholeness, by one more than these are; less for what is large.
+    float wholeness = 0;
     int frame_index = 0;  ///< of the best look: that shows them entirely, if one does
   };
 
@@ -40,6 +43,7 @@ class RatedSets {
   };
   struct Looks {
     std::vector<float> best;  ///< Candidate::wholeness, falling; at most eight
+    float longest_m = 0;      ///< Candidate::size_m, its longest side
     std::optional<Look> to_show;
     [[nodiscard]] float together() const;
   };

@@ -30,6 +30,20 @@ TEST(RatedSets, TheBestEightCountTogetherWithOneThatSaysNothing) {
   EXPECT_EQ(best[0].frame_index, 20);
 }
 
+TEST(RatedSets, WhatIsLargeIsLessLikelyThanItsLooksSay) {
+  Candidate small = looked({kBox}, 2), large = looked({kShade, kPole}, 2.2F), upper = looked({kShade}, 2);
+  small.size_m = upper.size_m = {0.3F, 0.2F, 0.2F};
+  large.size_m = {0.6F, 0.2F, 0.2F};
+  RatedSets looks;
+  looks.add(1, std::vector{small, large, upper, looked({kPole}, -2)});
+  const auto best = looks.disjoint(0);
+  ASSERT_EQ(best.size(), 2U) << "of the lamp the upper part only";
+  EXPECT_FLOAT_EQ(best[0].wholeness, 1);
+  EXPECT_FLOAT_EQ(best[1].wholeness, 1);
+  EXPECT_TRUE(looks.isUnlikely(kPole, 0)) << "1.1 - 2 ln 2";
+  EXPECT_FALSE(looks.isUnlikely(kPole, -0.3F));
+}
+
 TEST(RatedSets, ALookThatShowsAThingEntirelyIsBetterThanALikelierOneThatDoesNot) {
   Candidate cut_off = looked({kBox}, 3);
   cut_off.is_cut_off = true;
