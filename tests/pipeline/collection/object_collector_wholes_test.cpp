@@ -99,9 +99,9 @@ TEST_F(Wholes, RegionsOfWhatAPersonSpokeOfOrDeletedStay) {
 
 TEST_F(Wholes, WhatIsUnlikelyToBeAWholeIsNoneHoweverOftenItIsSeen) {
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, -0.5F)});
+  collector_->rate(3, {judged(mug_, -2)});
   static_cast<void>(collector_->settleWholes());
-  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, -0.5F)}, {mug_}));
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, -2)}, {mug_}));
   EXPECT_THAT(collector_->beginLastLooks(), testing::IsEmpty());
   collector_->endLookingAgain();
   settle();
