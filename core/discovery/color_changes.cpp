@@ -16,9 +16,8 @@ class Way {
  public:
   /// `place`: -1 .. 1, from end to end.
   void add(float place, const Eigen::Vector3f& lab, float contrast) {
-    Strip& strip = strips_[static_cast<std::size_t>(
-        std::clamp(static_cast<int>((place + 1) / 2 * static_cast<float>(kStrips)), 0,
-                   static_cast<int>(kStrips) - 1))];
+    Strip& strip = strips_[static_cast<std::size_t>(std::clamp(
+        static_cast<int>((place + 1) / 2 * static_cast<float>(kStrips)), 0, static_cast<int>(kStrips) - 1))];
     strip.colors.add(lab);
     strip.contrast += contrast;
     ++strip.pixels;
@@ -31,8 +30,7 @@ class Way {
     int before = 0;
     for (std::size_t i = 0; i < kStrips; ++i) {
       const Strip& strip = strips_[i];
-      const bool is_inner =
-          before > pixels_ / kEnds && before + strip.pixels < pixels_ - pixels_ / kEnds;
+      const bool is_inner = before > pixels_ / kEnds && before + strip.pixels < pixels_ - pixels_ / kEnds;
       before += strip.pixels;
       if (!is_inner || strip.pixels * kLeastPart * static_cast<int>(kStrips) < pixels_) continue;
       const float contrast = strip.contrast / static_cast<float>(strip.pixels);

@@ -51,16 +51,12 @@ class SetAxes {
       : middle_(static_cast<float>(extent.centroidU()), static_cast<float>(extent.centroidV())),
         longer_(static_cast<float>(std::cos(extent.orientation())),
                 static_cast<float>(std::sin(extent.orientation()))) {
-    pixels.forEach(extent.box_px, [&](int u, int v) {
-      half_ = half_.cwiseMax(turned(u, v).cwiseAbs());
-    });
+    pixels.forEach(extent.box_px, [&](int u, int v) { half_ = half_.cwiseMax(turned(u, v).cwiseAbs()); });
   }
 
   /// Of their longer axis.
   [[nodiscard]] const Eigen::Vector2f& longer() const { return longer_; }
-  [[nodiscard]] Eigen::Vector2f operator()(int u, int v) const {
-    return turned(u, v).cwiseQuotient(half_);
-  }
+  [[nodiscard]] Eigen::Vector2f operator()(int u, int v) const { return turned(u, v).cwiseQuotient(half_); }
 
  private:
   [[nodiscard]] Eigen::Vector2f turned(int u, int v) const {

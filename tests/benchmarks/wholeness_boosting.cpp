@@ -13,7 +13,7 @@ constexpr std::size_t kTrees = 300;
 constexpr double kLearningRate = 0.07, kRidge = 20;
 constexpr int kLeastSamples = 120;       // of a leaf
 constexpr double kPartOfFeatures = 0.4;  // that a tree may ask for, by chance: the trees differ more
-constexpr std::size_t kBins = 64;  // of a feature's values, as many in each
+constexpr std::size_t kBins = 64;        // of a feature's values, as many in each
 
 /// Samples by feature and bin, so that splits are found by sums over bins.
 class Bins {
@@ -112,7 +112,8 @@ class Boosting {
     std::vector<std::size_t> features(WholenessEvidence::kFeatures);
     std::iota(features.begin(), features.end(), std::size_t{0});
     const auto drawn = static_cast<std::size_t>(kPartOfFeatures * static_cast<double>(features.size()));
-    for (std::size_t i = 0; i < drawn; ++i) std::swap(features[i], features[i + random_() % (features.size() - i)]);
+    for (std::size_t i = 0; i < drawn; ++i)
+      std::swap(features[i], features[i + random_() % (features.size() - i)]);
     features.resize(drawn);
     return features;
   }

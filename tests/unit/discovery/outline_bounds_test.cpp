@@ -39,7 +39,8 @@ TEST(OutlineBounds, APatchOfTheWallIsNotAndAPosterIsByItsColour) {
 TEST(OutlineBounds, HalfOfAThingIsBoundedLeastWhereTheOtherHalfFollows) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 1.5F; });
-  scene.paint(8, {kStanding.br().x, kStanding.y, kStanding.width, kStanding.height}, [](int, int) { return 1.5F; });
+  scene.paint(8, {kStanding.br().x, kStanding.y, kStanding.width, kStanding.height},
+              [](int, int) { return 1.5F; });
   for (const std::uint32_t region : {1U, 7U, 8U}) scene.color(region, kGreyLab);
   const OutlineBounds half = boundsOf(scene, {RegionId{7}});
   EXPECT_NEAR(half.mean, 100.0F / 120, 0.02F);
