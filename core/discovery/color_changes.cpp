@@ -6,7 +6,6 @@
 #include "core/base/check.h"
 #include "core/discovery/color_contrast.h"
 #include "core/discovery/color_histogram.h"
-#include "core/discovery/set_pixels.h"
 
 namespace scantrove {
 namespace {
@@ -24,7 +23,8 @@ class Way {
     ++pixels_;
   }
   [[nodiscard]] ColorChange sharpest() const {
-    constexpr int kEnds = 8, kLeastPart = 3;  // a change this near to an end parts off a rim
+    constexpr int kEnds = 8;       // within an eighth of the pixels from an end it parts off a rim only
+    constexpr int kLeastPart = 3;  // of the usual pixels of a strip: of fewer the mean says little
     ColorChange change;
     std::optional<std::size_t> at;
     int before = 0;
@@ -61,11 +61,8 @@ class Way {
 
 }  // namespace
 
-ColorChanges colorChangesOf(const RegionSet& regions, const RegionExtent& extent,
-                            const DiscoveryInput& input) {
+ColorChanges colorChangesOf(const SetPixels& pixels, const SetAxes& axes, const DiscoveryInput& input) {
   SCANTROVE_CHECK(!input.color_lab.empty());
-  const SetPixels pixels(regions, input);
-  const SetAxes axes(pixels, extent);
   const Eigen::Vector2i reach_px =
       (axes.longer() * static_cast<float>(colorReach(input.regions.width))).array().round().cast<int>();
   // Near the outline there is nothing inside to compare.
@@ -75,7 +72,7 @@ ColorChanges colorChangesOf(const RegionSet& regions, const RegionExtent& extent
                          input.color_lab[pixels.at(u + du, v + dv)]);
   };
   Way along, across;
-  pixels.forEach(extent.box_px, [&](int u, int v) {
+  pixels.forEach([&](int u, int v) {
     if ((u + v) % 2 != 0) return;  // every other pixel says as much
     const Eigen::Vector2f place = axes(u, v);
     const Eigen::Vector3f& lab = input.color_lab[pixels.at(u, v)];

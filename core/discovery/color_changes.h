@@ -1,7 +1,6 @@
 #pragma once
 #include "core/discovery/candidate_finder.h"
-#include "core/discovery/region_census.h"
-#include "core/discovery/region_set.h"
+#include "core/discovery/set_pixels.h"
 
 namespace scantrove {
 
@@ -16,8 +15,8 @@ struct ColorChanges {
   ColorChange across;  ///< on the way across it
 };
 
-/// The image has colour. `extent` is that of all the regions together.
-[[nodiscard]] ColorChanges colorChangesOf(const RegionSet& regions, const RegionExtent& extent,
+/// `pixels` and `axes` are of `input`, whose image has colour.
+[[nodiscard]] ColorChanges colorChangesOf(const SetPixels& pixels, const SetAxes& axes,
                                           const DiscoveryInput& input);
 
 }  // namespace scantrove

@@ -1,10 +1,10 @@
 #include "core/discovery/outline_bounds.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/discovery/color_contrast.h"
-#include "core/discovery/set_pixels.h"
 
 namespace scantrove {
 namespace {
@@ -36,11 +36,8 @@ std::size_t sideOf(const Eigen::Vector2f& place) {
 
 }  // namespace
 
-OutlineBounds outlineBoundsOf(const RegionSet& regions, const RegionExtent& extent,
-                              const DiscoveryInput& input, const DiscoveryParams& params) {
-  constexpr std::array<std::array<int, 2>, 4> kWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-  const SetPixels pixels(regions, input);
-  const SetAxes axes(pixels, extent);
+OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes, const DiscoveryInput& input,
+                              const DiscoveryParams& params) {
   const OutlineStepJudge judge(input, params);
   const int reach_px = colorReach(input.regions.width);
   const auto contrastAt = [&](int u, int v, int du, int dv) {
@@ -51,8 +48,8 @@ OutlineBounds outlineBoundsOf(const RegionSet& regions, const RegionExtent& exte
   };
   Bounds all;
   std::array<Bounds, 4> sides{};
-  pixels.forEach(extent.box_px, [&](int u, int v) {
-    for (const auto& [du, dv] : kWays) {
+  pixels.forEach([&](int u, int v) {
+    for (const auto& [du, dv] : kFourWays) {
       if (pixels.contains(u + du, v + dv) || !pixels.isInside(u + reach_px * du, v + reach_px * dv)) continue;
       const OutlineEnd end = judge.judge(u, v, du, dv);
       if (end == &OutlineSteps::hidden || end == &OutlineSteps::cut || end == &OutlineSteps::unseen) continue;

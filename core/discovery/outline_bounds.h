@@ -1,7 +1,6 @@
 #pragma once
 #include "core/discovery/outline_step.h"
-#include "core/discovery/region_census.h"
-#include "core/discovery/region_set.h"
+#include "core/discovery/set_pixels.h"
 
 namespace scantrove {
 
@@ -13,8 +12,8 @@ struct OutlineBounds {
 };
 
 /// What is hidden, cut off or unseen says nothing; what is not known of a side is taken for half.
-/// `extent` is that of all the regions together.
-[[nodiscard]] OutlineBounds outlineBoundsOf(const RegionSet& regions, const RegionExtent& extent,
+/// `pixels` and `axes` are of `input`.
+[[nodiscard]] OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes,
                                             const DiscoveryInput& input, const DiscoveryParams& params);
 
 }  // namespace scantrove

@@ -88,10 +88,10 @@ RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const 
 
 void RegionColors::compareHalves(const RegionSet& regions, const RegionExtent& extent,
                                  ColorLikeness& alike) const {
-  const SetPixels pixels(regions, input_);
+  const SetPixels pixels(regions, extent.box_px, input_);
   const SetAxes axes(pixels, extent);
   std::array<ColorHistogram, 2> along, across;
-  pixels.forEach(extent.box_px, [&](int u, int v) {
+  pixels.forEach([&](int u, int v) {
     if ((u + v) % 2 != 0) return;  // every other pixel says as much
     const Eigen::Vector2f place = axes(u, v);
     const Eigen::Vector3f& lab = input_.color_lab[pixels.at(u, v)];

@@ -102,8 +102,10 @@ WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, co
   evidence.convexity = silhouette.convexity;
   evidence.relief_m = silhouette.relief_m;
   evidence.area_m2 = hypothesis.visible_area_m2;
-  evidence.bounds = outlineBoundsOf(hypothesis.regions, extent, input, params_);
-  if (!input.color_lab.empty()) evidence.changes = colorChangesOf(hypothesis.regions, extent, input);
+  const SetPixels pixels(hypothesis.regions, extent.box_px, input);
+  const SetAxes axes(pixels, extent);
+  evidence.bounds = outlineBoundsOf(pixels, axes, input, params_);
+  if (!input.color_lab.empty()) evidence.changes = colorChangesOf(pixels, axes, input);
   const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
   evidence.known_bulge = known.bulge;
   evidence.known_flatness = known.box.thickness_ratio;

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/discovery/candidate_finder.h"
@@ -9,11 +10,15 @@
 
 namespace scantrove {
 
+/// From a pixel to those beside it.
+inline constexpr std::array<std::array<int, 2>, 4> kFourWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
 /// Which pixels of an image some regions fill.
 class SetPixels {
  public:
-  /// All must outlive this.
-  SetPixels(const RegionSet& regions, const DiscoveryInput& input) : regions_(regions), map_(input.regions) {}
+  /// `box_px` holds all of them. `regions` and `input` must outlive this.
+  SetPixels(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input)
+      : regions_(regions), box_px_(box_px), map_(input.regions) {}
 
   [[nodiscard]] bool isInside(int u, int v) const {
     return u >= 0 && v >= 0 && u < map_.width && v < map_.height;
@@ -27,11 +32,11 @@ class SetPixels {
     const RegionId region = map_.regions[at(u, v)];
     return region && regions_.contains(region);
   }
-  /// Each pixel, row by row; `box_px` holds them all.
+  /// Each pixel, row by row.
   template <class Visit>
-  void forEach(const cv::Rect& box_px, const Visit& visit) const {
-    for (int v = box_px.y; v < box_px.br().y; ++v) {
-      for (int u = box_px.x; u < box_px.br().x; ++u) {
+  void forEach(const Visit& visit) const {
+    for (int v = box_px_.y; v < box_px_.br().y; ++v) {
+      for (int u = box_px_.x; u < box_px_.br().x; ++u) {
         if (contains(u, v)) visit(u, v);
       }
     }
@@ -39,6 +44,7 @@ class SetPixels {
 
  private:
   const RegionSet& regions_;
+  cv::Rect box_px_;
   const RegionMap& map_;
 };
 
@@ -51,7 +57,7 @@ class SetAxes {
       : middle_(static_cast<float>(extent.centroidU()), static_cast<float>(extent.centroidV())),
         longer_(static_cast<float>(std::cos(extent.orientation())),
                 static_cast<float>(std::sin(extent.orientation()))) {
-    pixels.forEach(extent.box_px, [&](int u, int v) { half_ = half_.cwiseMax(turned(u, v).cwiseAbs()); });
+    pixels.forEach([&](int u, int v) { half_ = half_.cwiseMax(turned(u, v).cwiseAbs()); });
   }
 
   /// Of their longer axis.

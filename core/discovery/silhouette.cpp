@@ -1,7 +1,6 @@
 #include "core/discovery/silhouette.h"
 
 #include <algorithm>
-#include <array>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -26,17 +25,16 @@ double pixelsOfHull(const std::vector<cv::Point>& points) {
 }  // namespace
 
 Silhouette silhouetteOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input) {
-  constexpr std::array<std::array<int, 2>, 4> kWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const CameraDepth depth(input.T_world_camera);
-  const SetPixels pixels(regions, input);
+  const SetPixels pixels(regions, box_px, input);
   std::vector<cv::Point> outline;
   std::size_t count = 0;
   float sum_m = 0;
   int steps = 0;
-  pixels.forEach(box_px, [&](int u, int v) {
+  pixels.forEach([&](int u, int v) {
     ++count;
     bool is_outline = false;
-    for (const auto& [du, dv] : kWays) {
+    for (const auto& [du, dv] : kFourWays) {
       if (pixels.contains(u + du, v + dv)) continue;
       is_outline = true;
       const int beyond_u = u + kFarBeyond_px * du, beyond_v = v + kFarBeyond_px * dv;

@@ -17,7 +17,7 @@ namespace scantrove::benchmarks {
 namespace {
 
 constexpr std::size_t kFolds = 8;
-// Of WholenessEvidence::features().
+/// One of WholenessEvidence::features().
 struct NamedFeature {
   std::size_t feature;
   const char* name;

@@ -14,7 +14,10 @@ using test::PaintedScene;
 const cv::Rect kBar{40, 40, 64, 20};
 
 ColorChanges changesOf(const PaintedScene& scene, const RegionSet& regions) {
-  return colorChangesOf(regions, scene.extentOf(regions), scene.input());
+  const DiscoveryInput input = scene.input();
+  const RegionExtent extent = scene.extentOf(regions);
+  const SetPixels pixels(regions, extent.box_px, input);
+  return colorChangesOf(pixels, SetAxes(pixels, extent), input);
 }
 
 /// A grey thing with a red part.

@@ -14,7 +14,10 @@ using test::PaintedScene;
 const cv::Rect kStanding{50, 40, 40, 20};
 
 OutlineBounds boundsOf(const PaintedScene& scene, const RegionSet& regions) {
-  return outlineBoundsOf(regions, scene.extentOf(regions), scene.input(), {});
+  const DiscoveryInput input = scene.input();
+  const RegionExtent extent = scene.extentOf(regions);
+  const SetPixels pixels(regions, extent.box_px, input);
+  return outlineBoundsOf(pixels, SetAxes(pixels, extent), input, {});
 }
 
 // Each mean counts three steps more that say neither.
