@@ -47,7 +47,7 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
 float WholenessEvidence::logOdds() const {
   const std::array<float, kFeatures> x = features();
   float sum = kWholenessPrior;
-  for (const BoostedTree& tree : kWholenessTrees) sum += tree.valueOf(x);
+  for (const BoostedTree<5>& tree : kWholenessTrees) sum += tree.valueOf(x);
   return sum;
 }
 

@@ -19,6 +19,8 @@ struct BorderEvidence {
   float turn_rad = 0;                ///< mean of its absolute
   float folded = 0, ridged = 0;      ///< parts of the border that clearly are, mean
   std::optional<float> color_shift;  ///< as in FragmentContact, mean
+  float step_m = 0;                  ///< likewise
+  std::optional<ColorDifference> color_difference;  ///< likewise
   float length_m = 0;                ///< of the border, longest look
   float came_together = 0;           ///< looks at both as of a thing that came, at most kMostLooks
   float came_apart = 0;              ///< looks at one as of a thing that came to the other, likewise
@@ -40,12 +42,18 @@ struct BorderEvidence {
   /// Adds that the one was seen as a part of the other by the way it is held, or not.
   void addAttachment(bool is_attached);
 
-  /// What logOdds() weighs.
-  static constexpr std::size_t kFeatures = 11;
+  /// What logOdds() asks for.
+  static constexpr std::size_t kFeatures = 12;
+  /// Features of colour, and what is taken for each where none was seen: neither alike nor unlike.
+  struct ColorFeature {
+    std::size_t feature;
+    float usual;
+  };
+  static constexpr std::array<ColorFeature, 3> kOfColor{{{6, 7}, {9, 5}, {10, 9}}};
   [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
-  /// Logarithm of the odds that the two are one thing, by a logistic model of the above; fitted to random
-  /// synthetic scenes.
+  /// Logarithm of the odds that the two are one thing, by boosted trees of the above; fitted to random
+  /// synthetic scenes, and a little lower: small things suffer more from a wrong join than from a missed one.
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 
   /// What looks add to the balance between two regions: logOdds() + bias; what speaks for joining less as

@@ -14,7 +14,7 @@ constexpr int kBendReach_px = 3;           // normals and segments are compared 
 constexpr float kBendGap = 4;              // times d_max: normals farther apart belong to something else
 
 struct Step {
-  float length_m, depth_m, concavity_rad;
+  float length_m, depth_m, concavity_rad, step_m;
   bool bridged, has_bend;
   Eigen::Vector3f color = Eigen::Vector3f::Zero();  // of b less that of a
 };
@@ -35,6 +35,7 @@ struct Sum {
     contact.bridged_px += step.bridged ? 1 : 0;
     contact.length_m += step.length_m;
     contact.depth_m += step.depth_m;
+    contact.step_m += step.step_m;
     color += step.color;
     if (!step.has_bend) return;
     ++contact.bends;
@@ -50,6 +51,7 @@ struct Sum {
     result.a.value = static_cast<std::uint32_t>(pair >> 32);
     result.b.value = static_cast<std::uint32_t>(pair);
     result.depth_m /= static_cast<float>(contact.length_px);
+    result.step_m /= static_cast<float>(contact.length_px);
     if (has_color) result.color_shift = color.norm() / static_cast<float>(contact.length_px);
     if (contact.bends > 0) {
       result.concavity_rad /= static_cast<float>(contact.bends);
@@ -111,7 +113,7 @@ class StepFinder {
     const float reach_m = std::max(kDistanceFactor * z / focal_px_, kLeastDistance_m);
     if (!(z > 0) || !((to - from).squaredNorm() < std::pow(reach_m * static_cast<float>(length), 2.0F)))
       return;
-    Step step{z / focal_px_, z, 0, false, false, Eigen::Vector3f::Zero()};
+    Step step{z / focal_px_, z, 0, stepBetween(here, there), false, false, Eigen::Vector3f::Zero()};
     // A little off the border: that of the segments and that of the voxels are never quite the same.
     for (int off = kBendReach_px; off >= 0; --off) {
       if (!isInside(x - off * dx, y - off * dy) || !isInside(u + off * dx, v + off * dy)) continue;
@@ -126,6 +128,15 @@ class StepFinder {
       break;
     }
     sumOf(pairKey(parts_[here], parts_[there])).add(step);
+  }
+
+  /// Along the mean of both normals.
+  [[nodiscard]] float stepBetween(std::size_t here, std::size_t there) const {
+    const Eigen::Vector4f& n_a = input_.normals_world[here];
+    const Eigen::Vector4f& n_b = input_.normals_world[there];
+    if (!(n_a.w() > 0) || !(n_b.w() > 0)) return 0;
+    const Eigen::Vector3f across = (input_.vertices_world[there] - input_.vertices_world[here]).head<3>();
+    return std::abs((n_a + n_b).head<3>().normalized().dot(across));
   }
 
   Sum& sumOf(std::uint64_t pair) {
@@ -161,8 +172,11 @@ class StepFinder {
 
 std::vector<FragmentContact> findContacts(const MergeInput& input, std::span<const FragmentId> parts) {
   std::vector<FragmentContact> contacts;
-  for (const Sum& sum : StepFinder(input, parts).find())
-    contacts.push_back(sum.mean(!input.color_lab.empty()));
+  const FragmentColors colors(input, parts);
+  for (const Sum& sum : StepFinder(input, parts).find()) {
+    FragmentContact& contact = contacts.emplace_back(sum.mean(!input.color_lab.empty()));
+    contact.color_difference = colors.between(contact.a, contact.b);
+  }
   return contacts;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/labeling/fragment_colors.h"
 #include "core/labeling/region_merger.h"
 
 namespace scantrove {
@@ -24,6 +25,8 @@ struct FragmentContact {
   std::optional<float> color_shift;
   float folded = 0;  ///< part of the measured steps that fold by more than kClearBend_rad
   float ridged = 0;  ///< and that ridge by more
+  float step_m = 0;  ///< mean step up or down from one surface to the other; 0 where no normal is known
+  std::optional<ColorDifference> color_difference;  ///< on the whole, not at the border
 };
 
 inline constexpr float kClearBend_rad = 0.35F;  ///< 20 degrees

@@ -22,31 +22,48 @@ using Json = nlohmann::ordered_json;
 QString text(const std::string& value) { return QString::fromStdString(value); }
 std::string text(const QSqlQuery& row, int column) { return row.value(column).toString().toStdString(); }
 
-constexpr std::size_t kEvidenceFloats = 14;
-/// Before arrivals, and before attachments, were evidence.
-constexpr std::array<std::size_t, 2> kFewerFloats{10, 12};
+constexpr std::size_t kEvidenceFloats = 17;
+/// Before arrivals, attachments, and steps and colours on the whole, were evidence.
+constexpr std::array<std::size_t, 3> kFewerFloats{10, 12, 14};
+constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();  // a colour
 static_assert(std::endian::native == std::endian::little);
 
 QByteArray toBytes(const BorderEvidence& e) {
+  const ColorDifference unseen{kUnseen, kUnseen};
+  const ColorDifference& difference = e.color_difference ? *e.color_difference : unseen;
   const std::array<float, kEvidenceFloats> values{
-      e.looks,    e.bridged,       e.shared,
-      e.bends,    e.concavity_rad, e.turn_rad,
-      e.folded,   e.ridged,        e.color_shift.value_or(std::numeric_limits<float>::quiet_NaN()),
-      e.length_m, e.came_together, e.came_apart,
-      e.attached, e.unattached};
+      e.looks,
+      e.bridged,
+      e.shared,
+      e.bends,
+      e.concavity_rad,
+      e.turn_rad,
+      e.folded,
+      e.ridged,
+      e.color_shift.value_or(kUnseen),
+      e.length_m,
+      e.came_together,
+      e.came_apart,
+      e.attached,
+      e.unattached,
+      difference.all,
+      difference.chroma,
+      e.step_m};
   return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
 }
 
 std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   std::array<float, kEvidenceFloats> values{};
+  values[14] = values[15] = kUnseen;  // an older row lacks them
   const auto size = static_cast<std::size_t>(bytes.size());
   const bool is_older = std::ranges::any_of(
       kFewerFloats, [size](std::size_t floats) { return size == floats * sizeof(float); });
   if (size != sizeof(values) && !is_older) return std::nullopt;
   std::memcpy(values.data(), bytes.constData(), size);
-  if (!std::isfinite(values[0] + values[1] + values[2] + values[3] + values[4] + values[5] + values[6] +
-                     values[7] + values[9] + values[10] + values[11] + values[12] + values[13]))
-    return std::nullopt;
+  constexpr std::array<std::size_t, 3> kColors{8, 14, 15};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]) && std::ranges::find(kColors, i) == kColors.end()) return std::nullopt;
+  }
   BorderEvidence e;
   e.looks = values[0];
   e.bridged = values[1];
@@ -62,6 +79,8 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   e.came_apart = values[11];
   e.attached = values[12];
   e.unattached = values[13];
+  if (std::isfinite(values[14] + values[15])) e.color_difference = {values[14], values[15]};
+  e.step_m = values[16];
   return e;
 }
 

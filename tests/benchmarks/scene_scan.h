@@ -38,6 +38,10 @@ struct SceneOptions {
     app.add_option("--stride", stride, "every N-th frame")->check(CLI::PositiveNumber);
   }
 
+  /// Of the scenes, as a person would say which they are.
+  [[nodiscard]] std::string text() const {
+    return fmt::format("demo:room:{} and demo:tabletop:{}", fmt::join(rooms, ","), fmt::join(tables, ","));
+  }
   /// Names as after "demo:", of "room" or "tabletop".
   [[nodiscard]] std::vector<std::string> scenesOf(const std::string& kind) const {
     std::vector<std::string> scenes;
@@ -151,8 +155,7 @@ inline Result<std::size_t> scanForEvidence(const SceneOptions& options, const Ev
                     visit(scene, pipeline, merger.graph(), result, truth);
                   });
     if (!scan) return fail(scan.error());
-    std::printf("%-18s %d frames, %d lost\n", scenes[scene].c_str(), scan->frames, scan->lost);
-    std::fflush(stdout);
+    std::fprintf(stderr, "%-18s %d frames, %d lost\n", scenes[scene].c_str(), scan->frames, scan->lost);
   }
   return scenes.size();
 }

@@ -4,14 +4,14 @@
 //
 //   wholeness_fit --cache DIR --rooms 161-164,171-174 --tables 161-164,171-174 > wholeness_trees.h
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "core/discovery/region_judge.h"
 #include "core/scan/rated_sets.h"
+#include "tests/benchmarks/boosting.h"
 #include "tests/benchmarks/scene_scan.h"
-#include "tests/benchmarks/wholeness_boosting.h"
+#include "tests/benchmarks/wholeness_sample.h"
 
 namespace scantrove::benchmarks {
 namespace {
@@ -135,6 +135,15 @@ class LeftOut {
   std::map<std::pair<std::size_t, RegionSet>, int> things_;
 };
 
+constexpr BoostingParams kBoosting{
+    .trees = 300, .learning_rate = 0.07, .ridge = 20, .least_samples = 120, .part_of_features = 0.4};
+
+BoostedTrees<5> fitTrees(const std::vector<WeighedSample>& samples) {
+  std::vector<BoostingSample> all;
+  for (const auto& [sample, is_whole, weight] : samples) all.push_back({sample->x, is_whole, weight});
+  return Boosting<5>(all, kBoosting).fitted();
+}
+
 /// Samples judged by trees that are fitted to other scenes.
 void reportOnOthers(const std::vector<WeighedSample>& samples) {
   std::vector<std::pair<float, bool>> judged;
@@ -143,7 +152,7 @@ void reportOnOthers(const std::vector<WeighedSample>& samples) {
     std::vector<WeighedSample> others;
     std::ranges::copy_if(samples, std::back_inserter(others),
                          [&](const WeighedSample& sample) { return sample.sample->scene % kFolds != fold; });
-    const WholenessTrees fitted = fitTrees(others);
+    const BoostedTrees<5> fitted = fitTrees(others);
     for (const WeighedSample& sample : samples) {
       if (sample.sample->scene % kFolds != fold) continue;
       const float odds = fitted.oddsOf(sample.sample->x);
@@ -151,18 +160,9 @@ void reportOnOthers(const std::vector<WeighedSample>& samples) {
       left_out.add(sample, odds);
     }
   }
-  std::ranges::sort(judged);
-  double below = 0, ordered = 0;  // samples that are not whole, and pairs in the right order
-  for (const auto& [odds, is_whole] : judged) (is_whole ? ordered : below) += is_whole ? below : 1;
-  const auto all = static_cast<double>(samples.size());
-  std::fprintf(stderr, "on scenes left out: area under the curve %.3f\n", ordered / (below * (all - below)));
+  std::fprintf(stderr, "on scenes left out: area under the curve %.3f\n",
+               areaUnderCurve(std::move(judged)));
   left_out.print();
-}
-
-std::string inCpp(float value) {
-  std::string text = fmt::format("{:.4g}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text + "F";
 }
 
 float medianOf(std::size_t feature, const std::vector<WholenessSample>& samples) {
@@ -173,31 +173,13 @@ float medianOf(std::size_t feature, const std::vector<WholenessSample>& samples)
   return *middle;
 }
 
-void print(const WholenessTrees& fitted, const std::vector<WholenessSample>& samples,
+void print(const BoostedTrees<5>& fitted, const std::vector<WholenessSample>& samples,
            const SceneOptions& options) {
-  std::printf(
-      "#pragma once\n#include <array>\n\n#include \"core/discovery/boosted_tree.h\"\n\n"
-      "namespace scantrove {\n\n// clang-format off\n// By wholeness_fit to demo:room:%s and "
-      "demo:tabletop:%s.\n",
-      fmt::format("{}", fmt::join(options.rooms, ",")).c_str(),
-      fmt::format("{}", fmt::join(options.tables, ",")).c_str());
-  std::printf("inline constexpr float kWholenessPrior = %s;\n// Medians, for what has no colour.\n",
-              inCpp(fitted.prior).c_str());
+  std::string usual = "// Medians, for what has no colour.\n";
   for (const auto& [feature, name] : kOfColor)
-    std::printf("inline constexpr float kUsual%s = %s;\n", name, inCpp(medianOf(feature, samples)).c_str());
-  std::printf("inline constexpr std::array<BoostedTree, %zu> kWholenessTrees{{\n", fitted.trees.size());
-  for (const BoostedTree& tree : fitted.trees) {
-    std::vector<std::string> splits, leaves;
-    for (const auto& [feature, most] : tree.splits) {
-      const bool is_split = most < std::numeric_limits<float>::max();
-      splits.push_back(
-          fmt::format("{{{}, {}}}", static_cast<int>(feature), is_split ? inCpp(most) : "1e30F"));
-    }
-    for (const float leaf : tree.leaves) leaves.push_back(inCpp(leaf));
-    std::printf("    {{{%s}}, {%s}},\n", fmt::format("{}", fmt::join(splits, ", ")).c_str(),
-                fmt::format("{}", fmt::join(leaves, ", ")).c_str());
-  }
-  std::printf("}};\n// clang-format on\n\n}  // namespace scantrove\n");
+    usual +=
+        fmt::format("inline constexpr float kUsual{} = {};\n", name, inCpp(medianOf(feature, samples)));
+  printTrees(fitted, "Wholeness", "wholeness_fit to " + options.text(), usual);
 }
 
 Result<std::set<int>> thingsOf(const std::string& scene) {

@@ -68,17 +68,19 @@ class RegionEditorTest : public testing::Test {
   }
   /// Looks that speak for one thing, or for two.
   void see(FragmentId a, FragmentId b, bool one) {
-    FragmentContact contact{.a = a,
-                            .b = b,
-                            .length_px = 100,
-                            .bridged_px = one ? 100 : 0,
-                            .length_m = 0.3F,
-                            .depth_m = 1,
-                            .bends = 80,
-                            .concavity_rad = one ? 0.F : 0.9F,
-                            .turn_rad = one ? 0.02F : 0.9F,
-                            .color_shift = one ? 1.F : 40.F,
-                            .folded = one ? 0.F : 1.F};
+    FragmentContact contact;
+    contact.a = a;
+    contact.b = b;
+    contact.length_px = 100;
+    contact.bridged_px = one ? 100 : 0;
+    contact.length_m = 0.3F;
+    contact.depth_m = 1;
+    contact.bends = 80;
+    contact.concavity_rad = one ? 0.F : 0.9F;
+    contact.turn_rad = one ? 0.02F : 0.9F;
+    contact.color_shift = one ? 1.F : 40.F;
+    contact.color_difference = {*contact.color_shift, *contact.color_shift};
+    contact.folded = one ? 0.F : 1.F;
     auto& graph = const_cast<EvidenceGraph&>(merger_.graph());
     for (int look = 0; look < 20; ++look) graph.between(a, b).add(contact, one ? 1 : 0);
   }

@@ -89,6 +89,23 @@ TEST(BorderEvidence, ColorIsTheMeanOfLooksThatHadIt) {
   EXPECT_FLOAT_EQ(*border.color_shift, 8);
 }
 
+TEST(BorderEvidence, StepsAndColorsOnTheWholeAreMeansOfLooksToo) {
+  FragmentContact contact = nearLook(0);
+  BorderEvidence border = after(contact, 0, 1);
+  EXPECT_FALSE(border.color_difference);
+  contact.step_m = 0.02F;
+  contact.color_difference = {9, 6};
+  border.add(contact, 0);
+  EXPECT_NEAR(border.step_m, 0.01F, 1e-4F);
+  ASSERT_TRUE(border.color_difference);
+  EXPECT_FLOAT_EQ(border.color_difference->all, 9) << "the first that had it";
+  EXPECT_FLOAT_EQ(border.color_difference->chroma, 6);
+  contact.color_difference = {12, 3};
+  border.add(contact, 0);
+  EXPECT_NEAR(border.color_difference->all, 10, 1e-3F);
+  EXPECT_NEAR(border.color_difference->chroma, 5, 1e-3F);
+}
+
 TEST(BorderEvidence, FewLooksJoinNothingButMayPart) {
   for (const int looks : {0, 1}) {
     const BorderEvidence border = after(nearLook(1), 1, looks);
@@ -110,6 +127,11 @@ TEST(BorderEvidence, SegmentsOnBothSpeakForAFoldSpeaksAgainst) {
   alike.color_shift = 0.5F;
   unlike.color_shift = 30;
   EXPECT_GT(oddsOf(alike, 0.5F), oddsOf(unlike, 0.5F));
+  // Colours that differ on the whole say more than anything at the border.
+  alike.color_difference = {3, 1};
+  unlike.color_difference = {30, 25};
+  unlike.color_shift = alike.color_shift;
+  EXPECT_GT(oddsOf(alike, 0.8F), oddsOf(unlike, 0.8F) + 2);
 }
 
 TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
@@ -154,7 +176,10 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   EXPECT_GT(folded.weight(kVoxels, kVoxels, 0), 0);
   EXPECT_LT(flat.weight(kVoxels, kVoxels, 0), 0);
   // One frame alone may be wrong.
-  BorderEvidence once = after(nearLook(1), 1, 20);
+  FragmentContact alike = nearLook(1);
+  alike.color_shift = 1;
+  alike.color_difference = {1, 1};
+  BorderEvidence once = after(alike, 1, 20);
   once.addArrival(false);
   EXPECT_GT(once.weight(kVoxels, kVoxels, 0), 0);
 }

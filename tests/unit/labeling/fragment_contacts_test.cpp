@@ -91,6 +91,29 @@ TEST(FragmentContacts, TheShiftOfColorIsTheSameFromBothSidesOfAFragment) {
   EXPECT_NEAR(*contacts[1].color_shift, 10, 1e-4F);
 }
 
+TEST(FragmentContacts, AStepIsAsHighAsOneSurfaceLiesBehindTheOther) {
+  for (const float step_m : {0.0F, 0.01F, 0.02F}) {
+    const auto contacts = contactsOf(withTwoParts(PaintedFrame::step(step_m)));
+    ASSERT_EQ(contacts.size(), 1U);
+    EXPECT_NEAR(contacts.front().step_m, step_m, 1e-4F);
+  }
+  PaintedFrame frame = withTwoParts(PaintedFrame::step(0.02F));
+  frame.normals.assign(PaintedFrame::kPixels, {0, 0, 0, 0});
+  EXPECT_EQ(contactsOf(frame).front().step_m, 0) << "of an unknown direction";
+}
+
+TEST(FragmentContacts, TellTheDifferenceOfColorsOnTheWhole) {
+  PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
+  // Alike where they touch, and unlike elsewhere.
+  frame.color_lab.assign(PaintedFrame::kPixels, Eigen::Vector3f(50, 0, 0));
+  PaintedFrame::fill(frame.color_lab, {48, 0, PaintedFrame::kWidth - 1, PaintedFrame::kHeight - 1},
+                     Eigen::Vector3f(50, 40, 0));
+  const FragmentContact contact = contactsOf(frame).front();
+  EXPECT_NEAR(*contact.color_shift, 0, 1e-4F);
+  ASSERT_TRUE(contact.color_difference);
+  EXPECT_NEAR(contact.color_difference->chroma, 20, 1e-3F);
+}
+
 TEST(FragmentContacts, NeighboursAcrossAnOcclusionEdgeDoNotTouch) {
   // d_max one metre ahead is three pixels' width: 3 / 60 m.
   EXPECT_EQ(contactsOf(withTwoParts(PaintedFrame::step(0.03F))).size(), 1U);

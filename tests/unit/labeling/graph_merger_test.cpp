@@ -92,41 +92,48 @@ TEST(GraphMerger, TwoThatCameEachByItselfAreJudgedByTheirBorder) {
   EXPECT_TRUE(areOne(scan));
 }
 
-/// A model of its own says what looks mean where there is colour.
+/// A wall and the side of a pillar before it, which differ little in colour, or without any; what differs much
+/// does not leak.
 class ALeak : public testing::TestWithParam<bool> {
  protected:
   static PaintedFrame surface() {
     PaintedFrame frame = fold();
     if (!GetParam()) return frame;
     frame.color_lab.assign(PaintedFrame::kPixels, {60, 5, 5});
-    PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(60, 5, 17));
+    PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(60, 5, 10));
     return frame;
   }
 };
+const std::vector<Rectangle> kClearSide{PaintedFrame::kLeft, {kMiddle, 0, 47, PaintedFrame::kHeight - 1}};
+const std::vector<Rectangle> kLeakingSide{{0, 0, 47, PaintedFrame::kHeight - 1}};
+constexpr int kSideX = 42;
 
 TEST_P(ALeak, PartsAgain) {
   PaintedScan scan(surface());
-  scan.look(kClear, 3);
-  const RegionId left = scan.regionAt(kX, kY), right = scan.regionAt(kOtherX, kY);
-  scan.look(kLeak, 10);
-  ASSERT_TRUE(areOne(scan)) << "there is nothing to heal";
+  const auto areOne = [&] { return scan.regionAt(kX, kY) == scan.regionAt(kSideX, kY); };
+  scan.look(kClearSide, 3);
+  const RegionId left = scan.regionAt(kX, kY), right = scan.regionAt(kSideX, kY);
+  scan.look(kLeakingSide, 10);
+  // Where ten frames that are wrong make no leak, more of them.
+  for (int frame = 0; frame < 50 && !areOne(); ++frame) scan.look(kLeakingSide);
+  ASSERT_TRUE(areOne()) << "there is nothing to heal";
   int frames = 0;
   RegionEvents events;
-  while (areOne(scan) && frames < 30) {
-    events = scan.look(kClear).events;
+  while (areOne() && frames < 30) {
+    events = scan.look(kClearSide).events;
     ++frames;
   }
-  ASSERT_FALSE(areOne(scan));
+  ASSERT_FALSE(areOne());
   ASSERT_EQ(events.parted.size(), 1U);
   const RegionId kept = events.parted.front().first;
   EXPECT_TRUE(kept == left || kept == right);
   EXPECT_NE(events.parted.front().second, left);
   EXPECT_NE(events.parted.front().second, right);
-  scan.look(kClear, 30);
-  EXPECT_FALSE(areOne(scan));
+  scan.look(kClearSide, 30);
+  EXPECT_FALSE(areOne());
   for (int y = 0; y < PaintedFrame::kHeight; ++y) {
     EXPECT_EQ(scan.regionAt(kMiddle - 1, y), scan.regionAt(kX, kY));
-    EXPECT_EQ(scan.regionAt(kMiddle, y), scan.regionAt(kOtherX, kY));
+    EXPECT_EQ(scan.regionAt(kMiddle, y), scan.regionAt(kSideX, kY));
   }
 }
 

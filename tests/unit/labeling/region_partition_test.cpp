@@ -19,12 +19,16 @@ class RegionPartitionTest : public testing::Test {
     for (int i = 0; i < fragments; ++i) (void)table_.newFragment();
   }
 
-  /// As many looks as evidence can hold, all alike: one segment on both, or a fold between two.
+  /// As many looks as evidence can hold, all alike: one segment on both, or a fold between two of unlike
+  /// colours.
   void see(FragmentId a, FragmentId b, bool as_one, float length_m = 0.5F) {
     BorderEvidence& border = graph_.between(a, b);
     border.looks = border.bends = BorderEvidence::kMostLooks;
     border.bridged = border.shared = as_one ? border.looks : 0;
     border.folded = as_one ? 0.0F : 1.0F;
+    border.concavity_rad = as_one ? 0.0F : 1.2F;
+    border.color_shift = as_one ? 2.0F : 30.0F;
+    border.color_difference = {*border.color_shift, *border.color_shift};
     border.length_m = length_m;
     ASSERT_EQ(border.logOdds(1000, 1000) > 0, as_one);
   }

@@ -35,6 +35,8 @@ SavedDelta someDelta(int seed) {
   evidence.unattached = 1.5F;
   evidence.came_apart = 0.5F;
   evidence.color_shift = 12;
+  evidence.step_m = 0.02F;
+  evidence.color_difference = {8, 5};
   evidence.constraint = LinkConstraint::cannot_link;
   evidence.by_person = true;
   evidence.constraint_order = 4;
@@ -96,6 +98,10 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_EQ(scan->borders[0].evidence->attached, 7);
   EXPECT_EQ(scan->borders[0].evidence->unattached, 1.5F);
   EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
+  EXPECT_EQ(scan->borders[0].evidence->step_m, 0.02F);
+  ASSERT_TRUE(scan->borders[0].evidence->color_difference);
+  EXPECT_EQ(scan->borders[0].evidence->color_difference->all, 8);
+  EXPECT_EQ(scan->borders[0].evidence->color_difference->chroma, 5);
   EXPECT_EQ(scan->borders[0].evidence->constraint, LinkConstraint::cannot_link);
   EXPECT_TRUE(scan->borders[0].evidence->by_person);
   ASSERT_EQ(scan->operations.size(), 2U);
@@ -196,6 +202,23 @@ TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
   const auto none = SessionStore::open(folder.path());
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().message(), HasSubstr(folder.path().string()));
+}
+
+TEST(SessionStore, EvidenceOfAnEarlierVersionLacksWhatWasNotLookedAt) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1));
+  {
+    const auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
+    ASSERT_TRUE((*connection)->execute("UPDATE borders SET evidence = substr(evidence, 1, 14 * 4)"));
+  }
+  const auto scan = (*SessionStore::open(folder.path() / "scan"))->load();
+  ASSERT_TRUE(scan) << scan.error().message();
+  ASSERT_EQ(scan->borders.size(), 1U);
+  const BorderEvidence& evidence = *scan->borders[0].evidence;
+  EXPECT_EQ(evidence.looks, 3.25F);
+  EXPECT_EQ(evidence.unattached, 1.5F);
+  EXPECT_EQ(evidence.step_m, 0);
+  EXPECT_FALSE(evidence.color_difference);
 }
 
 TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhere) {

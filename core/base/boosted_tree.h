@@ -6,13 +6,14 @@
 
 namespace scantrove {
 
-/// A balanced decision tree of five levels, one of many whose values add up.
+/// A balanced decision tree of so many levels, one of many whose values add up.
+template <std::size_t Levels>
 struct BoostedTree {
   struct Split {
     std::int8_t feature;
     float most;  ///< up to this the way goes to the left
   };
-  static constexpr std::size_t kSplits = 31, kLeaves = 32;
+  static constexpr std::size_t kLeaves = std::size_t{1} << Levels, kSplits = kLeaves - 1;
 
   std::array<Split, kSplits> splits;  ///< the root, its two children, their four, and so on
   std::array<float, kLeaves> leaves;  ///< from left to right
