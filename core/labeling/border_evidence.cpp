@@ -9,9 +9,10 @@ namespace scantrove {
 namespace {
 
 constexpr float kFullLength_px = 16;  // borders this long count fully
-/// Taken off the logarithm of the odds. In rooms and tables 721 - 725, rooms and tables 731, 732 drab, and rooms
-/// 405, 406 and table 404 uneven 0.779, 0.818 and 0.861 of the small things are over half so, and 0.788, 0.838
-/// and 0.787 of the large ones; a quarter higher 0.776, 0.826 and 0.864, and 0.781, 0.820 and 0.757.
+/// Taken off the logarithm of the odds. In rooms and tables 721 - 725, rooms and tables 731, 732 drab, and
+/// rooms 405, 406 and table 404 uneven 0.779, 0.818 and 0.861 of the small things are over half so, and
+/// 0.788, 0.838 and 0.787 of the large ones; a quarter higher 0.776, 0.826 and 0.864, and 0.781, 0.820 and
+/// 0.757.
 constexpr float kCaution = 1.25F;
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
 constexpr float kHolds = 0.01F;    // any other border outweighs it

@@ -21,11 +21,11 @@ struct BorderEvidence {
   std::optional<float> color_shift;  ///< as in FragmentContact, mean
   float step_m = 0;                  ///< likewise
   std::optional<ColorDifference> color_difference;  ///< likewise
-  float length_m = 0;                ///< of the border, longest look
-  float came_together = 0;           ///< looks at both as of a thing that came, at most kMostLooks
-  float came_apart = 0;              ///< looks at one as of a thing that came to the other, likewise
-  float attached = 0;    ///< looks at the one as a part of the other (Attachment), at most kMostLooks
-  float unattached = 0;  ///< looks that deny it, likewise
+  float length_m = 0;                               ///< of the border, longest look
+  float came_together = 0;  ///< looks at both as of a thing that came, at most kMostLooks
+  float came_apart = 0;     ///< looks at one as of a thing that came to the other, likewise
+  float attached = 0;       ///< looks at the one as a part of the other (Attachment), at most kMostLooks
+  float unattached = 0;     ///< looks that deny it, likewise
   Constraint constraint = Constraint::none;
   bool by_person = false;    ///< the constraint: stronger than any that the program found
   int constraint_order = 0;  ///< higher: said later

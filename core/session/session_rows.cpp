@@ -32,23 +32,12 @@ QByteArray toBytes(const BorderEvidence& e) {
   const ColorDifference unseen{kUnseen, kUnseen};
   const ColorDifference& difference = e.color_difference ? *e.color_difference : unseen;
   const std::array<float, kEvidenceFloats> values{
-      e.looks,
-      e.bridged,
-      e.shared,
-      e.bends,
-      e.concavity_rad,
-      e.turn_rad,
-      e.folded,
-      e.ridged,
-      e.color_shift.value_or(kUnseen),
-      e.length_m,
-      e.came_together,
-      e.came_apart,
-      e.attached,
-      e.unattached,
-      difference.all,
-      difference.chroma,
-      e.step_m};
+      e.looks,           e.bridged,       e.shared,
+      e.bends,           e.concavity_rad, e.turn_rad,
+      e.folded,          e.ridged,        e.color_shift.value_or(kUnseen),
+      e.length_m,        e.came_together, e.came_apart,
+      e.attached,        e.unattached,    difference.all,
+      difference.chroma, e.step_m};
   return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
 }
 

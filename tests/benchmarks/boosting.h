@@ -25,8 +25,8 @@ struct BoostingSample {
 struct BoostingParams {
   std::size_t trees = 100;
   double learning_rate = 0.1;
-  double ridge = 5;            ///< on each leaf
-  int least_samples = 100;     ///< of a leaf
+  double ridge = 5;             ///< on each leaf
+  int least_samples = 100;      ///< of a leaf
   double part_of_features = 1;  ///< that a tree may ask for, by chance: the trees differ more
   /// By feature: 1 where more of it must never make less likely, -1 never more, 0 whatever the samples say.
   /// Empty: 0 for all.

@@ -1,6 +1,6 @@
 // Fits the trees of BorderEvidence::logOdds() to random scenes with exact truth. A sample is a border of the
-// evidence graph in view at every 10th frame: its features, and whether the fragments to both sides are of one
-// thing. Prints how well the trees do on scenes that they were not fitted to, border by border and by the
+// evidence graph in view at every 10th frame: its features, and whether the fragments to both sides are of
+// one thing. Prints how well the trees do on scenes that they were not fitted to, border by border and by the
 // regions that they make, more and less cautious; and core/labeling/border_trees.h.
 //
 //   border_evidence_fit --cache DIR --rooms 161-164,261:drab --tables 161-164,401:uneven > border_trees.h
@@ -27,7 +27,7 @@ constexpr std::size_t kColorlessOf = 4;
 /// Real walls, floors and cupboards share their colours more often than those of the scenes do, and things
 /// do: so many of the borders between two, of a thousand, get the colours of one within a thing.
 constexpr unsigned kAlikeOfThousand = 50, kLargeAlikeOfThousand = 500;
-constexpr float kLarge = 5000;  // voxels of the smaller of the two
+constexpr float kLarge = 5000;           // voxels of the smaller of the two
 constexpr std::size_t kFewerVoxels = 7;  // of the features
 /// A segment may lie over two things for a while, and over each alone from then on, which scenes hardly show:
 /// so many of the borders between two things, of a thousand, were shared in up to kMostLeaked of their looks.
@@ -40,8 +40,7 @@ class Samples {
   void add(const Scene& scene) {
     for (const Moment& moment : scene) {
       for (const Border& border : moment.borders) {
-        const bool are_slivers =
-            std::min(moment.voxels[border.a], moment.voxels[border.b]) < kSliverVoxels;
+        const bool are_slivers = std::min(moment.voxels[border.a], moment.voxels[border.b]) < kSliverVoxels;
         if (!border.are_one || are_slivers) continue;
         Features x = border.features;
         if (*border.are_one) {
@@ -106,9 +105,8 @@ void reportOnOthers(const std::vector<Scene>& scenes) {
         }
       }
       for (std::size_t c = 0; c < kCautions.size(); ++c) {
-        scores[c] += scoreOf(scenes[i], [&](const Border& border) {
-          return fitted.oddsOf(border.features) - kCautions[c];
-        });
+        scores[c] += scoreOf(
+            scenes[i], [&](const Border& border) { return fitted.oddsOf(border.features) - kCautions[c]; });
       }
     }
   }

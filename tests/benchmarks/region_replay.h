@@ -46,7 +46,7 @@ inline std::vector<int> instancesOf(const OverlapTable& table, std::size_t fragm
 }
 
 inline Moment momentOf(const ScanPipeline& pipeline, const EvidenceGraph& graph, const FrameResult& result,
-                const cv::Mat& truth) {
+                       const cv::Mat& truth) {
   Moment moment;
   moment.scale = static_cast<double>(truth.total()) / (640.0 * 480.0);
   std::map<FragmentId, std::uint32_t> index;
@@ -164,9 +164,9 @@ struct Score {
            0.006 * pieces / frames;
   }
   void print(const char* name) const {
-    std::fprintf(stderr, "%-22s small over half %.4f, large %.4f, coverage %.4f, pieces a frame %.2f; worth %.4f\n",
-                name, small_over_half / small, large_over_half / large, coverage / frames, pieces / frames,
-                worth());
+    std::fprintf(
+        stderr, "%-22s small over half %.4f, large %.4f, coverage %.4f, pieces a frame %.2f; worth %.4f\n",
+        name, small_over_half / small, large_over_half / large, coverage / frames, pieces / frames, worth());
   }
 
  private:

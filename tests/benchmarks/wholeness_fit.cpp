@@ -160,8 +160,7 @@ void reportOnOthers(const std::vector<WeighedSample>& samples) {
       left_out.add(sample, odds);
     }
   }
-  std::fprintf(stderr, "on scenes left out: area under the curve %.3f\n",
-               areaUnderCurve(std::move(judged)));
+  std::fprintf(stderr, "on scenes left out: area under the curve %.3f\n", areaUnderCurve(std::move(judged)));
   left_out.print();
 }
 
@@ -177,8 +176,7 @@ void print(const BoostedTrees<5>& fitted, const std::vector<WholenessSample>& sa
            const SceneOptions& options) {
   std::string usual = "// Medians, for what has no colour.\n";
   for (const auto& [feature, name] : kOfColor)
-    usual +=
-        fmt::format("inline constexpr float kUsual{} = {};\n", name, inCpp(medianOf(feature, samples)));
+    usual += fmt::format("inline constexpr float kUsual{} = {};\n", name, inCpp(medianOf(feature, samples)));
   printTrees(fitted, "Wholeness", "wholeness_fit to " + options.text(), usual);
 }
 

@@ -14,8 +14,7 @@ Tree countingTree() {
   tree.splits = {{{0, 0.5F}, {1, 1}, {1, -1}, {2, 0}, {2, 0}, {2, 0}, {2, 10}}};
   for (std::size_t fourth = 7; fourth < 15; ++fourth) tree.splits[fourth] = {3, 5};
   for (std::size_t last = 15; last < Tree::kSplits; ++last) tree.splits[last] = {4, 7};
-  for (std::size_t leaf = 0; leaf < Tree::kLeaves; ++leaf)
-    tree.leaves[leaf] = static_cast<float>(leaf);
+  for (std::size_t leaf = 0; leaf < Tree::kLeaves; ++leaf) tree.leaves[leaf] = static_cast<float>(leaf);
   return tree;
 }
 

@@ -92,8 +92,8 @@ TEST(GraphMerger, TwoThatCameEachByItselfAreJudgedByTheirBorder) {
   EXPECT_TRUE(areOne(scan));
 }
 
-/// A wall and the side of a pillar before it, which differ little in colour, or without any; what differs much
-/// does not leak.
+/// A wall and the side of a pillar before it, which differ little in colour, or without any; what differs
+/// much does not leak.
 class ALeak : public testing::TestWithParam<bool> {
  protected:
   static PaintedFrame surface() {
