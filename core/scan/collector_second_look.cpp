@@ -13,7 +13,8 @@ namespace {
 constexpr float kLeastFit = 0.7F;
 /// The same of a whole of several regions, whose views may be of one of them.
 constexpr float kLeastFitOfWhole = 0.6F;
-/// Of RatedSets: from there on something is a whole; below, what was an object is none any more.
+/// Of RatedSets: from there on something is more likely a whole than not; below, what was an object is none
+/// any more.
 constexpr float kWhole = 0;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `image_px`.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace scantrove {
 namespace {
@@ -132,6 +133,71 @@ TEST(BorderEvidence, SegmentsOnBothSpeakForAFoldSpeaksAgainst) {
   unlike.color_difference = {30, 25};
   unlike.color_shift = alike.color_shift;
   EXPECT_GT(oddsOf(alike, 0.8F), oddsOf(unlike, 0.8F) + 2);
+}
+
+/// A border as it may be after some looks.
+BorderEvidence anyBorder(std::mt19937& random) {
+  const auto between = [&random](float from, float to) {
+    return std::uniform_real_distribution<float>(from, to)(random);
+  };
+  BorderEvidence border;
+  border.looks = between(2, BorderEvidence::kMostLooks);
+  border.shared = border.looks * between(0, 1);
+  border.bridged = border.looks * between(0, 1);
+  border.concavity_rad = between(-1.5F, 1.5F);
+  border.folded = between(0, 1);
+  border.ridged = between(0, 1 - border.folded);
+  border.color_shift = between(0, 40);
+  border.step_m = between(0, 0.02F);
+  const float chroma = between(0, 30);
+  border.color_difference = {chroma + between(0, 20), chroma};
+  return border;
+}
+
+// Few samples of a fit may say otherwise; a leak heals only if this holds.
+TEST(BorderEvidence, FramesThatSawOneNeverSpeakAgainstItFoldsAndColorsNeverForIt) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> voxels(50, 60000);
+  int differ = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const BorderEvidence border = anyBorder(random);
+    const int a = voxels(random), b = voxels(random);
+    const float odds = border.logOdds(a, b);
+    BorderEvidence shared = border, bridged = border, folded = border, edge = border, unlike = border;
+    shared.shared = (border.shared + border.looks) / 2;
+    bridged.bridged = (border.bridged + border.looks) / 2;
+    folded.folded = (border.folded + 1) / 2;
+    *edge.color_shift += 10;
+    unlike.color_difference->all += 10;
+    unlike.color_difference->chroma += 10;
+    constexpr float kRounding = 1e-4F;
+    EXPECT_GE(shared.logOdds(a, b), odds - kRounding);
+    EXPECT_GE(bridged.logOdds(a, b), odds - kRounding);
+    EXPECT_LE(folded.logOdds(a, b), odds + kRounding);
+    EXPECT_LE(edge.logOdds(a, b), odds + kRounding);
+    EXPECT_LE(unlike.logOdds(a, b), odds + kRounding);
+    differ += unlike.logOdds(a, b) < odds - 0.5F ? 1 : 0;
+  }
+  EXPECT_GT(differ, 500) << "colours are heard at all";
+}
+
+TEST(BorderEvidence, WithoutColorTwoAreTakenNeitherForAlikeNorForUnlike) {
+  std::mt19937 random(2);
+  double alike = 0, unlike = 0, unseen = 0;
+  for (int i = 0; i < 200; ++i) {
+    BorderEvidence border = anyBorder(random);
+    border.color_shift = 1;
+    border.color_difference = {1, 0.5F};
+    alike += static_cast<double>(border.logOdds(kVoxels, kVoxels));
+    border.color_shift = 30;
+    border.color_difference = {40, 25};
+    unlike += static_cast<double>(border.logOdds(kVoxels, kVoxels));
+    border.color_shift.reset();
+    border.color_difference.reset();
+    unseen += static_cast<double>(border.logOdds(kVoxels, kVoxels));
+  }
+  EXPECT_GT(alike, unseen);
+  EXPECT_GT(unseen, unlike);
 }
 
 TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
