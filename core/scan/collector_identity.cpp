@@ -105,6 +105,7 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
     for (const auto& [other, met] : met_.all()) {
       if (!in_view.contains(other) && met_.isAt(other, *candidate) &&
           !isInViewBeside(other, candidate->regions) && !areSideBySide(object, other) &&
+          !isOfAnotherWhole(other, candidate->regions) &&
           shouldMerge(catalogue_.holderOf(other), catalogue_.holderOf(object)))
         there.push_back(other);
     }

@@ -122,7 +122,7 @@ bool ObjectCollector::staysAsItIs(ObjectId object) const {
 }
 
 void ObjectCollector::bindWholes() {
-  std::set<ObjectId> taken;
+  std::set<ObjectId> taken;  // holders
   for (const RatedSets::Rated& rated : rated_.disjoint(kWhole)) {
     std::vector<ObjectId> objects;  // that its regions were taken for
     for (const RegionId region : rated.regions) {
@@ -138,11 +138,13 @@ void ObjectCollector::bindWholes() {
     if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
     wholes_.emplace(rated.regions, rated.frame_index);
     for (const ObjectId object : objects) met_.unbind(rated.regions, object);
-    // Two wholes are one object only where a person said so, or merged what they were taken for.
-    std::erase_if(objects, [&](ObjectId object) { return !staysAsItIs(object) && taken.contains(object); });
+    // Two wholes are one object only where a person said so.
+    std::erase_if(objects, [&](ObjectId object) {
+      return !staysAsItIs(object) && taken.contains(catalogue_.holderOf(object));
+    });
     if (objects.empty()) continue;
     met_.bind(rated.regions, objects.front());
-    taken.insert(objects.front());
+    taken.insert(catalogue_.holderOf(objects.front()));
   }
 }
 
@@ -177,9 +179,26 @@ std::vector<int> ObjectCollector::beginLastLooks() {
   are_last_looks_ = true;
   std::set<int> frames;
   for (const auto& [regions, frame_index] : wholes_) {
-    if (!met_.objectOf(regions)) frames.insert(frame_index);
+    if (!hasView(met_.objectOf(regions))) frames.insert(frame_index);
   }
   return {frames.begin(), frames.end()};
+}
+
+bool ObjectCollector::hasView(ObjectId object) const {
+  if (!object) return false;
+  if (staysAsItIs(object)) return true;
+  const ObjectId holder = catalogue_.holderOf(object);
+  return holder && std::ranges::any_of(kept_views_, [&](const KeptView& view) {
+           return !view.is_outdated && !view.is_of_what_left && catalogue_.holderOf(view.object) == holder;
+         });
+}
+
+bool ObjectCollector::isOfAnotherWhole(ObjectId object, const RegionSet& regions) const {
+  const ObjectId holder = catalogue_.holderOf(object);
+  if (!holder || staysAsItIs(object)) return false;
+  return std::ranges::any_of(wholes_, [&](const auto& whole) {
+    return whole.first != regions && catalogue_.holderOf(met_.objectOf(whole.first)) == holder;
+  });
 }
 
 bool ObjectCollector::isLastLook(const Candidate& candidate, const Look& look) const {

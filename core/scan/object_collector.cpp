@@ -168,7 +168,9 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
   if (wanted_name != nullptr && !wanted_name->empty()) return {};  // what it looks like counts for less
   const std::optional<ObjectId> verdict = recognition_.verdict(candidate.regions);
   const ObjectRecord* known = verdict ? recordOf(catalogue_.holderOf(*verdict)) : nullptr;
-  if (known == nullptr || isDoubted(candidate.regions, known->id)) return {};
+  if (known == nullptr || isDoubted(candidate.regions, known->id) ||
+      isOfAnotherWhole(known->id, candidate.regions))
+    return {};
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
     if (catalogue_.holderOf(met_object) == known->id &&
@@ -180,8 +182,9 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
 }
 
 ObjectId ObjectCollector::nearby(const Candidate& candidate) const {
-  return met_.nearby(candidate, frame_ - kFramesToReturn,
-                     [&](ObjectId object) { return !isInViewBeside(object, candidate.regions); });
+  return met_.nearby(candidate, frame_ - kFramesToReturn, [&](ObjectId object) {
+    return !isInViewBeside(object, candidate.regions) && !isOfAnotherWhole(object, candidate.regions);
+  });
 }
 
 bool ObjectCollector::isInViewBeside(ObjectId object, const RegionSet& regions) const {
@@ -220,7 +223,8 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   // a part may not be on the map yet.
   const bool is_wanted = wantedName(candidate) != nullptr;
   const bool has_come = candidate.has_come && candidate.regions.size() == 1;
-  if (!is_alike && !is_wanted && !has_come) {
+  const bool is_needed = isLastLook(candidate, look) && !hasView(identity);
+  if (!is_alike && !is_wanted && !has_come && !is_needed) {
     // Of what was put elsewhere that says more than its size.
     if (!isSettled(*known) && !isHeldWith(known->id, back_) && isClear(candidate, kForObject) &&
         isOfOtherSize(*known, candidate))
@@ -235,7 +239,8 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     moved_.insert(identity);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
-  if (is_wanted || (is_alike && isClear(candidate, kForView))) keepNewDirection(identity, candidate, look);
+  if (is_wanted || is_needed || (is_alike && isClear(candidate, kForView)))
+    keepNewDirection(identity, candidate, look);
   if (is_wanted) fulfil(candidate, identity);
 }
 

@@ -137,7 +137,7 @@ class ObjectCollector {
   /// Of each size in which views of that frame were kept.
   [[nodiscard]] std::vector<ViewsCamera> camerasOfViews(int frame_index) const;
   /// All frames were collected from; now those (RgbdFrame::index), once more, that show best what is a whole
-  /// and no object yet. It becomes one then.
+  /// and no object yet, or one without a view. It becomes one then, or has one.
   [[nodiscard]] std::vector<int> beginLastLooks();
   /// Views of that frame, of images as large as `now`, that show their objects otherwise than the map does
   /// now count no longer. Where most of what a view shows has been taken away since, it counts, unless the
@@ -234,6 +234,11 @@ class ObjectCollector {
   /// What was waited for is there.
   void fulfil(const Candidate& candidate, ObjectId object);
   void addToCatalogue(const Candidate& candidate, const Look& look);
+  /// The object is another whole than these regions, and nobody says that the two are one. Before the wholes
+  /// are settled: no.
+  [[nodiscard]] bool isOfAnotherWhole(ObjectId object, const RegionSet& regions) const;
+  /// A view of it still counts, as far as is known; or that is not for this scan to say.
+  [[nodiscard]] bool hasView(ObjectId object) const;
   /// It is a whole, and no look will show that better.
   [[nodiscard]] bool isLastLook(const Candidate& candidate, const Look& look) const;
   /// Once the wholes are settled: one of them, or wanted.

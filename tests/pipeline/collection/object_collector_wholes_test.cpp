@@ -208,6 +208,59 @@ TEST_F(Wholes, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
   collector_->endLookingAgain();
 }
 
+TEST_F(Wholes, AWholeIsNotTheOneThatStandsWhereItDoes) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as near
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4), judged(book, 3)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 12; ++i) static_cast<void>(lookAt({judged(book, 3)}, {book}));
+  for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_TRUE(collector_->objectOf(book.region));
+  EXPECT_NE(collector_->objectOf(book.region), mug);
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U) << "never seen side by side, and yet two";
+}
+
+TEST_F(Wholes, TwoWholesAreTwoObjectsThoughTheScanMadeOneOfWhatTheyWereTakenFor) {
+  static_cast<void>(study({mug_, box_}));
+  const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
+  collector_->regionsJoined(mug_.region, box_.region);
+  static_cast<void>(look({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  collector_->bind(box_.region, box);  // the regions part again
+  ASSERT_EQ(collector_->objectOf(box_.region), mug);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
+  static_cast<void>(collector_->settleWholes());
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_FALSE(collector_->objectOf(box_.region));
+  collector_->endLookingAgain();
+}
+
+TEST_F(Wholes, AWholeWithoutAViewThatCountsHasItsBestLookHoweverPoor) {
+  constexpr float kPoor = 0.3F;
+  static_cast<void>(study({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  const std::vector<int> before = framesOfViews(objects()[0].id);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, kPoor)});
+  const DepthView surface{
+      test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
+  for (const int frame : collector_->settleWholes())
+    collector_->judgeViewsOf(frame, mapWith(mug_, 0.3), surface, 0.0015F);
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, kPoor)}, {mug_}));
+  EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
+  frame_ = 3;
+  static_cast<void>(lookAt({judged(mug_, kPoor)}, {mug_}));
+  collector_->endLookingAgain();
+  settle();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_THAT(framesOfViews(objects()[0].id), testing::AllOf(testing::ElementsAre(3), testing::Ne(before)));
+}
+
 TEST_F(Wholes, TwoWholesAreOneObjectWhereAPersonMergedThem) {
   static_cast<void>(study({mug_, box_}));
   const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
