@@ -49,6 +49,15 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   return position;
 }
 
+std::vector<ObjectId> CatalogueMirror::ofBefore() const {
+  std::vector<ObjectId> objects;
+  for (const auto& [key, record] : records_) {
+    if (!isOfThisScan(key)) objects.push_back(key);
+  }
+  std::ranges::sort(objects);
+  return objects;
+}
+
 const ObjectRecord* CatalogueMirror::record(ObjectId object) const {
   const auto found = records_.find(object);
   return found == records_.end() ? nullptr : &found->second;

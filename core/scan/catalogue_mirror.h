@@ -30,6 +30,8 @@ class CatalogueMirror {
 
   /// The record of a visible object, or null. Its id is the key.
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
+  /// The visible objects that this scan has not found, rising.
+  [[nodiscard]] std::vector<ObjectId> ofBefore() const;
   /// Who holds what was this object's; none: it was deleted.
   [[nodiscard]] ObjectId holderOf(ObjectId object) const { return detector_.holderOf(object); }
   /// A person took a merge of these two back.

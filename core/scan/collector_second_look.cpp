@@ -4,6 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "core/scan/candidate_crop.h"
+#include "core/scan/clarity.h"
 #include "core/scan/object_collector.h"
 
 namespace scantrove {
@@ -16,6 +18,8 @@ constexpr float kLeastFitOfWhole = 0.6F;
 /// Of RatedSets: from there on something is more likely a whole than not; below, what was an object is none
 /// any more.
 constexpr float kWhole = 0;
+/// So many looks at what the scan took for new are held against what earlier scans know.
+constexpr int kLooksBack = 4;
 
 /// The frame's readings at the pixels of a mask, which is at `box_px` of an image of `image_px`.
 cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat& mask,
@@ -175,6 +179,36 @@ std::vector<ObjectCollector::ViewsCamera> ObjectCollector::camerasOfViews(int fr
   return cameras;
 }
 
+/// What the first looks showed may have been a part of it, or poor, and nothing that is known.
+void ObjectCollector::lookAmongThoseOfBefore(const std::vector<const Candidate*>& chosen, const Look& look) {
+  if (look.frame.color.empty()) return;
+  std::vector<ObjectId> unmet = catalogue_.ofBefore();
+  std::erase_if(unmet, [this](ObjectId object) { return isMet(object); });
+  if (unmet.empty()) return;
+  std::vector<DetectionQuery> queries;
+  std::vector<ObjectId> asked;
+  for (const Candidate* candidate : chosen) {
+    const ObjectId object = met_.objectOf(candidate->regions);
+    if (!object || staysAsItIs(object) || !isClear(*candidate, kForView) || looks_back_[object] >= kLooksBack)
+      continue;
+    const std::optional<ObjectView> view =
+        cutView(look.frame, look.T_world_camera, look.in_color, *candidate);
+    if (!view) continue;
+    ++looks_back_[object];
+    queries.push_back({view->color, view->mask, candidate->size_m, unmet});
+    asked.push_back(object);
+  }
+  if (queries.empty()) return;
+  const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
+  const float surely = RecognitionHistory::kSurePart * params_.max_distance;
+  std::set<ObjectId> found;  // two of a kind are two
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const ObjectId before = matches[i].missing;
+    if (before && matches[i].missing_distance < surely && found.insert(before).second)
+      joined_.push_back({before, asked[i], {}, frame_});
+  }
+}
+
 std::vector<int> ObjectCollector::beginLastLooks() {
   are_last_looks_ = true;
   std::set<int> frames;
@@ -268,6 +302,7 @@ void ObjectCollector::endLookingAgain() {
   is_looking_again_ = are_last_looks_ = false;
   rated_ = {};
   wholes_.clear();
+  looks_back_.clear();
   mergeSuccessors();
   std::set<ObjectId> are_there;
   for (const KeptView& view : kept_views_) {

@@ -82,6 +82,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
     collectOne(candidates[i], identities[i], look);
   }
   joinDoubles(chosen);
+  if (is_looking_again_) lookAmongThoseOfBefore(chosen, look);
   const int oldest = frame_ - RecognitionHistory::kMemory;
   recognition_.forgetBefore(oldest);
   std::erase_if(doubts_, [oldest](const auto& entry) { return entry.second.last_frame < oldest; });

@@ -239,6 +239,9 @@ class ObjectCollector {
   [[nodiscard]] bool isOfAnotherWhole(ObjectId object, const RegionSet& regions) const;
   /// A view of it still counts, as far as is known; or that is not for this scan to say.
   [[nodiscard]] bool hasView(ObjectId object) const;
+  /// What this scan took for new, but is clearly like an object of an earlier scan that it has not met, is
+  /// that one.
+  void lookAmongThoseOfBefore(const std::vector<const Candidate*>& chosen, const Look& look);
   /// It is a whole, and no look will show that better.
   [[nodiscard]] bool isLastLook(const Candidate& candidate, const Look& look) const;
   /// Once the wholes are settled: one of them, or wanted.
@@ -308,7 +311,8 @@ class ObjectCollector {
   std::map<ObjectId, std::map<ObjectId, int>> came_;
   bool is_looking_again_ = false;
   RatedSets rated_;
-  std::map<RegionSet, int> wholes_;  // and the frames (RgbdFrame::index) that show them best
+  std::map<RegionSet, int> wholes_;     // and the frames (RgbdFrame::index) that show them best
+  std::map<ObjectId, int> looks_back_;  // by object: looks that were held against those of before
   bool are_last_looks_ = false;
   int frame_ = 0;
 };

@@ -261,6 +261,38 @@ TEST_F(Wholes, AWholeWithoutAViewThatCountsHasItsBestLookHoweverPoor) {
   EXPECT_THAT(framesOfViews(objects()[0].id), testing::AllOf(testing::ElementsAre(3), testing::Ne(before)));
 }
 
+TEST_F(Wholes, WhatWasTakenForNewIsKnownAgainByAClearLookInTheEnd) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing unlike{9, mug_.place, mug_.region}, another{10, 1, box_.region};
+  beginScan();
+  ASSERT_EQ(study({unlike, another}).added.size(), 2U) << "as the first looks show them";
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 3), judged(another, 3)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i)
+    static_cast<void>(lookAt({judged(mug_, 3), judged(another, 3)}, {mug_, another}));
+  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_NE(collector_->objectOf(another.region), mug);
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(Wholes, OfTwoOfAKindOnlyOneIsTheOneThatWasKnown) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing unlike{9, 0, mug_.region}, another{10, 1, box_.region}, second{mug_.seed, 1, box_.region};
+  beginScan();
+  ASSERT_EQ(study({unlike, another}).added.size(), 2U);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(mug_, 3), judged(second, 3)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 3), judged(second, 3)}, {mug_, second}));
+  EXPECT_TRUE((collector_->objectOf(mug_.region) == mug) != (collector_->objectOf(second.region) == mug));
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
 TEST_F(Wholes, TwoWholesAreOneObjectWhereAPersonMergedThem) {
   static_cast<void>(study({mug_, box_}));
   const ObjectId mug = collector_->objectOf(mug_.region), box = collector_->objectOf(box_.region);
