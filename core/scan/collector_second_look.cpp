@@ -126,7 +126,7 @@ bool ObjectCollector::staysAsItIs(ObjectId object) const {
 }
 
 void ObjectCollector::bindWholes() {
-  std::set<ObjectId> taken;  // holders
+  std::set<ObjectId> taken_holders;
   for (const RatedSets::Rated& rated : rated_.disjoint(kWhole)) {
     std::vector<ObjectId> objects;  // that its regions were taken for
     for (const RegionId region : rated.regions) {
@@ -144,11 +144,11 @@ void ObjectCollector::bindWholes() {
     for (const ObjectId object : objects) met_.unbind(rated.regions, object);
     // Two wholes are one object only where a person said so.
     std::erase_if(objects, [&](ObjectId object) {
-      return !staysAsItIs(object) && taken.contains(catalogue_.holderOf(object));
+      return !staysAsItIs(object) && taken_holders.contains(catalogue_.holderOf(object));
     });
     if (objects.empty()) continue;
     met_.bind(rated.regions, objects.front());
-    taken.insert(catalogue_.holderOf(objects.front()));
+    taken_holders.insert(catalogue_.holderOf(objects.front()));
   }
 }
 
@@ -183,7 +183,8 @@ std::vector<ObjectCollector::ViewsCamera> ObjectCollector::camerasOfViews(int fr
 void ObjectCollector::lookAmongThoseOfBefore(const std::vector<const Candidate*>& chosen, const Look& look) {
   if (look.frame.color.empty()) return;
   std::vector<ObjectId> unmet = catalogue_.ofBefore();
-  std::erase_if(unmet, [this](ObjectId object) { return isMet(object); });
+  // What this map has elsewhere, as an earlier scan of it found out, is there, met today or not.
+  std::erase_if(unmet, [this](ObjectId object) { return isMet(object) || met_.hasRegions(object); });
   if (unmet.empty()) return;
   std::vector<DetectionQuery> queries;
   std::vector<ObjectId> asked;

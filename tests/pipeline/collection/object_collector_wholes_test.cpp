@@ -10,8 +10,6 @@ namespace {
 
 using test::Thing;
 
-class Wholes : public test::SecondLookFixture {};
-
 /// The thing, as one of the last looks shows it.
 Candidate judged(const Thing& thing, float wholeness) {
   Candidate candidate = thing.candidate();
@@ -19,6 +17,19 @@ Candidate judged(const Thing& thing, float wholeness) {
   candidate.wholeness = wholeness;
   return candidate;
 }
+
+class Wholes : public test::SecondLookFixture {
+ protected:
+  /// Mug and box, both wholes and both taken for `object`, part: it is the mug, the likelier one.
+  void expectTwoOf(ObjectId object) {
+    collector_->beginLookingAgain();
+    collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
+    static_cast<void>(collector_->settleWholes());
+    EXPECT_EQ(collector_->objectOf(mug_.region), object);
+    EXPECT_FALSE(collector_->objectOf(box_.region));
+    collector_->endLookingAgain();
+  }
+};
 
 TEST_F(Wholes, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
   collector_->beginLookingAgain();
@@ -200,12 +211,7 @@ TEST_F(Wholes, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
 TEST_F(Wholes, TwoWholesAreTwoObjectsThoughTheirRegionsWereTakenForOne) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   collector_->bind(box_.region, mug);
-  collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
-  static_cast<void>(collector_->settleWholes());
-  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
-  EXPECT_FALSE(collector_->objectOf(box_.region));
-  collector_->endLookingAgain();
+  expectTwoOf(mug);
 }
 
 TEST_F(Wholes, AWholeIsNotTheOneThatStandsWhereItDoes) {
@@ -232,12 +238,7 @@ TEST_F(Wholes, TwoWholesAreTwoObjectsThoughTheScanMadeOneOfWhatTheyWereTakenFor)
   ASSERT_EQ(objects().size(), 1U);
   collector_->bind(box_.region, box);  // the regions part again
   ASSERT_EQ(collector_->objectOf(box_.region), mug);
-  collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
-  static_cast<void>(collector_->settleWholes());
-  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
-  EXPECT_FALSE(collector_->objectOf(box_.region));
-  collector_->endLookingAgain();
+  expectTwoOf(mug);
 }
 
 TEST_F(Wholes, AWholeWithoutAViewThatCountsHasItsBestLookHoweverPoor) {
@@ -273,6 +274,22 @@ TEST_F(Wholes, WhatWasTakenForNewIsKnownAgainByAClearLookInTheEnd) {
     static_cast<void>(lookAt({judged(mug_, 3), judged(another, 3)}, {mug_, another}));
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
   EXPECT_NE(collector_->objectOf(another.region), mug);
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(Wholes, WhatTheMapHasElsewhereIsNotWhatWasTakenForNew) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing unlike{9, 1, box_.region}, second{mug_.seed, 1, box_.region};
+  beginScan();
+  collector_->bind(mug_.region, mug);  // a scan that goes on, and has not been back there yet
+  ASSERT_EQ(study({unlike}).added.size(), 1U);
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(second, 3)});
+  static_cast<void>(collector_->settleWholes());
+  for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(second, 3)}, {second}));
+  EXPECT_NE(collector_->objectOf(second.region), mug);
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 2U);
