@@ -206,7 +206,7 @@ void addObjectsCommand(CLI::App& app, CommandOutcome& outcome) {
       ->add_flag("--undo", command->undo, "take the mark back");
   take_object(add("merge",
                   "Make two objects one: the one that a person named is kept, then the confirmed, then the "
-                  "one with more views",
+                  "older one",
                   merge),
               "name or id")
       ->add_option("OTHER", command->other, "name or id of the other object")

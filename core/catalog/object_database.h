@@ -108,7 +108,7 @@ class ObjectDatabase {
   /// The object is what it was before, but for what persons said since. False: that was all of it.
   [[nodiscard]] Result<bool> takeNameBack(const ObjectNaming& naming);
   /// Makes one object of two or more. The one that a person named holds the others' views; then the confirmed
-  /// one, the one with more views, the older one. It is confirmed when any of them was. `check` as of
+  /// one, then the older one: numbers stay what they were. It is confirmed when any of them was. `check` as of
   /// addView.
   [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects,
                                           const Check& check = nothingToCheck);

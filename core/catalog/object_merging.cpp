@@ -1,9 +1,10 @@
 // The operations of ObjectDatabase that hide objects and bring them back. Nothing is ever deleted.
 #include <QJsonArray>
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
-#include <tuple>
+#include <utility>
 
 #include "core/catalog/object_database.h"
 #include "core/catalog/object_rows.h"
@@ -49,36 +50,22 @@ Result<ObjectRow> shown(DatabaseConnection& connection, const ObjectRow& hidden)
   return row;
 }
 
-struct Contender {
-  ObjectRow row;
-  qlonglong views = 0;
-
-  /// Who holds the views of both: what a person did counts first.
-  bool operator<(const Contender& other) const {
-    const auto rank = [](const Contender& c) {
-      return std::tuple(c.row.named_by == NamedBy::person, c.row.confirmed, c.views,
-                        -static_cast<qlonglong>(c.row.id.value));
-    };
-    return rank(*this) < rank(other);
-  }
-};
-
-/// The objects to merge, the one that shall hold the others' views first.
-Result<std::vector<Contender>> contenders(DatabaseConnection& connection, std::span<const ObjectId> objects) {
+/// The objects to merge, the one that shall hold the others' views first: what a person did counts most.
+Result<std::vector<ObjectRow>> contenders(DatabaseConnection& connection, std::span<const ObjectId> objects) {
   const std::set<ObjectId> distinct(objects.begin(), objects.end());
   if (distinct.size() < 2) {
     return fail("An object cannot be merged with itself.", "Choose two objects or more.");
   }
-  std::vector<Contender> result;
+  std::vector<ObjectRow> rows;  // the oldest first
   for (const ObjectId id : distinct) {
     const Result<ObjectRow> row = readVisibleRow(connection, id);
     if (!row) return fail(row.error());
-    Result<QSqlQuery> views = connection.execute("SELECT count(*) FROM views WHERE object = ?", {id.value});
-    if (!views) return fail(views.error());
-    result.push_back({*row, views->next() ? views->value(0).toLongLong() : 0});
+    rows.push_back(*row);
   }
-  std::rotate(result.begin(), std::max_element(result.begin(), result.end()), result.end());
-  return result;
+  std::ranges::stable_sort(rows, std::greater<>(), [](const ObjectRow& row) {
+    return std::pair(row.named_by == NamedBy::person, row.confirmed);
+  });
+  return rows;
 }
 
 }  // namespace
@@ -119,15 +106,15 @@ Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, con
 }
 
 Result<ObjectMerge> ObjectDatabase::mergeRows(std::span<const ObjectId> objects) {
-  const Result<std::vector<Contender>> ranked = contenders(*connection_, objects);
+  const Result<std::vector<ObjectRow>> ranked = contenders(*connection_, objects);
   if (!ranked) return fail(ranked.error());
-  const ObjectRow& holder = ranked->front().row;
+  const ObjectRow& holder = ranked->front();
   ObjectMerge merge{holder.id, {}, false};
-  for (const Contender& other : std::span(*ranked).subspan(1)) {
-    ObjectRow row = other.row;
+  for (const ObjectRow& other : std::span(*ranked).subspan(1)) {
+    ObjectRow row = other;
     row.hidden = true;
     row.merged_into = holder.id;
-    SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other.row, row, holder.id));
+    SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other, row, holder.id));
     SCANTROVE_TRY(refreshObject(*connection_, row.id));
     merge.from.push_back(row.id);
     merge.has_confirmed = merge.has_confirmed || (row.confirmed && !holder.confirmed);

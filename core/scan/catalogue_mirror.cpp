@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <variant>
 
 namespace scantrove {
@@ -20,11 +19,10 @@ float middleOf(std::vector<float>& values) {
 
 /// As ObjectDatabase::merge chooses who holds the views of both.
 bool holdsBoth(const ObjectRecord& first, const ObjectRecord& second) {
-  const auto rank = [](const ObjectRecord& record) {
-    return std::tuple(record.named_by == NamedBy::person, record.confirmed, record.views,
-                      -static_cast<std::int64_t>(record.id.value));
+  const auto said = [](const ObjectRecord& record) {
+    return std::pair(record.named_by == NamedBy::person, record.confirmed);
   };
-  return rank(first) > rank(second);
+  return said(first) != said(second) ? said(first) > said(second) : first.id < second.id;
 }
 
 }  // namespace

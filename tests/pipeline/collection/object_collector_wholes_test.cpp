@@ -276,7 +276,8 @@ TEST_F(Wholes, WhatWasTakenForNewIsKnownAgainByAClearLookInTheEnd) {
   EXPECT_NE(collector_->objectOf(another.region), mug);
   collector_->endLookingAgain();
   settle();
-  EXPECT_EQ(objects().size(), 2U);
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_EQ(objects()[0].id, mug) << "it keeps its number";
 }
 
 TEST_F(Wholes, WhatTheMapHasElsewhereIsNotWhatWasTakenForNew) {
