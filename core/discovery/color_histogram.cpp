@@ -1,24 +1,24 @@
 #include "core/discovery/color_histogram.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 
 namespace scantrove {
 namespace {
 
-/// Where a value lies between bins: the lower one, and the share of the upper one.
+/// Where a value lies between bins: the lower one, and the shares of that and of the next.
 struct Between {
   std::size_t bin;
-  float upper;
+  float lower, upper;
 };
 
-Between between(float value, float lowest, float highest, std::size_t bins) {
-  const float last = static_cast<float>(bins - 1);
-  const float place = std::clamp((value - lowest) / (highest - lowest) * last, 0.0F, last - 1e-3F);
-  const float floor = std::floor(place);
-  return {static_cast<std::size_t>(floor), place - floor};
+Between between(float value, float lowest, float highest) {
+  constexpr float kLast = ColorHistogram::kBins - 1;
+  const float place = std::clamp((value - lowest) / (highest - lowest) * kLast, 0.0F, kLast - 1e-3F);
+  const int bin = static_cast<int>(place);
+  const float upper = place - static_cast<float>(bin);
+  return {static_cast<std::size_t>(bin), 1 - upper, upper};
 }
 
 }  // namespace
@@ -38,18 +38,16 @@ ColorHistogram::Shares ColorHistogram::shares() const {
 }
 
 void ColorHistogram::add(const Eigen::Vector3f& lab) {
-  const std::array<Between, 3> at{between(lab[0], 0, 100, kBins), between(lab[1], -50, 50, kBins),
-                                  between(lab[2], -50, 50, kBins)};
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    float weight = 1;
-    std::size_t bin = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool is_upper = ((corner >> axis) & 1U) != 0;
-      weight *= is_upper ? at[axis].upper : 1 - at[axis].upper;
-      bin = bin * kBins + at[axis].bin + (is_upper ? 1 : 0);
-    }
-    bins_[bin] += weight;
-  }
+  const Between l = between(lab[0], 0, 100), a = between(lab[1], -50, 50), b = between(lab[2], -50, 50);
+  float* bins = &bins_[(l.bin * kBins + a.bin) * kBins + b.bin];
+  const auto addRow = [&b](float* row, float weight) {
+    row[0] += weight * b.lower;
+    row[1] += weight * b.upper;
+  };
+  addRow(bins, l.lower * a.lower);
+  addRow(bins + kBins, l.lower * a.upper);
+  addRow(bins + kBins * kBins, l.upper * a.lower);
+  addRow(bins + kBins * kBins + kBins, l.upper * a.upper);
   ++colors_;
 }
 

@@ -1,6 +1,8 @@
 #include "core/discovery/region_judge.h"
 
 #include <algorithm>
+#include <opencv2/core/utility.hpp>
+#include <optional>
 
 #include "core/base/check.h"
 #include "core/discovery/color_changes.h"
@@ -35,6 +37,48 @@ bool isCutOff(const WholenessEvidence& evidence) {
   return evidence.shown < kShown || evidence.cut > kCut;
 }
 
+/// Calls `work` with 0 .. `count` - 1, from several threads.
+template <class Work>
+void forEachInParallel(std::size_t count, const Work& work) {
+  cv::parallel_for_({0, static_cast<int>(count)}, [&work](const cv::Range& range) {
+    for (int i = range.start; i < range.end; ++i) work(static_cast<std::size_t>(i));
+  });
+}
+
+/// What the image shows of it.
+WholenessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
+                         const DiscoveryInput& input, const DiscoveryParams& params) {
+  const RegionExtent& extent = hypothesis.extent;
+  const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
+    return static_cast<float>(of) / static_cast<float>(steps);
+  };
+  WholenessEvidence evidence;
+  evidence.open = partOfOutline(outline.open);
+  evidence.folded = partOfOutline(outline.folded);
+  evidence.ridged = partOfOutline(outline.ridged);
+  evidence.hidden = partOfOutline(outline.hidden);
+  evidence.cut = partOfOutline(outline.cut);
+  evidence.fill = static_cast<float>(extent.pixels) / static_cast<float>(std::max(1, extent.box_px.area()));
+  evidence.bulge = bulgeOf(hypothesis.regions, extent.box_px, input);
+  const Silhouette silhouette = silhouetteOf(hypothesis.regions, extent.box_px, input);
+  evidence.convexity = silhouette.convexity;
+  evidence.relief_m = silhouette.relief_m;
+  evidence.area_m2 = hypothesis.visible_area_m2;
+  const SetPixels pixels(hypothesis.regions, extent.box_px, input);
+  const SetAxes axes(pixels, extent);
+  evidence.bounds = outlineBoundsOf(pixels, axes, input, params);
+  if (!input.color_lab.empty()) evidence.changes = colorChangesOf(pixels, axes, input);
+  evidence.is_torn = hypothesis.is_torn;
+  evidence.odds = hypothesis.odds;
+  return evidence;
+}
+
+void setKnown(const RegionSamples::Shape& known, WholenessEvidence& evidence) {
+  evidence.known_bulge = known.bulge;
+  evidence.known_flatness = known.box.thickness_ratio;
+  evidence.known_size_m = known.box.size_m;
+}
+
 }  // namespace
 
 const RegionSamples::Shape& RegionJudge::shapeOf(const RegionSet& regions) {
@@ -59,10 +103,8 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   const auto pixelsOf = [&parts](RegionId region) {
     return std::ranges::find(parts, region, &RegionExtent::region)->pixels;
   };
-  std::vector<Judged> judged;
-  for (RegionHypothesis& hypothesis : proposeHypotheses(parts, outlines, input, params_)) {
+  const auto evidenceOf = [&](const RegionHypothesis& hypothesis) -> std::optional<WholenessEvidence> {
     const auto pixels = static_cast<float>(hypothesis.extent.pixels);
-    if (pixels * scale < kLeastPixels || shapeOf(hypothesis.regions).box.size_m[0] > kLargest_m) continue;
     const OutlineSteps outline = outlines.of(hypothesis.regions);
     float shown = 0, largest = 0;
     for (const RegionId region : hypothesis.regions) {
@@ -70,8 +112,9 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
       shown += of_region * known_.partInView(region, input.K, input.T_world_camera, visible);
       largest = std::max(largest, of_region);
     }
-    if (!isInView(outline) || shown < kLeastShown * pixels) continue;
-    WholenessEvidence evidence = evidenceOf(hypothesis, outline, input);
+    if (!isInView(outline) || shown < kLeastShown * pixels) return std::nullopt;
+    WholenessEvidence evidence = seenOf(hypothesis, outline, input, params_);
+    setKnown(shapes_.at(hypothesis.regions), evidence);
     evidence.pixels = pixels * scale;
     evidence.largest_part = largest / pixels;
     evidence.shown = shown / pixels;
@@ -79,54 +122,37 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     const auto [most, joined_part] = outwardOddsOf(hypothesis.regions, outlines, input);
     evidence.outward_odds = most;
     evidence.joined_part = joined_part;
-    judged.push_back({std::move(hypothesis), evidence});
+    return evidence;
+  };
+  std::vector<RegionHypothesis> hypotheses = proposeHypotheses(parts, outlines, input, params_);
+  std::erase_if(hypotheses, [&](const RegionHypothesis& hypothesis) {
+    return (asked_ && !asked_(hypothesis.regions)) ||
+           static_cast<float>(hypothesis.extent.pixels) * scale < kLeastPixels ||
+           shapeOf(hypothesis.regions).box.size_m[0] > kLargest_m;
+  });
+  std::vector<std::optional<WholenessEvidence>> evidence(hypotheses.size());
+  forEachInParallel(hypotheses.size(), [&](std::size_t i) { evidence[i] = evidenceOf(hypotheses[i]); });
+  std::vector<Judged> judged;
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (evidence[i]) judged.push_back({std::move(hypotheses[i]), *evidence[i]});
   }
   return judged;
 }
 
-WholenessEvidence RegionJudge::evidenceOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
-                                          const DiscoveryInput& input) {
-  const RegionExtent& extent = hypothesis.extent;
-  const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
-    return static_cast<float>(of) / static_cast<float>(steps);
-  };
-  WholenessEvidence evidence;
-  evidence.open = partOfOutline(outline.open);
-  evidence.folded = partOfOutline(outline.folded);
-  evidence.ridged = partOfOutline(outline.ridged);
-  evidence.hidden = partOfOutline(outline.hidden);
-  evidence.cut = partOfOutline(outline.cut);
-  evidence.fill = static_cast<float>(extent.pixels) / static_cast<float>(std::max(1, extent.box_px.area()));
-  evidence.bulge = bulgeOf(hypothesis.regions, extent.box_px, input);
-  const Silhouette silhouette = silhouetteOf(hypothesis.regions, extent.box_px, input);
-  evidence.convexity = silhouette.convexity;
-  evidence.relief_m = silhouette.relief_m;
-  evidence.area_m2 = hypothesis.visible_area_m2;
-  const SetPixels pixels(hypothesis.regions, extent.box_px, input);
-  const SetAxes axes(pixels, extent);
-  evidence.bounds = outlineBoundsOf(pixels, axes, input, params_);
-  if (!input.color_lab.empty()) evidence.changes = colorChangesOf(pixels, axes, input);
-  const RegionSamples::Shape& known = shapeOf(hypothesis.regions);
-  evidence.known_bulge = known.bulge;
-  evidence.known_flatness = known.box.thickness_ratio;
-  evidence.known_size_m = known.box.size_m;
-  evidence.is_torn = hypothesis.is_torn;
-  evidence.odds = hypothesis.odds;
-  return evidence;
-}
-
 std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
-  std::vector<Candidate> candidates;
-  for (const auto& [hypothesis, evidence] : judge(input)) {
+  const std::vector<Judged> judged = judge(input);
+  std::vector<Candidate> candidates(judged.size());
+  forEachInParallel(judged.size(), [&](std::size_t i) {
+    const auto& [hypothesis, evidence] = judged[i];
     const bool is_cut_off = isCutOff(evidence);
     // What is seen of a thing that is cut off does not say how large it is.
     const OrientedBox box =
-        is_cut_off ? shapeOf(hypothesis.regions).box
+        is_cut_off ? shapes_.at(hypothesis.regions).box
                    : fitOrientedBox(pointsOf(hypothesis.regions, hypothesis.extent.box_px, input));
-    candidates.push_back(candidateOf(hypothesis, box, input));
-    candidates.back().wholeness = evidence.logOdds();
-    candidates.back().is_cut_off = is_cut_off;
-  }
+    candidates[i] = candidateOf(hypothesis, box, input);
+    candidates[i].wholeness = evidence.logOdds();
+    candidates[i].is_cut_off = is_cut_off;
+  });
   return candidates;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -18,11 +19,15 @@ class RegionJudge final : public CandidateSource {
   RegionJudge(const DiscoveryParams& params, RegionSamples known)
       : params_(params), known_(std::move(known)) {}
 
+  /// From now on nothing is said of sets that `asked` is false of: each takes its time. At first, of all.
+  void askOnlyOf(std::function<bool(const RegionSet&)> asked) { asked_ = std::move(asked); }
+
   struct Judged {
     RegionHypothesis hypothesis;
     WholenessEvidence evidence;
   };
-  /// All that are no larger than things are, and of which enough is in view to say.
+  /// All that are no larger than things are, and of which enough is in view to say. `input.joining_odds` is
+  /// asked by several threads at once.
   [[nodiscard]] std::vector<Judged> judge(const DiscoveryInput& input);
   /// The same as candidates, with Candidate::wholeness.
   [[nodiscard]] std::vector<Candidate> find(const DiscoveryInput& input) override;
@@ -30,11 +35,9 @@ class RegionJudge final : public CandidateSource {
 
  private:
   [[nodiscard]] const RegionSamples::Shape& shapeOf(const RegionSet& regions);
-  /// All but how large they are in the image.
-  [[nodiscard]] WholenessEvidence evidenceOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
-                                             const DiscoveryInput& input);
 
   DiscoveryParams params_;
+  std::function<bool(const RegionSet&)> asked_;  // empty: all
   RegionSamples known_;
   std::map<RegionSet, RegionSamples::Shape> shapes_;  // as far as they were asked for
   RegionCounter counter_;

@@ -165,8 +165,8 @@ std::vector<int> ObjectCollector::settleWholes() {
   return {frames.begin(), frames.end()};
 }
 
-bool ObjectCollector::mayBeObject(const Candidate& candidate) const {
-  return !candidate.wholeness || wholes_.contains(candidate.regions) || isWanted(candidate);
+bool ObjectCollector::mayBeObject(const RegionSet& regions) const {
+  return wholes_.contains(regions) || isWanted(regions);
 }
 
 std::vector<ObjectCollector::ViewsCamera> ObjectCollector::camerasOfViews(int frame_index) const {

@@ -39,11 +39,10 @@ void ObjectCollector::followWanted(RegionId into, RegionId from) {
   wanted_.erase(found);
 }
 
-bool ObjectCollector::isWanted(const Candidate& candidate) const {
+bool ObjectCollector::isWanted(const RegionSet& regions) const {
   return std::ranges::any_of(wanted_, [&](const auto& wanted) {
     // A name is that of the region alone.
-    return candidate.regions.contains(wanted.first) &&
-           (wanted.second.empty() || candidate.regions.size() == 1);
+    return regions.contains(wanted.first) && (wanted.second.empty() || regions.size() == 1);
   });
 }
 

@@ -66,7 +66,9 @@ void ObjectCollector::setParams(const DetectionParams& params) {
 FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate& pose,
                                       const SurfaceInColor& in_color, std::vector<Candidate> candidates) {
   FrameObjects objects;
-  std::erase_if(candidates, [this](const Candidate& candidate) { return !mayBeObject(candidate); });
+  std::erase_if(candidates, [this](const Candidate& candidate) {
+    return candidate.wholeness && !mayBeObject(candidate.regions);
+  });
   if (frame_ == 1) catalogue_.detector().warmUp();  // the first has been shown by then
   frame_ += is_looking_again_ ? RecognitionHistory::kFramesApart : 1;
   takeNews(objects);
@@ -214,7 +216,8 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     met_.stillThere(doubt->second.object, frame_);
   if (!identity) {
     const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
-    if (isWanted(candidate) || (isClear(candidate, kForObject) && is_unknown) || isLastLook(candidate, look))
+    if (isWanted(candidate.regions) || (isClear(candidate, kForObject) && is_unknown) ||
+        isLastLook(candidate, look))
       addToCatalogue(candidate, look);
     return;
   }

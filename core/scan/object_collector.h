@@ -120,6 +120,8 @@ class ObjectCollector {
   /// where that is nothing, and nobody spoke of it, it leaves. Frames (RgbdFrame::index) of which this scan
   /// kept views.
   [[nodiscard]] std::vector<int> settleWholes();
+  /// Of wholes that are settled: they are one, or wanted.
+  [[nodiscard]] bool mayBeObject(const RegionSet& regions) const;
   /// The region was taken for an object that a person spoke of or deleted, or that is not of this scan alone.
   [[nodiscard]] bool staysAsItIs(RegionId region) const {
     const ObjectId object = met_.objectOf(region);
@@ -221,7 +223,7 @@ class ObjectCollector {
   void joinDoubles(const std::vector<const Candidate*>& chosen);
   /// They, or what they are held with, were seen in one frame.
   [[nodiscard]] bool areSideBySide(ObjectId a, ObjectId b) const;
-  [[nodiscard]] bool isWanted(const Candidate& candidate) const;
+  [[nodiscard]] bool isWanted(const RegionSet& regions) const;
   /// It is the region alone that a person waits for, and what the person calls it; none: no.
   [[nodiscard]] const std::string* wantedName(const Candidate& candidate) const;
   /// The object that the region is bound to and that is there; none: no.
@@ -244,8 +246,6 @@ class ObjectCollector {
   void lookAmongThoseOfBefore(const std::vector<const Candidate*>& chosen, const Look& look);
   /// It is a whole, and no look will show that better.
   [[nodiscard]] bool isLastLook(const Candidate& candidate, const Look& look) const;
-  /// Once the wholes are settled: one of them, or wanted.
-  [[nodiscard]] bool mayBeObject(const Candidate& candidate) const;
   /// The wholes take the objects that their regions were taken for, each one, and none that another has.
   void bindWholes();
   /// A person said something of it, or deleted it.

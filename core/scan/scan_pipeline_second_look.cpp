@@ -64,6 +64,9 @@ Result<void> ScanPipeline::beginLookingAgain() {
     Result<RegionSamples> of_parts = sampleRegions(finer_->table());
     if (!of_parts) return fail(of_parts.error());
     finer_judge_ = std::make_unique<RegionJudge>(params_.discovery, std::move(*of_parts));
+    // What holds no part is rated as it is.
+    finer_judge_->askOnlyOf(
+        [&finer = *finer_](const RegionSet& regions) { return finer.holdsPart(regions); });
   }
   collector_->beginLookingAgain();
   return {};
@@ -125,10 +128,9 @@ Result<void> ScanPipeline::rate(const RgbdFrame& frame, const Eigen::Isometry3d&
     SeenAgain seen = seeAgain(frame, T_world_camera);
     std::vector<Candidate> candidates = findAgain(seen, *judge_, table_);
     if (finer_judge_) {
-      // All in finer regions; what holds no part has been rated as it is.
+      // All in finer regions.
       for (Candidate& candidate : candidates) candidate.regions = finer_->partsOf(candidate.regions);
-      std::ranges::copy_if(findAgain(seen, *finer_judge_, finer_->table()), std::back_inserter(candidates),
-                           [this](const Candidate& part) { return finer_->holdsPart(part.regions); });
+      std::ranges::move(findAgain(seen, *finer_judge_, finer_->table()), std::back_inserter(candidates));
     }
     collector_->rate(frame.index, candidates);
     return {};
@@ -152,7 +154,9 @@ Result<void> ScanPipeline::partWholes() {
 Result<std::vector<int>> ScanPipeline::settleWholes() {
   if (!collector_) return std::vector<int>{};
   if (finer_judge_) SCANTROVE_TRY(partWholes());
-  return collector_->settleWholes();
+  std::vector<int> frames = collector_->settleWholes();
+  judge_->askOnlyOf([this](const RegionSet& regions) { return collector_->mayBeObject(regions); });
+  return frames;
 }
 
 Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,

@@ -60,6 +60,22 @@ TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
   EXPECT_EQ(found[0].box_px, cv::Rect(60, 50, 40, 30));
 }
 
+TEST(RegionJudge, WhatIsNotAskedForIsNotJudged) {
+  PaintedScene scene;
+  scene.paintBump(7, {20, 50, 40, 30}, 1.0F);
+  scene.paintBump(8, {100, 50, 40, 30}, 1.0F);
+  RegionSamples known;
+  addKnown(scene, known);
+  RegionJudge judge(DiscoveryParams{}, std::move(known));
+  const std::vector<Candidate> all = judge.find(scene.input());
+  ASSERT_EQ(all.size(), 2U);
+  judge.askOnlyOf([](const RegionSet& regions) { return regions.contains(RegionId{8}); });
+  const std::vector<Candidate> asked = judge.find(scene.input());
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked[0].regions, RegionSet{RegionId{8}});
+  EXPECT_EQ(asked[0].wholeness, all[1].wholeness) << "as if all were asked for";
+}
+
 TEST(RegionJudge, ALookThatHasNoRoomForTheThingSaysNothingOfIt) {
   PaintedScene scene;
   scene.paintBump(7, {0, 50, 40, 30}, 1.0F);
