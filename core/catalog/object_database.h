@@ -108,8 +108,8 @@ class ObjectDatabase {
   /// The object is what it was before, but for what persons said since. False: that was all of it.
   [[nodiscard]] Result<bool> takeNameBack(const ObjectNaming& naming);
   /// Makes one object of two or more. The one that a person named holds the others' views; then the confirmed
-  /// one, then the older one: numbers stay what they were. It is confirmed when any of them was. `check` as of
-  /// addView.
+  /// one, then the older one: numbers stay what they were. It is confirmed when any of them was. `check` as
+  /// of addView.
   [[nodiscard]] Result<ObjectMerge> merge(std::span<const ObjectId> objects,
                                           const Check& check = nothingToCheck);
   /// Takes a merge back: each has its own views, size and mark again, and its name, or "name (2)" where the
