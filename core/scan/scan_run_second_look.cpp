@@ -1,5 +1,6 @@
 // What ScanRun does when its frames have ended and it looks at those that are kept once more.
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "core/scan/key_frame_files.h"
@@ -20,6 +21,27 @@ std::vector<T> evenly(std::vector<T> all, std::size_t most) {
   return chosen;
 }
 
+/// How far several passes over the frames are. At how many a pass looks may be known no sooner than it
+/// begins: what it is of all passes is known before.
+class PassProgress {
+ public:
+  PassProgress(int steps, std::function<void(const LookingAgain&)> tell)
+      : steps_(steps), tell_(std::move(tell)) {}
+
+  void beginPass(int steps, std::size_t looks) {
+    before_ += of_pass_;
+    of_pass_ = steps;
+    looks_ = static_cast<int>(looks);
+    look_ = 0;
+  }
+  void beginLook() { tell_({before_ + of_pass_ * look_++ / looks_, steps_}); }
+
+ private:
+  int steps_, before_ = 0, of_pass_ = 0;
+  int looks_ = 0, look_ = 0;  // of the pass
+  std::function<void(const LookingAgain&)> tell_;
+};
+
 }  // namespace
 
 Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
@@ -28,12 +50,14 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   auto all = recorder_->keptFrames();
   if (!all) return fail(all.error());
   const std::vector<SessionRecorder::KeptFrame> frames = evenly(std::move(*all), kMostFramesAgain);
-  auto steps = static_cast<int>(3 * frames.size());
-  int done = 0;
+  const auto all_frames = static_cast<int>(frames.size());
+  const int short_pass = (all_frames + 3) / 4;
+  PassProgress progress(3 * all_frames + 2 * short_pass, listener_);
   const auto readAgain = [&](const SessionRecorder::KeptFrame& kept) {
-    listener_(LookingAgain{done++, steps});
+    progress.beginLook();
     return readKeyFrame(recorder_->folder(), kept.images, kept.frame);
   };
+  progress.beginPass(all_frames, frames.size());
   for (const SessionRecorder::KeptFrame& kept : frames) {
     if (!goes_on()) return {};
     const Result<RgbdFrame> frame = readAgain(kept);
@@ -42,6 +66,7 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   if (!goes_on()) return {};  // it begins by reading the whole map
   SCANTROVE_TRY(pipeline_->beginLookingAgain());
   // What is settled after a part of the looks is settled wrongly: who stops before keeps what there was.
+  progress.beginPass(all_frames, frames.size());
   for (const SessionRecorder::KeptFrame& kept : frames) {
     if (!goes_on()) return {};
     const Result<RgbdFrame> frame = readAgain(kept);
@@ -49,10 +74,10 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
   }
   const Result<std::vector<int>> judged = pipeline_->settleWholes();
   if (!judged) return fail(judged.error());
-  steps += static_cast<int>(judged->size());
+  progress.beginPass(short_pass, judged->size());
   for (const int frame_index : *judged) {
     if (!goes_on()) return {};
-    listener_(LookingAgain{done++, steps});
+    progress.beginLook();
     SCANTROVE_TRY(pipeline_->judgeViewsOf(frame_index));
   }
   const auto lookAt = [&](const SessionRecorder::KeptFrame& kept) -> Result<void> {
@@ -63,12 +88,13 @@ Result<void> ScanRun::lookAgain(const std::function<bool()>& goes_on) {
     announce(*objects);
     return {};
   };
+  progress.beginPass(all_frames, frames.size());
   for (const SessionRecorder::KeptFrame& frame : frames) {
     if (!goes_on()) break;
     SCANTROVE_TRY(lookAt(frame));
   }
   const std::vector<int> last = pipeline_->beginLastLooks();
-  steps += static_cast<int>(last.size());
+  progress.beginPass(short_pass, last.size());
   for (const SessionRecorder::KeptFrame& frame : frames) {
     if (!std::ranges::binary_search(last, frame.frame.source_index)) continue;
     if (!goes_on()) break;

@@ -55,7 +55,7 @@ struct StateChanged {
 };
 /// The scan has ended, and looks at what it kept again.
 struct LookingAgain {
-  int done = 0, steps = 0;  ///< towards the end it may turn out that there are more
+  int done = 0, steps = 0;  ///< of these there are as many from beginning to end
 };
 struct PreparingDevice {};  ///< kernels are compiled, which takes long and happens once on a device
 struct ObjectAdded {
