@@ -18,8 +18,8 @@
 namespace scantrove {
 namespace {
 
-/// Larger ones are furniture.
-constexpr float kLargest_m = 0.8F;
+/// Of DiscoveryParams::max_size_m: all that is known of a thing measures more than one look at it.
+constexpr float kLargestPart = 8.0F / 7;
 constexpr float kLeastPixels = 60;      // of 320 x 240: of fewer nothing can be said ...
 constexpr float kLeastPartPixels = 30;  // ... and of fewer still not that they are a part of something
 constexpr double kUsualPixels = 320.0 * 240.0;
@@ -91,11 +91,12 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
   census_ = counter_.count(input.regions);
   const auto scale = static_cast<float>(kUsualPixels / static_cast<double>(input.K.pixels()));
+  const float largest_m = kLargestPart * params_.max_size_m;
   std::vector<RegionExtent> parts;
   std::ranges::copy_if(census_.extents, std::back_inserter(parts), [&](const RegionExtent& extent) {
     if (static_cast<float>(extent.pixels) * scale < kLeastPartPixels) return false;
     const float size_m = shapeOf({extent.region}).box.size_m[0];
-    return size_m >= params_.min_size_m && size_m <= kLargest_m;
+    return size_m >= params_.min_size_m && size_m <= largest_m;
   });
   const RegionOutlines outlines(input, params_);
   const RegionColors colors(input);
@@ -128,7 +129,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   std::erase_if(hypotheses, [&](const RegionHypothesis& hypothesis) {
     return (asked_ && !asked_(hypothesis.regions)) ||
            static_cast<float>(hypothesis.extent.pixels) * scale < kLeastPixels ||
-           shapeOf(hypothesis.regions).box.size_m[0] > kLargest_m;
+           shapeOf(hypothesis.regions).box.size_m[0] > largest_m;
   });
   std::vector<std::optional<WholenessEvidence>> evidence(hypotheses.size());
   forEachInParallel(hypotheses.size(), [&](std::size_t i) { evidence[i] = evidenceOf(hypotheses[i]); });

@@ -60,6 +60,18 @@ TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
   EXPECT_EQ(found[0].box_px, cv::Rect(60, 50, 40, 30));
 }
 
+TEST(RegionJudge, WhatIsLargerThanThingsMayBeIsNotJudged) {
+  PaintedScene scene;
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);  // 0.26 m
+  RegionSamples known;
+  addKnown(scene, known);
+  DiscoveryParams params;
+  params.max_size_m = 0.26F;
+  EXPECT_EQ(RegionJudge(params, known).judge(scene.input()).size(), 1U);
+  params.max_size_m = 0.2F;
+  EXPECT_TRUE(RegionJudge(params, known).judge(scene.input()).empty());
+}
+
 TEST(RegionJudge, WhatIsNotAskedForIsNotJudged) {
   PaintedScene scene;
   scene.paintBump(7, {20, 50, 40, 30}, 1.0F);
