@@ -62,13 +62,13 @@ TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
 
 TEST(RegionJudge, WhatIsLargerThanThingsMayBeIsNotJudged) {
   PaintedScene scene;
-  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);  // 0.26 m
+  scene.paintBump(7, {60, 50, 40, 30}, 1.0F);  // about 0.25 m
   RegionSamples known;
   addKnown(scene, known);
   DiscoveryParams params;
   params.max_size_m = 0.26F;
   EXPECT_EQ(RegionJudge(params, known).judge(scene.input()).size(), 1U);
-  params.max_size_m = 0.2F;
+  params.max_size_m = 0.15F;
   EXPECT_TRUE(RegionJudge(params, known).judge(scene.input()).empty());
 }
 
