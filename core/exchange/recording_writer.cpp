@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/exchange/atomic_file.h"
@@ -55,18 +56,25 @@ Json toJson(const ColorCamera& camera) {
   return json;
 }
 
+/// The folder is not there yet, or nothing is in it.
+Result<void> checkIsFree(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored) || fs::is_empty(folder, ignored)) return {};
+  return fail("The folder " + folder.string() + " is not empty.", "Give a new folder for the recording.");
+}
+
 }  // namespace
 
 Result<RecordingWriter> RecordingWriter::create(const fs::path& folder, const SourceInfo& info) {
-  std::error_code ignored;
-  if (fs::is_directory(folder, ignored) && !fs::is_empty(folder, ignored)) {
-    return fail("The folder " + folder.string() + " is not empty.", "Give a new folder for the recording.");
-  }
+  SCANTROVE_TRY(checkIsFree(folder));
   SCANTROVE_TRY(prepareOutputFolder(folder));
+  Result<FolderLock> lock = FolderLock::take(folder);
+  if (!lock) return fail(lock.error());
+  SCANTROVE_TRY(checkIsFree(folder));  // whoever had it until now may have recorded something
   if (!info.instances.empty()) {
     SCANTROVE_TRY(write(folder / "instances.json", instancesToJson(info.instances).dump(1) + '\n'));
   }
-  return RecordingWriter(folder, info);
+  return RecordingWriter(folder, std::move(*lock), info);
 }
 
 Result<void> RecordingWriter::add(const RgbdFrame& frame) {

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
+#include "core/exchange/folder_lock.h"
 
 namespace scantrove {
 
@@ -16,7 +17,7 @@ namespace scantrove {
 /// A frame is there whole or not at all. The layout has no times: a reader takes NNNNNN / 30.
 class RecordingWriter {
  public:
-  /// Makes `folder`. Error: it cannot be written to, or something is in it.
+  /// Makes `folder`. Error: it cannot be written to, something is in it, or another recording is about to be.
   [[nodiscard]] static Result<RecordingWriter> create(const std::filesystem::path& folder,
                                                       const SourceInfo& info);
 
@@ -24,13 +25,14 @@ class RecordingWriter {
   [[nodiscard]] Result<void> add(const RgbdFrame& frame);
 
  private:
-  RecordingWriter(std::filesystem::path folder, SourceInfo info)
-      : folder_(std::move(folder)), info_(std::move(info)) {}
+  RecordingWriter(std::filesystem::path folder, FolderLock lock, SourceInfo info)
+      : folder_(std::move(folder)), lock_(std::move(lock)), info_(std::move(info)) {}
   [[nodiscard]] Result<void> describeCamera(const RgbdFrame& frame) const;
   [[nodiscard]] Result<void> writeParts(const RgbdFrame& frame) const;
   [[nodiscard]] std::filesystem::path pathOf(int index, const char* suffix) const;
 
   std::filesystem::path folder_;
+  FolderLock lock_;
   SourceInfo info_;
   bool is_described_ = false;
 };
