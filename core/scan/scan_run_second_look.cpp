@@ -9,8 +9,8 @@
 namespace scantrove {
 namespace {
 
-/// Looking at one three times takes about as long as six frames of the scan.
-constexpr std::size_t kMostFramesAgain = 120;
+/// Looking at one three times takes about as long as four frames of the scan.
+constexpr std::size_t kMostFramesAgain = 180;
 
 /// At most so many of them, as far apart in the list as can be.
 template <class T>
