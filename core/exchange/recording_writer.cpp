@@ -68,7 +68,8 @@ Result<void> checkIsFree(const fs::path& folder) {
 Result<RecordingWriter> RecordingWriter::create(const fs::path& folder, const SourceInfo& info) {
   SCANTROVE_TRY(checkIsFree(folder));
   SCANTROVE_TRY(prepareOutputFolder(folder));
-  Result<FolderLock> lock = FolderLock::take(folder);
+  Result<FileLock> lock = FileLock::take(
+      folder, {"Another program is writing to the folder " + folder.string() + '.', "Choose another one."});
   if (!lock) return fail(lock.error());
   SCANTROVE_TRY(checkIsFree(folder));  // whoever had it until now may have recorded something
   if (!info.instances.empty()) {

@@ -1,9 +1,9 @@
 #pragma once
 #include <filesystem>
 
+#include "core/base/file_lock.h"
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
-#include "core/exchange/folder_lock.h"
 
 namespace scantrove {
 
@@ -25,14 +25,14 @@ class RecordingWriter {
   [[nodiscard]] Result<void> add(const RgbdFrame& frame);
 
  private:
-  RecordingWriter(std::filesystem::path folder, FolderLock lock, SourceInfo info)
+  RecordingWriter(std::filesystem::path folder, FileLock lock, SourceInfo info)
       : folder_(std::move(folder)), lock_(std::move(lock)), info_(std::move(info)) {}
   [[nodiscard]] Result<void> describeCamera(const RgbdFrame& frame) const;
   [[nodiscard]] Result<void> writeParts(const RgbdFrame& frame) const;
   [[nodiscard]] std::filesystem::path pathOf(int index, const char* suffix) const;
 
   std::filesystem::path folder_;
-  FolderLock lock_;
+  FileLock lock_;
   SourceInfo info_;
   bool is_described_ = false;
 };

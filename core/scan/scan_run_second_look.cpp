@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-/// Looking at one three times takes about as long as four frames of the scan.
+/// Looking at one three times takes about as long as six frames of the scan.
 constexpr std::size_t kMostFramesAgain = 180;
 
 /// At most so many of them, as far apart in the list as can be.
@@ -21,8 +21,8 @@ std::vector<T> evenly(std::vector<T> all, std::size_t most) {
   return chosen;
 }
 
-/// How far several passes over the frames are. At how many a pass looks may be known no sooner than it
-/// begins: what it is of all passes is known before.
+/// How far passes over the frames are. How many looks a pass has may be known only when it begins, how many
+/// steps of all it counts for is known before.
 class PassProgress {
  public:
   PassProgress(int steps, std::function<void(const LookingAgain&)> tell)

@@ -78,7 +78,9 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const fs::path& folder)
 }
 
 Result<std::unique_ptr<SessionStore>> SessionStore::openLocked(const fs::path& folder) {
-  Result<SessionLock> lock = SessionLock::take(folder);
+  Result<FileLock> lock = FileLock::take(folder / "session.lock",
+                                         {"The session " + folder.string() + " is in use by another program.",
+                                          "Wait until that is done, or use a copy of the folder."});
   if (!lock) return fail(lock.error());
   std::unique_ptr<SessionStore> store(new SessionStore(folder, std::move(*lock)));
   SCANTROVE_TRY(moveInto(store->database_, DatabaseConnection::open((folder / kDatabase).string())));

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/file_lock.h"
 #include "core/base/result.h"
 #include "core/database/database_connection.h"
 #include "core/session/record_file.h"
 #include "core/session/saved_scan.h"
-#include "core/session/session_lock.h"
 
 namespace scantrove {
 
@@ -69,7 +69,7 @@ class SessionStore {
   };
   using Pages = std::map<Eigen::Vector3i, PagePlace, ByPosition>;
 
-  SessionStore(std::filesystem::path folder, SessionLock lock)
+  SessionStore(std::filesystem::path folder, FileLock lock)
       : folder_(std::move(folder)), lock_(std::move(lock)) {}
 
   [[nodiscard]] static Result<void> removeUnlabelled(const std::filesystem::path& folder);
@@ -83,7 +83,7 @@ class SessionStore {
   [[nodiscard]] std::uint64_t liveBytes() const;
 
   std::filesystem::path folder_;
-  SessionLock lock_;
+  FileLock lock_;
   std::unique_ptr<DatabaseConnection> database_;
   Pages pages_;
   Pages written_;                             // for the next save
