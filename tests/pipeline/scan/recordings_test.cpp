@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/capture/trajectory_reader.h"
@@ -30,6 +31,11 @@ double trajectoryError(const std::filesystem::path& out, const std::filesystem::
   return absoluteTrajectoryError(associate(*estimate, *truth)).rmse;
 }
 
+std::size_t newIn(const ScanReport& report) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      report.objects, [](const ScanReport::Object& object) { return object.recognised_from.empty(); }));
+}
+
 // Floors: peers reach 28 to 47 mm over the whole recording. The second scan meets the same things again.
 TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognisedTheSecondTime) {
   SCANTROVE_NEED_RECORDING(recording, "kitchen");
@@ -50,9 +56,11 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognisedTheSecondTime) {
   ASSERT_TRUE(second.report) << second.error;
   std::cout << "kitchen: ATE " << 1000 * ate << " mm, " << first.report->fps << " fps, "
             << first.report->objects.size() << " objects; second scan: " << second.recognised.size()
-            << " recognised, " << second.added.size() << " added\n";
+            << " recognised, " << second.added.size() << " added, " << newIn(*second.report)
+            << " of them new to the end\n";
   EXPECT_GE(2 * second.recognised.size(), first.report->objects.size());
-  EXPECT_LT(second.added.size(), first.report->objects.size());
+  // Some are known only when everything was looked at again: what is new then stays so.
+  EXPECT_LE(5 * newIn(*second.report), first.report->objects.size());
 }
 
 TEST(Redwood, IsTrackedWithinTwentyMillimetres) {
