@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "core/base/overloaded.h"
+#include "core/capture/color_projection.h"
 #include "core/dataset/dataset_export.h"
 #include "core/scan/guarded.h"
 #include "core/scan/key_frame_files.h"
+#include "core/scan/objects_in_view.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/session_catalogue.h"
 
@@ -15,6 +17,9 @@ namespace {
 
 /// Above those of any scan: the window may have its bricks.
 constexpr std::uint64_t kVersionsOfScan = std::uint64_t{1} << 40U;
+
+/// What fills less of an image may be a rest of something.
+constexpr double kLeastPart = 0.001;
 
 /// What a frame would have given that shows the map as it is now.
 FrameResult resultOf(const FrameLabelWriter::FinalView& view, const Intrinsics& K, const SavedFrame& frame) {
@@ -99,8 +104,18 @@ Result<void> ScanReview::lookAgain() {
   snapshots_.setShownKeyFrame(shown_);
   FrameResult result = resultOf(*view, pipeline.workingIntrinsics(), saved);
   result.segments = segments_;
+  result.objects.seen = objectsIn(result, *frame);
   snapshots_.showFrame(std::move(*frame), std::move(result));
   return post();
+}
+
+std::vector<SeenObject> ScanReview::objectsIn(const FrameResult& result, const RgbdFrame& frame) const {
+  const Intrinsics& K = session_->pipeline().workingIntrinsics();
+  const SurfaceInColor in_color =
+      locateInColor(frame.color_camera, K, result.pose.T_world_camera, result.vertices_world);
+  return objectsInView(
+      result.regions, in_color, [this](RegionId region) { return session_->objectOf(region); },
+      static_cast<int>(kLeastPart * static_cast<double>(K.pixels())));
 }
 
 Result<void> ScanReview::segment() {

@@ -45,6 +45,8 @@ class ScanReview {
   [[nodiscard]] Result<void> post();
   /// The key frame that is shown, with the labels as they are now.
   [[nodiscard]] Result<void> lookAgain();
+  /// What the session knows of the regions of a key frame.
+  [[nodiscard]] std::vector<SeenObject> objectsIn(const FrameResult& result, const RgbdFrame& frame) const;
   /// S_t of the key frame that is shown: of what the map shows from there.
   [[nodiscard]] Result<void> segment();
 

@@ -111,6 +111,7 @@ void MainWindow::makeDocks(const ScanParams& params) {
     const ObjectRecord* const record = model_.record(object);
     return record != nullptr ? QString::fromStdString(record->name) : QString();
   });
+  frames_->colorPanel()->setIsRecognised([this](ObjectId object) { return model_.isRecognised(object); });
   params_ = new ParamsPanel(params);
   docks_->add({tr("Objects"), "objectsDock", tr("Ctrl+1"), Qt::LeftDockWidgetArea, kObjectsWidth, false},
               objects_);

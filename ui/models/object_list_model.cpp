@@ -78,7 +78,7 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     case InViewRole:
       return in_view_.contains(record.id);
     case RecognisedRole:
-      return recognised_.contains(record.id);
+      return isRecognised(record.id);
     case AddedNowRole:
       return added_.contains(record.id);
     case SeenSidesRole: {

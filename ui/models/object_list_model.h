@@ -45,6 +45,8 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] ObjectId objectAt(const QModelIndex& index) const;
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
+  /// Known before this scan and met in it.
+  [[nodiscard]] bool isRecognised(ObjectId object) const { return recognised_.contains(object); }
   /// How many rows after that one this scan has added.
   [[nodiscard]] int addedAfter(ObjectId object) const;
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }

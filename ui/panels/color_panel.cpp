@@ -86,6 +86,10 @@ QString ColorPanel::nameOf(const SeenObject& object) const {
 
 bool ColorPanel::isSelected(const SeenObject& object) const { return selected_.contains(object.object); }
 
+bool ColorPanel::isRecognised(const SeenObject& object) const {
+  return object.recognised || (is_recognised_ && is_recognised_(object.object));
+}
+
 void ColorPanel::paintGhost(QPainter& painter, const QRectF& rect) const {
   painter.save();
   painter.setOpacity(kGhostOpacity);
@@ -108,27 +112,28 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
   font.setPointSizeF(font.pointSizeF() * (rect.width() > 300 ? 0.92 : 0.78));
   font.setBold(true);
   painter.setFont(font);
+  std::vector<const SeenObject*> named;
   std::vector<QString> names;
   std::vector<LabelRequest> requests;
   for (const SeenObject& object : objects_) {
-    if (!object.object) continue;
-    names.push_back(QFontMetricsF(font).elidedText(nameOf(object), Qt::ElideRight, rect.width() / 2));
+    const QString name = nameOf(object);
+    if (!object.object || name.isEmpty()) continue;  // a candidate, or deleted since
+    named.push_back(&object);
+    names.push_back(QFontMetricsF(font).elidedText(name, Qt::ElideRight, rect.width() / 2));
     requests.push_back({objectRect(object), chipSize(painter, names.back())});
   }
-  // Backwards, so that the selected ones lie on top.
-  for (auto object = objects_.rbegin(); object != objects_.rend(); ++object) {
-    if (object->object) {
-      paintBox(painter, objectRect(*object), isSelected(*object));
-    } else {
-      paintCandidate(painter, objectRect(*object));
-    }
+  for (const SeenObject& object : objects_) {
+    if (!object.object) paintCandidate(painter, objectRect(object));
   }
+  // Backwards, so that the selected ones lie on top.
+  for (auto object = named.rbegin(); object != named.rend(); ++object)
+    paintBox(painter, objectRect(**object), isSelected(**object));
   // The bottom line is the title's.
   const std::vector<QRectF> places =
       placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
-  for (std::size_t i = 0; i < places.size(); ++i) {  // candidates come last and have no name
-    const SeenObject& object = objects_[i];
-    const QColor color = isSelected(object) ? kSelected : (object.recognised ? kRecognised : kFound);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SeenObject& object = *named[i];
+    const QColor color = isSelected(object) ? kSelected : (isRecognised(object) ? kRecognised : kFound);
     paintChip(painter, places[i].topLeft(), names[i], color);
   }
 }

@@ -20,6 +20,10 @@ class ColorPanel : public ImagePanel {
   /// The name an object has now, empty if unknown: names may change after the frame was taken.
   using NameOf = std::function<QString(ObjectId)>;
   void setNameOf(NameOf name_of) { name_of_ = std::move(name_of); }
+  /// Whether the scan knew it from the catalogue, also where a frame does not say so: of a scan that has
+  /// ended.
+  using IsRecognised = std::function<bool(ObjectId)>;
+  void setIsRecognised(IsRecognised is_recognised) { is_recognised_ = std::move(is_recognised); }
 
   void setFrame(const QImage& picture, const std::vector<SeenObject>& objects);
   /// While the camera is lost: a view that it would be found by, drawn over the picture like a ghost; null:
@@ -37,6 +41,7 @@ class ColorPanel : public ImagePanel {
  private:
   [[nodiscard]] QString nameOf(const SeenObject& object) const;
   [[nodiscard]] bool isSelected(const SeenObject& object) const;
+  [[nodiscard]] bool isRecognised(const SeenObject& object) const;
   void sortObjects();
   void paintGhost(QPainter& painter, const QRectF& rect) const;
 
@@ -44,6 +49,7 @@ class ColorPanel : public ImagePanel {
   std::set<ObjectId> selected_;
   QImage ghost_;
   NameOf name_of_;
+  IsRecognised is_recognised_;
 };
 
 }  // namespace scantrove

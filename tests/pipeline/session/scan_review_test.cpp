@@ -104,6 +104,14 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   EXPECT_FALSE(first->regions.empty());
   EXPECT_GT(first->changed_bricks.size(), 100U) << "the whole map";
   EXPECT_GT(first->trail->size(), 20U);
+  for (const SeenObject& object : first->objects) {
+    EXPECT_TRUE(object.object);
+    for (const RegionId region : object.regions) {
+      const RegionInfo* const info = find(*first->region_infos, region);
+      ASSERT_NE(info, nullptr);
+      EXPECT_EQ(info->object, object.object);
+    }
+  }
 
   session_.showKeyFrame(0);
   const auto frame = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });

@@ -1,0 +1,78 @@
+#include "core/scan/objects_in_view.h"
+
+#include <gtest/gtest.h>
+
+namespace scantrove {
+namespace {
+
+constexpr RegionId kTableTop{1}, kBody{2}, kHandle{3}, kCrumb{4};
+constexpr ObjectId kTheMug{7}, kTheCrumb{9};
+
+ObjectId thingOf(RegionId region) {
+  if (region == kBody || region == kHandle) return kTheMug;
+  return region == kCrumb ? kTheCrumb : ObjectId{};
+}
+
+/// A table of 10 x 8 pixels with a mug of two regions and a crumb on it, seen by one camera in depth and
+/// colour.
+class ObjectsInView : public testing::Test {
+ protected:
+  ObjectsInView() {
+    map_.width = 10;
+    map_.height = 8;
+    map_.regions.assign(80, kTableTop);
+    fill({2, 3, 3, 4}, kBody);
+    fill({5, 4, 1, 2}, kHandle);
+    fill({8, 1, 1, 1}, kCrumb);
+    in_color_ = locateInColor(std::nullopt, {10, 10, 4.5F, 3.5F, 10, 8}, Eigen::Isometry3d::Identity(), {});
+  }
+  void fill(const cv::Rect& pixels, RegionId region) {
+    for (int v = pixels.y; v < pixels.br().y; ++v) {
+      for (int u = pixels.x; u < pixels.br().x; ++u)
+        map_.regions[static_cast<std::size_t>(v * map_.width + u)] = region;
+    }
+  }
+  [[nodiscard]] std::vector<SeenObject> seen(int least_pixels) const {
+    return objectsInView(map_, in_color_, thingOf, least_pixels);
+  }
+
+  RegionMap map_;
+  SurfaceInColor in_color_;
+};
+
+TEST_F(ObjectsInView, AreWithAllTheirRegionsInOneRectangle) {
+  const std::vector<SeenObject> objects = seen(2);
+  ASSERT_EQ(objects.size(), 1U) << "the crumb is too small";
+  const SeenObject& mug = objects.front();
+  EXPECT_EQ(mug.object, kTheMug);
+  EXPECT_EQ(mug.regions, (RegionSet{kBody, kHandle}));
+  // Columns 2 to 5 of 10, rows 3 to 6 of 8, whole pixels.
+  EXPECT_NEAR(mug.box.x, 0.2F, 1e-6F);
+  EXPECT_NEAR(mug.box.y, 3 / 8.0F, 1e-6F);
+  EXPECT_NEAR(mug.box.width, 0.4F, 1e-6F);
+  EXPECT_NEAR(mug.box.height, 0.5F, 1e-6F);
+}
+
+TEST_F(ObjectsInView, OfOnePixelCountWhereThatIsEnough) {
+  const std::vector<SeenObject> objects = seen(1);
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].object, kTheMug);
+  EXPECT_EQ(objects[1].object, kTheCrumb);
+}
+
+TEST_F(ObjectsInView, ReachAsFarAsColourShowsThem) {
+  in_color_.hidden(cv::Rect(5, 0, 1, 8)).setTo(255);  // where the handle is
+  const std::vector<SeenObject> objects = seen(2);
+  ASSERT_EQ(objects.size(), 1U);
+  EXPECT_EQ(objects.front().regions, RegionSet{kBody});
+  EXPECT_NEAR(objects.front().box.width, 0.3F, 1e-6F);
+}
+
+TEST_F(ObjectsInView, AreNoneWhereNoRegionIsAnObject) {
+  EXPECT_TRUE(objectsInView(
+                  map_, in_color_, [](RegionId) { return ObjectId{}; }, 1)
+                  .empty());
+}
+
+}  // namespace
+}  // namespace scantrove
