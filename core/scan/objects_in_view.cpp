@@ -26,9 +26,10 @@ std::vector<SeenObject> objectsInView(const RegionMap& regions, const SurfaceInC
                                       const std::function<ObjectId(RegionId)>& object_of, int least_pixels) {
   std::map<RegionId, ObjectId> objects;
   std::map<ObjectId, Sight> sights;
+  std::size_t pixel = 0;
   for (int v = 0; v < regions.height; ++v) {
     for (int u = 0; u < regions.width; ++u) {
-      const RegionId region = regions.regions[static_cast<std::size_t>(v * regions.width + u)];
+      const RegionId region = regions.regions[pixel++];
       if (!region || in_color.hidden.at<std::uint8_t>(v, u) != 0) continue;
       const auto [known, is_first] = objects.try_emplace(region);
       if (is_first) known->second = object_of(region);
