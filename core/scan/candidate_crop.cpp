@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "core/scan/bounds_in_color.h"
 
 namespace scantrove {
 namespace {
@@ -29,19 +30,13 @@ cv::Rect2d scaled(const cv::Rect2d& box, double sx, double sy) {
 
 /// What the pixels of `mask` cover of the colour image, in fractions.
 cv::Rect2f bounds(const cv::Mat& places, const cv::Mat& mask, const cv::Size& working) {
-  constexpr float kFar = std::numeric_limits<float>::max();
-  cv::Point2f first(kFar, kFar), last(-kFar, -kFar);
+  BoundsInColor around;
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      const cv::Vec2f& place = places.at<cv::Vec2f>(y, x);
-      first = {std::min(first.x, place[0]), std::min(first.y, place[1])};
-      last = {std::max(last.x, place[0]), std::max(last.y, place[1])};
+      if (mask.at<std::uint8_t>(y, x) != 0) around.add(places.at<cv::Vec2f>(y, x));
     }
   }
-  const cv::Point2f half_pixel(0.5F / static_cast<float>(working.width),
-                               0.5F / static_cast<float>(working.height));
-  return {first - half_pixel, last + half_pixel};
+  return around.box(working);
 }
 
 /// By how much the surface is shifted in the colour image, in working pixels, against where colour of the

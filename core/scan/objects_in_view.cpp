@@ -1,8 +1,9 @@
 #include "core/scan/objects_in_view.h"
 
-#include <algorithm>
 #include <map>
 #include <utility>
+
+#include "core/scan/bounds_in_color.h"
 
 namespace scantrove {
 namespace {
@@ -11,13 +12,7 @@ namespace {
 struct Sight {
   RegionSet regions;
   int pixels = 0;
-  cv::Point2f first{1, 1}, last{0, 0};  // of the colour image, in fractions
-
-  void add(const cv::Vec2f& place) {
-    ++pixels;
-    first = {std::min(first.x, place[0]), std::min(first.y, place[1])};
-    last = {std::max(last.x, place[0]), std::max(last.y, place[1])};
-  }
+  BoundsInColor bounds;
 };
 
 }  // namespace
@@ -36,18 +31,17 @@ std::vector<SeenObject> objectsInView(const RegionMap& regions, const SurfaceInC
       if (!known->second) continue;
       Sight& sight = sights[known->second];
       if (is_first) sight.regions.add(region);
-      sight.add(in_color.places.at<cv::Vec2f>(v, u));
+      ++sight.pixels;
+      sight.bounds.add(in_color.places.at<cv::Vec2f>(v, u));
     }
   }
-  const cv::Point2f half_pixel(0.5F / static_cast<float>(regions.width),
-                               0.5F / static_cast<float>(regions.height));
   std::vector<SeenObject> seen;
   for (auto& [object, sight] : sights) {
     if (sight.pixels < least_pixels) continue;
     SeenObject one;
     one.object = object;
     one.regions = std::move(sight.regions);
-    one.box = {sight.first - half_pixel, sight.last + half_pixel};
+    one.box = sight.bounds.box({regions.width, regions.height});
     seen.push_back(std::move(one));
   }
   return seen;

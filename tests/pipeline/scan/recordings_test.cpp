@@ -59,7 +59,7 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognisedTheSecondTime) {
             << " recognised, " << second.added.size() << " added, " << newIn(*second.report)
             << " of them new to the end\n";
   EXPECT_GE(2 * second.recognised.size(), first.report->objects.size());
-  // Some are known only when everything was looked at again: what is new then stays so.
+  // Some are known again only when everything was looked at once more.
   EXPECT_LE(5 * newIn(*second.report), first.report->objects.size());
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+#include <algorithm>
+#include <limits>
+#include <opencv2/core/types.hpp>
+
+namespace scantrove {
+
+/// The rectangle around some pixels of a depth camera in the colour image.
+class BoundsInColor {
+ public:
+  /// `place`: of SurfaceInColor::places.
+  void add(const cv::Vec2f& place) {
+    first_ = {std::min(first_.x, place[0]), std::min(first_.y, place[1])};
+    last_ = {std::max(last_.x, place[0]), std::max(last_.y, place[1])};
+  }
+  /// In fractions of the colour image, whole pixels of a depth camera of `depth` pixels. Something was added.
+  [[nodiscard]] cv::Rect2f box(const cv::Size& depth) const {
+    const cv::Point2f half_pixel(0.5F / static_cast<float>(depth.width),
+                                 0.5F / static_cast<float>(depth.height));
+    return {first_ - half_pixel, last_ + half_pixel};
+  }
+
+ private:
+  static constexpr float kFar = std::numeric_limits<float>::max();
+  cv::Point2f first_{kFar, kFar}, last_{-kFar, -kFar};
+};
+
+}  // namespace scantrove
