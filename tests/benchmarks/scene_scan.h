@@ -80,19 +80,21 @@ struct SceneScan {
   double drift_mm = 0;  ///< farthest that the tracked camera was from where it should be
 };
 
-/// The true instances of a frame of a recording of SceneCache, in images of `K`.
-inline Result<cv::Mat> truthAt(const std::filesystem::path& recording, int frame_index, const Intrinsics& K) {
-  const auto truth = readLabelImage(recording / fmt::format("frame-{:06}.instance.png", frame_index));
-  if (!truth) return fail(truth.error());
+/// The true instances of a frame of a recording of SceneCache.
+inline Result<cv::Mat> truthAt(const std::filesystem::path& recording, int frame_index) {
+  return readLabelImage(recording / fmt::format("frame-{:06}.instance.png", frame_index));
+}
+
+/// True instances in images of `K`.
+inline cv::Mat truthIn(const cv::Mat& truth, const Intrinsics& K) {
   cv::Mat resized;
-  cv::resize(*truth, resized, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
+  cv::resize(truth, resized, {K.width, K.height}, 0, 0, cv::INTER_NEAREST_EXACT);
   return resized;
 }
 
-/// Called with the number of a frame in the recording, what it gave, and its true instances at the working
-/// resolution.
+/// Called with a frame of the recording, what it gave, and its true instances at the recording's resolution.
 using FrameVisit =
-    std::function<void(const ScanPipeline&, int index, const FrameResult&, const cv::Mat& truth)>;
+    std::function<void(const ScanPipeline&, const RgbdFrame&, const FrameResult&, const cv::Mat& truth)>;
 
 /// Scans a recording of SceneCache; visits every `options.every`-th frame if it has a pose.
 inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const ScanParams& params,
@@ -122,16 +124,17 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
     const Eigen::Isometry3d pose = *T_truth_estimate * result->pose.T_world_camera;
     scan.drift_mm = std::max(scan.drift_mm, 1000 * (pose.translation() - truth_pose.translation()).norm());
     if (scan.frames % options.every != 0) continue;
-    const Result<cv::Mat> truth = truthAt(recording, read.frame.index, scan.pipeline->workingIntrinsics());
+    const Result<cv::Mat> truth = truthAt(recording, read.frame.index);
     if (!truth) return fail(truth.error());
-    visit(*scan.pipeline, read.frame.index, *result, *truth);
+    visit(*scan.pipeline, read.frame, *result, *truth);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   scan.seconds = elapsed.count();
   return scan;
 }
 
-/// Called with the number of the scene, what a frame gave and what is known by then, and the true instances.
+/// Called with the number of the scene, what a frame gave and what is known by then, and the true instances
+/// at the working resolution.
 using EvidenceVisit = std::function<void(std::size_t scene, const ScanPipeline&, const EvidenceGraph&,
                                          const FrameResult&, const cv::Mat& truth)>;
 
@@ -148,12 +151,12 @@ inline Result<std::size_t> scanForEvidence(const SceneOptions& options, const Ev
   for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
     const auto recording = cache.recordingOf(scenes[scene]);
     if (!recording) return fail(recording.error());
-    const auto scan =
-        scanScene(*recording, params, options, **compute,
-                  [&](const ScanPipeline& pipeline, int, const FrameResult& result, const cv::Mat& truth) {
-                    const auto& merger = dynamic_cast<const GraphMerger&>(pipeline.regionMerger());
-                    visit(scene, pipeline, merger.graph(), result, truth);
-                  });
+    const auto scan = scanScene(
+        *recording, params, options, **compute,
+        [&](const ScanPipeline& pipeline, const RgbdFrame&, const FrameResult& result, const cv::Mat& truth) {
+          const auto& merger = dynamic_cast<const GraphMerger&>(pipeline.regionMerger());
+          visit(scene, pipeline, merger.graph(), result, truthIn(truth, pipeline.workingIntrinsics()));
+        });
     if (!scan) return fail(scan.error());
     std::fprintf(stderr, "%-18s %d frames, %d lost\n", scenes[scene].c_str(), scan->frames, scan->lost);
   }

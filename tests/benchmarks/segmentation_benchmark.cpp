@@ -1,6 +1,6 @@
 // How much better merged regions are than single frames, over random scenes with exact truth: the scan
-// pipeline on each scene, every few frames both compared with the truth. One line a scene, and means, for
-// each set of parameters.
+// pipeline on each scene, every few frames both compared with the truth, as images that a scan writes
+// (--label-maps). One line a scene, and means, for each set of parameters.
 //
 //   segmentation_benchmark --cache DIR --rooms 1-5 --tables 1-5 [--uneven] [--rule graph,thesis] [--set
 //   key=value]
@@ -8,6 +8,7 @@
 
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/scan/param_registry.h"
+#include "core/segmentation/upsample_segments.h"
 #include "tests/benchmarks/scene_scan.h"
 #include "tests/benchmarks/small_losses.h"
 
@@ -51,17 +52,32 @@ Result<std::vector<Variant>> variantsOf(const Options& options) {
   return variants;
 }
 
-cv::Mat labelImage(const std::vector<std::uint32_t>& labels, const Intrinsics& K) {
-  cv::Mat_<int> image(K.height, K.width);
-  std::copy(labels.begin(), labels.end(), image.begin());
-  return image;
-}
+/// Segments or regions of one frame as a scan writes them: at the resolution of its depth image.
+class LabelImages {
+ public:
+  LabelImages(const SegmentMap& segments, const RgbdFrame& frame)
+      : depth_(frame.depth),
+        upsampler_(segments.depths_m, segments.width, segments.height,
+                   {frame.depth.cols,
+                    frame.depth.rows,
+                    {frame.depth.ptr<std::uint16_t>(), frame.depth.total()},
+                    frame.metres_per_unit}) {}
 
-std::vector<std::uint32_t> numbersOf(const std::vector<RegionId>& regions) {
-  std::vector<std::uint32_t> numbers(regions.size());
-  std::ranges::transform(regions, numbers.begin(), [](RegionId region) { return region.value; });
-  return numbers;
-}
+  template <class Ids>
+  [[nodiscard]] cv::Mat of(const Ids& ids) const {
+    const Ids large = upsampler_.apply(ids);
+    cv::Mat1i image(depth_.size());
+    std::ranges::transform(large, image.begin(), [](const auto id) { return numberOf(id); });
+    return image;
+  }
+
+ private:
+  static int numberOf(std::uint32_t segment) { return static_cast<int>(segment); }
+  static int numberOf(RegionId region) { return static_cast<int>(region.value); }
+
+  cv::Mat depth_;
+  DepthUpsampler upsampler_;
+};
 
 /// Mean time a frame in the stage that joins and parts regions.
 double mergeMilliseconds(const StageTimer& timer) {
@@ -79,14 +95,15 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
                            const Options& options, ComputeContext& compute) {
   std::vector<SegmentationMetrics> single, merged;
   SceneScore score;
-  const auto scan = scanScene(
-      recording, params, options.scenes, compute,
-      [&](const ScanPipeline& pipeline, int, const FrameResult& result, const cv::Mat& truth) {
-        const Intrinsics& K = pipeline.workingIntrinsics();
-        single.push_back(evaluateSegmentation(labelImage(result.segments.ids, K), truth));
-        merged.push_back(evaluateSegmentation(labelImage(numbersOf(result.regions.regions), K), truth));
-        score.losses += countSmallLosses(result, truth);
-      });
+  const auto scan =
+      scanScene(recording, params, options.scenes, compute,
+                [&](const ScanPipeline& pipeline, const RgbdFrame& frame, const FrameResult& result,
+                    const cv::Mat& truth) {
+                  const LabelImages images(result.segments, frame);
+                  single.push_back(evaluateSegmentation(images.of(result.segments.ids), truth));
+                  merged.push_back(evaluateSegmentation(images.of(result.regions.regions), truth));
+                  score.losses += countSmallLosses(result, truthIn(truth, pipeline.workingIntrinsics()));
+                });
   if (!scan) return fail(scan.error());
   score.single = averaged(single);
   score.merged = averaged(merged);

@@ -202,9 +202,8 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
   for (const std::string& setting : options.settings) SCANTROVE_TRY(applySetting(params, setting));
   std::map<int, Eigen::Isometry3d> cameras;  // by RgbdFrame::index
   const auto scan = scanScene(recording, params, options, compute,
-                              [&](const ScanPipeline&, int index, const FrameResult& result, const cv::Mat&) {
-                                cameras[index] = result.pose.T_world_camera;
-                              });
+                              [&](const ScanPipeline&, const RgbdFrame& frame, const FrameResult& result,
+                                  const cv::Mat&) { cameras[frame.index] = result.pose.T_world_camera; });
   if (!scan) return fail(scan.error());
   /// Calls `visit` with each frame that has a camera, and the camera.
   const auto lookAgain = [&](const auto& visit) -> Result<void> {
@@ -232,10 +231,11 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
   SCANTROVE_TRY(
       lookAgain([&](const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) -> Result<void> {
         ScanPipeline::SeenAgain seen = scan->pipeline->seeAgain(frame, T_world_camera);
-        const Result<cv::Mat> truth = truthAt(recording, frame.index, seen.K);
+        const Result<cv::Mat> truth = truthAt(recording, frame.index);
         if (!truth) return fail(truth.error());
+        const cv::Mat seen_truth = truthIn(*truth, seen.K);
         for (Recorder& recorder : recorders) {
-          recorder.nextFrame(scene, frame.index, *truth);
+          recorder.nextFrame(scene, frame.index, seen_truth);
           const bool are_parts = &recorder != &recorders.front();
           static_cast<void>(scan->pipeline->findAgain(
               seen, recorder, are_parts ? finer.table() : scan->pipeline->regionTable()));
