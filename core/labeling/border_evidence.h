@@ -16,16 +16,15 @@ struct BorderEvidence {
   float shared = 0;                  ///< of the looks: both fragments' visible parts lie in the same segments
   float bends = 0;                   ///< weighed looks at the bend, at most kMostLooks
   float concavity_rad = 0;           ///< mean, > 0 a fold, < 0 a ridge
-  float turn_rad = 0;                ///< mean of its absolute
   float folded = 0, ridged = 0;      ///< parts of the border that clearly are, mean
   std::optional<float> color_shift;  ///< as in FragmentContact, mean
   float step_m = 0;                  ///< likewise
-  std::optional<ColorDifference> color_difference;  ///< likewise
-  float length_m = 0;                               ///< of the border, longest look
-  float came_together = 0;  ///< looks at both as of a thing that came, at most kMostLooks
-  float came_apart = 0;     ///< looks at one as of a thing that came to the other, likewise
-  float attached = 0;       ///< looks at the one as a part of the other (Attachment), at most kMostLooks
-  float unattached = 0;     ///< looks that deny it, likewise
+  std::optional<ColorComparison> colors;  ///< likewise, of the fragments on the whole
+  float length_m = 0;                     ///< of the border, longest look
+  float came_together = 0;                ///< looks at both as of a thing that came, at most kMostLooks
+  float came_apart = 0;                   ///< looks at one as of a thing that came to the other, likewise
+  float attached = 0;    ///< looks at the one as a part of the other (Attachment), at most kMostLooks
+  float unattached = 0;  ///< looks that deny it, likewise
   Constraint constraint = Constraint::none;
   bool by_person = false;    ///< the constraint: stronger than any that the program found
   int constraint_order = 0;  ///< higher: said later
@@ -43,13 +42,9 @@ struct BorderEvidence {
   void addAttachment(bool is_attached);
 
   /// What logOdds() asks for.
-  static constexpr std::size_t kFeatures = 12;
-  /// Features of colour, and what is taken for each where none was seen: neither alike nor unlike.
-  struct ColorFeature {
-    std::size_t feature;
-    float usual;
-  };
-  static constexpr std::array<ColorFeature, 3> kOfColor{{{6, 7}, {9, 5}, {10, 9}}};
+  static constexpr std::size_t kFeatures = 16;
+  /// Those of colour, which features() takes for neither alike nor unlike where none was seen.
+  static constexpr std::array<std::size_t, 7> kOfColor{6, 9, 10, 12, 13, 14, 15};
   [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
 
   /// Logarithm of the odds that the two are one thing, by boosted trees of the above; fitted to random

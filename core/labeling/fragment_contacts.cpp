@@ -40,7 +40,6 @@ struct Sum {
     if (!step.has_bend) return;
     ++contact.bends;
     contact.concavity_rad += step.concavity_rad;
-    contact.turn_rad += std::abs(step.concavity_rad);
     contact.folded += step.concavity_rad > kClearBend_rad ? 1.0F : 0.0F;
     contact.ridged += step.concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
   }
@@ -55,7 +54,6 @@ struct Sum {
     if (has_color) result.color_shift = color.norm() / static_cast<float>(contact.length_px);
     if (contact.bends > 0) {
       result.concavity_rad /= static_cast<float>(contact.bends);
-      result.turn_rad /= static_cast<float>(contact.bends);
       result.folded /= static_cast<float>(contact.bends);
       result.ridged /= static_cast<float>(contact.bends);
     }
@@ -175,7 +173,7 @@ std::vector<FragmentContact> findContacts(const MergeInput& input, std::span<con
   const FragmentColors colors(input, parts);
   for (const Sum& sum : StepFinder(input, parts).find()) {
     FragmentContact& contact = contacts.emplace_back(sum.mean(!input.color_lab.empty()));
-    contact.color_difference = colors.between(contact.a, contact.b);
+    contact.colors = colors.between(contact.a, contact.b);
   }
   return contacts;
 }

@@ -20,13 +20,12 @@ struct FragmentContact {
   float depth_m = 0;        ///< mean over the border
   int bends = 0;            ///< steps at which the bend could be measured
   float concavity_rad = 0;  ///< mean angle between the normals to both sides: > 0 a fold, < 0 a ridge
-  float turn_rad = 0;       ///< mean of its absolute
   /// Length of the mean difference in CIE L*a*b* between the colours to both sides; none without colour.
   std::optional<float> color_shift;
   float folded = 0;  ///< part of the measured steps that fold by more than kClearBend_rad
   float ridged = 0;  ///< and that ridge by more
   float step_m = 0;  ///< mean step up or down from one surface to the other; 0 where no normal is known
-  std::optional<ColorDifference> color_difference;  ///< on the whole, not at the border
+  std::optional<ColorComparison> colors;  ///< of the fragments on the whole, not at the border
 };
 
 inline constexpr float kClearBend_rad = 0.35F;  ///< 20 degrees

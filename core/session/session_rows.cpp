@@ -22,28 +22,48 @@ using Json = nlohmann::ordered_json;
 QString text(const std::string& value) { return QString::fromStdString(value); }
 std::string text(const QSqlQuery& row, int column) { return row.value(column).toString().toStdString(); }
 
-constexpr std::size_t kEvidenceFloats = 17;
-/// Before arrivals, attachments, and steps and colours on the whole, were evidence.
-constexpr std::array<std::size_t, 3> kFewerFloats{10, 12, 14};
+constexpr std::size_t kEvidenceFloats = 21;
+/// Before arrivals, attachments, steps and colours on the whole, and what colours two share, were evidence.
+constexpr std::array<std::size_t, 4> kFewerFloats{10, 12, 14, 17};
 constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();  // a colour
+constexpr float kNoMore = 0;                                        // what was evidence once
 static_assert(std::endian::native == std::endian::little);
 
 QByteArray toBytes(const BorderEvidence& e) {
-  const ColorDifference unseen{kUnseen, kUnseen};
-  const ColorDifference& difference = e.color_difference ? *e.color_difference : unseen;
-  const std::array<float, kEvidenceFloats> values{
-      e.looks,           e.bridged,       e.shared,
-      e.bends,           e.concavity_rad, e.turn_rad,
-      e.folded,          e.ridged,        e.color_shift.value_or(kUnseen),
-      e.length_m,        e.came_together, e.came_apart,
-      e.attached,        e.unattached,    difference.all,
-      difference.chroma, e.step_m};
+  const ColorComparison unseen{kUnseen, kUnseen};
+  const ColorComparison& colors = e.colors ? *e.colors : unseen;
+  const std::array<float, kEvidenceFloats> values{e.looks,
+                                                  e.bridged,
+                                                  e.shared,
+                                                  e.bends,
+                                                  e.concavity_rad,
+                                                  kNoMore,
+                                                  e.folded,
+                                                  e.ridged,
+                                                  e.color_shift.value_or(kUnseen),
+                                                  e.length_m,
+                                                  e.came_together,
+                                                  e.came_apart,
+                                                  e.attached,
+                                                  e.unattached,
+                                                  colors.difference,
+                                                  colors.chroma_difference,
+                                                  e.step_m,
+                                                  colors.shared,
+                                                  colors.shared_chroma,
+                                                  colors.elsewhere,
+                                                  colors.variety};
   return {reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(sizeof(values))};
 }
 
 std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   std::array<float, kEvidenceFloats> values{};
-  values[14] = values[15] = kUnseen;  // an older row lacks them
+  const ColorComparison usual;  // an older row lacks the last of these, or all
+  values[14] = values[15] = kUnseen;
+  values[17] = usual.shared;
+  values[18] = usual.shared_chroma;
+  values[19] = usual.elsewhere;
+  values[20] = usual.variety;
   const auto size = static_cast<std::size_t>(bytes.size());
   const bool is_older = std::ranges::any_of(
       kFewerFloats, [size](std::size_t floats) { return size == floats * sizeof(float); });
@@ -59,7 +79,6 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   e.shared = values[2];
   e.bends = values[3];
   e.concavity_rad = values[4];
-  e.turn_rad = values[5];
   e.folded = values[6];
   e.ridged = values[7];
   if (std::isfinite(values[8])) e.color_shift = values[8];
@@ -68,7 +87,8 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   e.came_apart = values[11];
   e.attached = values[12];
   e.unattached = values[13];
-  if (std::isfinite(values[14] + values[15])) e.color_difference = {values[14], values[15]};
+  if (std::isfinite(values[14] + values[15]))
+    e.colors = {values[14], values[15], values[17], values[18], values[19], values[20]};
   e.step_m = values[16];
   return e;
 }

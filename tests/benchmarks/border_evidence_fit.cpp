@@ -14,21 +14,25 @@ constexpr std::size_t kFolds = 4;
 using Trees = BoostedTrees<4>;
 using Features = std::array<float, BorderEvidence::kFeatures>;
 
-/// That frames see both as one speaks for it, folds and unlike colours against, whatever few samples say.
+/// That frames see both as one, and the colours that they share, speak for it, folds, unlike colours and
+/// those that all have against, whatever few samples say.
 const BoostingParams kBoosting{.trees = 120,
                                .learning_rate = 0.12,
                                .ridge = 5,
                                .least_samples = 150,
                                .part_of_features = 0.7,
-                               .directions = {0, 1, 1, 0, -1, 0, -1, 0, 0, -1, -1, 0}};
+                               .directions = {0, 1, 1, 0, -1, 0, -1, 0, 0, -1, -1, 0, 1, 0, -1, 0}};
 
 /// A camera may have no colour: every so many samples are heard once more without it.
 constexpr std::size_t kColorlessOf = 4;
 /// Real walls, floors and cupboards share their colours more often than those of the scenes do, and things
-/// do: so many of the borders between two, of a thousand, get the colours of one within a thing.
+/// do: so many of the borders between two, of a thousand, get the colours of one within a thing that is
+/// plain.
 constexpr unsigned kAlikeOfThousand = 50, kLargeAlikeOfThousand = 500;
-constexpr float kLarge = 5000;           // voxels of the smaller of the two
-constexpr std::size_t kFewerVoxels = 7;  // of the features
+constexpr float kLarge = 5000;             // voxels of the smaller of the two
+constexpr float kPlain = 10;               // at most so much chroma is shared
+constexpr std::size_t kFewerVoxels = 7;    // of the features
+constexpr std::size_t kSharedChroma = 13;  // likewise
 /// A segment may lie over two things for a while, and over each alone from then on, which scenes hardly show:
 /// so many of the borders between two things, of a thousand, were shared in up to kMostLeaked of their looks.
 constexpr unsigned kLeakedOfThousand = 600;
@@ -38,19 +42,20 @@ constexpr std::array<std::size_t, 2> kOfSegments{1, 2};  // shared and bridged p
 class Samples {
  public:
   void add(const Scene& scene) {
+    const Features unseen = BorderEvidence{}.features(0, 0);
     for (const Moment& moment : scene) {
       for (const Border& border : moment.borders) {
         const bool are_slivers = std::min(moment.voxels[border.a], moment.voxels[border.b]) < kSliverVoxels;
         if (!border.are_one || are_slivers) continue;
         Features x = border.features;
         if (*border.are_one) {
-          within_.push_back(features_.size());
+          if (x[kSharedChroma] < kPlain) within_.push_back(features_.size());
         } else {
           makeHarder(x);
         }
         add(x, *border.are_one);
         if (features_.size() % kColorlessOf != 0) continue;
-        for (const auto& [feature, usual] : BorderEvidence::kOfColor) x[feature] = usual;
+        for (const std::size_t feature : BorderEvidence::kOfColor) x[feature] = unseen[feature];
         add(x, *border.are_one);
       }
     }
@@ -70,7 +75,7 @@ class Samples {
     const bool are_large = x[kFewerVoxels] > kLarge;
     if (!within_.empty() && happens(are_large ? kLargeAlikeOfThousand : kAlikeOfThousand)) {
       const Features& other = features_[within_[random_() % within_.size()]];
-      for (const auto& [feature, usual] : BorderEvidence::kOfColor) x[feature] = other[feature];
+      for (const std::size_t feature : BorderEvidence::kOfColor) x[feature] = other[feature];
     }
     if (happens(kLeakedOfThousand)) {
       const float leaked = kMostLeaked * static_cast<float>(random_() % 1000) / 1000;
@@ -83,7 +88,7 @@ class Samples {
   }
   std::vector<Features> features_;
   std::vector<bool> are_one_;
-  std::vector<std::size_t> within_;  // of features_: one thing
+  std::vector<std::size_t> within_;  // of features_: one thing, and plain
   std::mt19937 random_;              // as it starts by default
 };
 

@@ -77,9 +77,8 @@ class RegionEditorTest : public testing::Test {
     contact.depth_m = 1;
     contact.bends = 80;
     contact.concavity_rad = one ? 0.F : 0.9F;
-    contact.turn_rad = one ? 0.02F : 0.9F;
     contact.color_shift = one ? 1.F : 40.F;
-    contact.color_difference = {*contact.color_shift, *contact.color_shift};
+    contact.colors = {*contact.color_shift, *contact.color_shift};
     contact.folded = one ? 0.F : 1.F;
     auto& graph = const_cast<EvidenceGraph&>(merger_.graph());
     for (int look = 0; look < 20; ++look) graph.between(a, b).add(contact, one ? 1 : 0);

@@ -9,6 +9,8 @@ namespace scantrove {
 namespace {
 
 constexpr int kVoxels = 1000;
+/// As two pieces of one thing may be, and as two things may.
+constexpr ColorComparison kAlike{3, 1, 0.95F, 10, 0.3F, 6}, kUnlike{30, 25, 0.05F, 0.5F, 0.3F, 6};
 
 /// A long border seen from nearby: a look of weight 1, but for 1 part in 10^6.
 FragmentContact nearLook(float bridged_part) {
@@ -23,7 +25,6 @@ FragmentContact nearFold(float concavity_rad) {
   FragmentContact contact = nearLook(0);
   contact.bends = contact.length_px;
   contact.concavity_rad = concavity_rad;
-  contact.turn_rad = std::abs(concavity_rad);
   contact.folded = concavity_rad > kClearBend_rad ? 1.0F : 0.0F;
   contact.ridged = concavity_rad < -kClearBend_rad ? 1.0F : 0.0F;
   return contact;
@@ -68,7 +69,6 @@ TEST(BorderEvidence, TheBendIsTheMeanOfLooksThatSawIt) {
   border.add(nearFold(-0.5F), 0);
   EXPECT_NEAR(border.bends, 3, 1e-3F);
   EXPECT_NEAR(border.concavity_rad, 0.1F, 1e-4F);
-  EXPECT_NEAR(border.turn_rad, 1.3F / 3, 1e-4F);
   EXPECT_NEAR(border.folded, 1.0F / 3, 1e-4F);
   EXPECT_NEAR(border.ridged, 1.0F / 3, 1e-4F);
 }
@@ -93,18 +93,24 @@ TEST(BorderEvidence, ColorIsTheMeanOfLooksThatHadIt) {
 TEST(BorderEvidence, StepsAndColorsOnTheWholeAreMeansOfLooksToo) {
   FragmentContact contact = nearLook(0);
   BorderEvidence border = after(contact, 0, 1);
-  EXPECT_FALSE(border.color_difference);
+  EXPECT_FALSE(border.colors);
   contact.step_m = 0.02F;
-  contact.color_difference = {9, 6};
+  contact.colors = {9, 6};
   border.add(contact, 0);
   EXPECT_NEAR(border.step_m, 0.01F, 1e-4F);
-  ASSERT_TRUE(border.color_difference);
-  EXPECT_FLOAT_EQ(border.color_difference->all, 9) << "the first that had it";
-  EXPECT_FLOAT_EQ(border.color_difference->chroma, 6);
-  contact.color_difference = {12, 3};
+  ASSERT_TRUE(border.colors);
+  EXPECT_FLOAT_EQ(border.colors->difference, 9) << "the first that had it";
+  EXPECT_FLOAT_EQ(border.colors->chroma_difference, 6);
+  contact.colors = {12, 3};
   border.add(contact, 0);
-  EXPECT_NEAR(border.color_difference->all, 10, 1e-3F);
-  EXPECT_NEAR(border.color_difference->chroma, 5, 1e-3F);
+  EXPECT_NEAR(border.colors->difference, 10, 1e-3F);
+  EXPECT_NEAR(border.colors->chroma_difference, 5, 1e-3F);
+  contact.colors = {10, 5, 1, 14, 0.7F, 2};
+  border.add(contact, 0);
+  EXPECT_NEAR(border.colors->shared, 0.625F, 1e-3F) << "a quarter of the way from what is usual";
+  EXPECT_NEAR(border.colors->shared_chroma, 8, 1e-3F);
+  EXPECT_NEAR(border.colors->elsewhere, 0.4F, 1e-3F);
+  EXPECT_NEAR(border.colors->variety, 5, 1e-3F);
 }
 
 TEST(BorderEvidence, FewLooksJoinNothingButMayPart) {
@@ -129,8 +135,8 @@ TEST(BorderEvidence, SegmentsOnBothSpeakForAFoldSpeaksAgainst) {
   unlike.color_shift = 30;
   EXPECT_GT(oddsOf(alike, 0.5F), oddsOf(unlike, 0.5F));
   // Colours that differ on the whole say more than anything at the border.
-  alike.color_difference = {3, 1};
-  unlike.color_difference = {30, 25};
+  alike.colors = kAlike;
+  unlike.colors = kUnlike;
   unlike.color_shift = alike.color_shift;
   EXPECT_GT(oddsOf(alike, 0.8F), oddsOf(unlike, 0.8F) + 2);
 }
@@ -150,7 +156,9 @@ BorderEvidence anyBorder(std::mt19937& random) {
   border.color_shift = between(0, 40);
   border.step_m = between(0, 0.02F);
   const float chroma = between(0, 30);
-  border.color_difference = {chroma + between(0, 20), chroma};
+  const float shared = between(0, 1);
+  border.colors = {chroma + between(0, 20), chroma,        shared,
+                   shared * between(0, 50), between(0, 1), between(0, 25)};
   return border;
 }
 
@@ -163,19 +171,25 @@ TEST(BorderEvidence, FramesThatSawOneNeverSpeakAgainstItFoldsAndColorsNeverForIt
     const BorderEvidence border = anyBorder(random);
     const int a = voxels(random), b = voxels(random);
     const float odds = border.logOdds(a, b);
-    BorderEvidence shared = border, bridged = border, folded = border, edge = border, unlike = border;
+    BorderEvidence shared = border, bridged = border, folded = border, edge = border, unlike = border,
+                   in_common = border, common = border;
     shared.shared = (border.shared + border.looks) / 2;
     bridged.bridged = (border.bridged + border.looks) / 2;
     folded.folded = (border.folded + 1) / 2;
     *edge.color_shift += 10;
-    unlike.color_difference->all += 10;
-    unlike.color_difference->chroma += 10;
+    unlike.colors->difference += 10;
+    unlike.colors->chroma_difference += 10;
+    in_common.colors->shared = (border.colors->shared + 1) / 2;
+    common.colors->elsewhere = (border.colors->elsewhere + 1) / 2;
     constexpr float kRounding = 1e-4F;
     EXPECT_GE(shared.logOdds(a, b), odds - kRounding);
     EXPECT_GE(bridged.logOdds(a, b), odds - kRounding);
     EXPECT_LE(folded.logOdds(a, b), odds + kRounding);
     EXPECT_LE(edge.logOdds(a, b), odds + kRounding);
     EXPECT_LE(unlike.logOdds(a, b), odds + kRounding);
+    EXPECT_GE(in_common.logOdds(a, b), odds - kRounding);
+    EXPECT_LE(common.logOdds(a, b), odds + kRounding);
+    unlike.colors->shared /= 4;
     differ += unlike.logOdds(a, b) < odds - 0.5F ? 1 : 0;
   }
   EXPECT_GT(differ, 500) << "colours are heard at all";
@@ -187,13 +201,13 @@ TEST(BorderEvidence, WithoutColorTwoAreTakenNeitherForAlikeNorForUnlike) {
   for (int i = 0; i < 200; ++i) {
     BorderEvidence border = anyBorder(random);
     border.color_shift = 1;
-    border.color_difference = {1, 0.5F};
+    border.colors = kAlike;
     alike += static_cast<double>(border.logOdds(kVoxels, kVoxels));
     border.color_shift = 30;
-    border.color_difference = {40, 25};
+    border.colors = kUnlike;
     unlike += static_cast<double>(border.logOdds(kVoxels, kVoxels));
     border.color_shift.reset();
-    border.color_difference.reset();
+    border.colors.reset();
     unseen += static_cast<double>(border.logOdds(kVoxels, kVoxels));
   }
   EXPECT_GT(alike, unseen);
@@ -241,10 +255,10 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   }
   EXPECT_GT(folded.weight(kVoxels, kVoxels, 0), 0);
   EXPECT_LT(flat.weight(kVoxels, kVoxels, 0), 0);
-  // One frame alone may be wrong.
+  // One frame alone may be wrong where all else says that they are one.
   FragmentContact alike = nearLook(1);
   alike.color_shift = 1;
-  alike.color_difference = {1, 1};
+  alike.colors = {1, 0.5F, 1, 20, 0.1F, 6};
   BorderEvidence once = after(alike, 1, 20);
   once.addArrival(false);
   EXPECT_GT(once.weight(kVoxels, kVoxels, 0), 0);

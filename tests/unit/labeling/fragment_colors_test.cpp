@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/unit/labeling/painted_frame.h"
 
 namespace scantrove {
@@ -17,13 +19,15 @@ PaintedFrame twoThings() {
   return frame;
 }
 
-std::optional<ColorDifference> differenceIn(const PaintedFrame& frame) {
+std::optional<ColorComparison> comparisonIn(const PaintedFrame& frame) {
   const FragmentColors colors(frame.input(), frame.projected);
   const auto one = colors.between(kLeftThing, kRightThing), other = colors.between(kRightThing, kLeftThing);
   EXPECT_EQ(one.has_value(), other.has_value());
   if (one && other) {
-    EXPECT_FLOAT_EQ(one->all, other->all);
-    EXPECT_FLOAT_EQ(one->chroma, other->chroma);
+    for (const auto value :
+         {&ColorComparison::difference, &ColorComparison::chroma_difference, &ColorComparison::shared,
+          &ColorComparison::shared_chroma, &ColorComparison::elsewhere, &ColorComparison::variety})
+      EXPECT_FLOAT_EQ((*one).*value, (*other).*value);
   }
   return one;
 }
@@ -38,19 +42,19 @@ TEST(FragmentColors, DifferByTheirMeansAndChromaLeavesBrightnessOut) {
     for (int x = 0; x < PaintedFrame::kWidth; ++x)
       frame.color_lab[static_cast<std::size_t>(y * PaintedFrame::kWidth + x)].x() += stripe;
   }
-  const auto difference = differenceIn(frame);
-  ASSERT_TRUE(difference);
-  EXPECT_NEAR(difference->all, 13, 1e-3F);    // of (12, 3, 4)
-  EXPECT_NEAR(difference->chroma, 5, 1e-3F);  // of (3, 4)
+  const auto compared = comparisonIn(frame);
+  ASSERT_TRUE(compared);
+  EXPECT_NEAR(compared->difference, 13, 1e-3F);        // of (12, 3, 4)
+  EXPECT_NEAR(compared->chroma_difference, 5, 1e-3F);  // of (3, 4)
 }
 
 TEST(FragmentColors, AreNotKnownWithoutColorNorOfWhatIsNotSeen) {
   PaintedFrame frame = twoThings();
-  EXPECT_FALSE(differenceIn(frame));
+  EXPECT_FALSE(comparisonIn(frame));
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
-  EXPECT_TRUE(differenceIn(frame));
+  EXPECT_TRUE(comparisonIn(frame));
   PaintedFrame::fill(frame.vertices, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
-  EXPECT_FALSE(differenceIn(frame)) << "there is no surface of it";
+  EXPECT_FALSE(comparisonIn(frame)) << "there is no surface of it";
 }
 
 TEST(FragmentColors, PixelsWithoutSurfaceDoNotCount) {
@@ -59,7 +63,54 @@ TEST(FragmentColors, PixelsWithoutSurfaceDoNotCount) {
   constexpr test::Rectangle kHole{40, 5, 60, 40};
   PaintedFrame::fill(frame.color_lab, kHole, Eigen::Vector3f(90, -50, 0));
   PaintedFrame::fill(frame.vertices, kHole, Eigen::Vector4f(0, 0, 0, 0));
-  EXPECT_NEAR(differenceIn(frame)->all, 0, 1e-4F);
+  EXPECT_NEAR(comparisonIn(frame)->difference, 0, 1e-4F);
+}
+
+// At the centres of bins of ChromaHistogram.
+const Eigen::Vector3f kRed(50, 36, 4), kGreen(50, -36, 4), kGrey(50, 4, 4);
+constexpr test::Rectangle kUpperLeft{0, 0, PaintedFrame::kWidth / 2 - 1, PaintedFrame::kHeight / 2 - 1};
+constexpr test::Rectangle kUpperRight{PaintedFrame::kWidth / 2, 0, PaintedFrame::kWidth - 1,
+                                      PaintedFrame::kHeight / 2 - 1};
+
+TEST(FragmentColors, ShareTheChromasThatBothHave) {
+  PaintedFrame frame = twoThings();
+  frame.color_lab.assign(PaintedFrame::kPixels, kRed);
+  PaintedFrame::fill(frame.color_lab, kUpperLeft, kGreen);
+  const auto half = comparisonIn(frame);
+  ASSERT_TRUE(half);
+  EXPECT_NEAR(half->shared, 0.5F, 1e-4F) << "one is half green, the other all red";
+  EXPECT_NEAR(half->shared_chroma, 0.5F * std::hypot(36.0F, 4.0F), 1e-2F);
+  PaintedFrame::fill(frame.color_lab, kUpperRight, kGreen);
+  EXPECT_NEAR(comparisonIn(frame)->shared, 1, 1e-4F) << "a pattern that both have";
+  // Light and shadow are no chroma.
+  PaintedFrame::fill(frame.color_lab, PaintedFrame::kLeft, kRed);
+  PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(20, kRed[1], kRed[2]));
+  EXPECT_NEAR(comparisonIn(frame)->shared, 1, 1e-4F);
+  PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, kGreen);
+  EXPECT_NEAR(comparisonIn(frame)->shared, 0, 1e-4F);
+  EXPECT_NEAR(comparisonIn(frame)->shared_chroma, 0, 1e-4F);
+}
+
+TEST(FragmentColors, WhatTheyShareMayBeElsewhereToo) {
+  PaintedFrame frame = twoThings();
+  frame.color_lab.assign(PaintedFrame::kPixels, kRed);
+  EXPECT_EQ(comparisonIn(frame)->elsewhere, 0) << "there is nothing else";
+  constexpr test::Rectangle kRest{0, 0, PaintedFrame::kWidth - 1, 9};
+  PaintedFrame::fill(frame.projected, kRest, FragmentId{5});
+  EXPECT_NEAR(comparisonIn(frame)->elsewhere, 1, 1e-4F);
+  PaintedFrame::fill(frame.color_lab, {0, 0, PaintedFrame::kWidth / 4 - 1, 9}, kGrey);
+  EXPECT_NEAR(comparisonIn(frame)->elsewhere, 0.75F, 1e-4F);
+  PaintedFrame::fill(frame.color_lab, kRest, kGreen);
+  EXPECT_NEAR(comparisonIn(frame)->elsewhere, 0, 1e-4F);
+}
+
+TEST(FragmentColors, VaryAsThePlainerOfTheTwoDoes) {
+  PaintedFrame frame = twoThings();
+  frame.color_lab.assign(PaintedFrame::kPixels, kGrey);
+  PaintedFrame::fill(frame.color_lab, kUpperLeft, kRed);
+  EXPECT_NEAR(comparisonIn(frame)->variety, 0, 0.05F) << "the right one is all grey";
+  PaintedFrame::fill(frame.color_lab, kUpperRight, Eigen::Vector3f(60, 4, 4));
+  EXPECT_NEAR(comparisonIn(frame)->variety, 5, 1e-2F) << "half 50, half 60; the left one varies by 16";
 }
 
 }  // namespace

@@ -35,7 +35,6 @@ TEST(FragmentContacts, AFoldHasTheAngleBetweenItsPlanes) {
     EXPECT_EQ(fold.length_px, kBorder_px);
     EXPECT_EQ(fold.bends, kBorder_px);
     EXPECT_NEAR(fold.concavity_rad, turn, 1e-4F);
-    EXPECT_NEAR(fold.turn_rad, turn, 1e-4F);
     EXPECT_EQ(fold.folded, turn > kClearBend_rad ? 1 : 0);
     EXPECT_EQ(fold.ridged, 0);
   }
@@ -45,7 +44,6 @@ TEST(FragmentContacts, ARidgeIsAFoldTheOtherWay) {
   const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(-0.6F)));
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_NEAR(contacts.front().concavity_rad, -0.6F, 1e-4F);
-  EXPECT_NEAR(contacts.front().turn_rad, 0.6F, 1e-4F);
   EXPECT_EQ(contacts.front().ridged, 1);
   EXPECT_EQ(contacts.front().folded, 0);
 }
@@ -54,7 +52,7 @@ TEST(FragmentContacts, ASmoothBorderDoesNotBendAndHasTheLengthThatItHasInSpace) 
   const auto contacts = contactsOf(withTwoParts(PaintedFrame::corner(0)));
   ASSERT_EQ(contacts.size(), 1U);
   const FragmentContact& smooth = contacts.front();
-  EXPECT_NEAR(smooth.turn_rad, 0, 1e-4F);
+  EXPECT_NEAR(smooth.concavity_rad, 0, 1e-4F);
   EXPECT_EQ(smooth.folded + smooth.ridged, 0);
   // 48 pixels of 1 / 60 m, one metre away.
   EXPECT_NEAR(smooth.length_m, 0.8F, 1e-4F);
@@ -110,8 +108,8 @@ TEST(FragmentContacts, TellTheDifferenceOfColorsOnTheWhole) {
                      Eigen::Vector3f(50, 40, 0));
   const FragmentContact contact = contactsOf(frame).front();
   EXPECT_NEAR(*contact.color_shift, 0, 1e-4F);
-  ASSERT_TRUE(contact.color_difference);
-  EXPECT_NEAR(contact.color_difference->chroma, 20, 1e-3F);
+  ASSERT_TRUE(contact.colors);
+  EXPECT_NEAR(contact.colors->chroma_difference, 20, 1e-3F);
 }
 
 TEST(FragmentContacts, NeighboursAcrossAnOcclusionEdgeDoNotTouch) {

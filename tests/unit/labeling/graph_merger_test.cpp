@@ -100,7 +100,7 @@ class ALeak : public testing::TestWithParam<bool> {
     PaintedFrame frame = fold();
     if (!GetParam()) return frame;
     frame.color_lab.assign(PaintedFrame::kPixels, {60, 5, 5});
-    PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(60, 5, 10));
+    PaintedFrame::fill(frame.color_lab, PaintedFrame::kRight, Eigen::Vector3f(60, 5, 7));
     return frame;
   }
 };

@@ -28,7 +28,7 @@ class RegionPartitionTest : public testing::Test {
     border.folded = as_one ? 0.0F : 1.0F;
     border.concavity_rad = as_one ? 0.0F : 1.2F;
     border.color_shift = as_one ? 2.0F : 30.0F;
-    border.color_difference = {*border.color_shift, *border.color_shift};
+    border.colors = {*border.color_shift, *border.color_shift};
     border.length_m = length_m;
     ASSERT_EQ(border.logOdds(1000, 1000) > 0, as_one);
   }

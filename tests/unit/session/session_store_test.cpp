@@ -36,7 +36,7 @@ SavedDelta someDelta(int seed) {
   evidence.came_apart = 0.5F;
   evidence.color_shift = 12;
   evidence.step_m = 0.02F;
-  evidence.color_difference = {8, 5};
+  evidence.colors = {8, 5, 0.75F, 12, 0.25F, 4};
   evidence.constraint = LinkConstraint::cannot_link;
   evidence.by_person = true;
   evidence.constraint_order = 4;
@@ -99,9 +99,13 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_EQ(scan->borders[0].evidence->unattached, 1.5F);
   EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
   EXPECT_EQ(scan->borders[0].evidence->step_m, 0.02F);
-  ASSERT_TRUE(scan->borders[0].evidence->color_difference);
-  EXPECT_EQ(scan->borders[0].evidence->color_difference->all, 8);
-  EXPECT_EQ(scan->borders[0].evidence->color_difference->chroma, 5);
+  ASSERT_TRUE(scan->borders[0].evidence->colors);
+  EXPECT_EQ(scan->borders[0].evidence->colors->difference, 8);
+  EXPECT_EQ(scan->borders[0].evidence->colors->chroma_difference, 5);
+  EXPECT_EQ(scan->borders[0].evidence->colors->shared, 0.75F);
+  EXPECT_EQ(scan->borders[0].evidence->colors->shared_chroma, 12);
+  EXPECT_EQ(scan->borders[0].evidence->colors->elsewhere, 0.25F);
+  EXPECT_EQ(scan->borders[0].evidence->colors->variety, 4);
   EXPECT_EQ(scan->borders[0].evidence->constraint, LinkConstraint::cannot_link);
   EXPECT_TRUE(scan->borders[0].evidence->by_person);
   ASSERT_EQ(scan->operations.size(), 2U);
@@ -204,21 +208,40 @@ TEST(SessionStore, ANewerVersionAndWhatIsNoneAreSaid) {
   EXPECT_THAT(none.error().message(), HasSubstr(folder.path().string()));
 }
 
-TEST(SessionStore, EvidenceOfAnEarlierVersionLacksWhatWasNotLookedAt) {
+/// The border of saveSome(), of which an earlier version kept so many numbers.
+BorderEvidence evidenceOfNumbers(int numbers) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(saveSome(*created(folder.path() / "scan"), 1));
+  EXPECT_TRUE(saveSome(*created(folder.path() / "scan"), 1));
   {
     const auto connection = DatabaseConnection::open((folder.path() / "scan" / "session.sqlite").string());
-    ASSERT_TRUE((*connection)->execute("UPDATE borders SET evidence = substr(evidence, 1, 14 * 4)"));
+    EXPECT_TRUE(
+        (*connection)->execute("UPDATE borders SET evidence = substr(evidence, 1, ?)", {4 * numbers}));
   }
   const auto scan = (*SessionStore::open(folder.path() / "scan"))->load();
-  ASSERT_TRUE(scan) << scan.error().message();
-  ASSERT_EQ(scan->borders.size(), 1U);
-  const BorderEvidence& evidence = *scan->borders[0].evidence;
+  if (!scan || scan->borders.size() != 1) {
+    ADD_FAILURE() << numbers;
+    return {};
+  }
+  return *scan->borders[0].evidence;
+}
+
+TEST(SessionStore, EvidenceOfAnEarlierVersionLacksWhatWasNotLookedAt) {
+  const BorderEvidence evidence = evidenceOfNumbers(14);
   EXPECT_EQ(evidence.looks, 3.25F);
   EXPECT_EQ(evidence.unattached, 1.5F);
   EXPECT_EQ(evidence.step_m, 0);
-  EXPECT_FALSE(evidence.color_difference);
+  EXPECT_FALSE(evidence.colors);
+}
+
+TEST(SessionStore, ColorsOfAnEarlierVersionShareWhatIsUsual) {
+  const BorderEvidence evidence = evidenceOfNumbers(17);
+  ASSERT_TRUE(evidence.colors);
+  EXPECT_EQ(evidence.colors->difference, 8);
+  EXPECT_EQ(evidence.colors->chroma_difference, 5);
+  EXPECT_EQ(evidence.colors->shared, ColorComparison{}.shared);
+  EXPECT_EQ(evidence.colors->shared_chroma, ColorComparison{}.shared_chroma);
+  EXPECT_EQ(evidence.colors->elsewhere, ColorComparison{}.elsewhere);
+  EXPECT_EQ(evidence.colors->variety, ColorComparison{}.variety);
 }
 
 TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhere) {
