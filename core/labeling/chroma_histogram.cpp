@@ -36,9 +36,10 @@ void ChromaHistogram::add(const Eigen::Vector3f& lab) {
 const ChromaHistogram::Bins& ChromaHistogram::chromas() {
   static const Bins of_bins = [] {
     Bins chromas;
-    for (int bin = 0; bin < kSide * kSide; ++bin) {
-      const float a = static_cast<float>(bin / kSide) - kGrey, b = static_cast<float>(bin % kSide) - kGrey;
-      chromas[bin] = kBinWidth * std::hypot(a, b);
+    for (int a = 0; a < kSide; ++a) {
+      for (int b = 0; b < kSide; ++b)
+        chromas[a * kSide + b] =
+            kBinWidth * std::hypot(static_cast<float>(a) - kGrey, static_cast<float>(b) - kGrey);
     }
     return chromas;
   }();
