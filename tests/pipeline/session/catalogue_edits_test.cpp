@@ -112,7 +112,8 @@ TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
   session_.pause();
   log_.awaitState(ScanState::paused);
   // Not every frame shows every object.
-  const auto paused = awaitSnapshot(1);
+  auto paused = awaitSnapshot(1);
+  while (paused && paused->state != ScanState::paused) paused = awaitSnapshot(1);
   ASSERT_TRUE(paused);
   const auto shown =
       std::ranges::find_if(paused->objects, [](const SeenObject& seen) { return !!seen.object; });
