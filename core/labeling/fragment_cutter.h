@@ -11,10 +11,13 @@
 namespace scantrove {
 
 /// Finds fragments that turn out to hold two things: segments cut them along a fold, at the same place in
-/// several looks. One thread.
+/// several looks. The more often one was seen, the more looks that takes: what is seen again and again is not
+/// cut ever finer by the few looks that err alike. One thread.
 class FragmentCutter {
  public:
   static constexpr int kLooks = 3;  ///< that agree before a cut is made
+  /// Of a fragment that was seen in so many frames.
+  [[nodiscard]] static int looksNeeded(int frames_seen);
 
   struct Cut {
     FragmentId fragment;
@@ -25,7 +28,7 @@ class FragmentCutter {
   /// `owner`: the fragment of each segment. Cuts that this frame completes, by fragment and segment.
   [[nodiscard]] std::vector<Cut> find(const MergeInput& input, const OverlapGraph<FragmentId>& overlaps,
                                       std::span<const FragmentId> owner);
-  void forget(FragmentId fragment) { pending_.erase(fragment); }
+  void forget(FragmentId fragment);
 
  private:
   /// A side that was cut off in earlier looks.
@@ -39,6 +42,7 @@ class FragmentCutter {
   void agePending();
 
   std::map<FragmentId, std::vector<Pending>> pending_;
+  std::vector<int> frames_seen_;  // by fragment: in which it has a side
 };
 
 }  // namespace scantrove

@@ -89,6 +89,24 @@ TEST_F(FragmentCutterTest, EachLookMakesTheOnesBeforeLastLonger) {
   EXPECT_EQ(look({PaintedFrame::kLeft, kSmall}).size(), 1U);
 }
 
+TEST_F(FragmentCutterTest, WhatWasSeenOftenTakesMoreLooks) {
+  constexpr int kOften = 500;
+  const int needed = FragmentCutter::looksNeeded(kOften + FragmentCutter::kLooks);
+  ASSERT_GT(needed, 2 * FragmentCutter::kLooks);
+  ASSERT_EQ(FragmentCutter::looksNeeded(100), FragmentCutter::kLooks) << "not yet often";
+  for (int i = 0; i < kOften; ++i) ASSERT_TRUE(look({PaintedFrame::kAll}).empty());
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, 2 * needed), needed);
+  // Its number may be another fragment's later.
+  for (int i = 0; i < kOften; ++i) ASSERT_TRUE(look({PaintedFrame::kAll}).empty());
+  cutter_.forget(kWhole);
+  EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, needed), FragmentCutter::kLooks);
+}
+
+TEST_F(FragmentCutterTest, NeverTakesMoreLooksThanAThingThatComesIsSeenIn) {
+  EXPECT_EQ(FragmentCutter::looksNeeded(1'000'000), FragmentCutter::looksNeeded(2'000));
+  EXPECT_LT(FragmentCutter::looksNeeded(1'000'000), 60) << "two seconds";
+}
+
 TEST_F(FragmentCutterTest, ForgetsAFragmentThatIsNoMore) {
   EXPECT_EQ(firstCut({PaintedFrame::kLeft, kSmall}, FragmentCutter::kLooks - 1), 0);
   cutter_.forget(kWhole);
