@@ -22,6 +22,7 @@ constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
 /// What it means that two came together or one to the other, once it was seen so often.
 constexpr float kArrival = 20;
 constexpr float kSureArrival = 5;
+constexpr float kFirstArrival = 1;  // so many looks mean nothing yet: one frame may be wrong
 /// What it means that one is held by the other alone, likewise; one look that denies it undoes two.
 constexpr float kAttachment = 20;
 constexpr float kSureAttachment = 12;
@@ -115,11 +116,15 @@ void BorderEvidence::addArrival(bool together) { count(together, came_together, 
 void BorderEvidence::addAttachment(bool is_attached) { count(is_attached, attached, unattached); }
 
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
-  const float arrivals = came_together + came_apart;
-  return weightOfLooks(voxels_a, voxels_b, bias, joined) +
-         kArrival * (came_together - came_apart) / std::max(kSureArrival, arrivals) +
+  return weightOfLooks(voxels_a, voxels_b, bias, joined) + weightOfArrivals() +
          kAttachment * std::max(0.0F, attached - kDenied * unattached - kFirstAttached) /
              std::max(kSureAttachment, attached + unattached);
+}
+
+float BorderEvidence::weightOfArrivals() const {
+  const float more = came_together - came_apart;
+  const float means = std::copysign(std::max(0.0F, std::abs(more) - kFirstArrival), more);
+  return kArrival * means / std::max(kSureArrival, came_together + came_apart - kFirstArrival);
 }
 
 float BorderEvidence::weightOfLooks(int voxels_a, int voxels_b, float bias, bool joined) const {

@@ -54,11 +54,12 @@ struct BorderEvidence {
   /// What looks add to the balance between two regions: logOdds() + bias; what speaks for joining less as
   /// long as there are few looks, all less for a border of a few centimetres. While too little was seen to
   /// say, what is apart stays so (0) and what is `joined` holds together (a little above 0). What came by
-  /// itself is one thing, and another one than what it came to: that outweighs looks.
+  /// itself is one thing, and another one than what it came to: seen more than once, that outweighs looks.
   [[nodiscard]] float weight(int voxels_a, int voxels_b, float bias, bool joined = false) const;
 
  private:
   [[nodiscard]] float weightOfLooks(int voxels_a, int voxels_b, float bias, bool joined) const;
+  [[nodiscard]] float weightOfArrivals() const;
 };
 
 }  // namespace scantrove

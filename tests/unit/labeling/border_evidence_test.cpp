@@ -255,13 +255,18 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   }
   EXPECT_GT(folded.weight(kVoxels, kVoxels, 0), 0);
   EXPECT_LT(flat.weight(kVoxels, kVoxels, 0), 0);
-  // One frame alone may be wrong where all else says that they are one.
+  // One frame alone may be wrong.
   FragmentContact alike = nearLook(1);
   alike.color_shift = 1;
-  alike.colors = {1, 0.5F, 1, 20, 0.1F, 6};
+  alike.colors = kAlike;
   BorderEvidence once = after(alike, 1, 20);
+  const float before = once.weight(kVoxels, kVoxels, 0);
+  ASSERT_GT(before, 0);
   once.addArrival(false);
-  EXPECT_GT(once.weight(kVoxels, kVoxels, 0), 0);
+  EXPECT_EQ(once.weight(kVoxels, kVoxels, 0), before);
+  BorderEvidence came_once = after(nearFold(1.2F), 0, 20);
+  came_once.addArrival(true);
+  EXPECT_LT(came_once.weight(kVoxels, kVoxels, 0), 0);
 }
 
 TEST(BorderEvidence, WhatOneIsHeldByIsOneWithItUnlessLooksDenyIt) {
