@@ -14,7 +14,7 @@ constexpr float kSamePlace = 0.35F;        // centres agree within this part of 
 constexpr float kSameArea = 0.5F;          // ... and areas within this ratio
 
 /// On a recording that is played again and again fragments grow from 877 to 993 between its second and its
-/// twelfth time without this, nearly all of them by cuts; with it from 817 to 854, and not after the fourth.
+/// twelfth time without this, nearly all of them by cuts; with it from 817 to 854, most in the third.
 constexpr int kFewFrames = 200;      // seen more often than that, for so many frames more ...
 constexpr int kFramesForALook = 20;  // ... one look more must agree ...
 constexpr int kMostFrames = 1000;    // ... but not ever more: what stands there may change
