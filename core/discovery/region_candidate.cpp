@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/discovery/mask_specks.h"
 #include "core/discovery/region_points.h"
 
 namespace scantrove {
@@ -59,6 +60,7 @@ Candidate candidateOf(const RegionHypothesis& hypothesis, const OrientedBox& box
   candidate.regions = hypothesis.regions;
   candidate.box_px = hypothesis.extent.box_px;
   candidate.mask = maskOf(hypothesis, input.regions);
+  dropSpecks(candidate.mask, candidate.box_px);
   candidate.has_come = hasCome(candidate.mask, candidate.box_px, input);
   candidate.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
   candidate.odds = hypothesis.odds;
@@ -77,6 +79,7 @@ std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& inpu
   candidate.regions = {region};
   candidate.box_px = box_px;
   candidate.mask = pixels(box_px).clone();
+  dropSpecks(candidate.mask, candidate.box_px);
   place(fitOrientedBox(points), input, candidate);
   candidate.pixels = cv::countNonZero(candidate.mask);
   return candidate;
