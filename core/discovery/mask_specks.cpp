@@ -5,36 +5,60 @@
 namespace scantrove {
 namespace {
 
-/// Of all pixels of the mask.
-constexpr double kSpeck = 0.05;
-constexpr double kPinhole = 0.02;
+/// Smaller ones are specks, in parts of all pixels of the mask.
+constexpr double kLeastPartOfMask = 0.05;
+constexpr double kLeastHoleOfMask = 0.02;
 
-/// Sets what is connected in `of` and smaller than `least_px`. Of a hole that the edge of the image may go on
-/// beyond nothing is known.
-void setSmall(const cv::Mat& of, int connectivity, double least_px, bool off_edge, unsigned char value,
-              cv::Mat& mask) {
-  cv::Mat labels, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(of, labels, stats, centroids, connectivity, CV_32S);
-  for (int label = 1; label < count; ++label) {
-    const int* stat = stats.ptr<int>(label);
-    const cv::Rect box(stat[cv::CC_STAT_LEFT], stat[cv::CC_STAT_TOP], stat[cv::CC_STAT_WIDTH],
-                       stat[cv::CC_STAT_HEIGHT]);
-    if (stat[cv::CC_STAT_AREA] >= least_px) continue;
-    if (off_edge && (box.x == 0 || box.y == 0 || box.br().x == of.cols || box.br().y == of.rows)) continue;
-    mask(box).setTo(value, labels(box) == label);
+/// Pixels of an image that are not 0, in pieces that are connected; numbers from 1.
+class Pieces {
+ public:
+  Pieces(const cv::Mat& image, int connectivity) {
+    cv::Mat middles;
+    count_ = cv::connectedComponentsWithStats(image, piece_of_, stats_, middles, connectivity, CV_32S) - 1;
   }
-}
+
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] int pixels(int piece) const { return stats_.at<int>(piece, cv::CC_STAT_AREA); }
+  [[nodiscard]] bool touchesEdge(int piece) const {
+    const cv::Rect box = boxOf(piece);
+    return box.x == 0 || box.y == 0 || box.br().x == piece_of_.cols || box.br().y == piece_of_.rows;
+  }
+  void paint(int piece, unsigned char value, cv::Mat& image) const {
+    const cv::Rect box = boxOf(piece);
+    image(box).setTo(value, piece_of_(box) == piece);
+  }
+
+ private:
+  [[nodiscard]] cv::Rect boxOf(int piece) const {
+    const int* stats = stats_.ptr<int>(piece);
+    return {stats[cv::CC_STAT_LEFT], stats[cv::CC_STAT_TOP], stats[cv::CC_STAT_WIDTH],
+            stats[cv::CC_STAT_HEIGHT]};
+  }
+
+  cv::Mat piece_of_, stats_;
+  int count_ = 0;
+};
 
 }  // namespace
 
 void dropSpecks(cv::Mat& mask, cv::Rect& box_px) {
-  const int all_px = cv::countNonZero(mask);
-  if (all_px == 0) return;
   constexpr int kOverCorners = 8, kOverSides = 4;
-  setSmall(mask.clone(), kOverCorners, kSpeck * all_px, false, 0, mask);
-  setSmall(mask == 0, kOverSides, kPinhole * all_px, true, 255, mask);
+  const Pieces parts(mask, kOverCorners);
+  if (parts.count() == 0) return;
+  int all_px = 0, largest = 1;
+  for (int part = 1; part <= parts.count(); ++part) {
+    all_px += parts.pixels(part);
+    if (parts.pixels(part) > parts.pixels(largest)) largest = part;
+  }
+  for (int part = 1; part <= parts.count(); ++part) {
+    if (part != largest && parts.pixels(part) < kLeastPartOfMask * all_px) parts.paint(part, 0, mask);
+  }
+  const Pieces gaps(mask == 0, kOverSides);
+  for (int gap = 1; gap <= gaps.count(); ++gap) {
+    // One that touches the edge is outside, not a hole.
+    if (!gaps.touchesEdge(gap) && gaps.pixels(gap) < kLeastHoleOfMask * all_px) gaps.paint(gap, 255, mask);
+  }
   const cv::Rect left = cv::boundingRect(mask);
-  if (left.empty()) return;
   mask = mask(left).clone();
   box_px = left + box_px.tl();
 }

@@ -51,11 +51,20 @@ TEST_F(MaskSpecks, ANotchInTheOutlineIsNoHole) {
   EXPECT_EQ(inside(), 400 - 8);
 }
 
-TEST_F(MaskSpecks, HolesBehindADiagonalAreNoneThatIsOpen) {
+TEST_F(MaskSpecks, HolesThatTouchAtACornerCloseBoth) {
   fill({14, 8, 1, 1}, 0);
   fill({15, 9, 1, 1}, 0);  // touches the other at a corner only
   dropSpecks(mask, box);
   EXPECT_EQ(inside(), 400);
+}
+
+TEST_F(MaskSpecks, OfCrumbsTheLargestStays) {
+  mask.setTo(0);
+  for (int i = 0; i < 30; ++i) fill({i % 10 * 4, i / 10 * 4, 2, 2}, 255);  // each a thirtieth
+  fill({20, 20, 3, 2}, 255);
+  dropSpecks(mask, box);
+  EXPECT_EQ(box, cv::Rect(120, 70, 3, 2));
+  EXPECT_EQ(inside(), 6);
 }
 
 TEST_F(MaskSpecks, NothingOfNothing) {
