@@ -32,7 +32,7 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
   std::vector<Thumbnail> thumbnails;
   std::vector<std::size_t> query_of_thumbnail;
   std::vector<ThumbnailMatcher::Pair> pairs;
-  std::vector<bool> is_of_missing;  // by pair
+  std::vector<bool> is_guess;  // by pair
   const ViewIndex::Limits limits{params_.size_tolerance, params_.max_distance, params_.shortlist};
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const std::optional<Thumbnail> thumbnail = makeThumbnail(queries[i].color, queries[i].mask);
@@ -40,9 +40,9 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     const int query = static_cast<int>(thumbnails.size());
     const ViewIndex::Query asked{*thumbnail, queries[i].size_m};
     for (const int view : index_.shortlist(asked, limits)) pairs.push_back({query, view});
-    is_of_missing.resize(pairs.size(), false);
-    for (const int view : index_.viewsOf(queries[i].missing, asked, limits)) pairs.push_back({query, view});
-    is_of_missing.resize(pairs.size(), true);
+    is_guess.resize(pairs.size(), false);
+    for (const int view : index_.viewsOf(queries[i].guesses, asked, limits)) pairs.push_back({query, view});
+    is_guess.resize(pairs.size(), true);
     thumbnails.push_back(*thumbnail);
     query_of_thumbnail.push_back(i);
   }
@@ -52,10 +52,10 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     const auto query = static_cast<std::size_t>(pair.query);
     const float distance = warped[i] + index_.colorTerm(thumbnails[query], pair.view);
     DetectionMatch& match = matches[query_of_thumbnail[query]];
-    if (is_of_missing[i]) {
-      if (distance >= match.missing_distance) continue;
-      match.missing_distance = distance;
-      match.missing = index_.holderAt(pair.view);
+    if (is_guess[i]) {
+      if (distance >= match.guess_distance) continue;
+      match.guess_distance = distance;
+      match.guess = index_.holderAt(pair.view);
       continue;
     }
     if (distance >= match.distance) continue;

@@ -16,15 +16,15 @@ struct DetectionQuery {
   cv::Mat color;  ///< crop of the full-resolution frame, CV_8UC3 BGR
   cv::Mat mask;   ///< same size, CV_8UC1, 255 = object
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
-  std::vector<ObjectId> missing = {};  ///< of which this may be one, or the half of one that is known so far
+  std::vector<ObjectId> guesses = {};  ///< of which this may be one, or the half of one that is known so far
 };
 
 struct DetectionMatch {
-  ObjectId object;        ///< none: unknown
-  ObjectId nearest;       ///< that, or what is most like it; none: nothing has that size and colour
-  float distance = 2;     ///< of the best view, warped SSD per element
-  ObjectId missing = {};  ///< of DetectionQuery::missing, what is most like it; none: nothing could be it
-  float missing_distance = 2;
+  ObjectId object;      ///< none: unknown
+  ObjectId nearest;     ///< that, or what is most like it; none: nothing has that size and colour
+  float distance = 2;   ///< of the best view, warped SSD per element
+  ObjectId guess = {};  ///< of DetectionQuery::guesses, what is most like it; none: nothing could be it
+  float guess_distance = 2;
 };
 
 /// Nearest neighbour recognition over all views of the catalogue (thesis 5.2; Torralba et al. 2008): 32 x 32

@@ -28,6 +28,8 @@ struct ObjectView {
       Eigen::Vector3f::UnitZ();  ///< unit, from the object's centroid to the camera, world
   Eigen::Vector3f size_m =
       Eigen::Vector3f::Zero();  ///< sides of the oriented box in this look, longest first; zero: unknown
+  /// The middle of what is seen of the object, in the session's world. Views that are read come without it.
+  std::optional<Eigen::Vector3f> centroid_world;
   /// Of `color` and `mask`. Whoever has it already hands it over; it is computed for the database otherwise.
   /// Views that are read come without it.
   std::optional<Thumbnail> descriptor;
@@ -76,12 +78,19 @@ struct ObjectNaming {
   std::optional<ObjectMerge> merge = {};  ///< an object of that name was there: the named one is part of it
 };
 
+/// Where a view saw its object.
+struct ViewPlace {
+  std::int64_t session = 0;  ///< whose views share one world
+  Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
+};
+
 /// What recognition needs of a stored view.
 struct StoredDescriptor {
   std::int64_t view = 0;
   ObjectId first_object;  ///< the object that the view was stored for; see ObjectHolder
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< as ObjectView::size_m
   Thumbnail thumbnail;
+  std::optional<ViewPlace> place = {};  ///< none: stored by an older version
 };
 
 }  // namespace scantrove

@@ -1,5 +1,7 @@
 // What ObjectDatabase knows of views without their images: descriptors and pictures.
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <set>
 
 #include "core/catalog/image_blob.h"
@@ -57,14 +59,26 @@ bool readThumbnail(const QSqlQuery& query, int column, Thumbnail& thumbnail) {
   return true;
 }
 
+/// Session and place from four columns.
+std::optional<ViewPlace> readPlace(const QSqlQuery& query, int column) {
+  ViewPlace place;
+  place.session = query.value(column).toLongLong();
+  for (int i = 0; i < 3; ++i) {
+    const QVariant value = query.value(column + 1 + i);
+    place.centroid_world[i] = value.isNull() ? std::numeric_limits<float>::quiet_NaN() : value.toFloat();
+  }
+  const bool is_known = place.session != 0 && place.centroid_world.allFinite();
+  return is_known ? std::optional(place) : std::nullopt;
+}
+
 }  // namespace
 
 Result<std::int64_t> ObjectDatabase::forEachDescriptor(
     std::int64_t after, const std::function<void(const StoredDescriptor&)>& visit) {
   SCANTROVE_TRY(summariseOlderViews(*connection_));
   Result<QSqlQuery> query = connection_->execute(
-      "SELECT d.view, s.first_object, s.size_x_m, s.size_y_m, s.size_z_m, d.mean_l, d.mean_a, d.mean_b, "
-      "d.fine"
+      "SELECT d.view, s.first_object, s.size_x_m, s.size_y_m, s.size_z_m, d.mean_l, d.mean_a, d.mean_b,"
+      " d.fine, s.session, s.place_x_m, s.place_y_m, s.place_z_m"
       " FROM descriptors d JOIN view_summaries s ON s.view = d.view WHERE d.view > ? ORDER BY d.view",
       {static_cast<qlonglong>(after)});
   if (!query) return fail(query.error());
@@ -74,6 +88,7 @@ Result<std::int64_t> ObjectDatabase::forEachDescriptor(
     descriptor.view = query->value(0).toLongLong();
     descriptor.first_object = ObjectId{query->value(1).toUInt()};
     for (int i = 0; i < 3; ++i) descriptor.size_m[i] = query->value(2 + i).toFloat();
+    descriptor.place = readPlace(*query, 9);
     if (readThumbnail(*query, 5, descriptor.thumbnail)) {
       visit(descriptor);
     } else {

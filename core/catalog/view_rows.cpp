@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/catalog/image_blob.h"
+#include "core/catalog/object_rows.h"
 #include "core/database/database_connection.h"
 
 namespace scantrove {
@@ -42,10 +43,21 @@ float medianOf(std::vector<float> values) {
 Result<void> insertSummary(DatabaseConnection& connection, const ObjectView& view,
                            const ViewSummary& summary) {
   const auto id = static_cast<qlonglong>(view.id);
+  QVariantList values{id,
+                      view.object.value,
+                      summary.object_pixels,
+                      view.size_m.x(),
+                      view.size_m.y(),
+                      view.size_m.z(),
+                      orNull(view.session)};
+  for (int i = 0; i < 3; ++i) {
+    values << (view.centroid_world ? QVariant((*view.centroid_world)[i])
+                                   : QVariant(QMetaType(QMetaType::Float)));
+  }
   SCANTROVE_TRY(connection.execute(
-      "INSERT INTO view_summaries (view, first_object, object_pixels, size_x_m, size_y_m, size_z_m)"
-      " VALUES (?, ?, ?, ?, ?, ?)",
-      {id, view.object.value, summary.object_pixels, view.size_m.x(), view.size_m.y(), view.size_m.z()}));
+      "INSERT INTO view_summaries (view, first_object, object_pixels, size_x_m, size_y_m, size_z_m, session,"
+      " place_x_m, place_y_m, place_z_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      values));
   return storeImages(connection, id, summary);
 }
 

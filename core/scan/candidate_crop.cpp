@@ -121,6 +121,7 @@ std::optional<ObjectView> cutView(const RgbdFrame& frame, const Eigen::Isometry3
   view.T_world_camera = T_world_camera;
   view.size_m = candidate.size_m;
   view.direction = directionOf(candidate, T_world_camera);
+  view.centroid_world = candidate.centroid_world;
   view.color = frame.color(crop).clone();
   view.frame_px = frame.depth.size();
   const double sx = static_cast<double>(view.frame_px.width) / working.width;

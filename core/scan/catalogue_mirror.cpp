@@ -88,6 +88,7 @@ void CatalogueMirror::addDescriptor(const StoredDescriptor& view) {
   own.first_object = keyOf(view.first_object);
   detector_.add(own);
   addSize(own.first_object, own.size_m);
+  if (view.place) places_.add(view.place->session, own.first_object, view.place->centroid_world);
 }
 
 void CatalogueMirror::addSize(ObjectId object, const Eigen::Vector3f& size_m) {

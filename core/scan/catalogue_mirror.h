@@ -11,6 +11,7 @@
 #include "core/catalog/detector.h"
 #include "core/catalog/object_database.h"
 #include "core/scan/catalogue_news.h"
+#include "core/scan/known_places.h"
 
 namespace scantrove {
 
@@ -41,6 +42,9 @@ class CatalogueMirror {
   /// Others brought it back, merged it, or took it apart.
   [[nodiscard]] bool isRegrouped(ObjectId object) const { return regrouped_.contains(object); }
   [[nodiscard]] Detector& detector() { return detector_; }
+  /// Where earlier scans saw what is in it.
+  [[nodiscard]] KnownPlaces& places() { return places_; }
+  [[nodiscard]] const KnownPlaces& places() const { return places_; }
 
   /// This scan found the object.
   [[nodiscard]] static bool isOfThisScan(ObjectId key) { return key.value >= kFirstKey; }
@@ -88,6 +92,7 @@ class CatalogueMirror {
   void applyToCome();
 
   Detector detector_;
+  KnownPlaces places_;
   std::unordered_map<ObjectId, ObjectRecord> records_;
   std::set<ObjectId> objects_;                                        // that ever were
   std::unordered_map<ObjectId, std::vector<Eigen::Vector3f>> sizes_;  // of the views, by first object

@@ -19,16 +19,16 @@ constexpr float kOnlyOneBackDistance = 1.5F;
 constexpr int kLooksAtWhatCame = 4;
 
 bool isBack(const DetectionMatch& match, std::size_t missing) {
-  return match.missing && match.missing_distance < (missing == 1 ? kOnlyOneBackDistance : kBackDistance);
+  return match.guess && match.guess_distance < (missing == 1 ? kOnlyOneBackDistance : kBackDistance);
 }
 
 }  // namespace
 
 DetectionMatch ObjectCollector::orBack(DetectionMatch match, std::size_t missing) {
-  const bool is_most_like = missing == 1 || match.missing_distance <= match.distance;
+  const bool is_most_like = missing == 1 || match.guess_distance <= match.distance;
   if (isBack(match, missing) && is_most_like) {
-    match.object = match.missing;
-    back_.insert(match.missing);
+    match.object = match.guess;
+    back_.insert(match.guess);
   }
   return match;
 }
@@ -68,8 +68,8 @@ void ObjectCollector::lookAmongThoseThatCame(const std::vector<Candidate>& candi
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!isBack(matches[i], missing.size())) continue;
-    joined_.push_back({matches[i].missing, came[i], {}, frame_});
-    back_.insert(matches[i].missing);
+    joined_.push_back({matches[i].guess, came[i], {}, frame_});
+    back_.insert(matches[i].guess);
     came_.erase(came[i]);
   }
 }

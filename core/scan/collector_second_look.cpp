@@ -180,15 +180,21 @@ std::vector<ObjectCollector::ViewsCamera> ObjectCollector::camerasOfViews(int fr
   return cameras;
 }
 
-/// What the first looks showed may have been a part of it, or poor, and nothing that is known.
+/// What the first looks showed may have been a part of it, or poor, and nothing that is known; and the place
+/// may be known only by now.
 void ObjectCollector::lookAmongThoseOfBefore(const std::vector<const Candidate*>& chosen, const Look& look) {
   if (look.frame.color.empty()) return;
   std::vector<ObjectId> unmet = catalogue_.ofBefore();
   // What this map has elsewhere, as an earlier scan of it found out, is there, met today or not.
   std::erase_if(unmet, [this](ObjectId object) { return isMet(object) || met_.hasRegions(object); });
   if (unmet.empty()) return;
+  const float surely = RecognitionHistory::kSurePart * params_.max_distance;
+  struct Asked {
+    ObjectId object;
+    float enough;  ///< a smaller distance is
+  };
   std::vector<DetectionQuery> queries;
-  std::vector<ObjectId> asked;
+  std::vector<Asked> asked;
   for (const Candidate* candidate : chosen) {
     const ObjectId object = met_.objectOf(candidate->regions);
     if (!object || staysAsItIs(object) || !isClear(*candidate, kForView) || looks_back_[object] >= kLooksBack)
@@ -198,16 +204,19 @@ void ObjectCollector::lookAmongThoseOfBefore(const std::vector<const Candidate*>
     if (!view) continue;
     ++looks_back_[object];
     queries.push_back({view->color, view->mask, candidate->size_m, unmet});
-    asked.push_back(object);
+    asked.push_back({object, surely});
+    std::vector<ObjectId> expected = expectedAt(*candidate);
+    if (expected.empty()) continue;
+    queries.push_back({view->color, view->mask, candidate->size_m, std::move(expected)});
+    asked.push_back({object, kExpectedDistance});
   }
   if (queries.empty()) return;
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
-  const float surely = RecognitionHistory::kSurePart * params_.max_distance;
   std::set<ObjectId> found;  // two of a kind are two
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const ObjectId before = matches[i].missing;
-    if (before && matches[i].missing_distance < surely && found.insert(before).second)
-      joined_.push_back({before, asked[i], {}, frame_});
+    const ObjectId before = matches[i].guess;
+    if (before && matches[i].guess_distance < asked[i].enough && found.insert(before).second)
+      joined_.push_back({before, asked[i].object, {}, frame_});
   }
 }
 

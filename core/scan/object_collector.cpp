@@ -14,6 +14,8 @@ namespace {
 
 /// An object that was seen so few frames ago is there under regions of its own.
 constexpr int kFramesToReturn = 10;
+/// What was recognised is held against earlier scans so often.
+constexpr int kFramesToAlign = 30;
 /// An object that was seen elsewhere so few frames ago is not here.
 constexpr int kFramesToMove = 90;
 
@@ -73,6 +75,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
   frame_ += is_looking_again_ ? RecognitionHistory::kFramesApart : 1;
   takeNews(objects);
   mergeJoined();
+  if (is_looking_again_ || frame_ % kFramesToAlign == 0) alignWithEarlierScans();
   const Look look{frame, pose.T_world_camera, in_color, objects};
   lookUpDue(candidates, look);
   lookAmongThoseThatCame(candidates, look);
@@ -148,12 +151,13 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
     const std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
     if (!view) continue;
     queries[i] = {view->color, view->mask, candidate.size_m};
-    if (candidate.has_come) queries[i].missing = missing;
+    queries[i].guesses = candidate.has_come ? missing : expectedAt(candidate);
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    recognition_.add(candidates[i]->regions, orBack(matches[i], missing.size()), params_.max_distance,
-                     frame_);
+    const DetectionMatch match =
+        candidates[i]->has_come ? orBack(matches[i], missing.size()) : orExpected(matches[i]);
+    recognition_.add(candidates[i]->regions, match, params_.max_distance, frame_);
   }
 }
 

@@ -147,22 +147,22 @@ TEST_F(DetectorTest, SaysWhatIsNearestWhereThatIsNotNearEnough) {
 TEST_F(DetectorTest, WhatMayBeMissingIsComparedThoughOnlyHalfOfItIsKnown) {
   for (int seed = 0; seed < 3; ++seed) addObject(seed);
   DetectionQuery half = Look(1, {90, 70}, 1).query(0.55F * kSize);
-  EXPECT_FALSE(detector_->find({half})[0].missing) << "nothing is missing";
-  half.missing = {ObjectId{1}, ObjectId{2}};
+  EXPECT_FALSE(detector_->find({half})[0].guess) << "nothing is missing";
+  half.guesses = {ObjectId{1}, ObjectId{2}};
   const DetectionMatch match = detector_->find({half})[0];
-  EXPECT_EQ(match.missing, ObjectId{2});
-  EXPECT_LT(match.missing_distance, 0.15F);
+  EXPECT_EQ(match.guess, ObjectId{2});
+  EXPECT_LT(match.guess_distance, 0.15F);
   EXPECT_FALSE(match.nearest) << "nothing is so small";
   half.size_m = 0.4F * kSize;
-  EXPECT_FALSE(detector_->find({half})[0].missing) << "less than half";
+  EXPECT_FALSE(detector_->find({half})[0].guess) << "less than half";
   half.size_m = 1.6F * kSize;
-  EXPECT_FALSE(detector_->find({half})[0].missing) << "larger than the whole";
+  EXPECT_FALSE(detector_->find({half})[0].guess) << "larger than the whole";
 }
 
 TEST_F(DetectorTest, WhatIsMissingChangesNothingOfWhatIsRecognised) {
   for (int seed = 0; seed < 3; ++seed) addObject(seed);
   DetectionQuery query = Look(1, {90, 70}, 1).query();
-  query.missing = {ObjectId{1}};
+  query.guesses = {ObjectId{1}};
   const DetectionMatch match = detector_->find({query})[0];
   EXPECT_EQ(match.object, ObjectId{2});
   EXPECT_EQ(match.nearest, ObjectId{2});

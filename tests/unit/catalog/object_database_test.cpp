@@ -25,9 +25,10 @@ TEST_F(ObjectDatabaseTest, StartsEmpty) {
   EXPECT_EQ(*database->forEachDescriptor(0, [](const StoredDescriptor&) { FAIL(); }), 0);
   EXPECT_FALSE(*database->findByName("Obj_1"));
   EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "wal");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "4");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "5");
   EXPECT_EQ(askSqlite(file(), "SELECT group_concat(name) FROM schema_migrations"),
-            "001_initial.sql,002_summaries.sql,003_view_boxes.sql,004_session_cameras.sql");
+            "001_initial.sql,002_summaries.sql,003_view_boxes.sql,004_session_cameras.sql,"
+            "005_view_places.sql");
 }
 
 TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {

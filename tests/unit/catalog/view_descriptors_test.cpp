@@ -67,6 +67,23 @@ TEST_F(ViewDescriptors, AreStoredWithTheViewsOfAllObjects) {
   EXPECT_EQ(descriptorsOf(*database, all[1].view).size(), 1U);
 }
 
+TEST_F(ViewDescriptors, SayWhereTheObjectWasInWhichSession) {
+  const auto database = openOrFail(file());
+  const std::int64_t session = *database->beginSession("kitchen");
+  ObjectView placed = randomView(0), without_session = randomView(1), without_place = randomView(2);
+  placed.session = without_place.session = session;
+  placed.centroid_world = without_session.centroid_world = Eigen::Vector3f(1.5F, -0.25F, 3);
+  for (const ObjectView* view : {&placed, &without_session, &without_place})
+    EXPECT_TRUE(database->addObject(*view));
+  const std::vector<StoredDescriptor> all = descriptorsOf(*database);
+  ASSERT_EQ(all.size(), 3U);
+  ASSERT_TRUE(all[0].place);
+  EXPECT_EQ(all[0].place->session, session);
+  EXPECT_EQ(all[0].place->centroid_world, Eigen::Vector3f(1.5F, -0.25F, 3));
+  EXPECT_FALSE(all[1].place) << "in no world";
+  EXPECT_FALSE(all[2].place);
+}
+
 TEST_F(ViewDescriptors, MergesChangeNoDescriptor) {
   const auto database = openOrFail(file());
   const ObjectId a = database->addObject(randomView(0))->id, b = database->addObject(randomView(1))->id;
@@ -102,6 +119,7 @@ TEST_F(ViewDescriptors, ViewsOfTheFirstVersionAreDescribedOnce) {
   EXPECT_EQ(database->picture(ObjectId{2})->size(), cv::Size(31, 17));  // before anything else asked
   const std::vector<StoredDescriptor> all = descriptorsOf(*database);
   ASSERT_EQ(all.size(), 232U);
+  EXPECT_FALSE(all[0].place) << "nobody noted it then";
   for (int i = 0; i < 230; ++i) expectDescribes(all[static_cast<std::size_t>(i)], randomView(i));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM descriptors"), "232");
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM view_summaries WHERE object_pixels IS NULL"), "0");

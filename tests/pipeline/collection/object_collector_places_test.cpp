@@ -1,0 +1,111 @@
+// What ObjectCollector knows again because earlier scans saw the same place.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "tests/pipeline/collection/object_collector_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using test::Thing;
+
+/// Four things that stand in a room, of which another scan knows all.
+class KnownAgainByPlace : public test::ObjectCollectorFixture {
+ protected:
+  struct Placed {
+    Thing thing;
+    Eigen::Vector3f at;
+  };
+
+  void SetUp() override {
+    ObjectCollectorFixture::SetUp();
+    static_cast<void>(studyPlaced(three_));
+    jar_id_ = studyPlaced({jar_}).added.at(0).id;
+    beginScan();
+  }
+  /// Frames enough for all that is clear, from a world that is turned and shifted by `T`.
+  FrameObjects studyPlaced(const std::vector<Placed>& placed,
+                           const Eigen::Isometry3f& T = Eigen::Isometry3f::Identity()) {
+    FrameObjects all;
+    for (int i = 0; i < 40; ++i) {
+      std::vector<Candidate> candidates;
+      std::vector<Thing> things;
+      for (const Placed& one : placed) {
+        things.push_back(one.thing);
+        candidates.push_back(one.thing.candidate());
+        candidates.back().centroid_world = T * one.at;
+      }
+      FrameObjects objects = lookAt(candidates, things);
+      std::ranges::move(objects.added, std::back_inserter(all.added));
+      std::ranges::move(objects.recognised, std::back_inserter(all.recognised));
+    }
+    return all;
+  }
+  /// The jar, as it looks in other light from another side: too little like it was to be known by that.
+  [[nodiscard]] Placed jarInOtherLight() const {
+    Placed jar = jar_;
+    jar.thing.change = kOtherLight;
+    return jar;
+  }
+
+  static constexpr double kOtherLight = 0.6;
+  const std::vector<Placed> three_{
+      {mug_, {0, 0, 1}}, {box_, {0.6F, 0.1F, 1.2F}}, {cup_, {-0.3F, 0.4F, 1.6F}}};
+  const Placed jar_{{4, 1, RegionId{14}}, {0.9F, -0.5F, 1.4F}};
+  const Eigen::Isometry3f T_now_then_ =
+      Eigen::Translation3f(0.5F, -1, 0.3F) * Eigen::AngleAxisf(0.7F, Eigen::Vector3f(1, 2, -1).normalized());
+  ObjectId jar_id_;
+};
+
+TEST_F(KnownAgainByPlace, WhatStandsWhereItStoodNeedsToBeLessLikeItself) {
+  EXPECT_EQ(studyPlaced(three_, T_now_then_).recognised.size(), 3U);
+  const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
+  EXPECT_TRUE(found.added.empty());
+  ASSERT_EQ(found.recognised.size(), 1U);
+  EXPECT_EQ(found.recognised[0].id, jar_id_);
+}
+
+TEST_F(KnownAgainByPlace, ElsewhereItIsAnother) {
+  static_cast<void>(studyPlaced(three_, T_now_then_));
+  Placed elsewhere = jarInOtherLight();
+  elsewhere.at.x() += 0.4F;
+  EXPECT_EQ(studyPlaced({elsewhere}, T_now_then_).added.size(), 1U);
+}
+
+TEST_F(KnownAgainByPlace, WithoutThePlaceItIsAnother) {
+  static_cast<void>(studyPlaced({three_[0], three_[1]}, T_now_then_));
+  EXPECT_EQ(studyPlaced({jarInOtherLight()}, T_now_then_).added.size(), 1U) << "two tell no place";
+}
+
+TEST_F(KnownAgainByPlace, SomethingElseInItsPlaceIsNew) {
+  static_cast<void>(studyPlaced(three_, T_now_then_));
+  Placed other = jar_;
+  other.thing.seed = 6;
+  EXPECT_EQ(studyPlaced({other}, T_now_then_).added.size(), 1U);
+  Placed larger = jarInOtherLight();
+  larger.thing.region = RegionId{15};
+  Candidate candidate = larger.thing.candidate();
+  candidate.centroid_world = T_now_then_ * larger.at;
+  candidate.size_m *= 1.5F;
+  for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({candidate}, {larger.thing}));
+  EXPECT_NE(collector_->objectOf(larger.thing.region), jar_id_);
+}
+
+TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
+  const ObjectId taken_for_new = studyPlaced({jarInOtherLight()}, T_now_then_).added.at(0).id;
+  static_cast<void>(studyPlaced(three_, T_now_then_));
+  collector_->beginLookingAgain();
+  collector_->rate(frame_, {jar_.thing.candidate()});
+  static_cast<void>(collector_->settleWholes());
+  static_cast<void>(studyPlaced({jarInOtherLight()}, T_now_then_));
+  collector_->endLookingAgain();
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  EXPECT_EQ(collector_->objectOf(jar_.thing.region), jar_id_);
+  EXPECT_EQ(*person_->resolve(taken_for_new), jar_id_);
+  EXPECT_EQ(objects().size(), 4U);
+}
+
+}  // namespace
+}  // namespace scantrove
