@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <ranges>
 #include <set>
 
 #include "core/scan/candidate_crop.h"
@@ -148,6 +149,12 @@ void ObjectCollector::bindWholes() {
       return !staysAsItIs(object) && taken_holders.contains(catalogue_.holderOf(object));
     });
     if (objects.empty()) continue;
+    // What is a whole was not replaced by what is another.
+    const bool is_with_successor =
+        std::ranges::any_of(objects | std::views::drop(1), [&](ObjectId object) {
+          return successorOf(object) == successorOf(objects.front());
+        });
+    if (!is_with_successor) successor_.erase(objects.front());
     met_.bind(rated.regions, objects.front());
     taken_holders.insert(catalogue_.holderOf(objects.front()));
   }

@@ -135,6 +135,24 @@ TEST_F(Wholes, AnObjectOfThisScanThatIsUnlikelyToBeOneLeavesUnlessAPersonSpokeOf
   EXPECT_EQ(objects()[0].id, box);
 }
 
+TEST_F(Wholes, WhatIsAWholeInTheEndWasNotReplaced) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  Candidate with_more = mug_.candidate();
+  with_more.size_m *= 1.5F;
+  for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({with_more}, {mug_}, 60));
+  ASSERT_EQ(objects().size(), 2U) << "the region grew, and the mug is thought to have been a part of that";
+  const Thing again{mug_.seed, mug_.place, RegionId{77}};
+  for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
+  static_cast<void>(study({again}));
+  ASSERT_EQ(collector_->objectOf(again.region), mug) << "and yet there it is";
+  collector_->beginLookingAgain();
+  collector_->rate(3, {judged(again, 3), judged(mug_, 3)});
+  static_cast<void>(collector_->settleWholes());
+  collector_->endLookingAgain();
+  settle();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
 TEST_F(Wholes, WhatAPersonMergedOrBroughtBackStaysHoweverUnlikely) {
   const Thing can{7, 2, RegionId{78}};
   static_cast<void>(study({mug_, box_, can}));
