@@ -21,7 +21,7 @@ std::size_t StageTimer::indexOf(std::string_view name) {
   const auto found =
       std::find_if(stages_.begin(), stages_.end(), [&](const Stage& s) { return s.name == name; });
   if (found != stages_.end()) return static_cast<std::size_t>(found - stages_.begin());
-  stages_.push_back({std::string(name), 0, {}, {}});
+  stages_.emplace_back().name = name;
   return stages_.size() - 1;
 }
 
@@ -36,10 +36,22 @@ void StageTimer::add(std::string_view name, double duration_ms) {
   }
 }
 
+void StageTimer::Stage::thinOut() {
+  for (std::size_t i = 0; 2 * i < all_ms.size(); ++i) {
+    all_ms[i] = all_ms[2 * i];
+    frames[i] = frames[2 * i];
+  }
+  all_ms.resize((all_ms.size() + 1) / 2);
+  frames.resize(all_ms.size());
+  every *= 2;
+}
+
 void StageTimer::endFrame() {
   for (const Pending& pending : pending_) {
     Stage& stage = stages_[pending.stage];
     stage.last_ms = pending.duration_ms;
+    if (stage.all_ms.size() >= kMostFrames) stage.thinOut();
+    if (stage.runs++ % stage.every != 0) continue;
     stage.all_ms.push_back(pending.duration_ms);
     stage.frames.push_back(frames_);
   }

@@ -15,14 +15,22 @@ struct DurationSummary {
 
 [[nodiscard]] DurationSummary summarise(std::vector<double> durations_ms);
 
-/// Wall time of the named stages of one frame, in call order, and of all frames so far. One thread.
+/// Wall time of the named stages of one frame, in call order, and of the frames so far: of all, or in a long
+/// scan of so many that are spread evenly over it. One thread.
 class StageTimer {
  public:
+  static constexpr std::size_t kMostFrames = 8192;  ///< that are kept of a stage
+
   struct Stage {
     std::string name;
     double last_ms = 0;
     std::vector<double> all_ms;
     std::vector<std::size_t> frames;  ///< of each of these, counted from 0
+    std::size_t runs = 0;             ///< kept or not
+    std::size_t every = 1;            ///< so many runs one is kept
+
+    /// Half as many from now on, and of those that are kept.
+    void thinOut();
   };
 
   /// Runs `work` as the stage `name` and returns what it returns.
@@ -35,7 +43,7 @@ class StageTimer {
   /// Adds to the named stage of the current frame (a stage may run in several pieces).
   void add(std::string_view name, double duration_ms);
 
-  /// Ends the frame: every stage that ran gains one entry in `all_ms`.
+  /// Ends the frame: what ran may gain an entry in `all_ms`.
   void endFrame();
 
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }

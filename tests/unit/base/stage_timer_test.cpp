@@ -33,6 +33,29 @@ TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
   EXPECT_EQ(timer.stages()[1].last_ms, 1);
 }
 
+TEST(StageTimer, KeepsFewOfALongScanEvenlySpread) {
+  StageTimer timer;
+  constexpr std::size_t kFrames = 5 * StageTimer::kMostFrames + 3;
+  for (std::size_t frame = 0; frame < kFrames; ++frame) {
+    timer.add("fuse", static_cast<double>(frame));
+    if (frame % 10 == 5) timer.add("keep", 1);
+    timer.endFrame();
+  }
+  const StageTimer::Stage& fuse = timer.stages()[0];
+  const StageTimer::Stage& keep = timer.stages()[1];
+  EXPECT_EQ(fuse.last_ms, kFrames - 1.0);
+  EXPECT_EQ(fuse.runs, kFrames);
+  EXPECT_EQ(fuse.every, 8U);
+  ASSERT_EQ(fuse.all_ms.size(), (kFrames + 7) / 8) << "every eighth, the first included";
+  ASSERT_EQ(fuse.frames.size(), fuse.all_ms.size());
+  for (std::size_t i = 0; i < fuse.frames.size(); ++i) {
+    EXPECT_EQ(fuse.frames[i], 8 * i);
+    EXPECT_EQ(fuse.all_ms[i], 8.0 * static_cast<double>(i));
+  }
+  EXPECT_NEAR(summarise(fuse.all_ms).p95_ms, 0.95 * kFrames, 8);
+  EXPECT_EQ(keep.all_ms.size(), kFrames / 10) << "what runs seldom is all there";
+}
+
 TEST(SlowestFrames, NameTheStageThatIsFarthestAboveItsMedian) {
   StageTimer timer;
   for (int frame = 0; frame < 9; ++frame) {
