@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 #include <opencv2/imgproc.hpp>
-#include <ranges>
 #include <set>
 
 #include "core/scan/candidate_crop.h"
@@ -150,10 +149,9 @@ void ObjectCollector::bindWholes() {
     });
     if (objects.empty()) continue;
     // What is a whole was not replaced by what is another.
-    const bool is_with_successor =
-        std::ranges::any_of(objects | std::views::drop(1), [&](ObjectId object) {
-          return successorOf(object) == successorOf(objects.front());
-        });
+    const bool is_with_successor = std::any_of(objects.begin() + 1, objects.end(), [&](ObjectId object) {
+      return successorOf(object) == successorOf(objects.front());
+    });
     if (!is_with_successor) successor_.erase(objects.front());
     met_.bind(rated.regions, objects.front());
     taken_holders.insert(catalogue_.holderOf(objects.front()));
