@@ -178,8 +178,11 @@ void ObjectCollector::mergeJoined(Which which) {
     // What moved is not what stayed; and of what has other regions only a part was joined to something.
     const bool are_one = !joined->region || (hasMoved(a) == hasMoved(b) && !met_.hasRegions(joined->gone));
     if (!are_one || !shouldMerge(a, b)) continue;
+    const bool is_known_again = isMet(a) != isMet(b);  // what was met is what had not been
     catalogue_.merge(a, b);
     writer_->merge(a, b);
+    const ObjectId holder = catalogue_.holderOf(a);
+    if (is_known_again && !CatalogueMirror::isOfThisScan(holder)) known_again_.push_back(*recordOf(holder));
   }
   joined_.erase(due, joined_.end());
 }

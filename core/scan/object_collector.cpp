@@ -1,6 +1,7 @@
 #include "core/scan/object_collector.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <variant>
 
@@ -106,6 +107,11 @@ void ObjectCollector::takeNews(FrameObjects& objects) {
     catalogue_.apply(news);
     std::visit(Announced{objects}, news);
     if (const auto* named = std::get_if<news::NameStored>(&news)) noteStored(*named);
+    objects.has_news = true;
+  }
+  if (!known_again_.empty()) {
+    std::ranges::move(known_again_, std::back_inserter(objects.recognised));
+    known_again_.clear();
     objects.has_news = true;
   }
   if (!refusals_.empty()) {

@@ -297,6 +297,7 @@ class ObjectCollector {
   int last_naming_ = 0;
   std::map<RegionId, ObjectId> not_these_;  // a person said that the region is another than that
   std::vector<Error> refusals_;             // to be told
+  std::vector<ObjectRecord> known_again_;   // what was taken for new is that; to be told
   /// Objects whose regions were joined, or that stand at one place.
   struct Joined {
     ObjectId kept, gone;

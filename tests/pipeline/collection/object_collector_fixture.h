@@ -116,6 +116,7 @@ class ObjectCollectorFixture : public testing::Test {
   void addNews(FrameObjects& objects) {
     FrameObjects news = collector_->followCatalogue();
     std::ranges::move(news.added, std::back_inserter(objects.added));
+    std::ranges::move(news.recognised, std::back_inserter(objects.recognised));
     std::ranges::move(news.new_views, std::back_inserter(objects.new_views));
     std::ranges::move(news.merged, std::back_inserter(objects.merged));
     if (news.catalogue_failure) objects.catalogue_failure = news.catalogue_failure;

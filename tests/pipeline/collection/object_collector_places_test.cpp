@@ -98,7 +98,9 @@ TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
   collector_->beginLookingAgain();
   collector_->rate(frame_, {jar_.thing.candidate()});
   static_cast<void>(collector_->settleWholes());
-  static_cast<void>(studyPlaced({jarInOtherLight()}, T_now_then_));
+  const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
+  ASSERT_EQ(found.recognised.size(), 1U) << "which is said";
+  EXPECT_EQ(found.recognised[0].id, jar_id_);
   collector_->endLookingAgain();
   settle();
   static_cast<void>(collector_->followCatalogue());
