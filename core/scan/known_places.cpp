@@ -96,9 +96,8 @@ void KnownPlaces::align(const std::vector<Standing>& recognised, const HolderOf&
     }
     std::vector<Pair> pairs;
     for (const Standing& now : recognised) {
-      const ObjectId holder = holder_of(now.object);
       for (const Standing& earlier : then) {
-        if (holder && earlier.object == holder) pairs.push_back({earlier.centroid_world, now.centroid_world});
+        if (earlier.object == now.object) pairs.push_back({earlier.centroid_world, now.centroid_world});
       }
     }
     if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);

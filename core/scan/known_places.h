@@ -29,8 +29,8 @@ class KnownPlaces {
   /// In that session's world a view of the object saw it there.
   void add(std::int64_t session, ObjectId object, const Eigen::Vector3f& centroid_world);
 
-  /// Finds the sessions in whose places these objects, which the scan has recognised by their looks, stand as
-  /// they did. Milliseconds at most: a few dozen are enough.
+  /// Finds the sessions in whose places these objects, which the scan has recognised and which hold their own
+  /// views, stand as they did. Milliseconds at most: a few dozen are enough.
   void align(const std::vector<Standing>& recognised, const HolderOf& holder_of);
 
   /// Who holds the objects that stood there when earlier scans saw the place, nearest first.
