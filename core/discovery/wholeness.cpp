@@ -2,10 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/discovery/wholeness_trees.h"
+#include "core/discovery/wholeness_trees_of_key_frames.h"
 
 namespace scantrove {
+namespace {
+
+float oddsBy(float prior, std::span<const BoostedTree<5>> trees, std::span<const float> features) {
+  for (const BoostedTree<5>& tree : trees) prior += tree.valueOf(features);
+  return prior;
+}
+
+}  // namespace
 
 std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() const {
   constexpr float kLeastSize_m = 0.01F, kMostOdds = 4;
@@ -46,9 +56,9 @@ std::array<float, WholenessEvidence::kFeatures> WholenessEvidence::features() co
 
 float WholenessEvidence::logOdds() const {
   const std::array<float, kFeatures> x = features();
-  float sum = kWholenessPrior;
-  for (const BoostedTree<5>& tree : kWholenessTrees) sum += tree.valueOf(x);
-  return sum;
+  return (oddsBy(kWholenessPrior, kWholenessTrees, x) +
+          oddsBy(kWholenessOfKeyFramesPrior, kWholenessOfKeyFramesTrees, x)) /
+         2;
 }
 
 }  // namespace scantrove

@@ -39,8 +39,9 @@ struct WholenessEvidence {
   /// What logOdds() weighs.
   [[nodiscard]] std::array<float, kFeatures> features() const;
 
-  /// Logarithm of the odds that they are one whole thing and are seen as such, by boosted trees
-  /// (Friedman 2001) that are fitted to random synthetic scenes.
+  /// Logarithm of the odds that they are one whole thing and are seen as such: the mean of what two lots of
+  /// boosted trees say (Friedman 2001), which are fitted to different random synthetic scenes. Where real
+  /// scenes show what neither has learned (the back of a chair, above a table) the two disagree.
   [[nodiscard]] float logOdds() const;
 };
 

@@ -6,7 +6,7 @@
 namespace scantrove {
 
 // clang-format off
-// By wholeness_fit to demo:room:161-164,171-174,201-202,211-214,301-302,401-404:uneven and demo:tabletop:161-164,171-174,201-202,211-214,301-302,401-402:uneven.
+// By wholeness_fit to every 6th frame of demo:room:161-164,171-174,201-202,211-214,301-302,401-404:uneven and demo:tabletop:161-164,171-174,201-202,211-214,301-302,401-402:uneven.
 inline constexpr float kWholenessPrior = -0.5879F;
 // Medians, for what has no colour.
 inline constexpr float kUsualNeighbourLikeness = 0.6562F;

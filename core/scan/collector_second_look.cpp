@@ -15,10 +15,9 @@ namespace {
 constexpr float kLeastFit = 0.7F;
 /// The same of a whole of several regions, whose views may be of one of them.
 constexpr float kLeastFitOfWhole = 0.6F;
-/// Of RatedSets: from there on something is more likely a whole than not; below, what was an object is none
-/// any more. Of what is let in between this and even odds about two thirds is whole on random rooms, 10 of 19
-/// on parts of a real kitchen, 1 of 7 where things move.
-constexpr float kWhole = -0.25F;
+/// Of RatedSets: from there on something is about as likely a whole as not; below, what was an object is none
+/// any more. Of what is between this and even odds about half is whole on random rooms.
+constexpr float kWhole = -0.2F;
 /// So many looks at what the scan took for new are held against what earlier scans know.
 constexpr int kLooksBack = 4;
 

@@ -1,13 +1,18 @@
 // Fits the trees of WholenessEvidence::logOdds() to random scenes with exact truth, as scans see them that
 // have ended. Prints how well the trees do on scenes that they were not fitted to, and
-// core/discovery/wholeness_trees.h. With --samples what the scans gave is kept in a file, or read from it.
+// core/discovery/wholeness_trees_of_key_frames.h, or with --all wholeness_trees.h. With --samples what the
+// scans gave is kept in a file, or read from it.
 //
-//   wholeness_fit --cache DIR --rooms 161-164,171-174 --tables 161-164,171-174 > wholeness_trees.h
+//   wholeness_fit --cache DIR --rooms 751-755,791-795 --tables 751-755,791-795 \
+//       > wholeness_trees_of_key_frames.h
+//   wholeness_fit --cache DIR --rooms 161-164,171-174 --tables 161-164,171-174 --every 6 --all \
+//       > wholeness_trees.h
 #include <cstdio>
 #include <map>
 #include <set>
 
 #include "core/discovery/region_judge.h"
+#include "core/scan/key_frame_choice.h"
 #include "core/scan/rated_sets.h"
 #include "tests/benchmarks/boosting.h"
 #include "tests/benchmarks/scene_scan.h"
@@ -17,6 +22,11 @@ namespace scantrove::benchmarks {
 namespace {
 
 constexpr std::size_t kFolds = 8;
+
+struct FitOptions : SceneOptions {
+  bool are_all = false;  ///< the frames that are looked at again; or key frames only, as when a scan ends
+};
+
 /// One of WholenessEvidence::features().
 struct NamedFeature {
   std::size_t feature;
@@ -173,11 +183,14 @@ float medianOf(std::size_t feature, const std::vector<WholenessSample>& samples)
 }
 
 void print(const BoostedTrees<5>& fitted, const std::vector<WholenessSample>& samples,
-           const SceneOptions& options) {
+           const FitOptions& options) {
+  if (!options.are_all)
+    return printTrees(fitted, "WholenessOfKeyFrames", "wholeness_fit to key frames of " + options.text());
   std::string usual = "// Medians, for what has no colour.\n";
   for (const auto& [feature, name] : kOfColor)
     usual += fmt::format("inline constexpr float kUsual{} = {};\n", name, inCpp(medianOf(feature, samples)));
-  printTrees(fitted, "Wholeness", "wholeness_fit to " + options.text(), usual);
+  printTrees(fitted, "Wholeness",
+             fmt::format("wholeness_fit to every {}th frame of {}", options.every, options.text()), usual);
 }
 
 Result<std::set<int>> thingsOf(const std::string& scene) {
@@ -194,16 +207,21 @@ Result<std::set<int>> thingsOf(const std::string& scene) {
 
 /// Scans the scene, then looks at it again from frames of the scan.
 Result<void> collect(const std::string& name, std::size_t scene, const std::filesystem::path& recording,
-                     const SceneOptions& options, ComputeContext& compute,
+                     const FitOptions& options, ComputeContext& compute,
                      std::vector<WholenessSample>& samples) {
   const Result<std::set<int>> things = thingsOf(name);
   if (!things) return fail(things.error());
   ScanParams params;
   for (const std::string& setting : options.settings) SCANTROVE_TRY(applySetting(params, setting));
+  KeyFrameChoice key_frames;
   std::map<int, Eigen::Isometry3d> cameras;  // by RgbdFrame::index
-  const auto scan = scanScene(recording, params, options, compute,
-                              [&](const ScanPipeline&, const RgbdFrame& frame, const FrameResult& result,
-                                  const cv::Mat&) { cameras[frame.index] = result.pose.T_world_camera; });
+  const auto scan =
+      scanScene(recording, params, options, compute,
+                [&](const ScanPipeline&, const RgbdFrame& frame, const FrameResult& result, const cv::Mat&) {
+                  const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
+                  if (options.are_all || key_frames.takes(T_world_camera))
+                    cameras[frame.index] = T_world_camera;
+                });
   if (!scan) return fail(scan.error());
   /// Calls `visit` with each frame that has a camera, and the camera.
   const auto lookAgain = [&](const auto& visit) -> Result<void> {
@@ -248,7 +266,7 @@ Result<void> collect(const std::string& name, std::size_t scene, const std::file
   return {};
 }
 
-Result<std::vector<WholenessSample>> scanAll(const SceneOptions& options) {
+Result<std::vector<WholenessSample>> scanAll(const FitOptions& options) {
   auto compute = ComputeContext::create({});
   if (!compute) return fail(compute.error());
   const SceneCache cache(options.cache);
@@ -265,7 +283,7 @@ Result<std::vector<WholenessSample>> scanAll(const SceneOptions& options) {
 }
 
 /// `file`: of the samples; empty: none.
-Result<void> run(const SceneOptions& options, const std::string& file) {
+Result<void> run(const FitOptions& options, const std::string& file) {
   const bool are_kept = !file.empty() && std::filesystem::exists(file);
   const auto samples = are_kept ? readSamples(file) : scanAll(options);
   if (!samples) return fail(samples.error());
@@ -283,13 +301,14 @@ Result<void> run(const SceneOptions& options, const std::string& file) {
 
 int main(int argc, char** argv) {
   using namespace scantrove::benchmarks;
-  SceneOptions options;
-  options.every = 6;
+  FitOptions options;
+  options.every = 1;
   std::string samples;
   return withScenes(
       argc, argv, "Fits the trees that say what is one whole thing, on random scenes", options,
       [&] { return run(options, samples); },
       [&](CLI::App& app) {
         app.add_option("--samples", samples, "keep what the scans gave there, or read it");
+        app.add_flag("--all", options.are_all, "look at all these frames again, not at key frames only");
       });
 }

@@ -79,9 +79,19 @@ TEST(Wholeness, HearsHowWellItsOutlineIsBounded) {
   evidence.bounds = {.mean = 0.9F, .least_side = 0.7F};
   EXPECT_EQ(evidence.features()[26], 0.9F);
   EXPECT_EQ(evidence.features()[27], 0.7F);
+}
+
+TEST(Wholeness, ABooksBackWithoutBoundsIsLessLikely) {
+  // What bulges and stands free is clear anyway.
+  WholenessEvidence evidence = mug();
+  evidence.open = 0.15F;
+  evidence.hidden = 0.3F;
+  evidence.bulge = evidence.known_bulge = 0;
+  evidence.known_flatness = 0.06F;
+  evidence.known_size_m = {0.2F, 0.05F, 0.02F};
   const float bounded = evidence.logOdds();
   evidence.bounds = {.mean = 0.6F, .least_side = 0.1F};
-  EXPECT_LT(evidence.logOdds(), bounded) << "a piece of something";
+  EXPECT_LT(evidence.logOdds(), bounded - 0.5F) << "a piece of something";
 }
 
 TEST(Wholeness, OddsOfWhatItTouchesCountUpToWhatIsAsGoodAsCertain) {
