@@ -3,10 +3,8 @@
 // core/discovery/wholeness_trees_of_key_frames.h, or with --all wholeness_trees.h. With --samples what the
 // scans gave is kept in a file, or read from it.
 //
-//   wholeness_fit --cache DIR --rooms 751-755,791-795 --tables 751-755,791-795 \
-//       > wholeness_trees_of_key_frames.h
-//   wholeness_fit --cache DIR --rooms 161-164,171-174 --tables 161-164,171-174 --every 6 --all \
-//       > wholeness_trees.h
+//   wholeness_fit --cache DIR --rooms 751-755,791-795 > wholeness_trees_of_key_frames.h
+//   wholeness_fit --cache DIR --rooms 161-164,171-174 --every 6 --all > wholeness_trees.h
 #include <cstdio>
 #include <map>
 #include <set>
@@ -205,7 +203,7 @@ Result<std::set<int>> thingsOf(const std::string& scene) {
   return things;
 }
 
-/// Scans the scene, then looks at it again from frames of the scan.
+/// Scans the scene, then looks at it again from key frames of the scan, or from all that are asked for.
 Result<void> collect(const std::string& name, std::size_t scene, const std::filesystem::path& recording,
                      const FitOptions& options, ComputeContext& compute,
                      std::vector<WholenessSample>& samples) {
