@@ -1,0 +1,87 @@
+# Shared by the scripts in tests/hostile: runs the real program on hostile inputs and counts what held.
+# Each check runs in $work, an empty folder that is removed at the end. A check never runs longer than $limit_s.
+#
+#   refuses   NAME TEXT COMMAND...   exit 1 or 2, no signal, and stderr or stdout contains TEXT
+#   succeeds  NAME COMMAND...        exit 0
+#   says      NAME TEXT COMMAND...   exit 0, and stderr or stdout contains TEXT
+#   survives  NAME COMMAND...        exit 0, 1 or 2 in time: neither a signal nor a hang
+#   holds     NAME COMMAND...        a plain condition of the shell, e.g. holds "the file stays" test -f x
+set -u
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+program=${SCANTROVE:-$here/../../build/dev/app/scantrove}
+data=${SCANTROVE_DATA:-$here/../../../shared/data}
+limit_s=${HOSTILE_LIMIT_S:-180}
+work=$(mktemp -d)
+passed=0
+failed=0
+
+leave() {
+  chmod -R u+rwX "$work" 2>/dev/null
+  rm -rf "$work"
+}
+trap leave EXIT
+
+note_pass() { passed=$((passed + 1)); }
+note_fail() {
+  failed=$((failed + 1))
+  echo "FAILED: $1: $2"
+  [ -s "$work.said" ] && tail -n 6 "$work.said" | cut -c1-300 | sed 's/^/    /'
+}
+
+# Runs a command in $work with a time limit; its exit code is in $code, its output in $work.said.
+run() {
+  (cd "$work" && timeout --kill-after=5 "$limit_s" "$@") >"$work.said" 2>&1 </dev/null
+  code=$?
+}
+
+ended_by_itself() { [ "$code" -lt 124 ]; }
+said() { grep -qF -- "$1" "$work.said"; }
+
+refuses() {
+  local name=$1 text=$2
+  shift 2
+  run "$@"
+  if ! ended_by_itself; then note_fail "$name" "ended with code $code"; return; fi
+  if [ "$code" -ne 1 ] && [ "$code" -ne 2 ]; then note_fail "$name" "exit code $code"; return; fi
+  if ! said "$text"; then note_fail "$name" "the message lacks \"$text\""; return; fi
+  note_pass
+}
+
+says() {
+  local name=$1 text=$2
+  shift 2
+  run "$@"
+  if [ "$code" -ne 0 ]; then note_fail "$name" "exit code $code"; return; fi
+  if ! said "$text"; then note_fail "$name" "the output lacks \"$text\""; return; fi
+  note_pass
+}
+
+succeeds() {
+  local name=$1
+  shift
+  run "$@"
+  if [ "$code" -ne 0 ]; then note_fail "$name" "exit code $code"; return; fi
+  note_pass
+}
+
+survives() {
+  local name=$1
+  shift
+  run "$@"
+  if ! ended_by_itself || [ "$code" -gt 2 ]; then note_fail "$name" "ended with code $code"; return; fi
+  note_pass
+}
+
+holds() {
+  local name=$1
+  shift
+  : >"$work.said"
+  if (cd "$work" && "$@"); then note_pass; else note_fail "$name" "it does not hold"; fi
+}
+
+# The closing line of every script; the exit code tells whether all held.
+finish() {
+  rm -f "$work.said"
+  echo "$passed passed, $failed failed"
+  [ "$failed" -eq 0 ]
+}
