@@ -124,6 +124,7 @@ void MainWindow::makeDocks(const ScanParams& params) {
 bool MainWindow::onStartPage() const { return centre_->currentWidget() == start_; }
 
 void MainWindow::showStartPage() {
+  regions_->beginScan();  // questions, steps and selections end with their scan
   start_->setRecent(recentSources());
   showKeptScans();
   centre_->setCurrentWidget(start_);
@@ -140,6 +141,8 @@ void MainWindow::closeScan() {
   }
   controller_->close();
   actions_->enableReview(false);
+  actions_->enableFor(controller_->bridge().state(), controller_->hasSource());
+  status_->showState(ScanState::idle);
   setWindowTitle(QStringLiteral("Scantrove"));
   showStartPage();
 }
@@ -213,9 +216,9 @@ void MainWindow::connectRegions() {
     return names;
   });
   connect(&bridge, &SessionBridge::reviewOpened, this, [this] {
+    if (onStartPage()) return;  // it was closed meanwhile
     actions_->enableReview(true);
     has_snapshot_ = true;
-    showScene();
   });
   connect(start_->keptScans(), &KeptScans::chosen, this, &MainWindow::openSession);
   connect(start_->keptScans(), &KeptScans::deleteWanted, this, [this](const QString& folder) {
@@ -294,6 +297,7 @@ void MainWindow::beginScan(const QString& source) {
 }
 
 void MainWindow::showSnapshot(const std::shared_ptr<const ScanSnapshot>& collected) {
+  if (onStartPage()) return;  // of a scan that was closed
   const ScanSnapshot& snapshot = *collected;
   if (!has_snapshot_) {
     has_snapshot_ = true;
@@ -315,7 +319,8 @@ void MainWindow::showState(ScanState state) {
     scene_->view()->clearScene();
     frames_->clear();
   }
-  status_->showState(state);
+  const bool is_over = state == ScanState::finished || state == ScanState::failed;
+  status_->showState(onStartPage() && is_over ? ScanState::idle : state);
   scene_->view()->setScanning(state == ScanState::scanning);
   actions_->enableFor(state, controller_->hasSource());
 }

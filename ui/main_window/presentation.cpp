@@ -52,6 +52,7 @@ Presentation::Presentation(MainWindow& window)
           [this] { say(tr("Preparing the processor (once)")); });
   connect(&bridge, &SessionBridge::stateChanged, this, [this] {
     if (is_on_) hideOthers();
+    removeEndedCatalogues();
   });
   connect(&bridge, &SessionBridge::scanFinished, this, &Presentation::scanHasEnded);
   connect(&bridge, &SessionBridge::scanFailed, this, &Presentation::scanHasEnded);
@@ -63,7 +64,7 @@ void Presentation::begin() {
   hideOthers();
   window_.showFullScreen();
   ScanController& controller = window_.controller();
-  if (!controller.bridge().busy()) {
+  if (window_.onStartPage()) {
     catalogue_ = std::make_unique<QTemporaryDir>();
     catalogue_before_ = QString::fromStdString(controller.request().database);
     controller.setDatabase(catalogue_->filePath(QStringLiteral("catalogue.sqlite")));
@@ -92,13 +93,13 @@ void Presentation::end() {
   turning_.stop();
   again_.stop();
   caption_->hide();
+  for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
   if (catalogue_ != nullptr) {
     window_.closeScan();
     window_.controller().setKeepsScans(true);
     window_.controller().setDatabase(catalogue_before_);
-    catalogue_.reset();
+    ended_catalogues_.push_back(std::move(catalogue_));
   }
-  for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
   was_maximised_ ? window_.showMaximized() : window_.showNormal();
 }
 
@@ -125,9 +126,13 @@ void Presentation::turn() {
 }
 
 void Presentation::scanHasEnded() {
-  if (!is_on_) return;
+  if (!is_on_ || catalogue_ == nullptr) return;
   window_.messageBar()->dismiss();
   again_.start(kAgainAfter_ms);
+}
+
+void Presentation::removeEndedCatalogues() {
+  if (!window_.controller().bridge().busy()) ended_catalogues_.clear();
 }
 
 bool Presentation::eventFilter(QObject* watched, QEvent* event) {

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <memory>
+#include <vector>
 
 class QLabel;
 class QWidget;
@@ -13,8 +14,8 @@ namespace scantrove {
 class MainWindow;
 
 /// The window as something to look at: the whole screen is the 3D view, which turns slowly when nobody
-/// touches it, a caption in large letters says what happens, and a scan that has ended begins again. Escape
-/// leaves.
+/// touches it, and a caption in large letters says what happens. From the first page on it shows scans of its
+/// own, again and again; what is open already stays as it is. Escape leaves.
 class Presentation : public QObject {
   Q_OBJECT
 
@@ -36,6 +37,8 @@ class Presentation : public QObject {
   void turn();
   void placeCaption();
   void scanHasEnded();
+  /// The scan that used them has ended: removes the catalogues of presentations that are over.
+  void removeEndedCatalogues();
 
   MainWindow& window_;
   QLabel* caption_;
@@ -44,6 +47,8 @@ class Presentation : public QObject {
   QList<QWidget*> hidden_;  ///< for the time of it
   /// While it shows scans of its own: their catalogue. A person's is not filled with the demo's things.
   std::unique_ptr<QTemporaryDir> catalogue_;
+  /// Of presentations that are over. The scan still writes into the last one until it has ended.
+  std::vector<std::unique_ptr<QTemporaryDir>> ended_catalogues_;
   QString catalogue_before_;
   bool was_maximised_ = false;
   bool is_on_ = false;

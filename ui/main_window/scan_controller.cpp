@@ -1,7 +1,6 @@
 #include "ui/main_window/scan_controller.h"
 
 #include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -10,8 +9,8 @@
 namespace scantrove {
 namespace {
 
-/// "2026-11-22 15.40.02 kitchen", made; empty: it cannot be.
-QString makeSessionFolder(const QString& source) {
+/// "2026-11-22 15.40.02 kitchen", that is not there yet.
+QString newSessionFolder(const QString& source) {
   QString title = sourceTitle(source);
   for (QChar& letter : title) {
     if (QStringLiteral("/\\:*?\"<>|").contains(letter)) letter = QLatin1Char('-');
@@ -20,7 +19,7 @@ QString makeSessionFolder(const QString& source) {
                        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss ")) + title;
   QString folder = base;
   for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QStringLiteral(" (%1)").arg(i);
-  return QDir().mkpath(folder) ? folder : QString();
+  return folder;
 }
 
 }  // namespace
@@ -32,6 +31,7 @@ ScanController::ScanController(const SessionFactory& factory, const WindowOption
   request_.start_paused = options.start_paused;
   request_.results = false;
   request_.review = true;
+  connect(&bridge_, &SessionBridge::scanFailed, this, [this] { made_folder_.removeIfEmpty(); });
 }
 
 QString ScanController::sessionsFolder() {
@@ -46,10 +46,10 @@ QString ScanController::sessionFolder() const {
 void ScanController::begin() {
   request_.source = source_.toStdString();
   request_.output_folder.reset();
-  const QString folder = keeps_scans_ ? makeSessionFolder(source_) : QString();
+  const QString folder = keeps_scans_ ? newSessionFolder(source_) : QString();
   if (!keeps_scans_) {
     // nothing is to be said
-  } else if (!folder.isEmpty()) {
+  } else if (made_folder_.make(folder)) {
     request_.output_folder = folder.toStdString();
   } else {
     emit failed(tr("The scan is not kept: %1 cannot be written to. Make it writable, or set XDG_DATA_HOME.")

@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "ui/bridge/session_bridge.h"
+#include "ui/main_window/scan_folder.h"
 #include "ui/main_window/window_options.h"
 
 namespace scantrove {
@@ -55,6 +56,7 @@ class ScanController : public QObject {
   /// What was asked for last; the session may not have come to it yet, and a second press is not to be lost.
   bool paused_ = false;
   bool keeps_scans_ = true;
+  ScanFolder made_folder_;  ///< before the bridge: the scan has ended when it goes
   SessionBridge bridge_;
 };
 

@@ -97,7 +97,7 @@ StatusStrip::StatusStrip(QWidget* parent)
 
 void StatusStrip::showState(ScanState state) {
   state_ = state;
-  if (state == ScanState::starting) clear();
+  if (state == ScanState::starting || state == ScanState::idle) clear();
   paintState();
 }
 

@@ -1,10 +1,14 @@
 #include "ui/main_window/presentation.h"
 
+#include <QFileInfo>
 #include <QMenuBar>
+#include <algorithm>
 
 #include "tests/ui/window/window_fixture.h"
+#include "ui/main_window/main_actions.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/panels/object_panel.h"
+#include "ui/panels/progress_strip.h"
 
 namespace scantrove::test {
 namespace {
@@ -39,6 +43,32 @@ TEST_F(PresentationTest, OfAScanThatRunsOnlyTheLookChanges) {
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_FALSE(window_->onStartPage());
   EXPECT_FALSE(window_->isFullScreen());
+}
+
+TEST_F(PresentationTest, StaysOpen_WhenASavedScanWasPresented) {
+  window_->openSession(folder_.path());
+  session_->finish();
+  session_->post(ReviewOpened{});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }, 3000));
+  window_->presentation()->begin();
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(window_->presentation()->isOn());
+  EXPECT_FALSE(window_->onStartPage());
+  EXPECT_FALSE(std::ranges::count(session_->commands, "close"));
+}
+
+TEST_F(PresentationTest, KeepsItsCatalogue_UntilTheScanHasEnded) {
+  window_->presentation()->begin();
+  window_->open(QStringLiteral("demo"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->controller().bridge().busy(); }, 3000));
+  const QString folder = QFileInfo(QString::fromStdString(session_->last_request.database)).path();
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_TRUE(QFileInfo::exists(folder)) << "the scan still writes its end into it";
+  session_->post(snapshotOf(107));
+  session_->finish();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(folder); }, 3000));
+  EXPECT_TRUE(window_->onStartPage());
+  EXPECT_EQ(window_->progressStrip()->text(), QString()) << "nothing of the closed scan is shown";
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <QDir>
+#include <QFile>
 #include <QMimeData>
 #include <algorithm>
 
@@ -94,6 +96,23 @@ TEST_F(WindowTest, AMissingPathIsSaidAndTheWindowLives) {
   EXPECT_FALSE(window_->onStartPage());
   EXPECT_FALSE(window_->messageBar()->isVisible());
   EXPECT_TRUE(recentSources().contains(QStringLiteral("demo")));
+}
+
+TEST_F(WindowTest, FailedOpening_LeavesNoFolder) {
+  const auto scans = [] {
+    return QDir(ScanController::sessionsFolder()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+  };
+  const QStringList before = scans();
+  window_->open(QStringLiteral("/somewhere/missing"));
+  EXPECT_EQ(scans().size(), before.size() + 1) << "made for the scan";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, 3000));
+  EXPECT_EQ(scans(), before);
+  window_->open(QStringLiteral("/elsewhere/missing"));
+  QFile file(QString::fromStdString(session_->last_request.output_folder->string()) +
+             QStringLiteral("/notes.txt"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->text().contains("elsewhere"); }, 3000));
+  EXPECT_TRUE(file.exists()) << "a folder that holds anything stays";
 }
 
 TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
