@@ -6,6 +6,7 @@
 
 #include "core/base/regular_file.h"
 #include "core/dataset/region_choice.h"
+#include "core/dataset/staged_folder.h"
 #include "core/exchange/atomic_file.h"
 
 namespace scantrove {
@@ -98,6 +99,7 @@ Result<void> ExportJob::checkFiles() const {
        entry.increment(failure)) {
     if (entry->is_directory()) continue;
     const fs::path name = entry->path().lexically_relative(folder_);
+    if (name == StagedFolder::kMarker) continue;
     const auto written = written_.find(name);
     if (written == written_.end()) return readBackFailure(name, "nobody wrote it");
     if (entry->file_size() != written->second) return readBackFailure(name, "its length differs");

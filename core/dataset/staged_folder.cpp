@@ -61,11 +61,41 @@ Result<fs::path> makePartOf(const fs::path& place) {
   return cannotMake(place, systemReason(errno));
 }
 
+/// The marker's content. It names the staged folder, so that a renamed copy is not taken for one of ours.
+std::string markerOf(const fs::path& part) {
+  return "Scantrove has not finished this folder. The next export to the same place removes " +
+         part.filename().string() + ".\n";
+}
+
+Result<void> writeMarker(const fs::path& part, const fs::path& place) {
+  const int file =
+      ::open((part / StagedFolder::kMarker).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+  if (file < 0) return cannotMake(place, systemReason(errno));
+  const std::string text = markerOf(part);
+  const bool is_written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const int code = errno;
+  ::close(file);
+  return is_written ? Result<void>() : cannotMake(place, systemReason(code));
+}
+
+/// Whether this program made the folder that is open as `folder` and has not finished it.
+bool isMarked(int folder, const fs::path& part) {
+  const int file = ::openat(folder, StagedFolder::kMarker, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return false;
+  const std::string expected = markerOf(part);
+  std::string content(expected.size() + 1, '\0');
+  const ssize_t read = ::read(file, content.data(), content.size());
+  ::close(file);
+  content.resize(static_cast<std::size_t>(std::max<ssize_t>(read, 0)));
+  return content == expected;
+}
+
 int openFolder(const fs::path& folder) {
   return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
 }
 
-/// What killed programs left beside `place`: staged folders that nobody has locked.
+/// Removes the staged folders that killed programs left beside `place`. Each carries the marker, and nobody
+/// holds its lock.
 void removeAbandoned(const fs::path& place) {
   std::error_code ignored;
   for (fs::directory_iterator entry(place.parent_path(), ignored), end; !ignored && entry != end;
@@ -74,7 +104,8 @@ void removeAbandoned(const fs::path& place) {
     const int folder = openFolder(entry->path());
     if (folder < 0) continue;
     std::error_code not_removed;
-    if (::flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry->path(), not_removed);
+    if (isMarked(folder, entry->path()) && ::flock(folder, LOCK_EX | LOCK_NB) == 0)
+      fs::remove_all(entry->path(), not_removed);
     ::close(folder);
   }
 }
@@ -147,11 +178,16 @@ Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
   const int lock = openFolder(*part);
   // Where a file system has no locks, an unlocked folder is as good.
   if (lock >= 0) (void)::flock(lock, LOCK_EX | LOCK_NB);
-  return StagedFolder(place, *part, lock);
+  StagedFolder staged(place, *part, lock);
+  SCANTROVE_TRY(writeMarker(*part, place));
+  return staged;
 }
 
 Result<void> StagedFolder::commit() {
   SCANTROVE_TRY(flushDiskOf(path_));
+  // Removed before the rename: a finished folder never carries the marker, whenever the program is killed.
+  if (::unlink((path_ / kMarker).c_str()) != 0 && errno != ENOENT)
+    return cannotMake(place_, systemReason(errno));
   if (::rename(path_.c_str(), place_.c_str()) != 0) {
     const int code = errno;
     if (code == ENOTEMPTY || code == EEXIST || code == ENOTDIR) {

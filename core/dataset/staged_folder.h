@@ -7,10 +7,13 @@
 namespace scantrove {
 
 /// A folder that appears whole or not at all: it is filled as `FOLDER.part-XXXXXX` beside its place and
-/// renamed. Unless committed it is removed with this object; what killed programs left is removed by the next
-/// one of the same place (those of running programs are locked).
+/// renamed. Unless committed it is removed with this object. A killed program leaves it behind; the next one
+/// for the same place removes it if it carries our marker file and no running program has locked it.
 class StagedFolder {
  public:
+  /// The marker's file name; no finished folder holds it.
+  static constexpr const char* kMarker = ".scantrove-unfinished";
+
   /// Makes the staged folder, and missing parents of `place`. Error: something is in `place` already, it is
   /// no folder, or its parent cannot be written to; names the path and what to do.
   [[nodiscard]] static Result<StagedFolder> create(const std::filesystem::path& place);

@@ -126,6 +126,33 @@ TEST(StagedFolder, LosesWhatKilledProgramsLeftOfTheSamePlace) {
   EXPECT_EQ(entriesOf(home.path()), 4);
 }
 
+TEST(StagedFolderTest, KeepsFoldersOfOthers_WhenTheyAreNamedLikeAPart) {
+  const TemporaryFolder home;
+  home.write("out.part-backup/photo.jpg", "mine");
+  home.write("out.part-marked/.scantrove-unfinished", "mine as well");
+  fs::create_directory(home / "out.part-empty1");
+  auto staged = StagedFolder::create(home / "out");
+  ASSERT_TRUE(staged);
+  fs::copy(staged->path(), home / "out.part-copied");
+  ASSERT_TRUE(staged->commit());
+  fs::remove_all(home / "out");
+  ASSERT_TRUE(StagedFolder::create(home / "out"));
+  EXPECT_EQ(readText(home / "out.part-backup" / "photo.jpg"), "mine");
+  EXPECT_TRUE(fs::exists(home / "out.part-marked"));
+  EXPECT_TRUE(fs::exists(home / "out.part-empty1"));
+  EXPECT_TRUE(fs::exists(home / "out.part-copied")) << "a renamed copy belongs to the person who made it";
+}
+
+TEST(StagedFolderTest, HoldsNoMarker_WhenCommitted) {
+  const TemporaryFolder home;
+  auto staged = StagedFolder::create(home / "out");
+  ASSERT_TRUE(staged);
+  put(staged->path() / "file", "whole");
+  EXPECT_EQ(entriesOf(staged->path()), 2);
+  ASSERT_TRUE(staged->commit());
+  EXPECT_EQ(entriesOf(home / "out"), 1);
+}
+
 TEST(StagedFolder, ErrorsSpeakOfThePlaceThatThePersonGave) {
   const TemporaryFolder home;
   const auto staged = StagedFolder::create(home / "out");
