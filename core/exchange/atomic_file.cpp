@@ -2,15 +2,15 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <regex>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "core/exchange/part_name.h"
 
 namespace scantrove {
 namespace {
@@ -22,20 +22,6 @@ std::string reason(int code) { return std::generic_category().message(code); }
 tl::unexpected<Error> cannotWrite(const fs::path& path, const std::string& why) {
   return fail("Cannot write " + path.string() + ": " + why + ".",
               "Check that the folder can be written to and that the disk is not full.");
-}
-
-/// Hidden, in the same folder (a rename must not cross file systems), of this process only:
-/// `.report.json.1234-0.part`.
-fs::path partName(const fs::path& path) {
-  static std::atomic<unsigned> counter{0};
-  std::ostringstream name;
-  name << '.' << path.filename().string() << '.' << ::getpid() << '-' << counter++ << ".part";
-  return path.parent_path() / name.str();
-}
-
-bool isPartName(const std::string& name) {
-  static const std::regex form(R"(\..+\.[0-9]+-[0-9]+\.part)");
-  return std::regex_match(name, form);
 }
 
 class Descriptor {
@@ -60,6 +46,12 @@ class Descriptor {
   [[nodiscard]] bool flush() const { return ::fsync(fd_) == 0; }
   /// Whether nobody else has it locked; it stays locked until it is closed, by a killed program too.
   [[nodiscard]] bool lock() const { return ::flock(fd_, LOCK_EX | LOCK_NB) == 0; }
+  /// A plain file of this user with a single name.
+  [[nodiscard]] bool isOwnFile() const {
+    struct stat status {};
+    return ::fstat(fd_, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
+           status.st_nlink == 1;
+  }
   /// Tells what closing tells (a network's disk reports a failed write then), and leaves it open and locked.
   [[nodiscard]] bool settle() const {
     const int copy = ::dup(fd_);
@@ -74,7 +66,7 @@ class Descriptor {
 class PartFile {
  public:
   explicit PartFile(const fs::path& path)
-      : path_(partName(path)), file_(path_, O_WRONLY | O_CREAT | O_TRUNC) {
+      : path_(makePartName(path)), file_(path_, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW) {
     // Where a file system has no locks, an unlocked part file is as good.
     if (file_.isOpen()) (void)file_.lock();
   }
@@ -82,7 +74,7 @@ class PartFile {
   PartFile& operator=(const PartFile&) = delete;
   ~PartFile() {
     std::error_code ignored;
-    fs::remove(path_, ignored);
+    if (file_.isOpen()) fs::remove(path_, ignored);  // otherwise the name may be somebody else's
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
   /// Every byte reached the file, and the disk if asked for.
@@ -103,7 +95,7 @@ std::function<std::string_view()> onePiece(std::string_view bytes) {
   return [bytes]() mutable { return std::exchange(bytes, {}); };
 }
 
-/// What killed runs left: part files that nobody has locked.
+/// Removes the part files of killed runs: this program named them, and nobody holds their lock.
 void removeAbandonedParts(const fs::path& folder) {
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
@@ -111,7 +103,7 @@ void removeAbandonedParts(const fs::path& folder) {
     if (!isPartName(entry->path().filename().string()) || !fs::is_regular_file(entry->symlink_status()))
       continue;
     const Descriptor part(entry->path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-    if (part.isOpen() && part.lock()) fs::remove(entry->path(), ignored);
+    if (part.isOpen() && part.isOwnFile() && part.lock()) fs::remove(entry->path(), ignored);
   }
 }
 

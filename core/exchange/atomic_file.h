@@ -27,7 +27,7 @@ Result<void> writeFileAtomically(const std::filesystem::path& path,
                                  Durability durability = Durability::power);
 
 /// Creates `folder` with its parents and proves by a small file that it can be written to. Removes the
-/// unfinished files that killed runs left in it (`.NAME.PID-N.part`; those of running programs are locked).
+/// unfinished files that killed runs left in it (see part_name.h; those of running programs are locked).
 /// Error: names `folder` and the system's reason.
 Result<void> prepareOutputFolder(const std::filesystem::path& folder);
 

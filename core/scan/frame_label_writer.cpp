@@ -8,6 +8,7 @@
 #include "core/base/thread_priority.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/label_image_writer.h"
+#include "core/exchange/part_name.h"
 #include "core/image/png_encoder.h"
 #include "core/scan/first_error.h"
 #include "core/scan/guarded.h"
@@ -76,14 +77,11 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, upsampler.apply(segments.ids), size));
   SCANTROVE_TRY(
       writeLabelImage(folder_ / "labels" / name, numbers_.numbersOf(upsampler.apply(frame.regions)), size));
-  SCANTROVE_TRY(writeFileAtomically(depthFile(name), encodePng(frame.depth), Durability::process));
-  written_.push_back({name, frame.T_world_camera, frame.metres_per_unit});
+  // A part's name: when this process is killed, the next scan into the folder removes the file.
+  const std::filesystem::path depth_file = makePartName(folder_ / "labels-final" / name);
+  SCANTROVE_TRY(writeFileAtomically(depth_file, encodePng(frame.depth), Durability::process));
+  written_.push_back({name, depth_file, frame.T_world_camera, frame.metres_per_unit});
   return {};
-}
-
-std::filesystem::path FrameLabelWriter::depthFile(const std::string& name) const {
-  // Named as a temporary file is: when this process is killed, the next scan into the folder removes it.
-  return folder_ / "labels-final" / ("." + name + "." + std::to_string(::getpid()) + "-0.part");
 }
 
 Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
@@ -110,13 +108,13 @@ Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
   wait();
   for (const Written& frame : written_) {
     std::error_code ignored;
-    std::filesystem::remove(depthFile(frame.name), ignored);
+    std::filesystem::remove(frame.depth_file, ignored);
   }
   return outcome.result();
 }
 
 Result<void> FrameLabelWriter::writeFinal(const Written& frame, const FinalView& view) {
-  const Result<cv::Mat> depth = readLabelImage(depthFile(frame.name));
+  const Result<cv::Mat> depth = readLabelImage(frame.depth_file);
   if (!depth) return fail(depth.error());
   const DepthGuide guide{
       depth->cols, depth->rows, {depth->ptr<std::uint16_t>(), depth->total()}, frame.metres_per_unit};

@@ -59,12 +59,11 @@ class FrameLabelWriter {
   void run();
   [[nodiscard]] Result<void> write(const Frame& frame);
   struct Written {
-    std::string name;  ///< of the files
+    std::string name;                  ///< of the files
+    std::filesystem::path depth_file;  ///< where the frame's depth waits for the end
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
     float metres_per_unit = 0.001F;
   };
-  /// Where a frame's depth waits for the end.
-  [[nodiscard]] std::filesystem::path depthFile(const std::string& name) const;
   [[nodiscard]] Result<void> writeFinal(const Written& frame, const FinalView& view);
   void close();
 

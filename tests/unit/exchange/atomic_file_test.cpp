@@ -11,6 +11,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "core/exchange/part_name.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove {
@@ -100,22 +101,53 @@ TEST(OutputFolder, ThatCannotBeWrittenToIsRefused) {
 
 TEST(OutputFolder, LosesWhatAKilledRunLeft) {
   const TemporaryFolder folder;
-  folder.write(".report.json.4711-3.part", "half a rep");
-  const fs::path held = folder.write(".cloud.ply.4712-0.part", "half a clo");
-  const fs::path others = folder.write(".notes.part", "somebody else's");
-  fs::create_directory(folder / ".folder.1-1.part");
-  fs::create_symlink("report.json", folder / ".link.1-2.part");
+  const fs::path left = makePartName(folder / "report.json"), held = makePartName(folder / "cloud.ply");
+  for (const fs::path& part : {left, held}) folder.write(part.filename().string(), "half");
   const int lock = ::open(held.c_str(), O_RDONLY);  // as a running program does
   ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
   ASSERT_TRUE(prepareOutputFolder(folder.path()));
-  EXPECT_FALSE(fs::exists(folder / ".report.json.4711-3.part"));
+  EXPECT_FALSE(fs::exists(left));
   EXPECT_TRUE(fs::exists(held));
-  EXPECT_TRUE(fs::exists(others));
-  EXPECT_TRUE(fs::exists(folder / ".folder.1-1.part"));
-  EXPECT_TRUE(fs::is_symlink(folder / ".link.1-2.part"));
   ::close(lock);  // it was killed too
   ASSERT_TRUE(prepareOutputFolder(folder.path()));
   EXPECT_FALSE(fs::exists(held));
+}
+
+TEST(OutputFolderTest, KeepsFilesOfOthers_WhenTheyAreNamedLikeAPart) {
+  const TemporaryFolder folder;
+  std::string changed = makePartName(folder / "report.json").filename().string();
+  changed[1] = 'R';
+  const std::string name = makePartName(folder / "linked").filename().string();
+  const std::string below = makePartName(folder / "folder").filename().string();
+  const std::string twice = makePartName(folder / "twice").filename().string();
+  for (const std::string& other :
+       {std::string(".report.json.4711-3.part"), std::string(".notes.part"), changed})
+    folder.write(other, "somebody else's");
+  fs::create_directory(folder / below);
+  fs::create_symlink(".notes.part", folder / name);
+  fs::create_hard_link(folder / ".notes.part", folder / twice);
+  const int entries = filesIn(folder.path());
+  ASSERT_TRUE(prepareOutputFolder(folder.path()));
+  EXPECT_EQ(filesIn(folder.path()), entries);
+  EXPECT_EQ(readText(folder / ".notes.part"), "somebody else's");
+}
+
+TEST(AtomicFileTest, WritesThroughNoLink_WhenOneWaitsAtThePredictableName) {
+  const TemporaryFolder folder;
+  const fs::path victim = folder.write("victim", "untouched");
+  for (int i = 0; i < 100; ++i)
+    fs::create_symlink(victim,
+                       folder / (".a.txt." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".part"));
+  ASSERT_TRUE(writeFileAtomically(folder / "a.txt", "x"));
+  EXPECT_EQ(readText(victim), "untouched");
+  EXPECT_EQ(readText(folder / "a.txt"), "x");
+}
+
+TEST(PartNameTest, IsNeverTheSame_WhenMadeTwice) {
+  EXPECT_NE(makePartName("a/b.txt"), makePartName("a/b.txt"));
+  EXPECT_TRUE(isPartName(makePartName("a/b.txt").filename().string()));
+  EXPECT_FALSE(isPartName(".part"));
+  EXPECT_FALSE(isPartName(""));
 }
 
 // The names of part files and of what is looked for must stay the same.
