@@ -100,6 +100,7 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
   const auto version = schema::versionToRead(database, schema::kSession, schema::sessionSteps(), 1);
   if (!version) return fail(version.error());
   SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'source'", summary.source));
+  SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'database'", summary.database));
   SCANTROVE_TRY(
       readText(database, "SELECT applied FROM schema_migrations WHERE version = 1", summary.started));
   int ended = 0;

@@ -11,6 +11,7 @@ struct SessionSummary {
   std::filesystem::path folder;
   std::string name;               ///< the folder's
   std::string source;             ///< as it was given to the scan
+  std::string database;           ///< its catalogue, as the session keeps the name
   std::string started;            ///< ISO 8601, UTC; empty: not known
   std::filesystem::path picture;  ///< colour image of the key frame in the middle; empty: there is none
   int frames = 0, tracked = 0, key_frames = 0;

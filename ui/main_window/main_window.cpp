@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/main_window/catalogue_choice.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/kept_scan_list.h"
@@ -46,6 +47,7 @@ constexpr int kHeldList_ms = 50;
 MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& options)
     : model_(editor_),
       controller_(new ScanController(factory, options, this)),
+      catalogue_(new CatalogueChoice(editor_, *controller_, this)),
       actions_(new MainActions(undo_, this)) {
   setWindowTitle(QStringLiteral("Scantrove"));
   setWindowIcon(icon(QStringLiteral("scantrove")));
@@ -77,7 +79,7 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   docks_->restore();
   showStartPage();
   connectCatalogue();
-  openCatalogue(options.database.empty() ? defaultCatalogueFile() : QString::fromStdString(options.database));
+  catalogue_->openAtStart(QString::fromStdString(options.database));
 }
 
 MainWindow::~MainWindow() {
@@ -124,6 +126,7 @@ void MainWindow::makeDocks(const ScanParams& params) {
 bool MainWindow::onStartPage() const { return centre_->currentWidget() == start_; }
 
 void MainWindow::showStartPage() {
+  catalogue_->showChosen();
   regions_->beginScan();  // questions, steps and selections end with their scan
   start_->setRecent(recentSources());
   showKeptScans();
@@ -134,6 +137,7 @@ void MainWindow::showStartPage() {
 }
 
 void MainWindow::closeScan() {
+  if (!objects_->list()->finishEditing()) return;
   regions_->finishEditing();
   if (export_ != nullptr) {
     delete export_;  // cancels what it waits for
@@ -163,18 +167,14 @@ void MainWindow::open(const QString& source) {
 }
 
 void MainWindow::openSession(const QString& folder) {
+  if (!objects_->list()->finishEditing()) return;
   messages_->dismiss();
   controller_->openSession(folder);
 }
 
 void MainWindow::openCatalogue(const QString& file) {
   if (!objects_->list()->finishEditing()) return;
-  if (const Result<void> done = editor_.open(file); !done) {
-    messages_->show(MessageBar::Kind::error, QString::fromStdString(done.error().message()));
-    return;
-  }
-  controller_->setDatabase(editor_.file());
-  objects_->setToolTip(tr("Catalogue: %1").arg(editor_.file()));
+  catalogue_->choose(file, !onStartPage());
 }
 
 void MainWindow::connectSession() {
@@ -252,6 +252,10 @@ void MainWindow::connectCatalogue() {
   SessionBridge& bridge = controller_->bridge();
   catalogue_timer_.setSingleShot(true);
   connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::followCatalogue);
+  connect(catalogue_, &CatalogueChoice::noted, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
+  connect(catalogue_, &CatalogueChoice::failed, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); });
   const auto soon = [this] { catalogue_timer_.start(0); };
   connect(&bridge, &SessionBridge::objectAdded, this, soon);
   connect(&bridge, &SessionBridge::viewAdded, this, soon);
@@ -282,6 +286,7 @@ void MainWindow::followCatalogue() {
 
 void MainWindow::beginScan(const QString& source) {
   params_->finishTyping();
+  controller_->hasSource() ? catalogue_->showChosen() : catalogue_->showCatalogueOf(source);
   setWindowTitle(tr("%1 — Scantrove").arg(sourceTitle(source)));
   progress_->begin(sourceTitle(source));
   scene_->view()->clearScene();

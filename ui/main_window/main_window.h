@@ -16,6 +16,7 @@ class QStackedWidget;
 
 namespace scantrove {
 
+class CatalogueChoice;
 class CoverageGuide;
 class DockArrangement;
 class ExportDialog;
@@ -108,6 +109,7 @@ class MainWindow : public QMainWindow {
   CatalogueEditor editor_;
   ObjectListModel model_;
   ScanController* controller_;
+  CatalogueChoice* catalogue_;
   QUndoStack kept_scans_undo_;
   QUndoGroup undo_;  ///< of the catalogue's and the regions' steps those that a person works on
   MainActions* actions_;

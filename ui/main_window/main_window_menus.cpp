@@ -7,6 +7,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "ui/main_window/catalogue_choice.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
 #include "ui/main_window/main_actions.h"
@@ -202,8 +203,8 @@ void MainWindow::openCamera() {
 }
 
 void MainWindow::chooseCatalogue() {
-  const QString file =
-      chooseFileToSave(this, tr("Catalogue to open or create"), editor_.file(), tr("Catalogues (*.sqlite)"));
+  const QString file = chooseFileToSave(this, tr("Catalogue to open or create"), catalogue_->chosen(),
+                                        tr("Catalogues (*.sqlite)"));
   if (!file.isEmpty()) openCatalogue(file);
 }
 

@@ -64,6 +64,14 @@ Result<void> CatalogueEditor::open(const QString& file) {
   return {};
 }
 
+void CatalogueEditor::close() {
+  undo_.clear();
+  database_.reset();
+  file_.clear();
+  last_event_ = 0;
+  emit opened();
+}
+
 template <class T>
 T CatalogueEditor::valueOr(Result<T> result, T fallback) {
   if (result) return std::move(*result);

@@ -25,6 +25,8 @@ class CatalogueEditor : public QObject {
   /// Opens another catalogue (creating it when missing) and forgets what could be undone. On failure the old
   /// one stays open.
   [[nodiscard]] Result<void> open(const QString& file);
+  /// Shows no catalogue: there are no objects, and nothing can be changed.
+  void close();
   [[nodiscard]] bool isOpen() const { return database_ != nullptr; }
   [[nodiscard]] const QString& file() const { return file_; }
 

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
@@ -42,6 +43,10 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 0, 4, 6);
   layout->setSpacing(4);
+  catalogue_ = new ElidedLabel;
+  catalogue_->setObjectName(QStringLiteral("catalogueName"));
+  catalogue_->setContentsMargins(8, 0, 4, 0);
+  layout->addWidget(catalogue_);
   layout->addWidget(makeHead());
   layout->addWidget(pages_, 1);
   layout->addWidget(makeDetails());
@@ -50,6 +55,8 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
     updateCounts();
     updateSelection();
   };
+  connect(&editor_, &CatalogueEditor::opened, this, &ObjectPanel::updateCatalogue);
+  updateCatalogue();
   connect(&model_, &ObjectListModel::followed, this, update);
   connect(&model_, &QAbstractItemModel::modelReset, this, update);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -132,6 +139,12 @@ QWidget* ObjectPanel::makeDetails() {
   strip_ = new ViewsStrip;
   layout->addWidget(strip_);
   return details_;
+}
+
+void ObjectPanel::updateCatalogue() {
+  const QString file = editor_.file();
+  catalogue_->setFullText(editor_.isOpen() ? QFileInfo(file).fileName() : tr("No catalogue"),
+                          editor_.isOpen() ? tr("Catalogue: %1").arg(file.toHtmlEscaped()) : QString());
 }
 
 void ObjectPanel::updateCounts() {

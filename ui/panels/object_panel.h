@@ -33,6 +33,8 @@ class ObjectPanel : public QWidget {
   };
   [[nodiscard]] const Actions& actions() const { return actions_; }
   [[nodiscard]] ObjectListView* list() const { return list_; }
+  /// The file whose objects are listed, as it is shown above them.
+  [[nodiscard]] const ElidedLabel* catalogueLabel() const { return catalogue_; }
   [[nodiscard]] ViewsStrip* viewsStrip() const { return strip_; }
 
   [[nodiscard]] QSize sizeHint() const override { return {290, 640}; }
@@ -48,6 +50,7 @@ class ObjectPanel : public QWidget {
   QWidget* makeHead();
   void makeActions();
   QWidget* makeDetails();
+  void updateCatalogue();
   void updateCounts();
   void updateSelection();
 
@@ -58,6 +61,7 @@ class ObjectPanel : public QWidget {
   QStackedWidget* pages_;
   ObjectListView* list_;
   QMenu* menu_;
+  ElidedLabel* catalogue_ = nullptr;
   ElidedLabel* count_ = nullptr;
   QToolButton* to_newest_ = nullptr;
   QWidget* details_ = nullptr;

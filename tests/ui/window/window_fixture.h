@@ -24,10 +24,13 @@ class WindowTest : public CatalogueTest {
   }
 
   /// A new window over the same catalogue, as after a restart of the program.
-  void restart() {
+  void restart() { restartWith(file_); }
+
+  /// The same with another catalogue on the command line; empty: none is given.
+  void restartWith(const QString& catalogue) {
     window_.reset();
     WindowOptions options;
-    options.database = file_.toStdString();
+    options.database = catalogue.toStdString();
     options.width = 1280;
     options.height = 800;
     window_ = std::make_unique<MainWindow>(

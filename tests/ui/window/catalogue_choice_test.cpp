@@ -1,0 +1,92 @@
+#include "ui/main_window/catalogue_choice.h"
+
+#include <QDir>
+#include <QFile>
+
+#include "core/session/session_store.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/panels/elided_label.h"
+#include "ui/panels/message_bar.h"
+
+namespace scantrove {
+namespace {
+
+class CatalogueChoiceTest : public test::WindowTest {
+ protected:
+  /// A saved scan that knows its catalogue, and nothing else.
+  QString savedScanWith(const QString& catalogue) {
+    const QString folder = folder_.filePath(QStringLiteral("scan"));
+    const auto store = SessionStore::create(folder.toStdString());
+    EXPECT_TRUE(store) << store.error().message();
+    SavedDelta delta;
+    delta.facts["database"] = catalogue.toStdString();
+    EXPECT_TRUE((*store)->save(delta));
+    return folder;
+  }
+
+  /// Another catalogue than the fixture's, without objects.
+  QString emptyCatalogue() {
+    const QString file = folder_.filePath(QStringLiteral("kitchen.sqlite"));
+    EXPECT_TRUE(ObjectDatabase::open(file.toStdString()));
+    return file;
+  }
+
+  [[nodiscard]] QString shownName() const { return window_->objectPanel()->catalogueLabel()->text(); }
+  [[nodiscard]] std::string usedByScans() const { return window_->controller().request().database; }
+};
+
+TEST_F(CatalogueChoiceTest, IsRememberedAndShown_AfterARestart) {
+  const QString kitchen = emptyCatalogue();
+  window_->openCatalogue(kitchen);
+  EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
+  restartWith({});
+  EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
+  EXPECT_EQ(usedByScans(), kitchen.toStdString());
+}
+
+TEST_F(CatalogueChoiceTest, FallsBackAndSaysSo_WhenTheFileIsMissing) {
+  const QString kitchen = emptyCatalogue();
+  window_->openCatalogue(kitchen);
+  window_.reset();
+  ASSERT_TRUE(QFile::remove(kitchen));
+  restartWith({});
+  EXPECT_EQ(usedByScans(), defaultCatalogueFile().toStdString());
+  EXPECT_TRUE(window_->messageBar()->text().contains(kitchen)) << window_->messageBar()->text().toStdString();
+  EXPECT_FALSE(QFile::exists(kitchen)) << "no empty one in its place";
+}
+
+TEST_F(CatalogueChoiceTest, ASavedScanShowsItsOwnObjects_UntilItIsClosed) {
+  const QString kitchen = emptyCatalogue();
+  window_->openSession(savedScanWith(kitchen));
+  EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
+  EXPECT_EQ(list()->model()->rowCount(), 0);
+  EXPECT_EQ(usedByScans(), file_.toStdString()) << "a new scan writes where the person chose";
+  window_->closeScan();
+  EXPECT_EQ(shownName(), QStringLiteral("catalogue.sqlite"));
+  EXPECT_EQ(list()->model()->rowCount(), 3);
+}
+
+TEST_F(CatalogueChoiceTest, ASavedScanShowsNoObjects_WhenItsCatalogueIsMissing) {
+  const QString missing = folder_.filePath(QStringLiteral("gone.sqlite"));
+  window_->openSession(savedScanWith(missing));
+  EXPECT_EQ(list()->model()->rowCount(), 0);
+  EXPECT_TRUE(window_->messageBar()->text().contains(missing)) << window_->messageBar()->text().toStdString();
+  EXPECT_FALSE(QFile::exists(missing));
+  window_->open(QStringLiteral("demo"));
+  EXPECT_EQ(list()->model()->rowCount(), 3) << "a new scan shows the chosen catalogue";
+}
+
+TEST_F(CatalogueChoiceTest, AScanKeepsItsCatalogue_WhenAnotherIsChosen) {
+  window_->open(QStringLiteral("demo"));
+  const QString kitchen = emptyCatalogue();
+  window_->openCatalogue(kitchen);
+  EXPECT_EQ(list()->model()->rowCount(), 3) << "those that the scan's numbers mean";
+  EXPECT_TRUE(window_->messageBar()->text().contains(kitchen));
+  window_->closeScan();
+  EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
+  EXPECT_EQ(usedByScans(), kitchen.toStdString());
+}
+
+}  // namespace
+}  // namespace scantrove

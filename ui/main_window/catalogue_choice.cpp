@@ -1,0 +1,99 @@
+#include "ui/main_window/catalogue_choice.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include "core/scan/session_setup.h"
+#include "core/session/session_list.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/models/catalogue_editor.h"
+
+namespace scantrove {
+namespace {
+
+const QString kChosenKey = QStringLiteral("catalogue/file");
+
+bool isSameFile(const QString& a, const QString& b) {
+  return a == b || (QFileInfo::exists(a) && QFileInfo(a) == QFileInfo(b));
+}
+
+}  // namespace
+
+CatalogueChoice::CatalogueChoice(CatalogueEditor& editor, ScanController& controller, QObject* parent)
+    : QObject(parent), editor_(editor), controller_(controller) {}
+
+bool CatalogueChoice::show(const QString& file) {
+  if (editor_.isOpen() && isSameFile(editor_.file(), file)) return true;
+  const Result<void> opened = editor_.open(file);
+  if (!opened) emit failed(QString::fromStdString(opened.error().message()));
+  return opened.has_value();
+}
+
+void CatalogueChoice::use(const QString& file) {
+  chosen_ = file;
+  controller_.setDatabase(file);
+}
+
+void CatalogueChoice::openAtStart(const QString& given) {
+  if (!given.isEmpty()) {
+    if (show(given)) use(given);
+    return;
+  }
+  const QString last = QSettings().value(kChosenKey).toString();
+  // The choice stays remembered: the disk with the file may only be absent today.
+  if (!last.isEmpty() && !QFileInfo::exists(last)) {
+    emit noted(tr("The catalogue %1, which was open last, is not there. The window uses %2 now. Put the file "
+                  "back and start again, or choose another with File > Open catalogue.")
+                   .arg(last, defaultCatalogueFile()));
+  } else if (!last.isEmpty() && show(last)) {
+    use(last);
+    return;
+  }
+  if (show(defaultCatalogueFile())) use(defaultCatalogueFile());
+}
+
+void CatalogueChoice::choose(const QString& file, bool is_scan_shown) {
+  const QString path = QFileInfo(file).absoluteFilePath();
+  const bool is_shown = editor_.isOpen() && isSameFile(editor_.file(), path);
+  if (is_scan_shown && !is_shown) {
+    CatalogueEditor trial;  // creates it, or says now why it cannot be used
+    if (const Result<void> opened = trial.open(path); !opened) {
+      emit failed(QString::fromStdString(opened.error().message()));
+      return;
+    }
+    emit noted(tr("The objects of %1 are shown when this scan is closed, and the next scan uses them. This "
+                  "scan keeps its own catalogue.")
+                   .arg(path));
+  } else if (!show(path)) {
+    return;
+  }
+  use(path);
+  QSettings().setValue(kChosenKey, path);
+}
+
+void CatalogueChoice::showChosen() {
+  if (!chosen_.isEmpty()) show(chosen_);
+}
+
+void CatalogueChoice::showCatalogueOf(const QString& session_folder) {
+  const std::filesystem::path folder = session_folder.toStdString();
+  SessionSetup setup;
+  for (const SessionSummary& scan : listSessions(folder)) {
+    if (scan.folder != folder) continue;
+    if (!scan.damage.empty()) return;  // opening it says so
+    setup.database = scan.database;
+  }
+  const QString file = QString::fromStdString(databaseFileOf(setup, folder).string());
+  if (file.isEmpty()) return editor_.close();
+  if (!QFileInfo::exists(file)) {
+    editor_.close();
+    emit noted(
+        tr("The catalogue %1 of this scan is not there, so no objects are shown. Put the file back and "
+           "open the scan again.")
+            .arg(file));
+    return;
+  }
+  if (!show(file)) editor_.close();
+}
+
+}  // namespace scantrove
