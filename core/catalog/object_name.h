@@ -6,11 +6,7 @@
 
 namespace scantrove {
 
-inline constexpr int kLongestObjectName = 200;  ///< characters
-
-/// A name that a person gave, without the blanks around it. Error: empty, longer than kLongestObjectName,
-/// with line breaks or other control characters, not UTF-8, or a number alone (commands take an id or a
-/// name).
+/// The name as the catalogue stores it. Errors: see checkedLabelName.
 [[nodiscard]] Result<QString> checkedObjectName(const std::string& name);
 
 }  // namespace scantrove

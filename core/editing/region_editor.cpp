@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/label_name.h"
+#include "core/base/text.h"
 #include "core/editing/surface_cut.h"
 #include "core/labeling/region_partition.h"
 
@@ -26,9 +28,25 @@ RegionSaid saidBy(const RegionNote& note) {
   return note.background || note.rejected ? RegionSaid::background : RegionSaid::nothing;
 }
 
+/// The operation with the names as they are stored, by the same rule as the catalogue's. An empty name
+/// removes the name and so passes.
+Result<Operation> withCheckedNames(Operation operation) {
+  if (!isNaming(operation.kind)) return operation;
+  if (!trimmed(operation.name).empty()) {
+    SCANTROVE_TRY(moveInto(operation.name, checkedLabelName(operation.name)));
+  } else {
+    operation.name.clear();
+  }
+  SCANTROVE_TRY(moveInto(operation.category, checkedCategoryName(operation.category)));
+  return operation;
+}
+
 }  // namespace
 
-Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& operation, const LabelingParams& params) {
+Result<RegionEditor::Outcome> RegionEditor::apply(const Operation& given, const LabelingParams& params) {
+  const Result<Operation> checked = withCheckedNames(given);
+  if (!checked) return fail(checked.error());
+  const Operation& operation = *checked;
   if (operation.regions.empty()) return fail("An operation names no region.", "Say which region is meant.");
   for (const RegionId region : operation.regions) {
     if (!exists(region)) {
@@ -84,6 +102,8 @@ Result<void> RegionEditor::note(Work& work) {
       note.name = operation.name;
       note.category = operation.category;
       note.rejected = false;
+      // A named region is an object, so that data sets hold what the catalogue holds.
+      if (!operation.name.empty()) note.background = false;
     }
     write(work, region, note);
   }

@@ -26,9 +26,10 @@ class RegionEditor {
     Operation operation;            ///< that was done, undone or done again
   };
 
-  /// Error: there is no such region, a cut whose two sides are one place, nothing to take apart, ...; then
-  /// nothing was changed.
-  [[nodiscard]] Result<Outcome> apply(const Operation& operation, const LabelingParams& params);
+  /// Names are stored as checkedLabelName and checkedCategoryName return them.
+  /// Error: there is no such region, a name breaks the rule, a cut whose two sides are one place, nothing to
+  /// take apart, ...; then nothing was changed.
+  [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params);
   /// Takes the newest operation back, and no more than that: what frames changed meanwhile stays, and what
   /// they cut out of regions meanwhile goes where the rest of it goes. Error:
   /// there is none.

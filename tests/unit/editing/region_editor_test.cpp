@@ -262,6 +262,35 @@ TEST_F(RegionEditorTest, FinerAndCoarserAreOppositeWays) {
   EXPECT_NE(regionAt(50), regionAt(30));
 }
 
+TEST_F(RegionEditorTest, StoresNamesAsTheCatalogueDoes_WhenTheyHaveBlanks) {
+  const RegionId region = regionAt(10);
+  Operation naming{OperationKind::name, {region}, " mug ", " cup"};
+  const auto outcome = apply(naming);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->operation.name, "mug") << "it is what the catalogue and the session file get";
+  EXPECT_EQ(editor_.notes().of(region).name, "mug");
+  EXPECT_EQ(editor_.notes().of(region).category, "cup");
+}
+
+TEST_F(RegionEditorTest, NamingEndsBackground_UntilItIsUndone) {
+  const RegionId region = regionAt(10);
+  ASSERT_TRUE(apply({OperationKind::background, {region}}));
+  ASSERT_TRUE(apply({OperationKind::name, {region}, "mug"}));
+  EXPECT_FALSE(editor_.notes().of(region).background) << "a data set leaves background out";
+  ASSERT_TRUE(editor_.undo());
+  EXPECT_TRUE(editor_.notes().of(region).background);
+}
+
+TEST_F(RegionEditorTest, RefusesNames_WhenTheCatalogueWould) {
+  const RegionId region = regionAt(10);
+  for (const std::string& name :
+       {std::string("two\nlines"), std::string(300, 'x'), std::string("\xFF"), std::string("12")})
+    EXPECT_FALSE(apply({OperationKind::name, {region}, name}));
+  EXPECT_FALSE(apply({OperationKind::name, {region}, "mug", "two\nlines"}));
+  EXPECT_EQ(editor_.notes().of(region), RegionNote{});
+  EXPECT_TRUE(editor_.log().entries().empty());
+}
+
 TEST_F(RegionEditorTest, WhatIsNoMoreIsSaid) {
   const auto refused = apply({.kind = OperationKind::name, .regions = {RegionId{77}}, .name = "x"});
   ASSERT_FALSE(refused);
