@@ -1,10 +1,13 @@
 #include "core/session/session_list.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <memory>
 #include <sstream>
 #include <system_error>
@@ -37,18 +40,43 @@ double megabytesIn(const fs::path& folder) {
   return static_cast<double>(bytes) / 1e6;
 }
 
-/// Somebody has a lock on the file: without trying to take it, which would keep others from it.
+/// The file as /proc/locks names it, "08:01:5678": hexadecimal device and decimal inode. The device is the
+/// one of the mounted file system; on btrfs that is not the one that stat gives. Empty: the file is not
+/// there.
+std::string nameInLocks(const fs::path& file) {
+  struct statx status {};
+  if (::statx(AT_FDCWD, file.c_str(), 0, STATX_INO | STATX_MNT_ID, &status) != 0) return {};
+  unsigned major_number = status.stx_dev_major, minor_number = status.stx_dev_minor;
+  std::ifstream mounts("/proc/self/mountinfo");
+  for (std::string line; std::getline(mounts, line);) {
+    // "36 35 98:0 /mnt1 /mnt2 rw ..."
+    std::istringstream words(line);
+    std::uint64_t mount = 0, parent = 0;
+    char colon = 0;
+    unsigned mounted_major = 0, mounted_minor = 0;
+    if (!(words >> mount >> parent >> mounted_major >> colon >> mounted_minor)) continue;
+    if (mount != status.stx_mnt_id) continue;
+    major_number = mounted_major;
+    minor_number = mounted_minor;
+  }
+  std::ostringstream name;
+  name << std::hex << std::setfill('0') << std::setw(2) << major_number << ':' << std::setw(2) << minor_number
+       << ':' << std::dec << status.stx_ino;
+  return name.str();
+}
+
+/// Reports whether any process has locked the file. Reads the kernel's list: a trial lock would refuse
+/// others.
 bool isLocked(const fs::path& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return false;
-  const std::string inode = ":" + std::to_string(status.st_ino);
+  const std::string wanted = nameInLocks(file);
+  if (wanted.empty()) return false;
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
     // "1: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF"
     std::istringstream words(line);
     std::string number, kind, way, access, process, place;
     words >> number >> kind >> way >> access >> process >> place;
-    if (kind == "FLOCK" && place.ends_with(inode)) return true;
+    if (kind == "FLOCK" && place == wanted) return true;
   }
   return false;
 }
