@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <charconv>
 #include <iomanip>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,8 @@ struct SessionCommand {
   std::string device;
   bool json = false;
   std::vector<std::uint32_t> regions;
-  std::string name, category;
+  std::string name;
+  std::optional<std::string> category;
   bool undo = false;
   bool without_catalogue = false;
   int steps = 1;
@@ -165,7 +168,7 @@ Operation operationOn(OperationKind kind, const SessionCommand& command) {
   Operation operation;
   operation.kind = kind;
   operation.name = command.name;
-  operation.category = command.category;
+  operation.category = command.category.value_or("");
   operation.on = !command.undo;
   for (const std::uint32_t region : command.regions) operation.regions.push_back(RegionId{region});
   return operation;
@@ -181,7 +184,11 @@ void tellCatalogue(OpenSession& session, const RegionEditor::Outcome& outcome, S
 
 template <OperationKind kKind>
 Result<void> edit(OpenSession& session, const SessionCommand& command) {
-  const auto outcome = session.edit(operationOn(kKind, command));
+  Operation operation = operationOn(kKind, command);
+  // A new name leaves the category alone unless one is given.
+  if (isNaming(kKind) && !command.category && !trimmed(command.name).empty() && !operation.regions.empty())
+    operation.category = session.noteOf(operation.regions.front()).category;
+  const auto outcome = session.edit(operation);
   if (outcome) tellCatalogue(session, *outcome, SaidHow::done, command);
   return report(outcome, command);
 }
@@ -209,7 +216,18 @@ Result<void> cut(OpenSession& session, const SessionCommand& command) {
   return report(session.edit(operation), command);
 }
 
+/// Error: fewer than `steps` operations are in that state. All steps are taken or none.
+Result<void> checkSteps(const OpenSession& session, OperationLog::State state, int steps, const char* verb) {
+  const auto available = std::ranges::count(session.history().entries(), state, &OperationLog::Entry::state);
+  if (available == 0 || available >= steps) return {};  // for none, the operation itself has a message
+  return fail(
+      "Only " + std::to_string(available) + " of " + std::to_string(steps) + " operations can be " + verb +
+          "; nothing was changed.",
+      "Give --steps " + std::to_string(available) + " or fewer; 'scantrove session history' lists them.");
+}
+
 Result<void> undo(OpenSession& session, const SessionCommand& command) {
+  SCANTROVE_TRY(checkSteps(session, OperationLog::State::done, command.steps, "undone"));
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
   for (int i = 0; i < command.steps && outcome; ++i) {
     outcome = session.undo();
@@ -219,6 +237,7 @@ Result<void> undo(OpenSession& session, const SessionCommand& command) {
 }
 
 Result<void> redo(OpenSession& session, const SessionCommand& command) {
+  SCANTROVE_TRY(checkSteps(session, OperationLog::State::undone, command.steps, "redone"));
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
   for (int i = 0; i < command.steps && outcome; ++i) {
     outcome = session.redo();
@@ -318,7 +337,8 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
   CLI::App* name = takeCatalogue(takeRegion(
       add("name", "Give a region a name, and so an object of the catalogue", edit<OperationKind::name>)));
   name->add_option("--name", command->name, "empty takes it away")->required()->type_name("N");
-  name->add_option("--category", command->category, "what kind of thing it is")->type_name("C");
+  name->add_option("--class,--category", command->category, "its class, such as cup; kept when left out")
+      ->type_name("C");
   takeRegions(
       add("join", "The regions are one thing; the first keeps its number", edit<OperationKind::join>));
   takeOff(

@@ -107,6 +107,14 @@ void keep(OpenSession& session, RegionId region, const std::vector<KeptNaming>& 
   session.setFact(namingsFactOf(region), namingsToJson(kept));
 }
 
+/// The name that the newest naming gave and nobody took back; empty: there is none.
+std::string newestNameOf(const OpenSession& session, RegionId region) {
+  const std::vector<KeptNaming> kept = keptOf(session, region);
+  const auto found = std::find_if(kept.rbegin(), kept.rend(),
+                                  [](const KeptNaming& one) { return !one.naming.name.empty(); });
+  return found == kept.rend() ? "" : found->naming.name;
+}
+
 /// Takes the newest entry of that name back.
 Result<bool> takeBack(OpenSession& session, RegionId region, const std::string& name) {
   std::vector<KeptNaming> kept = keptOf(session, region);
@@ -187,7 +195,7 @@ Result<bool> takeFromCatalogue(OpenSession& session, RegionId region) {
 
 Result<void> followInCatalogue(OpenSession& session, const RegionEditor::Outcome& outcome, SaidHow how) {
   const Operation& operation = outcome.operation;
-  const bool is_naming = isNaming(operation.kind) && !operation.name.empty();
+  const bool is_naming = isNaming(operation.kind);
   const bool is_adding = operation.kind == OperationKind::object && operation.on;
   if (!is_naming && !is_adding) return {};
   const bool is_undone = how == SaidHow::undone;
@@ -196,8 +204,16 @@ Result<void> followInCatalogue(OpenSession& session, const RegionEditor::Outcome
   const auto follow = [&](RegionId region) -> Result<void> {
     if (is_adding && is_undone) return takeFromCatalogue(session, region).map([](bool) {});
     if (is_adding) return addToCatalogue(session, region).map([](ObjectId) {});
-    if (!is_undone) return nameInCatalogue(session, region, operation.name).map([](ObjectId) {});
-    const Result<bool> taken = takeNameFromCatalogue(session, region, operation.name);
+    // Removing a name takes the naming back; undoing that names the region again, as its note now says.
+    const bool is_removal = operation.name.empty();
+    const std::string given = is_removal && is_undone ? session.noteOf(region).name : operation.name;
+    if (is_removal == is_undone) {
+      if (given.empty()) return {};
+      return nameInCatalogue(session, region, given).map([](ObjectId) {});
+    }
+    const std::string removed = is_removal ? newestNameOf(session, region) : operation.name;
+    if (removed.empty()) return {};
+    const Result<bool> taken = takeNameFromCatalogue(session, region, removed);
     if (!taken) return fail(taken.error());
     if (*taken || !session.objectOf(region)) return {};
     return fail("What the catalogue calls the object stays as it is.",

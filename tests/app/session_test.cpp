@@ -99,6 +99,44 @@ TEST_F(Session, UndoingAndDoingAgainGivesTheSameTableByteForByte) {
   expectJobFailure(tell({"name", "--region", "99999", "--name", "x"}), {"99999"});
 }
 
+TEST_F(Session, RefusesNames_WhenTheCatalogueWould) {
+  const std::string region = std::to_string(largest().at(3));
+  const std::string before = regions();
+  for (const std::string& name : {std::string("two\nlines"), std::string(300, 'x'), std::string("\xFF")})
+    expectJobFailure(tell({"name", "--region", region, "--name", name}), {"name"});
+  EXPECT_EQ(regions(), before);
+}
+
+TEST_F(Session, RenamingKeepsTheClass_WhenNoneIsGiven) {
+  const std::string region = std::to_string(largest().at(3));
+  ASSERT_EQ(tell({"name", "--region", region, "--name", "mug", "--class", "cup"}).exit_code, 0);
+  ASSERT_EQ(tell({"name", "--region", region, "--name", "red mug"}).exit_code, 0);
+  EXPECT_THAT(regions(), testing::AllOf(testing::HasSubstr("red mug"), testing::HasSubstr("\"cup\"")));
+}
+
+TEST_F(Session, UndoChangesNothing_WhenFewerStepsAreThere) {
+  const std::string region = std::to_string(largest().at(3));
+  ASSERT_EQ(tell({"name", "--region", region, "--name", "mug"}).exit_code, 0);
+  ASSERT_EQ(tell({"background", std::to_string(largest().at(0))}).exit_code, 0);
+  const std::string before = regions();
+  expectJobFailure(tell({"undo", "--steps", "5"}), {"2 of 5", "nothing was changed"});
+  EXPECT_EQ(regions(), before);
+}
+
+TEST_F(Session, RemovingANameTakesItFromTheCatalogue) {
+  const std::string region = std::to_string(largest().at(3));
+  const auto objects = [&] {
+    return scantrove({"objects", "list", "--database", (scan_ / "catalogue.sqlite").string()}).out;
+  };
+  const std::string before = objects();
+  ASSERT_EQ(tell({"name", "--region", region, "--name", "my mug"}).exit_code, 0);
+  ASSERT_THAT(objects(), testing::HasSubstr("my mug"));
+  ASSERT_EQ(tell({"name", "--region", region, "--name", ""}).exit_code, 0);
+  EXPECT_EQ(objects(), before);
+  ASSERT_EQ(tell({"undo"}).exit_code, 0);
+  EXPECT_THAT(objects(), testing::HasSubstr("my mug"));
+}
+
 TEST_F(Session, GoesOnInAnEarlierScan) {
   const std::vector<int> r = largest();
   ASSERT_EQ(tell({"name", "--region", std::to_string(r.at(3)), "--name", "kept"}).exit_code, 0);
