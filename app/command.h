@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "core/base/result.h"
+#include "core/base/text.h"
 
 namespace scantrove {
 
@@ -19,7 +20,7 @@ struct CommandOutcome {
 
   /// Reports `error` on stderr, once, and makes the program return kJobFailed.
   void failWith(const Error& error) {
-    std::cerr << "scantrove: " << error.message() << '\n';
+    std::cerr << "scantrove: " << forTerminal(error.message()) << '\n';
     exit_code = kJobFailed;
   }
 };

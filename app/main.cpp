@@ -7,6 +7,7 @@
 #include "app/window_main.h"
 #include "core/base/heap.h"
 #include "core/base/log.h"
+#include "core/base/text.h"
 #include "core/compute/device_threads.h"
 
 namespace scantrove {
@@ -44,7 +45,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("scantrove ") + SCANTROVE_VERSION);
   window.addTo(app);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return std::string("scantrove: ") + error.what() + "\nRun with --help for more information.\n";
+    return "scantrove: " + forTerminal(error.what(), 400) + "\nRun with --help for more information.\n";
   });
   app.require_subcommand(0, 1);
   addScanCommand(app, outcome);

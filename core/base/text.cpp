@@ -55,6 +55,29 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
+std::string forTerminal(std::string_view text, std::size_t longest) {
+  const bool is_cut = text.size() > longest;
+  if (is_cut) {
+    while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0U) == 0x80U) --longest;
+    text = text.substr(0, longest);
+  }
+  std::string safe;
+  safe.reserve(text.size() + 4);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const unsigned next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    const bool is_c1 = byte == 0xC2 && next >= 0x80 && next < 0xA0;  // U+0080 - U+009F in UTF-8
+    if ((byte < 0x20 && byte != '\n') || byte == 0x7F || is_c1) {
+      safe += '?';
+      i += is_c1 ? 1 : 0;
+    } else {
+      safe += text[i];
+    }
+  }
+  if (is_cut) safe += " ...";
+  return safe;
+}
+
 std::optional<int> parseFrameNumber(std::string_view digits) {
   int number = 0;
   const auto [stopped, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +16,10 @@ namespace scantrove {
 
 /// `text` without blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// `text` for a terminal: control characters but line feeds become '?', and text of over `longest` bytes is
+/// cut between UTF-8 characters and ends in "...".
+[[nodiscard]] std::string forTerminal(std::string_view text, std::size_t longest = 2000);
 
 /// The whole of `digits` as a non-negative number below 10^9; empty otherwise.
 [[nodiscard]] std::optional<int> parseFrameNumber(std::string_view digits);
