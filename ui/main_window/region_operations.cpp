@@ -100,6 +100,11 @@ void RegionController::learnHistory(const std::vector<DoneOperation>& operations
 }
 
 void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>& regions) {
+  if (std::holds_alternative<UndoEdit>(edit)) {
+    // The question was about a name that may be gone.
+    ++proposal_number_;
+    proposals_.withdraw();
+  }
   const auto* operation = std::get_if<Operation>(&edit);
   if (operation == nullptr) return;
   switch (operation->kind) {

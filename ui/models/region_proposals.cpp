@@ -66,11 +66,15 @@ bool RegionProposals::isRejected(const QString& name, RegionId region, const Reg
   });
 }
 
-void RegionProposals::clear() {
+void RegionProposals::withdraw() {
   open_.clear();
   looks_.clear();
-  rejected_.clear();
   emit changed();
+}
+
+void RegionProposals::clear() {
+  rejected_.clear();
+  withdraw();
 }
 
 std::vector<Proposal> RegionProposals::acceptFirst() {

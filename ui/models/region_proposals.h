@@ -32,6 +32,9 @@ class RegionProposals : public QObject {
 
   /// `named` got a name; `looks`: of all that may get it too, and of `named`.
   void propose(RegionId named, const QString& name, const QString& category, const Looks& looks);
+  /// Nothing is asked any more; what was rejected stays rejected.
+  void withdraw();
+  /// Another scan begins: withdraws, and forgets what was rejected for regions of this one.
   void clear();
 
   [[nodiscard]] const std::vector<Proposal>& open() const { return open_; }
