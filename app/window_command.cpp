@@ -16,7 +16,8 @@ std::string checkSource(const std::string& source) {
       error)
     return {};
   return "'" + source +
-         "' is neither a command nor something to open (a folder, an .oni file, demo, camera, freenect)";
+         "' is neither a command nor something to open (a folder of a recording or of a saved scan, an .oni "
+         "file, demo, camera, freenect)";
 }
 
 /// "1400x900"

@@ -60,7 +60,11 @@ void takePictureAtEnd(MainWindow& window, const QString& file) {
     std::cerr << "scantrove: " << message.toStdString() << '\n';
     save(kJobFailed);
   });
-  if (!window.controller().hasSource()) save(kDone);
+  if (window.onStartPage()) {
+    save(kDone);
+  } else if (!window.controller().hasSource()) {  // a saved scan
+    QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [save] { save(kDone); });
+  }
 }
 
 }  // namespace

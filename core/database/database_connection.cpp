@@ -35,7 +35,7 @@ constexpr std::uintmax_t kSmallestDatabase = 512;  // bytes: one page
 
 Error notADatabase(const std::string& file) {
   return {"The file " + file + " is not a database.",
-          "Give another file name; a new catalogue is created where there is no file."};
+          "Give another file, or restore this one from a backup."};
 }
 
 Error describe(const std::string& file, const QSqlError& error) {

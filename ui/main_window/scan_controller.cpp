@@ -1,9 +1,11 @@
 #include "ui/main_window/scan_controller.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "ui/main_window/recent_sources.h"
 #include "ui/panels/start_page.h"
 
 namespace scantrove {
@@ -69,6 +71,7 @@ void ScanController::openSession(const QString& folder) {
 }
 
 void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
+  if (isSessionFolder(source)) return openSession(QDir(source).absolutePath());
   source_ = source;
   request_.source_options = options;
   request_.poses = poses;

@@ -20,7 +20,7 @@ class ScanController : public QObject {
   [[nodiscard]] bool hasSource() const { return !source_.isEmpty(); }
   [[nodiscard]] const ScanRequest& request() const { return request_; }
 
-  /// Opens a source and begins to scan it.
+  /// Opens a source and begins to scan it; a folder with a saved scan opens as openSession() does it.
   void open(const QString& source, const SourceOptions& options = {},
             ScanRequest::Poses poses = ScanRequest::Poses::tracked);
   /// Opens the session of an earlier scan to look at it and correct it.
