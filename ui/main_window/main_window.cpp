@@ -20,6 +20,7 @@
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/main_window/window_placement.h"
 #include "ui/panels/color_panel.h"
 #include "ui/panels/export_dialog.h"
 #include "ui/panels/frame_panels.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
     resize(options.width, options.height);
   } else {
     restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
+    fitToScreen(*this);
   }
   docks_->restore();
   showStartPage();
@@ -162,6 +164,7 @@ void MainWindow::showScene() {
 }
 
 void MainWindow::open(const QString& source) {
+  if (!objects_->list()->finishEditing()) return;
   messages_->dismiss();
   controller_->open(source);
 }
@@ -362,7 +365,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   const QString path = urls.first().toLocalFile();
-  isSessionFolder(path) ? openSession(path) : open(path);
+  open(path);
 }
 
 }  // namespace scantrove

@@ -11,6 +11,8 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QUrl>
@@ -26,6 +28,9 @@ namespace {
 const QString kFormatKey = QStringLiteral("export/format");
 const QString kFolderKey = QStringLiteral("export/folder");
 constexpr int kAskAfter_ms = 200;
+constexpr int kDialogWidth_px = 560;
+constexpr int kRoomForWords_px = 40;  ///< what an export says takes more lines than at first
+constexpr int kRoomForTitle_px = 40;
 
 QString aboutFormat(DatasetFormat format) {
   switch (format) {
@@ -99,11 +104,24 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   buttons->addStretch(1);
   buttons->addWidget(cancel_);
   buttons->addWidget(export_);
+  // On a small screen the choices scroll; what the export says and the buttons stay in reach.
+  content_ = new QWidget;
+  auto* choices = new QVBoxLayout(content_);
+  choices->setContentsMargins(0, 0, 0, 0);
+  choices->setSpacing(12);
+  choices->addLayout(form);
+  choices->addWidget(sample_);
+  choices->addStretch(1);
+  scroll_ = new QScrollArea;
+  scroll_->setWidget(content_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->viewport()->setAutoFillBackground(false);
+  content_->setAutoFillBackground(false);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 14);
   column->setSpacing(12);
-  column->addLayout(form);
-  column->addWidget(sample_);
+  column->addWidget(scroll_, 1);
   column->addWidget(said_);
   column->addWidget(bar_);
   column->addLayout(buttons);
@@ -127,6 +145,13 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   connect(show_folder_, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(done_folder_)); });
   formatChanged();
+}
+
+QSize ExportDialog::sizeHint() const {
+  const QSize rest = QDialog::sizeHint() - scroll_->sizeHint();
+  const QSize whole = content_->sizeHint() + rest + QSize(0, kRoomForWords_px);
+  const QSize most = screen()->availableSize() - QSize(0, kRoomForTitle_px);
+  return whole.expandedTo({kDialogWidth_px, 0}).boundedTo(most);
 }
 
 ExportOptions ExportDialog::options() const {

@@ -13,6 +13,7 @@ class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 
 namespace scantrove {
 
@@ -28,6 +29,8 @@ class ExportDialog : public QDialog {
   ExportDialog(const QString& name, QWidget* parent);
 
   [[nodiscard]] ExportOptions options() const;
+  /// As large as its content, where the screen has that room.
+  [[nodiscard]] QSize sizeHint() const override;
   void setFolder(const QString& folder);
   [[nodiscard]] QString said() const;
   [[nodiscard]] ExportSampleView* sampleView() const { return sample_; }
@@ -58,6 +61,8 @@ class ExportDialog : public QDialog {
   [[nodiscard]] QString proposedFolder() const;
 
   QString name_;
+  QWidget* content_ = nullptr;  ///< in scroll_
+  QScrollArea* scroll_ = nullptr;
   QComboBox* format_;
   QLabel* about_;
   QLineEdit* folder_;

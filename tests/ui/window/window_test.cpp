@@ -1,17 +1,24 @@
+#include <QCompleter>
 #include <QDir>
 #include <QFile>
 #include <QMimeData>
+#include <QPushButton>
 #include <algorithm>
 
+#include "core/session/session_store.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/recent_sources.h"
+#include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
+#include "ui/main_window/window_placement.h"
 #include "ui/panels/color_panel.h"
+#include "ui/panels/export_dialog.h"
 #include "ui/panels/frame_panels.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/progress_strip.h"
+#include "ui/panels/proposal_bar.h"
 #include "ui/panels/views_strip.h"
 
 namespace scantrove {
@@ -113,6 +120,72 @@ TEST_F(WindowTest, FailedOpening_LeavesNoFolder) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->text().contains("elsewhere"); }, 3000));
   EXPECT_TRUE(file.exists()) << "a folder that holds anything stays";
+}
+
+TEST_F(WindowTest, AFolderOfASavedScan_OpensAsThat) {
+  const QString folder = folder_.filePath(QStringLiteral("scan"));
+  ASSERT_TRUE(SessionStore::create(folder.toStdString()));
+  window_->open(folder + QLatin1Char('/'));
+  EXPECT_EQ(session_->last_request.source, "") << "nothing is scanned";
+  EXPECT_EQ(session_->last_request.output_folder, folder.toStdString());
+}
+
+TEST_F(WindowTest, AQuestion_EndsWithItsScanAndWithAnUndo) {
+  RegionLook look;
+  look.size_m = {0.2F, 0.1F, 0.1F};
+  ColorHistogram::Shares shares{};
+  shares[7] = 1;
+  look.colors = ColorHistogram::ofShares(shares);
+  RegionProposals& proposals = window_->regions().proposals();
+  const auto ask = [&] {
+    proposals.propose(RegionId{1}, QStringLiteral("chair"), {}, {{RegionId{1}, look}, {RegionId{2}, look}});
+    return proposals.first() != nullptr;
+  };
+  auto* const bar = window_->findChild<ProposalBar*>();
+  window_->open(QStringLiteral("demo"));
+  ASSERT_TRUE(ask());
+  EXPECT_TRUE(bar->isVisible());
+  session_->post(Edited{UndoEdit{}, {}});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !bar->isVisible(); }, 3000)) << "the name may be gone";
+  ASSERT_TRUE(ask());
+  window_->closeScan();
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_EQ(proposals.first(), nullptr);
+}
+
+TEST(WindowPlacement, FitsASmallScreen) {
+  const QRect room(0, 24, 1366, 744);
+  EXPECT_EQ(fittedTo({0, 0, 1480, 920}, room), room);
+  EXPECT_EQ(fittedTo({900, 700, 800, 600}, room), QRect(566, 168, 800, 600));
+  EXPECT_EQ(fittedTo({100, 100, 800, 600}, room), QRect(100, 100, 800, 600)) << "it fits as it is";
+}
+
+TEST_F(WindowTest, TheExportDialog_FitsASmallScreen) {
+  ExportDialog dialog(QStringLiteral("kitchen"), window_.get());
+  EXPECT_LT(dialog.minimumSizeHint().height(), 420) << "its choices scroll";
+  dialog.resize(560, 420);
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  for (const QPushButton* button : dialog.findChildren<QPushButton*>()) {
+    if (!button->isVisible() || button->parentWidget() != &dialog) continue;
+    EXPECT_TRUE(dialog.rect().contains(button->geometry())) << button->text().toStdString();
+  }
+}
+
+TEST_F(WindowTest, ACompletionList_HasTheThemesColors) {
+  for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    Theme::instance().choose(choice);
+    QLineEdit field;
+    QCompleter completer(QStringList{QStringLiteral("mug"), QStringLiteral("muffin")});
+    field.setCompleter(&completer);
+    field.show();
+    completer.setCompletionPrefix(QStringLiteral("mu"));
+    completer.complete();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(completer.popup()));
+    const QImage shown = completer.popup()->grab().toImage();
+    EXPECT_EQ(shown.pixelColor(shown.width() - 2, shown.height() - 2), Theme::instance().colors().surface)
+        << static_cast<int>(choice);
+  }
 }
 
 TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
