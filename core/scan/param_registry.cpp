@@ -270,6 +270,21 @@ std::string inAscii(std::string text) {
   return text;
 }
 
+/// Whether a line joins more key parts by dots than the parser, which recurses over them, should be given.
+/// A comment counts as part of the line where quotes stand before it.
+bool hasDeepKey(std::string_view text) {
+  constexpr std::ptrdiff_t kMostDots = 100;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t comment = line.find_first_of("#\"'");
+    if (comment != std::string_view::npos && line[comment] == '#') line = line.substr(0, comment);
+    if (std::ranges::count(line, '.') > kMostDots) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string ParamInfo::text(const ScanParams& params) const {
@@ -293,8 +308,17 @@ Result<void> applySetting(ScanParams& params, const std::string& setting) {
 }
 
 Result<void> loadConfig(ScanParams& params, const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  constexpr std::size_t kLargest_bytes = 65536;
+  const Result<std::string> text = readFile(file, kLargest_bytes + 1);
   if (!text) return fail(text.error());
+  if (text->size() > kLargest_bytes) {
+    return fail("The configuration " + file.string() + " is larger than 64 KiB.",
+                "'scantrove params' shows what such a file may hold.");
+  }
+  if (hasDeepKey(*text)) {
+    return fail("The configuration " + file.string() + " holds a key of too many parts.",
+                "A key is 'group.name'; 'scantrove params' lists them.");
+  }
   toml::table table;
   try {
     table = toml::parse(inAscii(*text), file.string());

@@ -99,6 +99,26 @@ TEST(ParamRegistry, ConfigurationsThatAreNoFilesAreNamed) {
   }
 }
 
+TEST(ParamRegistry, RefusesConfiguration_WhenKeyOrFileIsTooLong) {
+  const test::TemporaryFolder folder;
+  const auto deepKey = [](int parts) {
+    std::string key = "a";
+    for (int i = 1; i < parts; ++i) key += ".a";
+    return key;
+  };
+  const std::string comment = "# " + std::string(200, '.') + "\n[fusion] # " + std::string(200, '.') + "\n";
+  ScanParams params;
+  EXPECT_TRUE(loadConfig(params, folder.write("comment.toml", comment)));
+  for (const std::string& text :
+       {deepKey(200'000) + " = 1\n", "[" + deepKey(200'000) + "]\n", "x = {" + deepKey(30'000) + " = 1}\n",
+        "x = \"#\" # " + deepKey(30'000) + "\n", std::string(70'000, '\n')}) {
+    const Result<void> done = loadConfig(params, folder.write("deep.toml", text));
+    ASSERT_FALSE(done) << text.substr(0, 20);
+    EXPECT_THAT(done.error().message(), HasSubstr("deep.toml"));
+    EXPECT_LT(done.error().message().size(), 500U);
+  }
+}
+
 TEST(ParamRegistry, ConfigurationFilesAreAppliedWholeOrNotAtAll) {
   const test::TemporaryFolder folder;
   ScanParams params;
