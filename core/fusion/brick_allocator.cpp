@@ -5,12 +5,12 @@
 
 #include "core/base/check.h"
 #include "core/compute/kernel_types.h"
+#include "core/fusion/image_limits.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kLeastWidth_px = 16;        // of images, so that the lanes of any device fit
 constexpr std::size_t kSeenSize = 32768;  // list_missing_bricks.cl
 constexpr std::size_t kFirstListSize = 16384;
 

@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/compute/kernel_types.h"
+#include "core/fusion/image_limits.h"
 #include "embedded/fusion_kernels.h"
 
 namespace scantrove {
@@ -28,12 +29,6 @@ Intrinsics halved(const Intrinsics& K) {
   return {K.fx / 2, K.fy / 2, (K.cx + 0.5F) / 2 - 0.5F, (K.cy + 0.5F) / 2 - 0.5F, K.width / 2, K.height / 2};
 }
 
-/// Pixels that a square of side `ratio` can touch along an axis.
-int blockOf(float ratio) {
-  const float whole = std::round(ratio);
-  return ratio == whole ? static_cast<int>(whole) : static_cast<int>(std::ceil(ratio)) + 1;
-}
-
 cl::NDRange imageRange(int width, int height) {
   return {static_cast<std::size_t>(width), static_cast<std::size_t>(height)};
 }
@@ -48,6 +43,11 @@ Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeCont
                     " pixels cannot be scanned at a working width of " +
                     std::to_string(params.working_width) + ".",
                 "Give the size of the depth images and a working width of at least 1.");
+  }
+  if (K.width < kLeastWidth_px) {
+    return fail("Images of " + std::to_string(K.width) + " x " + std::to_string(K.height) +
+                    " pixels are too narrow to be scanned.",
+                "Give depth images that are at least " + std::to_string(kLeastWidth_px) + " pixels wide.");
   }
   try {
     std::unique_ptr<DepthPreprocessor> preprocessor(new DepthPreprocessor(compute, K, params));
@@ -84,9 +84,7 @@ DepthPreprocessor::DepthPreprocessor(ComputeContext& compute, const Intrinsics& 
 Result<void> DepthPreprocessor::buildKernels() {
   SCANTROVE_TRY(moveInto(convert_, compute_.kernel(kernels::fusion, "convert_depth")));
   if (!halves()) {
-    const std::string block = std::to_string(std::max(blockOf(ratio_x_), blockOf(ratio_y_)));
-    SCANTROVE_TRY(
-        moveInto(reduce_, compute_.kernel(kernels::reduce_depth, "reduce_depth", "-DBLOCK=" + block)));
+    SCANTROVE_TRY(moveInto(reduce_, compute_.kernel(kernels::reduce_depth, "reduce_depth")));
   }
   SCANTROVE_TRY(moveInto(halve_, compute_.kernel(kernels::fusion, "halve_depth")));
   SCANTROVE_TRY(moveInto(filter_, compute_.kernel(kernels::fusion, "filter_depth")));
@@ -130,8 +128,8 @@ void DepthPreprocessor::reduceAndFilter() {
 void DepthPreprocessor::reduce() {
   const Intrinsics& K = pyramid_.K;
   reduce_.launch(imageRange(reduced_.width, reduced_.height), cl::NullRange, pyramid_.depth_m,
-                 cl_int{K.width}, cl_int{K.height}, cl_float{ratio_x_}, cl_float{ratio_y_},
-                 cl_int{reduced_.width}, cl_int{reduced_.height}, cl_int{reduced_.stride}, reduced_.metres);
+                 cl_int{K.width}, cl_int{K.height}, cl_int{reduced_.width}, cl_int{reduced_.height},
+                 cl_int{reduced_.stride}, reduced_.metres);
 }
 
 void DepthPreprocessor::halve(const Buffer<cl_float>& large, int large_stride, int large_pad,

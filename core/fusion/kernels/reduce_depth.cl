@@ -1,43 +1,45 @@
-// Edge-aware reduction: a pixel of the small image covers a square of `ratio` pixels of the large one. Of the readings in it only
-// those of the nearest surface count, z_i - z_min < DEPTH_JUMP(z_min), each with the area of its pixel that the square covers:
+// Edge-aware reduction: a pixel of the small image covers a rectangle of the large one. Only readings of the nearest surface in it
+// count, z_i - z_min < DEPTH_JUMP(z_min), each with the covered area of its pixel:
 //   z = sum a_i z_i / sum a_i;  no reading, no depth.
-// One work-item: one small pixel. BLOCK (build option) = pixels that a square can touch along an axis.
-// large: image, row by row; small: depth plane.
+// Lengths along an axis are whole numbers: a large pixel is small_width (small_height) long, a rectangle large_width
+// (large_height). So no rounding decides which pixels a rectangle covers, and mirrored images give mirrored results.
+// One work-item: one small pixel. large: image, row by row; small: depth plane.
 #include "core/fusion/kernels/depth_plane.clh"
 
+inline float covered_length(const int pixel, const int pixel_length, const int first, const int last) {
+  return (float)(min((pixel + 1) * pixel_length, last) - max(pixel * pixel_length, first)) / (float)pixel_length;
+}
+
 kernel void reduce_depth(global const float* restrict large, const int large_width, const int large_height,
-                         const float ratio_x, const float ratio_y, const int small_width, const int small_height,
-                         const int small_stride, global float* restrict small) {
+                         const int small_width, const int small_height, const int small_stride,
+                         global float* restrict small) {
   const int u = (int)get_global_id(0);
   const int v = (int)get_global_id(1);
   if (u >= small_width || v >= small_height) return;
-  // The square spans [left, left + ratio] in units where pixel i of the large image spans [i, i + 1].
-  const float left = (float)u * ratio_x;
-  const float top = (float)v * ratio_y;
-  const int u0 = (int)left;
-  const int v0 = (int)top;
+  const int left = u * large_width;
+  const int right = left + large_width;
+  const int top = v * large_height;
+  const int bottom = top + large_height;
+  const int first_column = left / small_width;
+  const int last_column = (right - 1) / small_width;
+  const int first_row = top / small_height;
+  const int last_row = (bottom - 1) / small_height;
 
-  float z[BLOCK * BLOCK];
   float nearest = FLT_MAX;
-  for (int dv = 0; dv < BLOCK; ++dv) {
-    const int row = min(v0 + dv, large_height - 1);
-    for (int du = 0; du < BLOCK; ++du) {
-      const int column = min(u0 + du, large_width - 1);
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first_column; column <= last_column; ++column) {
       const float depth = large[row * large_width + column];
-      z[dv * BLOCK + du] = depth;
       nearest = (depth > 0.0f) ? fmin(nearest, depth) : nearest;
     }
   }
   const float limit = nearest + DEPTH_JUMP(nearest);
   float sum = 0.0f;
   float area_sum = 0.0f;
-  for (int dv = 0; dv < BLOCK; ++dv) {
-    const float y = (float)(v0 + dv);
-    const float height = fmax(0.0f, fmin(y + 1.0f, top + ratio_y) - fmax(y, top));
-    for (int du = 0; du < BLOCK; ++du) {
-      const float x = (float)(u0 + du);
-      const float width = fmax(0.0f, fmin(x + 1.0f, left + ratio_x) - fmax(x, left));
-      const float depth = z[dv * BLOCK + du];
+  for (int row = first_row; row <= last_row; ++row) {
+    const float height = covered_length(row, small_height, top, bottom);
+    for (int column = first_column; column <= last_column; ++column) {
+      const float width = covered_length(column, small_width, left, right);
+      const float depth = large[row * large_width + column];
       const float area = (depth > 0.0f && depth < limit) ? width * height : 0.0f;
       sum += area * (depth - nearest);
       area_sum += area;

@@ -52,6 +52,15 @@ TEST(DepthPreprocessor, PyramidHasTheShapesOfTheHeader) {
   });
 }
 
+TEST(DepthPreprocessor, RefusesImages_WhenTheyAreTooNarrow) {
+  onEachDevice([](ComputeContext& compute) {
+    const auto narrow = DepthPreprocessor::create(compute, {15, 15, 7, 20, 15, 40}, {});
+    ASSERT_FALSE(narrow);
+    EXPECT_NE(narrow.error().message().find("at least 16 pixels wide"), std::string::npos);
+    EXPECT_TRUE(DepthPreprocessor::create(compute, {16, 16, 8, 20, 16, 40}, {}));
+  });
+}
+
 TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
   onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d point(0, 0, 1.5), normal = Eigen::Vector3d(0.4, -0.3, -1).normalized();

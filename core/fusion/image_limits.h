@@ -1,0 +1,8 @@
+#pragma once
+
+namespace scantrove {
+
+/// Narrower depth images do not fit the lanes of every device.
+inline constexpr int kLeastWidth_px = 16;
+
+}  // namespace scantrove
