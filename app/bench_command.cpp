@@ -8,6 +8,7 @@
 #include "app/json_output.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
+#include "app/text_check.h"
 
 namespace scantrove {
 namespace {
@@ -49,7 +50,8 @@ void addBenchCommand(CLI::App& app, CommandOutcome& outcome) {
   command->options.source = "demo";
   CLI::App* sub =
       app.add_subcommand("bench", "Time every stage of a scan, and the cost over the size of the map");
-  sub->add_option("SOURCE", command->options.source, "as 'scan' takes it (default demo)");
+  sub->add_option("SOURCE", command->options.source, "as 'scan' takes it (default demo)")
+      ->check(notEmpty("SOURCE"));
   sub->add_flag("--json", command->json, "as JSON");
   sub->add_flag("--kernels", command->kernels,
                 "time every OpenCL kernel too (one at a time, which slows the rest)");

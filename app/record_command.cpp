@@ -4,6 +4,7 @@
 #include "app/progress_line.h"
 #include "app/scan_options.h"
 #include "app/stop_signal.h"
+#include "app/text_check.h"
 #include "core/exchange/recording_writer.h"
 #include "core/scan/open_source.h"
 
@@ -60,7 +61,7 @@ void addRecordCommand(CLI::App& app, CommandOutcome& outcome) {
       "record",
       "Write a source as a folder in 7-Scenes layout: frame-NNNNNN.{color.png, depth.png, pose.txt};\n"
       "random scenes (demo:room:SEED, demo:tabletop:SEED) with their truth, frame-NNNNNN.instance.png");
-  sub->add_option("SOURCE", command->options.source, kSourceHelp)->required();
+  sub->add_option("SOURCE", command->options.source, kSourceHelp)->required()->check(notEmpty("SOURCE"));
   sub->add_option("--out", command->out, "folder for the recording; new or empty")
       ->required()
       ->type_name("DIR");

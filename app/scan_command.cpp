@@ -7,6 +7,7 @@
 #include "app/frame_use.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
+#include "app/text_check.h"
 #include "core/exchange/atomic_file.h"
 
 namespace scantrove {
@@ -69,7 +70,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
 void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ScanCommand>();
   CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
-  sub->add_option("SOURCE", command->options.source, kSourceHelp)->required();
+  sub->add_option("SOURCE", command->options.source, kSourceHelp)->required()->check(notEmpty("SOURCE"));
   sub->add_option("--out", command->out, "folder for the results; made when missing")->type_name("DIR");
   sub->add_option("--resume", command->resume, "instead of --out: go on in the folder of an earlier scan")
       ->type_name("DIR");

@@ -49,6 +49,7 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
   session.start(std::move(request));
   const auto showLatest = [&] {
     if (const auto snapshot = session.snapshots().collect()) {
+      if (snapshot->frames.done() > 0) keepResultsAtStop(true);
       if (watch) watch(*snapshot);
       progress.show(*snapshot);
     }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -43,6 +44,29 @@ TEST(Interruption, CtrlCWritesWhatThereIs) {
     EXPECT_TRUE(fs::exists(folder / "out/trajectory.txt"));
     EXPECT_TRUE(fs::exists(folder / "out/cloud.ply"));
     EXPECT_NE(child.out().find("results"), std::string::npos);
+  }
+}
+
+bool catches(const ChildProcess& child, int signal) {
+  const std::string status = readText("/proc/" + std::to_string(child.pid()) + "/status");
+  const std::size_t at = status.find("SigCgt:");
+  if (at == std::string::npos) return false;
+  return (std::stoull(status.substr(at + 7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0;
+}
+
+// The search for OpenCL drivers blocks on a pipe that nobody writes to.
+TEST(Interruption, FirstSignalEndsScan_WhenItHangsBeforeItsFirstFrame) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "drivers");
+    const fs::path pipe = folder / "drivers/stuck.icd";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    ChildProcess child(command({"scan", "demo", "--out", folder / "out"}),
+                       {{"OCL_ICD_VENDORS", (folder / "drivers").string() + "/"}});
+    ASSERT_TRUE(waitUntil(child, [&] { return catches(child, signal); })) << child.err();
+    child.kill(signal);
+    EXPECT_EQ(child.wait(60s), 128 + signal);
+    EXPECT_NE(child.err().find("Stopped while it was busy"), std::string::npos) << child.err();
   }
 }
 

@@ -34,6 +34,14 @@ TEST(Usage, VersionIsOneLine) {
   EXPECT_THAT(run.out, testing::MatchesRegex("scantrove [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
+TEST(Usage, RefusesSource_WhenItIsEmpty) {
+  const TemporaryFolder folder;
+  expectWrongUsage(scantrove({"scan", "", "--out", folder / "out"}), {"SOURCE is empty"});
+  expectWrongUsage(scantrove({"bench", ""}), {"SOURCE is empty"});
+  expectWrongUsage(scantrove({"record", "", "--out", folder / "out"}), {"SOURCE is empty"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 TEST(Usage, WhatIsNotUnderstoodIsNamed) {
   expectWrongUsage(scantrove({"fold-laundry"}), {"fold-laundry"});
   expectWrongUsage(scantrove({"scan", "demo", "--out", "x", "--fast"}), {"--fast"});

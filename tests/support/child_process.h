@@ -46,6 +46,7 @@ class ChildProcess {
     waitpid(pid_, nullptr, 0);
   }
 
+  [[nodiscard]] pid_t pid() const { return pid_; }
   void kill(int signal) const { ::kill(pid_, signal); }
 
   [[nodiscard]] bool isRunning() {
