@@ -9,6 +9,7 @@
 #include "app/scan_runner.h"
 #include "app/text_check.h"
 #include "core/exchange/atomic_file.h"
+#include "core/scan/output_owner.h"
 
 namespace scantrove {
 namespace {
@@ -21,6 +22,7 @@ struct ScanCommand {
   bool no_session = false;
   bool label_maps = false;
   bool record = false;
+  bool overwrite = false;
 };
 
 void printSummary(const ScanReport& report, const std::string& out) {
@@ -51,6 +53,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   request.record_all = command.record;
   request.session = !command.no_session;
   // Before anything is opened: nobody wants to learn this at the end of a scan.
+  if (!request.resume && !command.overwrite) SCANTROVE_TRY(checkHoldsOnlyOurs(out));
   SCANTROVE_TRY(prepareOutputFolder(out));
   request.output_folder = out;
   request.database = command.database;
@@ -84,6 +87,9 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
       ->type_name("FILE");
   sub->add_flag("--label-maps", command->label_maps,
                 "also write the segments and regions of every frame as PNGs");
+  sub->add_flag("--overwrite", command->overwrite,
+                "replace results in DIR that no scan wrote; other files there are kept")
+      ->excludes("--resume");
   command->options.addTo(*sub);
   sub->callback([command, &outcome] {
     if (command->out.empty() == command->resume.empty()) {

@@ -15,6 +15,7 @@
 #include "core/catalog/object_database.h"
 #include "core/scan/guarded.h"
 #include "core/scan/open_source.h"
+#include "core/scan/output_owner.h"
 #include "core/scan/session_restorer.h"
 
 namespace scantrove {
@@ -92,10 +93,27 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
 }
 
 Result<void> ScanRun::openSession(const SourceInfo& info) {
-  if (!request_.output_folder || !request_.session) return {};
-  const auto way = request_.resume ? SessionWriter::Way::open : SessionWriter::Way::create;
-  SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request_.output_folder, way)));
-  if (request_.resume) return readSession(info);
+  if (!request_.output_folder) return {};
+  const std::filesystem::path& folder = *request_.output_folder;
+  keeps_earlier_scan_ = !request_.resume && holdsEarlierScan(folder);
+  if (!request_.session) return {};
+  if (request_.resume) {
+    SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
+    return readSession(info);
+  }
+  return SessionStore::isSession(folder) ? SessionStore::checkReplaceable(folder) : beginSession(info);
+}
+
+Result<void> ScanRun::replaceEarlierScan() {
+  if (!keeps_earlier_scan_) return {};
+  if (request_.session && !recorder_) SCANTROVE_TRY(beginSession(source_->info()));
+  keeps_earlier_scan_ = false;
+  return {};
+}
+
+Result<void> ScanRun::beginSession(const SourceInfo& info) {
+  SCANTROVE_TRY(
+      moveInto(session_, SessionWriter::start(*request_.output_folder, SessionWriter::Way::create)));
   SessionRecorder::Setup setup{.all_frames = request_.record_all};
   setup.facts = factsOf({request_.source, info.intrinsics, request_.params,
                          databaseAsKept(request_.database, *request_.output_folder)});
@@ -180,6 +198,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
     returnFreeHeap();
   }
   count(*result, frame.index);
+  if (result->pose.usable()) SCANTROVE_TRY(replaceEarlierScan());
   announce(result->objects);
   if (!result->pose.usable()) followCatalogue();
   announceMapFailure();
@@ -302,7 +321,7 @@ Result<ScanReport> ScanRun::finish(const std::function<bool()>& goes_on) {
   stopClock();
   FirstError outcome;
   // First what needs nothing but this process: a catalogue or a device may take its time to fail.
-  if (output_) outcome.note(output_->writeTrajectory());
+  if (output_ && !keeps_earlier_scan_) outcome.note(output_->writeTrajectory());
   // What it would have found is no result that is lost.
   if (const Result<void> again = guarded("looking again", [&] { return lookAgain(goes_on); }); !again)
     spdlog::warn("The scan could not be looked at again. {}", again.error().message());
@@ -315,7 +334,7 @@ Result<ScanReport> ScanRun::finish(const std::function<bool()>& goes_on) {
     return {};
   }));
   if (recorder_) outcome.note(guarded("keeping the scan", [&] { return recorder_->finish(*pipeline_); }));
-  if (output_) outcome.note(output_->finish(*pipeline_, report));
+  if (output_ && !keeps_earlier_scan_) outcome.note(output_->finish(*pipeline_, report));
   announceMapFailure();
   SCANTROVE_TRY(outcome.result());
   return report;

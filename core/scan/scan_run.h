@@ -74,8 +74,11 @@ class ScanRun {
   void measureDrift(const FrameResult& result, int frame_index);
   void announce(const FrameObjects& objects);
   void announceMapFailure();
-  /// Begins the session, or goes on in it.
+  /// Begins the session, or goes on in it. An earlier one that must give way is only checked.
   [[nodiscard]] Result<void> openSession(const SourceInfo& info);
+  [[nodiscard]] Result<void> beginSession(const SourceInfo& info);
+  /// The scan has its first usable frame: what an earlier one left in the folder gives way.
+  [[nodiscard]] Result<void> replaceEarlierScan();
   /// The camera of the earlier scan must be this one; its map's parameters are taken over.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
   [[nodiscard]] Result<void> resumeSession();
@@ -94,7 +97,8 @@ class ScanRun {
   std::unique_ptr<ScanPipeline> pipeline_;
   std::unique_ptr<SessionWriter> session_;     // until the recorder has it
   std::optional<SavedScan> earlier_;           // what the session had
-  std::unique_ptr<SessionRecorder> recorder_;  // null: nothing is kept
+  std::unique_ptr<SessionRecorder> recorder_;  // null: nothing is kept, or nothing yet
+  bool keeps_earlier_scan_ = false;            // the folder's, until this one has a usable frame
 
   std::optional<FrameRead> next_read_;  // taken from the source before its turn
   FrameCounts frames_;

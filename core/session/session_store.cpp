@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/database/transaction.h"
+#include "core/session/session_files.h"
 #include "core/session/session_rows.h"
 #include "core/session/session_schema.h"
 
@@ -40,31 +41,23 @@ bool SessionStore::isSession(const fs::path& folder) {
   return fs::is_regular_file(folder / kDatabase, ignored);
 }
 
-Result<void> SessionStore::removeUnlabelled(const fs::path& folder) {
-  {
-    const Result<std::unique_ptr<SessionStore>> store = openLocked(folder);
-    if (!store) return fail(store.error());
-    Result<QSqlQuery> count = (*store)->database_->execute("SELECT count(*) FROM operations");
-    if (!count) return fail(count.error());
-    if (count->next() && count->value(0).toInt() > 0) {
-      return fail("In " + folder.string() + " there is a scan that somebody has labelled.",
-                  "Go on in it with --resume, or name another folder.");
-    }
-  }
-  std::error_code failure;
-  for (const char* name :
-       {"session.sqlite", "session.sqlite-wal", "session.sqlite-shm", "map", "keyframes"}) {
-    fs::remove_all(folder / name, failure);
-    if (failure) {
-      return fail("The earlier scan in " + folder.string() + " cannot be removed: " + failure.message() + ".",
-                  "Check the permissions of the folder, or name another one.");
-    }
+Result<void> SessionStore::checkReplaceable(const fs::path& folder) {
+  const Result<std::unique_ptr<SessionStore>> store = openLocked(folder);
+  if (!store) return fail(store.error());
+  Result<QSqlQuery> count = (*store)->database_->execute("SELECT count(*) FROM operations");
+  if (!count) return fail(count.error());
+  if (count->next() && count->value(0).toInt() > 0) {
+    return fail("In " + folder.string() + " there is a scan that somebody has labelled.",
+                "Go on in it with --resume, or name another folder.");
   }
   return {};
 }
 
 Result<std::unique_ptr<SessionStore>> SessionStore::create(const fs::path& folder) {
-  if (isSession(folder)) SCANTROVE_TRY(removeUnlabelled(folder));
+  if (isSession(folder)) {
+    SCANTROVE_TRY(checkReplaceable(folder));
+    SCANTROVE_TRY(removeSessionFiles(folder));
+  }
   SCANTROVE_TRY(makeFolders(folder));
   return openLocked(folder);
 }

@@ -24,11 +24,14 @@ namespace scantrove {
 /// first, a few at a time, then one transaction says where they are, with all else.
 class SessionStore {
  public:
-  /// Begins a session in `folder` (made if there is none); one that is there gives way, unless somebody has
-  /// labelled it. Error: somebody has, another program has it, the folder cannot be written, ...
+  /// Begins a session in `folder` (made if there is none). Removes the files of the session that is there,
+  /// unless somebody has labelled it. Error: as checkReplaceable(), the folder cannot be written, ...
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> create(const std::filesystem::path& folder);
   /// Error: there is none, it is of a newer version, another program has it, ...
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::filesystem::path& folder);
+  /// Error: the session in `folder` must not be replaced: somebody has labelled it, another program has it,
+  /// or it is damaged.
+  [[nodiscard]] static Result<void> checkReplaceable(const std::filesystem::path& folder);
   /// Whether there is a session, of any version.
   [[nodiscard]] static bool isSession(const std::filesystem::path& folder);
   ~SessionStore();
@@ -72,7 +75,6 @@ class SessionStore {
   SessionStore(std::filesystem::path folder, FileLock lock)
       : folder_(std::move(folder)), lock_(std::move(lock)) {}
 
-  [[nodiscard]] static Result<void> removeUnlabelled(const std::filesystem::path& folder);
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> openLocked(const std::filesystem::path& folder);
   [[nodiscard]] Result<void> readPlaces();
   [[nodiscard]] Result<RecordFile*> file(std::int64_t number);

@@ -1,4 +1,5 @@
 #include "core/session/session_store.h"
+#include "core/session/session_files.h"
 
 #include <gmock/gmock.h>
 
@@ -299,6 +300,30 @@ TEST(SessionStore, AScanGivesWayToANewOneUnlessItIsLabelled) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), HasSubstr("--resume"));
   EXPECT_EQ((*SessionStore::open(folder.path() / "scan"))->load()->frames.size(), 1U);
+}
+
+TEST(SessionStoreTest, KeepsFilesOfOthers_WhenANewScanTakesItsPlace) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scan = folder.path() / "scan";
+  SavedDelta delta = someDelta(1);
+  delta.operations.clear();
+  { ASSERT_TRUE(created(scan)->save(delta)); }
+  EXPECT_EQ(findForeignFile(scan), std::nullopt);
+  folder.write("scan/keyframes/000000.color.jpg", "an image of the scan");
+  folder.write("scan/keyframes/.000001.depth.png.77-0.part", "half an image");
+  EXPECT_EQ(findForeignFile(scan), std::nullopt);
+  for (const char* mine : {"keyframes/holiday.jpg", "keyframes/000000.color.jpg.bak", "map/notes.txt",
+                           "map/000001.bricks.old", "keyframes/album/000000.color.jpg"}) {
+    folder.write("scan/" + std::string(mine), "mine");
+    EXPECT_TRUE(findForeignFile(scan)) << mine;
+  }
+  { EXPECT_TRUE(created(scan)->load()->frames.empty()); }
+  EXPECT_FALSE(std::filesystem::exists(scan / "keyframes/000000.color.jpg"));
+  EXPECT_EQ(test::readText(scan / "keyframes/holiday.jpg"), "mine");
+  EXPECT_EQ(test::readText(scan / "keyframes/000000.color.jpg.bak"), "mine");
+  EXPECT_EQ(test::readText(scan / "keyframes/album/000000.color.jpg"), "mine");
+  EXPECT_EQ(test::readText(scan / "map/notes.txt"), "mine");
+  EXPECT_EQ(test::readText(scan / "map/000001.bricks.old"), "mine");
 }
 
 TEST(SessionStore, OutdatedPagesGoWhenTheyAreMany) {
