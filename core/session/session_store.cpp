@@ -201,7 +201,23 @@ Result<void> SessionStore::compact() {
   const std::uint64_t live_bytes = liveBytes();
   if (all_bytes < live_bytes + std::max(kOutdated_bytes, live_bytes)) return {};
 
-  const std::int64_t last_old = current_++;
+  const std::int64_t last_old = current_;
+  const Result<bool> is_on_disk = movePages();
+  if (!is_on_disk) return fail(is_on_disk.error());
+  if (!*is_on_disk) return {};  // the old files go with the next compaction
+  for (std::int64_t number = 1; number <= last_old; ++number) {
+    const bool is_used =
+        std::ranges::any_of(pages_, [&](const auto& page) { return page.second.file == number; });
+    if (is_used) continue;
+    files_.erase(number);
+    std::error_code ignored;
+    fs::remove(fileName(number), ignored);
+  }
+  return {};
+}
+
+Result<bool> SessionStore::movePages() {
+  const std::int64_t first_new = ++current_;
   Pages moved;
   for (const auto& [position, place] : pages_) {
     const Result<RecordFile*> from = file(place.file);
@@ -212,17 +228,18 @@ Result<void> SessionStore::compact() {
     if (!to) return fail(to.error());
     moved[position] = *to;
   }
+  for (std::int64_t number = first_new; number <= current_; ++number) {
+    const Result<RecordFile*> written = file(number);
+    if (!written) return fail(written.error());
+    SCANTROVE_TRY((*written)->flush());
+  }
+  SCANTROVE_TRY(flushFolder(folder_ / "map"));
   SCANTROVE_TRY(inTransaction(*database_, [&] { return writePlaces(moved); }));
   for (const auto& [position, place] : moved) pages_[position] = place;
-  for (std::int64_t number = 1; number <= last_old; ++number) {
-    const bool is_used =
-        std::ranges::any_of(pages_, [&](const auto& page) { return page.second.file == number; });
-    if (is_used) continue;
-    files_.erase(number);
-    std::error_code ignored;
-    fs::remove(fileName(number), ignored);
-  }
-  return {};
+  // A transaction alone may be lost in a power cut, and then the old places count again.
+  Result<QSqlQuery> checkpoint = database_->execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (!checkpoint) return fail(checkpoint.error());
+  return checkpoint->next() && checkpoint->value(0).toInt() == 0;
 }
 
 }  // namespace scantrove

@@ -81,6 +81,9 @@ class SessionStore {
   [[nodiscard]] Result<PagePlace> append(const PackedWords& packed);
   [[nodiscard]] Result<void> writeRows(const SavedDelta& delta);
   [[nodiscard]] Result<void> writePlaces(const Pages& pages);
+  /// Moves all pages to new files of the map. False: a reader of the database keeps their places from the
+  /// disk. Error: the disk failed; the old files still hold the pages.
+  [[nodiscard]] Result<bool> movePages();
   [[nodiscard]] std::filesystem::path fileName(std::int64_t number) const;
   [[nodiscard]] std::uint64_t liveBytes() const;
 
