@@ -21,7 +21,10 @@ struct ExportCommand {
 /// Progress in steps of ten percent on stderr; Ctrl+C ends the export.
 class ExportTeller {
  public:
-  ExportTeller() { listenForStop(); }
+  ExportTeller() {
+    listenForStop();
+    keepResultsAtStop(true);  // an export that stops removes its unfinished folder
+  }
   void operator()(const ExportProgress& progress) {
     if (stopRequested()) stop_.request_stop();
     const int percent = progress.total > 0 ? 10 * (10 * progress.done / progress.total) : 0;

@@ -24,6 +24,7 @@ std::string describeFrames(int written, const SourceInfo& info) {
 Result<int> writeFrames(FrameSource& source, RecordingWriter& writer) {
   ProgressLine progress;
   listenForStop();
+  keepResultsAtStop(true);  // a recording that was begun is finished
   int written = 0;
   while (!stopRequested()) {
     const FrameRead read = source.next();
