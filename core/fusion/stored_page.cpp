@@ -48,7 +48,10 @@ std::optional<StoredPage> StoredPage::fromWords(std::span<const std::uint32_t> w
     page.bricks[i] = (words[i] & kIsBrick) != 0;
     page.dormant[i] = (words[i] & kIsDormant) != 0;
     const bool is_cell = page.cells[i] <= 0 && page.cells[i] >= PAGE_EMPTY_CUBE(PAGE_SHIFT);
-    if (!is_cell || (page.dormant[i] && !page.bricks[i])) return std::nullopt;
+    const bool is_awake = page.bricks[i] && !page.dormant[i];
+    // A cell of 0 without a brick would be the slot of another page's brick.
+    if (!is_cell || (page.cells[i] == 0) != is_awake || (page.dormant[i] && !page.bricks[i]))
+      return std::nullopt;
   }
   const std::size_t count = page.bricks.count() * BRICK_VOXELS;
   if (words.size() != PAGE_BRICKS + kWordsOfVoxel * count) return std::nullopt;

@@ -38,8 +38,24 @@ RegionNote noteFrom(const Json& list) {
           list.at(3).get<bool>(), list.at(4).get<bool>()};
 }
 
-LinkConstraint constraintFrom(const Json& number) {
-  return static_cast<LinkConstraint>(std::min(number.get<unsigned>(), 2U));
+/// A number that is negative, broken or too large is refused: get() alone would make another one of it.
+std::uint32_t numberFrom(const Json& number) {
+  if (!number.is_number_unsigned() || number.get<std::uint64_t>() > UINT32_MAX)
+    throw Json::other_error::create(501, "no number of a fragment or region", nullptr);
+  return number.get<std::uint32_t>();
+}
+
+/// A list, so that an object's values are not taken for one.
+const Json& listAt(const Json& json, const char* name) {
+  const Json& list = json.at(name);
+  if (!list.is_array()) throw Json::other_error::create(501, "no list", nullptr);
+  return list;
+}
+
+LinkConstraint constraintFrom(const Json& json) {
+  const std::uint32_t number = numberFrom(json);
+  if (number > 2) throw Json::other_error::create(501, "no constraint", nullptr);
+  return static_cast<LinkConstraint>(number);
 }
 
 /// Reads by `read` what may not be JSON, or not of that form.
@@ -71,8 +87,8 @@ std::optional<Operation> operationFromJson(const std::string& text) {
     const auto kind = operationKindOf(json.at("kind").get<std::string>());
     if (!kind) throw Json::other_error::create(501, "no such operation", nullptr);
     operation.kind = *kind;
-    for (const Json& number : json.at("regions"))
-      operation.regions.push_back(RegionId{number.get<std::uint32_t>()});
+    for (const Json& number : listAt(json, "regions"))
+      operation.regions.push_back(RegionId{numberFrom(number)});
     operation.name = json.value("name", "");
     operation.category = json.value("category", "");
     operation.on = json.value("on", true);
@@ -98,14 +114,14 @@ std::string effectToJson(const OperationEffect& effect) {
 std::optional<OperationEffect> effectFromJson(const std::string& text) {
   return readJson(text, [](const Json& json) {
     OperationEffect effect;
-    const auto number = [](const Json& value) { return value.get<std::uint32_t>(); };
-    for (const Json& move : json.at("moves"))
+    const auto number = numberFrom;
+    for (const Json& move : listAt(json, "moves"))
       effect.moves.push_back(
           {FragmentId{number(move.at(0))}, RegionId{number(move.at(1))}, RegionId{number(move.at(2))}});
-    for (const Json& saying : json.at("said"))
+    for (const Json& saying : listAt(json, "said"))
       effect.sayings.push_back({FragmentId{number(saying.at(0))}, FragmentId{number(saying.at(1))},
                                 constraintFrom(saying.at(2)), constraintFrom(saying.at(3))});
-    for (const Json& note : json.at("notes"))
+    for (const Json& note : listAt(json, "notes"))
       effect.notes.push_back({RegionId{number(note.at(0))}, noteFrom(note.at(1)), noteFrom(note.at(2))});
     return effect;
   });

@@ -62,7 +62,7 @@ Result<void> RecordFile::flush() {
 }
 
 Result<std::vector<char>> RecordFile::read(std::uint64_t offset, std::uint64_t bytes) const {
-  if (offset + bytes > end_)
+  if (offset > end_ || bytes > end_ - offset)
     return fail("The file " + path_.string() + " is shorter than it was.",
                 "A part of the map is missing; restore the file from a copy if there is one.");
   std::vector<char> result(bytes);

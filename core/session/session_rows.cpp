@@ -13,6 +13,7 @@
 
 #include "core/fusion/packed_words.h"
 #include "core/session/operation_json.h"
+#include "core/session/row_checks.h"
 
 namespace scantrove::rows {
 namespace {
@@ -148,11 +149,11 @@ bool readColor(const std::string& written, SavedKeyFrame& key) {
 constexpr std::array kStates{TrackingState::tracking, TrackingState::uncertain, TrackingState::lost,
                              TrackingState::relocalised};
 
-TrackingState stateFrom(const std::string& word) {
+std::optional<TrackingState> stateFrom(const std::string& word) {
   for (const TrackingState state : kStates) {
     if (word == toString(state)) return state;
   }
-  return TrackingState::lost;
+  return std::nullopt;
 }
 
 using LogState = OperationLog::State;
@@ -223,10 +224,10 @@ Result<void> writeRegions(DatabaseConnection& database, const SavedDelta& delta)
 
 Result<void> writeOperations(DatabaseConnection& database, const SavedDelta& delta) {
   for (const OperationLog::Entry& entry : delta.operations) {
-    // When it was done stays when it is undone.
+    // When it was done stays when it is undone. The number may be that of a damaged row, which was left out.
     SCANTROVE_TRY(database.execute(
         "INSERT INTO operations VALUES (?, ?, ?, ?, ?) ON CONFLICT (number) DO UPDATE SET state = "
-        "excluded.state, effect = excluded.effect",
+        "excluded.state, operation = excluded.operation, effect = excluded.effect",
         {entry.number, wordFor(entry.state), text(operationToJson(entry.operation)),
          text(effectToJson(entry.effect)), DatabaseConnection::now()}));
   }
@@ -255,16 +256,87 @@ Result<void> readRows(DatabaseConnection& database, const char* sql, const char*
   return {};
 }
 
-SavedFrame frameFrom(const QSqlQuery& row) {
+std::optional<SavedFrame> frameFrom(const QSqlQuery& row) {
+  const auto pose = poseAt(row, 4);
+  const auto state = stateFrom(text(row, 3));
   SavedFrame frame;
+  frame.time_s = row.value(2).toDouble();
+  if (!pose || !state || !areIntegers(row, 0, 1, kCounts) || !std::isfinite(frame.time_s))
+    return std::nullopt;
   frame.number = row.value(0).toInt();
   frame.source_index = row.value(1).toInt();
-  frame.time_s = row.value(2).toDouble();
-  frame.state = stateFrom(text(row, 3));
-  const auto number = [&](int column) { return row.value(column).toDouble(); };
-  frame.T_world_camera = Eigen::Translation3d(number(4), number(5), number(6)) *
-                         Eigen::Quaterniond(number(10), number(7), number(8), number(9)).normalized();
+  frame.state = *state;
+  frame.T_world_camera = *pose;
   return frame;
+}
+
+std::optional<SavedKeyFrame> keyFrameFrom(const QSqlQuery& row) {
+  SavedKeyFrame key;
+  key.frame = row.value(0).toInt();
+  key.color_file = text(row, 1);
+  key.depth_file = text(row, 2);
+  key.metres_per_unit = row.value(3).toFloat();
+  if (!integerAt(row, 0, kCounts) || !readColor(text(row, 4), key) || !isPlausible(key)) return std::nullopt;
+  return key;
+}
+
+std::optional<SavedFragment> fragmentFrom(const QSqlQuery& row) {
+  const QByteArray seen_from = row.value(3).toByteArray();
+  const bool is_coverage = seen_from.isEmpty() || seen_from.size() == ViewCoverage::kCells / 8;
+  if (!integerAt(row, 0, kFragments) || !integerAt(row, 1, kRegions) || !integerAt(row, 2, kCounts) ||
+      !is_coverage)
+    return std::nullopt;
+  return SavedFragment{FragmentId{row.value(0).toUInt()}, RegionId{row.value(1).toUInt()},
+                       row.value(2).toInt(), coverageFrom(seen_from)};
+}
+
+std::optional<SavedRegion> regionFrom(const QSqlQuery& row) {
+  const bool is_region =
+      integerAt(row, 0, kRegions) && integerAt(row, 1, {0, kRegions.most}) && areIntegers(row, 4, 6, kFlags);
+  if (!is_region) return std::nullopt;
+  return SavedRegion{
+      RegionId{row.value(0).toUInt()},
+      ObjectId{row.value(1).toUInt()},
+      {text(row, 2), text(row, 3), row.value(4).toBool(), row.value(5).toBool(), row.value(6).toBool()}};
+}
+
+std::optional<SavedBorder> borderFrom(const QSqlQuery& row) {
+  const auto a = integerAt(row, 0, kFragments), b = integerAt(row, 1, kFragments);
+  std::optional<BorderEvidence> evidence = evidenceFrom(row.value(2).toByteArray());
+  if (!a || !b || *a >= *b || !evidence || !isPlausible(*evidence)) return std::nullopt;
+  if (!integerAt(row, 3, {0, 2}) || !integerAt(row, 4, kFlags) || !integerAt(row, 5, kCounts))
+    return std::nullopt;
+  evidence->constraint = static_cast<LinkConstraint>(row.value(3).toInt());
+  evidence->by_person = row.value(4).toBool();
+  evidence->constraint_order = row.value(5).toInt();
+  return SavedBorder{FragmentId{row.value(0).toUInt()}, FragmentId{row.value(1).toUInt()}, evidence};
+}
+
+std::optional<OperationLog::Entry> operationFrom(const QSqlQuery& row) {
+  const auto state = logStateFrom(text(row, 1));
+  auto operation = operationFromJson(text(row, 2));
+  auto effect = effectFromJson(text(row, 3));
+  if (!integerAt(row, 0, {1, kCounts.most}) || !state || !operation || !effect) return std::nullopt;
+  if (!isPlausible(*operation) || !isPlausible(*effect)) return std::nullopt;
+  return OperationLog::Entry{row.value(0).toInt(), std::move(*operation), std::move(*effect), *state};
+}
+
+/// For readRows().
+template <class Row>
+auto addTo(std::vector<Row>& list, std::optional<Row> (*from)(const QSqlQuery&)) {
+  return [&list, from](const QSqlQuery& row) {
+    std::optional<Row> read = from(row);
+    if (read) list.push_back(std::move(*read));
+    return read.has_value();
+  };
+}
+
+/// New regions are counted on from this one.
+bool isFact(const std::string& name, const std::string& value) {
+  if (name != "last_region") return true;
+  const bool is_number = !value.empty() && value.size() < 11 &&
+                         std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; });
+  return is_number && std::stoll(value) <= kRegions.most;
 }
 
 }  // namespace
@@ -282,60 +354,22 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
 Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
   SavedScan scan;
   SCANTROVE_TRY(readRows(database, "SELECT name, value FROM facts", "facts", damages, [&](QSqlQuery& row) {
+    if (!isFact(text(row, 0), text(row, 1))) return false;
     scan.facts[text(row, 0)] = text(row, 1);
     return true;
   }));
-  SCANTROVE_TRY(
-      readRows(database, "SELECT * FROM frames ORDER BY number", "frames", damages, [&](QSqlQuery& row) {
-        scan.frames.push_back(frameFrom(row));
-        return scan.frames.back().T_world_camera.matrix().allFinite() || (scan.frames.pop_back(), false);
-      }));
+  SCANTROVE_TRY(readRows(database, "SELECT * FROM frames ORDER BY number", "frames", damages,
+                         addTo(scan.frames, frameFrom)));
   SCANTROVE_TRY(readRows(database, "SELECT * FROM key_frames ORDER BY number", "key frames", damages,
-                         [&](QSqlQuery& row) {
-                           SavedKeyFrame key;
-                           key.frame = row.value(0).toInt();
-                           key.color_file = text(row, 1);
-                           key.depth_file = text(row, 2);
-                           key.metres_per_unit = row.value(3).toFloat();
-                           if (!readColor(text(row, 4), key)) return false;
-                           scan.key_frames.push_back(std::move(key));
-                           return true;
-                         }));
-  SCANTROVE_TRY(readRows(
-      database, "SELECT * FROM fragments ORDER BY fragment", "fragments", damages, [&](QSqlQuery& row) {
-        scan.fragments.push_back({FragmentId{row.value(0).toUInt()}, RegionId{row.value(1).toUInt()},
-                                  row.value(2).toInt(), coverageFrom(row.value(3).toByteArray())});
-        return true;
-      }));
-  SCANTROVE_TRY(
-      readRows(database, "SELECT * FROM regions ORDER BY region", "regions", damages, [&](QSqlQuery& row) {
-        scan.regions.push_back({RegionId{row.value(0).toUInt()},
-                                ObjectId{row.value(1).toUInt()},
-                                {text(row, 2), text(row, 3), row.value(4).toBool(), row.value(5).toBool(),
-                                 row.value(6).toBool()}});
-        return true;
-      }));
-  SCANTROVE_TRY(
-      readRows(database, "SELECT * FROM borders ORDER BY a, b", "borders", damages, [&](QSqlQuery& row) {
-        std::optional<BorderEvidence> evidence = evidenceFrom(row.value(2).toByteArray());
-        if (!evidence || row.value(3).toUInt() > 2) return false;
-        evidence->constraint = static_cast<LinkConstraint>(row.value(3).toInt());
-        evidence->by_person = row.value(4).toBool();
-        evidence->constraint_order = row.value(5).toInt();
-        scan.borders.push_back(
-            {FragmentId{row.value(0).toUInt()}, FragmentId{row.value(1).toUInt()}, evidence});
-        return true;
-      }));
-  SCANTROVE_TRY(readRows(
-      database, "SELECT number, state, operation, effect FROM operations ORDER BY number", "operations",
-      damages, [&](QSqlQuery& row) {
-        const auto state = logStateFrom(text(row, 1));
-        auto operation = operationFromJson(text(row, 2));
-        auto effect = effectFromJson(text(row, 3));
-        if (!state || !operation || !effect) return false;
-        scan.operations.push_back({row.value(0).toInt(), std::move(*operation), std::move(*effect), *state});
-        return true;
-      }));
+                         addTo(scan.key_frames, keyFrameFrom)));
+  SCANTROVE_TRY(readRows(database, "SELECT * FROM fragments ORDER BY fragment", "fragments", damages,
+                         addTo(scan.fragments, fragmentFrom)));
+  SCANTROVE_TRY(readRows(database, "SELECT * FROM regions ORDER BY region", "regions", damages,
+                         addTo(scan.regions, regionFrom)));
+  SCANTROVE_TRY(readRows(database, "SELECT * FROM borders ORDER BY a, b", "borders", damages,
+                         addTo(scan.borders, borderFrom)));
+  SCANTROVE_TRY(readRows(database, "SELECT number, state, operation, effect FROM operations ORDER BY number",
+                         "operations", damages, addTo(scan.operations, operationFrom)));
   return scan;
 }
 

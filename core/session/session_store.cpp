@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/database/transaction.h"
+#include "core/session/row_checks.h"
 #include "core/session/session_files.h"
 #include "core/session/session_rows.h"
 #include "core/session/session_schema.h"
@@ -19,6 +20,9 @@ constexpr const char* kDatabase = "session.sqlite";
 constexpr std::uint64_t kLargestFile_bytes = 256ULL << 20U;
 /// Outdated records are left alone up to this much, and up to as much as there is that is not.
 constexpr std::uint64_t kOutdated_bytes = 32ULL << 20U;
+/// Of `pages`: file, offset, packed and unpacked bytes. A page lies within 32-bit brick coordinates.
+constexpr rows::Bounds kPositions{-(1 << 27), 1 << 27}, kFiles{1, 999999}, kOffsets{0, 1LL << 40};
+constexpr rows::Bounds kPacked_bytes{1, 1 << 30}, kUnpacked_bytes{4, (1 << 30) - 1};
 
 Result<void> makeFolders(const fs::path& folder) {
   std::error_code failure;
@@ -103,7 +107,15 @@ Result<void> SessionStore::readPlaces() {
   Result<QSqlQuery> rows =
       database_->execute("SELECT x, y, z, file, offset, bytes, unpacked_bytes, checksum FROM pages");
   if (!rows) return fail(rows.error());
+  int bad = 0;
   while (rows->next()) {
+    const bool is_place = rows::areIntegers(*rows, 0, 2, kPositions) && rows::integerAt(*rows, 3, kFiles) &&
+                          rows::integerAt(*rows, 4, kOffsets) && rows::integerAt(*rows, 5, kPacked_bytes) &&
+                          rows::integerAt(*rows, 6, kUnpacked_bytes);
+    if (!is_place) {
+      ++bad;
+      continue;
+    }
     const auto number = [&](int column) { return rows->value(column).toLongLong(); };
     const Eigen::Vector3i position(rows->value(0).toInt(), rows->value(1).toInt(), rows->value(2).toInt());
     pages_[position] = {number(3), static_cast<std::uint64_t>(number(4)),
@@ -111,6 +123,9 @@ Result<void> SessionStore::readPlaces() {
                         static_cast<std::uint64_t>(number(7))};
     current_ = std::max<std::int64_t>(current_, number(3));
   }
+  if (bad > 0)
+    damages_.push_back(std::to_string(bad) + " parts of the map of the session in " + database_->file() +
+                       " have no place in its files and are left out.");
   return {};
 }
 

@@ -1,0 +1,196 @@
+// Rows that no scan writes are left out and named; the rest of the session opens.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "core/fusion/packed_words.h"
+#include "core/session/session_store.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+SavedDelta soundDelta() {
+  SavedDelta delta;
+  delta.facts = {{"last_region", "9"}, {"source", "demo"}};
+  SavedFrame frame;
+  frame.number = 1;
+  frame.state = TrackingState::tracking;
+  delta.frames = {frame};
+  SavedKeyFrame key;
+  key.frame = 1;
+  key.color_file = "keyframes/000001.color.png";
+  key.depth_file = "keyframes/000001.depth.png";
+  key.color_width = 640;
+  key.color_height = 480;
+  key.color_camera = ColorCamera{{525, 525, 319.5F, 239.5F, 640, 480}, Eigen::Isometry3d::Identity()};
+  delta.key_frames = {key};
+  delta.fragments = {{FragmentId{7}, RegionId{3}, 100, {}}};
+  delta.regions = {{RegionId{3}, ObjectId{2}, {"cup", "cup", false, true, false}}};
+  BorderEvidence evidence;
+  evidence.looks = 3;
+  delta.borders = {{FragmentId{7}, FragmentId{9}, evidence}};
+  delta.operations = {{1,
+                       {.kind = OperationKind::join, .regions = {RegionId{3}, RegionId{5}}},
+                       {.moves = {{FragmentId{9}, RegionId{5}, RegionId{3}}},
+                        .sayings = {{FragmentId{7}, FragmentId{9}}},
+                        .notes = {}},
+                       OperationLog::State::done}};
+  return delta;
+}
+
+struct Change {
+  const char* name;
+  QString sql;
+  const char* left_out;  ///< as the message names it
+};
+
+void PrintTo(const Change& change, std::ostream* stream) { *stream << change.name; }
+
+class DamagedRowTest : public testing::TestWithParam<Change> {
+ protected:
+  void SetUp() override {
+    auto store = SessionStore::create(folder_ / "scan");
+    ASSERT_TRUE(store) << store.error().message();
+    ASSERT_TRUE((*store)->writePages(std::vector{SavedPage{{1, 2, 3}, std::vector<std::uint32_t>(500, 1)},
+                                                 SavedPage{{2, 2, 3}, std::vector<std::uint32_t>(500, 2)}}));
+    ASSERT_TRUE((*store)->save(soundDelta()));
+  }
+
+  void change(const QString& sql) {
+    const auto connection = DatabaseConnection::open((folder_ / "scan" / "session.sqlite").string());
+    ASSERT_TRUE(connection);
+    ASSERT_TRUE((*connection)->execute("PRAGMA foreign_keys = OFF"));
+    const auto done = (*connection)->execute(sql);
+    ASSERT_TRUE(done) << done.error().message();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(DamagedRowTest, NothingIsNamed_WhenRowsAreSound) {
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const auto scan = (*store)->load();
+  ASSERT_TRUE(scan);
+  EXPECT_THAT((*store)->damages(), IsEmpty());
+  EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
+                scan->borders.size() + scan->operations.size() + scan->pages.size(),
+            8U);
+}
+
+TEST_P(DamagedRowTest, RowIsLeftOutAndNamed_WhenNoScanWritesIt) {
+  change(GetParam().sql);
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const auto scan = (*store)->load();
+  ASSERT_TRUE(scan) << scan.error().message();
+  EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().left_out)));
+  EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
+                scan->borders.size() + scan->operations.size() + scan->pages.size() + scan->facts.size(),
+            9U);
+}
+
+QString operation(const char* regions, const char* moves, const char* said) {
+  return QString(R"(UPDATE operations SET operation = '{"kind": "join", "regions": %1}', )"
+                 R"(effect = '{"moves": %2, "said": %3, "notes": []}')")
+      .arg(regions, moves, said);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, DamagedRowTest,
+    testing::Values(
+        Change{"border of nothing", "UPDATE borders SET a = 0", "borders"},
+        Change{"border with itself", "UPDATE borders SET a = b", "borders"},
+        Change{"border turned round", "UPDATE borders SET a = 10", "borders"},
+        Change{"border beyond 24 bits", "UPDATE borders SET b = 16777216", "borders"},
+        Change{"border of 2^32", "UPDATE borders SET b = 4294967303", "borders"},
+        Change{"constraint unknown", "UPDATE borders SET said = -1", "borders"},
+        Change{"order at the end", "UPDATE borders SET said_order = 2147483647", "borders"},
+        Change{"evidence of 1e38", "UPDATE borders SET evidence = x'9699967e' || substr(evidence, 5)",
+               "borders"},
+        Change{"operation without list", operation("{\"a\": 3}", "[]", "[]"), "operations"},
+        Change{"operation of -1", operation("[-1]", "[]", "[]"), "operations"},
+        Change{"operation of 2^32", operation("[4294967299]", "[]", "[]"), "operations"},
+        Change{"move of nothing", operation("[3]", "[[0, 3, 5]]", "[]"), "operations"},
+        Change{"move beyond 24 bits", operation("[3]", "[[16777216, 3, 5]]", "[]"), "operations"},
+        Change{"said of itself", operation("[3]", "[]", "[[7, 7, 0, 1]]"), "operations"},
+        Change{"said of nothing", operation("[3]", "[]", "[[0, 7, 0, 1]]"), "operations"},
+        Change{"said what is unknown", operation("[3]", "[]", "[[7, 9, 0, 3]]"), "operations"},
+        Change{"operation 0", "UPDATE operations SET number = 0", "operations"},
+        Change{"operation of 2^31", "UPDATE operations SET number = 2147483648", "operations"},
+        Change{"fragment -1", "UPDATE fragments SET fragment = -1", "fragments"},
+        Change{"fragment beyond 24 bits", "UPDATE fragments SET fragment = 16777216", "fragments"},
+        Change{"fragment of no region", "UPDATE fragments SET region = 0", "fragments"},
+        Change{"fragment of the last region", "UPDATE fragments SET region = 4294967295", "fragments"},
+        Change{"seen from a half", "UPDATE fragments SET seen_from = x'0102'", "fragments"},
+        Change{"region 0", "UPDATE regions SET region = 0", "regions"},
+        Change{"object of text", "UPDATE regions SET object = 'cup'", "regions"},
+        Change{"last region of 2^32", "UPDATE facts SET value = '4294967295' WHERE name = 'last_region'",
+               "facts"},
+        Change{"frame of 2^32", "UPDATE frames SET number = 4294967297", "frames"},
+        Change{"frame -7", "UPDATE frames SET number = -7", "frames"},
+        Change{"state unknown", "UPDATE frames SET state = 'banana'", "frames"},
+        Change{"time of infinity", "UPDATE frames SET time_s = 9e999", "frames"},
+        Change{"far away", "UPDATE frames SET tx = 1e300", "frames"},
+        Change{"no place", "UPDATE frames SET ty = NULL", "frames"},
+        Change{"quaternion of 1e300", "UPDATE frames SET qx = 1e300, qy = 1e300", "frames"},
+        Change{"quaternion of 5", "UPDATE frames SET qw = 5", "frames"},
+        Change{"quaternion of 0", "UPDATE frames SET qw = 0", "frames"},
+        Change{"quaternion of text", "UPDATE frames SET qw = 'one'", "frames"},
+        Change{"unit of 0", "UPDATE key_frames SET metres_per_unit = 0", "key frames"},
+        Change{"unit of 1e30", "UPDATE key_frames SET metres_per_unit = 1e30", "key frames"},
+        Change{"focal length of 1e-30", "UPDATE key_frames SET color = replace(color, '525.0', '1e-30')",
+               "key frames"},
+        Change{"colour of no size", "UPDATE key_frames SET color = replace(color, '640', '-640')",
+               "key frames"},
+        Change{"page beyond bricks", "UPDATE pages SET x = 4294967290 WHERE x = 1", "parts of the map"},
+        Change{"page in file 2^63", "UPDATE pages SET file = 9223372036854775807 WHERE x = 1",
+               "parts of the map"},
+        Change{"page in file -5", "UPDATE pages SET file = -5 WHERE x = 1", "parts of the map"},
+        Change{"page at -10", "UPDATE pages SET offset = -10 WHERE x = 1", "parts of the map"},
+        Change{"page of nothing", "UPDATE pages SET bytes = 0 WHERE x = 1", "parts of the map"},
+        Change{"page of 2^32", "UPDATE pages SET bytes = 4294967296 WHERE x = 1", "parts of the map"},
+        Change{"page unpacked to 2^32", "UPDATE pages SET unpacked_bytes = 4294967296 WHERE x = 1",
+               "parts of the map"}));
+
+TEST_F(DamagedRowTest, PageFails_WhenItLiesBehindItsFile) {
+  change("UPDATE pages SET offset = 4294967290 WHERE x = 1");
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const auto page = (*store)->loadPage({1, 2, 3});
+  ASSERT_FALSE(page);
+  EXPECT_THAT(page.error().message(), HasSubstr("000001.bricks"));
+  EXPECT_TRUE((*store)->loadPage({2, 2, 3}));
+}
+
+TEST(RecordFileTest, ReadFails_WhenOffsetAndSizeWrap) {
+  const TemporaryFolder folder;
+  auto file = RecordFile::open(folder / "records");
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(file->append(packWords(std::vector<std::uint32_t>(500, 1))));
+  const auto read = file->read(~std::uint64_t{0} - 4, 10);
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message(), HasSubstr("shorter"));
+}
+
+TEST_F(DamagedRowTest, NewOperationReplacesDamagedOne_WhenItTakesItsNumber) {
+  change("UPDATE operations SET operation = '{'");
+  {
+    const auto store = SessionStore::open(folder_ / "scan");
+    ASSERT_TRUE(store);
+    ASSERT_TRUE((*store)->save(soundDelta()));
+  }
+  const auto store = SessionStore::open(folder_ / "scan");
+  const auto scan = (*store)->load();
+  ASSERT_TRUE(scan);
+  ASSERT_EQ(scan->operations.size(), 1U);
+  EXPECT_EQ(scan->operations[0].operation, soundDelta().operations[0].operation);
+}
+
+}  // namespace
+}  // namespace scantrove::test
