@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QVariant>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,11 @@
 
 namespace scantrove::schema {
 namespace {
+
+/// Of a name that is printed.
+constexpr int kLongestName = 60;
+
+int newestOf(std::span<const Migration> steps) { return steps.empty() ? 0 : steps.back().version; }
 
 std::vector<QString> statementsOf(std::string_view sql) {
   std::vector<QString> statements;
@@ -63,23 +69,52 @@ Result<void> apply(DatabaseConnection& connection, const Migration& step) {
   return {};
 }
 
+/// Refuses what no step makes: a view in a table's place may never end, and a trigger changes what is not
+/// asked for.
+Result<void> checkTables(DatabaseConnection& connection, std::span<const Migration> steps) {
+  Result<QSqlQuery> strangers = connection.execute(
+      "SELECT type, name FROM sqlite_master WHERE type IN ('view', 'trigger')"
+      " OR sql LIKE 'CREATE VIRTUAL%' ORDER BY type = 'trigger' DESC, name");
+  if (!strangers) return fail(strangers.error());
+  while (strangers->next()) {
+    const std::string type = strangers->value(0).toString().toStdString();
+    const QString name = strangers->value(1).toString();
+    const bool is_expected = std::ranges::any_of(steps, [&](const Migration& step) {
+      const auto statements = statementsOf(step.sql);
+      return std::ranges::any_of(statements, [&](const QString& statement) {
+        return statement.startsWith("CREATE TABLE " + name + " ", Qt::CaseInsensitive);
+      });
+    });
+    if (type != "trigger" && !is_expected) continue;  // nothing reads it
+    return fail("The file " + connection.file() + " holds a " + (type == "trigger" ? type : "view") + " \"" +
+                    name.left(kLongestName).toStdString() +
+                    (type == "trigger" ? "\", which Scantrove never writes." : "\" in place of a table."),
+                "It was changed by another program; use a copy from before that.");
+  }
+  return {};
+}
+
 /// ownVersion(), where it is one that this program knows.
-Result<int> knownVersion(DatabaseConnection& connection, const FileKind& kind, int newest) {
+Result<int> knownVersion(DatabaseConnection& connection, const FileKind& kind,
+                         std::span<const Migration> steps) {
+  const int newest = newestOf(steps);
   Result<int> version = ownVersion(connection, kind);
-  if (!version || *version <= newest) return version;
+  if (!version) return version;
+  if (*version <= newest) {
+    SCANTROVE_TRY(checkTables(connection, steps));
+    return version;
+  }
   return fail("The " + std::string(kind.called) + " " + connection.file() +
                   " was written by a newer Scantrove (its schema is version " + std::to_string(*version) +
                   ", this program knows " + std::to_string(newest) + ").",
               "Update Scantrove, or give another file name.");
 }
 
-int newestOf(std::span<const Migration> steps) { return steps.empty() ? 0 : steps.back().version; }
-
 }  // namespace
 
 Result<int> versionToRead(DatabaseConnection& connection, const FileKind& kind,
                           std::span<const Migration> steps, int oldest) {
-  Result<int> version = knownVersion(connection, kind, newestOf(steps));
+  Result<int> version = knownVersion(connection, kind, steps);
   if (!version || *version >= oldest) return version;
   const std::string called = "The " + std::string(kind.called) + " " + connection.file();
   if (*version == 0) return fail(called + " is empty.", "It was not written to its end.");
@@ -90,7 +125,7 @@ Result<int> versionToRead(DatabaseConnection& connection, const FileKind& kind,
 
 Result<void> migrate(DatabaseConnection& connection, const FileKind& kind, std::span<const Migration> steps) {
   const int newest = newestOf(steps);
-  const Result<int> version = knownVersion(connection, kind, newest);
+  const Result<int> version = knownVersion(connection, kind, steps);
   if (!version) return fail(version.error());
   SCANTROVE_TRY(connection.useWriteAheadLog());
   if (*version == newest) return {};

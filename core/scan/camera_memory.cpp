@@ -23,6 +23,7 @@ void put(ByteWriter& to, const Eigen::Isometry3d& T) {
 Eigen::Isometry3d getPose(ByteReader& from) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   from.getAll(std::span<double>(T.data(), static_cast<std::size_t>(T.matrix().size())));
+  if (!T.matrix().allFinite()) from.refuse();
   return T;
 }
 
@@ -190,8 +191,9 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   for (auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
     *maps = from.getList<cl_float4>();
   const auto pixels = static_cast<std::size_t>(memory.K.width) * static_cast<std::size_t>(memory.K.height);
-  const bool is_whole = from.isAtEnd() && memory.vertices_world.size() == pixels &&
-                        memory.normals_world.size() == pixels &&
+  const auto isSide = [](int side) { return side > 0 && side < kLargestSide; };
+  const bool is_whole = from.isAtEnd() && isSide(memory.K.width) && isSide(memory.K.height) &&
+                        memory.vertices_world.size() == pixels && memory.normals_world.size() == pixels &&
                         (!memory.tracker || memory.followed_normals_world.size() == pixels);
   return is_whole ? std::optional(std::move(memory)) : std::nullopt;
 }

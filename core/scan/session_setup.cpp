@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/scan/param_registry.h"
+#include "core/session/row_checks.h"
 
 namespace scantrove {
 
@@ -59,6 +60,10 @@ Result<SessionSetup> setupFrom(const SavedFacts& facts) {
   } catch (const nlohmann::json::exception&) {
     return fail("The session does not say what camera it was scanned with.",
                 "It broke off before its first frame was kept, or is damaged.");
+  }
+  if (!rows::isPlausible(setup.K)) {
+    return fail("The session is damaged: no camera can have the intrinsics and the image size that it names.",
+                "Restore session.sqlite from a copy if there is one.");
   }
   std::istringstream lines(fact("params"));
   for (std::string line; std::getline(lines, line);) {

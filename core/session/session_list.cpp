@@ -15,6 +15,7 @@
 
 #include "core/database/database_connection.h"
 #include "core/labeling/region_partition.h"
+#include "core/session/inside_folder.h"
 #include "core/session/session_schema.h"
 #include "core/session/session_store.h"
 
@@ -109,7 +110,7 @@ Result<void> readPicture(DatabaseConnection& database, SessionSummary& summary) 
                          " OFFSET (SELECT count(*) / 2 FROM key_frames WHERE color_file <> '')",
                          file));
   std::error_code ignored;
-  if (!file.empty() && fs::is_regular_file(summary.folder / file, ignored))
+  if (isInsideFolder(summary.folder, file) && fs::is_regular_file(summary.folder / file, ignored))
     summary.picture = summary.folder / file;
   return {};
 }

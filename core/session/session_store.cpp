@@ -1,10 +1,13 @@
 #include "core/session/session_store.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include "core/database/transaction.h"
+#include "core/session/inside_folder.h"
 #include "core/session/row_checks.h"
 #include "core/session/session_files.h"
 #include "core/session/session_rows.h"
@@ -21,7 +24,7 @@ constexpr std::uint64_t kLargestFile_bytes = 256ULL << 20U;
 /// Outdated records are left alone up to this much, and up to as much as there is that is not.
 constexpr std::uint64_t kOutdated_bytes = 32ULL << 20U;
 /// Of `pages`: file, offset, packed and unpacked bytes. A page lies within 32-bit brick coordinates.
-constexpr rows::Bounds kPositions{-(1 << 27), 1 << 27}, kFiles{1, 999999}, kOffsets{0, 1LL << 40};
+constexpr rows::Bounds kPositions{-(1 << 27), 1 << 27}, kFiles{1, 1LL << 40}, kOffsets{0, 1LL << 40};
 constexpr rows::Bounds kPacked_bytes{1, 1 << 30}, kUnpacked_bytes{4, (1 << 30) - 1};
 
 Result<void> makeFolders(const fs::path& folder) {
@@ -103,6 +106,13 @@ Result<RecordFile*> SessionStore::file(std::int64_t number) {
   return &found->second;
 }
 
+Result<RecordFile*> SessionStore::fileToRead(std::int64_t number) {
+  std::error_code ignored;
+  if (files_.contains(number) || fs::exists(fileName(number), ignored)) return file(number);
+  return fail("The file " + fileName(number).string() + " is missing.",
+              "Its part of the map is left out; restore the file from a copy if there is one.");
+}
+
 Result<void> SessionStore::readPlaces() {
   Result<QSqlQuery> rows =
       database_->execute("SELECT x, y, z, file, offset, bytes, unpacked_bytes, checksum FROM pages");
@@ -121,7 +131,9 @@ Result<void> SessionStore::readPlaces() {
     pages_[position] = {number(3), static_cast<std::uint64_t>(number(4)),
                         static_cast<std::uint32_t>(number(5)), static_cast<std::uint32_t>(number(6)),
                         static_cast<std::uint64_t>(number(7))};
-    current_ = std::max<std::int64_t>(current_, number(3));
+    // A damaged row may name any file.
+    std::error_code ignored;
+    if (number(3) > current_ && fs::exists(fileName(number(3)), ignored)) current_ = number(3);
   }
   if (bad > 0)
     damages_.push_back(std::to_string(bad) + " parts of the map of the session in " + database_->file() +
@@ -180,13 +192,20 @@ Result<void> SessionStore::writePlaces(const Pages& pages) {
 Result<SavedScan> SessionStore::load() {
   Result<SavedScan> scan = rows::read(*database_, damages_);
   if (!scan) return scan;
+  const auto outside = std::erase_if(scan->key_frames, [&](const SavedKeyFrame& key) {
+    return !isInsideFolder(folder_, key.depth_file) ||
+           (!key.color_file.empty() && !isInsideFolder(folder_, key.color_file));
+  });
+  if (outside > 0)
+    damages_.push_back(std::to_string(outside) + " key frames name images outside of " + folder_.string() +
+                       " and are left out.");
   for (const auto& [position, place] : pages_) scan->pages.push_back(position);
   return scan;
 }
 
 Result<std::vector<std::uint32_t>> SessionStore::loadPage(const Eigen::Vector3i& position) {
   const PagePlace& place = pages_.at(position);
-  const Result<RecordFile*> from = file(place.file);
+  const Result<RecordFile*> from = fileToRead(place.file);
   if (!from) return fail(from.error());
   Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
   if (!bytes) return fail(bytes.error());
@@ -206,9 +225,21 @@ std::uint64_t SessionStore::liveBytes() const {
   return bytes;
 }
 
+std::vector<std::int64_t> SessionStore::fileNumbers() const {
+  std::vector<std::int64_t> numbers;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder_ / "map", failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const std::int64_t number = std::strtoll(entry->path().filename().c_str(), nullptr, 10);
+    if (number >= kFiles.least && entry->path() == fileName(number)) numbers.push_back(number);
+  }
+  return numbers;
+}
+
 Result<void> SessionStore::compact() {
+  const std::vector<std::int64_t> old = fileNumbers();
   std::uint64_t all_bytes = 0;
-  for (std::int64_t number = 1; number <= current_; ++number) {
+  for (const std::int64_t number : old) {
     std::error_code missing;
     const std::uintmax_t bytes = fs::file_size(fileName(number), missing);
     if (!missing) all_bytes += bytes;
@@ -216,14 +247,13 @@ Result<void> SessionStore::compact() {
   const std::uint64_t live_bytes = liveBytes();
   if (all_bytes < live_bytes + std::max(kOutdated_bytes, live_bytes)) return {};
 
-  const std::int64_t last_old = current_;
   const Result<bool> is_on_disk = movePages();
   if (!is_on_disk) return fail(is_on_disk.error());
   if (!*is_on_disk) return {};  // the old files go with the next compaction
-  for (std::int64_t number = 1; number <= last_old; ++number) {
-    const bool is_used =
-        std::ranges::any_of(pages_, [&](const auto& page) { return page.second.file == number; });
-    if (is_used) continue;
+  std::set<fs::path> used{fileName(current_)};
+  for (const auto& [position, place] : pages_) used.insert(fileName(place.file));
+  for (const std::int64_t number : old) {
+    if (used.contains(fileName(number))) continue;
     files_.erase(number);
     std::error_code ignored;
     fs::remove(fileName(number), ignored);
@@ -235,8 +265,8 @@ Result<bool> SessionStore::movePages() {
   const std::int64_t first_new = ++current_;
   Pages moved;
   for (const auto& [position, place] : pages_) {
-    const Result<RecordFile*> from = file(place.file);
-    if (!from) return fail(from.error());
+    const Result<RecordFile*> from = fileToRead(place.file);
+    if (!from) continue;
     Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
     if (!bytes) continue;  // its place stays, and says that it is damaged
     const Result<PagePlace> to = append({std::move(*bytes), place.unpacked_bytes, place.checksum});

@@ -78,6 +78,8 @@ class SessionStore {
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> openLocked(const std::filesystem::path& folder);
   [[nodiscard]] Result<void> readPlaces();
   [[nodiscard]] Result<RecordFile*> file(std::int64_t number);
+  /// Error: it is missing; none is made.
+  [[nodiscard]] Result<RecordFile*> fileToRead(std::int64_t number);
   [[nodiscard]] Result<PagePlace> append(const PackedWords& packed);
   [[nodiscard]] Result<void> writeRows(const SavedDelta& delta);
   [[nodiscard]] Result<void> writePlaces(const Pages& pages);
@@ -86,6 +88,8 @@ class SessionStore {
   [[nodiscard]] Result<bool> movePages();
   [[nodiscard]] std::filesystem::path fileName(std::int64_t number) const;
   [[nodiscard]] std::uint64_t liveBytes() const;
+  /// Of the map's files on disk.
+  [[nodiscard]] std::vector<std::int64_t> fileNumbers() const;
 
   std::filesystem::path folder_;
   FileLock lock_;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/fusion/packed_words.h"
+#include "core/fusion/stored_page.h"
 #include "core/session/session_store.h"
 #include "tests/support/temporary_folder.h"
 
@@ -190,6 +191,15 @@ TEST_F(DamagedRowTest, NewOperationReplacesDamagedOne_WhenItTakesItsNumber) {
   ASSERT_TRUE(scan);
   ASSERT_EQ(scan->operations.size(), 1U);
   EXPECT_EQ(scan->operations[0].operation, soundDelta().operations[0].operation);
+}
+
+TEST(StoredPageTest, PageIsRefused_WhenEmptyCellNamesSlot) {
+  StoredPage page;
+  page.cells.fill(PAGE_EMPTY_CUBE(0));
+  std::vector<std::uint32_t> words = page.toWords();
+  EXPECT_TRUE(StoredPage::fromWords(words));
+  words[5] = 0;
+  EXPECT_FALSE(StoredPage::fromWords(words));
 }
 
 }  // namespace

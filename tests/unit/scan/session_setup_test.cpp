@@ -1,0 +1,31 @@
+#include "core/scan/session_setup.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace scantrove::test {
+namespace {
+
+Result<SessionSetup> setupOf(const std::string& camera) { return setupFrom({{"camera", camera}}); }
+
+TEST(SessionSetupTest, SetupComesBack_WhenCameraIsPlausible) {
+  const auto setup = setupOf(R"({"K": [525, 525, 319.5, 239.5], "size": [640, 480]})");
+  ASSERT_TRUE(setup) << setup.error().message();
+  EXPECT_EQ(setup->K.width, 640);
+}
+
+TEST(SessionSetupTest, SetupFails_WhenNoCameraCanBeSo) {
+  for (const char* camera : {R"({"K": [1e-30, 1e-30, 319.5, 239.5], "size": [640, 480]})",
+                             R"({"K": [525, 1e30, 319.5, 239.5], "size": [640, 480]})",
+                             R"({"K": [525, 525, 1e9, 239.5], "size": [640, 480]})",
+                             R"({"K": [525, 525, 319.5, 239.5], "size": [640, 0]})",
+                             R"({"K": [525, 525, 319.5, 239.5], "size": [-640, 480]})"}) {
+    const auto setup = setupOf(camera);
+    ASSERT_FALSE(setup) << camera;
+    EXPECT_THAT(setup.error().message(), testing::HasSubstr("no camera can have"));
+  }
+}
+
+}  // namespace
+}  // namespace scantrove::test
