@@ -68,8 +68,8 @@ std::string markerOf(const fs::path& part) {
 }
 
 Result<void> writeMarker(const fs::path& part, const fs::path& place) {
-  const int file =
-      ::open((part / StagedFolder::kMarker).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+  const int file = ::open((part / StagedFolder::kMarker).c_str(),
+                          O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (file < 0) return cannotMake(place, systemReason(errno));
   const std::string text = markerOf(part);
   const bool is_written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
