@@ -6,6 +6,7 @@
 #include "app/core_application.h"
 #include "app/frame_use.h"
 #include "app/json_output.h"
+#include "app/kernel_cache_use.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
 #include "app/text_check.h"
@@ -20,6 +21,7 @@ struct BenchCommand {
 };
 
 Result<void> bench(ScanRequest request, bool json) {
+  const KernelCacheUse kernels;
   const CoreApplication qt;
   // An empty catalogue and session, gone afterwards: every run does the same work, all that a scan does.
   const QTemporaryDir folder;

@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "app/json_output.h"
+#include "app/kernel_cache_use.h"
 #include "core/capture/camera_doctor.h"
 #include "core/capture/cameras.h"
 #include "core/compute/device_choice.h"
@@ -23,10 +24,9 @@ void printDevices(const std::vector<DeviceInfo>& devices) {
               << (device.is_gpu ? "GPU" : "CPU") << ", " << device.compute_units << " compute units, "
               << device.memory_mb << " MiB, " << device.version << ")\n";
   }
-  if (devices.empty()) {
-    std::cout
-        << "  none. Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver.\n";
-  }
+  if (!devices.empty()) return;
+  const auto none = chooseDevice("");
+  if (!none) std::cout << "  " << none.error().message() << '\n';
 }
 
 void printCameras(const Result<std::vector<CameraInfo>>& cameras) {
@@ -131,6 +131,7 @@ void addDevicesCommand(CLI::App& app, CommandOutcome&) {
   sub->add_option("--root", *root, "look at USB in DIR/sys and DIR/dev (a host's, mounted in a container)")
       ->type_name("DIR");
   sub->callback([json, root] {
+    const KernelCacheUse kernels;
     const Found found{listDevices(), listCameras(), examineCameras(*root)};
     *json ? printFoundAsJson(found) : printText(found);
   });

@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/core_application.h"
+#include "app/kernel_cache_use.h"
 #include "app/stop_signal.h"
 #include "core/dataset/dataset_export.h"
 #include "core/scan/catalogue_export.h"
@@ -53,6 +54,7 @@ Result<void> exportObjects(const ExportCommand& command) {
 Result<void> exportSession(const ExportCommand& command) {
   const Result<DatasetFormat> format = parseDatasetFormat(command.format);
   if (!format) return fail(format.error());
+  const KernelCacheUse kernels;
   auto session = OpenSession::open(command.folder, command.device);
   if (!session) return fail(session.error());
   for (const std::string& damage : (*session)->damages()) std::cerr << "scantrove: " << damage << '\n';

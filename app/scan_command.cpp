@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/core_application.h"
 #include "app/frame_use.h"
+#include "app/kernel_cache_use.h"
 #include "app/scan_options.h"
 #include "app/scan_runner.h"
 #include "app/text_check.h"
@@ -60,6 +61,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   if (command.database.empty() && !request.resume)
     request.database = (*request.output_folder / "catalogue.sqlite").string();
   request.label_maps = command.label_maps;
+  const KernelCacheUse kernels;
   const CoreApplication qt;
   const auto report = runToEnd(request);
   if (!report) return fail(report.error());

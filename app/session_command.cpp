@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/core_application.h"
 #include "app/json_output.h"
+#include "app/kernel_cache_use.h"
 #include "app/session_list_command.h"
 #include "core/base/text.h"
 #include "core/scan/open_session.h"
@@ -290,6 +291,7 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
   sub->callback([command, &outcome, action] {
+    const KernelCacheUse kernels;
     const CoreApplication qt;
     auto session = OpenSession::open(command->folder, command->device);
     if (!session) return outcome.failWith(session.error());

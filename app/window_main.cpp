@@ -1,5 +1,6 @@
 #include "app/window_main.h"
 #include "app/command.h"
+#include "app/kernel_cache_use.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -76,6 +77,7 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
                  "Scan without it: scantrove scan SOURCE --out DIR\n";
     return kJobFailed;
   }
+  const KernelCacheUse kernels;
   QApplication application(argc, argv);
   // QApplication sets the person's locale; numbers in files stay as the standard says.
   std::setlocale(LC_NUMERIC, "C");

@@ -1,5 +1,7 @@
 #include "core/compute/device_choice.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -60,6 +62,23 @@ std::string lowered(std::string text) {
   return text;
 }
 
+/// Why there is none: three variables hide devices that are there.
+Error noDevice() {
+  if (const char* cache = std::getenv("POCL_CACHE_DIR"); cache != nullptr && ::access(cache, W_OK) != 0) {
+    return {std::string("No OpenCL device found; compiled kernels cannot be kept in '") + cache + "'.",
+            "Set TMPDIR to a folder that can be written to."};
+  }
+  for (const char* variable : {"POCL_DEVICES", "OCL_ICD_VENDORS"}) {
+    const char* value = std::getenv(variable);
+    if (value == nullptr) continue;
+    return {std::string("No OpenCL device found; ") + variable + " is set to '" + value + "'.",
+            std::string("Unset ") + variable +
+                ", or install the package pocl-opencl-icd (runs on any CPU) or your GPU's OpenCL driver."};
+  }
+  return {"No OpenCL device found.",
+          "Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver."};
+}
+
 }  // namespace
 
 std::vector<DeviceInfo> listDevices() {
@@ -74,10 +93,7 @@ Result<cl::Device> chooseDevice(const std::string& wanted_by_caller) {
   const std::string wanted =
       wanted_by_caller.empty() && from_environment != nullptr ? from_environment : wanted_by_caller;
   const std::vector<cl::Device> devices = allDevices();
-  if (devices.empty()) {
-    return fail("No OpenCL device found.",
-                "Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver.");
-  }
+  if (devices.empty()) return fail(noDevice());
   if (wanted.empty()) return devices.front();
   std::size_t index = 0;
   const char* end = wanted.data() + wanted.size();
