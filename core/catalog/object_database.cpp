@@ -1,5 +1,7 @@
 #include "core/catalog/object_database.h"
 
+#include <QDateTime>
+
 #include "core/catalog/catalogue_schema.h"
 #include "core/catalog/object_name.h"
 #include "core/catalog/object_rows.h"
@@ -30,9 +32,11 @@ ObjectRecord toRecord(const QSqlQuery& query) {
   return record;
 }
 
-/// Versions of the schema: the oldest with all columns that are read, and the first whose sessions have
-/// cameras.
-constexpr int kOldestToRead = 3, kFirstWithCameras = 4;
+/// Versions of the schema: the oldest with all columns that are read, the first whose sessions have cameras,
+/// and the first with an identity.
+constexpr int kOldestToRead = 3, kFirstWithCameras = 4, kFirstWithIdentity = 6;
+/// Between the beginnings of a session and of its part in the catalogue kernels may be compiled.
+constexpr qint64 kBetweenBeginnings_s = 600;
 
 /// The N of the next Obj_N: above all that were given, and not the name of any object, visible or not.
 Result<int> nextNumber(DatabaseConnection& connection) {
@@ -68,6 +72,7 @@ Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::openToRead(const std::st
   std::unique_ptr<ObjectDatabase> result(new ObjectDatabase);
   result->connection_ = std::move(*connection);
   result->has_cameras_ = *version >= kFirstWithCameras;
+  result->has_identity_ = *version >= kFirstWithIdentity;
   return result;
 }
 
@@ -75,6 +80,26 @@ bool ObjectDatabase::isStill() const { return connection_->isStill(); }
 
 ObjectDatabase::ObjectDatabase() = default;
 ObjectDatabase::~ObjectDatabase() = default;
+
+Result<std::string> ObjectDatabase::identity() {
+  if (!has_identity_) return std::string();
+  Result<QSqlQuery> row = connection_->execute("SELECT uuid FROM identity");
+  if (!row) return fail(row.error());
+  const std::string identity = row->next() ? row->value(0).toString().toStdString() : std::string();
+  if (identity.empty()) return fail(damagedDatabase(connection_->file(), "it has lost its identity"));
+  return identity;
+}
+
+Result<bool> ObjectDatabase::hasScanOf(const std::string& begun) {
+  const QDateTime time = QDateTime::fromString(QString::fromStdString(begun), Qt::ISODateWithMs);
+  if (!time.isValid()) return false;
+  const auto text = [&](qint64 later_s) { return time.toUTC().addSecs(later_s).toString(Qt::ISODateWithMs); };
+  Result<QSqlQuery> count =
+      connection_->execute("SELECT count(*) FROM sessions WHERE started BETWEEN ? AND ?",
+                           {text(-kBetweenBeginnings_s), text(kBetweenBeginnings_s)});
+  if (!count) return fail(count.error());
+  return count->next() && count->value(0).toInt() > 0;
+}
 
 Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source,
                                                   const std::optional<Intrinsics>& camera) {

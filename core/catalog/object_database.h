@@ -38,6 +38,11 @@ class ObjectDatabase {
   /// Opens a catalogue that is there to read it: nothing in it or beside it is changed. What changes
   /// something is an error. Error: there is none, it is no catalogue, or one of another version.
   [[nodiscard]] static Result<std::unique_ptr<ObjectDatabase>> openToRead(const std::string& database);
+  /// Tells this catalogue from all others: a UUID that was drawn when it was created, or brought up to date
+  /// by this version. Copies of the file share it. Empty: it is of an older version and was opened to read.
+  [[nodiscard]] Result<std::string> identity();
+  /// Whether a scan began in this catalogue within ten minutes of `begun` (ISO 8601, UTC).
+  [[nodiscard]] Result<bool> hasScanOf(const std::string& begun);
   /// Of one opened to read: what was read so far belongs together (DatabaseConnection::isStill).
   [[nodiscard]] bool isStill() const;
   ~ObjectDatabase();
@@ -128,6 +133,7 @@ class ObjectDatabase {
   [[nodiscard]] Result<void> unmergeRows(const ObjectMerge& merge);
   std::unique_ptr<DatabaseConnection> connection_;
   bool has_cameras_ = true;  // its sessions may have
+  bool has_identity_ = true;
 };
 
 }  // namespace scantrove

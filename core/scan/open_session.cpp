@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <system_error>
 #include <utility>
 
+#include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
+#include "core/scan/catalogue_numbers.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/session_recorder.h"
 #include "core/scan/session_restorer.h"
@@ -33,6 +36,28 @@ std::string OpenSession::fact(const std::string& name) const {
   return found == scan_.facts.end() ? std::string() : found->second;
 }
 
+Result<bool> OpenSession::useCatalogue(ObjectDatabase& database) {
+  const Result<CatalogueIdentity> identity = identityOf(database, scan_.facts);
+  if (!identity) return fail(identity.error());
+  CatalogueNumbers numbers{scan_.facts, recorder_->objects()};
+  const bool is_other = turnTo(numbers, *identity);
+  for (const auto& [name, value] : numbers.facts) {
+    if (fact(name) != value) setFact(name, value);
+  }
+  recorder_->setObjects(std::move(numbers.objects));
+  return is_other;
+}
+
+void OpenSession::checkCatalogue() {
+  const std::filesystem::path file = databaseFileOf(setup_, folder_);
+  std::error_code ignored;
+  if (file.empty() || !std::filesystem::is_regular_file(file, ignored)) return;
+  const auto database = ObjectDatabase::openToRead(file.string());
+  if (!database) return;  // whoever needs it says why it cannot be used
+  const Result<bool> is_other = useCatalogue(**database);
+  if (is_other && *is_other) damages_.push_back(isAnotherCatalogue(folder_, file.string()).message());
+}
+
 void OpenSession::setFact(const std::string& name, const std::string& value) {
   scan_.facts[name] = value;
   recorder_->setFact(name, value);
@@ -53,6 +78,7 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
       ScanPipeline::create(*session->compute_, {.K = session->setup_.K, .params = session->setup_.params})));
   SCANTROVE_TRY(restoreScan(*session->pipeline_, *writer, session->scan_, false, session->damages_));
   session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
+  session->checkCatalogue();
   return session;
 }
 

@@ -15,6 +15,7 @@
 namespace scantrove {
 
 class ComputeContext;
+class ObjectDatabase;
 class ScanPipeline;
 class SessionRecorder;
 
@@ -73,6 +74,9 @@ class OpenSession {
   /// What the catalogue did (core/scan/session_catalogue.h): kept, but no operation. Error: it could not be
   /// written.
   [[nodiscard]] Result<void> setObject(RegionId region, ObjectId object);
+  /// Numbers of objects are those of this catalogue from now on: those of another one are set aside, and come
+  /// back with it (turnTo). Kept with the next setObject(). Whether any were set aside.
+  [[nodiscard]] Result<bool> useCatalogue(ObjectDatabase& database);
   /// A note for this program itself, by name; empty: there is none. Kept with the next setObject().
   [[nodiscard]] std::string fact(const std::string& name) const;
   void setFact(const std::string& name, const std::string& value);
@@ -85,6 +89,8 @@ class OpenSession {
   explicit OpenSession(std::filesystem::path folder);
   [[nodiscard]] const SavedFrame* frameAt(int source_index) const;
   [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome);
+  /// The catalogue that lies where the session has it is another one than that of its numbers.
+  void checkCatalogue();
 
   std::filesystem::path folder_;
   SessionSetup setup_;

@@ -13,6 +13,7 @@
 #include "core/base/overloaded.h"
 #include "core/base/program_pages.h"
 #include "core/catalog/object_database.h"
+#include "core/scan/catalogue_numbers.h"
 #include "core/scan/guarded.h"
 #include "core/scan/open_source.h"
 #include "core/scan/output_owner.h"
@@ -78,6 +79,8 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   const std::string& file = run->request_.database;
   const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
+  SCANTROVE_TRY(moveInto(run->catalogue_, (*database)->identity()));
+  if (run->recorder_) run->recorder_->setFact(kCatalogueFact, run->catalogue_);
   CatalogueWriter::Options catalogue;
   catalogue.database = file;
   catalogue.source = info.name;
@@ -88,7 +91,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
       moveInto(run->pipeline_,
                ScanPipeline::create(*run->compute_, {info.intrinsics, run->request_.params, poses_given,
                                                      database->get(), catalogue, info.frame_count})));
-  SCANTROVE_TRY(run->resumeSession());
+  SCANTROVE_TRY(run->resumeSession(**database));
   return run;
 }
 
@@ -116,7 +119,7 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
       moveInto(session_, SessionWriter::start(*request_.output_folder, SessionWriter::Way::create)));
   SessionRecorder::Setup setup{.all_frames = request_.record_all};
   setup.facts = factsOf({request_.source, info.intrinsics, request_.params,
-                         databaseAsKept(request_.database, *request_.output_folder)});
+                         databaseAsKept(request_.database, *request_.output_folder), catalogue_});
   recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
   return {};
 }
@@ -143,12 +146,18 @@ Result<void> ScanRun::readSession(const SourceInfo& info) {
   return {};
 }
 
-Result<void> ScanRun::resumeSession() {
+Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
   if (!earlier_) return {};
+  const Result<CatalogueIdentity> identity = identityOf(database, earlier_->facts);
+  if (!identity) return fail(identity.error());
+  const SavedScan on_disk = *earlier_;
+  if (turnTo(*earlier_, *identity))
+    listener_(CatalogueFailed{isAnotherCatalogue(*request_.output_folder, request_.database)});
   std::vector<std::string> damages;
   SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, true, damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
+  recorder_->rewriteFrom(on_disk, earlier_->facts);
   recorder_->setFact("ended", "");  // not this time, yet
   recorder_->setFact("database", databaseAsKept(request_.database, *request_.output_folder));
   if (output_) output_->begin(*earlier_);

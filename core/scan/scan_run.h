@@ -81,7 +81,7 @@ class ScanRun {
   [[nodiscard]] Result<void> replaceEarlierScan();
   /// The camera of the earlier scan must be this one; its map's parameters are taken over.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
-  [[nodiscard]] Result<void> resumeSession();
+  [[nodiscard]] Result<void> resumeSession(ObjectDatabase& database);
   [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   void fillReport(ScanReport& report);
@@ -99,6 +99,7 @@ class ScanRun {
   std::optional<SavedScan> earlier_;           // what the session had
   std::unique_ptr<SessionRecorder> recorder_;  // null: nothing is kept, or nothing yet
   bool keeps_earlier_scan_ = false;            // the folder's, until this one has a usable frame
+  std::string catalogue_;                      // identity
 
   std::optional<FrameRead> next_read_;  // taken from the source before its turn
   FrameCounts frames_;

@@ -22,7 +22,7 @@ namespace {
 /// Directions from which a new object has views.
 constexpr std::size_t kMostDirections = 6;
 
-Result<std::unique_ptr<ObjectDatabase>> openCatalogueOf(const OpenSession& session) {
+Result<std::unique_ptr<ObjectDatabase>> openCatalogueOf(OpenSession& session) {
   const std::filesystem::path file = catalogueFileOf(session);
   if (file.empty()) return fail("The session " + session.folder().string() + " has no catalogue.");
   std::error_code ignored;
@@ -30,7 +30,12 @@ Result<std::unique_ptr<ObjectDatabase>> openCatalogueOf(const OpenSession& sessi
     return fail("The catalogue " + file.string() + " of this session is not there.",
                 "Put it back and say it again.");
   }
-  return ObjectDatabase::open(file.string());
+  Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file.string());
+  if (!database) return database;
+  // Another file may lie there by now: what the session knows of objects is not of that one.
+  const Result<bool> is_other = session.useCatalogue(**database);
+  if (!is_other) return fail(is_other.error());
+  return database;
 }
 
 /// The object that the region is now; none: it is none, or was deleted.

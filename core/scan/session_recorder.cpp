@@ -60,6 +60,15 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   return recorder;
 }
 
+void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SavedFacts& now) {
+  regions_.clear();
+  for (const SavedRegion& region : on_disk.regions) regions_[region.region] = region;
+  for (const auto& [name, value] : now) {
+    const auto before = on_disk.facts.find(name);
+    if (before == on_disk.facts.end() || before->second != value) setFact(name, value);
+  }
+}
+
 void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   const int number = setup_.frames++;
   frames_.push_back({number, frame.index, frame.timestamp_s, result.pose.state, result.pose.T_world_camera});

@@ -58,6 +58,10 @@ class SessionRecorder {
   /// Without a catalogue that says it: which object a region is from now on. None: it is none.
   void setObject(RegionId region, ObjectId object) { objects_[region] = object; }
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  [[nodiscard]] const std::map<RegionId, ObjectId>& objects() const { return objects_; }
+  void setObjects(std::map<RegionId, ObjectId> objects) { objects_ = std::move(objects); }
+  /// On disk the session is as `scan` has it, whatever resume() was given.
+  void rewriteFrom(const SavedScan& on_disk, const SavedFacts& now);
   /// What is to be kept of the whole scan with the next save.
   void setFact(const std::string& name, const std::string& value) { setup_.facts[name] = value; }
   /// Why the session could not be written, once each time that this begins.

@@ -25,10 +25,56 @@ TEST_F(ObjectDatabaseTest, StartsEmpty) {
   EXPECT_EQ(*database->forEachDescriptor(0, [](const StoredDescriptor&) { FAIL(); }), 0);
   EXPECT_FALSE(*database->findByName("Obj_1"));
   EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "wal");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "5");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "6");
   EXPECT_EQ(askSqlite(file(), "SELECT group_concat(name) FROM schema_migrations"),
             "001_initial.sql,002_summaries.sql,003_view_boxes.sql,004_session_cameras.sql,"
-            "005_view_places.sql");
+            "005_view_places.sql,006_identity.sql");
+}
+
+TEST_F(ObjectDatabaseTest, IdentityIsARandomUuidThatStays) {
+  const std::string identity = *openOrFail(file())->identity();
+  EXPECT_THAT(identity,
+              testing::MatchesRegex("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}"));
+  EXPECT_EQ(*openOrFail(file())->identity(), identity);
+  EXPECT_NE(*openOrFail(file("other.sqlite"))->identity(), identity);
+  const auto reader = ObjectDatabase::openToRead(file());
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(*(*reader)->identity(), identity);
+}
+
+TEST_F(ObjectDatabaseTest, AnOlderFileGetsAnIdentity_WhenItIsOpenedToWrite) {
+  openOrFail(file());
+  for (const char* sql :
+       {"DROP TABLE identity", "DELETE FROM schema_migrations WHERE version > 5", "PRAGMA user_version = 5"})
+    askSqlite(file(), sql);
+  {
+    const auto reader = ObjectDatabase::openToRead(file());
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(*(*reader)->identity(), "");
+  }
+  const std::string identity = *openOrFail(file())->identity();
+  EXPECT_EQ(identity.size(), 36U);
+  EXPECT_EQ(*openOrFail(file())->identity(), identity);
+}
+
+TEST_F(ObjectDatabaseTest, AnIdentityThatIsGoneIsDamage) {
+  openOrFail(file());
+  askSqlite(file(), "DELETE FROM identity");
+  const Result<std::string> identity = openOrFail(file())->identity();
+  ASSERT_FALSE(identity);
+  EXPECT_THAT(identity.error().message(), testing::HasSubstr(file()));
+}
+
+TEST_F(ObjectDatabaseTest, KnowsWhichScansItHas) {
+  const auto database = openOrFail(file());
+  ASSERT_TRUE(database->beginSession("kitchen"));
+  askSqlite(file(), "UPDATE sessions SET started = '2026-03-01T10:05:00.000Z'");
+  EXPECT_TRUE(*database->hasScanOf("2026-03-01T10:00:00.000Z"));
+  EXPECT_TRUE(*database->hasScanOf("2026-03-01T10:14:59.000Z"));
+  EXPECT_FALSE(*database->hasScanOf("2026-03-01T10:15:01.000Z"));
+  EXPECT_FALSE(*database->hasScanOf("2026-03-02T10:05:00.000Z"));
+  EXPECT_FALSE(*database->hasScanOf(""));
+  EXPECT_FALSE(*database->hasScanOf("yesterday"));
 }
 
 TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {

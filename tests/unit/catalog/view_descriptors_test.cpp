@@ -32,16 +32,26 @@ class ViewDescriptors : public test::CatalogTest {
   }
   /// The catalogue as the first version wrote it.
   void downgrade() const {
-    for (const char* sql :
-         {"DROP TABLE view_summaries", "DROP TABLE descriptors", "DROP TABLE pictures",
-          "ALTER TABLE objects DROP COLUMN best_view", "ALTER TABLE objects DROP COLUMN named_by_person",
-          "ALTER TABLE views DROP COLUMN box_x", "ALTER TABLE views DROP COLUMN box_y",
-          "ALTER TABLE views DROP COLUMN box_width", "ALTER TABLE views DROP COLUMN box_height",
-          "ALTER TABLE views DROP COLUMN frame_width", "ALTER TABLE views DROP COLUMN frame_height",
-          "ALTER TABLE sessions DROP COLUMN fx", "ALTER TABLE sessions DROP COLUMN fy",
-          "ALTER TABLE sessions DROP COLUMN cx", "ALTER TABLE sessions DROP COLUMN cy",
-          "ALTER TABLE sessions DROP COLUMN image_width", "ALTER TABLE sessions DROP COLUMN image_height",
-          "DELETE FROM schema_migrations WHERE version > 1", "PRAGMA user_version = 1"}) {
+    for (const char* sql : {"DROP TABLE identity",
+                            "DROP TABLE view_summaries",
+                            "DROP TABLE descriptors",
+                            "DROP TABLE pictures",
+                            "ALTER TABLE objects DROP COLUMN best_view",
+                            "ALTER TABLE objects DROP COLUMN named_by_person",
+                            "ALTER TABLE views DROP COLUMN box_x",
+                            "ALTER TABLE views DROP COLUMN box_y",
+                            "ALTER TABLE views DROP COLUMN box_width",
+                            "ALTER TABLE views DROP COLUMN box_height",
+                            "ALTER TABLE views DROP COLUMN frame_width",
+                            "ALTER TABLE views DROP COLUMN frame_height",
+                            "ALTER TABLE sessions DROP COLUMN fx",
+                            "ALTER TABLE sessions DROP COLUMN fy",
+                            "ALTER TABLE sessions DROP COLUMN cx",
+                            "ALTER TABLE sessions DROP COLUMN cy",
+                            "ALTER TABLE sessions DROP COLUMN image_width",
+                            "ALTER TABLE sessions DROP COLUMN image_height",
+                            "DELETE FROM schema_migrations WHERE version > 1",
+                            "PRAGMA user_version = 1"}) {
       askSqlite(file(), sql);
     }
   }

@@ -264,6 +264,8 @@ TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhe
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
   EXPECT_FALSE((*store)->loadCamera()->has_value());
+  EXPECT_TRUE(scan->facts.contains("begun")) << "by that its catalogue is told";
+  EXPECT_FALSE(scan->facts.contains("catalogue"));
   ASSERT_TRUE(saveSome(**store, 2));
 }
 

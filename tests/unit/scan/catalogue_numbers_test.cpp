@@ -1,0 +1,104 @@
+#include "core/scan/catalogue_numbers.h"
+
+#include <gmock/gmock.h>
+
+#include "core/scan/kept_namings.h"
+
+namespace scantrove {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+
+constexpr RegionId kMugRegion{3}, kBoxRegion{5};
+
+/// Of a session that knows two objects of the catalogue "A", one by a naming.
+CatalogueNumbers numbersOfA() {
+  return {{{kCatalogueFact, "A"},
+           {"source", "demo"},
+           {namingsFactOf(kMugRegion), "[1]"},
+           {goneObjectFactOf(kBoxRegion), "9"}},
+          {{kMugRegion, ObjectId{7}}, {kBoxRegion, ObjectId{8}}, {RegionId{6}, {}}}};
+}
+
+std::string factOf(const CatalogueNumbers& numbers, const std::string& name) {
+  const auto found = numbers.facts.find(name);
+  return found == numbers.facts.end() ? "" : found->second;
+}
+
+TEST(CatalogueNumbers, StayInTheirCatalogue) {
+  CatalogueNumbers numbers = numbersOfA();
+  EXPECT_FALSE(turnTo(numbers, {"A"}));
+  EXPECT_EQ(numbers.facts, numbersOfA().facts);
+  EXPECT_EQ(numbers.objects, numbersOfA().objects);
+}
+
+TEST(CatalogueNumbers, MeanNothingInAnother) {
+  CatalogueNumbers numbers = numbersOfA();
+  EXPECT_TRUE(turnTo(numbers, {"B"}));
+  EXPECT_THAT(numbers.objects, IsEmpty());
+  EXPECT_EQ(factOf(numbers, namingsFactOf(kMugRegion)), "");
+  EXPECT_EQ(factOf(numbers, goneObjectFactOf(kBoxRegion)), "");
+  EXPECT_EQ(factOf(numbers, "source"), "demo");
+  EXPECT_EQ(factOf(numbers, kCatalogueFact), "B");
+  EXPECT_FALSE(turnTo(numbers, {"B"})) << "said once";
+}
+
+TEST(CatalogueNumbers, ComeBackWithTheirCatalogue) {
+  CatalogueNumbers numbers = numbersOfA();
+  turnTo(numbers, {"B"});
+  numbers.objects[kMugRegion] = ObjectId{1};
+  EXPECT_TRUE(turnTo(numbers, {"A"}));
+  EXPECT_THAT(numbers.objects, ElementsAre(Pair(kMugRegion, ObjectId{7}), Pair(kBoxRegion, ObjectId{8})));
+  EXPECT_EQ(factOf(numbers, namingsFactOf(kMugRegion)), "[1]");
+  EXPECT_EQ(factOf(numbers, goneObjectFactOf(kBoxRegion)), "9");
+  EXPECT_TRUE(turnTo(numbers, {"B"}));
+  EXPECT_THAT(numbers.objects, ElementsAre(Pair(kMugRegion, ObjectId{1})));
+  EXPECT_EQ(factOf(numbers, namingsFactOf(kMugRegion)), "");
+}
+
+TEST(CatalogueNumbers, OfAnOlderSessionHold_WhereTheCatalogueHasItsScan) {
+  CatalogueNumbers numbers = numbersOfA();
+  numbers.facts.erase(kCatalogueFact);
+  CatalogueNumbers foreign = numbers;
+  EXPECT_FALSE(turnTo(numbers, {"A", true}));
+  EXPECT_EQ(numbers.objects, numbersOfA().objects);
+  EXPECT_EQ(factOf(numbers, kCatalogueFact), "A") << "from now on";
+  EXPECT_TRUE(turnTo(foreign, {"B", false}));
+  EXPECT_THAT(foreign.objects, IsEmpty());
+  EXPECT_TRUE(!turnTo(foreign, {"A", true}));
+  EXPECT_EQ(foreign.objects.at(kMugRegion), ObjectId{7});
+}
+
+TEST(CatalogueNumbers, NothingIsSaid_WhereThereAreNone) {
+  CatalogueNumbers numbers{{{kCatalogueFact, "A"}}, {{kMugRegion, {}}}};
+  EXPECT_FALSE(turnTo(numbers, {"B"}));
+  EXPECT_EQ(factOf(numbers, kCatalogueFact), "B");
+}
+
+TEST(CatalogueNumbers, OfADamagedFactAreNone) {
+  for (const char* text : {"", "{", "[]", R"({"objects": {"x": 1}, "facts": {}})",
+                           R"({"objects": {"3": "y"}})", R"({"objects": {}, "facts": {"source": "evil"}})"}) {
+    CatalogueNumbers numbers{{{kCatalogueFact, "B"}, {"numbers of A", text}, {"source", "demo"}}, {}};
+    EXPECT_FALSE(turnTo(numbers, {"A"})) << text;
+    EXPECT_THAT(numbers.objects, IsEmpty()) << text;
+    EXPECT_EQ(factOf(numbers, "source"), "demo") << text;
+  }
+}
+
+TEST(CatalogueNumbers, OfASavedScanAreThoseOfItsRegions) {
+  SavedScan scan;
+  scan.facts = numbersOfA().facts;
+  scan.regions = {{kMugRegion, ObjectId{7}, {"mug", ""}}, {kBoxRegion, ObjectId{8}, {}}};
+  const SavedScan before = scan;
+  EXPECT_TRUE(turnTo(scan, {"B"}));
+  EXPECT_THAT(scan.regions,
+              ElementsAre(SavedRegion{kMugRegion, {}, {"mug", ""}}, SavedRegion{kBoxRegion, {}, {}}));
+  scan.regions.pop_back();  // a region without anything to say of it has no row
+  EXPECT_FALSE(turnTo(scan, {"A"}));
+  EXPECT_EQ(scan.regions, before.regions);
+}
+
+}  // namespace
+}  // namespace scantrove
