@@ -1,12 +1,14 @@
 #include "core/capture/camera_intrinsics.h"
 
+#include <spdlog/spdlog.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_file.h"
 #include "core/capture/pose_files.h"
 
 namespace scantrove {
@@ -62,6 +64,61 @@ Result<ColorCamera> colorCameraFrom(const nlohmann::json& json, const std::files
   return camera;
 }
 
+/// A 4x4 matrix of a camera, as ScanNet has them.
+Result<Intrinsics> readProjection(const std::filesystem::path& file) {
+  const auto matrix = readMatrixFile(file);
+  if (!matrix) return fail(matrix.error().what, "Correct it, or give --intrinsics fx,fy,cx,cy.");
+  const auto at = [&](int row, int column) { return static_cast<float>((*matrix)(row, column)); };
+  return Intrinsics{at(0, 0), at(1, 1), at(0, 2), at(1, 2), 0, 0};
+}
+
+/// Where a camera of several is among them; without a file, where all of them are.
+Result<Eigen::Isometry3d> readPlace(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return Eigen::Isometry3d::Identity();
+  return readPoseFile(file);
+}
+
+/// ScanNet's folder `intrinsic`.
+Result<CameraModel> readScannetIntrinsics(const std::filesystem::path& folder) {
+  CameraModel model;
+  SCANTROVE_TRY(moveInto(model.K, readProjection(folder / "intrinsic_depth.txt")));
+  std::error_code error;
+  if (!std::filesystem::exists(folder / "intrinsic_color.txt", error)) return model;
+  ColorCamera color;
+  SCANTROVE_TRY(moveInto(color.K, readProjection(folder / "intrinsic_color.txt")));
+  Eigen::Isometry3d T_rig_depth, T_rig_color;
+  SCANTROVE_TRY(moveInto(T_rig_depth, readPlace(folder / "extrinsic_depth.txt")));
+  SCANTROVE_TRY(moveInto(T_rig_color, readPlace(folder / "extrinsic_color.txt")));
+  color.T_color_depth = T_rig_color.inverse() * T_rig_depth;
+  model.color = ColorRegistration{color};
+  return model;
+}
+
+/// The folder that a folder lies in.
+std::filesystem::path parentOf(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(folder, error).lexically_normal();
+  const std::filesystem::path& path = error ? folder : absolute;
+  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
+}
+
+/// `cam_K.txt`, or ScanNet's files, in `place`.
+Result<std::optional<CameraModel>> findOtherIntrinsics(const std::filesystem::path& place) {
+  std::error_code error;
+  Result<CameraModel> model = CameraModel();
+  if (const auto file = place / "cam_K.txt"; std::filesystem::exists(file, error)) {
+    model = readIntrinsicsMatrix(file);
+  } else if (const auto files = place / "intrinsic";
+             std::filesystem::exists(files / "intrinsic_depth.txt", error)) {
+    model = readScannetIntrinsics(files);
+  } else {
+    return std::optional<CameraModel>();
+  }
+  if (!model) return fail(model.error());
+  return std::optional(*model);
+}
+
 }  // namespace
 
 Result<void> checkFocalLengths(const Intrinsics& K, const std::string& origin) {
@@ -104,7 +161,7 @@ Intrinsics fitToImages(const CameraModel& model, int width, int height) {
 }
 
 Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -118,7 +175,7 @@ Result<CameraModel> readIntrinsicsMatrix(const std::filesystem::path& file) {
 }
 
 Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -156,7 +213,14 @@ Result<std::optional<CameraModel>> findIntrinsics(const std::filesystem::path& f
       return present(readIntrinsicsJson(file));
     }
   }
-  return std::optional<CameraModel>();
+  auto found = findOtherIntrinsics(folder);
+  if (!found || *found) return found;
+  const std::filesystem::path parent = parentOf(folder);
+  auto beside = findOtherIntrinsics(parent);
+  if (beside && *beside) {
+    spdlog::warn("{}: taking the intrinsics beside it, in {}.", folder.string(), parent.string());
+  }
+  return beside;
 }
 
 }  // namespace scantrove

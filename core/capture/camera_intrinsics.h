@@ -38,8 +38,10 @@ inline constexpr Intrinsics kPrimeSenseIntrinsics{525.0F, 525.0F, 319.5F, 239.5F
 /// and `T_color_depth` (sixteen values, row by row). Error: names the file.
 [[nodiscard]] Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file);
 
-/// Looks for `camera-intrinsics.txt`, `intrinsic.json`, `camera_intrinsic.json` in a recording's folder and
-/// reads the first that is there; empty if none is. Error: it is there and cannot be used.
+/// Looks for `camera-intrinsics.txt`, `intrinsic.json`, `camera_intrinsic.json`, `cam_K.txt` (3x3) and
+/// ScanNet's `intrinsic/intrinsic_depth.txt` (4x4, with those of colour) in a recording's folder, then for
+/// the last two beside it (with a warning), and reads the first that is there; empty if none is. Error: it is
+/// there and cannot be used.
 [[nodiscard]] Result<std::optional<CameraModel>> findIntrinsics(const std::filesystem::path& folder);
 
 }  // namespace scantrove

@@ -10,12 +10,44 @@
 #include "core/capture/image_sequence.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/recorded_poses.h"
+#include "core/capture/time_unit.h"
 
 namespace scantrove {
 
 namespace {
 
+/// As people count: a run of digits is one number, so that view2 comes before view10.
+struct CountingOrder {
+  bool operator()(const std::string& a, const std::string& b) const {
+    std::size_t i = 0, j = 0;
+    while (i < a.size() && j < b.size()) {
+      const std::string_view number_a = digitsAt(a, i), number_b = digitsAt(b, j);
+      if (number_a.empty() || number_b.empty()) {
+        if (a[i] != b[j]) return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[j]);
+        ++i, ++j;
+        continue;
+      }
+      const std::string_view value_a = withoutZeros(number_a), value_b = withoutZeros(number_b);
+      if (value_a.size() != value_b.size()) return value_a.size() < value_b.size();
+      if (value_a != value_b) return value_a < value_b;
+      i += number_a.size(), j += number_b.size();
+    }
+    if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
+    return a < b;  // 1 and 01 are two names
+  }
+
+ private:
+  static std::string_view digitsAt(const std::string& text, std::size_t at) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
+    return std::string_view(text).substr(at, end - at);
+  }
+  static std::string_view withoutZeros(std::string_view digits) {
+    return digits.substr(std::min(digits.find_first_not_of('0'), digits.size()));
+  }
+};
+
 using FilesByNumber = std::map<int, std::filesystem::path>;
+using FilesByName = std::map<std::string, std::filesystem::path, CountingOrder>;
 
 std::optional<std::filesystem::path> findColorFolder(const std::filesystem::path& folder) {
   for (const char* const name : {"color", "image", "rgb"}) {
@@ -79,42 +111,138 @@ std::vector<ImageSequenceEntry> pairByNumber(const FilesByNumber& depth, const F
   return entries;
 }
 
+/// Empty if two files differ by their extension only.
+std::optional<FilesByName> byName(const std::vector<std::filesystem::path>& images) {
+  FilesByName named;
+  for (const std::filesystem::path& image : images) {
+    if (!named.emplace(image.stem().string(), image).second) return std::nullopt;
+  }
+  return named;
+}
+
+/// The times that names are: plain decimals, with a point or of more digits than a number has. Empty if one
+/// is none.
+std::optional<std::vector<double>> timesInNames(const std::vector<ImageSequenceEntry>& entries) {
+  std::vector<double> times;
+  bool is_long = false;
+  for (const ImageSequenceEntry& entry : entries) {
+    const std::string stem = entry.depth.stem().string();
+    const auto numbers =
+        stem.find_first_not_of("0123456789.") == std::string::npos ? parseNumbers(stem) : std::nullopt;
+    if (!numbers || numbers->size() != 1) return std::nullopt;
+    is_long = is_long || !parseFrameNumber(stem);
+    times.push_back(numbers->front());
+  }
+  return is_long ? std::optional(times) : std::nullopt;
+}
+
+/// By names that are times in order of time, others as people count.
+void orderByName(std::vector<ImageSequenceEntry>& entries, const std::string& source) {
+  auto times = timesInNames(entries);
+  if (times) {
+    for (std::size_t i = 0; i < entries.size(); ++i) entries[i].timestamp_s = (*times)[i];
+    std::ranges::stable_sort(entries, {}, &ImageSequenceEntry::timestamp_s);
+    std::ranges::sort(*times);
+  }
+  const TimeUnit unit = times ? unitOfImageTimes(*times) : TimeUnit();
+  if (unit != TimeUnit())
+    spdlog::warn("{}: by their spacing, the times in its names are {}.", source, unit.name);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    entries[i].index = static_cast<int>(i);
+    entries[i].timestamp_s =
+        times ? entries[i].timestamp_s * unit.seconds : static_cast<double>(i) / kFrameRateHz;
+  }
+}
+
+/// Files of equal names, whatever they are. `color`: null without colour.
+std::vector<ImageSequenceEntry> pairByName(const FilesByName& depth, const FilesByName* color,
+                                           const std::string& source) {
+  std::vector<ImageSequenceEntry> entries;
+  for (const auto& [name, file] : depth) {
+    ImageSequenceEntry entry;
+    entry.depth = file;
+    if (color != nullptr) {
+      const auto found = color->find(name);
+      if (found == color->end()) continue;
+      entry.color = found->second;
+    }
+    entries.push_back(std::move(entry));
+  }
+  orderByName(entries, source);
+  return entries;
+}
+
+/// Whether every name is one time, or is in another order than its number: then the number is a part of it
+/// that starts anew, as the fraction of a second does.
+bool areNamesBetter(const std::vector<ImageSequenceEntry>& by_number) {
+  if (timesInNames(by_number)) return true;
+  const auto nameOf = [](const std::filesystem::path& file) { return file.stem().string(); };
+  const bool are_equal = std::ranges::all_of(by_number, [&](const ImageSequenceEntry& entry) {
+    return entry.color.empty() || nameOf(entry.color) == nameOf(entry.depth);
+  });
+  const auto isBehind = [&](const ImageSequenceEntry& a, const ImageSequenceEntry& b) {
+    return CountingOrder()(nameOf(b.depth), nameOf(a.depth));
+  };
+  return are_equal && std::ranges::adjacent_find(by_number, isBehind) != by_number.end();
+}
+
+struct ImageFiles {
+  std::vector<std::filesystem::path> depth, color;
+  bool has_color = false;
+};
+
+Result<ImageFiles> listImageFiles(const std::filesystem::path& folder,
+                                  const std::optional<std::filesystem::path>& color_folder) {
+  ImageFiles files;
+  files.has_color = color_folder.has_value();
+  SCANTROVE_TRY(moveInto(files.depth, listImages(folder / "depth")));
+  if (color_folder) SCANTROVE_TRY(moveInto(files.color, listImages(*color_folder)));
+  return files;
+}
+
+/// By the last number in each name, or the first one; empty if neither pairs any.
+std::vector<ImageSequenceEntry> pairByNumbers(const ImageFiles& files) {
+  for (const DigitRun run : {DigitRun::last, DigitRun::first}) {
+    const auto depth = byNumber(files.depth, run);
+    const auto color = byNumber(files.color, run);
+    if (!depth || !color) continue;
+    auto entries = pairByNumber(*depth, files.has_color ? &*color : nullptr);
+    if (!entries.empty()) return entries;
+  }
+  return {};
+}
+
+std::vector<ImageSequenceEntry> pairByNames(const ImageFiles& files, const std::string& source) {
+  const auto depth = byName(files.depth);
+  const auto color = byName(files.color);
+  if (!depth || !color) return {};
+  return pairByName(*depth, files.has_color ? &*color : nullptr, source);
+}
+
 Result<std::vector<ImageSequenceEntry>> pairImages(const std::filesystem::path& folder,
                                                    const std::optional<std::filesystem::path>& color_folder) {
-  const auto depth_images = listImages(folder / "depth");
-  if (!depth_images) {
-    return fail(depth_images.error());
+  const auto files = listImageFiles(folder, color_folder);
+  if (!files) return fail(files.error());
+  const std::string source = folderName(folder);
+  const char* equal = "numbers";
+  auto entries = pairByNumbers(*files);
+  if (entries.empty() || areNamesBetter(entries)) {
+    equal = "names";
+    entries = pairByNames(*files, source);
   }
-  std::vector<std::filesystem::path> color_images;
-  if (color_folder) {
-    auto listed = listImages(*color_folder);
-    if (!listed) {
-      return fail(listed.error());
-    }
-    color_images = std::move(*listed);
+  if (entries.empty()) {
+    return fail(folder.string() + ": colour and depth images cannot be paired by their names (such as " +
+                    files->depth.front().filename().string() +
+                    (files->has_color ? " and " + files->color.front().filename().string() : "") + ").",
+                "Give both images of a frame the same name, or its number, e.g. color/000012.jpg and "
+                "depth/000012.png.");
   }
-  for (const DigitRun run : {DigitRun::last, DigitRun::first}) {
-    const auto depth = byNumber(*depth_images, run);
-    const auto color = byNumber(color_images, run);
-    if (!depth || !color) {
-      continue;
-    }
-    auto entries = pairByNumber(*depth, color_folder ? &*color : nullptr);
-    if (entries.empty()) {
-      continue;
-    }
-    const std::size_t left_out = std::max(depth_images->size(), color_images.size()) - entries.size();
-    if (color_folder && left_out > 0) {
-      spdlog::warn("{}: {} colour and {} depth images; using the {} numbers that both have.",
-                   folderName(folder), color_images.size(), depth_images->size(), entries.size());
-    }
-    return entries;
+  const std::size_t left_out = std::max(files->depth.size(), files->color.size()) - entries.size();
+  if (files->has_color && left_out > 0) {
+    spdlog::warn("{}: {} colour and {} depth images; using the {} {} that both have.", source,
+                 files->color.size(), files->depth.size(), entries.size(), equal);
   }
-  return fail(folder.string() +
-                  ": colour and depth images cannot be paired by the numbers in their names (such as " +
-                  depth_images->front().filename().string() +
-                  (color_images.empty() ? "" : " and " + color_images.front().filename().string()) + ").",
-              "Name them by the frame's number, e.g. color/000012.jpg and depth/000012.png.");
+  return entries;
 }
 
 /// The log counts frames as the files do, or from 0 while the files start elsewhere.
@@ -189,7 +317,7 @@ Result<std::unique_ptr<FrameSource>> openNumberedFolder(const std::filesystem::p
     if (!options.intrinsics) {
       spdlog::warn(
           "{}: no intrinsics given and none found (camera-intrinsics.txt, intrinsic.json, "
-          "camera_intrinsic.json); "
+          "camera_intrinsic.json, cam_K.txt, intrinsic/intrinsic_depth.txt); "
           "using 525,525,319.5,239.5 at 640x480. Give the right ones with --intrinsics fx,fy,cx,cy.",
           folderName(folder));
     }

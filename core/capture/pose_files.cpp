@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_file.h"
 
 namespace scantrove {
 
@@ -43,7 +43,7 @@ std::optional<Eigen::Isometry3d> rigidMotion(const Eigen::Matrix4d& matrix) {
 }
 
 Result<Trajectory> readTumTrajectory(const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -81,7 +81,7 @@ Result<Trajectory> readTumTrajectory(const std::filesystem::path& file) {
 }
 
 Result<std::vector<NumberedPose>> readTrajectoryLog(const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -113,7 +113,7 @@ Result<std::vector<NumberedPose>> readTrajectoryLog(const std::filesystem::path&
 }
 
 Result<Eigen::Matrix4d> readMatrixFile(const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
   }

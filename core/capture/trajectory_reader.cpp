@@ -7,6 +7,7 @@
 #include "core/capture/folder_listing.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/recorded_poses.h"
+#include "core/capture/time_unit.h"
 
 namespace scantrove {
 
@@ -26,8 +27,16 @@ Result<Trajectory> readLog(const fs::path& file) {
   return poses;
 }
 
+Result<Trajectory> readTimedLines(const fs::path& file) {
+  Result<Trajectory> poses = readTumTrajectory(file);
+  if (!poses) return poses;
+  const TimeUnit unit = unitOfPoseTimes(*poses);
+  for (StampedPose& pose : *poses) pose.timestamp_s *= unit.seconds;
+  return poses;
+}
+
 Result<Trajectory> readPoses(const fs::path& file) {
-  Result<Trajectory> poses = file.extension() == ".log" ? readLog(file) : readTumTrajectory(file);
+  Result<Trajectory> poses = file.extension() == ".log" ? readLog(file) : readTimedLines(file);
   if (poses && poses->empty()) {
     return fail("There is no pose in " + file.string() + ".");
   }

@@ -11,7 +11,8 @@ namespace scantrove {
 ///  * a .log file of 5-line blocks (Redwood, Open3D), timestamp = frame number / 30;
 ///  * a folder with groundtruth.txt, or 7-Scenes' frame-NNNNNN.pose.txt (timestamp = NNNNNN / 30), or a
 ///    trajectory.txt, or a trajectory.log in it or one folder below.
-/// Poses that are not finite are left out. Error: names the file and line, or what was looked for in the
+/// Times of TUM lines in micro- and nanoseconds, and in milliseconds since 1970, become seconds. Poses that
+/// are not finite are left out. Error: names the file and line, or what was looked for in the
 /// folder.
 [[nodiscard]] Result<Trajectory> readTrajectory(const std::filesystem::path& path);
 

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_file.h"
 #include "core/capture/folder_listing.h"
 #include "core/capture/image_sequence.h"
 #include "core/capture/pose_files.h"
 #include "core/capture/recorded_poses.h"
+#include "core/capture/time_association.h"
+#include "core/capture/time_unit.h"
 
 namespace scantrove {
 
@@ -31,13 +33,14 @@ constexpr std::array<FreiburgCamera, 3> kFreiburg = {
 
 /// `rgb.txt` or `depth.txt`.
 struct ImageList {
+  TimeUnit unit;  ///< of the file
   std::vector<double> times_s;
   std::vector<std::filesystem::path> files;
   std::string comments;
 };
 
 Result<ImageList> readImageList(const std::filesystem::path& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readTextFile(file);
   if (!text) {
     return fail(text.error());
   }
@@ -64,6 +67,8 @@ Result<ImageList> readImageList(const std::filesystem::path& file) {
     list.times_s.push_back(time);
     list.files.push_back(std::move(image));
   }
+  list.unit = unitOfImageTimes(list.times_s);
+  for (double& time : list.times_s) time *= list.unit.seconds;
   return list;
 }
 
@@ -82,7 +87,7 @@ std::optional<std::size_t> freiburgCamera(const std::string& text) {
   return std::nullopt;
 }
 
-void chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_given) {
+void chooseFreiburgCamera(ImageSequence& sequence, const std::string& comments, bool is_given) {
   auto camera = freiburgCamera(folderName(sequence.folder) + "/");
   if (!camera) {
     camera = freiburgCamera(comments);
@@ -97,6 +102,45 @@ void chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_
   sequence.camera = CameraModel{
       .K = kFreiburg[chosen].K, .units_per_metre = {}, .color = {}, .lens = kFreiburg[chosen].lens};
   sequence.camera_origin = "TUM freiburg" + std::to_string(chosen + 1);
+}
+
+/// That of a file in the folder, else the one of TUM's that something names.
+Result<void> chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_given) {
+  auto camera = findIntrinsics(sequence.folder);
+  if (!camera && !is_given) return fail(camera.error());
+  if (camera && *camera) {
+    sequence.camera = **camera;
+    sequence.camera_origin = "from the file of " + sequence.folder.string();
+  } else {
+    chooseFreiburgCamera(sequence, comments, is_given);
+  }
+  return {};
+}
+
+/// Says it where times are no seconds.
+void nameUnits(const std::filesystem::path& folder, const ImageList& depth,
+               const std::optional<ImageList>& color) {
+  const TimeUnit unit = depth.unit == TimeUnit() && color ? color->unit : depth.unit;
+  if (unit == TimeUnit()) return;
+  const bool is_of_both = color && color->unit == depth.unit;
+  const char* const files = is_of_both           ? "rgb.txt and depth.txt"
+                            : unit == depth.unit ? "depth.txt"
+                                                 : "rgb.txt";
+  spdlog::warn("{}: by their spacing, the times in {} are {}.", folderName(folder), files, unit.name);
+}
+
+Result<void> addPoses(ImageSequence& sequence, const TimeUnit& unit_of_images) {
+  const std::filesystem::path file = sequence.folder / "groundtruth.txt";
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  auto poses = readTumTrajectory(file);
+  if (!poses) return fail(poses.error());
+  const TimeUnit unit = unitOfPosesOfImages(*poses, sequence.entries.front().timestamp_s,
+                                            sequence.entries.back().timestamp_s, unit_of_images);
+  for (StampedPose& pose : *poses) pose.timestamp_s *= unit.seconds;
+  sequence.has_poses = true;
+  for (ImageSequenceEntry& entry : sequence.entries) entry.T_world_camera = poseAt(*poses, entry.timestamp_s);
+  return {};
 }
 
 Result<std::vector<ImageSequenceEntry>> pairImages(const std::filesystem::path& folder,
@@ -134,37 +178,6 @@ bool isTumFolder(const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), "depth.txt") != names.end();
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> associateTimes(const std::vector<double>& a,
-                                                                const std::vector<double>& b,
-                                                                double tolerance_s) {
-  struct Pair {
-    double distance_s;
-    std::size_t a, b;
-  };
-  std::vector<Pair> candidates;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    while (first < b.size() && b[first] < a[i] - tolerance_s) {
-      ++first;
-    }
-    for (std::size_t j = first; j < b.size() && b[j] <= a[i] + tolerance_s; ++j) {
-      candidates.push_back({std::abs(a[i] - b[j]), i, j});
-    }
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Pair& x, const Pair& y) { return x.distance_s < y.distance_s; });
-  std::vector<bool> used_a(a.size()), used_b(b.size());
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (const Pair& pair : candidates) {
-    if (!used_a[pair.a] && !used_b[pair.b]) {
-      used_a[pair.a] = used_b[pair.b] = true;
-      pairs.emplace_back(pair.a, pair.b);
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
 Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& folder,
                                                    const SourceOptions& options) {
   const auto depth = readImageList(folder / "depth.txt");
@@ -190,17 +203,10 @@ Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& 
     return fail(entries.error());
   }
   sequence.entries = std::move(*entries);
-  if (std::filesystem::exists(folder / "groundtruth.txt", error)) {
-    const auto trajectory = readTumTrajectory(folder / "groundtruth.txt");
-    if (!trajectory) {
-      return fail(trajectory.error());
-    }
-    sequence.has_poses = true;
-    for (ImageSequenceEntry& entry : sequence.entries) {
-      entry.T_world_camera = poseAt(*trajectory, entry.timestamp_s);
-    }
-  }
-  chooseCamera(sequence, depth->comments + (color ? color->comments : ""), options.intrinsics.has_value());
+  nameUnits(folder, *depth, color);
+  SCANTROVE_TRY(addPoses(sequence, depth->unit));
+  SCANTROVE_TRY(chooseCamera(sequence, depth->comments + (color ? color->comments : ""),
+                             options.intrinsics.has_value()));
   return openImageSequence(std::move(sequence), options);
 }
 

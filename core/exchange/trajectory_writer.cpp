@@ -8,6 +8,10 @@
 namespace scantrove {
 namespace {
 
+/// Tenths of micrometres at UTM coordinates, which have up to eight digits before the point.
+constexpr int kPositionDigits = 15;
+constexpr int kRotationDigits = 9;
+
 /// std::to_chars: printf would write decimal commas where the person's language does.
 void append(std::string& text, double value, std::chars_format format, int digits) {
   char number[400];
@@ -24,9 +28,13 @@ Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<con
     Eigen::Quaterniond q(pose.T_world_camera.linear());
     if (q.w() < 0) q.coeffs() = -q.coeffs();
     append(text, pose.timestamp_s, std::chars_format::fixed, 6);
-    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+    for (const double value : {t.x(), t.y(), t.z()}) {
       text += ' ';
-      append(text, value, std::chars_format::general, 9);
+      append(text, value, std::chars_format::general, kPositionDigits);
+    }
+    for (const double value : {q.x(), q.y(), q.z(), q.w()}) {
+      text += ' ';
+      append(text, value, std::chars_format::general, kRotationDigits);
     }
     text += '\n';
   }

@@ -8,7 +8,8 @@
 namespace scantrove {
 
 /// One line `timestamp tx ty tz qx qy qz qw` a pose (TUM RGB-D benchmark), camera to world, qw >= 0.
-/// Written beside and renamed. Error: names `path`.
+/// Positions with 15 digits: seven decimals at UTM coordinates. Written beside and renamed. Error: names
+/// `path`.
 Result<void> writeTumTrajectory(const std::filesystem::path& path, std::span<const StampedPose> poses);
 
 }  // namespace scantrove

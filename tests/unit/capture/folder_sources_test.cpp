@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/capture/numbered_folder.h"
+#include "core/capture/time_association.h"
 #include "core/capture/tum_folder.h"
 #include "tests/unit/capture/tiny_recordings.h"
 

@@ -45,6 +45,20 @@ TEST(Trajectory, TumLineOfAKnownPose) {
             "# timestamp tx ty tz qx qy qz qw\n0.500000 1 2 3 0 0 0.707106781 0.707106781\n");
 }
 
+TEST(Trajectory, KeepsTenthsOfMicrometresAtUtmCoordinates) {
+  const TemporaryFolder folder;
+  const Eigen::Vector3d at(691607.1234567, 5334760.7654321, 519.1234567);  // UTM zone 32, metres
+  StampedPose pose;
+  pose.T_world_camera.translation() = at;
+  ASSERT_TRUE(writeTumTrajectory(folder / "t.txt", std::vector{pose}));
+  EXPECT_EQ(test::readText(folder / "t.txt"),
+            "# timestamp tx ty tz qx qy qz qw\n"
+            "0.000000 691607.1234567 5334760.7654321 519.1234567 0 0 0 1\n");
+  const auto read = readTrajectory(folder / "t.txt");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_LT((read->front().T_world_camera.translation() - at).norm(), 1e-7);
+}
+
 TEST(Trajectory, SortsByTimeAndLeavesOutPosesThatAreNotFinite) {
   const TemporaryFolder folder;
   const auto path = folder.write("t.txt",
@@ -80,6 +94,49 @@ TEST(Trajectory, ReadsALogOneFolderBelow) {
   ASSERT_EQ(read->size(), 2U);
   EXPECT_DOUBLE_EQ((*read)[1].timestamp_s, 0.1);
   EXPECT_EQ((*read)[1].T_world_camera.translation().x(), 7);
+}
+
+TEST(Trajectory, ReadsNanosecondsAsSeconds) {
+  const TemporaryFolder folder;
+  const auto read = readTrajectory(folder.write(
+      "groundtruth.txt", "1403636579763555584 1 0 0 0 0 0 1\n1403636579813555456 2 0 0 0 0 0 1\n"));
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_NEAR((*read)[0].timestamp_s, 1403636579.763555584, 1e-6);
+  EXPECT_NEAR((*read)[1].timestamp_s - (*read)[0].timestamp_s, 0.05, 1e-6);
+}
+
+TEST(Trajectory, TakesTimesOfFewPosesAndCountedFramesAsTheyAre) {
+  const TemporaryFolder folder;
+  for (const char* later : {"10", "600", "0.0005"}) {
+    const auto read =
+        readTrajectory(folder.write("t.txt", "0 1 0 0 0 0 0 1\n" + std::string(later) + " 2 0 0 0 0 0 1\n"));
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ((*read)[1].timestamp_s, std::stod(later));
+  }
+}
+
+TEST(Trajectory, ReadsTextThatBeginsWithAByteOrderMark) {
+  const TemporaryFolder folder;
+  const std::string matrix = "1 0 0 0.25\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"t.txt", "1 0.25 0 0 0 0 0 1\n"},
+                                   {"comment.txt", "# poses\n1 0.25 0 0 0 0 0 1\n"},
+                                   {"t.log", "30 30 31\n" + matrix},
+                                   {"scenes/frame-000030.pose.txt", matrix}}) {
+    SCOPED_TRACE(name);
+    const auto file = folder.write(name, "\xEF\xBB\xBF" + text);
+    const auto read = readTrajectory(name.starts_with("scenes") ? file.parent_path() : file);
+    ASSERT_TRUE(read) << read.error().message();
+    ASSERT_EQ(read->size(), 1U);
+    EXPECT_EQ(read->front().timestamp_s, 1);
+    EXPECT_EQ(read->front().T_world_camera.translation().x(), 0.25);
+  }
+}
+
+TEST(Trajectory, NamesTextOfSixteenBits) {
+  const TemporaryFolder folder;
+  const auto bad = readTrajectory(folder.write("t.txt", std::string("\xFF\xFE\x31\0\x20\0", 6)));
+  ASSERT_FALSE(bad);
+  EXPECT_NE(bad.error().message().find("UTF-8"), std::string::npos) << bad.error().message();
 }
 
 TEST(Trajectory, SaysWhichLineIsNotUnderstood) {
