@@ -9,16 +9,14 @@
 #include "core/base/regular_file.h"
 #include "core/dataset/region_masks.h"
 #include "core/dataset/registered_depth.h"
+#include "core/image/color_bytes.h"
+#include "core/image/image_header.h"
 #include "core/image/png_encoder.h"
 
 namespace scantrove {
 namespace {
 
 std::string nameOf(const KeyFrameInfo& frame) { return "Key frame " + std::to_string(frame.index); }
-
-bool startsWithBytes(const std::string& bytes, std::string_view start) {
-  return bytes.compare(0, start.size(), start) == 0;
-}
 
 Result<void> checkSize(const cv::Mat& image, const Intrinsics& K, const KeyFrameInfo& frame,
                        const char* kind) {
@@ -27,21 +25,15 @@ Result<void> checkSize(const cv::Mat& image, const Intrinsics& K, const KeyFrame
                           image.rows, K.width, K.height));
 }
 
-/// The bytes as recorded if every program reads them, else a PNG.
+/// The bytes as recorded, but for an orientation, if every program reads them alike; else a PNG.
 Result<void> takeImage(LabelledImage& image, const cv::Mat& color) {
   auto bytes = readFile(image.frame.color_file);
   if (!bytes) return fail(bytes.error());
-  if (startsWithBytes(*bytes, "\xFF\xD8\xFF")) {
-    image.image_name = image.stem + ".jpg";
-    image.image_bytes = std::move(*bytes);
-    return {};
-  }
-  image.image_name = image.stem + ".png";
-  if (startsWithBytes(*bytes, "\x89PNG\r\n\x1a\n")) {
-    image.image_bytes = std::move(*bytes);
-    return {};
-  }
-  image.image_bytes = encodePng(color);
+  const std::span view(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
+  const bool is_kept = isPlainColor(view);
+  const bool is_jpeg = is_kept && imageFormat(view) == ImageFormat::jpeg;
+  image.image_bytes = is_kept ? withoutOrientation(std::move(*bytes)) : encodePng(color);
+  image.image_name = image.stem + (is_jpeg ? ".jpg" : ".png");
   return {};
 }
 

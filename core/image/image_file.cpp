@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/base/regular_file.h"
 #include "core/image/depth_png.h"
@@ -55,6 +56,16 @@ Result<ImageFormat> checkImage(Bytes bytes, const std::string& name) {
   return *format;
 }
 
+bool isTextPnm(Bytes bytes) { return bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '3'; }
+
+/// OpenCV reads a number of a text PNM by the blank behind it, which the last one may lack.
+Result<cv::Mat> decodeOther(Bytes bytes, PictureWay way, const std::string& name) {
+  if (!isTextPnm(bytes)) return decodeOtherFormat(bytes, way, name);
+  std::vector<std::uint8_t> ended(bytes.begin(), bytes.end());
+  ended.push_back('\n');
+  return decodeOtherFormat(ended, way, name);
+}
+
 std::string describe(const cv::Mat& image) {
   const char* const bits = image.depth() == CV_8U || image.depth() == CV_8S     ? "8-bit"
                            : image.depth() == CV_16U || image.depth() == CV_16S ? "16-bit"
@@ -77,7 +88,7 @@ Result<cv::Mat> decodeGreyImage(Bytes bytes, const std::string& name) {
     return decodeGreyPng(bytes, name);
   }
   return *format == ImageFormat::jpeg ? decodeJpeg(bytes, name)
-                                      : decodeOtherFormat(bytes, PictureWay::as_it_is, name);
+                                      : decodeOther(bytes, PictureWay::as_it_is, name);
 }
 
 Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
@@ -91,7 +102,7 @@ Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
     case ImageFormat::jpeg:
       return decodeJpeg(bytes, name);
     default:
-      return decodeOtherFormat(bytes, PictureWay::to_color, name);
+      return decodeOther(bytes, PictureWay::to_color, name);
   }
 }
 

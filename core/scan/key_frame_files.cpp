@@ -2,15 +2,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cctype>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
+#include "core/image/color_bytes.h"
 #include "core/image/image_file.h"
+#include "core/image/image_header.h"
 #include "core/image/png_encoder.h"
 
 namespace scantrove {
@@ -18,24 +18,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The extension of a file that is kept as it is, in small letters; empty: of none such.
-std::string extensionKept(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".jpg" || extension == ".jpeg" || extension == ".png" ? extension : "";
-}
-
-std::string bytesOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+/// The bytes of a JPEG or PNG but for its orientation; empty: of none such.
+std::string bytesKept(const fs::path& file) {
+  if (file.empty()) return {};
+  Result<std::string> bytes = readFile(file);
+  if (!bytes) return {};
+  const auto format = imageFormat({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+  const bool is_kept = format == ImageFormat::jpeg || format == ImageFormat::png;
+  return is_kept ? withoutOrientation(std::move(*bytes)) : std::string();
 }
 
 Result<void> writeColor(const fs::path& session_folder, const RgbdFrame& frame, SavedKeyFrame& key) {
   if (frame.color.empty()) return {};
-  const std::string kept = extensionKept(frame.color_file);
-  std::string bytes = kept.empty() ? "" : bytesOf(frame.color_file);
-  const std::string extension = bytes.empty() ? ".png" : kept;
+  std::string bytes = bytesKept(frame.color_file);
   if (bytes.empty()) bytes = encodePng(frame.color);
+  const char* const extension = bytes.starts_with('\xFF') ? ".jpg" : ".png";
   key.color_file = fs::path("keyframes") / fmt::format("{:06}.color{}", key.frame, extension);
   return writeFileAtomically(session_folder / key.color_file, bytes, Durability::process);
 }

@@ -7,7 +7,8 @@
 
 namespace scantrove {
 
-/// Writes a frame's images into a session: colour as it came (a JPEG stays the same bytes), else as PNG;
+/// Writes a frame's images into a session: colour as it came but for an orientation (a JPEG stays the same
+/// bytes without it), else as PNG;
 /// depth as 16-bit PNG. Any thread. Error: names the file.
 [[nodiscard]] Result<SavedKeyFrame> writeKeyFrame(const std::filesystem::path& session_folder, int number,
                                                   const RgbdFrame& frame);

@@ -1,0 +1,179 @@
+#include "core/image/color_bytes.h"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "core/image/image_header.h"
+
+namespace scantrove {
+
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+using MutableBytes = std::span<std::uint8_t>;
+
+constexpr std::uint8_t kUpright = 1;
+
+bool beginsWith(Bytes bytes, std::string_view start) {
+  return bytes.size() >= start.size() &&
+         std::equal(start.begin(), start.end(), bytes.begin(),
+                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
+/// A number of `count` bytes; 0 beyond the end.
+std::uint32_t numberAt(Bytes bytes, std::size_t at, std::size_t count, bool is_big_endian) {
+  std::uint32_t value = 0;
+  if (at > bytes.size() || count > bytes.size() - at) return 0;
+  for (std::size_t i = 0; i < count; ++i)
+    value = value << 8 | bytes[at + (is_big_endian ? i : count - 1 - i)];
+  return value;
+}
+
+/// Makes the orientation of a TIFF directory, as Exif is one, upright. Whether it was another.
+bool clearTiffOrientation(MutableBytes tiff) {
+  constexpr std::uint32_t kOrientation = 0x0112;
+  constexpr std::size_t kEntryBytes = 12;
+  if (!beginsWith(tiff, "II") && !beginsWith(tiff, "MM")) return false;
+  const bool is_big_endian = tiff[0] == 'M';
+  const auto number = [&](std::size_t at, std::size_t count) {
+    return numberAt(tiff, at, count, is_big_endian);
+  };
+  const std::size_t directory = number(4, 4);
+  bool is_changed = false;
+  for (std::size_t i = 0; i < number(directory, 2); ++i) {
+    const std::size_t entry = directory + 2 + i * kEntryBytes;
+    if (entry > tiff.size() || tiff.size() - entry < kEntryBytes) break;
+    if (number(entry, 2) != kOrientation) continue;
+    const std::uint32_t type = number(entry + 2, 2);  // a byte, a short, a long
+    const std::size_t bytes = type == 1 ? 1 : type == 4 ? 4 : 2;
+    const std::size_t value = entry + 8;
+    if (number(value, bytes) == kUpright) continue;
+    std::fill_n(tiff.begin() + static_cast<std::ptrdiff_t>(value), bytes, std::uint8_t{0});
+    tiff[is_big_endian ? value + bytes - 1 : value] = kUpright;
+    is_changed = true;
+  }
+  return is_changed;
+}
+
+/// The same of XMP: `tiff:Orientation="6"`, or `<tiff:Orientation>6<`.
+bool clearXmpOrientation(MutableBytes xmp) {
+  constexpr std::string_view kName = "tiff:Orientation";
+  const std::string_view text(reinterpret_cast<const char*>(xmp.data()), xmp.size());
+  bool is_changed = false;
+  for (std::size_t at = text.find(kName); at != std::string_view::npos; at = text.find(kName, at + 1)) {
+    const std::size_t digit = text.find_first_not_of(" \t\r\n=\"'>", at + kName.size());
+    if (digit == std::string_view::npos || text[digit] < '2' || text[digit] > '8') continue;
+    xmp[digit] = '1';
+    is_changed = true;
+  }
+  return is_changed;
+}
+
+/// In the segments before the pixels.
+void clearJpegOrientation(MutableBytes jpeg) {
+  constexpr std::uint8_t kMarker = 0xFF, kApplication1 = 0xE1, kStartOfScan = 0xDA;
+  constexpr std::string_view kExif{"Exif\0", 5};
+  constexpr std::size_t kExifHeader = 6;
+  std::size_t at = 2;
+  while (jpeg.size() >= at + 4 && jpeg[at] == kMarker && jpeg[at + 1] != kStartOfScan) {
+    if (jpeg[at + 1] == kMarker) {  // fill byte
+      ++at;
+      continue;
+    }
+    const std::size_t length = numberAt(jpeg, at + 2, 2, true);
+    if (length < 2 || length > jpeg.size() - at - 2) return;
+    const MutableBytes content = jpeg.subspan(at + 4, length - 2);
+    if (jpeg[at + 1] == kApplication1) {
+      if (beginsWith(content, kExif) && content.size() > kExifHeader) {
+        clearTiffOrientation(content.subspan(kExifHeader));
+      } else {
+        clearXmpOrientation(content);
+      }
+    }
+    at += 2 + length;
+  }
+}
+
+/// What programs look into for an orientation, where it cannot simply be changed: compressed, or as digits.
+bool isHiddenMetadata(Bytes content) {
+  using namespace std::string_view_literals;
+  constexpr std::array kNames{"Raw profile type exif\0"sv, "Raw profile type APP1\0"sv,
+                              "Raw profile type xmp\0"sv, "XML:com.adobe.xmp\0\1"sv};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](std::string_view name) { return beginsWith(content, name); });
+}
+
+std::string clearPngOrientation(std::string& png) {
+  constexpr std::size_t kSignature = 8, kFrame = 12;  // length, type, checksum
+  const MutableBytes bytes(reinterpret_cast<std::uint8_t*>(png.data()), png.size());
+  std::string kept = png.substr(0, kSignature);
+  std::size_t at = kSignature;
+  while (bytes.size() >= at + kFrame) {
+    const std::size_t length = numberAt(bytes, at, 4, true);
+    if (length > bytes.size() - at - kFrame) break;
+    const MutableBytes typed = bytes.subspan(at + 4, length + 4);
+    const MutableBytes content = typed.subspan(4);
+    const bool is_text = beginsWith(typed, "tEXt") || beginsWith(typed, "zTXt") || beginsWith(typed, "iTXt");
+    const bool is_changed = (beginsWith(typed, "eXIf") && clearTiffOrientation(content)) ||
+                            (beginsWith(typed, "iTXt") && clearXmpOrientation(content));
+    if (is_changed) {
+      const std::uint32_t sum = libdeflate_crc32(0, typed.data(), typed.size());
+      for (std::size_t i = 0; i < 4; ++i)
+        bytes[at + 8 + length + i] = static_cast<std::uint8_t>(sum >> (24 - 8 * i));
+    }
+    if (!is_text || !isHiddenMetadata(content)) kept.append(png, at, kFrame + length);
+    at += kFrame + length;
+  }
+  return kept.append(png, at);
+}
+
+/// Channels by the frame header (SOF), bits a channel in front of them.
+bool isPlainJpeg(Bytes jpeg) {
+  std::size_t at = 2;
+  while (numberAt(jpeg, at, 1, true) == 0xFF) {
+    const std::uint32_t type = numberAt(jpeg, at + 1, 1, true);
+    if (type == 0xFF) {  // fill byte
+      ++at;
+      continue;
+    }
+    if (type >= 0xC0 && type <= 0xCF && type != 0xC4 && type != 0xC8 && type != 0xCC)
+      return numberAt(jpeg, at + 4, 1, true) == 8 && numberAt(jpeg, at + 9, 1, true) == 3;
+    at += 2 + std::size_t{numberAt(jpeg, at + 2, 2, true)};
+  }
+  return false;
+}
+
+/// Color type 2 of 8 bits, without one of its colors being declared transparent.
+bool isPlainPng(Bytes png) {
+  constexpr std::size_t kBitsAt = 24, kSignature = 8, kFrame = 12;
+  if (numberAt(png, kBitsAt, 1, true) != 8 || numberAt(png, kBitsAt + 1, 1, true) != 2) return false;
+  for (std::size_t at = kSignature; png.size() >= at + kFrame;) {
+    const Bytes type = png.subspan(at + 4, 4);
+    if (beginsWith(type, "tRNS")) return false;
+    if (beginsWith(type, "IDAT")) return true;
+    at += kFrame + std::size_t{numberAt(png, at, 4, true)};
+  }
+  return false;
+}
+
+}  // namespace
+
+bool isPlainColor(Bytes bytes) {
+  const auto format = imageFormat(bytes);
+  if (format == ImageFormat::jpeg) return isPlainJpeg(bytes);
+  return format == ImageFormat::png && isPlainPng(bytes);
+}
+
+std::string withoutOrientation(std::string bytes) {
+  const auto data = MutableBytes(reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size());
+  const auto format = imageFormat(data);
+  if (format == ImageFormat::png) return clearPngOrientation(bytes);
+  if (format == ImageFormat::jpeg) clearJpegOrientation(data);
+  return bytes;
+}
+
+}  // namespace scantrove

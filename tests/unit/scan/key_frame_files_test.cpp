@@ -1,0 +1,55 @@
+// Images of key frames as a session stores them.
+#include "core/scan/key_frame_files.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/oriented_image.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::encoded;
+using test::readText;
+using test::TemporaryFolder;
+
+RgbdFrame frameOf(const std::filesystem::path& color_file) {
+  RgbdFrame frame;
+  frame.metres_per_unit = 0.001F;
+  frame.color = cv::Mat(24, 32, CV_8UC3, cv::Scalar(10, 90, 200));
+  frame.depth = cv::Mat(24, 32, CV_16UC1, cv::Scalar(1000));
+  frame.color_file = color_file;
+  return frame;
+}
+
+std::string storedImage(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
+  std::filesystem::create_directories(folder / "keyframes");
+  const auto key = writeKeyFrame(folder.path(), 3, frameOf(folder.write(name, bytes)));
+  EXPECT_TRUE(key) << key.error().message();
+  return key ? readText(folder.path() / key->color_file) : "";
+}
+
+TEST(KeyFrameFiles, StoreAJpegWithoutItsOrientation) {
+  const TemporaryFolder folder;
+  const std::string jpeg = encoded(".jpg", frameOf({}).color);
+  const std::string turned = test::withExif(jpeg, true, 8);
+  ASSERT_EQ(test::seenByOthers(turned).size(), cv::Size(24, 32));
+  const std::string stored = storedImage(folder, "frame.jpg", turned);
+  EXPECT_EQ(test::seenByOthers(stored).size(), cv::Size(32, 24));
+  EXPECT_TRUE(stored.ends_with(jpeg.substr(jpeg.find("\xFF\xDA"))));
+}
+
+TEST(KeyFrameFiles, StoreAnUprightJpegAsItCame) {
+  const TemporaryFolder folder;
+  const std::string jpeg = test::withExif(encoded(".jpg", frameOf({}).color), false, 1);
+  EXPECT_TRUE(storedImage(folder, "frame.jpg", jpeg) == jpeg) << "not the same bytes";
+}
+
+TEST(KeyFrameFiles, StoreByWhatAFileIsNotByItsName) {
+  const TemporaryFolder folder;
+  const std::string bitmap = encoded(".bmp", frameOf({}).color);
+  EXPECT_EQ(storedImage(folder, "frame.png", bitmap).substr(0, 4), "\x89PNG");
+}
+
+}  // namespace
+}  // namespace scantrove
