@@ -59,6 +59,12 @@ void appendCharacter(std::string& text, char32_t c) {
 /// Controls of ASCII and Latin-1, and the line ends of Unicode.
 bool isControl(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029; }
 
+/// Blanks of any script.
+bool isBlank(char32_t c) {
+  return c == U' ' || c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200B) || c == 0x202F ||
+         c == 0x205F || c == 0x3000;
+}
+
 }  // namespace
 
 std::string validUtf8(std::string_view text) {
@@ -70,17 +76,19 @@ std::string validUtf8(std::string_view text) {
 std::string safeFileName(std::uint32_t region, std::string_view name) {
   constexpr std::size_t kLongest = 80;
   constexpr std::u32string_view kForbidden = U"/\\:*?\"'<>|$`&;!%{}[]()#~\uFFFD\uFEFF";
+  constexpr std::string_view kDropped = " .";  // at the end, by Windows
+  name = name.substr(0, name.find_last_not_of(kDropped) + 1);
+  name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
   std::string safe;
   for (std::size_t at = 0; at < name.size();) {
     const char32_t c = nextCharacter(name, at);
-    const bool is_bad = isControl(c) || kForbidden.find(c) != std::u32string_view::npos;
+    const bool is_bad = isControl(c) || isBlank(c) || kForbidden.find(c) != std::u32string_view::npos;
     std::string next;
     appendCharacter(next, is_bad ? U'_' : c);
     if (safe.size() + next.size() > kLongest) break;
     safe += next;
   }
-  const std::size_t last = safe.find_last_not_of(" .");  // Windows drops these at the end
-  safe.resize(last == std::string::npos ? 0 : last + 1);
+  safe.resize(safe.find_last_not_of(kDropped) + 1);
   return fmt::format("{:06}{}{}", region, safe.empty() ? "" : "_", safe);
 }
 

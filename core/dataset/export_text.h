@@ -11,9 +11,9 @@ using ExportJson = nlohmann::ordered_json;
 /// `text` as valid UTF-8: bytes that are none become U+FFFD.
 [[nodiscard]] std::string validUtf8(std::string_view text);
 
-/// "000012_red cup" for the region 12 called "red cup": a file name on any system, letters of any language
-/// kept; what separates folders, ends lines or has a meaning to a shell becomes '_'. No extension; at most 80
-/// bytes of the name. Regions of one name differ by their number.
+/// "000012_red_cup" for the region 12 called "red cup": a file name on any system, letters of any language
+/// kept; blanks and what separates folders, ends lines or has a meaning to a shell become '_'. No extension;
+/// at most 80 bytes of the name. Regions of one name differ by their number.
 [[nodiscard]] std::string safeFileName(std::uint32_t region, std::string_view name);
 
 /// `text` on one line: line ends and control characters become blanks.

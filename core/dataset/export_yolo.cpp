@@ -1,11 +1,14 @@
 #include <spdlog/fmt/fmt.h>
 
+#include <cstdint>
 #include <iterator>
+#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/dataset/dataset_formats.h"
@@ -20,7 +23,34 @@ namespace {
 constexpr double kWithinPixel = 0.25;
 constexpr int kLeastForValidation = 5;
 
-/// One line a region: its class, then x and y of the corners as parts of the image's size.
+/// What one line speaks of: an object of the catalogue, all its regions, or a region that is none.
+struct Instance {
+  std::string class_name;
+  std::vector<std::uint32_t> regions;
+
+  /// CV_8UC1, 255 = the instance.
+  [[nodiscard]] cv::Mat maskIn(const LabelledImage& image) const {
+    cv::Mat mask = image.maskOf(regions.front());
+    for (std::size_t i = 1; i < regions.size(); ++i) mask |= image.maskOf(regions[i]);
+    return mask;
+  }
+};
+
+/// In the order of their first regions.
+std::vector<Instance> instancesOf(const std::vector<LabelledRegion>& regions) {
+  std::vector<Instance> instances;
+  std::map<std::int64_t, std::size_t> of_object;
+  for (const LabelledRegion& region : regions) {
+    const std::size_t next = instances.size();
+    const std::size_t place =
+        region.object ? of_object.try_emplace(*region.object, next).first->second : next;
+    if (place == next) instances.push_back({classOf(region), {}});
+    instances[place].regions.push_back(region.id);
+  }
+  return instances;
+}
+
+/// One line an instance: its class, then x and y of the corners as parts of the image's size.
 std::string yoloLine(int class_index, const std::vector<cv::Point>& outline, const cv::Size& size) {
   std::string line = std::to_string(class_index);
   for (const cv::Point& point : outline) {
@@ -47,7 +77,8 @@ cv::Mat maskOfLine(std::string_view line, const cv::Size& size) {
 /// The data set in the making.
 class YoloSegments {
  public:
-  explicit YoloSegments(ExportJob& job) : job_(job), classes_(classesOf(job.chosen())) {}
+  explicit YoloSegments(ExportJob& job)
+      : job_(job), classes_(classesOf(job.chosen())), instances_(instancesOf(job.chosen())) {}
 
   Result<void> chooseValidation() {
     const auto frames = job_.scan().keyFrames(job_.options().all_frames);
@@ -67,11 +98,11 @@ class YoloSegments {
     const std::string part = training_.contains(image.frame.index) ? "train/" : "val/";
     SCANTROVE_TRY(job_.write("images/" + part + image.image_name, image.image_bytes));
     std::string lines;
-    for (const LabelledRegion& region : job_.chosen()) {
-      const cv::Mat mask = image.maskOf(region.id);
+    for (const Instance& instance : instances_) {
+      const cv::Mat mask = instance.maskIn(image);
       const auto outline = outlineOf(mask);
       if (outline.empty()) continue;
-      const std::string line = yoloLine(classIndex(classes_, classOf(region)), outline, mask.size());
+      const std::string line = yoloLine(classIndex(classes_, instance.class_name), outline, mask.size());
       lines += line;
       ++job_.summary().annotations;
       last_outline_ = outline;
@@ -113,6 +144,7 @@ class YoloSegments {
 
   ExportJob& job_;
   std::vector<std::string> classes_;
+  std::vector<Instance> instances_;
   std::set<int> training_;
   bool has_validation_ = false;
   std::vector<cv::Point> last_outline_;

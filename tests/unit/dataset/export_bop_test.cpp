@@ -159,6 +159,18 @@ TEST_F(BopExport, MasksAndTheirNumbersAreThoseOfTheScene) {
   }
 }
 
+TEST(BopExportOptions, ARegionIsOneInstance_HoweverManyPiecesItHas) {
+  const Exported exported(DatasetFormat::bop, [](test::ScannedScene& scene) {
+    scene.frames = 1;
+    scene.parted = kBox;
+    scene.labels[0].object = 3;  // the ball belongs to the object of the box
+  });
+  std::multiset<std::uint32_t> regions;
+  const Json poses = exported.json("000001/scene_gt.json");
+  for (const Json& pose : poses["0"]) regions.insert(pose["obj_id"].get<std::uint32_t>());
+  EXPECT_EQ(regions, (std::multiset<std::uint32_t>{kBox, kBall}));
+}
+
 TEST(BopExportOptions, DepthKeepsItsUnits) {
   const Exported fine(DatasetFormat::bop, [](test::ScannedScene& scene) {
     scene.frames = 1;

@@ -107,6 +107,19 @@ TEST(CocoExportOptions, WithBackgroundAlsoWhatWasSetAside) {
   EXPECT_EQ(categories, (std::set<std::string>{"background", "ball", "box", "rejected"}));
 }
 
+TEST(CocoExportOptions, ARegionIsOneAnnotation_HoweverManyPiecesItHas) {
+  const Exported exported(DatasetFormat::coco, [](test::ScannedScene& scene) {
+    scene.frames = 1;
+    scene.parted = kBox;
+    scene.labels[0].object = 3;  // the ball belongs to the object of the box
+  });
+  const Json file = exported.json("annotations/instances.json");
+  std::multiset<std::uint32_t> regions;
+  for (const Json& annotation : file["annotations"])
+    regions.insert(annotation["attributes"]["region"].get<std::uint32_t>());
+  EXPECT_EQ(regions, (std::multiset<std::uint32_t>{kBox, kBall}));
+}
+
 TEST(CocoExportOptions, AllFramesAreMore) {
   test::ScannedScene scene;
   scene.frames = 4;

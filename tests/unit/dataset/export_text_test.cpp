@@ -6,14 +6,16 @@ namespace scantrove {
 namespace {
 
 TEST(SafeFileName, KeepsLettersOfAnyLanguageAndNothingThatActs) {
-  EXPECT_EQ(safeFileName(12, "red cup"), "000012_red cup");
-  EXPECT_EQ(safeFileName(12, "Gefäß 箱 📦"), "000012_Gefäß 箱 📦");
+  EXPECT_EQ(safeFileName(12, "red cup"), "000012_red_cup");
+  EXPECT_EQ(safeFileName(12, "Gefäß 箱 📦"), "000012_Gefäß_箱_📦");
   EXPECT_EQ(safeFileName(12, "../../etc/passwd"), "000012_.._.._etc_passwd");
   EXPECT_EQ(safeFileName(12, "a\nb\tc\"d'e\\f"), "000012_a_b_c_d_e_f");
   EXPECT_EQ(safeFileName(12, "a\u2028b\x7F"), "000012_a_b_");
   EXPECT_EQ(safeFileName(12, "dots... "), "000012_dots");
   EXPECT_EQ(safeFileName(12, ""), "000012");
   EXPECT_EQ(safeFileName(12, " . "), "000012");
+  EXPECT_EQ(safeFileName(12, "  red  cup. "), "000012_red__cup");
+  EXPECT_EQ(safeFileName(12, "a\u00A0b\u3000c\u2009d"), "000012_a_b_c_d") << "blanks of any language";
   EXPECT_EQ(safeFileName(1234567, "x"), "1234567_x");
   EXPECT_EQ(safeFileName(1, "a\xFF\xC3"), "000001_a__") << "no UTF-8";
 }

@@ -74,6 +74,46 @@ TEST_F(YoloExport, PolygonsGiveTheMasksAgain) {
   }
 }
 
+TEST(YoloExportOptions, AnInstanceOfSeveralRegionsIsOneLine) {
+  const Exported exported(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+    scene.frames = 1;
+    scene.labels[0].object = 3;  // the ball belongs to the object of the box
+    scene.labels[0].category = "box";
+  });
+  const auto segments = segmentsIn(exported.text("labels/train/000000.txt"));
+  ASSERT_EQ(segments.size(), 1U);
+  const cv::Mat exact = exported.scene.exactMask(0, kBox) | exported.scene.exactMask(0, kBall);
+  EXPECT_GE(iou(segments[0].mask(false), exact), 0.95);
+  EXPECT_EQ(exported.summary.annotations, 1);
+}
+
+TEST(YoloExportOptions, RegionsOfOneNameAreInstancesOfTheirOwn) {
+  const Exported exported(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+    scene.frames = 1;
+    scene.labels[0].name = scene.labels[2].name = "box";
+    scene.labels[0].category = "box";
+    scene.labels[2].object.reset();
+  });
+  EXPECT_EQ(segmentsIn(exported.text("labels/train/000000.txt")).size(), 2U);
+}
+
+TEST(YoloExportOptions, APartedInstanceIsOneLine) {
+  const Exported exported(DatasetFormat::yolo, [](test::ScannedScene& scene) {
+    scene.frames = 1;
+    scene.parted = kBox;
+  });
+  const auto segments = segmentsIn(exported.text("labels/train/000000.txt"));
+  ASSERT_EQ(segments.size(), 2U);
+  const auto box = std::find_if(segments.begin(), segments.end(),
+                                [](const Segment& segment) { return segment.class_index == 1; });
+  ASSERT_NE(box, segments.end());
+  cv::Mat labels;
+  EXPECT_EQ(cv::connectedComponents(box->mask(false), labels, 8), 2) << "background and one piece";
+  const cv::Mat pieces = exported.scene.partedMask(exported.scene.exactMask(0, kBox));
+  EXPECT_EQ(cv::connectedComponents(pieces, labels, 8), 3);
+  EXPECT_GE(iou(box->mask(false), pieces), 0.9) << "the band is of another view than the exact mask";
+}
+
 TEST(YoloExportOptions, TheLastFifthIsForValidation) {
   const Exported many(DatasetFormat::yolo, [](test::ScannedScene& scene) {
     scene.frames = 9;  // of which every second is a key frame: five

@@ -95,6 +95,7 @@ class ScannedScene : public LabelledScan {
   std::set<int> without_color, with_damaged_color, with_damaged_depth;
   double depth_noise_px = 0.08;
   bool map_is_damaged = false;
+  std::uint32_t parted = 0;  ///< a region of two pieces: a band in its middle is no region
   std::function<void(int)> on_look = [](int) {};
 
   static std::vector<LabelledRegion> standardLabels() {
@@ -171,7 +172,18 @@ class ScannedScene : public LabelledScan {
         view.regions.at<int>(v, u) = Shapes::nearest(voxel * faults.voxel_m);
       }
     }
+    if (parted != 0) {
+      const cv::Mat mask = view.regions == static_cast<int>(parted);
+      view.regions.setTo(0, mask & ~partedMask(mask));
+    }
     return view;
+  }
+  /// A mask without the columns in its middle.
+  [[nodiscard]] static cv::Mat partedMask(const cv::Mat& mask) {
+    const cv::Rect box = cv::boundingRect(mask);
+    cv::Mat pieces = mask.clone();
+    pieces.colRange(box.x + box.width * 2 / 5, box.x + box.width * 3 / 5).setTo(0);
+    return pieces;
   }
   [[nodiscard]] Result<LabelledMesh> mesh() override { return surface(); }
   [[nodiscard]] Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) override {
