@@ -56,6 +56,15 @@ void OperationLog::cutOut(FragmentId part, FragmentId fragment) {
   }
 }
 
+void OperationLog::extend(int number, const OperationEffect& more) {
+  const auto found = std::ranges::find(entries_, number, &Entry::number);
+  if (found == entries_.end()) return;
+  OperationEffect& effect = found->effect;
+  effect.moves.insert(effect.moves.end(), more.moves.begin(), more.moves.end());
+  effect.sayings.insert(effect.sayings.end(), more.sayings.begin(), more.sayings.end());
+  noteChange(static_cast<std::size_t>(found - entries_.begin()));
+}
+
 void OperationLog::forget(FragmentId fragment) {
   for (std::size_t place = 0; place < entries_.size(); ++place) {
     OperationEffect& effect = entries_[place].effect;

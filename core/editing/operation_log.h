@@ -59,6 +59,9 @@ class OperationLog {
 
   /// `part` was cut out of `fragment` just now: what was done to that was done to it.
   void cutOut(FragmentId part, FragmentId fragment);
+  /// What that entry changed is so much more: since it was done, or taken back, frames have added to its
+  /// regions.
+  void extend(int number, const OperationEffect& more);
   /// The fragment is no more; its number may come again for another.
   void forget(FragmentId fragment);
 

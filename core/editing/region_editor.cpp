@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,21 @@ constexpr float kFirstThreshold = 0.3F;
 constexpr int kHalvings = 10;
 
 std::string called(RegionId region) { return "region " + std::to_string(region.value); }
+
+/// Regions become one by it.
+bool isJoining(OperationKind kind) { return kind == OperationKind::join || kind == OperationKind::coarser; }
+
+/// Pairs (into, from) of a join. A fragment may be gone that was a region's only one, so its moves do not say
+/// it all.
+std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entry) {
+  std::set<std::pair<RegionId, RegionId>> joined;
+  for (const RegionMove& move : entry.effect.moves) joined.emplace(move.after, move.before);
+  const std::vector<RegionId>& regions = entry.operation.regions;
+  for (const RegionId region : regions) {
+    if (region != regions.front()) joined.emplace(regions.front(), region);
+  }
+  return joined;
+}
 
 RegionSaid saidBy(const RegionNote& note) {
   if (!note.name.empty() || note.object) return RegionSaid::thing;
@@ -301,9 +317,52 @@ void RegionEditor::setNote(RegionId region, const RegionNote& note) {
   table_.say(region, saidBy(note));
 }
 
+void RegionEditor::takeInNewFragments(const OperationLog::Entry& entry, bool is_undo) {
+  // A join moves whole regions; a cut's parts go back as a whole, but for the one that kept the region's
+  // identity.
+  const bool is_joining = isJoining(entry.operation.kind);
+  if (is_joining == is_undo) return;
+  OperationEffect more;
+  const auto moveWhole = [&](RegionId region, RegionId before, RegionId after) {
+    for (const FragmentId fragment : table_.fragmentsOf(region)) {
+      if (std::ranges::find(entry.effect.moves, fragment, &RegionMove::fragment) == entry.effect.moves.end())
+        more.moves.push_back({fragment, before, after});
+    }
+  };
+  if (is_joining) {
+    for (const auto& [into, from] : joinedBy(entry)) moveWhole(from, from, into);
+  } else {
+    std::map<RegionId, RegionId> parts;  // and what each was a part of
+    for (const RegionMove& move : entry.effect.moves) parts.emplace(move.after, move.before);
+    for (const auto& [part, region] : parts) {
+      if (part != entry.operation.regions.front()) moveWhole(part, region, part);
+    }
+  }
+  if (!more.moves.empty()) log_.extend(entry.number, more);
+}
+
+void RegionEditor::holdTogether(const OperationLog::Entry& entry) {
+  if (!isJoining(entry.operation.kind)) return;
+  OperationEffect more;
+  for (const auto& [into, from] : joinedBy(entry)) {
+    if (!exists(into) || !exists(from)) continue;
+    const bool is_said =
+        std::ranges::any_of(entry.effect.sayings, [&, into = into, from = from](const auto& saying) {
+          const RegionId a = table_.regionOf(saying.a), b = table_.regionOf(saying.b);
+          return saying.after == LinkConstraint::must_link &&
+                 ((a == into && b == from) || (a == from && b == into));
+        });
+    if (is_said) continue;
+    const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
+    more.sayings.push_back({a, b, merger_->constraintBetween(a, b), LinkConstraint::must_link});
+  }
+  if (!more.sayings.empty()) log_.extend(entry.number, more);
+}
+
 Result<RegionEditor::Outcome> RegionEditor::undo() {
   const OperationLog::Entry* entry = log_.undo();
   if (entry == nullptr) return fail("There is nothing to undo.", "");
+  takeInNewFragments(*entry, true);
   const OperationEffect& effect = entry->effect;
   Outcome outcome;
   std::vector<RegionMove> back;
@@ -321,6 +380,8 @@ Result<RegionEditor::Outcome> RegionEditor::undo() {
 Result<RegionEditor::Outcome> RegionEditor::redo() {
   const OperationLog::Entry* entry = log_.redo();
   if (entry == nullptr) return fail("There is nothing to do again.", "");
+  takeInNewFragments(*entry, false);
+  holdTogether(*entry);
   const OperationEffect& effect = entry->effect;
   Outcome outcome;
   table_.move(effect.moves, outcome.events);

@@ -31,9 +31,11 @@ class RegionEditor {
   /// take apart, ...; then nothing was changed.
   [[nodiscard]] Result<Outcome> apply(const Operation& given, const LabelingParams& params);
   /// Takes the newest operation back, and no more than that: what frames changed meanwhile stays, and what
-  /// they cut out of regions meanwhile goes where the rest of it goes. Error:
-  /// there is none.
+  /// they cut out of regions meanwhile, or added to a part that a cut had made, goes where the rest of it
+  /// goes. Error: there is none.
   [[nodiscard]] Result<Outcome> undo();
+  /// Does it again, to the regions as they are now: what frames added to them meanwhile is joined, too.
+  /// Error: there is none.
   [[nodiscard]] Result<Outcome> redo();
 
   [[nodiscard]] const OperationLog& log() const { return log_; }
@@ -65,6 +67,11 @@ class RegionEditor {
   [[nodiscard]] Result<void> finer(Work& work);
   [[nodiscard]] Result<void> coarser(Work& work);
 
+  /// Before the entry is taken back or done again: regions that this moves as a whole have all their
+  /// fragments of now in its effect.
+  void takeInNewFragments(const OperationLog::Entry& entry, bool is_undo);
+  /// Before a join is done again: of what held the regions together a fragment may be gone.
+  void holdTogether(const OperationLog::Entry& entry);
   [[nodiscard]] bool exists(RegionId region) const { return !table_.fragmentsOf(region).empty(); }
   void remember(RegionId region, Work& work) const;
   /// Voxels of one region, part of each: fragments that lie in several parts are divided. Result: fragments

@@ -83,6 +83,13 @@ class RegionEditorTest : public testing::Test {
     auto& graph = const_cast<EvidenceGraph&>(merger_.graph());
     for (int look = 0; look < 20; ++look) graph.between(a, b).add(contact, one ? 1 : 0);
   }
+  /// Frames add a fragment to a region: 20 voxels wide from `from` on.
+  FragmentId grow(RegionId region, int from) {
+    const FragmentId fragment = table_.newFragment();
+    map_.lay(fragment, from, from + 20);
+    table_.join(region, table_.regionOf(fragment));
+    return fragment;
+  }
   std::vector<RegionId> all() const {
     std::vector<RegionId> regions;
     for (int x = 10; x < 80; x += 20) regions.push_back(regionAt(x));
@@ -128,6 +135,51 @@ TEST_F(RegionEditorTest, UndoAndRedoOfAllGiveTheSameTables) {
   EXPECT_FALSE(editor_.redo());
   EXPECT_EQ(table_.regions(), done);
   EXPECT_EQ(editor_.notes().all(), notes);
+}
+
+TEST_F(RegionEditorTest, ARedoneJoinTakesWhatFramesHaveAddedSince) {
+  const RegionId first = regionAt(10), second = regionAt(30);
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {first, second}}));
+  ASSERT_TRUE(editor_.undo());
+  grow(second, 80);
+  ASSERT_TRUE(editor_.redo());
+  EXPECT_EQ(regionAt(30), first);
+  EXPECT_EQ(regionAt(90), first) << "it was of the second region";
+  EXPECT_TRUE(table_.fragmentsOf(second).empty());
+  ASSERT_TRUE(editor_.undo());
+  EXPECT_EQ(regionAt(30), second);
+  EXPECT_EQ(regionAt(90), second);
+  EXPECT_EQ(regionAt(10), first);
+}
+
+TEST_F(RegionEditorTest, ARedoneJoinHoldsWhenTheFragmentThatHeldItIsGone) {
+  const RegionId first = regionAt(10), second = regionAt(30);
+  ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {first, second}}));
+  ASSERT_TRUE(editor_.undo());
+  const FragmentId grown = grow(second, 80);
+  editor_.forget(fragments_[1]);  // the frames found that no voxel holds it
+  table_.free(fragments_[1]);
+  ASSERT_TRUE(editor_.redo());
+  EXPECT_EQ(regionAt(90), first);
+  EXPECT_EQ(merger_.constraintBetween(fragments_[0], grown), LinkConstraint::must_link);
+}
+
+TEST_F(RegionEditorTest, AnUndoneCutTakesBackWhatFramesHaveAddedToItsPart) {
+  const RegionId region = regionAt(50);
+  const auto outcome = apply({.kind = OperationKind::cut,
+                              .regions = {region},
+                              .here_world = {{0.42F, 0.05F, 0.005F}},
+                              .there_world = {{0.58F, 0.05F, 0.005F}}});
+  ASSERT_TRUE(outcome) << outcome.error().message();
+  const RegionId part = outcome->regions[0] == region ? outcome->regions[1] : outcome->regions[0];
+  grow(part, 80);
+  ASSERT_TRUE(editor_.undo());
+  EXPECT_EQ(regionAt(42), region);
+  EXPECT_EQ(regionAt(58), region);
+  EXPECT_EQ(regionAt(90), region) << "there is no part any more";
+  ASSERT_TRUE(editor_.redo());
+  EXPECT_EQ(regionAt(90), part);
+  EXPECT_NE(regionAt(42), regionAt(58));
 }
 
 TEST_F(RegionEditorTest, ACutGoesThroughAFragmentAndHolds) {
