@@ -121,9 +121,17 @@ class ObjectDatabase {
   /// name was given away meanwhile (the same holds for restore). Views that came after the merge go to whom
   /// they were stored for.
   Result<void> unmerge(const ObjectMerge& merge);
+  /// All that `edit` does here is one transaction, carried out once for each `token`: returns its text, now
+  /// or as it was when that token came first. Error: as of `edit`, whose part is undone; the same token may
+  /// be tried again.
+  [[nodiscard]] Result<std::string> applyOnce(const std::string& token,
+                                              const std::function<Result<std::string>()>& edit);
   /// Hides objects everywhere; restore brings them back.
   Result<void> remove(std::span<const ObjectId> objects);
   Result<void> restore(std::span<const ObjectId> objects);
+  /// Removes an object that was made for something which a person took back; not one that a person named,
+  /// confirmed or made others part of, nor one that is hidden already. Whether it was removed.
+  [[nodiscard]] Result<bool> withdraw(ObjectId made);
 
  private:
   ObjectDatabase();

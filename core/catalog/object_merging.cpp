@@ -146,7 +146,14 @@ Result<void> ObjectDatabase::unmergeRows(const ObjectMerge& merge) {
   const Result<ObjectRow> into = readRow(*connection_, merge.into);
   if (!into) return fail(into.error());
   if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, *into, false));
-  return refreshObject(*connection_, merge.into);
+  SCANTROVE_TRY(refreshObject(*connection_, merge.into));
+  // It may be part of another by now, which held these views, too.
+  const Result<ObjectRow> holder = holderOf(*connection_, merge.into);
+  if (!holder) return fail(holder.error());
+  if (holder->id == merge.into) return {};
+  SCANTROVE_TRY(refreshObject(*connection_, holder->id));
+  return recordEvent(*connection_, event::kLeaveBehind, holder->id, {},
+                     {{"unmerged", static_cast<qint64>(merge.from.front().value)}});
 }
 
 Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {
@@ -159,6 +166,22 @@ Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {
       SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *before, row));
     }
     return {};
+  });
+}
+
+Result<bool> ObjectDatabase::withdraw(ObjectId made) {
+  return inTransaction(*connection_, [&]() -> Result<bool> {
+    const Result<ObjectRow> before = readRow(*connection_, made);
+    if (!before) return fail(before.error());
+    if (before->hidden || before->confirmed || before->named_by == NamedBy::person) return false;
+    Result<QSqlQuery> parts =
+        connection_->execute("SELECT id FROM objects WHERE merged_into = ?", {made.value});
+    if (!parts) return fail(parts.error());
+    if (parts->next()) return false;
+    ObjectRow row = *before;
+    row.hidden = true;
+    SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *before, row));
+    return true;
   });
 }
 

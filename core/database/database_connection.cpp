@@ -205,6 +205,10 @@ Result<void> DatabaseConnection::useWriteAheadLog() {
 
 Result<QSqlQuery> DatabaseConnection::execute(const QString& sql, const QVariantList& values) {
   SCANTROVE_CHECK(thread_ == std::this_thread::get_id());
+  if (has_lost_transaction_) {
+    return fail("The database " + file_ + " has taken back what was being written into it.",
+                "Look for what was said before this; nothing was changed.");
+  }
   QSqlQuery query(QSqlDatabase::database(name_, false));
   query.setForwardOnly(true);
   if (!query.prepare(sql)) return fail(describe(file_, query.lastError()));

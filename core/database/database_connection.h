@@ -52,6 +52,7 @@ class DatabaseConnection {
   [[nodiscard]] static QString now();
 
  private:
+  friend class Transaction;
   DatabaseConnection() = default;
   [[nodiscard]] static Result<std::unique_ptr<DatabaseConnection>> connect(const std::string& file,
                                                                            const QString& name_of_file,
@@ -69,7 +70,9 @@ class DatabaseConnection {
   std::string file_;
   QString name_;
   std::thread::id thread_;
-  std::optional<Stamp> stamp_;  // of a file that is read without locks
+  std::optional<Stamp> stamp_;         // of a file that is read without locks
+  int transactions_ = 0;               // begun and not ended, one inside the other
+  bool has_lost_transaction_ = false;  // SQLite rolled all of it back; nothing more may be done in it
 };
 
 }  // namespace scantrove

@@ -9,19 +9,23 @@ namespace scantrove {
 class DatabaseConnection;
 
 /// A write transaction: takes the write lock at once (a later upgrade could fail without waiting), rolls back
-/// when it is left without commit.
+/// when it is left without commit. Inside another one of the same connection it is a part of that (a
+/// savepoint): left without commit it undoes its own part alone, and nothing of it is on disk before the
+/// outer one commits.
 class Transaction {
  public:
   [[nodiscard]] static Result<Transaction> begin(DatabaseConnection& connection);
-  Transaction(Transaction&& other) noexcept : connection_(std::exchange(other.connection_, nullptr)) {}
+  Transaction(Transaction&& other) noexcept
+      : connection_(std::exchange(other.connection_, nullptr)), depth_(other.depth_) {}
   Transaction& operator=(Transaction&&) = delete;
   ~Transaction();
 
   [[nodiscard]] Result<void> commit();
 
  private:
-  explicit Transaction(DatabaseConnection& connection) : connection_(&connection) {}
+  Transaction(DatabaseConnection& connection, int depth) : connection_(&connection), depth_(depth) {}
   DatabaseConnection* connection_;
+  int depth_;  // 0: the outermost
 };
 
 /// Runs `work`, which returns a Result, in one transaction: committed when it succeeds, undone when it fails.

@@ -48,7 +48,7 @@ TEST_F(DatabaseFailures, NotADatabase) {
 TEST_F(DatabaseFailures, AnEmptyFileBecomesACatalogue) {
   write("");
   EXPECT_EQ(messageOf(file()), "(opened)");
-  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "6");
+  EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "7");
 }
 
 TEST_F(DatabaseFailures, AnotherProgramsDatabase) {

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <variant>
+
 #include "catalog_test_support.h"
 
 namespace scantrove {
@@ -224,6 +227,56 @@ TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
   ASSERT_EQ(pictures->size(), 4U);
   EXPECT_EQ((*pictures)[0].size(), cv::Size(10, 10)) << "the newest first";
   EXPECT_EQ((*pictures)[2].size(), cv::Size(60, 60));
+}
+
+TEST_F(ObjectMerging, WhatIsPartedFromAPartLeavesItsHolderToo) {
+  const Eigen::Vector3f small(0.1F, 0.1F, 0.1F), large(0.9F, 0.8F, 0.7F);
+  const Ids ids{add(1, small), add(1, small), add(4, large)};
+  const std::string before = visibleState();
+  const Result<ObjectMerge> first = database_->merge(Ids{ids[1], ids[2]});
+  ASSERT_TRUE(first);
+  const Result<ObjectMerge> second = database_->merge(Ids{ids[0], ids[1]});
+  ASSERT_TRUE(second);
+  EXPECT_EQ(record(ids[0]).size_m, large) << "most of the views";
+  const std::int64_t event = *database_->lastEvent();
+  ASSERT_TRUE(database_->unmerge(*first));
+  EXPECT_TRUE(std::ranges::any_of(database_->changesAfter(event)->changes,
+                                  [&](const CatalogueChange& change) {
+                                    const auto* left = std::get_if<change::ViewsLeft>(&change);
+                                    return left != nullptr && left->object == ids[0];
+                                  }))
+      << "whoever keeps its record reads it anew";
+  EXPECT_EQ(record(ids[0]).views, 2);
+  EXPECT_EQ(record(ids[0]).size_m, small);
+  const cv::Mat picture = *database_->picture(ids[0]);
+  EXPECT_TRUE(std::ranges::any_of(*database_->pictures(ids[0]), [&](const cv::Mat& own) {
+    return sameImage(own, picture);
+  })) << "of its own views";
+  ASSERT_TRUE(database_->unmerge(*second));
+  EXPECT_EQ(visibleState(), before);
+}
+
+TEST_F(ObjectMerging, AnObjectOfUnknownSizeDoesNotKeepThatOfAnother) {
+  const Ids ids{add(1, Eigen::Vector3f::Zero()), add(1)};
+  const Result<ObjectMerge> merge = database_->merge(ids);
+  ASSERT_TRUE(merge);
+  ASSERT_EQ(merge->into, ids[0]);
+  EXPECT_FALSE(record(ids[0]).size_m.isZero());
+  ASSERT_TRUE(database_->unmerge(*merge));
+  EXPECT_TRUE(record(ids[0]).size_m.isZero());
+  EXPECT_FALSE(record(ids[1]).size_m.isZero());
+}
+
+TEST_F(ObjectMerging, WhatIsWithdrawnIsNothingThatAPersonKnows) {
+  const Ids ids{add(), add(), add(), add(), add()};
+  EXPECT_TRUE(database_->setConfirmed(Ids{ids[0]}, true));
+  EXPECT_TRUE(database_->rename(ids[1], "mug"));
+  ASSERT_TRUE(database_->merge(Ids{ids[2], ids[3]}));
+  for (int i = 0; i < 4; ++i)
+    EXPECT_FALSE(database_->withdraw(ids[static_cast<std::size_t>(i)]).value_or(true));
+  EXPECT_EQ(database_->objects()->size(), 4U) << "others are part of the third";
+  EXPECT_TRUE(database_->withdraw(ids[4]).value_or(false));
+  EXPECT_FALSE(database_->withdraw(ids[4]).value_or(true)) << "once";
 }
 
 TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {

@@ -33,6 +33,7 @@ class ViewDescriptors : public test::CatalogTest {
   /// The catalogue as the first version wrote it.
   void downgrade() const {
     for (const char* sql : {"DROP TABLE identity",
+                            "DROP TABLE applied_edits",
                             "DROP TABLE view_summaries",
                             "DROP TABLE descriptors",
                             "DROP TABLE pictures",
