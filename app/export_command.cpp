@@ -63,6 +63,8 @@ Result<void> exportSession(const ExportCommand& command) {
   const auto summary = exportDataset(scan, {*format, command.out, command.all_frames, command.background},
                                      std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
+  if ((*session)->missingCatalogue())
+    std::cerr << "scantrove: " << (*session)->missingCatalogue()->message() << '\n';
   for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << skipped << '\n';
   std::cout << command.format << "     " << summary->images << " images, " << summary->regions << " regions, "
             << summary->annotations << " annotations";

@@ -41,14 +41,15 @@ Json toJson(const RegionSummary& region) {
             {"voxels", region.voxels},
             {"centroid_m", toJson(region.centroid_world)},
             {"box_m", {toJson(region.box_world.min()), toJson(region.box_world.max())}},
-            {"name", region.note.name},
-            {"category", region.note.category},
+            {"name", region.label.name},
+            {"category", region.label.category},
             {"object", nullptr},
-            {"is_object", region.note.object || static_cast<bool>(region.object)},
-            {"background", region.note.background},
-            {"rejected", region.note.rejected},
+            {"is_object", region.label.is_object},
+            {"confirmed", region.label.confirmed},
+            {"background", region.label.background},
+            {"rejected", region.label.rejected},
             {"seen_share", region.seen_from.share()}};
-  if (region.object) json["object"] = region.object.value;
+  if (region.label.object) json["object"] = region.label.object.value;
   return json;
 }
 
@@ -86,8 +87,8 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
   std::size_t usable = 0, named = 0, objects = 0, done = 0;
   for (const SavedFrame& frame : session.frames()) usable += frame.isUsable() ? 1U : 0U;
   for (const RegionSummary& region : *regions) {
-    named += region.note.name.empty() ? 0U : 1U;
-    objects += region.object ? 1U : 0U;
+    named += region.label.is_named ? 1U : 0U;
+    objects += region.label.object ? 1U : 0U;
   }
   for (const auto& entry : session.history().entries())
     done += entry.state == OperationLog::State::done ? 1U : 0U;
@@ -117,6 +118,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
 Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
   const auto regions = session.regions();
   if (!regions) return fail(regions.error());
+  if (session.missingCatalogue()) std::cerr << "scantrove: " << session.missingCatalogue()->message() << '\n';
   if (command.json) {
     Json json = Json::array();
     for (const RegionSummary& region : *regions) json.push_back(toJson(region));
@@ -127,9 +129,9 @@ Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
     const Eigen::Vector3f size_cm = 100 * region.box_world.sizes();
     std::cout << std::right << std::setw(6) << region.region.value << std::setw(9) << region.voxels
               << " voxels " << std::fixed << std::setprecision(0) << std::setw(5) << size_cm.x() << " x "
-              << size_cm.y() << " x " << size_cm.z() << " cm  " << region.note.name
-              << (region.note.background ? "  background" : "") << (region.note.rejected ? "  rejected" : "")
-              << '\n';
+              << size_cm.y() << " x " << size_cm.z() << " cm  " << region.label.name
+              << (region.label.background ? "  background" : "")
+              << (region.label.rejected ? "  rejected" : "") << '\n';
   }
   return {};
 }
@@ -137,12 +139,11 @@ Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
 Result<void> showAt(OpenSession& session, const SessionCommand& command) {
   const auto place = placeOf(session, command.pixel, command.frame);
   if (!place) return fail(place.error());
-  const RegionNote& note = session.noteOf(place->region);
+  const std::string name = session.labelOf(place->region).name;
   if (command.json) {
-    printJson(
-        {{"region", place->region.value}, {"name", note.name}, {"point_m", toJson(place->point_world)}});
+    printJson({{"region", place->region.value}, {"name", name}, {"point_m", toJson(place->point_world)}});
   } else {
-    std::cout << place->region.value << (note.name.empty() ? "" : "  ") << note.name << '\n';
+    std::cout << place->region.value << (name.empty() ? "" : "  ") << name << '\n';
   }
   return {};
 }
@@ -189,6 +190,10 @@ Result<void> edit(OpenSession& session, const SessionCommand& command) {
   // A new name leaves the category alone unless one is given.
   if (isNaming(kKind) && !command.category && !trimmed(command.name).empty() && !operation.regions.empty())
     operation.category = session.noteOf(operation.regions.front()).category;
+  for (const RegionId region : operation.regions) {
+    if (isNaming(kKind))
+      session.setFact(sessionOnlyFactOf(region), command.without_catalogue ? operation.name : "");
+  }
   const auto outcome = session.edit(operation);
   if (outcome) tellCatalogue(session, *outcome, SaidHow::done, command);
   return report(outcome, command);

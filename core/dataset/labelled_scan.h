@@ -23,6 +23,7 @@ struct LabelledRegion {
   std::optional<std::int64_t> object;  ///< of the catalogue
   bool background = false;             ///< wall, floor, table
   bool rejected = false;               ///< "not an object"
+  bool confirmed = false;              ///< the object, by a person
   int voxels = 0;
   Eigen::AlignedBox3f box_world_m;
   Eigen::Vector3f centroid_world_m = Eigen::Vector3f::Zero();

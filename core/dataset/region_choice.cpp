@@ -70,6 +70,7 @@ ExportJson legendOf(const std::vector<LabelledRegion>& regions) {
         {"name", textOrNull(region.name)},
         {"category", textOrNull(region.category)},
         {"object", region.object ? ExportJson(*region.object) : ExportJson(nullptr)},
+        {"confirmed", region.confirmed},
         {"background", region.background},
         {"rejected", region.rejected},
         {"voxels", region.voxels},

@@ -25,8 +25,8 @@ namespace scantrove {
 /// Position of `name` in `classes`, where it is.
 [[nodiscard]] int classIndex(const std::vector<std::string>& classes, const std::string& name);
 
-/// `{"<region id>": {color, region, name, category, object, background, rejected, voxels, centroid_m,
-/// box_m}}`; colours as in the program's views; what is not known is null.
+/// `{"<region id>": {color, region, name, category, object, confirmed, background, rejected, voxels,
+/// centroid_m, box_m}}`; colours as in the program's views; what is not known is null.
 [[nodiscard]] ExportJson legendOf(const std::vector<LabelledRegion>& regions);
 
 }  // namespace scantrove

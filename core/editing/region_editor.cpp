@@ -109,8 +109,10 @@ Result<void> RegionEditor::note(Work& work) {
     if (operation.kind == OperationKind::background) {
       note.background = operation.on;
     } else if (operation.kind == OperationKind::object) {
+      // What is no object any more is left out of lists and data sets, whoever took it for one.
       note.object = operation.on;
-      if (operation.on) note.background = note.rejected = false;
+      note.rejected = !operation.on;
+      if (operation.on) note.background = false;
     } else if (operation.kind == OperationKind::reject) {
       note.rejected = operation.on;
       if (operation.on) note.object = false;

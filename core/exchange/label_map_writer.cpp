@@ -13,7 +13,9 @@ Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const La
     map[std::to_string(entry.region.value)] = {
         {"color", entry.color},
         {"object", entry.object ? Json(entry.object.value) : Json(nullptr)},
-        {"name", entry.object ? Json(entry.name) : Json(nullptr)}};
+        {"name", entry.name.empty() ? Json(nullptr) : Json(entry.name)},
+        {"category", entry.category.empty() ? Json(nullptr) : Json(entry.category)},
+        {"confirmed", entry.confirmed}};
   }
   // A name may hold bytes that are not UTF-8: they are replaced rather than refused.
   return writeFileAtomically(path, map.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");

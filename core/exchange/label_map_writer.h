@@ -15,11 +15,14 @@ struct LabelMapEntry {
   RegionId region;
   std::array<std::uint8_t, 3> color{};  ///< red, green, blue
   ObjectId object;                      ///< none: a region that is no known object
-  std::string name;                     ///< of the object; empty without one
+  std::string name;                     ///< empty without one
+  std::string category = {};            ///< likewise
+  bool confirmed = false;               ///< the object, by a person
 };
 
-/// labels.json: `{"<region id>": {"color": [r, g, b], "object": id or null, "name": text or null}, ...}`.
-/// Written beside and renamed. Error: names `path`.
+/// labels.json: `{"<region id>": {"color": [r, g, b], "object": id or null, "name": text or null,
+/// "category": text or null, "confirmed": true or false}, ...}`. Written beside and renamed. Error: names
+/// `path`.
 Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const LabelMapEntry> entries);
 
 }  // namespace scantrove

@@ -318,6 +318,15 @@ ObjectId ObjectCollector::objectOf(RegionId region) const {
   return catalogue_.idOf(catalogue_.holderOf(met_.objectOf(region)));
 }
 
+RegionObject ObjectCollector::describeRegion(RegionId region) const {
+  const ObjectId object = met_.objectOf(region), holder = catalogue_.holderOf(object);
+  const ObjectRecord* known = recordOf(holder);
+  if (known == nullptr) return {.state = object ? RegionObject::State::deleted : RegionObject::State::none};
+  const ObjectId id = catalogue_.idOf(known->id);
+  if (!id) return {};  // not stored yet
+  return {RegionObject::State::known, id, known->name, known->named_by, known->confirmed, holder != object};
+}
+
 std::optional<ObjectRecord> ObjectCollector::record(ObjectId object) const {
   const ObjectRecord* known = recordOf(catalogue_.keyOf(object));
   if (known == nullptr) return std::nullopt;

@@ -24,6 +24,7 @@
 #include "core/scan/met_objects.h"
 #include "core/scan/rated_sets.h"
 #include "core/scan/recognition_history.h"
+#include "core/scan/region_label.h"
 #include "core/scan/scan_report.h"
 #include "core/tracking/pose_estimate.h"
 
@@ -167,6 +168,8 @@ class ObjectCollector {
   [[nodiscard]] std::vector<ScanReport::Object> metObjects() const;
   /// The object that a region is, or none: unknown, not stored yet, or deleted by a person.
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  /// The same with what the catalogue says of it.
+  [[nodiscard]] RegionObject describeRegion(RegionId region) const;
   /// The record of an object of the catalogue.
   [[nodiscard]] std::optional<ObjectRecord> record(ObjectId object) const;
   /// Fills in the object of `seen.regions` as it is called now.

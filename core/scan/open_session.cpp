@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include "core/catalog/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/scan/catalogue_numbers.h"
+#include "core/scan/guarded.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/scan/session_joining.h"
 #include "core/scan/session_recorder.h"
 #include "core/scan/session_restorer.h"
 
@@ -28,6 +31,11 @@ ObjectId OpenSession::objectOf(RegionId region) const { return recorder_->object
 
 Result<void> OpenSession::setObject(RegionId region, ObjectId object) {
   recorder_->setObject(region, object);
+  return saveFacts();
+}
+
+Result<void> OpenSession::saveFacts() {
+  rememberObjects();
   return recorder_->save(*pipeline_);
 }
 
@@ -48,14 +56,74 @@ Result<bool> OpenSession::useCatalogue(ObjectDatabase& database) {
   return is_other;
 }
 
-void OpenSession::checkCatalogue() {
+void OpenSession::readCatalogue() {
+  catalogue_.reset();
+  missing_catalogue_.reset();
   const std::filesystem::path file = databaseFileOf(setup_, folder_);
+  const auto read = [&]() -> Result<void> {
+    const auto database = ObjectDatabase::openToRead(file.string());
+    if (!database) return fail(database.error());
+    const Result<bool> is_other = useCatalogue(**database);
+    if (!is_other) return fail(is_other.error());
+    if (*is_other) damages_.push_back(isAnotherCatalogue(folder_, file.string()).message());
+    return moveInto(catalogue_, CatalogueObjects::read(**database));
+  };
   std::error_code ignored;
-  if (file.empty() || !std::filesystem::is_regular_file(file, ignored)) return;
-  const auto database = ObjectDatabase::openToRead(file.string());
-  if (!database) return;  // whoever needs it says why it cannot be used
-  const Result<bool> is_other = useCatalogue(**database);
-  if (is_other && *is_other) damages_.push_back(isAnotherCatalogue(folder_, file.string()).message());
+  const bool is_there = !file.empty() && std::filesystem::is_regular_file(file, ignored);
+  const bool is_read = is_there && guarded("reading the catalogue", read);
+  region_objects_.clear();
+  labels_.clear();
+  std::set<RegionId> regions;
+  for (const auto& [region, note] : pipeline_->editor().notes().all()) regions.insert(region);
+  for (const auto& [region, object] : recorder_->objects()) regions.insert(region);
+  const RememberedObjects remembered = rememberedFrom(fact(kObjectsFact));
+  for (const auto& [region, object] : remembered) regions.insert(region);
+  for (const RegionId region : regions) {
+    if (pipeline_->regionTable().fragmentsOf(region).empty()) continue;
+    region_objects_[region] = regionObjectOf(region, remembered);
+    labels_[region] = scantrove::labelOf(noteOf(region), region_objects_[region],
+                                         fact(sessionOnlyFactOf(region)) == noteOf(region).name);
+  }
+  shareClasses(labels_, region_objects_);
+  const bool is_any = std::ranges::any_of(labels_, [](const auto& one) { return bool(one.second.object); });
+  if (!is_read && is_any && !file.empty()) {
+    missing_catalogue_ = Error{"The catalogue " + file.string() + " of " + folder_.string() +
+                                   " cannot be read: objects are called what the session kept.",
+                               "Put it back for the names that they have now."};
+  }
+}
+
+RegionObject OpenSession::regionObjectOf(RegionId region, const RememberedObjects& remembered) const {
+  const ObjectId object = objectOf(region);
+  if (catalogue_ && object) return catalogue_->of(object);
+  const auto kept = remembered.find(region);
+  if (!object) {
+    // Of another catalogue: what it was called there is known, and no number.
+    if (kept == remembered.end() || kept->second.catalogue == fact(kCatalogueFact)) return {};
+    RegionObject known = kept->second.object;
+    known.object = {};
+    return known;
+  }
+  if (kept != remembered.end()) return kept->second.object;
+  return {.state = RegionObject::State::known, .object = object};
+}
+
+RegionLabel OpenSession::labelOf(RegionId region) const {
+  const auto found = labels_.find(region);
+  return found == labels_.end() ? RegionLabel{} : found->second;
+}
+
+void OpenSession::rememberObjects() {
+  readCatalogue();
+  if (!catalogue_) return;
+  std::map<RegionId, RegionObject> now;
+  for (const auto& [region, object] : recorder_->objects()) {
+    const auto found = region_objects_.find(region);
+    if (object && found != region_objects_.end()) now[region] = found->second;
+  }
+  const std::string text =
+      rememberedToText(remember(rememberedFrom(fact(kObjectsFact)), now, fact(kCatalogueFact)));
+  if (text != fact(kObjectsFact)) setFact(kObjectsFact, text);
 }
 
 void OpenSession::setFact(const std::string& name, const std::string& value) {
@@ -78,11 +146,12 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
       ScanPipeline::create(*session->compute_, {.K = session->setup_.K, .params = session->setup_.params})));
   SCANTROVE_TRY(restoreScan(*session->pipeline_, *writer, session->scan_, false, session->damages_));
   session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
-  session->checkCatalogue();
+  session->readCatalogue();
   return session;
 }
 
 Result<std::vector<RegionSummary>> OpenSession::regions() {
+  readCatalogue();
   std::map<RegionId, RegionSummary> regions;
   std::map<RegionId, Eigen::Vector3d> sums;
   const RegionTable& table = pipeline_->regionTable();
@@ -99,10 +168,10 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
   std::vector<RegionSummary> list;
   for (auto& [region, summary] : regions) {
     summary.region = region;
-    summary.object = objectOf(region);
     summary.seen_from = table.seenFrom(region);
     summary.centroid_world = (sums.at(region) / static_cast<double>(summary.voxels)).cast<float>();
     summary.note = pipeline_->editor().notes().of(region);
+    summary.label = labelOf(region);
     list.push_back(std::move(summary));
   }
   return list;
@@ -148,18 +217,47 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
   return Place{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
 }
 
-Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome) {
+int OpenSession::lastOperation(Way way) const {
+  const std::vector<OperationLog::Entry>& entries = history().entries();
+  const auto is_done = [](const OperationLog::Entry& entry) {
+    return entry.state == OperationLog::State::done;
+  };
+  const auto last = std::find_if(entries.rbegin(), entries.rend(), is_done);
+  if (way == Way::done) return last == entries.rend() ? 0 : last->number;
+  // What was undone last is the first that can be done again.
+  const auto undone = std::find_if(last.base(), entries.end(), [](const OperationLog::Entry& entry) {
+    return entry.state == OperationLog::State::undone;
+  });
+  return undone == entries.end() ? 0 : undone->number;
+}
+
+void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, Way way) {
+  std::map<RegionId, ObjectId> objects = recorder_->objects();
+  JoinedObjects joined = scantrove::joinObjects(outcome.events, objects);
+  const std::string name = joinFactOf(lastOperation(way));
+  if (way == Way::undone) {
+    joined = joinedFrom(fact(name));
+    for (const auto& [region, object] : joined.before) objects[region] = object;
+    joined.state = JoinedObjects::State::to_part;
+    if (joined.merges.empty()) joined = {};
+  }
+  if (const std::string text = joinedToText(joined); text != fact(name)) setFact(name, text);
+  recorder_->setObjects(std::move(objects));
+}
+
+Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome, Way way) {
   if (!outcome) return outcome;
-  SCANTROVE_TRY(recorder_->save(*pipeline_));
+  joinObjects(*outcome, way);
+  SCANTROVE_TRY(saveFacts());
   return outcome;
 }
 
 Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
-  return keep(pipeline_->edit(operation));
+  return keep(pipeline_->edit(operation), Way::done);
 }
 
-Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo()); }
+Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo(), Way::undone); }
 
-Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo()); }
+Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo(), Way::done); }
 
 }  // namespace scantrove

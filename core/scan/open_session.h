@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,13 +10,13 @@
 #include "core/base/result.h"
 #include "core/editing/region_editor.h"
 #include "core/labeling/view_coverage.h"
+#include "core/scan/region_label.h"
 #include "core/scan/session_setup.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {
 
 class ComputeContext;
-class ObjectDatabase;
 class ScanPipeline;
 class SessionRecorder;
 
@@ -26,7 +27,7 @@ struct RegionSummary {
   Eigen::Vector3f centroid_world = Eigen::Vector3f::Zero();
   Eigen::AlignedBox3f box_world;
   RegionNote note;
-  ObjectId object;         ///< of the session's catalogue
+  RegionLabel label;
   ViewCoverage seen_from;  ///< by the camera
 };
 
@@ -71,6 +72,13 @@ class OpenSession {
   [[nodiscard]] const RegionNote& noteOf(RegionId region) const;
   /// The object that the region is, of the session's catalogue; none: not known.
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  /// What is to be said of the region, as of the last reading of the catalogue; nothing of one without
+  /// labels.
+  [[nodiscard]] RegionLabel labelOf(RegionId region) const;
+  /// Reads what the catalogue says of the objects now; regions() does so by itself.
+  void readCatalogue();
+  /// Says that the catalogue is not there, and its words are those that the session kept.
+  [[nodiscard]] const std::optional<Error>& missingCatalogue() const { return missing_catalogue_; }
   /// What the catalogue did (core/scan/session_catalogue.h): kept, but no operation. Error: it could not be
   /// written.
   [[nodiscard]] Result<void> setObject(RegionId region, ObjectId object);
@@ -80,6 +88,8 @@ class OpenSession {
   /// A note for this program itself, by name; empty: there is none. Kept with the next setObject().
   [[nodiscard]] std::string fact(const std::string& name) const;
   void setFact(const std::string& name, const std::string& value);
+  /// Writes them. Error: they could not be written.
+  [[nodiscard]] Result<void> saveFacts();
   /// Of the map.
   [[nodiscard]] int brickCount() const;
 
@@ -88,14 +98,25 @@ class OpenSession {
  private:
   explicit OpenSession(std::filesystem::path folder);
   [[nodiscard]] const SavedFrame* frameAt(int source_index) const;
-  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome);
-  /// The catalogue that lies where the session has it is another one than that of its numbers.
-  void checkCatalogue();
+  enum class Way { done, undone };
+  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome, Way way);
+  /// Objects go with regions that are joined, and come back with an undo.
+  void joinObjects(const RegionEditor::Outcome& outcome, Way way);
+  /// Number of the operation that was done or undone last; 0: none.
+  [[nodiscard]] int lastOperation(Way way) const;
+  /// What the catalogue has of the region's object, else what the session kept of it.
+  [[nodiscard]] RegionObject regionObjectOf(RegionId region, const RememberedObjects& remembered) const;
+  /// Keeps what the catalogue says of the objects now.
+  void rememberObjects();
 
   std::filesystem::path folder_;
   SessionSetup setup_;
   SavedScan scan_;
   std::vector<std::string> damages_;
+  std::optional<CatalogueObjects> catalogue_;  // none: it is not there
+  std::map<RegionId, RegionObject> region_objects_;
+  std::map<RegionId, RegionLabel> labels_;
+  std::optional<Error> missing_catalogue_;
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
   std::unique_ptr<SessionRecorder> recorder_;

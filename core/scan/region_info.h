@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/editing/operation_log.h"
 #include "core/editing/region_notes.h"
 #include "core/labeling/view_coverage.h"
+#include "core/scan/region_label.h"
 
 namespace scantrove {
 
@@ -18,6 +20,15 @@ struct RegionInfo {
   RegionNote note;
   ObjectId object;              ///< of the catalogue; none: it is not one
   ViewCoverage seen_from = {};  ///< of all its fragments
+  /// What is to be said of it; none: what the note says.
+  std::optional<RegionLabel> label = {};
+
+  /// As a person calls it, here or in the catalogue; empty: nobody does.
+  [[nodiscard]] std::string name() const {
+    if (!label) return note.name;
+    return label->is_named ? label->name : std::string();
+  }
+  [[nodiscard]] std::string category() const { return label ? label->category : note.category; }
 };
 
 /// All regions of a scan, by rising id.

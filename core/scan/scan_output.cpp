@@ -73,6 +73,7 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
 Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
   LabeledCloud points;
   std::map<std::uint32_t, LabelMapEntry> entries;  // by number
+  const std::map<RegionId, RegionLabel> labels = pipeline.labels();
   FirstError outcome;
   const auto add = [&](const LabelPoint& point) {
     const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
@@ -81,10 +82,11 @@ Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
     if (!entry.region) {
       entry.region = RegionId{number};
       entry.color = regionColor(entry.region);
-      if (const ObjectCollector* collector = pipeline.collector()) {
-        entry.object = collector->objectOf(region);
-        if (const std::optional<ObjectRecord> record = collector->record(entry.object))
-          entry.name = record->name;
+      if (const auto found = labels.find(region); found != labels.end()) {
+        entry.object = found->second.object;
+        entry.name = found->second.name;
+        entry.category = found->second.category;
+        entry.confirmed = found->second.confirmed;
       }
     }
     points.push_back({point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], number});

@@ -202,6 +202,8 @@ class ScanPipeline {
   [[nodiscard]] ObjectId objectOf(RegionId region) const {
     return collector_ ? collector_->objectOf(region) : ObjectId{};
   }
+  /// What is to be said of each region: by persons here, and by the catalogue.
+  [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
   /// How many voxels hold each fragment, by fragment number.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
   [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }

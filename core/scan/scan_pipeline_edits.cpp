@@ -90,6 +90,19 @@ bool ScanPipeline::wantAsSaid(RegionId region) {
   return true;
 }
 
+std::map<RegionId, RegionLabel> ScanPipeline::labels() const {
+  std::map<RegionId, RegionObject> objects;
+  std::map<RegionId, RegionLabel> labels;
+  for (const RegionId region : table_.regions()) {
+    if (!region || labels.contains(region)) continue;
+    const RegionObject& object = objects[region] =
+        collector_ ? collector_->describeRegion(region) : RegionObject{};
+    labels[region] = labelOf(editor_->notes().of(region), object);
+  }
+  shareClasses(labels, objects);
+  return labels;
+}
+
 void ScanPipeline::wantAsSaid() {
   if (!collector_) return;
   for (const auto& [region, note] : editor_->notes().all()) wantAsSaid(region);

@@ -69,7 +69,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
     numbers.push_back(frame->source_index);
   }
   review->snapshots_.setKeyFrames(std::move(numbers), std::move(trail));
-  review->snapshots_.setObjects([&opened](RegionId region) { return opened.objectOf(region); });
+  review->snapshots_.setLabels([&opened](RegionId region) { return opened.labelOf(region); });
   // The newest: it is what was seen last when a scan has just ended.
   review->shown_ = static_cast<int>(review->key_frames_.size()) - 1;
   return review;
@@ -87,6 +87,7 @@ Result<void> ScanReview::showKeyFrame(int place) {
 }
 
 Result<void> ScanReview::lookAgain() {
+  session_->readCatalogue();
   if (shown_ < 0) return post();
   ScanPipeline& pipeline = session_->pipeline();
   const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(shown_)];
@@ -113,9 +114,15 @@ std::vector<SeenObject> ScanReview::objectsIn(const FrameResult& result, const R
   const Intrinsics& K = session_->pipeline().workingIntrinsics();
   const SurfaceInColor in_color =
       locateInColor(frame.color_camera, K, result.pose.T_world_camera, result.vertices_world);
-  return objectsInView(
-      result.regions, in_color, [this](RegionId region) { return session_->objectOf(region); },
+  std::vector<SeenObject> seen = objectsInView(
+      result.regions, in_color, [this](RegionId region) { return session_->labelOf(region).object; },
       static_cast<int>(kLeastPart * static_cast<double>(K.pixels())));
+  for (SeenObject& one : seen) {
+    const RegionLabel label = session_->labelOf(*one.regions.begin());
+    one.name = label.name;
+    one.confirmed = label.confirmed;
+  }
+  return seen;
 }
 
 Result<void> ScanReview::segment() {
@@ -189,6 +196,8 @@ void ScanReview::sampleExport(const ExportOptions& options, std::optional<int> p
 
 void ScanReview::exportDataset(const ExportOptions& options, const std::stop_token& cancel) {
   SessionScan scan(*session_);
+  session_->readCatalogue();
+  if (session_->missingCatalogue()) listener_(CatalogueFailed{*session_->missingCatalogue()});
   const Result<ExportSummary> summary = guarded("writing the data set", [&] {
     return scantrove::exportDataset(
         scan, options, [&](const ExportProgress& progress) { listener_(ExportStepped{progress}); }, cancel);

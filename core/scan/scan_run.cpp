@@ -80,7 +80,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
   SCANTROVE_TRY(moveInto(run->catalogue_, (*database)->identity()));
-  if (run->recorder_) run->recorder_->setFact(kCatalogueFact, run->catalogue_);
+  if (run->recorder_) run->recorder_->setCatalogue(run->catalogue_);
   CatalogueWriter::Options catalogue;
   catalogue.database = file;
   catalogue.source = info.name;
@@ -119,8 +119,9 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
       moveInto(session_, SessionWriter::start(*request_.output_folder, SessionWriter::Way::create)));
   SessionRecorder::Setup setup{.all_frames = request_.record_all};
   setup.facts = factsOf({request_.source, info.intrinsics, request_.params,
-                         databaseAsKept(request_.database, *request_.output_folder), catalogue_});
+                         databaseAsKept(request_.database, *request_.output_folder)});
   recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
+  if (!catalogue_.empty()) recorder_->setCatalogue(catalogue_);
   return {};
 }
 

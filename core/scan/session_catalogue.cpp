@@ -15,6 +15,7 @@
 #include "core/scan/kept_namings.h"
 #include "core/scan/region_views.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/scan/session_joining.h"
 
 namespace scantrove {
 namespace {
@@ -199,6 +200,7 @@ Result<bool> takeFromCatalogue(OpenSession& session, RegionId region) {
 }
 
 Result<void> followInCatalogue(OpenSession& session, const RegionEditor::Outcome& outcome, SaidHow how) {
+  SCANTROVE_TRY(mergeJoinedObjects(session));
   const Operation& operation = outcome.operation;
   const bool is_naming = isNaming(operation.kind);
   const bool is_adding = operation.kind == OperationKind::object && operation.on;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/labeling/evidence_graph.h"
+#include "core/scan/catalogue_numbers.h"
 #include "core/scan/key_frame_files.h"
 
 namespace scantrove {
@@ -56,8 +57,17 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
     recorder->earlier_namings_[region.region] = namingsFromJson(namings->second);
     recorder->namings_[region.region] = namings->second;
   }
+  if (const auto objects = scan.facts.find(kObjectsFact); objects != scan.facts.end())
+    recorder->remembered_ = rememberedFrom(objects->second);
+  if (const auto catalogue = scan.facts.find(kCatalogueFact); catalogue != scan.facts.end())
+    recorder->catalogue_ = catalogue->second;
   recorder->view_ = pipeline.kept().bricks.view();
   return recorder;
+}
+
+void SessionRecorder::setCatalogue(const std::string& identity) {
+  catalogue_ = identity;
+  setFact(kCatalogueFact, identity);
 }
 
 void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SavedFacts& now) {
@@ -170,6 +180,19 @@ void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelt
   }
 }
 
+void SessionRecorder::collectObjects(const ScanPipeline& pipeline, SavedDelta& delta) {
+  std::map<RegionId, RegionObject> now;
+  for (const RegionId region : pipeline.regionTable().regions()) {
+    if (region && !now.contains(region)) now[region] = pipeline.collector()->describeRegion(region);
+  }
+  // What is none here keeps what another catalogue said of it.
+  std::erase_if(now, [](const auto& entry) { return entry.second.state == RegionObject::State::none; });
+  RememberedObjects all = remember(remembered_, now, catalogue_);
+  if (all == remembered_) return;
+  remembered_ = std::move(all);
+  delta.facts[kObjectsFact] = rememberedToText(remembered_);
+}
+
 void SessionRecorder::beginPages(const BrickMap& bricks) {
   pages_ = bricks.pagesByPosition();
   std::erase_if(pages_, [&](int page) { return bricks.pages().page(page).last_view <= view_; });
@@ -214,7 +237,10 @@ SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
   delta.facts["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   collectRegions(pipeline, delta);
-  if (const ObjectCollector* collector = pipeline.collector()) collectNamings(*collector, delta);
+  if (const ObjectCollector* collector = pipeline.collector()) {
+    collectNamings(*collector, delta);
+    collectObjects(pipeline, delta);
+  }
   if (EvidenceGraph* graph = pipeline.kept().merger.evidence()) {
     for (const auto& [a, b] : graph->takeChanged()) {
       const BorderEvidence* border = graph->find(a, b);

@@ -64,6 +64,8 @@ class SessionRecorder {
   void rewriteFrom(const SavedScan& on_disk, const SavedFacts& now);
   /// What is to be kept of the whole scan with the next save.
   void setFact(const std::string& name, const std::string& value) { setup_.facts[name] = value; }
+  /// Whose the objects are that this scan finds.
+  void setCatalogue(const std::string& identity);
   /// Why the session could not be written, once each time that this begins.
   [[nodiscard]] std::optional<Error> takeFailure() { return writer_->takeFailure(); }
 
@@ -75,6 +77,8 @@ class SessionRecorder {
   [[nodiscard]] SavedDelta collect(ScanPipeline& pipeline);
   void collectRegions(ScanPipeline& pipeline, SavedDelta& delta);
   void collectNamings(const ObjectCollector& collector, SavedDelta& delta);
+  /// What the catalogue says of the objects.
+  void collectObjects(const ScanPipeline& pipeline, SavedDelta& delta);
   /// From now on pages_ are those of the map that changed since they were handed over.
   void beginPages(const BrickMap& bricks);
   /// Hands over so many bricks of pages_, in whole pages. True: those were the last.
@@ -95,6 +99,8 @@ class SessionRecorder {
   std::map<RegionId, ObjectId> objects_;                         // where no catalogue says them
   std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one
   std::map<RegionId, std::string> namings_;                      // as handed over
+  RememberedObjects remembered_;                                 // likewise
+  std::string catalogue_;                                        // identity
   std::vector<int> pages_;  // of the map, to be handed over; the next one last
   std::vector<std::weak_ptr<const HandedPages>> handed_pages_;
   bool saves_pages_ = false;

@@ -39,11 +39,12 @@ Result<std::vector<LabelledRegion>> SessionScan::regions() {
   for (const RegionSummary& summary : *summaries) {
     LabelledRegion region;
     region.id = summary.region.value;
-    region.name = summary.note.name;
-    region.category = summary.note.category;
-    if (summary.object) region.object = summary.object.value;
-    region.background = summary.note.background;
-    region.rejected = summary.note.rejected;
+    region.name = summary.label.name;
+    region.category = summary.label.category;
+    if (summary.label.object) region.object = summary.label.object.value;
+    region.confirmed = summary.label.confirmed;
+    region.background = summary.label.background;
+    region.rejected = summary.label.rejected;
     region.voxels = static_cast<int>(summary.voxels);
     region.box_world_m = summary.box_world;
     region.centroid_world_m = summary.centroid_world;

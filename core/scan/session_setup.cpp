@@ -4,7 +4,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "core/scan/catalogue_numbers.h"
 #include "core/scan/param_registry.h"
 #include "core/session/row_checks.h"
 
@@ -38,8 +37,7 @@ SavedFacts factsOf(const SessionSetup& setup) {
   return {{"source", setup.source},
           {"camera", nlohmann::json{{"K", {K.fx, K.fy, K.cx, K.cy}}, {"size", {K.width, K.height}}}.dump()},
           {"params", params},
-          {"database", setup.database},
-          {kCatalogueFact, setup.catalogue}};
+          {"database", setup.database}};
 }
 
 Result<SessionSetup> setupFrom(const SavedFacts& facts) {
@@ -50,7 +48,6 @@ Result<SessionSetup> setupFrom(const SavedFacts& facts) {
   SessionSetup setup;
   setup.source = fact("source");
   setup.database = fact("database");
-  setup.catalogue = fact(kCatalogueFact);
   try {
     const nlohmann::json camera = nlohmann::json::parse(fact("camera"));
     const nlohmann::json& K = camera.at("K");

@@ -14,8 +14,7 @@ struct SessionSetup {
   std::string source;
   Intrinsics K;  ///< of the recording's depth images
   ScanParams params;
-  std::string database;        ///< relative to the session's folder where it lies in it
-  std::string catalogue = {};  ///< identity of that catalogue; empty: not known
+  std::string database;  ///< relative to the session's folder where it lies in it
 };
 
 /// How a session in `folder` keeps the name of its catalogue: relative to the folder where it lies in it,

@@ -186,11 +186,17 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
     whole.voxels += of_fragment[fragment];
     whole.seen_from.add(pipeline.regionTable().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
   }
+  const std::map<RegionId, RegionLabel> labels =
+      label_of_ ? std::map<RegionId, RegionLabel>() : pipeline.labels();
   auto infos = std::make_shared<RegionInfos>();
   infos->reserve(regions.size());
   for (const auto& [region, whole] : regions) {
-    const ObjectId object = object_of_ ? object_of_(region) : pipeline.objectOf(region);
-    infos->push_back({region, whole.voxels, pipeline.editor().notes().of(region), object, whole.seen_from});
+    const auto found = labels.find(region);
+    const RegionLabel label = label_of_               ? label_of_(region)
+                              : found == labels.end() ? RegionLabel{}
+                                                      : found->second;
+    infos->push_back(
+        {region, whole.voxels, pipeline.editor().notes().of(region), label.object, whole.seen_from, label});
   }
   snapshot.region_infos = std::move(infos);
   auto operations = std::make_shared<std::vector<DoneOperation>>();

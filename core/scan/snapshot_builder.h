@@ -57,8 +57,8 @@ class SnapshotBuilder {
   }
   /// The same frame, segmented anew.
   void showSegments(SegmentMap segments) { result_.segments = std::move(segments); }
-  /// Who says what object a region is, when the pipeline does not.
-  void setObjects(std::function<ObjectId(RegionId)> object_of) { object_of_ = std::move(object_of); }
+  /// Who says what there is to say of a region, when the pipeline does not.
+  void setLabels(std::function<RegionLabel(RegionId)> label_of) { label_of_ = std::move(label_of); }
 
   /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
   [[nodiscard]] Result<void> postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
@@ -92,7 +92,7 @@ class SnapshotBuilder {
   double fps_ = 0;
   std::shared_ptr<const std::vector<int>> key_frames_;
   int shown_key_frame_ = -1;
-  std::function<ObjectId(RegionId)> object_of_;
+  std::function<RegionLabel(RegionId)> label_of_;
 };
 
 }  // namespace scantrove

@@ -215,9 +215,8 @@ void RegionController::editName(const QPoint& on_screen) {
   const RegionInfo* const info = selection_.info(region);
   QString text;
   if (info != nullptr) {
-    text = QString::fromStdString(info->note.name);
-    if (!info->note.category.empty())
-      text = QString::fromStdString(info->note.category) + QLatin1Char('/') + text;
+    text = QString::fromStdString(info->name());
+    if (!info->category().empty()) text = QString::fromStdString(info->category()) + QLatin1Char('/') + text;
   }
   QStringList known = QSettings().value(kRecentNamesKey).toStringList();
   if (known_names_) known += known_names_();
@@ -336,7 +335,7 @@ QStringList RegionController::tagOf(RegionId region) {
   if (info == nullptr) return {};
   QStringList lines{selection_.title(region)};
   QStringList facts;
-  if (!info->note.category.empty()) facts << QString::fromStdString(info->note.category);
+  if (!info->category().empty()) facts << QString::fromStdString(info->category());
   if (const QString size = sizeOf(region); !size.isEmpty()) facts << size;
   facts << tr("%1 voxels").arg(QLocale().toString(static_cast<qlonglong>(info->voxels)));
   if (info->note.background) facts << tr("background");

@@ -113,7 +113,7 @@ std::set<RegionId> RegionSelection::background() const {
 
 QString RegionSelection::title(RegionId region) const {
   const RegionInfo* const known = info(region);
-  if (known != nullptr && !known->note.name.empty()) return QString::fromStdString(known->note.name);
+  if (known != nullptr && !known->name().empty()) return QString::fromStdString(known->name());
   return tr("Region %1").arg(region.value);
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/catalog/object_record.h"
+#include "core/editing/region_editor.h"
+
+namespace scantrove {
+
+class OpenSession;
+
+/// What one operation that joined regions did to their objects, as the session keeps it.
+struct JoinedObjects {
+  enum class State { to_merge, done, to_part };
+  State state = State::done;
+  std::map<RegionId, ObjectId> before;               // of the joined regions; none: it was no object
+  std::vector<std::pair<ObjectId, ObjectId>> pairs;  // that are to be one
+  std::vector<ObjectMerge> merges;                   // done in the catalogue
+};
+
+/// The session's fact that keeps those of the operation with that number.
+[[nodiscard]] std::string joinFactOf(int operation);
+[[nodiscard]] std::string joinedToText(const JoinedObjects& joined);
+/// An empty one for what was not written so.
+[[nodiscard]] JoinedObjects joinedFrom(const std::string& text);
+
+/// Joined regions are what any of them was; what to merge in the catalogue for that. `objects` follow.
+[[nodiscard]] JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectId>& objects);
+
+/// Does in the catalogue what joins, and undone joins, have left to do there: two objects become one, as in a
+/// running scan, unless persons said what each is. Thread of the session. Error: the catalogue cannot be
+/// reached, and the next call tries again; or persons named both.
+[[nodiscard]] Result<void> mergeJoinedObjects(OpenSession& session);
+
+}  // namespace scantrove
