@@ -7,6 +7,7 @@
 #include "app/core_application.h"
 #include "app/kernel_cache_use.h"
 #include "app/stop_signal.h"
+#include "core/dataset/centred_mesh.h"
 #include "core/dataset/dataset_export.h"
 #include "core/scan/catalogue_export.h"
 #include "core/scan/session_scan.h"
@@ -16,7 +17,7 @@ namespace {
 
 struct ExportCommand {
   std::string folder, database, out, format, device;
-  bool all_frames = false, background = false;
+  bool all_frames = false, background = false, centred = false;
 };
 
 /// Progress in steps of ten percent on stderr; Ctrl+C ends the export.
@@ -60,8 +61,9 @@ Result<void> exportSession(const ExportCommand& command) {
   for (const std::string& damage : (*session)->damages()) std::cerr << "scantrove: " << damage << '\n';
   SessionScan scan(**session);
   ExportTeller teller;
-  const auto summary = exportDataset(scan, {*format, command.out, command.all_frames, command.background},
-                                     std::ref(teller), teller.token());
+  const auto exportScan = command.centred ? exportCentredMesh : exportDataset;
+  const auto summary = exportScan(scan, {*format, command.out, command.all_frames, command.background},
+                                  std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
     std::cerr << "scantrove: " << (*session)->missingCatalogue()->message() << '\n';
@@ -91,6 +93,9 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
       ->type_name("DIR2");
   sub->add_flag("--all-frames", command->all_frames, "every frame that was kept, not key frames only");
   sub->add_flag("--background", command->background, "also what is background or was rejected");
+  sub->add_flag(
+      "--centred,--centered", command->centred,
+      "with --format mesh: move each object's middle to the origin, and write the offset beside it");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
   sub->callback([command, &outcome] {
@@ -102,6 +107,8 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
     if (is_catalogue && (!command->format.empty() || command->all_frames || command->background)) {
       throw CLI::ValidationError("--database", "takes none of --format, --all-frames and --background");
     }
+    if (command->centred && command->format != "mesh")
+      throw CLI::ValidationError("--centred", "moves the objects of --format mesh, and of no other format");
     if (!is_catalogue && command->format.empty())
       throw CLI::ValidationError("--format", "is needed: what shall the session be exported as?");
     const CoreApplication qt;

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "core/dataset/centred_mesh.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/staged_folder.h"
@@ -20,12 +21,13 @@ constexpr std::array<WriteFormat, 9> kWriters{exportCoco,  exportBop,      expor
                                               exportMasks, exportPlyCloud, exportPcdCloud,
                                               exportMesh,  exportTum,      exportScannet};
 
-Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& options, const StagedFolder& folder,
-                                 const ExportProgressCallback& progress, const std::stop_token& cancel) {
+Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& options, WriteFormat write,
+                                 const StagedFolder& folder, const ExportProgressCallback& progress,
+                                 const std::stop_token& cancel) {
   ExportJob job(scan, options, folder.path(), progress, cancel);
   SCANTROVE_TRY(job.step(0, 1, "regions"));
   SCANTROVE_TRY(job.readRegions());
-  SCANTROVE_TRY(kWriters.at(static_cast<std::size_t>(options.format))(job));
+  SCANTROVE_TRY(write(job));
   SCANTROVE_TRY(job.step(1, 1, "reading back"));
   SCANTROVE_TRY(job.checkFiles());
   SCANTROVE_TRY(job.step(1, 1, "done"));
@@ -33,17 +35,29 @@ Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& option
 }
 
 /// The edge where exceptions of libraries end.
-Result<ExportSummary> exportGuarded(LabelledScan& scan, const ExportOptions& options,
+Result<ExportSummary> exportGuarded(LabelledScan& scan, const ExportOptions& options, WriteFormat write,
                                     const StagedFolder& folder, const ExportProgressCallback& progress,
                                     const std::stop_token& cancel) {
   try {
-    return exportInto(scan, options, folder, progress, cancel);
+    return exportInto(scan, options, write, folder, progress, cancel);
   } catch (const std::bad_alloc&) {
     return fail("There is not enough memory to export to " + folder.place().string() + ".",
                 "Close other programs, or export key frames only.");
   } catch (const std::exception& error) {
     return fail("The export to " + folder.place().string() + " failed: " + error.what() + ".");
   }
+}
+
+/// Into a folder that is there whole or not at all.
+Result<ExportSummary> exportWith(WriteFormat write, LabelledScan& scan, const ExportOptions& options,
+                                 const ExportProgressCallback& progress, const std::stop_token& cancel) {
+  auto folder = StagedFolder::create(options.folder);
+  if (!folder) return fail(folder.error());
+  auto summary = exportGuarded(scan, options, write, *folder, progress, cancel);
+  if (!summary) return fail(folder->inFinalWords(summary.error()));
+  if (auto committed = folder->commit(); !committed) return fail(folder->inFinalWords(committed.error()));
+  summary->folder = folder->place();
+  return summary;
 }
 
 }  // namespace
@@ -100,13 +114,14 @@ Result<ExportPreview> previewExport(LabelledScan& scan, const ExportOptions& opt
 
 Result<ExportSummary> exportDataset(LabelledScan& scan, const ExportOptions& options,
                                     const ExportProgressCallback& progress, const std::stop_token& cancel) {
-  auto folder = StagedFolder::create(options.folder);
-  if (!folder) return fail(folder.error());
-  auto summary = exportGuarded(scan, options, *folder, progress, cancel);
-  if (!summary) return fail(folder->inFinalWords(summary.error()));
-  if (auto committed = folder->commit(); !committed) return fail(folder->inFinalWords(committed.error()));
-  summary->folder = folder->place();
-  return summary;
+  const WriteFormat write = kWriters.at(static_cast<std::size_t>(options.format));
+  return exportWith(write, scan, options, progress, cancel);
+}
+
+Result<ExportSummary> exportCentredMesh(LabelledScan& scan, const ExportOptions& options,
+                                        const ExportProgressCallback& progress,
+                                        const std::stop_token& cancel) {
+  return exportWith(exportCentredObjects, scan, options, progress, cancel);
 }
 
 }  // namespace scantrove

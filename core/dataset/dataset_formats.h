@@ -10,9 +10,9 @@ namespace scantrove {
 
 /// COCO instances (pycocotools, CVAT, FiftyOne):
 ///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes
-///     images/NNNNNN.jpg or .png    as recorded
-/// Categories are classes of regions (classOf), images are numbered from 1; `attributes` of an annotation are
-/// its region, object, name.
+///     images/NNNNNN.jpg or .png    as recorded, if 8-bit RGB (key_frame_images.h)
+/// One annotation a region. Categories are classes of regions (classOf), images are numbered from 1;
+/// `attributes` of an annotation are its region, object, name.
 [[nodiscard]] Result<void> exportCoco(ExportJob& job);
 
 /// BOP scenewise (bop_toolkit), millimetres, pixel centres at integers:
@@ -21,11 +21,14 @@ namespace scantrove {
 ///     000001/scene_camera.json scene_gt.json scene_gt_info.json
 ///     models/obj_NNNNNN.ply models_info.json     z up, the middle of its box in the origin; obj_id = region
 ///     id camera.json labels.json
-/// The whole of an object is its surface in the map and what of it is visible in the image.
+/// One instance a region. The whole of an object is its surface in the map and what of it is visible in the
+/// image.
 [[nodiscard]] Result<void> exportBop(ExportJob& job);
 
 /// Ultralytics segments:
 ///     data.yaml   images/train images/val   labels/train labels/val
+/// One line an instance: all regions of an object of the catalogue, or a region that is none; pieces and
+/// holes are joined by bridges (mask_outline.h).
 /// The last fifth of the frames (from five on) is for validation: neighbours in time show the same.
 [[nodiscard]] Result<void> exportYolo(ExportJob& job);
 
@@ -40,6 +43,8 @@ namespace scantrove {
 
 /// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up.
 [[nodiscard]] Result<void> exportMesh(ExportJob& job);
+/// The same with each object around the origin (centred_mesh.h).
+[[nodiscard]] Result<void> exportCentredObjects(ExportJob& job);
 
 /// trajectory.txt.
 [[nodiscard]] Result<void> exportTum(ExportJob& job);

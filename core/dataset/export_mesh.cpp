@@ -51,9 +51,35 @@ Result<void> writeSurface(ExportJob& job, const std::string& stem, const std::st
   return {};
 }
 
-}  // namespace
+enum class ObjectPlace { in_the_scene, around_the_origin };
 
-Result<void> exportMesh(ExportJob& job) {
+ExportJson listOf(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+/// What brings an object around the origin back to its place.
+Result<void> writeOffset(ExportJob& job, const std::string& stem, const LabelledRegion& region,
+                         const Eigen::Vector3f& middle, const Eigen::Affine3f& y_up) {
+  const ExportJson offset = {{"region", region.id},
+                             {"name", displayName(region)},
+                             {"offset_m", listOf(middle)},
+                             {"glb_offset_m", listOf(y_up.linear() * middle)}};
+  SCANTROVE_TRY(job.write(stem + ".json", jsonText(offset)));
+  return job.checkJson(stem + ".json", offset);
+}
+
+/// The files of one object; `mesh` is in the world frame.
+Result<void> writeObject(ExportJob& job, const LabelledRegion& region, const LabelledMesh& mesh,
+                         const Eigen::Affine3f& y_up, ObjectPlace place) {
+  const std::string stem = "objects/" + safeFileName(region.id, displayName(region));
+  const bool is_moved = place == ObjectPlace::around_the_origin;
+  Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+  if (is_moved) middle = boxOf(mesh).center();
+  const LabelledMesh placed = transformed(mesh, Eigen::Affine3f(Eigen::Translation3f(-middle)));
+  const GlbPart part = glbPartOf(&region, placed, y_up);
+  SCANTROVE_TRY(writeSurface(job, stem, displayName(region), placed, std::span(&part, 1)));
+  return is_moved ? writeOffset(job, stem, region, middle, y_up) : Result<void>();
+}
+
+Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
   SCANTROVE_TRY(job.step(0, 2, "surface"));
   const auto mesh = job.scan().mesh();
   if (!mesh) return fail(mesh.error());
@@ -72,8 +98,7 @@ Result<void> exportMesh(ExportJob& job) {
     const auto part = parts.find(region.id);
     if (part == parts.end()) continue;
     scene.push_back(glbPartOf(&region, part->second, y_up));
-    SCANTROVE_TRY(writeSurface(job, "objects/" + safeFileName(region.id, displayName(region)),
-                               displayName(region), part->second, std::span(&scene.back(), 1)));
+    SCANTROVE_TRY(writeObject(job, region, part->second, y_up, place));
     ++job.summary().annotations;
   }
   SCANTROVE_TRY(job.step(done, total, "whole scene"));
@@ -84,5 +109,11 @@ Result<void> exportMesh(ExportJob& job) {
   SCANTROVE_TRY(job.write("labels.json", jsonByLines(legend)));
   return job.checkJson("labels.json", legend);
 }
+
+}  // namespace
+
+Result<void> exportMesh(ExportJob& job) { return writeMeshes(job, ObjectPlace::in_the_scene); }
+
+Result<void> exportCentredObjects(ExportJob& job) { return writeMeshes(job, ObjectPlace::around_the_origin); }
 
 }  // namespace scantrove

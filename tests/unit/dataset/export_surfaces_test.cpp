@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/capture/pose_files.h"
+#include "core/dataset/centred_mesh.h"
 #include "core/dataset/glb_file.h"
 #include "core/dataset/ply_file.h"
 #include "tests/unit/dataset/exported.h"
@@ -220,6 +221,45 @@ TEST_F(MeshExport, GlbIsMadeAsTheSpecificationSays) {
   }
   test::ScannedScene scene;
   EXPECT_EQ(faces, scene.mesh()->faces.size());
+}
+
+Eigen::AlignedBox3d boxOfPly(const PlyFile& ply) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < ply.size(); ++i)
+    box.extend(Eigen::Vector3d(ply.values.at("x")[i], ply.values.at("y")[i], ply.values.at("z")[i]));
+  return box;
+}
+
+Eigen::Vector3d vectorOfJson(const Json& list) {
+  return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
+
+TEST(CentredMeshExport, MovesObjectsToTheOriginAndSaysWhereTheyWere) {
+  test::ScannedScene scene;
+  const test::TemporaryFolder home;
+  ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::mesh, .folder = home / "plain"}));
+  ASSERT_TRUE(exportCentredMesh(scene, {.format = DatasetFormat::mesh, .folder = home / "centred"}));
+  EXPECT_TRUE(test::readText(home / "plain/scene.ply") == test::readText(home / "centred/scene.ply"));
+  EXPECT_FALSE(std::filesystem::exists(home / "plain/objects/000040_ball.json"));
+  const Json offset = Json::parse(test::readText(home / "centred/objects/000040_ball.json"));
+  const Eigen::Vector3d moved_by = vectorOfJson(offset["offset_m"]);
+  EXPECT_LT((moved_by - test::kBallCentre).norm(), 1e-4);
+  EXPECT_EQ(offset["region"], kBall);
+  EXPECT_EQ(offset["name"], "ball");
+  const PlyFile plain(test::readText(home / "plain/objects/000040_ball.ply"));
+  const PlyFile centred(test::readText(home / "centred/objects/000040_ball.ply"));
+  EXPECT_LT(boxOfPly(centred).center().norm(), 1e-6);
+  EXPECT_LT((boxOfPly(centred).center() + moved_by - boxOfPly(plain).center()).norm(), 1e-6);
+  ASSERT_EQ(centred.size(), plain.size());
+  EXPECT_NEAR(centred.values.at("x")[100] + moved_by.x(), plain.values.at("x")[100], 1e-6);
+
+  const auto lowestCorner = [&](const std::string& place) {
+    const auto glb = decodeGlb(test::readText(home / (place + "/objects/000040_ball.glb")), "ball");
+    EXPECT_TRUE(glb);
+    return vectorOfJson(glb->json["accessors"][0]["min"]);
+  };
+  EXPECT_LT((lowestCorner("centred") + vectorOfJson(offset["glb_offset_m"]) - lowestCorner("plain")).norm(),
+            1e-5);
 }
 
 TEST(GlbFile, WithoutASurfaceIsStillOne) {
