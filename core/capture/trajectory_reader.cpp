@@ -1,5 +1,7 @@
 #include "core/capture/trajectory_reader.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -31,6 +33,7 @@ Result<Trajectory> readTimedLines(const fs::path& file) {
   Result<Trajectory> poses = readTumTrajectory(file);
   if (!poses) return poses;
   const TimeUnit unit = unitOfPoseTimes(*poses);
+  if (unit != TimeUnit()) spdlog::warn("{}: by their spacing, its times are {}.", file.string(), unit.name);
   for (StampedPose& pose : *poses) pose.timestamp_s *= unit.seconds;
   return poses;
 }

@@ -43,6 +43,8 @@ bool clearTiffOrientation(MutableBytes tiff) {
     return numberAt(tiff, at, count, is_big_endian);
   };
   const std::size_t directory = number(4, 4);
+  constexpr std::size_t kHeaderBytes = 8;
+  if (directory < kHeaderBytes) return false;
   bool is_changed = false;
   for (std::size_t i = 0; i < number(directory, 2); ++i) {
     const std::size_t entry = directory + 2 + i * kEntryBytes;

@@ -1,9 +1,11 @@
 // JPEG, and the formats that OpenCV decodes for us (PNM, BMP, TIFF), as colour and as depth.
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/image/color_bytes.h"
 #include "core/image/image_file.h"
 #include "core/image/image_header.h"
 #include "tests/fuzz/fuzz_target.h"
+#include "tests/support/oriented_image.h"
 
 namespace scantrove::test {
 
@@ -22,6 +24,7 @@ std::vector<std::string> seeds() {
       all.emplace_back(bytes.begin(), bytes.end());
     }
   }
+  all.push_back(withExif(all.front(), true, 6));
   return all;
 }
 
@@ -38,5 +41,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& image : {color, depth}) {
     test::require(!image || image->total() <= kMostImagePixels, "no image is larger than what is read");
   }
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  const std::string upright = withoutOrientation(bytes);
+  test::require(upright.size() <= bytes.size() && withoutOrientation(upright) == upright,
+                "an orientation is cleared once, in its place");
+  test::require(!isPlainColor({data, size}) || imageFormat({data, size}), "a plain image has a format");
   return 0;
 }
