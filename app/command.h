@@ -1,6 +1,9 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/base/text.h"
@@ -13,6 +16,13 @@ enum ExitCode : int {
   kJobFailed = 1,   ///< the world failed: one message on stderr
   kWrongUsage = 2,  ///< the command line was not understood
 };
+
+/// A name from a file or folder as a part of a line: no control characters, no line feeds.
+[[nodiscard]] inline std::string inLine(std::string_view name) {
+  std::string text = forTerminal(name);
+  std::ranges::replace(text, '\n', '?');
+  return text;
+}
 
 /// Where a command's callback leaves what the program returns.
 struct CommandOutcome {

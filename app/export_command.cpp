@@ -25,13 +25,13 @@ class ExportTeller {
  public:
   ExportTeller() {
     listenForStop();
-    keepResultsAtStop(true);  // an export that stops removes its unfinished folder
+    setAtStop(AtStop::unfinished);  // the next export to that place removes what is left
   }
   void operator()(const ExportProgress& progress) {
     if (stopRequested()) stop_.request_stop();
     const int percent = progress.total > 0 ? 10 * (10 * progress.done / progress.total) : 0;
     if (percent != std::exchange(last_percent_, percent))
-      std::cerr << percent << " % " << progress.what << '\n';
+      std::cerr << percent << " % " << inLine(progress.what) << '\n';
   }
   [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
 
@@ -46,9 +46,9 @@ Result<void> exportObjects(const ExportCommand& command) {
   ExportTeller teller;
   const auto summary = exportCatalogue(command.database, command.out, std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
-  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << skipped << '\n';
+  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '\n';
   std::cout << "objects  " << summary->objects << " objects, " << summary->views << " views, "
-            << megabytesOf(summary->bytes) << " MB\nresults  " << summary->folder.string() << '\n';
+            << megabytesOf(summary->bytes) << " MB\nresults  " << inLine(summary->folder.string()) << '\n';
   return {};
 }
 
@@ -58,7 +58,8 @@ Result<void> exportSession(const ExportCommand& command) {
   const KernelCacheUse kernels;
   auto session = OpenSession::open(command.folder, command.device);
   if (!session) return fail(session.error());
-  for (const std::string& damage : (*session)->damages()) std::cerr << "scantrove: " << damage << '\n';
+  for (const std::string& damage : (*session)->damages())
+    std::cerr << "scantrove: " << inLine(damage) << '\n';
   SessionScan scan(**session);
   ExportTeller teller;
   const auto exportScan = command.centred ? exportCentredMesh : exportDataset;
@@ -66,13 +67,16 @@ Result<void> exportSession(const ExportCommand& command) {
                                   std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
-    std::cerr << "scantrove: " << (*session)->missingCatalogue()->message() << '\n';
-  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << skipped << '\n';
+    std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '
+';
+  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '
+';
   std::cout << command.format << "     " << summary->images << " images, " << summary->regions << " regions, "
             << summary->annotations << " annotations";
   if (summary->points > 0) std::cout << ", " << summary->points << " points";
   if (summary->faces > 0) std::cout << ", " << summary->faces << " faces";
-  std::cout << ", " << megabytesOf(summary->bytes) << " MB\nresults  " << summary->folder.string() << '\n';
+  std::cout << ", " << megabytesOf(summary->bytes) << " MB\nresults  " << inLine(summary->folder.string())
+            << '\n';
   return {};
 }
 

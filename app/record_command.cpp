@@ -24,7 +24,7 @@ std::string describeFrames(int written, const SourceInfo& info) {
 Result<int> writeFrames(FrameSource& source, RecordingWriter& writer) {
   ProgressLine progress;
   listenForStop();
-  keepResultsAtStop(true);  // a recording that was begun is finished
+  setAtStop(AtStop::unfinished);  // each frame is written whole or not at all
   int written = 0;
   while (!stopRequested()) {
     const FrameRead read = source.next();
@@ -50,7 +50,7 @@ Result<void> record(const RecordCommand& command, const SourceOptions& options) 
     return fail(command.options.source + " gave no frame that could be recorded.",
                 "Try it with 'scantrove scan'.");
   }
-  std::cout << "frames   " << *written << "\nresults  " << command.out << '\n';
+  std::cout << "frames   " << *written << "\nresults  " << inLine(command.out) << '\n';
   return {};
 }
 

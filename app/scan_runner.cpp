@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/stop_signal.h"
+#include "core/base/urgent_end.h"
 
 namespace scantrove {
 namespace {
@@ -42,14 +43,15 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
   constexpr std::chrono::milliseconds kPoll{20};
   EventQueue events;
   ProgressLine progress;
-  bool is_stopping = false;
+  bool is_stopping = false;  // a person wants it to
+  bool is_ending = false;    // no further frames; results are written
   request.pictures = false;  // what is watched are numbers
   listenForStop();
   ScanSession session([&](const ScanEvent& event) { events.push(event); });
   session.start(std::move(request));
   const auto showLatest = [&] {
     if (const auto snapshot = session.snapshots().collect()) {
-      if (snapshot->frames.done() > 0) keepResultsAtStop(true);
+      if (snapshot->frames.done() > 0 && !is_ending) setAtStop(AtStop::unfinished);
       if (watch) watch(*snapshot);
       progress.show(*snapshot);
     }
@@ -60,6 +62,11 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
       if (const auto* finished = std::get_if<ScanFinished>(&*event)) {
         showLatest();  // the last one was posted before this event
         return finished->report;
+      }
+      if (const auto* changed = std::get_if<StateChanged>(&*event);
+          changed && changed->state == ScanState::stopping) {
+        is_ending = true;
+        setAtStop(AtStop::results);
       }
       if (std::holds_alternative<PreparingDevice>(*event)) progress.say("Preparing the processor (once).");
       if (const auto* again = std::get_if<LookingAgain>(&*event)) {
@@ -76,7 +83,8 @@ Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const 
     if (stopRequested() && !is_stopping) {
       is_stopping = true;
       progress.say("Stopping; writing what there is.");
-      session.stop();
+      setEndUrgent(true);
+      session.close();
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 
 namespace scantrove {
 namespace {
@@ -11,23 +12,40 @@ namespace {
 std::atomic<bool> g_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free values");
 
-constexpr unsigned kPatience_s = 4;  ///< for an orderly stop that has nothing to write
+constexpr int kPatience_s = 4, kPatienceWithResults_s = 20;
 std::atomic<int> g_stopped_by{0};
-std::atomic<bool> g_results{false};
+std::atomic<int> g_waited_s{0};
+std::atomic<AtStop> g_at_stop{AtStop::nothing};
+static_assert(std::atomic<AtStop>::is_always_lock_free);
 
 extern "C" void onStopSignal(int signal) {
   g_stopped_by = signal;
   g_stop = true;
-  alarm(kPatience_s);
+  alarm(1);
 }
 
-extern "C" void onPatienceEnd(int) {
-  if (g_results) {
+template <std::size_t kSize>
+void say(const char (&message)[kSize]) {
+  static_cast<void>(!write(STDERR_FILENO, message, kSize - 1));
+}
+
+extern "C" void onSecond(int) {
+  const AtStop stage = g_at_stop;
+  if (++g_waited_s < (stage == AtStop::results ? kPatienceWithResults_s : kPatience_s)) {
     alarm(1);
     return;
   }
-  constexpr char kMessage[] = "scantrove: Stopped while it was busy; there were no results to write.\n";
-  static_cast<void>(!write(STDERR_FILENO, kMessage, sizeof kMessage - 1));
+  switch (stage) {
+    case AtStop::nothing:
+      say("scantrove: Stopped while it was busy; there were no results to write.\n");
+      break;
+    case AtStop::unfinished:
+      say("scantrove: Stopped while it was busy; what had been written by then stays.\n");
+      break;
+    case AtStop::results:
+      say("scantrove: Stopped while it wrote results, which took too long; they are not complete.\n");
+      break;
+  }
   std::signal(g_stopped_by, SIG_DFL);
   static_cast<void>(raise(g_stopped_by));
 }
@@ -52,12 +70,12 @@ void listenForStop() {
     if (signal == SIGHUP && isIgnored(signal)) continue;
     handle(signal, onStopSignal, SA_RESTART | static_cast<int>(SA_RESETHAND));
   }
-  handle(SIGALRM, onPatienceEnd, SA_RESTART);
+  handle(SIGALRM, onSecond, SA_RESTART);
   handle(SIGPIPE, SIG_IGN, 0);
 }
 
 bool stopRequested() { return g_stop; }
 
-void keepResultsAtStop(bool has_results) { g_results = has_results; }
+void setAtStop(AtStop stage) { g_at_stop = stage; }
 
 }  // namespace scantrove

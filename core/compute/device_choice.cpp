@@ -79,6 +79,19 @@ Error noDevice() {
           "Install the package pocl-opencl-icd (runs on any CPU), or your GPU's OpenCL driver."};
 }
 
+/// PoCL's device "basic", meant for debugging, waits for itself for ever when commands wait for each other
+/// (3.1: the end of one starts the next, which locks the event that its caller has locked).
+bool stopsForEver(const cl::Device& device) {
+  const DeviceInfo info = describe(device, 0);
+  return info.platform == "Portable Computing Language" && info.name.starts_with("basic");
+}
+
+Result<cl::Device> unlessItStops(const cl::Device& device) {
+  if (!stopsForEver(device)) return device;
+  return fail("The OpenCL device " + describe(device, 0).name + " stops for ever in the middle of a scan.",
+              "Leave out --device, and unset POCL_DEVICES or set it to pthread.");
+}
+
 }  // namespace
 
 std::vector<DeviceInfo> listDevices() {
@@ -94,15 +107,19 @@ Result<cl::Device> chooseDevice(const std::string& wanted_by_caller) {
       wanted_by_caller.empty() && from_environment != nullptr ? from_environment : wanted_by_caller;
   const std::vector<cl::Device> devices = allDevices();
   if (devices.empty()) return fail(noDevice());
-  if (wanted.empty()) return devices.front();
+  if (wanted.empty()) {
+    const auto usable = std::ranges::find_if_not(devices, stopsForEver);
+    return unlessItStops(usable != devices.end() ? *usable : devices.front());
+  }
   std::size_t index = 0;
   const char* end = wanted.data() + wanted.size();
   if (const auto [stop, failure] = std::from_chars(wanted.data(), end, index);
       failure == std::errc{} && stop == end) {
-    if (index < devices.size()) return devices[index];
+    if (index < devices.size()) return unlessItStops(devices[index]);
   } else {
     for (const cl::Device& device : devices) {
-      if (lowered(describe(device, 0).name).find(lowered(wanted)) != std::string::npos) return device;
+      if (lowered(describe(device, 0).name).find(lowered(wanted)) != std::string::npos)
+        return unlessItStops(device);
     }
   }
   std::string known;

@@ -5,10 +5,14 @@
 #include <utility>
 
 #include "core/base/thread_priority.h"
+#include "core/base/urgent_end.h"
 #include "core/scan/guarded.h"
 
 namespace scantrove {
 namespace {
+
+/// Of finish(), once the end of the program is urgent; how often that is looked at.
+constexpr std::chrono::milliseconds kUrgentPatience{500}, kLook{100};
 
 constexpr const char* kWaits = "What the scan finds waits until then.";
 
@@ -134,10 +138,14 @@ Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
     std::unique_lock lock(mutex_);
     enqueue(EndSession{});
     std::uint64_t done = done_;
-    auto end = std::chrono::steady_clock::now() + options_.patience;
+    std::chrono::milliseconds waited{0}, waited_urgently{0};
     const auto has_come = [&] { return jobs_.empty() || done_ != done || !news_.empty(); };
-    while (!jobs_.empty() && changed_.wait_until(lock, end, has_come)) {
-      if (std::exchange(done, done_) != done) end = std::chrono::steady_clock::now() + options_.patience;
+    while (!jobs_.empty() && waited < options_.patience && waited_urgently < kUrgentPatience) {
+      if (!changed_.wait_for(lock, kLook, has_come)) {
+        waited += kLook;
+        if (isEndUrgent()) waited_urgently += kLook;
+      }
+      if (std::exchange(done, done_) != done) waited = waited_urgently = std::chrono::milliseconds(0);
       if (news_.empty()) continue;
       lock.unlock();
       hear();

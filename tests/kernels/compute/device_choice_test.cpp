@@ -82,6 +82,22 @@ TEST_F(DeviceChoice, NamesWhatThereIsWhenNoneMatches) {
   }
 }
 
+// PoCL's device for debugging, which locks itself out.
+TEST(DeviceChoiceDeathTest, RefusesPoclsBasicDevice) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  setenv("POCL_DEVICES", "basic", 1);
+  EXPECT_EXIT(
+      {
+        const auto first = chooseDevice(""), named = chooseDevice("basic"), numbered = chooseDevice("0");
+        std::fprintf(stderr, "%s\n", first ? "a device" : first.error().message().c_str());
+        std::exit(first || named || numbered ? 1 : 0);
+      },
+      testing::ExitedWithCode(0), "stops for ever.*unset POCL_DEVICES");
+  setenv("POCL_DEVICES", "basic pthread", 1);
+  EXPECT_EXIT(std::exit(chooseDevice("") ? 0 : 1), testing::ExitedWithCode(0), "");
+  unsetenv("POCL_DEVICES");
+}
+
 TEST(DeviceChoiceDeathTest, WithoutAnyDriverNamesThePackageToInstall) {
   // The loader reads its folder of drivers once: a fresh process sees an empty one.
   testing::GTEST_FLAG(death_test_style) = "threadsafe";

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/urgent_end.h"
 #include "tests/pipeline/collection/object_collector_fixture.h"
 #include "tests/support/other_program.h"
 
@@ -228,6 +229,23 @@ TEST_F(SlowCatalogue, TheEndSaysWhatIsNotStoredAndWhy) {
   ASSERT_EQ(collector_->metObjects().size(), 1U) << "what the catalogue has";
   other.execute("ROLLBACK");
   EXPECT_EQ(objects().size(), 1U);
+}
+
+// It would wait an hour.
+TEST_F(SlowCatalogue, TheEndDoesNotWaitForALock_WhenItIsUrgent) {
+  writer_.patience = std::chrono::hours(1);
+  beginScan();
+  static_cast<void>(study({box_}));
+  waits_ = false;
+  OtherProgram other(file());
+  other.execute(kLock);
+  static_cast<void>(study({box_, mug_}, 60));
+  auto end = std::async(std::launch::async, [&] { return collector_->finish([](const FrameObjects&) {}); });
+  setEndUrgent(true);
+  const Result<void> finished = end.get();
+  setEndUrgent(false);
+  ASSERT_FALSE(finished);
+  EXPECT_THAT(finished.error().message(), HasSubstr("has not got"));
 }
 
 TEST_F(SlowCatalogue, TheEndWaitsForALock) {
