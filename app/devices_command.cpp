@@ -20,9 +20,9 @@ struct Found {
 void printDevices(const std::vector<DeviceInfo>& devices) {
   std::cout << "OpenCL devices (--device INDEX|NAME):\n";
   for (const DeviceInfo& device : devices) {
-    std::cout << "  [" << device.index << "] " << device.name << " (" << device.platform << ", "
-              << (device.is_gpu ? "GPU" : "CPU") << ", " << device.compute_units << " compute units, "
-              << device.memory_mb << " MiB, " << device.version << ")\n";
+    std::cout << "  [" << device.index << "] " << inLine(device.name) << " (" << inLine(device.platform)
+              << ", " << (device.is_gpu ? "GPU" : "CPU") << ", " << device.compute_units << " compute units, "
+              << device.memory_mb << " MiB, " << inLine(device.version) << ")\n";
   }
   if (!devices.empty()) return;
   const auto none = chooseDevice("");
@@ -32,12 +32,12 @@ void printDevices(const std::vector<DeviceInfo>& devices) {
 void printCameras(const Result<std::vector<CameraInfo>>& cameras) {
   std::cout << "Cameras (as SOURCE):\n";
   if (!cameras) {
-    std::cout << "  " << cameras.error().message() << '\n';
+    std::cout << "  " << inLine(cameras.error().message()) << '\n';
     return;
   }
   for (const CameraInfo& camera : *cameras) {
-    std::cout << "  camera:" << camera.uri << "  " << camera.vendor << ' ' << camera.name << " ("
-              << camera.driver << ")\n";
+    std::cout << "  camera:" << inLine(camera.uri) << "  " << inLine(camera.vendor) << ' '
+              << inLine(camera.name) << " (" << inLine(camera.driver) << ")\n";
   }
   if (cameras->empty()) std::cout << "  none. Without a camera: `camera:Dummy` or `demo`.\n";
 }
@@ -47,7 +47,7 @@ void printUsbDevice(const UsbDevice& device, std::string_view name) {
   std::cout << "  " << device.id() << ' ' << name;
   if (device.bus > 0) std::cout << ", bus " << device.bus << " device " << device.number;
   if (device.speed_mbps > 0) std::cout << ", " << device.speed_mbps << " Mbit/s";
-  if (!device.serial.empty()) std::cout << ", serial number " << device.serial;
+  if (!device.serial.empty()) std::cout << ", serial number " << inLine(device.serial);
   std::cout << '\n';
 }
 
@@ -60,8 +60,9 @@ void printUsb(const std::vector<CameraDiagnosis>& usb) {
     } else if (found.is_served) {
       std::cout << "    driver: " << driverName(found.camera.driver) << '\n';
     }
-    for (const Error& problem : found.problems) std::cout << "    PROBLEM: " << problem.message() << '\n';
-    for (const Error& remark : found.remarks) std::cout << "    note: " << remark.message() << '\n';
+    for (const Error& problem : found.problems)
+      std::cout << "    PROBLEM: " << inLine(problem.message()) << '\n';
+    for (const Error& remark : found.remarks) std::cout << "    note: " << inLine(remark.message()) << '\n';
   }
   if (usb.empty()) {
     std::cout << "  none that is known. Plug the camera in, its power supply too; does `lsusb` show it?\n";

@@ -40,7 +40,7 @@ std::string metres(double value) {
   return text.str();
 }
 
-Error likelyReason(const ScanReport& report, const SourceOptions& options) {
+Error likelyReason(const ScanReport& report, const SourceOptions& options, bool is_resumed) {
   const FusionParams& fusion = report.params.fusion;
   const std::string range = metres(fusion.min_depth_m) + " to " + metres(fusion.max_depth_m);
   DepthSample sample = sampleDepth(report.source, options);
@@ -57,13 +57,17 @@ Error likelyReason(const ScanReport& report, const SourceOptions& options) {
               "limits with --set fusion.min_depth_m=... and fusion.max_depth_m=..."};
     }
   }
+  if (is_resumed && report.map_bricks > 0) {
+    return {"in none of them the camera found its place in the map of the earlier scan",
+            "Begin where that scan has been, or scan into a new folder with --out."};
+  }
   return {"too few of its pixels have a depth from " + range,
           "Aim the camera at things that are in this range."};
 }
 
 }  // namespace
 
-Result<void> checkFramesWereUsed(const ScanReport& report, const SourceOptions& options) {
+Result<void> checkFramesWereUsed(const ScanReport& report, const SourceOptions& options, bool is_resumed) {
   if (report.frames.tracked > 0 && report.map_bricks > 0) return {};
   if (report.frames.read == 0 && stopRequested()) return {};
   if (report.frames.read == 0) {
@@ -71,7 +75,7 @@ Result<void> checkFramesWereUsed(const ScanReport& report, const SourceOptions& 
                     report.source + " were unreadable.",
                 "Check the recording, --start and --stride.");
   }
-  const Error reason = likelyReason(report, options);
+  const Error reason = likelyReason(report, options, is_resumed);
   return fail("No frame could be used: " + report.source + ": " + reason.what + ".", reason.advice);
 }
 

@@ -1,7 +1,9 @@
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <system_error>
 
+#include "app/argument_check.h"
 #include "app/command.h"
 #include "app/window_command.h"
 #include "app/window_main.h"
@@ -32,6 +34,7 @@ int afterPrinting(int exit_code) {
 }
 
 int run(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files (ulimit -f) is an error like a full disk
   keepHeapTogether();
   initialiseLog();
   keepDeviceThreadsApart();
@@ -60,6 +63,7 @@ int run(int argc, char** argv) {
   for (CLI::App* command : app.get_subcommands({})) {
     command->preparse_callback([&app](std::size_t) { refuseStrayOptions(app); });
   }
+  refuseUnusableArguments(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) window_options = window.toOptions();
@@ -78,7 +82,7 @@ int main(int argc, char** argv) {
   try {
     return scantrove::afterPrinting(scantrove::run(argc, argv));
   } catch (const std::exception& error) {
-    std::cerr << "scantrove: " << error.what() << '\n';
+    std::cerr << "scantrove: " << scantrove::forTerminal(error.what()) << '\n';
     return scantrove::kJobFailed;
   }
 }

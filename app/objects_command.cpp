@@ -74,9 +74,9 @@ std::string sizeText(const ObjectRecord& object) {
 
 void printObject(const ObjectRecord& object) {
   std::cout << std::right << std::setw(5) << object.id.value << "  " << std::left << std::setw(24)
-            << object.name << std::setw(12) << (object.confirmed ? "confirmed" : "") << std::setw(18)
+            << inLine(object.name) << std::setw(12) << (object.confirmed ? "confirmed" : "") << std::setw(18)
             << sizeText(object) << object.views << (object.views == 1 ? " view  " : " views  ")
-            << object.created << '\n';
+            << inLine(object.created) << '\n';
 }
 
 Result<void> list(ObjectDatabase& database, const ObjectsCommand& command) {
@@ -105,7 +105,7 @@ Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
     return {};
   }
   printObject(*object);
-  std::cout << "       first seen in " << object->first_session_name << '\n';
+  std::cout << "       first seen in " << inLine(object->first_session_name) << '\n';
   for (const ObjectView& view : *views) {
     std::cout << "       view " << view.id << ": session " << view.session << ", frame " << view.frame_index
               << ", " << view.color.cols << " x " << view.color.rows << " px\n";
@@ -149,8 +149,8 @@ Result<void> merge(ObjectDatabase& database, const ObjectsCommand& command) {
   if (!merged) return fail(merged.error());
   const bool keeps_first = merged->into == first->id;
   if (!command.json) {
-    std::cout << "kept " << (keeps_first ? *first : *second).name << " with the views of "
-              << (keeps_first ? *second : *first).name << '\n';
+    std::cout << "kept " << inLine((keeps_first ? *first : *second).name) << " with the views of "
+              << inLine((keeps_first ? *second : *first).name) << '\n';
   }
   return report(database, merged->into, command);
 }
@@ -162,7 +162,7 @@ Result<void> remove(ObjectDatabase& database, const ObjectsCommand& command) {
   if (command.json) {
     printJson({{"deleted", object->id.value}});
   } else {
-    std::cout << "deleted " << object->name << '\n';
+    std::cout << "deleted " << inLine(object->name) << '\n';
   }
   return {};
 }

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "core/base/text.h"
+
 namespace scantrove {
 
 using namespace std::chrono_literals;
@@ -26,14 +28,14 @@ void ProgressLine::show(const std::function<std::string()>& describe) {
   if (Clock::now() < next_) return;
   next_ = Clock::now() + (is_terminal_ ? 200ms : 3000ms);
   clearLine();
-  std::cerr << describe() << (is_terminal_ ? "" : "\n") << std::flush;
+  std::cerr << forTerminal(describe()) << (is_terminal_ ? "" : "\n") << std::flush;
   line_is_open_ = is_terminal_;
 }
 
 void ProgressLine::say(const std::string& message) {
   clearLine();
   line_is_open_ = false;
-  std::cerr << message << '\n';
+  std::cerr << forTerminal(message) << '\n';
 }
 
 void ProgressLine::clearLine() {

@@ -36,16 +36,16 @@ void printSummary(const ScanReport& report, const std::string& out) {
   if (frames.skipped > 0) std::cout << ", " << frames.skipped << " unreadable";
   if (frames.dropped > 0) std::cout << ", " << frames.dropped << " dropped";
   std::cout << "\nspeed    " << report.fps << " fps (frame " << report.frame_median_ms << " ms median, "
-            << report.frame_p95_ms << " ms p95) on " << report.device << "\nmap      " << report.map_bricks
-            << " bricks, " << report.map_megabytes << " MiB; peak memory " << report.peak_memory_mb
-            << " MiB\nregions  " << report.regions << "\nobjects  " << report.objects.size() - known
-            << " new, " << known << " recognised";
+            << report.frame_p95_ms << " ms p95) on " << inLine(report.device) << "\nmap      "
+            << report.map_bricks << " bricks, " << report.map_megabytes << " MiB; peak memory "
+            << report.peak_memory_mb << " MiB\nregions  " << report.regions << "\nobjects  "
+            << report.objects.size() - known << " new, " << known << " recognised";
   const char* separator = ": ";
   for (const ScanReport::Object& object : report.objects) {
-    std::cout << separator << object.name;
+    std::cout << separator << inLine(object.name);
     separator = ", ";
   }
-  std::cout << "\nresults  " << out << '\n';
+  std::cout << "\nresults  " << inLine(out) << '\n';
 }
 
 Result<void> scan(const ScanCommand& command, ScanRequest request) {
@@ -65,7 +65,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
   const CoreApplication qt;
   const auto report = runToEnd(request);
   if (!report) return fail(report.error());
-  SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options));
+  SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options, request.resume));
   printSummary(*report, out);
   return {};
 }

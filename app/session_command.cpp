@@ -106,7 +106,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
                {"damages", session.damages()}});
     return {};
   }
-  std::cout << "source      " << session.setup().source
+  std::cout << "source      " << inLine(session.setup().source)
             << (session.hasEnded() ? "" : "  (recovered: the scan broke off)") << "\nframes      "
             << session.frames().size() << ", " << usable << " tracked, " << session.keyFrames().size()
             << " kept as key frames\nmap         " << session.brickCount() << " bricks\nregions     "
@@ -118,7 +118,8 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
 Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
   const auto regions = session.regions();
   if (!regions) return fail(regions.error());
-  if (session.missingCatalogue()) std::cerr << "scantrove: " << session.missingCatalogue()->message() << '\n';
+  if (session.missingCatalogue())
+    std::cerr << "scantrove: " << inLine(session.missingCatalogue()->message()) << '\n';
   if (command.json) {
     Json json = Json::array();
     for (const RegionSummary& region : *regions) json.push_back(toJson(region));
@@ -129,7 +130,7 @@ Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
     const Eigen::Vector3f size_cm = 100 * region.box_world.sizes();
     std::cout << std::right << std::setw(6) << region.region.value << std::setw(9) << region.voxels
               << " voxels " << std::fixed << std::setprecision(0) << std::setw(5) << size_cm.x() << " x "
-              << size_cm.y() << " x " << size_cm.z() << " cm  " << region.label.name
+              << size_cm.y() << " x " << size_cm.z() << " cm  " << inLine(region.label.name)
               << (region.label.background ? "  background" : "")
               << (region.label.rejected ? "  rejected" : "") << '\n';
   }
@@ -143,7 +144,7 @@ Result<void> showAt(OpenSession& session, const SessionCommand& command) {
   if (command.json) {
     printJson({{"region", place->region.value}, {"name", name}, {"point_m", toJson(place->point_world)}});
   } else {
-    std::cout << place->region.value << (name.empty() ? "" : "  ") << name << '\n';
+    std::cout << place->region.value << (name.empty() ? "" : "  ") << inLine(name) << '\n';
   }
   return {};
 }
@@ -181,7 +182,8 @@ void tellCatalogue(OpenSession& session, const RegionEditor::Outcome& outcome, S
                    const SessionCommand& command) {
   if (command.without_catalogue || catalogueFileOf(session).empty()) return;
   if (const Result<void> told = followInCatalogue(session, outcome, how); !told)
-    std::cerr << "scantrove: The session has it, but not its catalogue: " << told.error().message() << '\n';
+    std::cerr << "scantrove: The session has it, but not its catalogue: "
+              << forTerminal(told.error().message()) << '\n';
 }
 
 template <OperationKind kKind>
@@ -279,7 +281,7 @@ Result<void> history(OpenSession& session, const SessionCommand& command) {
     std::cout << std::right << std::setw(4) << entry.number << "  " << std::left << std::setw(11)
               << wordFor(entry.state) << std::setw(11) << toString(entry.operation.kind);
     for (const RegionId region : entry.operation.regions) std::cout << ' ' << region.value;
-    if (!entry.operation.name.empty()) std::cout << "  " << entry.operation.name;
+    if (!entry.operation.name.empty()) std::cout << "  " << inLine(entry.operation.name);
     std::cout << '\n';
   }
   return {};
@@ -300,7 +302,8 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
     const CoreApplication qt;
     auto session = OpenSession::open(command->folder, command->device);
     if (!session) return outcome.failWith(session.error());
-    for (const std::string& damage : (*session)->damages()) std::cerr << "scantrove: " << damage << '\n';
+    for (const std::string& damage : (*session)->damages())
+      std::cerr << "scantrove: " << inLine(damage) << '\n';
     if (const auto done = action(**session, *command); !done) outcome.failWith(done.error());
   });
   return sub;

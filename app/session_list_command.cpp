@@ -40,17 +40,17 @@ Json toJson(const SessionSummary& session) {
 
 void printSession(const SessionSummary& session) {
   if (!session.damage.empty()) {
-    std::cout << session.name << "  damaged: " << session.damage << '\n';
+    std::cout << inLine(session.name) << "  damaged: " << inLine(session.damage) << '\n';
     return;
   }
-  std::cout << session.name << "  " << session.started.substr(0, 16) << "  " << session.source << "  "
-            << session.frames << " frames, " << session.regions << " regions, " << session.names.size()
-            << " named, " << session.objects << " objects, " << std::fixed << std::setprecision(1)
-            << session.megabytes << " MB"
+  std::cout << inLine(session.name) << "  " << inLine(session.started.substr(0, 16)) << "  "
+            << inLine(session.source) << "  " << session.frames << " frames, " << session.regions
+            << " regions, " << session.names.size() << " named, " << session.objects << " objects, "
+            << std::fixed << std::setprecision(1) << session.megabytes << " MB"
             << (session.in_use ? "  in use" : (session.ended ? "" : "  recovered: the scan broke off"))
             << '\n';
   const char* separator = "    ";
-  for (const std::string& name : session.names) std::cout << std::exchange(separator, ", ") << name;
+  for (const std::string& name : session.names) std::cout << std::exchange(separator, ", ") << inLine(name);
   if (!session.names.empty()) std::cout << '\n';
 }
 
@@ -69,7 +69,7 @@ Result<void> listAll(const SessionListCommand& command) {
     return {};
   }
   for (const SessionSummary& session : sessions) printSession(session);
-  if (sessions.empty()) std::cerr << "There are no sessions in " << folder.string() << ".\n";
+  if (sessions.empty()) std::cerr << "There are no sessions in " << inLine(folder.string()) << ".\n";
   return {};
 }
 

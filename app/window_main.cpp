@@ -51,14 +51,14 @@ void takePictureAtEnd(MainWindow& window, const QString& file) {
     window.objectPanel()->list()->selectNewest();
     QTimer::singleShot(kSettle_ms, &window, [&window, file, exit_code] {
       const Result<void> saved = saveWindowPicture(window, file);
-      if (!saved) std::cerr << "scantrove: " << saved.error().message() << '\n';
+      if (!saved) std::cerr << "scantrove: " << forTerminal(saved.error().message()) << '\n';
       QApplication::exit(saved ? exit_code : kJobFailed);
     });
   };
   SessionBridge& bridge = window.controller().bridge();
   QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [save] { save(kDone); });
   QObject::connect(&bridge, &SessionBridge::scanFailed, &window, [save](const QString& message) {
-    std::cerr << "scantrove: " << message.toStdString() << '\n';
+    std::cerr << "scantrove: " << forTerminal(message.toStdString()) << '\n';
     save(kJobFailed);
   });
   if (window.onStartPage()) {

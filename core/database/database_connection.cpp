@@ -95,6 +95,12 @@ Result<void> checkPath(const std::string& file) {
     return fail("This version keeps catalogues in SQLite files only; " + file + " names a PostgreSQL server.",
                 "Give the name of a file, e.g. --database catalogue.sqlite.");
   }
+  // SQLite keeps it in memory: it would be gone at the end.
+  if (file == ":memory:") {
+    return fail(
+        "':memory:' is no file: what it holds would be lost at the end.",
+        "Give the name of a file, e.g. --database catalogue.sqlite; for a file of this name ./:memory:.");
+  }
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
     return fail(file + " is a folder, not a database.", "Give the name of a file in it.");

@@ -167,9 +167,14 @@ void StagedFolder::discard() noexcept {
 
 Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
   if (folder.empty()) return fail("No folder was given for the export.", "Give the name of a new folder.");
+  std::error_code failure;
+  if (fs::is_symlink(folder, failure) && !fs::exists(folder, failure)) {
+    return fail(folder.string() + " is a link to " + fs::read_symlink(folder, failure).string() +
+                    ", which does not exist.",
+                "Make that folder, or give another one.");
+  }
   const fs::path place = placeOf(folder);
   SCANTROVE_TRY(checkPlace(place));
-  std::error_code failure;
   fs::create_directories(place.parent_path(), failure);
   if (failure) return cannotMake(place, failure.message());
   removeAbandoned(place);

@@ -133,6 +133,11 @@ Result<void> writeFileAtomically(const fs::path& path, const std::function<std::
 
 Result<void> prepareOutputFolder(const fs::path& folder) {
   std::error_code failure;
+  if (fs::is_symlink(folder, failure) && !fs::exists(folder, failure)) {
+    return fail(folder.string() + " is a link to " + fs::read_symlink(folder, failure).string() +
+                    ", which does not exist.",
+                "Make that folder, or choose another output folder.");
+  }
   fs::create_directories(folder, failure);
   if (failure) {
     return fail("Cannot create the folder " + folder.string() + ": " + failure.message() + ".",

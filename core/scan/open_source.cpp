@@ -13,6 +13,7 @@
 #include "core/capture/seven_scenes.h"
 #include "core/capture/source_options.h"
 #include "core/capture/tum_folder.h"
+#include "core/session/session_store.h"
 #include "core/synthetic/synthetic_source.h"
 
 namespace scantrove {
@@ -69,6 +70,13 @@ OpenedSource openFolder(const std::filesystem::path& folder, const SourceOptions
   }
   if (isNumberedFolder(folder)) {
     return openNumberedFolder(folder, options);
+  }
+  if (SessionStore::isSession(folder)) {
+    return fail(folder.string() + " is a scan, not a recording.",
+                "Open it with 'scantrove " + folder.string() +
+                    "'; to go on in it, scan a recording or a camera with "
+                    "--resume " +
+                    folder.string() + ".");
   }
   return fail(names->empty() ? "The folder " + folder.string() + " is empty."
                              : "The folder " + folder.string() + " is no recording that Scantrove knows.",

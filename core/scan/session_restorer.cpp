@@ -134,6 +134,14 @@ Result<void> restoreCamera(ScanPipeline& pipeline, SessionWriter& session, const
   return {};
 }
 
+/// What the camera saw lies in the map: without it no frame finds its place, and what is scanned lies
+/// anywhere.
+Result<void> checkHasMap(const BrickMap& bricks, const SessionWriter& session, const SavedScan& scan) {
+  if (bricks.brickCount() > 0 || std::ranges::none_of(scan.frames, &SavedFrame::isUsable)) return {};
+  return fail("The scan in " + session.folder().string() + " has no map any more to go on in.",
+              "Restore its folder 'map' from a copy, or scan into a new folder with --out.");
+}
+
 }  // namespace
 
 Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& damages) {
@@ -153,6 +161,7 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
     ScanPipeline::Kept kept = pipeline.kept();
     Fragments fragments = fragmentsOf(scan);
     SCANTROVE_TRY(restoreMap(kept.bricks, session, scan, fragments, damages));
+    if (for_camera) SCANTROVE_TRY(checkHasMap(kept.bricks, session, scan));
     restoreRegions(kept, scan, std::move(fragments));
     for (const SavedRegion& region : scan.regions) {
       if (region.object) pipeline.bindObject(region.region, region.object);

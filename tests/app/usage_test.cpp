@@ -42,6 +42,41 @@ TEST(Usage, RefusesSource_WhenItIsEmpty) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST(Usage, EmptyArgumentsAndThoseThatAreNotUtf8AreWrongUsage) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out";
+  for (const char* option : {"--database", "--intrinsics", "--config", "--set", "--device",
+                             "--color-registration", "--poses", "--resume", "--depth-scale", "--frames"}) {
+    expectWrongUsage(scantrove({"scan", "demo", "--frames", "1", "--out", out, option, ""}), {option});
+    EXPECT_FALSE(std::filesystem::exists(out)) << option;
+  }
+  expectWrongUsage(scantrove({"export", folder.path(), "--format", "ply", "--out", ""}),
+                   {"--out", "is empty"});
+  expectWrongUsage(scantrove({"session", "show", ""}), {"DIR", "is empty"});
+  expectWrongUsage(scantrove({"objects", "list", "--database", ""}), {"--database", "is empty"});
+  expectWrongUsage(scantrove({"evaluate", "trajectory", "--estimate", "", "--truth", out}), {"--estimate"});
+  expectWrongUsage(scantrove({"scan", "demo", "--out", out + "\xFF"}), {"--out", "is not UTF-8"});
+  expectJobFailure(scantrove({"scan", "demo", "--frames", "1", "--out", out, "--database", ":memory:"}),
+                   {"':memory:' is no file"});
+}
+
+TEST(Usage, ALinkThatLeadsNowhereIsNoFolderForResults) {
+  const TemporaryFolder folder;
+  const std::string link = folder / "link";
+  std::filesystem::create_symlink("nowhere", link);
+  expectJobFailure(scantrove({"scan", "demo", "--frames", "1", "--out", link}),
+                   {link, "nowhere, which does not exist"});
+  expectJobFailure(scantrove({"record", "demo", "--frames", "1", "--out", link}),
+                   {link, "nowhere, which does not exist"});
+}
+
+TEST(Usage, AScanIsNoRecording) {
+  const TemporaryFolder folder;
+  folder.write("scan/session.sqlite", "");
+  expectJobFailure(scantrove({"scan", folder / "scan", "--out", folder / "out"}),
+                   {"is a scan, not a recording", "scantrove " + (folder / "scan").string()});
+}
+
 TEST(Usage, WhatIsNotUnderstoodIsNamed) {
   expectWrongUsage(scantrove({"fold-laundry"}), {"fold-laundry"});
   expectWrongUsage(scantrove({"scan", "demo", "--out", "x", "--fast"}), {"--fast"});

@@ -25,4 +25,75 @@ says "garbage in a folder of others" "Remove that folder" \
 holds "files of others stay" sh -c 'grep -rqx garbage given'
 holds "nothing is left in TMPDIR" sh -c '! ls tmp | grep -q kernels'
 
+# A signal ends each command within 5 seconds, and what it had is written.
+#   stops NAME PATTERN COMMAND...   SIGTERM once the output holds PATTERN
+stops() {
+  local name=$1 pattern=$2 child begun took_ms watchdog
+  shift 2
+  : >"$work.said"
+  (cd "$work" && exec "$@") >"$work.said" 2>&1 </dev/null &
+  child=$!
+  for _ in $(seq 1200); do
+    grep -q -- "$pattern" "$work.said" && break
+    kill -0 "$child" 2>/dev/null || break
+    sleep 0.1
+  done
+  begun=$(date +%s%N)
+  kill -TERM "$child" 2>/dev/null
+  (sleep 30 && kill -KILL "$child") 2>/dev/null &
+  watchdog=$!
+  wait "$child" 2>/dev/null
+  code=$?
+  took_ms=$((($(date +%s%N) - begun) / 1000000))
+  kill "$watchdog" 2>/dev/null
+  echo "  $name: ended $took_ms ms after the signal, code $code"
+  if [ "$took_ms" -gt 5000 ]; then note_fail "$name" "it took $took_ms ms"; else note_pass; fi
+}
+scan_on=(scan demo --overwrite)
+stops "a scan before its first frame" "." env POCL_CACHE_DIR="$work/cold" "$program" "${scan_on[@]}" --out stopped
+stops "a scan after some frames" "frames (" "$program" "${scan_on[@]}" --out stopped
+holds "its results are written" test -s stopped/cloud.ply
+says "its session opens" '"tracked"' "$program" session show stopped --json
+stops "a bench" "frames" "$program" bench demo
+stops "an export" "%" "$program" export stopped --format coco --out stopped-coco
+stops "a recording" "frames" "$program" record demo --out stopped-recording
+python=$(command -v python3) && {
+  succeeds "a catalogue for a locked one" "$program" "${two_frames[@]}" --out locked
+  "$python" - "$work/locked/catalogue.sqlite" <<'EOF' &
+import sqlite3, sys, time
+catalogue = sqlite3.connect(sys.argv[1], isolation_level=None)
+catalogue.execute("BEGIN IMMEDIATE")
+time.sleep(60)
+EOF
+  lock=$!
+  stops "a scan with a locked catalogue" "frames (" "$program" "${scan_on[@]}" --out unlocked --database locked/catalogue.sqlite
+  kill "$lock" 2>/dev/null
+}
+refuses "PoCL's device for debugging" "stops for ever" env POCL_DEVICES=basic "$program" "${two_frames[@]}" --out basic
+
+# Arguments that an unset variable or a mistake gives.
+refuses "an empty --intrinsics" "--intrinsics: is empty" "$program" scan demo --out odd --intrinsics ''
+refuses "an empty --database" "--database: is empty" "$program" scan demo --out odd --database ''
+refuses "an empty --out" "--out: is empty" "$program" export kernels --format ply --out ''
+refuses "a catalogue in memory" "no file" "$program" scan demo --frames 1 --out odd --database :memory:
+refuses "an --out that is not UTF-8" "not UTF-8" "$program" scan demo --out $'odd\xff'
+ln -s nowhere "$work/link"
+refuses "an --out that is a dangling link" "nowhere" "$program" scan demo --frames 1 --out link
+refuses "an export to a dangling link" "nowhere" "$program" export kernels --format ply --out link
+refuses "a scan as the source of a scan" "is a scan, not a recording" "$program" scan kernels --out odd
+cp -r "$work/kernels" "$work/nomap" && rm -rf "$work/nomap/map"
+refuses "going on without a map" "has no map" "$program" scan demo --frames 2 --resume nomap
+refuses "a limit to the size of files" "" bash -c "ulimit -f 1000; exec \"$program\" scan demo --frames 3 --out limited"
+printf 'not a database' >"$work/nomap/session.sqlite"
+run "$program" session show nomap
+cp "$work.said" "$work/printed"
+holds "a damaged scan is no catalogue" sh -c 'test -s printed && ! grep -qi catalogue printed'
+
+# Names of folders hold what a terminal obeys.
+mkdir "$work/names"
+cp -r "$work/kernels" "$work/names/$(printf 'a\033[31mb\nc')"
+run "$program" session list names
+cp "$work.said" "$work/printed"
+holds "names are printed without control characters" sh -c 'grep -q 31mb printed && ! grep -q "$(printf "\033")" printed'
+
 finish
