@@ -1,5 +1,6 @@
 #include "core/scan/camera_memory.h"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace {
 constexpr std::uint32_t kVersion = 2;
 /// Larger images are none that a camera takes.
 constexpr int kLargestSide = 1 << 16;
+constexpr int kDescriptorBytes = 32;  ///< of a landmark: 256 bits
 
 void put(ByteWriter& to, bool flag) { to.put(static_cast<std::uint32_t>(flag)); }
 
@@ -23,8 +25,24 @@ void put(ByteWriter& to, const Eigen::Isometry3d& T) {
 Eigen::Isometry3d getPose(ByteReader& from) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   from.getAll(std::span<double>(T.data(), static_cast<std::size_t>(T.matrix().size())));
-  if (!T.matrix().allFinite()) from.refuse();
+  constexpr double kTolerance = 1e-3;
+  const Eigen::Matrix3d R = T.linear();
+  const bool is_rigid = T.matrix().allFinite() && R.determinant() > 0 &&
+                        (R.transpose() * R).isIdentity(kTolerance) &&
+                        T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1);
+  if (!is_rigid) from.refuse();
   return T;
+}
+
+/// Of an image that is empty the camera may be, too.
+Intrinsics getCamera(ByteReader& from, bool may_be_empty = false) {
+  const auto K = from.get<Intrinsics>();
+  const auto isSide = [](int side) { return side > 0 && side < kLargestSide; };
+  const bool is_usable = std::isfinite(K.fx) && std::isfinite(K.fy) && std::isfinite(K.cx) &&
+                         std::isfinite(K.cy) && K.fx > 0 && K.fy > 0 && isSide(K.width) && isSide(K.height);
+  const bool is_empty = K.width == 0 && K.height == 0;
+  if (!is_usable && !(may_be_empty && is_empty)) from.refuse();
+  return K;
 }
 
 std::size_t bytesOfRow(const cv::Mat& image) {
@@ -79,7 +97,9 @@ KeyFrame getPlace(ByteReader& from) {
   place.landmarks.points_world = from.getList<cv::Point3f>();
   place.landmarks.descriptors = getImage(from, CV_8UC1);
   place.thumbnail = getImage(from, CV_32FC1);
-  if (place.landmarks.points_world.size() != static_cast<std::size_t>(place.landmarks.descriptors.rows))
+  const cv::Mat& descriptors = place.landmarks.descriptors;
+  if (place.landmarks.points_world.size() != static_cast<std::size_t>(descriptors.rows) ||
+      (!descriptors.empty() && descriptors.cols != kDescriptorBytes))
     from.refuse();
   return place;
 }
@@ -87,7 +107,7 @@ KeyFrame getPlace(ByteReader& from) {
 SeenSurfaces::View getView(ByteReader& from) {
   SeenSurfaces::View view;
   view.T_world_camera = getPose(from);
-  const auto K = from.get<Intrinsics>();
+  const Intrinsics K = getCamera(from);
   view.surface = KeptSurface(K, getImage(from, CV_16UC1));
   view.is_left = getFlag(from);
   if (view.surface.empty() || !isOf(K, view.surface.units())) from.refuse();
@@ -114,7 +134,7 @@ PoseTracker::Memory getTracker(ByteReader& from) {
   if (getFlag(from)) tracker.before_last = getPose(from);
   tracker.is_lost = getFlag(from);
   tracker.last_view.image = getImage(from, CV_8UC1);
-  tracker.last_view.K = from.get<Intrinsics>();
+  tracker.last_view.K = getCamera(from, tracker.last_view.image.empty());
   tracker.last_view.T_color_depth = getPose(from);
   if (!isOf(tracker.last_view.K, tracker.last_view.image)) from.refuse();
   const auto places = from.get<std::uint64_t>();
@@ -140,7 +160,7 @@ FreeSpace::Memory getFreeSpace(ByteReader& from) {
   const auto witnesses = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < witnesses && from.ok(); ++i) {
     FreeSpace::Witness witness;
-    witness.K = from.get<Intrinsics>();
+    witness.K = getCamera(from);
     witness.T_camera_world = getPose(from);
     witness.nearest_m = getImage(from, CV_32FC1);
     if (!isOf(witness.K, witness.nearest_m)) from.refuse();
@@ -186,14 +206,13 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   memory.free_space = getFreeSpace(from);
   memory.arrivals = getArrivals(from);
   memory.color_turns = from.get<ColorIntegrator::Turns>();
-  memory.K = from.get<Intrinsics>();
+  memory.K = getCamera(from);
   memory.T_world_camera = getPose(from);
   for (auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
     *maps = from.getList<cl_float4>();
   const auto pixels = static_cast<std::size_t>(memory.K.width) * static_cast<std::size_t>(memory.K.height);
-  const auto isSide = [](int side) { return side > 0 && side < kLargestSide; };
-  const bool is_whole = from.isAtEnd() && isSide(memory.K.width) && isSide(memory.K.height) &&
-                        memory.vertices_world.size() == pixels && memory.normals_world.size() == pixels &&
+  const bool is_whole = from.isAtEnd() && memory.vertices_world.size() == pixels &&
+                        memory.normals_world.size() == pixels &&
                         (!memory.tracker || memory.followed_normals_world.size() == pixels);
   return is_whole ? std::optional(std::move(memory)) : std::nullopt;
 }

@@ -1,9 +1,13 @@
 // The fuzz target that this is linked with, without a fuzzer: its seeds, then 2,000 mutations of them, the
-// same every time. What it finds ends the program, and the input stays in the file that is named.
+// same every time (CMakeLists.txt says when others). What it finds ends the program, and the input stays in
+// the file that is named.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/mutation.h"
@@ -11,7 +15,7 @@
 namespace scantrove::test {
 namespace {
 
-constexpr int kMutations = 2000;
+constexpr int kMutations = SCANTROVE_FUZZ_MUTATIONS;
 
 class InputFile {
  public:
@@ -39,6 +43,14 @@ TEST(Fuzz, SeedsAndMutationsAreReadOrRefused) {
   const std::vector<std::string> corpus = seeds();
   ASSERT_FALSE(corpus.empty());
   for (const std::string& seed : corpus) file.run(seed);
+  if (const char* seconds = std::getenv("SCANTROVE_FUZZ_SECONDS")) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(std::atoi(seconds));
+    Mutator others(corpus, std::random_device{}());
+    long count = 0;
+    for (; std::chrono::steady_clock::now() < end; ++count) file.run(others.next());
+    std::printf("%ld mutations\n", count);
+    return;
+  }
   Mutator mutator(corpus, 20240229);
   for (int i = 0; i < kMutations; ++i) file.run(mutator.next());
 }

@@ -1,0 +1,81 @@
+// What a session keeps of the camera.
+#include <cmath>
+#include <cstring>
+
+#include "core/scan/camera_memory.h"
+#include "tests/fuzz/fuzz_target.h"
+
+namespace scantrove::test {
+namespace {
+
+KeyFrame somePlace() {
+  KeyFrame place;
+  place.landmarks.points_world = {{1, 2, 3}, {4, 5, 6}};
+  place.landmarks.descriptors = cv::Mat(2, 32, CV_8UC1, cv::Scalar(7));
+  place.thumbnail = cv::Mat(6, 8, CV_32FC1, cv::Scalar(1));
+  return place;
+}
+
+CameraMemory someMemory(bool with_tracker) {
+  const Intrinsics K{60, 61, 1.5F, 1, 4, 3};
+  CameraMemory memory;
+  if (with_tracker) {
+    memory.tracker.emplace();
+    memory.tracker->before_last = Eigen::Isometry3d::Identity();
+    memory.tracker->last_view = {cv::Mat(3, 4, CV_8UC1, cv::Scalar(9)), K, Eigen::Isometry3d::Identity()};
+    memory.tracker->places = {somePlace()};
+    memory.tracker->surfaces = {
+        {Eigen::Isometry3d::Identity(), KeptSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
+    memory.followed_normals_world.assign(12, {{0, 0, 1, 1}});
+  }
+  memory.free_space.witnesses.push_back(
+      {K, Eigen::Isometry3d::Identity(), cv::Mat(3, 4, CV_32FC1, cv::Scalar(3))});
+  memory.arrivals = {{{{1, -2, 3}, 5, 8, 4}}, 29};
+  memory.K = K;
+  memory.vertices_world.assign(12, {{1, 2, 3, 1}});
+  memory.normals_world.assign(12, {{0, 1, 0, 1}});
+  return memory;
+}
+
+bool isRigid(const Eigen::Isometry3d& T) {
+  return T.matrix().allFinite() && std::abs(T.linear().determinant() - 1) < 1e-2;
+}
+
+bool isUsable(const Intrinsics& K) {
+  return std::isfinite(K.fx) && std::isfinite(K.fy) && K.fx > 0 && K.fy > 0 && K.width > 0 && K.height > 0;
+}
+
+}  // namespace
+
+std::vector<std::string> seeds() {
+  std::vector<std::string> all;
+  for (const bool with_tracker : {false, true}) {
+    const std::vector<std::uint32_t> words = toWords(someMemory(with_tracker));
+    all.emplace_back(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
+  }
+  return all;
+}
+
+}  // namespace scantrove::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace scantrove;
+  std::vector<std::uint32_t> words(size / sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), data, words.size() * sizeof(std::uint32_t));
+  const auto memory = cameraMemoryFrom(words);
+  if (!memory) return 0;
+  test::require(test::isUsable(memory->K) && test::isRigid(memory->T_world_camera), "a camera can be used");
+  for (const FreeSpace::Witness& witness : memory->free_space.witnesses)
+    test::require(test::isUsable(witness.K) && test::isRigid(witness.T_camera_world), "so can a witness");
+  if (!memory->tracker) return 0;
+  test::require(test::isRigid(memory->tracker->last), "the last pose is a motion");
+  for (const KeyFrame& place : memory->tracker->places) {
+    test::require(test::isRigid(place.T_world_camera), "a place has a pose");
+    test::require(place.landmarks.descriptors.empty() || place.landmarks.descriptors.cols == 32,
+                  "landmarks are of 256 bits");
+  }
+  for (const SeenSurfaces::View& view : memory->tracker->surfaces)
+    test::require(test::isUsable(view.surface.intrinsics()) && test::isRigid(view.T_world_camera),
+                  "a surface was seen by a camera");
+  return 0;
+}

@@ -1,0 +1,39 @@
+// A person's operations and their effects, as a session keeps them.
+#include "core/session/operation_json.h"
+#include "tests/fuzz/fuzz_target.h"
+
+namespace scantrove::test {
+
+std::vector<std::string> seeds() {
+  return {
+      R"({"kind": "join", "regions": [3, 7]})",
+      R"({"kind": "name", "regions": [3], "name": "cup", "category": "mug"})",
+      R"({"kind": "cut", "regions": [3], "here_world": [[1, 2, 3]], "there_world": [[4, 5, 6]], "frame": 12})",
+      operationToJson({.kind = OperationKind::cut,
+                       .regions = {RegionId{3}},
+                       .here_world = {{1, 2, 3}},
+                       .there_world = {{4, 5, 6}},
+                       .frame = 12}),
+      effectToJson({.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}})};
+}
+
+}  // namespace scantrove::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace scantrove;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  if (const auto operation = operationFromJson(text)) {
+    for (const auto* places : {&operation->here_world, &operation->there_world}) {
+      for (const Eigen::Vector3f& place : *places) test::require(place.allFinite(), "places are finite");
+    }
+    const std::string written = operationToJson(*operation);
+    const auto again = operationFromJson(written);
+    test::require(again && operationToJson(*again) == written, "what is read can be written");
+  }
+  if (const auto effect = effectFromJson(text)) {
+    const std::string written = effectToJson(*effect);
+    const auto again = effectFromJson(written);
+    test::require(again && effectToJson(*again) == written, "what is read can be written");
+  }
+  return 0;
+}

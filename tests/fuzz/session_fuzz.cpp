@@ -1,0 +1,164 @@
+// A session that somebody changed: each line of the input sets a column of a table, or the input is the whole
+// file.
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <charconv>
+
+#include "core/database/database_connection.h"
+#include "core/fusion/packed_words.h"
+#include "core/fusion/stored_page.h"
+#include "core/scan/camera_memory.h"
+#include "core/scan/session_setup.h"
+#include "core/session/session_list.h"
+#include "core/session/session_store.h"
+#include "tests/fuzz/fuzz_target.h"
+
+namespace scantrove::test {
+namespace {
+
+constexpr std::string_view kFileHead = "SQLite format 3";
+
+/// In memory where the system has such a folder: every transaction waits for its disk.
+const TemporaryFolder& folder() {
+  static const bool is_quick = ::access("/dev/shm", W_OK) == 0 && ::setenv("TMPDIR", "/dev/shm", 0) == 0;
+  static const TemporaryFolder made;
+  (void)is_quick;
+  return made;
+}
+
+SavedDelta someDelta() {
+  SavedDelta delta;
+  delta.facts =
+      factsOf({"demo", Intrinsics{525, 525, 319.5F, 239.5F, 640, 480}, ScanParams{}, "catalogue.sqlite"});
+  for (int number = 1; number < 3; ++number) {
+    SavedFrame frame;
+    frame.number = number;
+    frame.source_index = number;
+    frame.time_s = 0.03 * number;
+    frame.state = TrackingState::tracking;
+    delta.frames.push_back(frame);
+  }
+  delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100, {}});
+  delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
+  delta.borders.push_back({FragmentId{7}, FragmentId{9}, BorderEvidence{}});
+  delta.operations.push_back(
+      {1,
+       {.kind = OperationKind::name, .regions = {RegionId{3}}, .name = "red cup"},
+       {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}},
+       OperationLog::State::done});
+  return delta;
+}
+
+std::string makeSeed() {
+  static int argc = 1;
+  static char name[] = "fuzz";
+  static char* argv[] = {name, nullptr};
+  static const QCoreApplication qt(argc, argv);
+  {
+    const auto store = SessionStore::create(folder() / "seed");
+    require(store.has_value(), "a session can be made");
+    const SavedPage page{{1, -2, 5}, std::vector<std::uint32_t>(PAGE_BRICKS, 0xFFU)};
+    require((*store)->writePages({&page, 1}).has_value() && (*store)->save(someDelta()).has_value(),
+            "a session can be saved");
+  }
+  return readText(folder() / "seed/session.sqlite");
+}
+
+const std::string& seedFile() {
+  static const std::string bytes = makeSeed();
+  return bytes;
+}
+
+/// "#12": a whole number, "~1.5": a real one, "$...": bytes; else text.
+QVariant valueOf(std::string_view text) {
+  const std::string_view rest = text.substr(text.empty() ? 0 : 1);
+  if (text.starts_with('#')) {
+    qlonglong number = 0;
+    std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    return number;
+  }
+  if (text.starts_with('~'))
+    return QString::fromUtf8(rest.data(), static_cast<qsizetype>(rest.size())).toDouble();
+  if (text.starts_with('$')) return QByteArray(rest.data(), static_cast<qsizetype>(rest.size()));
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+bool isWord(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
+}
+
+/// Sets what lines `table.column=value` say; those that the tables refuse are passed over.
+void change(DatabaseConnection& database, std::string_view lines) {
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    lines.remove_prefix(std::min(lines.size(), line.size() + 1));
+    const std::size_t dot = line.find('.'), equals = line.find('=');
+    if (dot == std::string_view::npos || equals == std::string_view::npos || dot > equals) continue;
+    const std::string_view table = line.substr(0, dot), column = line.substr(dot + 1, equals - dot - 1);
+    if (!isWord(table) || !isWord(column)) continue;
+    const auto as_text = [](std::string_view word) {
+      return QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()));
+    };
+    (void)database.execute("UPDATE " + as_text(table) + " SET " + as_text(column) + " = ?",
+                           {valueOf(line.substr(equals + 1))});
+  }
+  // Without checksums, as older programs wrote it: what is tested is how values are checked.
+  for (const char* table :
+       {"facts", "frames", "key_frames", "fragments", "regions", "borders", "operations", "pages", "camera"})
+    (void)database.execute(QString("UPDATE %1 SET row_check = NULL").arg(table));
+}
+
+void readWhole(SessionStore& store) {
+  const auto scan = store.load();
+  require(scan || !scan.error().what.empty(), "an error has words");
+  if (const auto camera = store.loadCamera(); camera && *camera) (void)cameraMemoryFrom((*camera)->words);
+  if (!scan) return;
+  const auto setup = setupFrom(scan->facts);
+  require(!setup || (setup->K.fx > 0 && setup->K.width > 0), "a camera that is accepted can be used");
+  for (const SavedFrame& frame : scan->frames)
+    require(frame.T_world_camera.matrix().allFinite(), "poses are finite");
+  for (const SavedBorder& border : scan->borders)
+    require(border.a.value > 0 && border.a.value < border.b.value, "a border lies between two fragments");
+  for (const Eigen::Vector3i& position : scan->pages) {
+    if (const auto words = store.loadPage(position)) (void)StoredPage::fromWords(*words);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> seeds() {
+  return {
+      seedFile(),
+      "pages.offset=#0\npages.bytes=#100\npages.unpacked_bytes=#2048\npages.file=#1\npages.x=#3\n",
+      "frames.state=tracking\nframes.tx=~1.5\nframes.qw=~1\nframes.time_s=~0.03\nframes.source_index=#7\n",
+      "borders.evidence=$0123456789012345678901234567890123456789\nborders.said=#1\nborders.by_person=#1\n",
+      "operations.operation={\"kind\": \"join\", \"regions\": [3, 7]}\noperations.state=undone\n",
+      "operations.effect={\"moves\": [[7, 3, 5]]}\nregions.name=red cup\nregions.object=#4\n",
+      "facts.value={\"fx\": 525, \"fy\": 525, \"cx\": 319.5, \"cy\": 239.5, \"width\": 640, \"height\": "
+      "480}\n",
+      "fragments.fragment=#12\nfragments.region=#3\nfragments.voxels=#77\n"};
+}
+
+}  // namespace scantrove::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace scantrove;
+  const std::string input(reinterpret_cast<const char*>(data), size);
+  const bool is_file = input.starts_with(test::kFileHead);
+  const std::string& file = is_file ? input : test::seedFile();
+  const std::filesystem::path place = test::folder() / "input";
+  std::filesystem::remove_all(place);
+  std::filesystem::copy(test::folder() / "seed", place, std::filesystem::copy_options::recursive);
+  for (const char* name : {"session.sqlite-wal", "session.sqlite-shm"}) std::filesystem::remove(place / name);
+  test::rewrite(test::folder(), "input/session.sqlite", file);
+  if (!is_file) {
+    const auto database = DatabaseConnection::open((place / "session.sqlite").string());
+    if (database) test::change(**database, input);
+  }
+  (void)listSessions(place);
+  const auto store = SessionStore::open(place);
+  test::require(store || !store.error().what.empty(), "an error has words");
+  if (store) test::readWhole(**store);
+  return 0;
+}
