@@ -51,6 +51,7 @@ void printSummary(const ScanReport& report, const std::string& out) {
 Result<void> scan(const ScanCommand& command, ScanRequest request) {
   const std::string& out = command.resume.empty() ? command.out : command.resume;
   request.resume = !command.resume.empty();
+  request.overwrite = command.overwrite;
   request.record_all = command.record;
   request.session = !command.no_session;
   // Before anything is opened: nobody wants to learn this at the end of a scan.

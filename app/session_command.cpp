@@ -304,7 +304,10 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
     if (!session) return outcome.failWith(session.error());
     for (const std::string& damage : (*session)->damages())
       std::cerr << "scantrove: " << inLine(damage) << '\n';
-    if (const auto done = action(**session, *command); !done) outcome.failWith(done.error());
+    const auto done = action(**session, *command);
+    if (!done) return outcome.failWith(done.error());
+    if (const auto undisturbed = (*session)->findDisturbance(); !undisturbed)
+      outcome.failWith(undisturbed.error());
   });
   return sub;
 }

@@ -12,7 +12,8 @@ namespace scantrove {
 
 Result<FileLock> FileLock::take(const std::filesystem::path& path, const Error& taken) {
   std::error_code ignored;
-  const int how = std::filesystem::is_directory(path, ignored) ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT;
+  const int how =
+      std::filesystem::is_directory(path, ignored) ? O_RDONLY | O_DIRECTORY : O_RDWR | O_CREAT | O_NOFOLLOW;
   const int file = ::open(path.c_str(), how | O_CLOEXEC, 0666);
   if (file < 0) {
     return fail(path.string() + " cannot be used: " + std::generic_category().message(errno) + '.',

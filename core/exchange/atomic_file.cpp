@@ -122,6 +122,9 @@ Result<void> writeFileAtomically(const fs::path& path, std::string_view bytes, D
 
 Result<void> writeFileAtomically(const fs::path& path, const std::function<std::string_view()>& next,
                                  Durability durability) {
+  // An earlier file is not to be lost in a power cut that the new one does not outlive.
+  std::error_code ignored;
+  if (fs::exists(path, ignored)) durability = Durability::power;
   const PartFile part(path);
   if (!part.fill(next, durability)) return cannotWrite(path, reason(errno));
   std::error_code failure;

@@ -10,7 +10,7 @@ namespace scantrove {
 
 /// How much a finished write must outlive.
 enum class Durability {
-  process,  ///< a killed program: renamed only when complete
+  process,  ///< a killed program: renamed only when complete. Where a file is replaced, as power
   power,    ///< a power cut too: flushed to the disk before the rename
 };
 

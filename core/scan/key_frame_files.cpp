@@ -6,12 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "core/base/checksum.h"
 #include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
 #include "core/image/color_bytes.h"
 #include "core/image/image_file.h"
 #include "core/image/image_header.h"
 #include "core/image/png_encoder.h"
+#include "core/session/session_store.h"
 
 namespace scantrove {
 namespace {
@@ -28,13 +30,34 @@ std::string bytesKept(const fs::path& file) {
   return is_kept ? withoutOrientation(std::move(*bytes)) : std::string();
 }
 
-Result<void> writeColor(const fs::path& session_folder, const RgbdFrame& frame, SavedKeyFrame& key) {
+std::uint32_t crcOf(const std::string& bytes) { return crc32Of({bytes.data(), bytes.size()}); }
+
+std::string stemOf(int number) { return fmt::format("{:06}", number); }
+
+Result<void> writeColor(SessionStore& session, const RgbdFrame& frame, SavedKeyFrame& key) {
   if (frame.color.empty()) return {};
   std::string bytes = bytesKept(frame.color_file);
   if (bytes.empty()) bytes = encodePng(frame.color);
-  const char* const extension = bytes.starts_with('\xFF') ? ".jpg" : ".png";
-  key.color_file = fs::path("keyframes") / fmt::format("{:06}.color{}", key.frame, extension);
-  return writeFileAtomically(session_folder / key.color_file, bytes, Durability::process);
+  const std::string extension = bytes.starts_with('\xFF') ? ".jpg" : ".png";
+  key.color_checksum = crcOf(bytes);
+  SCANTROVE_TRY(moveInto(key.color_file, session.claimImage(stemOf(key.frame), ".color" + extension)));
+  return writeFileAtomically(session.folder() / key.color_file, bytes, Durability::process);
+}
+
+Result<void> writeDepth(SessionStore& session, const RgbdFrame& frame, SavedKeyFrame& key) {
+  const std::string bytes = encodePng(frame.depth);
+  key.depth_checksum = crcOf(bytes);
+  SCANTROVE_TRY(moveInto(key.depth_file, session.claimImage(stemOf(key.frame), ".depth.png")));
+  return writeFileAtomically(session.folder() / key.depth_file, bytes, Durability::process);
+}
+
+/// Error: the file cannot be read, or is not the one that was written.
+Result<void> checkFile(const fs::path& file, const std::optional<std::uint32_t>& checksum) {
+  if (!checksum) return {};
+  const Result<std::string> bytes = readFile(file);
+  if (bytes && crcOf(*bytes) == *checksum) return {};
+  return fail("The key frame image " + file.string() + " is missing, or not the one that was written.",
+              "That frame is left out; the rest can be used.");
 }
 
 /// As a frame that cannot be used says it.
@@ -46,17 +69,15 @@ Result<cv::Mat> orLeftOut(Result<cv::Mat> image, const fs::path& file) {
 
 }  // namespace
 
-Result<SavedKeyFrame> writeKeyFrame(const fs::path& session_folder, int number, const RgbdFrame& frame) {
+Result<SavedKeyFrame> writeKeyFrame(SessionStore& session, int number, const RgbdFrame& frame) {
   SavedKeyFrame key;
   key.frame = number;
   key.metres_per_unit = frame.metres_per_unit;
   key.color_camera = frame.color_camera;
   key.color_width = frame.color.cols;
   key.color_height = frame.color.rows;
-  SCANTROVE_TRY(writeColor(session_folder, frame, key));
-  key.depth_file = fs::path("keyframes") / fmt::format("{:06}.depth.png", number);
-  SCANTROVE_TRY(
-      writeFileAtomically(session_folder / key.depth_file, encodePng(frame.depth), Durability::process));
+  SCANTROVE_TRY(writeColor(session, frame, key));
+  SCANTROVE_TRY(writeDepth(session, frame, key));
   return key;
 }
 
@@ -68,6 +89,7 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   read.metres_per_unit = key_frame.metres_per_unit;
   read.color_camera = key_frame.color_camera;
   const fs::path depth_file = session_folder / key_frame.depth_file;
+  SCANTROVE_TRY(checkFile(depth_file, key_frame.depth_checksum));
   SCANTROVE_TRY(moveInto(read.depth, orLeftOut(readGreyImage(depth_file), depth_file)));
   if (read.depth.type() != CV_16UC1) {
     return fail("The key frame image " + depth_file.string() + " is no 16-bit depth image.",
@@ -75,6 +97,7 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   }
   if (!key_frame.color_file.empty()) {
     read.color_file = session_folder / key_frame.color_file;
+    SCANTROVE_TRY(checkFile(read.color_file, key_frame.color_checksum));
     SCANTROVE_TRY(moveInto(read.color, orLeftOut(readColorImage(read.color_file), read.color_file)));
   }
   return read;

@@ -7,13 +7,14 @@
 
 namespace scantrove {
 
-/// Writes a frame's images into a session: colour as it came but for an orientation (a JPEG stays the same
-/// bytes without it), else as PNG;
-/// depth as 16-bit PNG. Any thread. Error: names the file.
-[[nodiscard]] Result<SavedKeyFrame> writeKeyFrame(const std::filesystem::path& session_folder, int number,
-                                                  const RgbdFrame& frame);
+class SessionStore;
 
-/// The frame again. Error: a file is missing or damaged; names it.
+/// Writes a frame's images into a session, each beside what is there: colour as it came but for an
+/// orientation (a JPEG stays the same bytes without it), else as PNG; depth as 16-bit PNG. The session's
+/// thread. Error: names the file.
+[[nodiscard]] Result<SavedKeyFrame> writeKeyFrame(SessionStore& session, int number, const RgbdFrame& frame);
+
+/// The frame again. Any thread. Error: a file is missing, damaged, or not the one that was written; names it.
 [[nodiscard]] Result<RgbdFrame> readKeyFrame(const std::filesystem::path& session_folder,
                                              const SavedKeyFrame& key_frame, const SavedFrame& frame);
 

@@ -217,6 +217,10 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
   return Place{view->regions[pixel], saved->T_world_camera.cast<float>() * seen};
 }
 
+std::optional<Error> OpenSession::takeFailure() { return recorder_->takeFailure(); }
+
+Result<void> OpenSession::findDisturbance() { return recorder_->findDisturbance(); }
+
 int OpenSession::lastOperation(Way way) const {
   const std::vector<OperationLog::Entry>& entries = history().entries();
   const auto is_done = [](const OperationLog::Entry& entry) {

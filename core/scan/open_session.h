@@ -92,6 +92,10 @@ class OpenSession {
   [[nodiscard]] Result<void> saveFacts();
   /// Of the map.
   [[nodiscard]] int brickCount() const;
+  /// What went wrong with the session's files and was mended, or waits; none: nothing new.
+  [[nodiscard]] std::optional<Error> takeFailure();
+  /// Error: other programs removed, moved or replaced files of the session since it was opened.
+  [[nodiscard]] Result<void> findDisturbance();
 
   [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
 

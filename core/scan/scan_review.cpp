@@ -160,6 +160,7 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
                  [&](UndoEdit) { return session_->undo(); }, [&](RedoEdit) { return session_->redo(); }},
       edit);
   snapshots_.endEdit(session_->pipeline());
+  if (const std::optional<Error> failure = session_->takeFailure()) listener_(MapFailed{*failure});
   if (outcome) {
     const SaidHow how = std::holds_alternative<UndoEdit>(edit) ? SaidHow::undone : SaidHow::done;
     const Result<void> told =

@@ -60,6 +60,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
                                                std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
   if (!request.pictures) run->snapshots_.leaveOutPictures();
+  SCANTROVE_TRY(run->checkFolder());
   SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
   const SourceInfo& info = run->source_->info();
   const bool poses_given = request.poses == ScanRequest::Poses::given;
@@ -95,6 +96,11 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   return run;
 }
 
+Result<void> ScanRun::checkFolder() const {
+  if (!request_.output_folder || request_.resume || request_.overwrite) return {};
+  return checkHoldsOnlyOurs(*request_.output_folder);
+}
+
 Result<void> ScanRun::openSession(const SourceInfo& info) {
   if (!request_.output_folder) return {};
   const std::filesystem::path& folder = *request_.output_folder;
@@ -104,14 +110,8 @@ Result<void> ScanRun::openSession(const SourceInfo& info) {
     SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
     return readSession(info);
   }
-  return SessionStore::isSession(folder) ? SessionStore::checkReplaceable(folder) : beginSession(info);
-}
-
-Result<void> ScanRun::replaceEarlierScan() {
-  if (!keeps_earlier_scan_) return {};
-  if (request_.session && !recorder_) SCANTROVE_TRY(beginSession(source_->info()));
-  keeps_earlier_scan_ = false;
-  return {};
+  SCANTROVE_TRY(beginSession(info));
+  return checkFolder();  // once more, now that nobody else can begin there
 }
 
 Result<void> ScanRun::beginSession(const SourceInfo& info) {
@@ -208,7 +208,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
     returnFreeHeap();
   }
   count(*result, frame.index);
-  if (result->pose.usable()) SCANTROVE_TRY(replaceEarlierScan());
+  if (result->pose.usable()) keeps_earlier_scan_ = false;
   announce(result->objects);
   if (!result->pose.usable()) followCatalogue();
   announceMapFailure();

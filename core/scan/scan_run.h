@@ -74,11 +74,11 @@ class ScanRun {
   void measureDrift(const FrameResult& result, int frame_index);
   void announce(const FrameObjects& objects);
   void announceMapFailure();
-  /// Begins the session, or goes on in it. An earlier one that must give way is only checked.
+  /// Error: the folder holds files of others.
+  [[nodiscard]] Result<void> checkFolder() const;
+  /// Begins the session, or goes on in it. An earlier one gives way to the first usable frame.
   [[nodiscard]] Result<void> openSession(const SourceInfo& info);
   [[nodiscard]] Result<void> beginSession(const SourceInfo& info);
-  /// The scan has its first usable frame: what an earlier one left in the folder gives way.
-  [[nodiscard]] Result<void> replaceEarlierScan();
   /// The camera of the earlier scan must be this one; its map's parameters are taken over.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
   [[nodiscard]] Result<void> resumeSession(ObjectDatabase& database);

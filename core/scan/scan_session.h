@@ -39,6 +39,8 @@ struct ScanRequest {
   bool record_all = false;  ///< keep the images of every frame in the session, not of key frames only
   /// Go on in the session that is in `output_folder`; else a new one begins there.
   bool resume = false;
+  /// Begin in a folder with files that no scan wrote (see checkHoldsOnlyOurs()).
+  bool overwrite = false;
   /// When the scan has ended, its session stays open until the next one starts: it can be edited, its key
   /// frames looked at, and data sets made of it.
   bool review = false;

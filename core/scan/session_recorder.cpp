@@ -97,7 +97,7 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
   const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
                          result.pose.T_world_camera};
   writer_->post([frame, number, saved](SessionStore& store) -> Result<void> {
-    const Result<SavedKeyFrame> key = writeKeyFrame(store.folder(), number, frame);
+    const Result<SavedKeyFrame> key = writeKeyFrame(store, number, frame);
     if (!key) return fail(key.error());
     return store.saveKeyFrame(saved, *key);
   });
@@ -296,7 +296,16 @@ Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
   SavedDelta camera;
   if (memory) camera.camera = {setup_.frames - 1, toWords(*memory)};
   hand(std::move(camera));
-  return writer_->flush();
+  SCANTROVE_TRY(writer_->flush());
+  return findDisturbance();
+}
+
+Result<void> SessionRecorder::findDisturbance() {
+  std::optional<Error> lost;
+  writer_->post([&](SessionStore& store) { return moveInto(lost, store.findLostImages()); });
+  SCANTROVE_TRY(writer_->flush());
+  if (const std::optional<Error> disturbance = writer_->disturbance()) return fail(*disturbance);
+  return lost ? Result<void>(fail(*lost)) : Result<void>();
 }
 
 }  // namespace scantrove

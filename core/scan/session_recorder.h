@@ -49,12 +49,15 @@ class SessionRecorder {
   void saveWhenDue(ScanPipeline& pipeline);
   /// Hands over what changed and waits until it is on disk. Error: it is not; what is there stays as it was.
   [[nodiscard]] Result<void> save(ScanPipeline& pipeline);
-  /// The same at the end of the scan.
+  /// The same at the end of the scan. Error: also that other programs removed or replaced files of the
+  /// session meanwhile, though they were written anew.
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline);
+  /// Error: other programs removed, moved or replaced files of the session since it was opened.
+  [[nodiscard]] Result<void> findDisturbance();
   /// The frames whose images the session has, in order, and how they are kept. Waits until they are on disk.
   /// Error: they cannot be read.
   [[nodiscard]] Result<std::vector<KeptFrame>> keptFrames();
-  [[nodiscard]] const std::filesystem::path& folder() const { return writer_->folder(); }
+  [[nodiscard]] std::filesystem::path folder() const { return writer_->folder(); }
   /// Without a catalogue that says it: which object a region is from now on. None: it is none.
   void setObject(RegionId region, ObjectId object) { objects_[region] = object; }
   [[nodiscard]] ObjectId objectOf(RegionId region) const;

@@ -1,12 +1,16 @@
 #include "core/session/record_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <span>
 #include <system_error>
 #include <utility>
+
+#include "core/base/held_file.h"
+#include "core/session/session_files.h"
 
 namespace scantrove {
 namespace {
@@ -19,14 +23,27 @@ Error fileFailure(const char* doing, const std::filesystem::path& path, int code
 
 }  // namespace
 
-Result<RecordFile> RecordFile::open(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+Result<RecordFile> RecordFile::create(const std::filesystem::path& path) {
+  return openWith(path, O_CREAT | O_EXCL);
+}
+
+Result<RecordFile> RecordFile::open(const std::filesystem::path& path) { return openWith(path, 0); }
+
+Result<RecordFile> RecordFile::openWith(const std::filesystem::path& path, int flags) {
+  // A pipe would wait for its other end.
+  const int file = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0666);
+  if (file < 0 && errno == ELOOP) return fail(isALink(path));
   if (file < 0) return fail(fileFailure("Opening", path, errno));
-  const off_t end = ::lseek(file, 0, SEEK_END);
-  RecordFile opened(path, file, end < 0 ? 0 : static_cast<std::uint64_t>(end));
-  if (end < 0) return fail(fileFailure("Reading", path, errno));
+  RecordFile opened(path, file);
+  struct stat status {};
+  if (::fstat(file, &status) != 0) return fail(fileFailure("Reading", path, errno));
+  if (!S_ISREG(status.st_mode))
+    return fail(path.string() + " is no regular file.", "Restore it from a copy if there is one.");
+  opened.end_ = static_cast<std::uint64_t>(status.st_size);
   return opened;
 }
+
+bool RecordFile::isInPlace() const { return isNameOf(path_, file_); }
 
 RecordFile::RecordFile(RecordFile&& other) noexcept
     : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), end_(other.end_) {}

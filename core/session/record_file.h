@@ -11,7 +11,9 @@ namespace scantrove {
 /// program, what was written stays readable. One thread.
 class RecordFile {
  public:
-  /// Opens or creates. Error: names `path`.
+  /// Makes a file. Error: there is one of that name; names `path`.
+  [[nodiscard]] static Result<RecordFile> create(const std::filesystem::path& path);
+  /// Error: there is none, or it is no regular file (links are not followed); names `path`.
   [[nodiscard]] static Result<RecordFile> open(const std::filesystem::path& path);
   RecordFile(RecordFile&& other) noexcept;
   RecordFile& operator=(RecordFile&& other) noexcept;
@@ -27,10 +29,12 @@ class RecordFile {
 
   [[nodiscard]] std::uint64_t size() const { return end_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Whether the file is still found under its name; it can be read anyway.
+  [[nodiscard]] bool isInPlace() const;
 
  private:
-  RecordFile(std::filesystem::path path, int file, std::uint64_t end)
-      : path_(std::move(path)), file_(file), end_(end) {}
+  RecordFile(std::filesystem::path path, int file) : path_(std::move(path)), file_(file) {}
+  [[nodiscard]] static Result<RecordFile> openWith(const std::filesystem::path& path, int flags);
 
   std::filesystem::path path_;
   int file_ = -1;

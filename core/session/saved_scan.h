@@ -37,6 +37,8 @@ struct SavedKeyFrame {
   float metres_per_unit = 0.001F;
   int color_width = 0, color_height = 0;
   std::optional<ColorCamera> color_camera;  ///< RgbdFrame::color_camera
+  /// CRC-32 of the files. None: of a session of an earlier version.
+  std::optional<std::uint32_t> color_checksum = {}, depth_checksum = {};
 };
 
 struct SavedFragment {

@@ -3,40 +3,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
+
+#include "core/session/own_files.h"
 
 namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kFewestDigits = 6;
-
-/// `000123` and one of `endings`.
-template <std::size_t N>
-bool isNumbered(std::string_view name, const std::array<std::string_view, N>& endings) {
-  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-  return digits >= kFewestDigits && std::ranges::find(endings, name.substr(digits)) != endings.end();
-}
-
-bool isMapFile(std::string_view name) { return isNumbered(name, std::array<std::string_view, 1>{".bricks"}); }
-
-bool isKeyFrameFile(std::string_view name) {
-  return isNumbered(name,
-                    std::array<std::string_view, 4>{".depth.png", ".color.png", ".color.jpg", ".color.jpeg"});
-}
-
-struct Part {
-  const char* folder;
-  bool (*is_ours)(std::string_view);
-};
-constexpr std::array kParts{Part{"map", isMapFile}, Part{"keyframes", isKeyFrameFile}};
 
 std::vector<fs::directory_entry> entriesOf(const fs::path& folder) {
   std::vector<fs::directory_entry> entries;
@@ -46,55 +23,65 @@ std::vector<fs::directory_entry> entriesOf(const fs::path& folder) {
   return entries;
 }
 
-bool isOurs(const Part& part, const fs::directory_entry& entry) {
+bool hasFormOfOurs(const fs::path& part, const fs::directory_entry& entry) {
   std::error_code ignored;
   return entry.symlink_status(ignored).type() == fs::file_type::regular &&
-         part.is_ours(entry.path().filename().string());
+         own_files::hasFormOfOurs(part / entry.path().filename());
 }
 
 bool isUnfinished(const fs::path& path) {
   return path.filename().string().starts_with('.') && path.extension() == ".part";
 }
 
+Result<void> flush(const fs::path& path, int flags) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | flags);
+  const bool is_done = descriptor >= 0 && ::fsync(descriptor) == 0;
+  const int code = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (is_done) return {};
+  return fail("Writing " + path.string() + " failed: " + std::generic_category().message(code) + ".",
+              "Check the disk, its free space and the folder's permissions.");
+}
+
 }  // namespace
 
 std::optional<fs::path> findForeignFile(const fs::path& folder) {
-  for (const Part& part : kParts) {
-    for (const fs::directory_entry& entry : entriesOf(folder / part.folder)) {
-      if (!isOurs(part, entry) && !isUnfinished(entry.path())) return entry.path();
+  for (const char* part : {"map", "keyframes"}) {
+    for (const fs::directory_entry& entry : entriesOf(folder / part)) {
+      if (!hasFormOfOurs(part, entry) && !isUnfinished(entry.path())) return entry.path();
     }
   }
   return std::nullopt;
 }
 
-Result<void> removeSessionFiles(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const Part& part : kParts) {
-    for (const fs::directory_entry& entry : entriesOf(folder / part.folder)) {
-      if (isOurs(part, entry)) files.push_back(entry.path());
-    }
-  }
-  for (const char* name : {"session.sqlite-wal", "session.sqlite-shm", "session.sqlite"})
-    files.push_back(folder / name);
-  for (const fs::path& file : files) {
-    std::error_code failure;
-    fs::remove(file, failure);
-    if (failure) {
-      return fail("The earlier scan in " + folder.string() + " cannot be removed: " + failure.message() + ".",
-                  "Check the permissions of the folder, or name another one.");
-    }
+Error isALink(const fs::path& path) {
+  return {path.string() + " is a symbolic link; a session writes into its own folder only.",
+          "Put the file or folder itself there."};
+}
+
+Result<void> checkHasNoLinks(const fs::path& folder) {
+  for (const char* name : {"map", "keyframes", "session.lock", "session.sqlite", "session.sqlite-wal",
+                           "session.sqlite-shm", "session.sqlite-journal"}) {
+    std::error_code ignored;
+    if (fs::is_symlink(fs::symlink_status(folder / name, ignored))) return fail(isALink(folder / name));
   }
   return {};
 }
 
-Result<void> flushFolder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool is_done = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int code = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (is_done) return {};
-  return fail("Writing " + folder.string() + " failed: " + std::generic_category().message(code) + ".",
-              "Check the disk, its free space and the folder's permissions.");
+Result<void> makeSessionFolders(const fs::path& folder) {
+  std::error_code failure;
+  for (const fs::path& path : {folder, folder / "map", folder / "keyframes"}) {
+    fs::create_directories(path, failure);
+    if (failure) {
+      return fail("The folder " + path.string() + " cannot be made: " + failure.message() + ".",
+                  "Check the name and the permissions of the folder above.");
+    }
+  }
+  return checkHasNoLinks(folder);
 }
+
+Result<void> flushFolder(const fs::path& folder) { return flush(folder, O_DIRECTORY); }
+
+Result<void> flushFile(const fs::path& file) { return flush(file, O_NOFOLLOW); }
 
 }  // namespace scantrove

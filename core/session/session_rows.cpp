@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/fusion/packed_words.h"
+#include "core/session/checked_rows.h"
 #include "core/session/operation_json.h"
 #include "core/session/row_checks.h"
 
@@ -174,85 +175,151 @@ std::optional<LogState> logStateFrom(const std::string& word) {
   return std::nullopt;
 }
 
+QVariant orNull(const std::optional<std::uint32_t>& checksum) {
+  return checksum ? QVariant(*checksum) : QVariant();
+}
+
 Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta) {
   for (const SavedFrame& frame : delta.frames) {
     const Eigen::Vector3d t = frame.T_world_camera.translation();
     const Eigen::Quaterniond q(frame.T_world_camera.linear());
-    SCANTROVE_TRY(
-        database.execute("INSERT OR REPLACE INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                         {frame.number, frame.source_index, frame.time_s, QString(toString(frame.state)),
-                          t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}));
+    SCANTROVE_TRY(put(database, "frames",
+                      {{"number", frame.number},
+                       {"source_index", frame.source_index},
+                       {"time_s", frame.time_s},
+                       {"state", QString(toString(frame.state))},
+                       {"tx", t.x()},
+                       {"ty", t.y()},
+                       {"tz", t.z()},
+                       {"qx", q.x()},
+                       {"qy", q.y()},
+                       {"qz", q.z()},
+                       {"qw", q.w()}}));
   }
+  if (!delta.frames.empty()) SCANTROVE_TRY(seal(database, "frames"));
   for (const SavedKeyFrame& key : delta.key_frames) {
-    SCANTROVE_TRY(database.execute(
-        "INSERT OR REPLACE INTO key_frames VALUES (?, ?, ?, ?, ?)",
-        {key.frame, text(key.color_file.generic_string()), text(key.depth_file.generic_string()),
-         static_cast<double>(key.metres_per_unit), text(colorToJson(key))}));
+    SCANTROVE_TRY(put(database, "key_frames",
+                      {{"number", key.frame},
+                       {"color_file", text(key.color_file.generic_string())},
+                       {"depth_file", text(key.depth_file.generic_string())},
+                       {"metres_per_unit", static_cast<double>(key.metres_per_unit)},
+                       {"color", text(colorToJson(key))},
+                       {"color_checksum", orNull(key.color_checksum)},
+                       {"depth_checksum", orNull(key.depth_checksum)}}));
   }
-  return {};
+  return delta.key_frames.empty() ? Result<void>() : seal(database, "key_frames");
 }
 
-Result<void> writeRegions(DatabaseConnection& database, const SavedDelta& delta) {
-  for (const SavedFragment& one : delta.fragments) {
+Result<void> writeFragments(DatabaseConnection& database, const std::vector<SavedFragment>& fragments) {
+  for (const SavedFragment& one : fragments) {
     if (one.region) {
-      SCANTROVE_TRY(
-          database.execute("INSERT OR REPLACE INTO fragments VALUES (?, ?, ?, ?)",
-                           {one.fragment.value, one.region.value, one.voxels, toBytes(one.seen_from)}));
+      SCANTROVE_TRY(put(database, "fragments",
+                        {{"fragment", one.fragment.value},
+                         {"region", one.region.value},
+                         {"voxels", one.voxels},
+                         {"seen_from", toBytes(one.seen_from)}}));
     } else {
       SCANTROVE_TRY(database.execute("DELETE FROM fragments WHERE fragment = ?", {one.fragment.value}));
     }
   }
-  for (const SavedRegion& one : delta.regions) {
-    SCANTROVE_TRY(
-        database.execute("INSERT OR REPLACE INTO regions VALUES (?, ?, ?, ?, ?, ?, ?)",
-                         {one.region.value, one.object.value, text(one.note.name), text(one.note.category),
-                          one.note.background, one.note.object, one.note.rejected}));
+  return fragments.empty() ? Result<void>() : seal(database, "fragments");
+}
+
+Result<void> writeRegions(DatabaseConnection& database, const std::vector<SavedRegion>& regions) {
+  for (const SavedRegion& one : regions) {
+    SCANTROVE_TRY(put(database, "regions",
+                      {{"region", one.region.value},
+                       {"object", one.object.value},
+                       {"name", text(one.note.name)},
+                       {"category", text(one.note.category)},
+                       {"background", one.note.background},
+                       {"is_object", one.note.object},
+                       {"rejected", one.note.rejected}}));
   }
-  for (const SavedBorder& one : delta.borders) {
+  return regions.empty() ? Result<void>() : seal(database, "regions");
+}
+
+Result<void> writeBorders(DatabaseConnection& database, const std::vector<SavedBorder>& borders) {
+  for (const SavedBorder& one : borders) {
     if (one.evidence) {
-      SCANTROVE_TRY(database.execute(
-          "INSERT OR REPLACE INTO borders VALUES (?, ?, ?, ?, ?, ?)",
-          {one.a.value, one.b.value, toBytes(*one.evidence), static_cast<int>(one.evidence->constraint),
-           one.evidence->by_person, one.evidence->constraint_order}));
+      SCANTROVE_TRY(put(database, "borders",
+                        {{"a", one.a.value},
+                         {"b", one.b.value},
+                         {"evidence", toBytes(*one.evidence)},
+                         {"said", static_cast<int>(one.evidence->constraint)},
+                         {"by_person", one.evidence->by_person},
+                         {"said_order", one.evidence->constraint_order}}));
     } else {
       SCANTROVE_TRY(
           database.execute("DELETE FROM borders WHERE a = ? AND b = ?", {one.a.value, one.b.value}));
     }
   }
-  return {};
+  return borders.empty() ? Result<void>() : seal(database, "borders");
 }
 
 Result<void> writeOperations(DatabaseConnection& database, const SavedDelta& delta) {
   for (const OperationLog::Entry& entry : delta.operations) {
-    // When it was done stays when it is undone. The number may be that of a damaged row, which was left out.
+    const std::array<Column, 4> columns{{{"number", entry.number},
+                                         {"state", wordFor(entry.state)},
+                                         {"operation", text(operationToJson(entry.operation))},
+                                         {"effect", text(effectToJson(entry.effect))}}};
+    // When it was done stays when it is undone, and is not part of the checksum. The number may be that of a
+    // damaged row, which was left out.
     SCANTROVE_TRY(database.execute(
-        "INSERT INTO operations VALUES (?, ?, ?, ?, ?) ON CONFLICT (number) DO UPDATE SET state = "
-        "excluded.state, operation = excluded.operation, effect = excluded.effect",
-        {entry.number, wordFor(entry.state), text(operationToJson(entry.operation)),
-         text(effectToJson(entry.effect)), DatabaseConnection::now()}));
+        "INSERT INTO operations (number, state, operation, effect, row_check, done) VALUES (?, ?, ?, ?, ?, ?)"
+        " ON CONFLICT (number) DO UPDATE SET state = excluded.state, operation = excluded.operation, effect "
+        "= "
+        "excluded.effect, row_check = excluded.row_check",
+        {columns[0].value, columns[1].value, columns[2].value, columns[3].value, checkOf(columns),
+         DatabaseConnection::now()}));
   }
-  return {};
+  return delta.operations.empty() ? Result<void>() : seal(database, "operations");
 }
 
 Result<void> writeCamera(DatabaseConnection& database, const SavedCamera& camera) {
   const PackedWords packed = packWords(camera.words);
-  SCANTROVE_TRY(database.execute("INSERT OR REPLACE INTO camera VALUES (1, ?, ?, ?, ?)",
-                                 {camera.frame, QByteArray(packed.bytes.data(), std::ssize(packed.bytes)),
-                                  packed.unpacked_bytes, static_cast<qlonglong>(packed.checksum)}));
+  SCANTROVE_TRY(put(database, "camera",
+                    {{"one", 1},
+                     {"frame", camera.frame},
+                     {"packed", QByteArray(packed.bytes.data(), std::ssize(packed.bytes))},
+                     {"unpacked_bytes", packed.unpacked_bytes},
+                     {"checksum", static_cast<qlonglong>(packed.checksum)}}));
+  return seal(database, "camera");
+}
+
+Result<void> writeFacts(DatabaseConnection& database, const SavedFacts& facts) {
+  if (facts.empty()) return {};
+  for (const char* table : {"facts", "fact_copies"}) {
+    for (const auto& [name, value] : facts)
+      SCANTROVE_TRY(put(database, table, {{"name", text(name)}, {"value", text(value)}}));
+    SCANTROVE_TRY(seal(database, table));
+  }
   return {};
 }
 
-/// Reads all rows of `sql`: take(row) gives false for one that is not what it should be.
+/// A table as it is read.
+struct Reading {
+  const char* table;
+  const char* sql;
+  const char* called;
+};
+
+/// Reads all rows: take(row) gives false for one that is not what it should be. Rows that do not match their
+/// checksum are left out, too.
 template <class Take>
-Result<void> readRows(DatabaseConnection& database, const char* sql, const char* called,
-                      std::vector<std::string>& damages, Take&& take) {
-  Result<QSqlQuery> rows = database.execute(sql);
+Result<void> readRows(DatabaseConnection& database, const Reading& reading, std::vector<std::string>& damages,
+                      Take&& take) {
+  Result<QSqlQuery> rows = database.execute(reading.sql);
   if (!rows) return fail(rows.error());
+  RowAudit audit(*rows);
   int bad = 0;
-  while (rows->next()) bad += take(*rows) ? 0 : 1;
+  while (rows->next()) bad += audit.take(*rows) && take(*rows) ? 0 : 1;
   if (bad > 0)
-    damages.push_back(std::to_string(bad) + " " + called + " of the session in " + database.file() +
+    damages.push_back(std::to_string(bad) + " " + reading.called + " of the session in " + database.file() +
                       " cannot be read and are left out.");
+  const Result<std::string> rest = audit.close(database, reading.table, reading.called, *rows);
+  if (!rest) return fail(rest.error());
+  if (!rest->empty()) damages.push_back(*rest);
   return {};
 }
 
@@ -270,12 +337,20 @@ std::optional<SavedFrame> frameFrom(const QSqlQuery& row) {
   return frame;
 }
 
+/// None: the image is of an earlier version.
+std::optional<std::uint32_t> checksumAt(const QSqlQuery& row, const char* column) {
+  const QVariant value = row.value(QLatin1String(column));
+  return value.isNull() ? std::nullopt : std::optional(static_cast<std::uint32_t>(value.toLongLong()));
+}
+
 std::optional<SavedKeyFrame> keyFrameFrom(const QSqlQuery& row) {
   SavedKeyFrame key;
   key.frame = row.value(0).toInt();
   key.color_file = text(row, 1);
   key.depth_file = text(row, 2);
   key.metres_per_unit = row.value(3).toFloat();
+  key.color_checksum = checksumAt(row, "color_checksum");
+  key.depth_checksum = checksumAt(row, "depth_checksum");
   if (!integerAt(row, 0, kCounts) || !readColor(text(row, 4), key) || !isPlausible(key)) return std::nullopt;
   return key;
 }
@@ -339,44 +414,71 @@ bool isFact(const std::string& name, const std::string& value) {
   return is_number && std::stoll(value) <= kRegions.most;
 }
 
+/// Facts and their copies: a fact that is damaged or gone is taken from its copy.
+Result<SavedFacts> readFacts(DatabaseConnection& database, std::vector<std::string>& damages) {
+  SavedFacts facts, copies;
+  const auto addTo = [](SavedFacts& list) {
+    return [&list](const QSqlQuery& row) {
+      if (!isFact(text(row, 0), text(row, 1))) return false;
+      list[text(row, 0)] = text(row, 1);
+      return true;
+    };
+  };
+  std::vector<std::string> of_facts, of_copies;
+  SCANTROVE_TRY(readRows(database, {"facts", "SELECT * FROM facts", "facts"}, of_facts, addTo(facts)));
+  SCANTROVE_TRY(readRows(database, {"fact_copies", "SELECT * FROM fact_copies", "copies of facts"}, of_copies,
+                         addTo(copies)));
+  const std::size_t sound = facts.size();
+  facts.insert(copies.begin(), copies.end());
+  if (facts.size() > sound)
+    of_facts = {std::to_string(facts.size() - sound) + " facts of the session in " + database.file() +
+                " are damaged and were taken from their copies."};
+  damages.insert(damages.end(), of_facts.begin(), of_facts.end());
+  damages.insert(damages.end(), of_copies.begin(), of_copies.end());
+  return facts;
+}
+
 }  // namespace
 
 Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
-  for (const auto& [name, value] : delta.facts) {
-    SCANTROVE_TRY(database.execute("INSERT OR REPLACE INTO facts VALUES (?, ?)", {text(name), text(value)}));
-  }
+  SCANTROVE_TRY(writeFacts(database, delta.facts));
   SCANTROVE_TRY(writeFrames(database, delta));
-  SCANTROVE_TRY(writeRegions(database, delta));
+  SCANTROVE_TRY(writeFragments(database, delta.fragments));
+  SCANTROVE_TRY(writeRegions(database, delta.regions));
+  SCANTROVE_TRY(writeBorders(database, delta.borders));
   if (delta.camera) SCANTROVE_TRY(writeCamera(database, *delta.camera));
   return writeOperations(database, delta);
 }
 
 Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
   SavedScan scan;
-  SCANTROVE_TRY(readRows(database, "SELECT name, value FROM facts", "facts", damages, [&](QSqlQuery& row) {
-    if (!isFact(text(row, 0), text(row, 1))) return false;
-    scan.facts[text(row, 0)] = text(row, 1);
-    return true;
-  }));
-  SCANTROVE_TRY(readRows(database, "SELECT * FROM frames ORDER BY number", "frames", damages,
-                         addTo(scan.frames, frameFrom)));
-  SCANTROVE_TRY(readRows(database, "SELECT * FROM key_frames ORDER BY number", "key frames", damages,
-                         addTo(scan.key_frames, keyFrameFrom)));
-  SCANTROVE_TRY(readRows(database, "SELECT * FROM fragments ORDER BY fragment", "fragments", damages,
-                         addTo(scan.fragments, fragmentFrom)));
-  SCANTROVE_TRY(readRows(database, "SELECT * FROM regions ORDER BY region", "regions", damages,
-                         addTo(scan.regions, regionFrom)));
-  SCANTROVE_TRY(readRows(database, "SELECT * FROM borders ORDER BY a, b", "borders", damages,
-                         addTo(scan.borders, borderFrom)));
-  SCANTROVE_TRY(readRows(database, "SELECT number, state, operation, effect FROM operations ORDER BY number",
-                         "operations", damages, addTo(scan.operations, operationFrom)));
+  SCANTROVE_TRY(moveInto(scan.facts, readFacts(database, damages)));
+  const auto readTable = [&](const Reading& reading, auto& list, auto from) {
+    return readRows(database, reading, damages, addTo(list, from));
+  };
+  SCANTROVE_TRY(
+      readTable({"frames", "SELECT * FROM frames ORDER BY number", "frames"}, scan.frames, frameFrom));
+  SCANTROVE_TRY(readTable({"key_frames", "SELECT * FROM key_frames ORDER BY number", "key frames"},
+                          scan.key_frames, keyFrameFrom));
+  SCANTROVE_TRY(readTable({"fragments", "SELECT * FROM fragments ORDER BY fragment", "fragments"},
+                          scan.fragments, fragmentFrom));
+  SCANTROVE_TRY(
+      readTable({"regions", "SELECT * FROM regions ORDER BY region", "regions"}, scan.regions, regionFrom));
+  SCANTROVE_TRY(
+      readTable({"borders", "SELECT * FROM borders ORDER BY a, b", "borders"}, scan.borders, borderFrom));
+  SCANTROVE_TRY(readTable(
+      {"operations", "SELECT number, state, operation, effect, row_check FROM operations ORDER BY number",
+       "operations"},
+      scan.operations, operationFrom));
   return scan;
 }
 
 Result<std::optional<SavedCamera>> readCamera(DatabaseConnection& database) {
-  Result<QSqlQuery> row = database.execute("SELECT frame, packed, unpacked_bytes, checksum FROM camera");
+  Result<QSqlQuery> row =
+      database.execute("SELECT frame, packed, unpacked_bytes, checksum, one, row_check FROM camera");
   if (!row) return fail(row.error());
-  if (!row->next()) return std::nullopt;
+  RowAudit audit(*row);
+  if (!row->next() || !audit.take(*row)) return std::nullopt;
   const QByteArray bytes = row->value(1).toByteArray();
   auto words = unpackWords({{bytes.begin(), bytes.end()},
                             row->value(2).toUInt(),

@@ -1,17 +1,15 @@
 #include "core/session/session_store.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "core/database/transaction.h"
 #include "core/session/inside_folder.h"
-#include "core/session/row_checks.h"
+#include "core/session/own_files.h"
+#include "core/session/replaced_session.h"
 #include "core/session/session_files.h"
 #include "core/session/session_rows.h"
-#include "core/session/session_schema.h"
 
 namespace scantrove {
 namespace {
@@ -19,25 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDatabase = "session.sqlite";
-/// A file of the map is followed by a new one from this size on.
-constexpr std::uint64_t kLargestFile_bytes = 256ULL << 20U;
-/// Outdated records are left alone up to this much, and up to as much as there is that is not.
-constexpr std::uint64_t kOutdated_bytes = 32ULL << 20U;
-/// Of `pages`: file, offset, packed and unpacked bytes. A page lies within 32-bit brick coordinates.
-constexpr rows::Bounds kPositions{-(1 << 27), 1 << 27}, kFiles{1, 1LL << 40}, kOffsets{0, 1LL << 40};
-constexpr rows::Bounds kPacked_bytes{1, 1 << 30}, kUnpacked_bytes{4, (1 << 30) - 1};
+constexpr const char* kLock = "session.lock";
+/// Names of one image that are tried.
+constexpr int kMostImageNames = 1000;
 
-Result<void> makeFolders(const fs::path& folder) {
-  std::error_code failure;
-  for (const fs::path& path : {folder, folder / "map", folder / "keyframes"}) {
-    fs::create_directories(path, failure);
-    if (failure) {
-      return fail("The folder " + path.string() + " cannot be made: " + failure.message() + ".",
-                  "Check the name and the permissions of the folder above.");
-    }
-  }
-  return {};
+Result<FileLock> lockOf(const fs::path& folder) {
+  return FileLock::take(folder / kLock, {"The session " + folder.string() + " is in use by another program.",
+                                         "Wait until that is done, or use a copy of the folder."});
 }
+
+bool hasPose(const SavedDelta& delta) { return std::ranges::any_of(delta.frames, &SavedFrame::isUsable); }
 
 }  // namespace
 
@@ -48,25 +37,12 @@ bool SessionStore::isSession(const fs::path& folder) {
   return fs::is_regular_file(folder / kDatabase, ignored);
 }
 
-Result<void> SessionStore::checkReplaceable(const fs::path& folder) {
-  const Result<std::unique_ptr<SessionStore>> store = openLocked(folder);
-  if (!store) return fail(store.error());
-  Result<QSqlQuery> count = (*store)->database_->execute("SELECT count(*) FROM operations");
-  if (!count) return fail(count.error());
-  if (count->next() && count->value(0).toInt() > 0) {
-    return fail("In " + folder.string() + " there is a scan that somebody has labelled.",
-                "Go on in it with --resume, or name another folder.");
-  }
-  return {};
-}
-
 Result<std::unique_ptr<SessionStore>> SessionStore::create(const fs::path& folder) {
-  if (isSession(folder)) {
-    SCANTROVE_TRY(checkReplaceable(folder));
-    SCANTROVE_TRY(removeSessionFiles(folder));
-  }
-  SCANTROVE_TRY(makeFolders(folder));
-  return openLocked(folder);
+  const bool has_session = isSession(folder);
+  if (!has_session) SCANTROVE_TRY(makeSessionFolders(folder));
+  Result<std::unique_ptr<SessionStore>> store = openLocked(folder);
+  if (store && has_session) SCANTROVE_TRY((*store)->beginReplacing());
+  return store;
 }
 
 Result<std::unique_ptr<SessionStore>> SessionStore::open(const fs::path& folder) {
@@ -78,119 +54,103 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const fs::path& folder)
 }
 
 Result<std::unique_ptr<SessionStore>> SessionStore::openLocked(const fs::path& folder) {
-  Result<FileLock> lock = FileLock::take(folder / "session.lock",
-                                         {"The session " + folder.string() + " is in use by another program.",
-                                          "Wait until that is done, or use a copy of the folder."});
+  SCANTROVE_TRY(checkHasNoLinks(folder));
+  Result<FileLock> lock = lockOf(folder);
   if (!lock) return fail(lock.error());
   std::unique_ptr<SessionStore> store(new SessionStore(folder, std::move(*lock)));
-  SCANTROVE_TRY(moveInto(store->database_, DatabaseConnection::open((folder / kDatabase).string())));
-  SCANTROVE_TRY(schema::migrate(*store->database_, schema::kSession, schema::sessionSteps()));
-  SCANTROVE_TRY(makeFolders(folder));
-  SCANTROVE_TRY(store->readPlaces());
+  store->lock_file_ = HeldFile::hold(folder / kLock);
+  SCANTROVE_TRY(moveInto(store->database_, SessionDatabase::open(folder / kDatabase)));
+  SCANTROVE_TRY(makeSessionFolders(folder));
+  DatabaseConnection& database = **store->database_;
+  SCANTROVE_TRY(own_files::removeUnused(database, folder, own_files::Which::outdated_and_new));
+  SCANTROVE_TRY(store->map_.read(database, store->damages_));
+  SCANTROVE_TRY(moveInto(store->lost_before_, store->countLostImages()));
   return store;
 }
 
-fs::path SessionStore::fileName(std::int64_t number) const {
-  std::string digits = std::to_string(number);
-  digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
-  return folder_ / "map" / (digits + ".bricks");
-}
-
-Result<RecordFile*> SessionStore::file(std::int64_t number) {
-  auto found = files_.find(number);
-  if (found == files_.end()) {
-    Result<RecordFile> opened = RecordFile::open(fileName(number));
-    if (!opened) return fail(opened.error());
-    found = files_.emplace(number, std::move(*opened)).first;
-  }
-  return &found->second;
-}
-
-Result<RecordFile*> SessionStore::fileToRead(std::int64_t number) {
-  std::error_code ignored;
-  if (files_.contains(number) || fs::exists(fileName(number), ignored)) return file(number);
-  return fail("The file " + fileName(number).string() + " is missing.",
-              "Its part of the map is left out; restore the file from a copy if there is one.");
-}
-
-Result<void> SessionStore::readPlaces() {
-  Result<QSqlQuery> rows =
-      database_->execute("SELECT x, y, z, file, offset, bytes, unpacked_bytes, checksum FROM pages");
-  if (!rows) return fail(rows.error());
-  int bad = 0;
-  while (rows->next()) {
-    const bool is_place = rows::areIntegers(*rows, 0, 2, kPositions) && rows::integerAt(*rows, 3, kFiles) &&
-                          rows::integerAt(*rows, 4, kOffsets) && rows::integerAt(*rows, 5, kPacked_bytes) &&
-                          rows::integerAt(*rows, 6, kUnpacked_bytes);
-    if (!is_place) {
-      ++bad;
-      continue;
-    }
-    const auto number = [&](int column) { return rows->value(column).toLongLong(); };
-    const Eigen::Vector3i position(rows->value(0).toInt(), rows->value(1).toInt(), rows->value(2).toInt());
-    pages_[position] = {number(3), static_cast<std::uint64_t>(number(4)),
-                        static_cast<std::uint32_t>(number(5)), static_cast<std::uint32_t>(number(6)),
-                        static_cast<std::uint64_t>(number(7))};
-    // A damaged row may name any file.
-    std::error_code ignored;
-    if (number(3) > current_ && fs::exists(fileName(number(3)), ignored)) current_ = number(3);
-  }
-  if (bad > 0)
-    damages_.push_back(std::to_string(bad) + " parts of the map of the session in " + database_->file() +
-                       " have no place in its files and are left out.");
+Result<void> SessionStore::beginReplacing() {
+  SCANTROVE_TRY(checkIsUnlabelled(**database_, folder_));
+  replaces_ = true;
+  map_.beginAnew();
+  lost_before_ = 0;
+  damages_.clear();
   return {};
 }
 
-Result<SessionStore::PagePlace> SessionStore::append(const PackedWords& packed) {
-  Result<RecordFile*> to = file(current_);
-  if (to && (*to)->size() > kLargestFile_bytes) to = file(++current_);
-  if (!to) return fail(to.error());
-  const Result<std::uint64_t> offset = (*to)->append(packed);
-  if (!offset) return fail(offset.error());
-  return PagePlace{current_, *offset, static_cast<std::uint32_t>(packed.bytes.size()), packed.unpacked_bytes,
-                   packed.checksum};
+bool SessionStore::waitsWith(const SavedDelta& delta) {
+  if (!replaces_ || hasPose(delta)) return false;
+  waiting_.push_back(delta);
+  return true;
 }
 
 Result<void> SessionStore::writePages(std::span<const SavedPage> pages) {
-  for (const SavedPage& page : pages) {
-    const Result<PagePlace> place = append(packWords(page.words));
-    if (!place) return fail(place.error());
-    written_[page.position] = *place;
-  }
+  for (const SavedPage& page : pages) SCANTROVE_TRY(map_.add(**database_, page));
   return {};
 }
 
 Result<void> SessionStore::save(const SavedDelta& delta) {
-  SCANTROVE_TRY(inTransaction(*database_, [&] { return writeRows(delta); }));
-  for (const auto& [position, place] : std::exchange(written_, {})) pages_[position] = place;
-  return compact();
-}
-
-Result<void> SessionStore::writeRows(const SavedDelta& delta) {
-  SCANTROVE_TRY(rows::write(*database_, delta));
-  return writePlaces(written_);
+  if (waitsWith(delta)) return {};
+  SCANTROVE_TRY(map_.flush());
+  SCANTROVE_TRY(write(delta, true));
+  map_.commit();
+  return map_.compact(**database_);
 }
 
 Result<void> SessionStore::saveKeyFrame(const SavedFrame& frame, const SavedKeyFrame& images) {
   SavedDelta delta;
   delta.frames.push_back(frame);
   delta.key_frames.push_back(images);
-  return inTransaction(*database_, [&] { return rows::write(*database_, delta); });
+  if (waitsWith(delta)) return {};
+  return write(delta, false);
 }
 
-Result<void> SessionStore::writePlaces(const Pages& pages) {
-  for (const auto& [position, place] : pages) {
-    SCANTROVE_TRY(
-        database_->execute("INSERT OR REPLACE INTO pages VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-                           {position.x(), position.y(), position.z(), static_cast<qlonglong>(place.file),
-                            static_cast<qlonglong>(place.offset), place.bytes, place.unpacked_bytes,
-                            static_cast<qlonglong>(place.checksum)}));
+Result<void> SessionStore::write(const SavedDelta& delta, bool with_pages) {
+  DatabaseConnection& database = **database_;
+  if (!replaces_) return inTransaction(database, [&] { return writeRows(delta, with_pages); });
+  // The new session is on disk before the files of the old one go.
+  for (const SavedKeyFrame& key : delta.key_frames) {
+    SCANTROVE_TRY(flushFile(folder_ / key.depth_file));
+    if (!key.color_file.empty()) SCANTROVE_TRY(flushFile(folder_ / key.color_file));
   }
-  return {};
+  SCANTROVE_TRY(flushFolder(folder_ / "keyframes"));
+  const auto replace = [&]() -> Result<void> {
+    SCANTROVE_TRY(clearSession(database));
+    for (const SavedDelta& before : waiting_) SCANTROVE_TRY(writeRows(before, false));
+    return writeRows(delta, with_pages);
+  };
+  SCANTROVE_TRY(inTransaction(database, replace));
+  replaces_ = false;
+  waiting_.clear();
+  return own_files::removeUnused(database, folder_, own_files::Which::outdated);
+}
+
+Result<void> SessionStore::writeRows(const SavedDelta& delta, bool with_pages) {
+  DatabaseConnection& database = **database_;
+  SCANTROVE_TRY(rows::write(database, delta));
+  std::vector<std::string> images;
+  for (const SavedKeyFrame& key : delta.key_frames) {
+    images.push_back(key.depth_file.generic_string());
+    if (!key.color_file.empty()) images.push_back(key.color_file.generic_string());
+  }
+  SCANTROVE_TRY(own_files::keep(database, images));
+  return with_pages ? map_.writePlaces(database) : Result<void>();
+}
+
+Result<fs::path> SessionStore::claimImage(const std::string& stem, const std::string& ending) {
+  for (int i = 1; i <= kMostImageNames; ++i) {
+    const std::string name = "keyframes/" + stem + (i > 1 ? "-" + std::to_string(i) : "") + ending;
+    const Result<bool> is_free = own_files::claim(**database_, folder_, name);
+    if (!is_free) return fail(is_free.error());
+    if (*is_free) return fs::path(name);
+  }
+  return fail(
+      "In " + (folder_ / "keyframes").string() + " there is no free name for an image " + stem + ending + ".",
+      "Move files of other programs away.");
 }
 
 Result<SavedScan> SessionStore::load() {
-  Result<SavedScan> scan = rows::read(*database_, damages_);
+  if (replaces_) return SavedScan{};
+  Result<SavedScan> scan = rows::read(**database_, damages_);
   if (!scan) return scan;
   const auto outside = std::erase_if(scan->key_frames, [&](const SavedKeyFrame& key) {
     return !isInsideFolder(folder_, key.depth_file) ||
@@ -199,92 +159,92 @@ Result<SavedScan> SessionStore::load() {
   if (outside > 0)
     damages_.push_back(std::to_string(outside) + " key frames name images outside of " + folder_.string() +
                        " and are left out.");
-  for (const auto& [position, place] : pages_) scan->pages.push_back(position);
+  scan->pages = map_.positions();
   return scan;
 }
 
 Result<std::vector<std::uint32_t>> SessionStore::loadPage(const Eigen::Vector3i& position) {
-  const PagePlace& place = pages_.at(position);
-  const Result<RecordFile*> from = fileToRead(place.file);
-  if (!from) return fail(from.error());
-  Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
-  if (!bytes) return fail(bytes.error());
-  auto words = unpackWords({std::move(*bytes), place.unpacked_bytes, place.checksum});
-  if (!words) {
-    return fail("A part of the map in " + fileName(place.file).string() + " is damaged.",
-                "That part is left out; the rest can be used. Restore the file from a copy if there is one.");
-  }
-  return std::move(*words);
+  return map_.load(position);
 }
 
-Result<std::optional<SavedCamera>> SessionStore::loadCamera() { return rows::readCamera(*database_); }
-
-std::uint64_t SessionStore::liveBytes() const {
-  std::uint64_t bytes = 0;
-  for (const auto& [position, place] : pages_) bytes += place.bytes;
-  return bytes;
+Result<std::optional<SavedCamera>> SessionStore::loadCamera() {
+  if (replaces_) return std::optional<SavedCamera>();
+  return rows::readCamera(**database_);
 }
 
-std::vector<std::int64_t> SessionStore::fileNumbers() const {
-  std::vector<std::int64_t> numbers;
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder_ / "map", failure), end; !failure && entry != end;
-       entry.increment(failure)) {
-    const std::int64_t number = std::strtoll(entry->path().filename().c_str(), nullptr, 10);
-    if (number >= kFiles.least && entry->path() == fileName(number)) numbers.push_back(number);
-  }
-  return numbers;
-}
+bool SessionStore::isLocked() const { return lock_file_ && lock_file_->place() == HeldFile::Place::same; }
 
-Result<void> SessionStore::compact() {
-  const std::vector<std::int64_t> old = fileNumbers();
-  std::uint64_t all_bytes = 0;
-  for (const std::int64_t number : old) {
-    std::error_code missing;
-    const std::uintmax_t bytes = fs::file_size(fileName(number), missing);
-    if (!missing) all_bytes += bytes;
-  }
-  const std::uint64_t live_bytes = liveBytes();
-  if (all_bytes < live_bytes + std::max(kOutdated_bytes, live_bytes)) return {};
-
-  const Result<bool> is_on_disk = movePages();
-  if (!is_on_disk) return fail(is_on_disk.error());
-  if (!*is_on_disk) return {};  // the old files go with the next compaction
-  std::set<fs::path> used{fileName(current_)};
-  for (const auto& [position, place] : pages_) used.insert(fileName(place.file));
-  for (const std::int64_t number : old) {
-    if (used.contains(fileName(number))) continue;
-    files_.erase(number);
-    std::error_code ignored;
-    fs::remove(fileName(number), ignored);
-  }
+Result<void> SessionStore::takeLock() {
+  SCANTROVE_TRY(moveInto(lock_, lockOf(folder_)));
+  lock_file_ = HeldFile::hold(folder_ / kLock);
   return {};
 }
 
-Result<bool> SessionStore::movePages() {
-  const std::int64_t first_new = ++current_;
-  Pages moved;
-  for (const auto& [position, place] : pages_) {
-    const Result<RecordFile*> from = fileToRead(place.file);
-    if (!from) continue;
-    Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
-    if (!bytes) continue;  // its place stays, and says that it is damaged
-    const Result<PagePlace> to = append({std::move(*bytes), place.unpacked_bytes, place.checksum});
-    if (!to) return fail(to.error());
-    moved[position] = *to;
+Result<std::optional<Error>> SessionStore::keepInPlace() {
+  if (!database_->isOpen())
+    return fail(
+        "The session in " + folder_.string() + " could not be opened again after other programs changed it.",
+        "Open it anew.");
+  if (database_->isInPlace() && map_.areInPlace()) {
+    if (!isLocked()) SCANTROVE_TRY(takeLock());
+    return std::optional<Error>();
   }
-  for (std::int64_t number = first_new; number <= current_; ++number) {
-    const Result<RecordFile*> written = file(number);
-    if (!written) return fail(written.error());
-    SCANTROVE_TRY((*written)->flush());
+  const fs::path moved_to = database_->folderItWasMovedWith();
+  if (!moved_to.empty()) {
+    const std::string before = folder_.string();
+    folder_ = moved_to;
+    map_.follow(folder_);
+    SCANTROVE_TRY(database_->follow(folder_));
+    lock_file_ = HeldFile::hold(folder_ / kLock);
+    return std::optional<Error>({"The session " + before + " was moved to " + folder_.string() +
+                                     " while it was in use; it is kept there.",
+                                 "Move no folder that a program works in."});
   }
-  SCANTROVE_TRY(flushFolder(folder_ / "map"));
-  SCANTROVE_TRY(inTransaction(*database_, [&] { return writePlaces(moved); }));
-  for (const auto& [position, place] : moved) pages_[position] = place;
-  // A transaction alone may be lost in a power cut, and then the old places count again.
-  Result<QSqlQuery> checkpoint = database_->execute("PRAGMA wal_checkpoint(TRUNCATE)");
-  if (!checkpoint) return fail(checkpoint.error());
-  return checkpoint->next() && checkpoint->value(0).toInt() == 0;
+  Result<Error> lost = writeAnew();
+  if (!lost) return fail(lost.error());
+  return std::optional<Error>(std::move(*lost));
+}
+
+Result<Error> SessionStore::writeAnew() {
+  const std::string gone = "Files of the session in " + folder_.string() +
+                           " were removed or replaced by another program while it was in use";
+  const auto cannot = [&](const Error& error) {
+    return fail(gone + ", and cannot be written anew. " + error.what, error.advice);
+  };
+  Result<void> made = makeSessionFolders(folder_);
+  if (made && !isLocked()) made = takeLock();
+  if (made && !database_->isInPlace()) made = database_->writeAnew();
+  if (made) made = map_.writeLostAnew(**database_);
+  if (!made) return cannot(made.error());
+  const bool is_elsewhere = database_->file() != folder_ / kDatabase;
+  return Error{
+      gone + (is_elsewhere ? "; it is kept in " + database_->file().string() + "."
+                           : "; they were written anew."),
+      is_elsewhere ? "Move the other file away and name this one " + std::string(kDatabase) + "." : ""};
+}
+
+Result<int> SessionStore::countLostImages() const {
+  Result<QSqlQuery> names = (*database_)->execute("SELECT color_file, depth_file FROM key_frames");
+  if (!names) return fail(names.error());
+  int lost = 0;
+  while (names->next()) {
+    for (const int column : {0, 1}) {
+      const std::string name = names->value(column).toString().toStdString();
+      std::error_code ignored;
+      lost += !name.empty() && !fs::is_regular_file(folder_ / name, ignored) ? 1 : 0;
+    }
+  }
+  return lost;
+}
+
+Result<std::optional<Error>> SessionStore::findLostImages() {
+  if (replaces_) return std::optional<Error>();
+  const Result<int> lost = countLostImages();
+  if (!lost) return fail(lost.error());
+  if (*lost <= lost_before_) return std::optional<Error>();
+  return std::optional<Error>({std::to_string(*lost - lost_before_) + " images of key frames in " +
+                                   folder_.string() + " were removed by another program while it was in use.",
+                               "Restore them from a copy if there is one; the rest can be used."});
 }
 
 }  // namespace scantrove

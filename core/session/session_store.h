@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,10 +8,11 @@
 #include <vector>
 
 #include "core/base/file_lock.h"
+#include "core/base/held_file.h"
 #include "core/base/result.h"
-#include "core/database/database_connection.h"
-#include "core/session/record_file.h"
+#include "core/session/map_files.h"
 #include "core/session/saved_scan.h"
+#include "core/session/session_database.h"
 
 namespace scantrove {
 
@@ -24,14 +24,12 @@ namespace scantrove {
 /// first, a few at a time, then one transaction says where they are, with all else.
 class SessionStore {
  public:
-  /// Begins a session in `folder` (made if there is none). Removes the files of the session that is there,
-  /// unless somebody has labelled it. Error: as checkReplaceable(), the folder cannot be written, ...
+  /// Begins a session in `folder` (made if there is none). The session that is there, if any, stays as it is
+  /// until a frame with a pose is saved: one transaction then replaces it, and its files are removed. Error:
+  /// somebody has labelled it, another program has it, it is damaged, the folder cannot be written, ...
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> create(const std::filesystem::path& folder);
   /// Error: there is none, it is of a newer version, another program has it, ...
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::filesystem::path& folder);
-  /// Error: the session in `folder` must not be replaced: somebody has labelled it, another program has it,
-  /// or it is damaged.
-  [[nodiscard]] static Result<void> checkReplaceable(const std::filesystem::path& folder);
   /// Whether there is a session, of any version.
   [[nodiscard]] static bool isSession(const std::filesystem::path& folder);
   ~SessionStore();
@@ -43,6 +41,9 @@ class SessionStore {
   [[nodiscard]] Result<void> save(const SavedDelta& delta);
   /// Between two saves: one frame and its images. Error: the disk is full, ...
   [[nodiscard]] Result<void> saveKeyFrame(const SavedFrame& frame, const SavedKeyFrame& images);
+  /// A name for an image of the session, in its folder and still free: `stem` and `ending` in keyframes/. It
+  /// is on record before the file is made. Error: the database.
+  [[nodiscard]] Result<std::filesystem::path> claimImage(const std::string& stem, const std::string& ending);
 
   /// All but the map. What is damaged is left out and named in `damages`.
   [[nodiscard]] Result<SavedScan> load();
@@ -52,52 +53,39 @@ class SessionStore {
   [[nodiscard]] Result<std::optional<SavedCamera>> loadCamera();
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
 
-  /// Writes the map anew without what is outdated, if that is much.
-  [[nodiscard]] Result<void> compact();
+  /// Looks whether other programs have removed, moved or replaced files of the session, and writes them anew
+  /// or follows the folder. None: all is in place. Error: it could not be written anew.
+  [[nodiscard]] Result<std::optional<Error>> keepInPlace();
+  /// Images that the session names and that went since it was opened; none: no others than then.
+  [[nodiscard]] Result<std::optional<Error>> findLostImages();
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  [[nodiscard]] std::filesystem::path keyFrameFolder() const { return folder_ / "keyframes"; }
 
  private:
-  struct PagePlace {
-    std::int64_t file = 0;
-    std::uint64_t offset = 0;
-    std::uint32_t bytes = 0, unpacked_bytes = 0;
-    std::uint64_t checksum = 0;
-  };
-  struct ByPosition {
-    bool operator()(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const {
-      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-    }
-  };
-  using Pages = std::map<Eigen::Vector3i, PagePlace, ByPosition>;
-
   SessionStore(std::filesystem::path folder, FileLock lock)
-      : folder_(std::move(folder)), lock_(std::move(lock)) {}
+      : folder_(std::move(folder)), map_(folder_), lock_(std::move(lock)) {}
 
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> openLocked(const std::filesystem::path& folder);
-  [[nodiscard]] Result<void> readPlaces();
-  [[nodiscard]] Result<RecordFile*> file(std::int64_t number);
-  /// Error: it is missing; none is made.
-  [[nodiscard]] Result<RecordFile*> fileToRead(std::int64_t number);
-  [[nodiscard]] Result<PagePlace> append(const PackedWords& packed);
-  [[nodiscard]] Result<void> writeRows(const SavedDelta& delta);
-  [[nodiscard]] Result<void> writePlaces(const Pages& pages);
-  /// Moves all pages to new files of the map. False: a reader of the database keeps their places from the
-  /// disk. Error: the disk failed; the old files still hold the pages.
-  [[nodiscard]] Result<bool> movePages();
-  [[nodiscard]] std::filesystem::path fileName(std::int64_t number) const;
-  [[nodiscard]] std::uint64_t liveBytes() const;
-  /// Of the map's files on disk.
-  [[nodiscard]] std::vector<std::int64_t> fileNumbers() const;
+  /// Error: somebody has labelled it.
+  [[nodiscard]] Result<void> beginReplacing();
+  /// Whether it is too early to replace an earlier session: then it is kept for later.
+  [[nodiscard]] bool waitsWith(const SavedDelta& delta);
+  [[nodiscard]] Result<void> write(const SavedDelta& delta, bool with_pages);
+  [[nodiscard]] Result<void> writeRows(const SavedDelta& delta, bool with_pages);
+  /// The file that is locked is found under its name.
+  [[nodiscard]] bool isLocked() const;
+  [[nodiscard]] Result<void> takeLock();
+  [[nodiscard]] Result<Error> writeAnew();
+  [[nodiscard]] Result<int> countLostImages() const;
 
   std::filesystem::path folder_;
+  MapFiles map_;
   FileLock lock_;
-  std::unique_ptr<DatabaseConnection> database_;
-  Pages pages_;
-  Pages written_;                             // for the next save
-  std::map<std::int64_t, RecordFile> files_;  // that are open
-  std::int64_t current_ = 1;                  // the file that is appended to
+  std::optional<HeldFile> lock_file_;
+  std::optional<SessionDatabase> database_;
+  bool replaces_ = false;            // an earlier session, with the first frame that has a pose
+  std::vector<SavedDelta> waiting_;  // until then
+  int lost_before_ = 0;              // images, when it was opened
   std::vector<std::string> damages_;
 };
 

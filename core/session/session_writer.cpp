@@ -30,8 +30,9 @@ SessionWriter::~SessionWriter() {
 }
 
 bool SessionWriter::open(Way way, std::unique_ptr<SessionStore>& store) {
+  const std::filesystem::path folder = this->folder();
   Result<void> outcome =
-      moveInto(store, way == Way::create ? SessionStore::create(folder_) : SessionStore::open(folder_));
+      moveInto(store, way == Way::create ? SessionStore::create(folder) : SessionStore::open(folder));
   const bool is_open = outcome.has_value();
   {
     const std::scoped_lock lock(mutex_);
@@ -53,7 +54,7 @@ void SessionWriter::run(Way way) {
     try_again_ = false;
     const Job& job = jobs_.front();  // nobody else takes it away
     lock.unlock();
-    Result<void> outcome = job(*store);
+    Result<void> outcome = doJob(job, *store);
     lock.lock();
     if (outcome) {
       failure_.reset();
@@ -64,6 +65,18 @@ void SessionWriter::run(Way way) {
     }
     changed_.notify_all();
   }
+}
+
+Result<void> SessionWriter::doJob(const Job& job, SessionStore& store) {
+  Result<std::optional<Error>> disturbed = store.keepInPlace();
+  if (!disturbed) return fail(disturbed.error());
+  if (*disturbed) {
+    const std::scoped_lock lock(mutex_);
+    folder_ = store.folder();
+    if (!disturbance_) disturbance_ = **disturbed;
+    unsaid_disturbances_.push_back(std::move(**disturbed));
+  }
+  return job(store);
 }
 
 void SessionWriter::post(Job job) {
@@ -88,8 +101,23 @@ bool SessionWriter::isFailing() const {
   return failure_.has_value();
 }
 
+std::optional<Error> SessionWriter::disturbance() const {
+  const std::scoped_lock lock(mutex_);
+  return disturbance_;
+}
+
+std::filesystem::path SessionWriter::folder() const {
+  const std::scoped_lock lock(mutex_);
+  return folder_;
+}
+
 std::optional<Error> SessionWriter::takeFailure() {
   const std::scoped_lock lock(mutex_);
+  if (!unsaid_disturbances_.empty()) {
+    const Error error = std::move(unsaid_disturbances_.front());
+    unsaid_disturbances_.pop_front();
+    return error;
+  }
   if (!failure_ || std::exchange(is_failure_said_, true)) return std::nullopt;
   return failure_;
 }

@@ -37,22 +37,29 @@ class SessionWriter {
   [[nodiscard]] bool isFailing() const;
   /// Why a job failed, once for each time that jobs begin to fail.
   [[nodiscard]] std::optional<Error> takeFailure();
+  /// The first time that other programs removed, moved or replaced files of the session; it was written anew.
+  [[nodiscard]] std::optional<Error> disturbance() const;
 
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// It changes when the folder is moved.
+  [[nodiscard]] std::filesystem::path folder() const;
 
  private:
   explicit SessionWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
   void run(Way way);
   [[nodiscard]] bool open(Way way, std::unique_ptr<SessionStore>& store);
+  /// Looks first whether the session is still in place.
+  [[nodiscard]] Result<void> doJob(const Job& job, SessionStore& store);
 
-  std::filesystem::path folder_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   // Guarded by mutex_:
+  std::filesystem::path folder_;
   std::deque<Job> jobs_;  // the first stays while it is done, and while it fails
   std::optional<Result<void>> opened_;
   std::optional<Error> failure_;  // of the first job, as long as it fails
   bool is_failure_said_ = false;
+  std::optional<Error> disturbance_;
+  std::deque<Error> unsaid_disturbances_;
   bool try_again_ = false;
   bool is_closed_ = false;
   std::thread thread_;  // last: it uses all of the above

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/capture/trajectory_reader.h"
+#include "core/session/session_store.h"
 #include "tests/pipeline/session/failing_world.h"
 #include "tests/pipeline/session/scan_session_fixture.h"
 #include "tests/support/other_program.h"
@@ -83,7 +84,10 @@ TEST_F(ScanFailures, AFolderThatIsGoneIsSaid) {
   fs::remove_all(out());
   goOn();
   EXPECT_EQ(session_.state(), ScanState::failed);
-  EXPECT_THAT(log_.failure(), HasSubstr("trajectory.txt")) << "the first that failed";
+  EXPECT_THAT(log_.failure(), HasSubstr(out().string())) << "the first that failed";
+  const auto session = SessionStore::open(out());
+  ASSERT_TRUE(session) << session.error().message();
+  EXPECT_EQ((*session)->load()->frames.size(), 4U) << "it is written anew";
 }
 
 TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
@@ -269,6 +273,35 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
   for (const ScanFailed& failed : log.all<ScanFailed>()) {
     EXPECT_THAT(failed.error.message(), HasSubstr("OpenCL device failed"));
   }
+}
+
+TEST_F(ScanFailures, RemovedSessionIsWrittenAnewAndSaid) {
+  scanAndPause(2, request(6));
+  ASSERT_TRUE(fs::remove(out() / "session.sqlite"));
+  goOn();
+  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_THAT(log_.failure(), AllOf(HasSubstr(out().string()), HasSubstr("written anew")));
+  EXPECT_FALSE(log_.all<MapFailed>().empty()) << "said while the scan runs";
+  EXPECT_EQ(posesWritten(), 6U);
+  expectAllFiles();
+  const auto session = SessionStore::open(out());
+  ASSERT_TRUE(session) << session.error().message();
+  EXPECT_EQ((*session)->load()->frames.size(), 6U);
+  session_.start(request(2));
+  session_.wait();
+  EXPECT_EQ(session_.state(), ScanState::finished) << "the next scan is none the worse";
+}
+
+TEST_F(ScanFailures, FolderWithFilesOfOthersIsRefused_WhoeverChoosesIt) {
+  const fs::path mine = folder_.write("out/trajectory.txt", "mine");
+  ScanRequest wanted = request(2);
+  wanted.output_folder = out();
+  wanted.results = false;  // as the window does it
+  session_.start(wanted);
+  session_.wait();
+  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_THAT(log_.failure(), HasSubstr(mine.string()));
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
 
 TEST_F(ScanFailures, AFullDiskCostsNothingOfTheCatalogue) {

@@ -1,4 +1,6 @@
 // What can be done with a scan that has ended, and with one that is opened later.
+#include <gmock/gmock.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -90,6 +92,35 @@ TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
   ASSERT_TRUE(kept) << kept.error().message();
   EXPECT_EQ((*kept)->noteOf(region).name, "the table");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "cloud.ply")) << "the session only";
+}
+
+TEST_F(ScanReviewTest, RemovedSessionIsWrittenAnewWithTheEdit) {
+  session_.start(reviewed());
+  log_.await<ReviewOpened>();
+  const auto last = awaitShown([](const ScanSnapshot& s) { return s.state == ScanState::finished; });
+  ASSERT_NE(last, nullptr);
+  const RegionId region = largestIn(*last);
+  ASSERT_TRUE(std::filesystem::remove(folder_ / "scan" / "session.sqlite"));
+  session_.edit(naming(region, "the table"));
+  log_.await<MapFailed>();
+  log_.await<Edited>();
+  EXPECT_THAT(log_.all<MapFailed>().front().error.message(), testing::HasSubstr("written anew"));
+  session_.edit(UndoEdit{});
+  log_.await<Edited>(2);
+  EXPECT_EQ(log_.all<MapFailed>().size(), 1U) << "it is said once";
+  session_.edit(RedoEdit{});
+  log_.await<Edited>(3);
+  session_.start(reopened());
+  log_.await<ReviewOpened>(2);
+  session_.close();
+  session_.wait();
+  auto kept = OpenSession::open(folder_ / "scan");
+  for (int i = 0; !kept && i < 100; ++i) {  // it takes a moment
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    kept = OpenSession::open(folder_ / "scan");
+  }
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_EQ((*kept)->noteOf(region).name, "the table");
 }
 
 TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,16 @@
 
 #include "core/exchange/part_name.h"
 #include "tests/support/temporary_folder.h"
+
+namespace {
+int flushes = 0;
+}  // namespace
+
+// In place of the C library's.
+extern "C" int fsync(int file) {
+  ++flushes;
+  return static_cast<int>(::syscall(SYS_fsync, file));
+}
 
 namespace scantrove {
 namespace {
@@ -33,6 +44,16 @@ TEST(AtomicFile, WritesAndReplacesWholeFiles) {
   ASSERT_TRUE(writeFileAtomically(path, std::string_view("second\0byte", 11), Durability::process));
   EXPECT_EQ(readText(path), std::string("second\0byte", 11));
   EXPECT_EQ(filesIn(folder.path()), 1);
+}
+
+TEST(AtomicFile, FlushesFileAndFolder_WhenAFileIsReplaced) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "labels.png";
+  flushes = 0;
+  ASSERT_TRUE(writeFileAtomically(path, "first", Durability::process));
+  EXPECT_EQ(flushes, 0) << "nothing is lost with it";
+  ASSERT_TRUE(writeFileAtomically(path, "second", Durability::process));
+  EXPECT_EQ(flushes, 2);
 }
 
 TEST(AtomicFile, WritesOnePieceAfterTheOther) {

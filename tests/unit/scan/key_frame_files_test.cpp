@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/session/session_store.h"
 #include "tests/support/oriented_image.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,10 +24,11 @@ RgbdFrame frameOf(const std::filesystem::path& color_file) {
 }
 
 std::string storedImage(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
-  std::filesystem::create_directories(folder / "keyframes");
-  const auto key = writeKeyFrame(folder.path(), 3, frameOf(folder.write(name, bytes)));
+  const auto session = SessionStore::create(folder / "scan");
+  EXPECT_TRUE(session) << session.error().message();
+  const auto key = writeKeyFrame(**session, 3, frameOf(folder.write(name, bytes)));
   EXPECT_TRUE(key) << key.error().message();
-  return key ? readText(folder.path() / key->color_file) : "";
+  return key ? readText(folder / "scan" / key->color_file) : "";
 }
 
 TEST(KeyFrameFiles, StoreAJpegWithoutItsOrientation) {

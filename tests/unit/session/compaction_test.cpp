@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 struct Flushes {
   fs::path watched;                     ///< noted is what is flushed as long as it is there
   bool map_fails = false;               ///< the disk fails for files of the map
+  bool new_map_fails = false;           ///< for all but the first
   std::vector<std::string> names = {};  ///< of files and folders, in order
 };
 Flushes* flushes = nullptr;
@@ -28,7 +29,8 @@ int flush(long call, int file) {
     std::error_code ignored;
     const fs::path path = fs::read_symlink("/proc/self/fd/" + std::to_string(file), ignored);
     if (fs::exists(flushes->watched, ignored)) flushes->names.push_back(path.filename().string());
-    if (flushes->map_fails && path.extension() == ".bricks") {
+    const bool is_map = path.extension() == ".bricks";
+    if (is_map && (flushes->map_fails || (flushes->new_map_fails && path != flushes->watched))) {
       errno = EIO;
       return -1;
     }
@@ -78,14 +80,35 @@ TEST_F(CompactionTest, FlushesTheNewMap_BeforeTheOldOneIsRemoved) {
 }
 
 TEST_F(CompactionTest, KeepsTheOldMap_WhenTheNewOneCannotBeFlushed) {
-  flushes_.map_fails = true;
+  ASSERT_TRUE(savePage());
+  flushes_.new_map_fails = true;
+  std::vector<std::uint32_t> saved;
   bool has_failed = false;
-  for (int save = 0; save < 14 && !has_failed; ++save) has_failed = !savePage();
+  for (int save = 0; save < 14 && !has_failed; ++save) {
+    has_failed = !savePage();
+    saved = pages_[0].words;
+  }
   EXPECT_TRUE(has_failed);
   EXPECT_TRUE(fs::exists(old_file_));
-  EXPECT_EQ(*store_->loadPage({0, 0, 0}), pages_[0].words);
-  flushes_.map_fails = false;
+  EXPECT_EQ(*store_->loadPage({0, 0, 0}), saved) << "only the compaction failed";
+  flushes_.new_map_fails = false;
   ASSERT_TRUE(savePage());
+  EXPECT_EQ(*store_->loadPage({0, 0, 0}), pages_[0].words);
+}
+
+TEST_F(CompactionTest, FlushesPages_BeforeTheirPlacesAreSaved) {
+  ASSERT_TRUE(savePage());
+  EXPECT_THAT(flushes_.names, testing::IsSupersetOf({"000001.bricks", "map"}));
+}
+
+TEST_F(CompactionTest, SavesNoPlace_WhenItsPageCannotBeFlushed) {
+  ASSERT_TRUE(savePage());
+  const std::vector<std::uint32_t> saved = pages_[0].words;
+  flushes_.map_fails = true;
+  EXPECT_FALSE(savePage());
+  EXPECT_EQ(*store_->loadPage({0, 0, 0}), saved);
+  flushes_.map_fails = false;
+  ASSERT_TRUE(store_->save({})) << "it is tried again";
   EXPECT_EQ(*store_->loadPage({0, 0, 0}), pages_[0].words);
 }
 

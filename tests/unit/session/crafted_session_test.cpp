@@ -28,6 +28,12 @@ class CraftedSessionTest : public testing::Test {
     ASSERT_TRUE(done) << done.error().message();
   }
 
+  void executeFrame(int number) {
+    execute(QString("INSERT INTO frames (number, source_index, time_s, state, tx, ty, tz, qx, qy, qz, qw)"
+                    " VALUES (%1, 0, 0, 'tracking', 0, 0, 0, 0, 0, 0, 1)")
+                .arg(number));
+  }
+
   TemporaryFolder folder_;
   const std::filesystem::path path_ = folder_ / "scan";
 };
@@ -65,8 +71,9 @@ TEST_F(CraftedSessionTest, KeyFrameIsLeftOut_WhenItsImageLiesOutside) {
   for (const std::string& file : {std::string("keyframes/000000.png"), (folder_ / "outside.png").string(),
                                   std::string("../outside.png"), std::string("keyframes/../../outside.png"),
                                   std::string("keyframes/link.png")}) {
-    execute(QString("INSERT INTO frames VALUES (%1, 0, 0, 'tracking', 0, 0, 0, 0, 0, 0, 1)").arg(number));
-    execute(QString("INSERT INTO key_frames VALUES (%1, '%2', 'keyframes/d.png', 0.001, '{\"size\":[4,4]}')")
+    executeFrame(number);
+    execute(QString("INSERT INTO key_frames (number, color_file, depth_file, metres_per_unit, color)"
+                    " VALUES (%1, '%2', 'keyframes/d.png', 0.001, '{\"size\":[4,4]}')")
                 .arg(number++)
                 .arg(QString::fromStdString(file)));
   }
@@ -81,8 +88,10 @@ TEST_F(CraftedSessionTest, KeyFrameIsLeftOut_WhenItsImageLiesOutside) {
 
 TEST_F(CraftedSessionTest, ListShowsNoPicture_WhenItLiesOutside) {
   folder_.write("outside.png", "secret");
-  execute("INSERT INTO frames VALUES (1, 0, 0, 'tracking', 0, 0, 0, 0, 0, 0, 1)");
-  execute("INSERT INTO key_frames VALUES (1, '../outside.png', 'keyframes/d.png', 0.001, '{}')");
+  executeFrame(1);
+  execute(
+      "INSERT INTO key_frames (number, color_file, depth_file, metres_per_unit, color)"
+      " VALUES (1, '../outside.png', 'keyframes/d.png', 0.001, '{}')");
   const auto listed = listSessions(path_);
   ASSERT_EQ(listed.size(), 1U);
   EXPECT_TRUE(listed[0].picture.empty()) << listed[0].picture;
@@ -95,7 +104,9 @@ TEST_F(CraftedSessionTest, FileIsRefused_WhenItIsPipe) {
 }
 
 TEST_F(CraftedSessionTest, SavingGoesOn_WhenPageNamesFarFile) {
-  execute("INSERT INTO pages VALUES (1, 2, 3, 1099511627776, 0, 8, 8, 0)");
+  execute(
+      "INSERT INTO pages (x, y, z, file, offset, bytes, unpacked_bytes, checksum)"
+      " VALUES (1, 2, 3, 1099511627776, 0, 8, 8, 0)");
   const auto store = SessionStore::open(path_);
   ASSERT_TRUE(store) << store.error().message();
   const auto page = (*store)->loadPage({1, 2, 3});
@@ -105,6 +116,67 @@ TEST_F(CraftedSessionTest, SavingGoesOn_WhenPageNamesFarFile) {
   ASSERT_TRUE((*store)->save({}));
   EXPECT_TRUE(std::filesystem::exists(path_ / "map" / "000001.bricks"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path_ / "map"), {}), 1);
+}
+
+TEST_F(CraftedSessionTest, LinkIsNotWrittenThrough) {
+  namespace fs = std::filesystem;
+  folder_.write("diary.txt", "mine");
+  for (const char* name :
+       {"map/000001.bricks", "session.lock", "session.sqlite", "session.sqlite-wal", "map", "keyframes"}) {
+    const fs::path scan = folder_ / ("with-" + fs::path(name).filename().string());
+    { ASSERT_TRUE(SessionStore::create(scan)); }
+    const bool is_folder = fs::path(name) == "map" || fs::path(name) == "keyframes";
+    fs::remove_all(scan / name);
+    if (is_folder) fs::create_directory(folder_ / "pictures");
+    fs::create_symlink(is_folder ? folder_ / "pictures" : folder_ / "diary.txt", scan / name);
+    const auto store = SessionStore::create(scan);
+    if (store) {
+      EXPECT_TRUE((*store)->writePages(std::vector{SavedPage{{2, 2, 3}, {1, 2, 3}}})) << name;
+    }
+    // A name in the map that is taken is left alone; without the others there is no session.
+    EXPECT_EQ(store.has_value(), name == std::string("map/000001.bricks")) << name;
+    if (!store) {
+      EXPECT_THAT(store.error().message(), AllOf(HasSubstr(name), HasSubstr("link")));
+    }
+    EXPECT_EQ(readText(folder_ / "diary.txt"), "mine") << name;
+    if (is_folder) {
+      EXPECT_TRUE(fs::is_empty(folder_ / "pictures")) << name;
+    }
+  }
+}
+
+TEST_F(CraftedSessionTest, PageIsNotReadThroughLink) {
+  namespace fs = std::filesystem;
+  {
+    const auto store = SessionStore::open(path_);
+    ASSERT_TRUE((*store)->writePages(std::vector{SavedPage{{2, 2, 3}, {1, 2, 3}}}));
+    ASSERT_TRUE((*store)->save({}));
+  }
+  fs::rename(path_ / "map" / "000001.bricks", folder_ / "elsewhere");
+  fs::create_symlink(folder_ / "elsewhere", path_ / "map" / "000001.bricks");
+  const auto store = SessionStore::open(path_);
+  ASSERT_TRUE(store) << store.error().message();
+  const auto page = (*store)->loadPage({2, 2, 3});
+  ASSERT_FALSE(page);
+  EXPECT_THAT(page.error().message(), AllOf(HasSubstr("000001.bricks"), HasSubstr("link")));
+  // It goes on in a file of its own.
+  const auto bytes = fs::file_size(folder_ / "elsewhere");
+  ASSERT_TRUE((*store)->writePages(std::vector{SavedPage{{3, 2, 3}, {1, 2, 3}}}));
+  ASSERT_TRUE((*store)->save({}));
+  EXPECT_EQ(fs::file_size(folder_ / "elsewhere"), bytes);
+}
+
+TEST_F(CraftedSessionTest, OnlyFilesOfItsOwnFormAreRemoved_WhenItsRecordNamesOthers) {
+  folder_.write("scan/keyframes/holiday.jpg", "mine");
+  folder_.write("scan/000001.bricks", "mine");
+  folder_.write("000002.bricks", "mine");
+  for (const char* name :
+       {"keyframes/holiday.jpg", "000001.bricks", "../000002.bricks", "map/../../000002.bricks"})
+    execute(QString("INSERT INTO files (name, state) VALUES ('%1', 'old')").arg(name));
+  { ASSERT_TRUE(SessionStore::open(path_)); }
+  EXPECT_EQ(readText(path_ / "keyframes/holiday.jpg"), "mine");
+  EXPECT_EQ(readText(path_ / "000001.bricks"), "mine");
+  EXPECT_EQ(readText(folder_ / "000002.bricks"), "mine");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 namespace scantrove::test {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -52,7 +53,7 @@ struct Change {
 
 void PrintTo(const Change& change, std::ostream* stream) { *stream << change.name; }
 
-class DamagedRowTest : public testing::TestWithParam<Change> {
+class SavedSession : public testing::Test {
  protected:
   void SetUp() override {
     auto store = SessionStore::create(folder_ / "scan");
@@ -73,7 +74,9 @@ class DamagedRowTest : public testing::TestWithParam<Change> {
   TemporaryFolder folder_;
 };
 
-TEST_F(DamagedRowTest, NothingIsNamed_WhenRowsAreSound) {
+class DamagedRowTest : public SavedSession, public testing::WithParamInterface<Change> {};
+
+TEST_F(SavedSession, NothingIsNamed_WhenRowsAreSound) {
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
   const auto scan = (*store)->load();
@@ -131,8 +134,6 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"seen from a half", "UPDATE fragments SET seen_from = x'0102'", "fragments"},
         Change{"region 0", "UPDATE regions SET region = 0", "regions"},
         Change{"object of text", "UPDATE regions SET object = 'cup'", "regions"},
-        Change{"last region of 2^32", "UPDATE facts SET value = '4294967295' WHERE name = 'last_region'",
-               "facts"},
         Change{"frame of 2^32", "UPDATE frames SET number = 4294967297", "frames"},
         Change{"frame -7", "UPDATE frames SET number = -7", "frames"},
         Change{"state unknown", "UPDATE frames SET state = 'banana'", "frames"},
@@ -159,8 +160,90 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"page unpacked to 2^32", "UPDATE pages SET unpacked_bytes = 4294967296 WHERE x = 1",
                "parts of the map"}));
 
-TEST_F(DamagedRowTest, PageFails_WhenItLiesBehindItsFile) {
-  change("UPDATE pages SET offset = 4294967290 WHERE x = 1");
+// Each of these is a row that a scan may have written.
+INSTANTIATE_TEST_SUITE_P(
+    Plausible, DamagedRowTest,
+    testing::Values(Change{"pose moved by 10 cm", "UPDATE frames SET tx = 0.1", "frames"},
+                    Change{"frame turned round", "UPDATE frames SET qx = 1, qw = 0", "frames"},
+                    Change{"frame lost", "UPDATE frames SET state = 'lost'", "frames"},
+                    Change{"frame of another time", "UPDATE frames SET time_s = 7", "frames"},
+                    Change{"another image", "UPDATE key_frames SET depth_file = 'keyframes/000002.depth.png'",
+                           "key frames"},
+                    Change{"another unit", "UPDATE key_frames SET metres_per_unit = 0.002", "key frames"},
+                    Change{"another checksum", "UPDATE key_frames SET row_check = row_check + 1",
+                           "key frames"},
+                    Change{"fragment of another region", "UPDATE fragments SET region = 4", "fragments"},
+                    Change{"another name", "UPDATE regions SET name = 'cap'", "regions"},
+                    Change{"another object", "UPDATE regions SET object = 3", "regions"},
+                    Change{"no object", "UPDATE regions SET object = 0", "regions"},
+                    Change{"constraint", "UPDATE borders SET said = 1", "borders"},
+                    Change{"border of others", "UPDATE borders SET b = 8", "borders"},
+                    Change{"undone", "UPDATE operations SET state = 'undone'", "operations"},
+                    Change{"moved page", "UPDATE pages SET x = 5 WHERE x = 1", "parts of the map"}));
+
+struct Deletion {
+  const char* name;
+  QString sql;
+  const char* missing;  ///< as the message names it
+};
+
+void PrintTo(const Deletion& deletion, std::ostream* stream) { *stream << deletion.name; }
+
+class DeletedRowTest : public SavedSession, public testing::WithParamInterface<Deletion> {};
+
+TEST_P(DeletedRowTest, Said) {
+  change(GetParam().sql);
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const auto scan = (*store)->load();
+  ASSERT_TRUE(scan) << scan.error().message();
+  EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(GetParam().missing)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, DeletedRowTest,
+    testing::Values(
+        Deletion{"frame", "DELETE FROM frames", "1 frames"},
+        Deletion{"key frame", "DELETE FROM key_frames", "1 key frames"},
+        Deletion{"fragment", "DELETE FROM fragments", "1 fragments"},
+        Deletion{"region", "DELETE FROM regions", "1 regions"},
+        Deletion{"border", "DELETE FROM borders", "1 borders"},
+        Deletion{"operation", "DELETE FROM operations", "1 operations"},
+        Deletion{"page", "DELETE FROM pages WHERE x = 1", "1 parts of the map"},
+        Deletion{"frame instead of another", "UPDATE frames SET number = 2, row_check = NULL",
+                 "frames of the session"},
+        Deletion{
+            "border more",
+            "INSERT INTO borders SELECT a, b + 1, evidence, said, by_person, said_order, NULL FROM borders",
+            "borders of the session"}));
+
+TEST_F(SavedSession, FactComesFromItsCopy_WhenItIsDamagedOrGone) {
+  for (const char* sql : {"UPDATE facts SET value = 'attic' WHERE name = 'source'",
+                          "UPDATE facts SET value = '4294967295' WHERE name = 'last_region'",
+                          "DELETE FROM facts WHERE name = 'source'"}) {
+    change(sql);
+    const auto store = SessionStore::open(folder_ / "scan");
+    ASSERT_TRUE(store) << store.error().message();
+    const auto scan = (*store)->load();
+    ASSERT_TRUE(scan) << scan.error().message();
+    EXPECT_EQ(scan->facts, soundDelta().facts) << sql;
+    EXPECT_THAT((*store)->damages(), ElementsAre(AllOf(HasSubstr("facts"), HasSubstr("copies")))) << sql;
+    ASSERT_TRUE((*store)->save(soundDelta()));
+  }
+}
+
+TEST_F(SavedSession, NothingIsSaid_WhenTheSessionIsOfAnEarlierVersion) {
+  for (const char* table : {"facts", "fact_copies", "frames", "key_frames", "fragments", "regions", "borders",
+                            "operations", "pages"})
+    change(QString("UPDATE %1 SET row_check = NULL").arg(table));
+  change("DELETE FROM table_sums");
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE((*store)->load());
+  EXPECT_THAT((*store)->damages(), IsEmpty());
+}
+
+TEST_F(SavedSession, PageFails_WhenItLiesBehindItsFile) {
+  change("UPDATE pages SET offset = 4294967290, row_check = NULL WHERE x = 1");
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
   const auto page = (*store)->loadPage({1, 2, 3});
@@ -171,7 +254,7 @@ TEST_F(DamagedRowTest, PageFails_WhenItLiesBehindItsFile) {
 
 TEST(RecordFileTest, ReadFails_WhenOffsetAndSizeWrap) {
   const TemporaryFolder folder;
-  auto file = RecordFile::open(folder / "records");
+  auto file = RecordFile::create(folder / "records");
   ASSERT_TRUE(file);
   ASSERT_TRUE(file->append(packWords(std::vector<std::uint32_t>(500, 1))));
   const auto read = file->read(~std::uint64_t{0} - 4, 10);
@@ -179,7 +262,7 @@ TEST(RecordFileTest, ReadFails_WhenOffsetAndSizeWrap) {
   EXPECT_THAT(read.error().message(), HasSubstr("shorter"));
 }
 
-TEST_F(DamagedRowTest, NewOperationReplacesDamagedOne_WhenItTakesItsNumber) {
+TEST_F(SavedSession, NewOperationReplacesDamagedOne_WhenItTakesItsNumber) {
   change("UPDATE operations SET operation = '{'");
   {
     const auto store = SessionStore::open(folder_ / "scan");

@@ -1,0 +1,91 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/database/database_connection.h"
+#include "core/session/record_file.h"
+#include "core/session/saved_scan.h"
+
+namespace scantrove {
+
+/// The map of a session: DIR/map/NNNNNN.bricks with the records of its pages, and the table `pages` that says
+/// where the newest of each lies. The thread of its database, which is handed in.
+class MapFiles {
+ public:
+  explicit MapFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// The places of all pages; files that are there are opened. What is damaged is left out and named in
+  /// `damages`.
+  [[nodiscard]] Result<void> read(DatabaseConnection& database, std::vector<std::string>& damages);
+  /// Another map begins, in files of its own.
+  void beginAnew();
+
+  /// Appends a page. It is there from the next commit() on; of one that is added twice, the later.
+  [[nodiscard]] Result<void> add(DatabaseConnection& database, const SavedPage& page);
+  /// Brings what was added to the disk: a place must not be there before its record.
+  [[nodiscard]] Result<void> flush();
+  /// In a transaction: the places of what was added.
+  [[nodiscard]] Result<void> writePlaces(DatabaseConnection& database) const;
+  /// The transaction succeeded.
+  void commit();
+
+  [[nodiscard]] std::vector<Eigen::Vector3i> positions() const;
+  /// Error: it is damaged.
+  [[nodiscard]] Result<std::vector<std::uint32_t>> load(const Eigen::Vector3i& position);
+
+  /// Writes the map anew without what is outdated, if that is much.
+  [[nodiscard]] Result<void> compact(DatabaseConnection& database);
+
+  /// All files that are open are found under their names.
+  [[nodiscard]] bool areInPlace() const;
+  /// Writes the pages of files that are not into new files. Error: the disk failed, or a file is damaged.
+  [[nodiscard]] Result<void> writeLostAnew(DatabaseConnection& database);
+  /// The folder was moved.
+  void follow(const std::filesystem::path& folder);
+
+ private:
+  struct PagePlace {
+    std::int64_t file = 0;
+    std::uint64_t offset = 0;
+    std::uint32_t bytes = 0, unpacked_bytes = 0;
+    std::uint64_t checksum = 0;
+  };
+  struct ByPosition {
+    bool operator()(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const {
+      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    }
+  };
+  using Pages = std::map<Eigen::Vector3i, PagePlace, ByPosition>;
+
+  [[nodiscard]] std::filesystem::path pathOf(std::int64_t number) const;
+  [[nodiscard]] Result<RecordFile*> fileToRead(std::int64_t number);
+  [[nodiscard]] Result<RecordFile*> fileToAppend(DatabaseConnection& database);
+  [[nodiscard]] Result<PagePlace> append(DatabaseConnection& database, const PackedWords& packed);
+  [[nodiscard]] Result<void> writePlaces(DatabaseConnection& database, const Pages& pages) const;
+  /// Moves pages to the file that is appended to. Those that cannot be read keep their places.
+  [[nodiscard]] Result<Pages> copyPages(DatabaseConnection& database, const Pages& pages);
+  /// Moves all pages to new files. Error: the disk failed; the old files still hold the pages.
+  [[nodiscard]] Result<void> movePages(DatabaseConnection& database, const std::set<std::int64_t>& old);
+  [[nodiscard]] std::uint64_t liveBytes() const;
+  /// Of the map's files that the session made.
+  [[nodiscard]] Result<std::set<std::int64_t>> ownNumbers(DatabaseConnection& database) const;
+
+  std::filesystem::path folder_;
+  Pages pages_;
+  Pages added_;                               // for the next commit()
+  std::map<std::int64_t, RecordFile> files_;  // that are open
+  std::optional<std::int64_t> appended_;      // the file that is appended to
+  std::int64_t last_number_ = 0;
+  std::set<std::int64_t> unflushed_;
+  bool has_new_file_ = false;
+};
+
+}  // namespace scantrove
