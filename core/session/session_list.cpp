@@ -8,7 +8,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -115,13 +118,36 @@ Result<void> readPicture(DatabaseConnection& database, SessionSummary& summary) 
   return {};
 }
 
+/// Changes the names of regions to what the catalogue called their objects when the session was kept last
+/// (the fact `objects`); what was deleted there has none.
+void followCatalogue(const std::string& objects, std::map<std::uint32_t, std::string>& names) {
+  const auto json = nlohmann::json::parse(objects, nullptr, false);
+  if (!json.is_object()) return;
+  for (auto& [region, name] : names) {
+    const auto object = json.find(std::to_string(region));
+    if (object == json.end() || !object->is_object()) continue;
+    if (object->value("deleted", nlohmann::json()) == true) {
+      name.clear();
+    } else if (object->value("by_person", nlohmann::json()) == true) {
+      const nlohmann::json called = object->value("name", nlohmann::json());
+      if (called.is_string()) name = called.get<std::string>();
+    }
+  }
+}
+
 Result<void> readNames(DatabaseConnection& database, SessionSummary& summary) {
-  summary.names.clear();
-  Result<QSqlQuery> names = database.execute(
-      "SELECT DISTINCT name FROM regions WHERE name <> '' AND region IN (SELECT region FROM fragments)"
-      " ORDER BY name");
-  if (!names) return fail(names.error());
-  while (names->next()) summary.names.push_back(names->value(0).toString().toStdString());
+  Result<QSqlQuery> rows =
+      database.execute("SELECT region, name FROM regions WHERE region IN (SELECT region FROM fragments)");
+  if (!rows) return fail(rows.error());
+  std::map<std::uint32_t, std::string> names;
+  while (rows->next()) names[rows->value(0).toUInt()] = rows->value(1).toString().toStdString();
+  std::string objects;
+  SCANTROVE_TRY(readText(database, "SELECT value FROM facts WHERE name = 'objects'", objects));
+  followCatalogue(objects, names);
+  std::set<std::string> distinct;
+  for (const auto& [region, name] : names) distinct.insert(name);
+  distinct.erase("");
+  summary.names.assign(distinct.begin(), distinct.end());
   return {};
 }
 

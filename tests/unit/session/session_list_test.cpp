@@ -51,6 +51,23 @@ std::unique_ptr<SessionStore> storeIn(const fs::path& folder, const SavedDelta& 
   return std::move(*store);
 }
 
+TEST(SessionList, CallsObjectsAsTheirCatalogueDidLast) {
+  const TemporaryFolder folder;
+  SavedDelta delta = shortScan();
+  delta.regions.push_back({RegionId{4}, ObjectId{3}, {"old cup", "cup", false, false, false}});
+  const auto namesWith = [&](const std::string& name, const std::string& objects) {
+    delta.facts["objects"] = objects;
+    { static_cast<void>(storeIn(folder / name, delta)); }
+    return listSessions(folder / name).at(0).names;
+  };
+  EXPECT_THAT(namesWith("one", R"({"3": {"name": "blue cup", "by_person": true, "deleted": false},
+                                   "4": {"name": "", "by_person": false, "deleted": true}})"),
+              ElementsAre("blue cup"));
+  EXPECT_THAT(namesWith("two", "{"), ElementsAre("old cup", "red cup"));
+  EXPECT_THAT(namesWith("three", R"({"3": 4, "4": {"deleted": "x", "by_person": true, "name": 7}})"),
+              ElementsAre("old cup", "red cup"));
+}
+
 TEST(SessionList, SaysWhatThereIs) {
   const TemporaryFolder folder;
   SavedDelta delta = shortScan();
