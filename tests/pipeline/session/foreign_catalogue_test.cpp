@@ -1,0 +1,112 @@
+// The classes that the window uses meet another catalogue than the session's: nothing of that one is touched.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <opencv2/core.hpp>
+
+#include "core/catalog/object_database.h"
+#include "core/scan/open_session.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+
+namespace scantrove {
+namespace {
+
+constexpr int kFramesOfReview = 25, kForeignObjects = 40;
+
+class ForeignCatalogueReview : public test::ScanSessionTest {
+ protected:
+  ScanRequest reviewed() const {
+    ScanRequest wanted = request(kFramesOfReview);
+    wanted.output_folder = folder_ / "scan";
+    wanted.database = catalogue_;
+    wanted.results = false;
+    wanted.review = true;
+    return wanted;
+  }
+  static ObjectView anyView() {
+    ObjectView view;
+    view.box_px = {20, 20, 40, 30};
+    view.frame_px = {640, 480};
+    view.color = cv::Mat(30, 40, CV_8UC3, cv::Scalar(20, 90, 200));
+    view.mask = cv::Mat(30, 40, CV_8UC1, cv::Scalar(255));
+    view.depth_mm = cv::Mat(30, 40, CV_16UC1, cv::Scalar(1000));
+    view.size_m = {0.3F, 0.2F, 0.1F};
+    return view;
+  }
+  void replaceCatalogue() const {
+    for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(catalogue_ + end);
+    const auto database = ObjectDatabase::open(catalogue_);
+    ASSERT_TRUE(database) << database.error().message();
+    for (int i = 0; i < kForeignObjects; ++i) ASSERT_TRUE((*database)->addObject(anyView()));
+  }
+  /// "number name views" of the first objects that the catalogue has.
+  std::vector<std::string> strangers() const {
+    const auto database = ObjectDatabase::open(catalogue_);
+    std::vector<std::string> words;
+    if (!database) return words;
+    for (const ObjectRecord& object : *(*database)->objects()) {
+      if (object.id.value <= kForeignObjects)
+        words.push_back(std::to_string(object.id.value) + " " + object.name + " " +
+                        std::to_string(object.views) + (object.confirmed ? " confirmed" : ""));
+    }
+    return words;
+  }
+  std::unique_ptr<OpenSession> open() {
+    auto session = OpenSession::open(folder_ / "scan");
+    for (int i = 0; !session && i < 100; ++i) {  // the review lets go of it in a moment
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      session = OpenSession::open(folder_ / "scan");
+    }
+    EXPECT_TRUE(session) << session.error().message();
+    return session ? std::move(*session) : nullptr;
+  }
+
+  const std::string catalogue_ = folder_ / "scan" / "catalogue.sqlite";
+};
+
+TEST_F(ForeignCatalogueReview, ShowsNoNumbersAndTouchesNoStranger) {
+  std::filesystem::create_directories(folder_ / "scan");
+  session_.start(reviewed());
+  log_.await<ReviewOpened>();
+  session_.close();
+  RegionId largest;
+  {
+    const auto session = open();
+    ASSERT_NE(session, nullptr);
+    std::int64_t most = 0;
+    const auto regions = session->regions();
+    ASSERT_TRUE(regions);
+    for (const RegionSummary& region : *regions) {
+      if (region.voxels > most) largest = region.region;
+      most = std::max(most, region.voxels);
+    }
+    // As an earlier naming would have left it.
+    ASSERT_TRUE(session->edit({.kind = OperationKind::name, .regions = {largest}, .name = "mug"}));
+  }
+  replaceCatalogue();
+  const std::vector<std::string> before = strangers();
+  ASSERT_EQ(before.size(), static_cast<std::size_t>(kForeignObjects));
+
+  ScanRequest again = reviewed();
+  again.source.clear();
+  session_.start(again);
+  log_.await<ReviewOpened>(2);
+  const auto snapshot = awaitSnapshot(1);
+  ASSERT_NE(snapshot, nullptr);
+  ASSERT_NE(snapshot->region_infos, nullptr);
+  for (const RegionInfo& info : *snapshot->region_infos) EXPECT_FALSE(info.object) << info.region.value;
+  for (const SeenObject& seen : snapshot->objects) EXPECT_FALSE(seen.object);
+  session_.edit(Operation{.kind = OperationKind::name, .regions = {largest}, .name = "red mug"});
+  log_.await<Edited>();
+  session_.edit(UndoEdit{});
+  log_.await<Edited>(2);
+  session_.edit(UndoEdit{});
+  log_.await<Edited>(3);
+  session_.close();
+  const auto session = open();
+  ASSERT_NE(session, nullptr);
+  EXPECT_EQ(strangers(), before);
+}
+
+}  // namespace
+}  // namespace scantrove
