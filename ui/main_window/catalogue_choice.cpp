@@ -56,7 +56,8 @@ void CatalogueChoice::choose(const QString& file, bool is_scan_shown) {
   const QString path = QFileInfo(file).absoluteFilePath();
   const bool is_shown = editor_.isOpen() && isSameFile(editor_.file(), path);
   if (is_scan_shown && !is_shown) {
-    CatalogueEditor trial;  // creates it, or says now why it cannot be used
+    UndoHistory no_steps;
+    CatalogueEditor trial(no_steps);  // creates it, or says now why it cannot be used
     if (const Result<void> opened = trial.open(path); !opened) {
       emit failed(QString::fromStdString(opened.error().message()));
       return;

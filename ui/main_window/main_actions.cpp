@@ -2,13 +2,13 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QUndoGroup>
+#include <QUndoStack>
 
 #include "ui/theme/icon.h"
 
 namespace scantrove {
 
-MainActions::MainActions(QUndoGroup& undo_group, QObject* parent) : QObject(parent) {
+MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(parent) {
   open_folder =
       make("folder", tr("Open &folder…"), tr("Ctrl+O"), tr("Open a recording that is a folder of images"));
   open_recording =
@@ -31,10 +31,10 @@ MainActions::MainActions(QUndoGroup& undo_group, QObject* parent) : QObject(pare
   step = make("step", tr("One &frame"), tr("N"), tr("Process one frame and pause"));
   stop = make("stop", tr("S&top"), tr("Ctrl+."), tr("End the scan; what was found is kept"));
 
-  undo = undo_group.createUndoAction(this, tr("Undo"));
+  undo = undo_stack.createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
   undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
-  redo = undo_group.createRedoAction(this, tr("Redo"));
+  redo = undo_stack.createRedoAction(this, tr("Redo"));
   redo->setIcon(icon(QStringLiteral("redo")));
   redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
   focus_objects =

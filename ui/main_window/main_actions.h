@@ -4,7 +4,7 @@
 #include "core/scan/scan_snapshot.h"
 
 class QAction;
-class QUndoGroup;
+class QUndoStack;
 
 namespace scantrove {
 
@@ -14,7 +14,7 @@ class MainActions : public QObject {
 
  public:
   /// `undo`: of all that can be undone.
-  MainActions(QUndoGroup& undo, QObject* parent);
+  MainActions(QUndoStack& undo, QObject* parent);
 
   QAction* open_folder;
   QAction* open_recording;

@@ -46,19 +46,20 @@ constexpr int kHeldList_ms = 50;
 }  // namespace
 
 MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& options)
-    : model_(editor_),
+    : editor_(history_),
+      model_(editor_),
       controller_(new ScanController(factory, options, this)),
       catalogue_(new CatalogueChoice(editor_, *controller_, this)),
-      actions_(new MainActions(undo_, this)) {
+      actions_(new MainActions(history_.stack(), this)) {
   setWindowTitle(QStringLiteral("Scantrove"));
   setWindowIcon(icon(QStringLiteral("scantrove")));
   setAcceptDrops(true);
   makeCentre();
   makeDocks(options.params);
-  regions_ = new RegionController(controller_->bridge(), *scene_, *frames_, *this);
+  regions_ = new RegionController(controller_->bridge(), *scene_, *frames_, history_, *this);
   guide_ = new CoverageGuide(regions_->selection(), *scene_, model_, this);
   docks_->add({tr("History"), "historyDock", tr("Ctrl+4"), Qt::RightDockWidgetArea, kFramesWidth, true},
-              new HistoryPanel(undo_));
+              new HistoryPanel(history_.stack()));
   presentation_ = new Presentation(*this);
   makeMenus();
   makeToolBar();
@@ -69,7 +70,6 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   connectActions();
   connectSession();
   connectRegions();
-  connectUndo();
 
   resize(1480, 920);
   if (options.width > 0 && options.height > 0) {
@@ -226,29 +226,10 @@ void MainWindow::connectRegions() {
   connect(start_->keptScans(), &KeptScans::chosen, this, &MainWindow::openSession);
   connect(start_->keptScans(), &KeptScans::deleteWanted, this, [this](const QString& folder) {
     const auto fail = [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); };
-    kept_scans_undo_.push(new DeleteScan(
-        folder, [this] { showKeptScans(); }, fail));
+    history_.push(start_, std::make_shared<DeleteScan>(
+                              folder, [this] { showKeptScans(); }, fail));
   });
   connect(time_line_, &TimeLine::wanted, &bridge, &SessionBridge::showKeyFrame);
-}
-
-void MainWindow::connectUndo() {
-  QUndoStack& of_catalogue = editor_.undoStack();
-  QUndoStack& of_regions = regions_->undoStack();
-  for (QUndoStack* stack : {&of_catalogue, &of_regions, &kept_scans_undo_}) {
-    undo_.addStack(stack);
-    connect(stack, &QUndoStack::indexChanged, this, [this, stack] {
-      if (stack->canUndo() || stack->canRedo()) undo_.setActiveStack(stack);
-    });
-  }
-  undo_.setActiveStack(&of_catalogue);
-  // Ctrl+Z is about what a person works on.
-  connect(qApp, &QApplication::focusChanged, this,
-          [this, &of_catalogue, &of_regions](QWidget*, QWidget* now) {
-            if (now == nullptr) return;
-            if (objects_->isAncestorOf(now)) undo_.setActiveStack(&of_catalogue);
-            if (scene_->isAncestorOf(now) || frames_->isAncestorOf(now)) undo_.setActiveStack(&of_regions);
-          });
 }
 
 void MainWindow::connectCatalogue() {

@@ -1,8 +1,6 @@
 #pragma once
 #include <QMainWindow>
 #include <QTimer>
-#include <QUndoGroup>
-#include <QUndoStack>
 #include <memory>
 #include <vector>
 
@@ -59,6 +57,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TimeLine* timeLine() const { return time_line_; }
   [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
   [[nodiscard]] CatalogueEditor& editor() { return editor_; }
+  [[nodiscard]] UndoHistory& history() { return history_; }
   [[nodiscard]] ObjectPanel* objectPanel() const { return objects_; }
   [[nodiscard]] FramePanels* framePanels() const { return frames_; }
   [[nodiscard]] ScenePane* scenePane() const { return scene_; }
@@ -83,7 +82,6 @@ class MainWindow : public QMainWindow {
   void connectSession();
   void connectCatalogue();
   void connectRegions();
-  void connectUndo();
   void fillRecentMenu();
 
   void openFolder();
@@ -106,12 +104,11 @@ class MainWindow : public QMainWindow {
   void followCatalogue();
   void chooseTheme(ThemeChoice choice);
 
+  UndoHistory history_;  ///< of all parts of the window; outlives them
   CatalogueEditor editor_;
   ObjectListModel model_;
   ScanController* controller_;
   CatalogueChoice* catalogue_;
-  QUndoStack kept_scans_undo_;
-  QUndoGroup undo_;  ///< of the catalogue's and the regions' steps those that a person works on
   MainActions* actions_;
   QStackedWidget* centre_ = nullptr;
   StartPage* start_ = nullptr;

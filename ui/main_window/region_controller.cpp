@@ -5,6 +5,8 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -25,12 +27,13 @@ constexpr int kRecentNames = 9;
 }  // namespace
 
 RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames,
-                                   QWidget& window)
+                                   UndoHistory& history, QWidget& window)
     : QObject(&window),
       bridge_(bridge),
       scene_(scene),
       frames_(frames),
       actions_(this),
+      history_(history),
       cutter_(new RegionCutter(scene, frames, selection_, this)),
       name_editor_(new RegionNameEditor(&window)) {
   connectFrames();
@@ -137,7 +140,7 @@ void RegionController::connectActions() {
   on(actions_.name, [this] {
     if (!cutter_->accept()) editName(last_place_);
   });
-  on(actions_.join, [this] { doOnAll(OperationKind::join); });
+  on(actions_.join, [this] { join(); });
   on(actions_.cut, [this] { cutter_->begin(); });
   on(actions_.finer, [this] { doOnEach(OperationKind::finer); });
   on(actions_.coarser, [this] { doOnEach(OperationKind::coarser); });
@@ -168,7 +171,9 @@ void RegionController::beginScan() {
   selection_.reset();
   ++proposal_number_;
   proposals_.clear();
-  undo_.clear();
+  delete question_;
+  performed_.clear();
+  history_.forget(this);
   knows_history_ = false;
 }
 
@@ -199,6 +204,7 @@ void RegionController::openMenu(const RegionPoint& at, const QPoint& on_screen) 
   auto* menu = new QMenu(name_editor_->parentWidget());
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("regionMenu"));
+  menu->setToolTipsVisible(true);
   menu->addActions(actions_.onSelection());
   QMenu* recent = nullptr;
   for (QAction* action : actions_.recent) {
@@ -229,7 +235,24 @@ void RegionController::editName(const QPoint& on_screen) {
 }
 
 void RegionController::giveName(const QString& name, const QString& category) {
-  for (const RegionId region : std::vector(selection_.selected())) {
+  const std::vector<RegionId> regions = selection_.selected();
+  const std::vector<RegionId> background = backgroundAmong(regions);
+  if (name.isEmpty() || background.empty()) return nameRegions(regions, name, category);
+  ask(tr("%1 is background, which data sets leave out. Make it an object with the name “%2”?")
+          .arg(selection_.title(background.front()), name),
+      tr("Make it an object"), [this, regions, background, name, category] {
+        Operation operation;
+        operation.kind = OperationKind::background;
+        operation.regions = background;
+        operation.on = false;
+        perform(std::move(operation));
+        nameRegions(regions, name, category);
+      });
+}
+
+void RegionController::nameRegions(const std::vector<RegionId>& regions, const QString& name,
+                                   const QString& category) {
+  for (const RegionId region : regions) {
     Operation operation;
     operation.kind = OperationKind::name;
     operation.regions = {region};
@@ -265,7 +288,7 @@ void RegionController::connectCutter() {
 
 void RegionController::letGo() {
   if (cutter_->isActive()) {
-    if (cutter_->isShown()) undo_.undo();
+    if (cutter_->isShown()) history_.undoNewest(this);
     return cutter_->end();
   }
   selection_.select(RegionId{});

@@ -1,7 +1,6 @@
 #pragma once
 #include <QObject>
 #include <QPointer>
-#include <QUndoStack>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,7 +13,10 @@
 #include "ui/main_window/region_cutter.h"
 #include "ui/models/region_proposals.h"
 #include "ui/models/region_selection.h"
+#include "ui/models/undo_history.h"
 #include "ui/panels/region_name_editor.h"
+
+class QMessageBox;
 
 namespace scantrove {
 
@@ -28,12 +30,12 @@ class RegionController : public QObject {
 
  public:
   /// All of these outlive the controller; `window` is whose middle the name editor opens in.
-  RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames, QWidget& window);
+  RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames, UndoHistory& history,
+                   QWidget& window);
 
   [[nodiscard]] RegionActions& actions() { return actions_; }
   [[nodiscard]] RegionSelection& selection() { return selection_; }
   [[nodiscard]] RegionProposals& proposals() { return proposals_; }
-  [[nodiscard]] QUndoStack& undoStack() { return undo_; }
   [[nodiscard]] RegionNameEditor& nameEditor() { return *name_editor_; }
   /// Names that the catalogue has, for completion.
   void setKnownNames(std::function<QStringList()> known_names) { known_names_ = std::move(known_names); }
@@ -59,7 +61,9 @@ class RegionController : public QObject {
   void click(const RegionPoint& point, Qt::KeyboardModifiers modifiers);
   void openMenu(const RegionPoint& point, const QPoint& on_screen);
   void editName(const QPoint& on_screen);
+  /// What is selected; asks first where that is background.
   void giveName(const QString& name, const QString& category);
+  void nameRegions(const std::vector<RegionId>& regions, const QString& name, const QString& category);
 
   void connectCutter();
   void letGo();
@@ -67,6 +71,11 @@ class RegionController : public QObject {
   /// One operation on all that is selected, or one for each.
   void doOnAll(OperationKind kind, bool on = true);
   void doOnEach(OperationKind kind);
+  /// A region that a person named comes first: the others take its name.
+  void join();
+  /// `todo` is done if the person says so before the scan ends.
+  void ask(const QString& question, const QString& yes, std::function<void()> todo);
+  [[nodiscard]] std::vector<RegionId> backgroundAmong(const std::vector<RegionId>& regions) const;
   void perform(Operation operation);
   /// Operations that a session has from before, so that they can be taken back.
   void learnHistory(const std::vector<DoneOperation>& operations);
@@ -94,17 +103,18 @@ class RegionController : public QObject {
   RegionSelection selection_;
   RegionProposals proposals_;
   RegionActions actions_;
-  QUndoStack undo_;
+  UndoHistory& history_;
+  std::vector<std::shared_ptr<Command>> performed_;  ///< in this scan
   RegionCutter* cutter_;
   RegionNameEditor* name_editor_;
   QPointer<QWidget> focus_before_name_;
+  QPointer<QMessageBox> question_;
   std::function<QStringList()> known_names_;
   std::set<RegionId> background_;
   std::map<RegionId, QString> sizes_;  ///< as they were asked for since the last news
   std::optional<QPointF> pointer_in_scene_;
   QPoint last_place_;        ///< on the screen, that was clicked or pointed at
   int proposal_number_ = 0;  ///< of the proposal that is being made
-  bool is_telling_ = true;   ///< a command's undo and redo reach the scan
   bool knows_history_ = false;
 };
 

@@ -1,8 +1,12 @@
 // What is done to the regions, and how it is taken back.
 #include <QFuture>
+#include <QMessageBox>
 #include <QPromise>
+#include <QPushButton>
 #include <QThreadPool>
 #include <QUndoCommand>
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -24,7 +28,7 @@ RegionProposals::Looks looksOf(const std::map<RegionId, std::vector<LookPoint>>&
 
 }  // namespace
 
-/// An operation on the undo stack. The scan's own log is what is taken back and done again.
+/// An operation in the history. The scan's own log is what is taken back and done again.
 class RegionController::Command : public QUndoCommand {
  public:
   /// `is_done`: by the scan, before this window knew of it.
@@ -32,30 +36,20 @@ class RegionController::Command : public QUndoCommand {
       : QUndoCommand(text), controller_(controller), operation_(std::move(operation)), is_done_(is_done) {}
 
   void redo() override {
-    if (!controller_.is_telling_ || has_failed_) return;
     if (std::exchange(is_done_, true)) {
       controller_.bridge_.edit(RedoEdit{});
     } else {
       controller_.bridge_.edit(operation_);
     }
   }
-  void undo() override {
-    if (has_failed_) {
-      setObsolete(true);
-    } else if (controller_.is_telling_) {
-      controller_.bridge_.edit(UndoEdit{});
-    }
-  }
+  void undo() override { controller_.bridge_.edit(UndoEdit{}); }
 
   [[nodiscard]] bool is(const Operation& operation) const { return operation == operation_; }
-  /// There is nothing to take back.
-  void noteFailure() const { has_failed_ = true; }
 
  private:
   RegionController& controller_;
   Operation operation_;
   bool is_done_;
-  mutable bool has_failed_ = false;
 };
 
 void RegionController::doOnAll(OperationKind kind, bool on) {
@@ -65,6 +59,46 @@ void RegionController::doOnAll(OperationKind kind, bool on) {
   operation.regions = selection_.selected();
   operation.on = on;
   perform(std::move(operation));
+}
+
+void RegionController::join() {
+  std::vector<RegionId> regions = selection_.selected();
+  if (regions.size() < 2) return;
+  std::ranges::stable_partition(regions, [this](RegionId region) {
+    const RegionInfo* const info = selection_.info(region);
+    return info != nullptr && !info->note.name.empty();
+  });
+  const auto joinAll = [this, regions] {
+    Operation operation;
+    operation.kind = OperationKind::join;
+    operation.regions = regions;
+    perform(std::move(operation));
+  };
+  const std::vector<RegionId> background = backgroundAmong(regions);
+  if (background.empty() || background.size() == regions.size()) return joinAll();
+  ask(tr("%1 is background. Join what is selected with it?").arg(selection_.title(background.front())),
+      tr("Join"), joinAll);
+}
+
+std::vector<RegionId> RegionController::backgroundAmong(const std::vector<RegionId>& regions) const {
+  std::vector<RegionId> background;
+  std::ranges::copy_if(regions, std::back_inserter(background), [this](RegionId region) {
+    const RegionInfo* const info = selection_.info(region);
+    return info != nullptr && info->note.background;
+  });
+  return background;
+}
+
+void RegionController::ask(const QString& question, const QString& yes, std::function<void()> todo) {
+  delete question_;
+  question_ = new QMessageBox(QMessageBox::Question, tr("Background"), question, QMessageBox::Cancel,
+                              name_editor_->parentWidget());
+  question_->setObjectName(QStringLiteral("backgroundQuestion"));
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  const QPushButton* const button = question_->addButton(yes, QMessageBox::AcceptRole);
+  question_->setDefaultButton(QMessageBox::Cancel);
+  connect(button, &QPushButton::clicked, this, [todo = std::move(todo)] { todo(); });
+  question_->open();
 }
 
 void RegionController::doOnEach(OperationKind kind) {
@@ -78,12 +112,13 @@ void RegionController::doOnEach(OperationKind kind) {
 
 void RegionController::perform(Operation operation) {
   const QString text = inWords(operation);
-  undo_.push(new Command(*this, text, std::move(operation), false));
+  performed_.push_back(std::make_shared<Command>(*this, text, std::move(operation), false));
+  history_.push(this, performed_.back());
 }
 
 void RegionController::learnHistory(const std::vector<DoneOperation>& operations) {
-  is_telling_ = false;
-  int done = 0;
+  std::vector<UndoHistory::Step> steps;
+  std::size_t done = 0;
   for (const DoneOperation& operation : operations) {
     if (operation.state == OperationLog::State::superseded) continue;
     Operation words;
@@ -92,11 +127,10 @@ void RegionController::learnHistory(const std::vector<DoneOperation>& operations
     words.name = operation.name;
     words.on = operation.on;
     const QString text = inWords(words);
-    undo_.push(new Command(*this, text, std::move(words), true));
+    steps.push_back(std::make_shared<Command>(*this, text, std::move(words), true));
     if (operation.state == OperationLog::State::done) ++done;
   }
-  undo_.setIndex(done);
-  is_telling_ = true;
+  history_.learn(this, steps, done);
 }
 
 void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>& regions) {
@@ -126,13 +160,12 @@ void RegionController::editFailed(const ScanEdit& edit, const QString& message) 
   emit failed(message);
   cutter_->end();
   const auto* const operation = std::get_if<Operation>(&edit);
-  for (int i = undo_.count() - 1; operation != nullptr && i >= 0; --i) {
-    const auto* const command = dynamic_cast<const Command*>(undo_.command(i));
-    if (command == nullptr || !command->is(*operation)) continue;
-    command->noteFailure();
-    if (i + 1 == undo_.count() && i + 1 == undo_.index()) undo_.undo();
-    return;
-  }
+  const auto failed = std::find_if(performed_.rbegin(), performed_.rend(), [operation](const auto& command) {
+    return operation != nullptr && command->is(*operation);
+  });
+  if (failed == performed_.rend()) return;
+  history_.forget(**failed);
+  performed_.erase(std::next(failed).base());
 }
 
 QString RegionController::inWords(const Operation& operation) const {

@@ -18,7 +18,7 @@ QImage toImage(const cv::Mat& bgr) {
 
 }  // namespace
 
-/// A change that was already made when it is put on the stack.
+/// A change that was already made when it is put into the history.
 class CatalogueEditor::Command final : public QUndoCommand {
  public:
   Command(CatalogueEditor& editor, const QString& text, Action action, Action inverse)
@@ -42,8 +42,9 @@ class CatalogueEditor::Command final : public QUndoCommand {
   bool done_ = true;
 };
 
-CatalogueEditor::CatalogueEditor(QObject* parent) : QObject(parent) {}
-CatalogueEditor::~CatalogueEditor() { undo_.clear(); }
+CatalogueEditor::CatalogueEditor(UndoHistory& history, QObject* parent)
+    : QObject(parent), history_(history) {}
+CatalogueEditor::~CatalogueEditor() { history_.forget(this); }
 
 Result<void> CatalogueEditor::open(const QString& file) {
   const QString folder = QFileInfo(file).absolutePath();
@@ -56,7 +57,7 @@ Result<void> CatalogueEditor::open(const QString& file) {
   // Asked before the objects are read: what comes between is announced again, which does no harm.
   const Result<std::int64_t> last_event = (*opened_database)->lastEvent();
   if (!last_event) return fail(last_event.error());
-  undo_.clear();
+  history_.forget(this);
   database_ = std::move(*opened_database);
   file_ = file;
   last_event_ = *last_event;
@@ -65,7 +66,7 @@ Result<void> CatalogueEditor::open(const QString& file) {
 }
 
 void CatalogueEditor::close() {
-  undo_.clear();
+  history_.forget(this);
   database_.reset();
   file_.clear();
   last_event_ = 0;
@@ -134,7 +135,7 @@ bool CatalogueEditor::run(const Action& action) {
 
 bool CatalogueEditor::perform(const QString& text, const Action& action, const Action& inverse) {
   if (!run(action)) return false;
-  undo_.push(new Command(*this, text, action, inverse));
+  history_.push(this, std::make_shared<Command>(*this, text, action, inverse));
   return true;
 }
 

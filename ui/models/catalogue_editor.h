@@ -2,24 +2,25 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
-#include <QUndoStack>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/catalog/object_database.h"
+#include "ui/models/undo_history.h"
 
 namespace scantrove {
 
 /// The person's hand on the catalogue: every change is written to the database at once, as one step that can
 /// be undone. Owns the window's own database connection, and follows what others (the scan, other programs)
-/// write. A change that the database refuses is announced and not put on the undo stack.
+/// write. A change that the database refuses is announced and no step.
 class CatalogueEditor : public QObject {
   Q_OBJECT
 
  public:
-  explicit CatalogueEditor(QObject* parent = nullptr);
+  /// Steps go into `history`, which outlives the editor.
+  explicit CatalogueEditor(UndoHistory& history, QObject* parent = nullptr);
   ~CatalogueEditor() override;
 
   /// Opens another catalogue (creating it when missing) and forgets what could be undone. On failure the old
@@ -50,8 +51,6 @@ class CatalogueEditor : public QObject {
   void poll();
   void announce(const Error& error) { emit failed(QString::fromStdString(error.message())); }
 
-  [[nodiscard]] QUndoStack& undoStack() { return undo_; }
-
  signals:
   void opened();
   void changed(const scantrove::CatalogueChanges& changes);
@@ -63,7 +62,7 @@ class CatalogueEditor : public QObject {
   class Command;
   friend class Command;
 
-  /// Runs `action`; only when that worked the pair goes on the undo stack.
+  /// Runs `action`; only when that worked the pair goes into the history.
   bool perform(const QString& text, const Action& action, const Action& inverse);
   /// False when it failed, which was announced.
   bool run(const Action& action);
@@ -74,7 +73,7 @@ class CatalogueEditor : public QObject {
   std::unique_ptr<ObjectDatabase> database_;
   QString file_;
   std::int64_t last_event_ = 0;
-  QUndoStack undo_;
+  UndoHistory& history_;
 };
 
 /// $XDG_DATA_HOME/scantrove/catalogue.sqlite.

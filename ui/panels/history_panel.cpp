@@ -1,17 +1,18 @@
 #include "ui/panels/history_panel.h"
 
-#include <QUndoGroup>
+#include <QUndoStack>
 #include <QUndoView>
 #include <QVBoxLayout>
 
 namespace scantrove {
 
-HistoryPanel::HistoryPanel(QUndoGroup& undo, QWidget* parent) : QWidget(parent) {
+HistoryPanel::HistoryPanel(QUndoStack& undo, QWidget* parent) : QWidget(parent) {
   auto* list = new QUndoView(&undo);
-  list->setEmptyLabel(tr("As it was scanned"));
+  list->setEmptyLabel(tr("Before the first step"));
   list->setAccessibleName(tr("What was done"));
   list->setToolTip(tr("Click on a step to go back to it"));
   list->setFrameShape(QFrame::NoFrame);
+  list->setProperty("panel", true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 0, 4, 6);
   column->addWidget(list);

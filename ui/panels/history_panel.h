@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-class QUndoGroup;
+class QUndoStack;
 
 namespace scantrove {
 
@@ -10,7 +10,7 @@ class HistoryPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit HistoryPanel(QUndoGroup& undo, QWidget* parent = nullptr);
+  explicit HistoryPanel(QUndoStack& undo, QWidget* parent = nullptr);
 };
 
 }  // namespace scantrove

@@ -12,15 +12,16 @@ class CatalogueEditorTest : public test::CatalogueTest {
     CatalogueTest::SetUp();
     ASSERT_TRUE(editor_.open(file_));
   }
-  CatalogueEditor editor_;
+  UndoHistory history_;
+  CatalogueEditor editor_{history_};
 };
 
 TEST_F(CatalogueEditorTest, RenameIsStoredAtOnceAndUndone) {
   ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("  Green cup ")));
   EXPECT_EQ(stored(objects_[1]).name, "Green cup");
-  editor_.undoStack().undo();
+  history_.stack().undo();
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
-  editor_.undoStack().redo();
+  history_.stack().redo();
   EXPECT_EQ(stored(objects_[1]).name, "Green cup");
 }
 
@@ -29,12 +30,12 @@ TEST_F(CatalogueEditorTest, RefusedRenameIsAnnouncedAndLeavesNothingToUndo) {
   EXPECT_FALSE(editor_.rename(objects_[1], QStringLiteral("Obj_1")));
   EXPECT_FALSE(editor_.rename(objects_[1], QStringLiteral("   ")));
   EXPECT_EQ(failures.count(), 2);
-  EXPECT_FALSE(editor_.undoStack().canUndo());
+  EXPECT_FALSE(history_.stack().canUndo());
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }
 
 TEST_F(CatalogueEditorTest, SeveralAreDeletedMergedAndConfirmedInOneStepEach) {
-  QUndoStack& undo = editor_.undoStack();
+  QUndoStack& undo = history_.stack();
   ASSERT_TRUE(editor_.remove({objects_[0], objects_[2]}));
   EXPECT_EQ(storedCount(), 1U);
   undo.undo();
@@ -68,7 +69,7 @@ TEST_F(CatalogueEditorTest, SeveralAreDeletedMergedAndConfirmedInOneStepEach) {
 TEST_F(CatalogueEditorTest, ARenameTakenBackIsNoNameOfAPerson) {
   ASSERT_TRUE(editor_.rename(objects_[1], QStringLiteral("Cup")));
   EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::person);
-  editor_.undoStack().undo();
+  history_.stack().undo();
   EXPECT_EQ(stored(objects_[1]).named_by, NamedBy::program);
 }
 
@@ -151,7 +152,7 @@ TEST_F(CatalogueEditorTest, ModelHandsOverFromAMergedRowWhileBothAreThere) {
   EXPECT_EQ(told, 1);
   EXPECT_EQ(model.rowCount(), 2);
   EXPECT_EQ(model.record(objects_[1])->views, 2);
-  editor_.undoStack().undo();
+  history_.stack().undo();
   EXPECT_EQ(told, 1);
   EXPECT_EQ(model.rowCount(), 3);
 }

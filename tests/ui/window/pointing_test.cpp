@@ -1,8 +1,11 @@
 // Pointing at regions in the window, with real events.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QCursor>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSlider>
 
 #include "tests/ui/window/pointing_fixture.h"
@@ -101,7 +104,7 @@ TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
     QTest::keyClick(panel(0), key);
     ASSERT_EQ(session_->edits.size(), 1U) << toString(kind);
     EXPECT_EQ(lastOperation()->kind, kind);
-    EXPECT_EQ(lastOperation()->regions, both);
+    EXPECT_THAT(lastOperation()->regions, testing::UnorderedElementsAreArray(both));
   }
   clickPicture(0, 0.2);
   for (const auto& [key, kind] :
@@ -137,7 +140,7 @@ TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
 TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_B);
-  EXPECT_EQ(window_->regions().undoStack().undoText(), QStringLiteral("Region 5: background"));
+  EXPECT_EQ(window_->history().stack().undoText(), QStringLiteral("Region 5: background"));
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_EQ(session_->edits.size(), 2U);
   EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits[1]));
@@ -146,13 +149,117 @@ TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
   EXPECT_TRUE(std::holds_alternative<RedoEdit>(session_->edits[2]));
 }
 
+TEST_F(PointingTest, UndoFollowsTheOrderOfTimeWhateverHasTheFocus) {
+  clickPicture(0, 0.2);
+  QTest::keyClick(panel(0), Qt::Key_B);
+  ASSERT_TRUE(window_->editor().rename(objects_[1], QStringLiteral("cup")));
+  QTest::keyClick(panel(0), Qt::Key_O);
+  EXPECT_EQ(window_->actions().undo->text(), QStringLiteral("Undo Region 5: an object"));
+  list()->setFocus();
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(session_->edits.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits.back()));
+  EXPECT_EQ(stored(objects_[1]).name, "cup");
+  panel(0)->setFocus();
+  EXPECT_EQ(window_->actions().undo->text(), QStringLiteral("Undo Rename “Obj_2” to “cup”"));
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
+  EXPECT_EQ(session_->edits.size(), 3U);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session_->edits.size(), 4U);
+  EXPECT_FALSE(window_->actions().undo->isEnabled());
+  EXPECT_EQ(window_->actions().redo->text(), QStringLiteral("Redo Region 5: background"));
+}
+
+TEST_F(PointingTest, AnotherScanLeavesTheStepsInTheCatalogue) {
+  ASSERT_TRUE(window_->editor().rename(objects_[1], QStringLiteral("cup")));
+  clickPicture(0, 0.2);
+  QTest::keyClick(panel(0), Qt::Key_B);
+  window_->open(QStringLiteral("demo"));
+  EXPECT_EQ(window_->history().stack().undoText(), QStringLiteral("Rename “Obj_2” to “cup”"));
+  EXPECT_EQ(window_->history().stack().count(), 1);
+}
+
+/// The question that waits for an answer; null: there is none.
+QMessageBox* questionOf(const QWidget& window) {
+  return window.findChild<QMessageBox*>(QStringLiteral("backgroundQuestion"));
+}
+
+void answer(const QMessageBox& question, bool yes) {
+  for (QAbstractButton* button : question.buttons()) {
+    if ((question.buttonRole(button) == QMessageBox::AcceptRole) == yes) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      return;
+    }
+  }
+}
+
+class BackgroundTest : public PointingTest {
+ protected:
+  void SetUp() override {
+    PointingTest::SetUp();
+    ScanSnapshot snapshot = twoRegions(5);
+    RegionInfos infos = *snapshot.region_infos;
+    infos[0].note.background = true;  // region 5
+    snapshot.region_infos = std::make_shared<const RegionInfos>(std::move(infos));
+    session_->post(std::move(snapshot));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !selection().background().empty(); }, kPatience_ms));
+  }
+};
+
+TEST_F(BackgroundTest, JoiningIntoItAsksFirst) {
+  clickPicture(0, 0.2);
+  clickPicture(0, 0.8, Qt::ControlModifier);
+  QTest::keyClick(panel(0), Qt::Key_J);
+  EXPECT_TRUE(session_->edits.empty());
+  ASSERT_NE(questionOf(*window_), nullptr);
+  EXPECT_TRUE(questionOf(*window_)->text().startsWith(QStringLiteral("Region 5 is background")));
+  answer(*questionOf(*window_), false);
+  EXPECT_TRUE(session_->edits.empty());
+  QTest::keyClick(panel(0), Qt::Key_J);
+  answer(*questionOf(*window_), true);
+  ASSERT_NE(lastOperation(), nullptr);
+  EXPECT_EQ(lastOperation()->kind, OperationKind::join);
+  EXPECT_EQ(lastOperation()->regions, (std::vector{RegionId{7}, RegionId{5}}))
+      << "the named one keeps its name";
+}
+
+TEST_F(BackgroundTest, NamingItAsksFirst) {
+  clickPicture(0, 0.2);
+  const auto giveName = [this] {
+    QTest::keyClick(panel(0), Qt::Key_Return);
+    QTest::keyClicks(nameField(), QStringLiteral("magazine"));
+    QTest::keyClick(nameField(), Qt::Key_Return);
+  };
+  giveName();
+  EXPECT_TRUE(session_->edits.empty());
+  ASSERT_NE(questionOf(*window_), nullptr);
+  answer(*questionOf(*window_), true);
+  ASSERT_EQ(session_->edits.size(), 2U);
+  const auto& first = std::get<Operation>(session_->edits[0]);
+  EXPECT_EQ(first.kind, OperationKind::background);
+  EXPECT_FALSE(first.on);
+  EXPECT_EQ(lastOperation()->kind, OperationKind::name);
+  EXPECT_EQ(lastOperation()->name, "magazine");
+}
+
+TEST_F(BackgroundTest, TheQuestionEndsWithItsScan) {
+  clickPicture(0, 0.2);
+  clickPicture(0, 0.8, Qt::ControlModifier);
+  QTest::keyClick(panel(0), Qt::Key_J);
+  ASSERT_NE(questionOf(*window_), nullptr);
+  window_->closeScan();
+  EXPECT_EQ(questionOf(*window_), nullptr);
+  EXPECT_TRUE(session_->edits.empty());
+}
+
 TEST_F(PointingTest, WhatWasNotDoneIsSaidAndCannotBeTakenBack) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_Plus);
   session_->post(EditFailed{session_->edits.back(), {"Region 5 has no parts.", ""}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
   EXPECT_EQ(window_->messageBar()->text(), QStringLiteral("Region 5 has no parts."));
-  EXPECT_FALSE(window_->regions().undoStack().canUndo());
+  EXPECT_FALSE(window_->history().stack().canUndo());
   EXPECT_EQ(session_->edits.size(), 1U) << "nothing is undone in the scan";
 }
 
