@@ -4,8 +4,10 @@
 #include <QAction>
 #include <QEvent>
 #include <QLayout>
+#include <QScreen>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
 #include <utility>
 
 #include "ui/theme/icon.h"
@@ -15,6 +17,9 @@ namespace scantrove {
 namespace {
 
 constexpr int kLayoutVersion = 2;
+/// In less room docks share a place, one shown at a time.
+constexpr int kLeastWidthForColumns = 1000;
+constexpr int kLeastHeightToStack = 640;
 const QString kLayoutKey = QStringLiteral("window/docks");
 
 QString widthKey(const QDockWidget* dock) { return QStringLiteral("window/width/") + dock->objectName(); }
@@ -70,15 +75,27 @@ void DockArrangement::save() {
   settings.setValue(kLayoutKey, window_.saveState(kLayoutVersion));
 }
 
-void DockArrangement::arrangeAsUsual() {
+void DockArrangement::arrangeAsUsual() { arrangeFor(window_.screen()->availableSize()); }
+
+void DockArrangement::arrangeFor(const QSize& room) {
+  const bool has_columns = room.width() >= kLeastWidthForColumns;
+  const bool is_folded = !has_columns || room.height() < kLeastHeightToStack;
   std::map<Qt::DockWidgetArea, QDockWidget*> above;
   for (QDockWidget* dock : docks_) {
-    const Qt::DockWidgetArea area = usual_.at(dock).area;
+    const Qt::DockWidgetArea area = has_columns ? usual_.at(dock).area : Qt::LeftDockWidgetArea;
     window_.addDockWidget(area, dock);
     dock->show();
-    if (above.contains(area)) window_.splitDockWidget(above[area], dock, Qt::Vertical);
-    above[area] = dock;
-    wanted_widths_[dock] = usual_.at(dock).usual_width;
+    if (!above.contains(area)) {
+      above[area] = dock;
+    } else if (is_folded) {
+      window_.tabifyDockWidget(above[area], dock);
+    } else {
+      window_.splitDockWidget(std::exchange(above[area], dock), dock, Qt::Vertical);
+    }
+    wanted_widths_[dock] = std::min(usual_.at(dock).usual_width, room.width() / 2);
+  }
+  if (is_folded) {
+    for (const auto& [area, dock] : above) dock->raise();
   }
   if (!is_scan_shown_) setScanShown(false);
   applyWidths();
@@ -88,6 +105,7 @@ void DockArrangement::setScanShown(bool shown) {
   is_scan_shown_ = shown;
   if (shown) {
     for (QDockWidget* dock : std::exchange(waiting_for_scan_, {})) dock->show();
+    docks_.first()->raise();  // where they share its place
     applyWidths();
     return;
   }

@@ -3,6 +3,7 @@
 #include <QList>
 #include <QMainWindow>
 #include <QObject>
+#include <QSize>
 #include <map>
 
 namespace scantrove {
@@ -29,6 +30,8 @@ class DockArrangement : public QObject {
   void restore();
   void save();
   void arrangeAsUsual();
+  /// As usual in so much room: where there is little, docks share a place, as tabs.
+  void arrangeFor(const QSize& room);
   /// Without a scan, the docks that need one are hidden; those that were open come back with it.
   void setScanShown(bool shown);
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kMostNamesInList = 3;
 
 QString detailsOf(const SessionSummary& scan) {
-  if (!scan.damage.empty()) return QString::fromStdString(scan.damage);
+  if (!scan.damage.empty())
+    return KeptScans::tr("damaged") + QLatin1Char('\n') + QString::fromStdString(scan.damage);
   QStringList words;
   const QDateTime started =
       QDateTime::fromString(QString::fromStdString(scan.started), Qt::ISODate).toLocalTime();

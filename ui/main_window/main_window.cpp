@@ -79,6 +79,7 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
     fitToScreen(*this);
   }
   docks_->restore();
+  if (options.width <= 0) fitToScreen(*this);  // folded docks need less room
   showStartPage();
   connectCatalogue();
   catalogue_->openAtStart(QString::fromStdString(options.database));

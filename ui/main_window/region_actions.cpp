@@ -45,7 +45,6 @@ QAction* RegionActions::make(const char* picture, const QString& text, const QLi
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   action->setAutoRepeat(false);
   action->setToolTip(QStringLiteral("%1 (%2)").arg(help, keys.first().toString(QKeySequence::NativeText)));
-  action->setStatusTip(help);
   return action;
 }
 

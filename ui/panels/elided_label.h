@@ -3,13 +3,18 @@
 
 namespace scantrove {
 
-/// One line of plain text that may be given less room than it wants: what does not fit ends in "…" and is in
-/// the tooltip.
+/// One line of plain text that may be given less room than it wants: what does not fit is left out at its
+/// end, or where setElideMode() says, and is in the tooltip.
 class ElidedLabel : public QLabel {
   Q_OBJECT
 
  public:
   explicit ElidedLabel(QWidget* parent = nullptr) : QLabel(parent) { setTextFormat(Qt::PlainText); }
+
+  void setElideMode(Qt::TextElideMode mode) {
+    mode_ = mode;
+    elide();
+  }
 
   /// `help` is the tooltip; without it the full text is, where it is cut.
   void setFullText(const QString& text, const QString& help = {}) {
@@ -37,11 +42,12 @@ class ElidedLabel : public QLabel {
   static constexpr int kFewestLetters = 4;
 
   void elide() {
-    const QString shown = fontMetrics().elidedText(full_text_, Qt::ElideRight, contentsRect().width());
+    const QString shown = fontMetrics().elidedText(full_text_, mode_, contentsRect().width());
     setText(shown);
     setToolTip(help_.isEmpty() && shown != full_text_ ? full_text_.toHtmlEscaped() : help_);
   }
 
+  Qt::TextElideMode mode_ = Qt::ElideRight;
   QString full_text_;
   QString help_;
 };

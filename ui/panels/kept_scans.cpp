@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/panels/elided_label.h"
 #include "ui/theme/icon.h"
 
 namespace scantrove {
@@ -66,9 +67,12 @@ QWidget* KeptScans::makeCard(const KeptScan& scan) {
   card->setObjectName(QStringLiteral("startCard"));
   card->setAccessibleName(scan.title);
   card->setAccessibleDescription(scan.details);
-  card->setToolTip(scan.folder);
+  // Nothing is lost where a line is too long for the card.
+  card->setToolTip(QStringLiteral("<b>%1</b><br>%2<br>%3")
+                       .arg(scan.title.toHtmlEscaped(),
+                            scan.details.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")),
+                            scan.folder.toHtmlEscaped()));
   card->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  card->setFixedHeight(kKeptPicture.height() + 16);
   card->setCursor(Qt::PointingHandCursor);
   auto* row = new QHBoxLayout(card);
   row->setContentsMargins(8, 8, 8, 8);
@@ -81,18 +85,23 @@ QWidget* KeptScans::makeCard(const KeptScan& scan) {
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
   texts->addStretch();
-  auto* heading = new QLabel(scan.title);
+  const auto addLine = [texts](const QString& text, Qt::TextElideMode mode) {
+    auto* line = new ElidedLabel;
+    line->setElideMode(mode);
+    line->setFullText(text);
+    texts->addWidget(line);
+    return line;
+  };
+  ElidedLabel* heading = addLine(scan.title, Qt::ElideMiddle);
   QFont bold = heading->font();
   bold.setWeight(QFont::DemiBold);
   heading->setFont(bold);
-  heading->setMinimumWidth(40);
-  texts->addWidget(heading);
-  auto* details = new QLabel(scan.details);
-  details->setProperty("muted", true);
-  details->setWordWrap(true);
-  texts->addWidget(details);
+  for (const QString& details : scan.details.split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+    addLine(details, Qt::ElideRight)->setProperty("muted", true);
   texts->addStretch();
   row->addLayout(texts, 1);
+  // As many lines as there are, in the font that there is.
+  card->setFixedHeight(std::max(kKeptPicture.height() + 16, row->minimumSize().height()));
   for (QLabel* label : card->findChildren<QLabel*>()) label->setAttribute(Qt::WA_TransparentForMouseEvents);
   connect(card, &QToolButton::clicked, this, [this, folder = scan.folder] { emit chosen(folder); });
   const auto remove = [this, folder = scan.folder] { emit deleteWanted(folder); };

@@ -18,6 +18,7 @@ constexpr int kLeastHeight_px = 60;
 ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, QWidget* parent)
     : QListView(parent), model_(model), name_editor_(nullptr) {
   setModel(&model_);
+  setProperty("panel", true);
   setItemDelegate(new ObjectDelegate(this));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -93,7 +93,6 @@ void ObjectPanel::makeActions() {
                            const QList<QKeySequence>& keys, auto&& slot) {
     auto* action = new QAction(icon(QString::fromLatin1(picture)), text, this);
     action->setToolTip(QStringLiteral("%1 (%2)").arg(help, keys.first().toString(QKeySequence::NativeText)));
-    action->setStatusTip(help);
     action->setShortcuts(keys);
     action->setAutoRepeat(false);
     // Only with the focus in the list: Return must end the editing of a name, Del delete a letter.

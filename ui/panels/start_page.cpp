@@ -15,7 +15,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kColumnWidth = 640;
+constexpr int kColumnWidth = 860;
 constexpr int kMaxRecent = 5;
 
 QLabel* mutedLabel(const QString& text) {

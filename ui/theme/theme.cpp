@@ -119,7 +119,7 @@ QStatusBar::item { border: none; }
 QProgressBar { border: none; border-radius: 4px; background: %4; max-height: 8px; min-height: 8px; }
 QProgressBar::chunk { border-radius: 4px; background: %5; }
 QListView { border: none; background: %2; outline: none; }
-QMainWindow QListView { background: transparent; }
+QListView[panel="true"] { background: transparent; }
 QLineEdit { border: 1px solid %1; border-radius: 6px; padding: 4px 8px; background: %2; min-height: 18px; }
 QLineEdit:focus { border-color: %5; }
 QToolTip { border: 1px solid %1; padding: 5px; background: %2; color: palette(text); }

@@ -57,6 +57,23 @@ TEST_F(DocksTest, HaveTheirWidthAgainAfterTheWindowWasSmall) {
   EXPECT_EQ(dock("framesDock")->width(), frames);
 }
 
+TEST_F(DocksTest, FoldIntoTabs_OnASmallScreen) {
+  EXPECT_TRUE(window_->tabifiedDockWidgets(dock("objectsDock")).isEmpty());
+  window_->docks().arrangeFor({683, 384});
+  QTest::qWait(100);
+  EXPECT_EQ(window_->tabifiedDockWidgets(dock("objectsDock")).size(), 3);
+  resizeWindow(683, 384);
+  EXPECT_EQ(window_->height(), 384) << "it fits the screen";
+  EXPECT_GT(window_->centralWidget()->width(), 300);
+  window_->docks().arrangeFor({800, 500});  // 1600 x 1000 at twice the size
+  QTest::qWait(100);
+  resizeWindow(800, 500);
+  EXPECT_EQ(window_->height(), 500);
+  window_->docks().arrangeFor({1366, 768});
+  EXPECT_TRUE(window_->tabifiedDockWidgets(dock("objectsDock")).isEmpty());
+  EXPECT_TRUE(window_->tabifiedDockWidgets(dock("framesDock")).isEmpty());
+}
+
 TEST_F(DocksTest, KeepTheWidthThatAPersonGaveThem) {
   const QRect frames = dock("framesDock")->geometry();
   const QPoint line(frames.left() - 3, frames.center().y());

@@ -1,15 +1,21 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include <QAbstractItemView>
+#include <QCompleter>
 #include <QFileDialog>
 #include <QFileSystemModel>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QTest>
 #include <QTreeView>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 
 #include "tests/ui/window/catalogue_fixture.h"
 #include "ui/panels/file_dialogs.h"
+#include "ui/theme/theme.h"
 
 namespace scantrove {
 namespace {
@@ -59,6 +65,37 @@ TEST_F(FileDialogs, OpenNoFileOfTheFolderTheyShow) {
   EXPECT_EQ(dialog->selectedFiles(), QStringList{file_});
   EXPECT_EQ(opened.names(), std::vector<std::string>{});
 }
+
+class CompletionList : public testing::TestWithParam<ThemeChoice> {};
+
+TEST_P(CompletionList, IsReadable) {
+  const ThemeChoice before = Theme::instance().choice();
+  Theme::instance().choose(GetParam());
+  QMainWindow window;
+  auto* field = new QLineEdit;
+  window.setCentralWidget(field);
+  auto* completer = new QCompleter(QStringList{QStringLiteral("kitchen"), QStringLiteral("kiln")}, field);
+  field->setCompleter(completer);
+  window.resize(400, 100);
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  field->setFocus();
+  QTest::keyClicks(field, QStringLiteral("ki"));
+  QAbstractItemView* const list = completer->popup();
+  ASSERT_TRUE(QTest::qWaitFor([list] { return list->isVisible(); }, 4000));
+  QTest::qWait(50);
+  const QRect row = list->visualRect(list->model()->index(1, 0));
+  const QImage image = list->viewport()->grab().toImage().convertToFormat(QImage::Format_ARGB32);
+  const QColor ground = image.pixelColor(row.right() - 4, row.center().y());
+  const int text = list->palette().color(QPalette::Text).lightness();
+  EXPECT_EQ(ground.alpha(), 255) << "nothing shines through";
+  EXPECT_GT(std::abs(ground.lightness() - text), 100);
+  list->hide();
+  Theme::instance().choose(before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, CompletionList, testing::Values(ThemeChoice::light, ThemeChoice::dark));
 
 }  // namespace
 }  // namespace scantrove

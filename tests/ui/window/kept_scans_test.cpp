@@ -12,6 +12,7 @@
 #include <QUndoStack>
 
 #include "ui/main_window/kept_scan_list.h"
+#include "ui/panels/start_page.h"
 
 namespace scantrove {
 namespace {
@@ -35,6 +36,54 @@ TEST(KeptScans, AClickOpensOneAndDelDeletesIt) {
   QTest::keyClick(cards[1], Qt::Key_Delete);
   ASSERT_EQ(deleted.count(), 1);
   EXPECT_EQ(deleted[0][0].toString(), QStringLiteral("/b"));
+}
+
+/// Labels that show less than their text, or more than their place.
+QStringList cutLabels(const QWidget& page) {
+  QStringList cut;
+  for (const QToolButton* card : page.findChildren<QToolButton*>(QStringLiteral("startCard"))) {
+    const QList<QLabel*> labels = card->findChildren<QLabel*>();
+    for (const QLabel* label : labels) {
+      const QRect place(label->mapTo(card, QPoint()), label->size());
+      const int needed =
+          label->hasHeightForWidth() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+      const int width = label->wordWrap() ? 0 : label->fontMetrics().horizontalAdvance(label->text());
+      if (!card->rect().contains(place) || label->height() < needed || label->width() < width)
+        cut << label->text();
+      for (const QLabel* other : labels) {
+        if (other != label && place.intersects(QRect(other->mapTo(card, QPoint()), other->size())))
+          cut << label->text() + QStringLiteral(" over ") + other->text();
+      }
+    }
+  }
+  return cut;
+}
+
+TEST(StartPage, ItsCardsCutNoText) {
+  StartPage page;
+  const QString long_title = QStringLiteral("a recording of the whole kitchen from the door to the window");
+  const QString details = QStringLiteral(
+      "29 Nov, 01:23 · in use · recovered\n1,300 frames · 112 objects · 1,099 MB\nthe large blue mug, the "
+      "red "
+      "tin, the lunch box, …");
+  page.keptScans()->setScans(
+      {{QStringLiteral("/scans/a"), long_title, details, {}},
+       {QStringLiteral("/scans/b"), QStringLiteral("demo:room:31"), details, {}},
+       {QStringLiteral("/scans/c"),
+        QStringLiteral("damaged"),
+        QStringLiteral("The file /scans/c/session.sqlite is not a database. Give another folder."),
+        {}}});
+  for (const QSize size : {QSize(1366, 660), QSize(683, 330)}) {
+    page.resize(size);
+    page.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
+    QTest::qWait(50);
+    EXPECT_EQ(cutLabels(page).join(QStringLiteral(" | ")).toStdString(), "");
+  }
+  const QString tip = page.keptScans()->findChild<QToolButton*>()->toolTip();
+  EXPECT_TRUE(tip.contains(long_title)) << "all of it is at hand";
+  EXPECT_TRUE(tip.contains(QStringLiteral("the lunch box")));
+  EXPECT_TRUE(tip.contains(QStringLiteral("/scans/a")));
 }
 
 TEST(DeleteScan, GoesToTheTrashAndComesBack) {
