@@ -24,6 +24,7 @@ struct ScanCommand {
   bool label_maps = false;
   bool record = false;
   bool overwrite = false;
+  bool skip_refinement = false;
 };
 
 void printSummary(const ScanReport& report, const std::string& out) {
@@ -45,6 +46,13 @@ void printSummary(const ScanReport& report, const std::string& out) {
     std::cout << separator << inLine(object.name);
     separator = ", ";
   }
+  const ScanReport::Refinement& refinement = report.refinement;
+  if (refinement.skipped) {
+    std::cout << "\nrefined  not yet; 'scantrove session refine' does it";
+  } else if (refinement.key_frames > 0) {
+    std::cout << "\nrefined  with " << refinement.key_frames << " key frames in " << refinement.seconds
+              << " s";
+  }
   std::cout << "\nresults  " << inLine(out) << '\n';
 }
 
@@ -63,6 +71,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
     request.database = (*request.output_folder / "catalogue.sqlite").string();
   request.label_maps = command.label_maps;
   const KernelCacheUse kernels;
+  request.skip_refinement = command.skip_refinement;
   const CoreApplication qt;
   const auto report = runToEnd(request);
   if (!report) return fail(report.error());
@@ -90,6 +99,8 @@ void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
       ->type_name("FILE");
   sub->add_flag("--label-maps", command->label_maps,
                 "also write the segments and regions of every frame as PNGs");
+  sub->add_flag("--skip-refinement", command->skip_refinement,
+                "leave the pass after the last frame for later ('scantrove session refine')");
   sub->add_flag("--overwrite", command->overwrite,
                 "replace results in DIR that no scan wrote; other files there are kept")
       ->excludes("--resume");

@@ -37,56 +37,105 @@ class EventQueue {
   std::deque<ScanEvent> events_;
 };
 
+/// A scan whose events come to the main thread, and what a signal does to it.
+class Runner {
+ public:
+  explicit Runner(const std::function<void(const ScanSnapshot&)>& watch)
+      : watch_(watch), session_([this](const ScanEvent& event) { events_.push(event); }) {}
+
+  Result<ScanReport> run(ScanRequest request) {
+    constexpr std::chrono::milliseconds kPoll{20};
+    if (request.refine_session) setAtStop(AtStop::unfinished);  // the scan is on the disk
+    is_live_ = request.source.starts_with("camera") || request.source.starts_with("freenect");
+    session_.start(std::move(request));
+    while (true) {
+      if (const auto event = events_.pop(kPoll)) {
+        if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
+        if (const auto* finished = std::get_if<ScanFinished>(&*event)) {
+          showLatest();  // the last one was posted before this event
+          return finished->report;
+        }
+        show(*event);
+      }
+      showLatest();
+      if (stopRequested()) stop();
+    }
+  }
+
+ private:
+  void show(const ScanEvent& event) {
+    if (std::holds_alternative<PreparingDevice>(event)) progress_.say("Preparing the processor (once).");
+    if (const auto* state = std::get_if<StateChanged>(&event)) enter(state->state);
+    if (const auto* refined = std::get_if<RefinementStepped>(&event)) showRefinement(*refined);
+    if (const auto* skipped = std::get_if<FrameSkipped>(&event)) progress_.say(skipped->error.message());
+    if (const auto* failure = std::get_if<CatalogueFailed>(&event)) progress_.say(failure->error.message());
+    if (const auto* failure = std::get_if<MapFailed>(&event)) progress_.say(failure->error.message());
+    if (const auto* drifted = std::get_if<MapDrifted>(&event)) progress_.say(drifted->error.message());
+  }
+
+  void enter(ScanState state) {
+    state_ = state;
+    if (state == ScanState::finishing) setAtStop(AtStop::results);
+    if (state != ScanState::refining) return;
+    if (is_stopping_) listenForStopAgain();
+    is_stopping_ = false;
+  }
+
+  void showRefinement(const RefinementStepped& refined) {
+    if (refined.done == 0 && refined.keyFrame() == 1 && !is_refining_) {
+      is_refining_ = true;
+      progress_.say("Refining objects with " + std::to_string(refined.key_frames) +
+                    " key frames; Ctrl+C skips the rest.");
+    }
+    progress_.show([&refined] {
+      return "refining objects: key frame " + std::to_string(refined.keyFrame()) + " of " +
+             std::to_string(refined.key_frames);
+    });
+  }
+
+  void showLatest() {
+    const auto snapshot = session_.snapshots().collect();
+    if (!snapshot) return;
+    const bool is_ending = state_ == ScanState::finishing || state_ == ScanState::refining;
+    if (snapshot->frames.done() > 0 && !is_ending) setAtStop(AtStop::unfinished);
+    if (watch_) watch_(*snapshot);
+    progress_.show(*snapshot);
+  }
+
+  void stop() {
+    if (is_stopping_) return;
+    is_stopping_ = true;
+    if (state_ == ScanState::refining) {
+      progress_.say("Skipping the rest of the refinement; writing what there is.");
+      setEndUrgent(true);
+      return session_.skipRefinement();
+    }
+    // That is how a person ends the scan of a camera.
+    if (isInterrupted() && is_live_) {
+      progress_.say("Stopping; Ctrl+C again skips the refinement.");
+      return session_.stop();
+    }
+    progress_.say("Stopping; writing what there is.");
+    setEndUrgent(true);
+    session_.close();  // without a refinement
+  }
+
+  const std::function<void(const ScanSnapshot&)>& watch_;
+  EventQueue events_;
+  ProgressLine progress_;
+  ScanState state_ = ScanState::idle;
+  bool is_live_ = false;
+  bool is_refining_ = false;
+  bool is_stopping_ = false;
+  ScanSession session_;  // last: its thread ends before the rest goes
+};
+
 }  // namespace
 
 Result<ScanReport> runToEnd(ScanRequest request, const std::function<void(const ScanSnapshot&)>& watch) {
-  constexpr std::chrono::milliseconds kPoll{20};
-  EventQueue events;
-  ProgressLine progress;
-  bool is_stopping = false;  // a person wants it to
-  bool is_ending = false;    // no further frames; results are written
   request.pictures = false;  // what is watched are numbers
   listenForStop();
-  ScanSession session([&](const ScanEvent& event) { events.push(event); });
-  session.start(std::move(request));
-  const auto showLatest = [&] {
-    if (const auto snapshot = session.snapshots().collect()) {
-      if (snapshot->frames.done() > 0 && !is_ending) setAtStop(AtStop::unfinished);
-      if (watch) watch(*snapshot);
-      progress.show(*snapshot);
-    }
-  };
-  while (true) {
-    if (const auto event = events.pop(kPoll)) {
-      if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
-      if (const auto* finished = std::get_if<ScanFinished>(&*event)) {
-        showLatest();  // the last one was posted before this event
-        return finished->report;
-      }
-      if (const auto* changed = std::get_if<StateChanged>(&*event);
-          changed && changed->state == ScanState::stopping) {
-        is_ending = true;
-        setAtStop(AtStop::results);
-      }
-      if (std::holds_alternative<PreparingDevice>(*event)) progress.say("Preparing the processor (once).");
-      if (const auto* again = std::get_if<LookingAgain>(&*event)) {
-        progress.show([again] {
-          return "looking again, " + std::to_string(again->done + 1) + " of " + std::to_string(again->steps);
-        });
-      }
-      if (const auto* skipped = std::get_if<FrameSkipped>(&*event)) progress.say(skipped->error.message());
-      if (const auto* failure = std::get_if<CatalogueFailed>(&*event)) progress.say(failure->error.message());
-      if (const auto* failure = std::get_if<MapFailed>(&*event)) progress.say(failure->error.message());
-      if (const auto* drifted = std::get_if<MapDrifted>(&*event)) progress.say(drifted->error.message());
-    }
-    showLatest();
-    if (stopRequested() && !is_stopping) {
-      is_stopping = true;
-      progress.say("Stopping; writing what there is.");
-      setEndUrgent(true);
-      session.close();
-    }
-  }
+  return Runner(watch).run(std::move(request));
 }
 
 }  // namespace scantrove

@@ -11,6 +11,7 @@
 #include "app/json_output.h"
 #include "app/kernel_cache_use.h"
 #include "app/session_list_command.h"
+#include "app/session_refine_command.h"
 #include "core/base/text.h"
 #include "core/scan/open_session.h"
 #include "core/scan/session_catalogue.h"
@@ -103,6 +104,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
                {"objects", objects},
                {"operations", done},
                {"ended", session.hasEnded()},
+               {"refined", !session.canBeRefined()},
                {"damages", session.damages()}});
     return {};
   }
@@ -111,6 +113,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
             << session.frames().size() << ", " << usable << " tracked, " << session.keyFrames().size()
             << " kept as key frames\nmap         " << session.brickCount() << " bricks\nregions     "
             << regions->size() << ", " << named << " named, " << objects << " objects\noperations  " << done
+            << "\nrefined     " << (session.canBeRefined() ? "no: 'scantrove session refine' does it" : "yes")
             << '\n';
   return {};
 }
@@ -338,6 +341,7 @@ void addSessionCommand(CLI::App& app, CommandOutcome& outcome) {
     return sub;
   };
   addSessionList(*parent, outcome);
+  addSessionRefine(*parent, outcome);
   add("show", "What there is: frames, map, regions, operations", show);
   add("regions", "All regions", listRegions);
   CLI::App* at = add("at", "The region that a pixel of a frame shows", showAt);

@@ -78,4 +78,13 @@ bool stopRequested() { return g_stop; }
 
 void setAtStop(AtStop stage) { g_at_stop = stage; }
 
+bool isInterrupted() { return g_stop && g_stopped_by == SIGINT; }
+
+void listenForStopAgain() {
+  g_stop = false;
+  alarm(0);
+  g_waited_s = 0;
+  listenForStop();
+}
+
 }  // namespace scantrove

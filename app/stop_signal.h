@@ -11,6 +11,13 @@ void listenForStop();
 /// Whether a stop was requested since. Any thread.
 [[nodiscard]] bool stopRequested();
 
+/// A stop was requested by Ctrl+C, which a person may press once to end a camera's scan and once more to skip
+/// what follows it. Any thread.
+[[nodiscard]] bool isInterrupted();
+
+/// The request is met, and there is something else to stop: waits for another one, as listenForStop() does.
+void listenForStopAgain();
+
 /// What is lost where the request is not met in time.
 enum class AtStop {
   nothing,     ///< there are no results yet

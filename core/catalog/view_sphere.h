@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 namespace scantrove {
@@ -9,10 +10,16 @@ namespace scantrove {
 /// length; views of earlier scans lie in other worlds and have no direction here.
 class ViewSphere {
  public:
+  ViewSphere() = default;
+  /// `unit_directions`: as directions() gave them.
+  explicit ViewSphere(std::vector<Eigen::Vector3f> unit_directions)
+      : directions_(std::move(unit_directions)) {}
+
   /// True when the angle to every kept direction is at least `angle_deg`. False for a direction that is not a
   /// finite, non-zero vector.
   [[nodiscard]] bool isNew(const Eigen::Vector3f& direction, float angle_deg) const;
   void keep(const Eigen::Vector3f& direction) { directions_.push_back(direction.normalized()); }
+  [[nodiscard]] const std::vector<Eigen::Vector3f>& directions() const { return directions_; }
 
  private:
   std::vector<Eigen::Vector3f> directions_;  // unit

@@ -30,6 +30,9 @@ class CatalogueFeed {
   /// nothing is lost: the next call goes on.
   [[nodiscard]] Result<CatalogueEdits> follow();
 
+  /// How far the catalogue was followed.
+  [[nodiscard]] CataloguePosition position() const { return position_; }
+
   /// Who holds what, and the records of some objects, as they are now.
   [[nodiscard]] Result<CatalogueEdits> reread(std::span<const ObjectId> objects);
 

@@ -59,6 +59,8 @@ ObjectId CatalogueWriter::idOf(ObjectId object) const {
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const BeginSession& /*job*/) {
+  session_ = options_.session;
+  if (session_ != 0) return News{};
   SCANTROVE_TRY(moveInto(session_, database_->beginSession(options_.source, options_.camera)));
   return News{};
 }

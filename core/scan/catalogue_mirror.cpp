@@ -27,6 +27,16 @@ bool holdsBoth(const ObjectRecord& first, const ObjectRecord& second) {
 
 }  // namespace
 
+void CatalogueMirror::continueSession(std::int64_t session, std::uint32_t next_key,
+                                      const std::map<ObjectId, ObjectId>& ids) {
+  session_ = session;
+  next_key_ = next_key;
+  for (const auto& [key, id] : ids) {
+    ids_[key] = id;
+    keys_[id] = key;
+  }
+}
+
 Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   CataloguePosition position;
   // What happens while this reads is told again by the changes after this one.
@@ -34,10 +44,13 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   Result<std::vector<ObjectRecord>> objects = database.objects();
   if (!objects) return fail(objects.error());
   records_.reserve(objects->size());
-  for (ObjectRecord& record : *objects) records_.emplace(record.id, std::move(record));
+  for (ObjectRecord& record : *objects) {
+    record.id = keyOf(record.id);
+    records_.emplace(record.id, std::move(record));
+  }
   const Result<std::vector<ObjectHolder>> holders = database.holders();
   if (!holders) return fail(holders.error());
-  for (const ObjectHolder& entry : *holders) setHolder(entry.object, entry.holder);
+  for (const ObjectHolder& entry : *holders) setHolder(keyOf(entry.object), keyOf(entry.holder));
   const Result<int> views = database.viewCount();
   if (!views) return fail(views.error());
   detector_.reserve(*views + kViewsOfAScan);
@@ -88,7 +101,9 @@ void CatalogueMirror::addDescriptor(const StoredDescriptor& view) {
   own.first_object = keyOf(view.first_object);
   detector_.add(own);
   addSize(own.first_object, own.size_m);
-  if (view.place) places_.add(view.place->session, own.first_object, view.place->centroid_world);
+  // In the world of this scan nothing is recognised by its place.
+  if (view.place && view.place->session != session_)
+    places_.add(view.place->session, own.first_object, view.place->centroid_world);
 }
 
 void CatalogueMirror::addSize(ObjectId object, const Eigen::Vector3f& size_m) {

@@ -26,6 +26,10 @@ class CatalogueMirror {
  public:
   explicit CatalogueMirror(Detector detector) : detector_(std::move(detector)) {}
 
+  /// The scan that found these objects (ids by key) in that session of the catalogue continues. Before
+  /// load().
+  void continueSession(std::int64_t session, std::uint32_t next_key, const std::map<ObjectId, ObjectId>& ids);
+
   /// Reads all of `database`; returns where the news go on.
   [[nodiscard]] Result<CataloguePosition> load(ObjectDatabase& database);
 
@@ -51,6 +55,8 @@ class CatalogueMirror {
   /// None: not stored yet.
   [[nodiscard]] ObjectId idOf(ObjectId key) const;
   [[nodiscard]] ObjectId keyOf(ObjectId id) const;
+  /// Of the objects of this scan that are stored, by key.
+  [[nodiscard]] std::map<ObjectId, ObjectId> idsOfThisScan() const { return {ids_.begin(), ids_.end()}; }
 
   // What the scan does, ahead of the database.
 
@@ -74,6 +80,7 @@ class CatalogueMirror {
   void apply(const CatalogueNews& news);
 
  private:
+  friend class CollectorMemory;
   static constexpr std::uint32_t kFirstKey = 1U << 31U;
   struct Applied;
 
@@ -99,6 +106,7 @@ class CatalogueMirror {
   std::set<std::pair<ObjectId, ObjectId>> kept_apart_;                // smaller id first
   std::set<ObjectId> regrouped_;
 
+  std::int64_t session_ = 0;  // of the catalogue, that continues; 0: none does
   std::uint32_t next_key_ = kFirstKey;
   std::unordered_map<ObjectId, ObjectId> ids_, keys_;            // of this scan's objects that are stored
   std::map<ObjectId, int> views_to_come_;                        // by first object

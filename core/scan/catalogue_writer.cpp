@@ -199,6 +199,7 @@ void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> ope
     const std::scoped_lock lock(mutex_);
     last_error_ = ended.error();
   }
+  if (feed_) last_event_ = feed_->position().event;
   feed_.reset();
   database_.reset();  // of this thread, like all that is done with it
 }

@@ -41,6 +41,8 @@ class CatalogueWriter {
     std::string database = {};                      ///< as ObjectDatabase::open takes it
     std::string source = {};                        ///< of the session that is begun
     std::optional<Intrinsics> camera = {};          ///< its depth camera, where it is known
+    std::int64_t session = 0;                       ///< one that continues; 0: one is begun
+    std::map<ObjectId, ObjectId> ids = {};          ///< of the objects that it added, by key
     std::function<void()> on_news = {};             ///< news wait to be taken; called on the writer's thread
     std::chrono::milliseconds retry{500};           ///< after a failure
     std::chrono::milliseconds patience{20000};      ///< of finish(), while nothing gets done
@@ -82,6 +84,10 @@ class CatalogueWriter {
   /// Waits until all jobs are done and what others did by now is among the news. False: not within `limit`.
   [[nodiscard]] bool settle(std::chrono::milliseconds limit);
 
+  /// After finish(): the session, and the newest event that is known of the catalogue.
+  [[nodiscard]] std::int64_t session() const { return session_; }
+  [[nodiscard]] std::int64_t lastEvent() const { return last_event_; }
+
   /// Ends the session and the thread, after all jobs. `hear` is called when news have come (for takeNews()),
   /// and at the end. No other call but takeNews() afterwards. Error: what was not stored, and why;
   /// Options::patience passed without anything getting done.
@@ -120,7 +126,7 @@ class CatalogueWriter {
   };
   using News = std::vector<CatalogueNews>;
 
-  explicit CatalogueWriter(Options options) : options_(std::move(options)) {}
+  explicit CatalogueWriter(Options options) : options_(std::move(options)), ids_(options_.ids) {}
 
   // On the scan's thread.
   void enqueue(Job job);
@@ -163,6 +169,7 @@ class CatalogueWriter {
   std::unique_ptr<ObjectDatabase> database_;
   std::optional<CatalogueFeed> feed_;
   std::int64_t session_ = 0;
+  std::int64_t last_event_ = 0;                  // when it ends
   std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
   std::set<ObjectId> touched_;                   // objects that this scan gave something
   std::map<int, ObjectNaming> namings_;          // by the numbers that were given

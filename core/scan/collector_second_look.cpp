@@ -103,6 +103,11 @@ void ObjectCollector::noteKept(const ObjectView& view, const Candidate& candidat
 void ObjectCollector::beginLookingAgain() {
   mergeJoined(Which::all);
   is_looking_again_ = true;
+  // Of a refinement that begins anew because a person has changed something since.
+  are_last_looks_ = false;
+  wholes_.clear();
+  looks_back_.clear();
+  for (KeptView& view : kept_views_) view.is_outdated = view.is_of_what_left = false;
 }
 
 void ObjectCollector::rate(int frame_index, const std::vector<Candidate>& candidates) {
@@ -157,16 +162,19 @@ void ObjectCollector::bindWholes() {
   }
 }
 
-std::vector<int> ObjectCollector::settleWholes() {
+void ObjectCollector::settleWholes() {
   bindWholes();
-  std::set<int> frames;
   for (KeptView& view : kept_views_) {
     const std::vector<RegionId> regions = met_.regionsOf(view.object);
     view.is_outdated =
         !staysAsItIs(view.object) && !regions.empty() &&
         std::ranges::all_of(regions, [this](RegionId region) { return rated_.isUnlikely(region, kWhole); });
-    frames.insert(view.frame_index);
   }
+}
+
+std::vector<int> ObjectCollector::framesOfViews() const {
+  std::set<int> frames;
+  for (const KeptView& view : kept_views_) frames.insert(view.frame_index);
   return {frames.begin(), frames.end()};
 }
 

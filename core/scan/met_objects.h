@@ -58,6 +58,7 @@ class MetObjects {
   [[nodiscard]] bool isAt(ObjectId object, const Candidate& candidate) const;
 
  private:
+  friend class CollectorMemory;
   static constexpr int kTimesEmpty = 3;
 
   std::map<ObjectId, Met> met_;

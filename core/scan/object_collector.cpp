@@ -9,6 +9,7 @@
 #include "core/discovery/candidate_finder.h"
 #include "core/scan/candidate_crop.h"
 #include "core/scan/clarity.h"
+#include "core/scan/collector_memory.h"
 
 namespace scantrove {
 namespace {
@@ -50,13 +51,21 @@ ObjectCollector::ObjectCollector(Detector detector, const DetectionParams& param
 
 Result<std::unique_ptr<ObjectCollector>> ObjectCollector::create(ComputeContext& compute,
                                                                  ObjectDatabase& database,
-                                                                 const CatalogueWriter::Options& writer,
-                                                                 const DetectionParams& params) {
+                                                                 CatalogueWriter::Options writer,
+                                                                 const DetectionParams& params,
+                                                                 std::span<const std::uint32_t> memory) {
   Result<Detector> detector = Detector::create(compute);
   if (!detector) return fail(detector.error());
   std::unique_ptr<ObjectCollector> collector(new ObjectCollector(std::move(*detector), params));
-  const Result<CataloguePosition> position = collector->catalogue_.load(database);
+  const auto known = CollectorMemory::restore(memory, *collector);
+  Result<CataloguePosition> position = collector->catalogue_.load(database);
   if (!position) return fail(position.error());
+  if (known) {
+    SCANTROVE_TRY(CollectorMemory::checkObjects(*collector));
+    position->event = known->event;
+    writer.session = known->session;
+    writer.ids = collector->catalogue_.idsOfThisScan();
+  }
   SCANTROVE_TRY(moveInto(collector->writer_, CatalogueWriter::start(writer, *position)));
   return collector;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,10 +50,11 @@ class ObjectCollector {
 
   /// Loads all views of `database`, which is needed no longer than that, into the detector, and starts to
   /// write into the catalogue of `writer`, which is the same one.
-  [[nodiscard]] static Result<std::unique_ptr<ObjectCollector>> create(ComputeContext& compute,
-                                                                       ObjectDatabase& database,
-                                                                       const CatalogueWriter::Options& writer,
-                                                                       const DetectionParams& params);
+  /// `memory`: of CollectorMemory, for a scan that continues; empty: of none. Error: also a catalogue that is
+  /// another one than the memory's.
+  [[nodiscard]] static Result<std::unique_ptr<ObjectCollector>> create(
+      ComputeContext& compute, ObjectDatabase& database, CatalogueWriter::Options writer,
+      const DetectionParams& params, std::span<const std::uint32_t> memory = {});
 
   /// Candidates of one frame, which may share regions; `in_color` at their resolution. What was stored since
   /// the last call and that the catalogue fails is part of the outcome; it ends nothing.
@@ -111,16 +113,17 @@ class ObjectCollector {
                                        const std::vector<Candidate>& candidates);
 
   // At the end of a scan, when regions do not change any more: begin; rate() what frames of the scan show;
-  // settle what is whole; judge the views of all frames that this names; collect() from the frames that were
+  // settle what is whole; judge the views of all framesOfViews(); collect() from the frames that were
   // rated; begin the last looks; collect() from the frames that it names; end.
 
   void beginLookingAgain();
   /// What that frame (RgbdFrame::index) shows, with Candidate::wholeness.
   void rate(int frame_index, const std::vector<Candidate>& candidates);
   /// From now on the scene is made of the most likely wholes. An object is what its regions are a part of;
-  /// where that is nothing, and nobody spoke of it, it leaves. Frames (RgbdFrame::index) of which this scan
-  /// kept views.
-  [[nodiscard]] std::vector<int> settleWholes();
+  /// where that is nothing, and nobody spoke of it, it leaves.
+  void settleWholes();
+  /// Frames (RgbdFrame::index) of which this scan kept views, rising.
+  [[nodiscard]] std::vector<int> framesOfViews() const;
   /// Of wholes that are settled: they are one, or wanted.
   [[nodiscard]] bool mayBeObject(const RegionSet& regions) const;
   /// The region was taken for an object that a person spoke of or deleted, or that is not of this scan alone.
@@ -176,6 +179,7 @@ class ObjectCollector {
   void describeObject(SeenObject& seen) const;
 
  private:
+  friend class CollectorMemory;
   /// One frame as cut up into views.
   struct Look {
     const RgbdFrame& frame;

@@ -10,6 +10,7 @@
 #include "core/compute/compute_context.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/guarded.h"
+#include "core/scan/refinement_memory.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/session_joining.h"
 #include "core/scan/session_recorder.h"
@@ -130,6 +131,8 @@ void OpenSession::setFact(const std::string& name, const std::string& value) {
   scan_.facts[name] = value;
   recorder_->setFact(name, value);
 }
+
+bool OpenSession::canBeRefined() const { return scantrove::canBeRefined(scan_.facts); }
 
 int OpenSession::brickCount() const { return pipeline_->bricks().brickCount(); }
 

@@ -51,6 +51,9 @@ class OpenSession {
   /// Whether the scan came to its end.
   [[nodiscard]] bool hasEnded() const { return !fact("ended").empty(); }
 
+  /// Whether the scan's refinement is left to be done.
+  [[nodiscard]] bool canBeRefined() const;
+
   /// All regions, by id. Error: the device failed.
   [[nodiscard]] Result<std::vector<RegionSummary>> regions();
 

@@ -31,6 +31,7 @@ class RecognitionHistory {
   void forgetBefore(int frame);
 
  private:
+  friend class CollectorMemory;
   struct Votes {
     int looks = 0;
     bool sure = false;

@@ -1,6 +1,8 @@
 #include "core/scan/report_json.h"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/exchange/atomic_file.h"
 #include "core/scan/param_registry.h"
@@ -69,12 +71,25 @@ Json reportToJson(const ScanReport& report) {
             {"disk_megabytes", report.map_disk_megabytes}}},
           {"regions", report.regions},
           {"slivers", report.slivers},
+          {"refinement",
+           {{"seconds", report.refinement.seconds},
+            {"key_frames", report.refinement.key_frames},
+            {"skipped", report.refinement.skipped}}},
           {"objects", objectsToJson(report.objects)}};
 }
 
 Result<void> writeReport(const std::filesystem::path& path, const ScanReport& report) {
-  return writeFileAtomically(path,
-                             reportToJson(report).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  Json json = reportToJson(report);
+  if (report.is_of_refinement) {
+    std::ifstream stream(path, std::ios::binary);
+    Json earlier = Json::parse(stream, nullptr, false);
+    if (earlier.is_object()) {
+      for (const char* found : {"map", "regions", "slivers", "refinement", "objects"})
+        earlier[found] = std::move(json[found]);
+      json = std::move(earlier);
+    }
+  }
+  return writeFileAtomically(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace scantrove

@@ -49,8 +49,8 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   pipeline->finder_ = makeRuleBasedFinder(setup.params.discovery);
   if (setup.database != nullptr) {
     SCANTROVE_TRY(
-        moveInto(pipeline->collector_,
-                 ObjectCollector::create(compute, *setup.database, setup.catalogue, setup.params.detection)));
+        moveInto(pipeline->collector_, ObjectCollector::create(compute, *setup.database, setup.catalogue,
+                                                               setup.params.detection, setup.collector)));
   }
   return pipeline;
 }

@@ -68,8 +68,9 @@ class ScanPipeline {
     bool poses_given = false;  ///< take RgbdFrame::T_world_camera instead of tracking
     /// Is read by create(), and needed no longer; null: discover, but neither recognise nor collect.
     ObjectDatabase* database = nullptr;
-    CatalogueWriter::Options catalogue = {};  ///< that of the database
-    std::optional<int> frame_count = {};      ///< of the recording; empty for a live camera
+    CatalogueWriter::Options catalogue = {};        ///< that of the database
+    std::span<const std::uint32_t> collector = {};  ///< of CollectorMemory, for a scan that continues
+    std::optional<int> frame_count = {};            ///< of the recording; empty for a live camera
   };
 
   /// `compute` outlives the pipeline.
@@ -134,18 +135,20 @@ class ScanPipeline {
   [[nodiscard]] FrameObjects followCatalogue() {
     return collector_ ? collector_->followCatalogue() : FrameObjects{};
   }
-  /// Looks at what there is again, at the end of a scan and with the regions as they are now: what is one
-  /// whole thing by all that is known becomes an object, be it a part of a region or several, and objects, or
-  /// views of them, that show something else are left behind. First segmentCloser() frames of the scan, which
-  /// changes regions as a frame does (by the rule `graph`): what is as narrow as the spine of a book parts
-  /// only so. Then begin; then rate() these frames; then settle, which says of which frames
-  /// (RgbdFrame::index) views were kept; then judgeViewsOf() all of these; then lookAgain() at the frames
-  /// that were rated; then beginLastLooks() and lookAgain() at those that it names; then end. Error: the
-  /// device failed.
+  /// The steps of a Refinement, with the regions as they are now: what is one whole thing by all that is
+  /// known becomes an object, be it a part of a region or several, and objects, or views of them, that show
+  /// something else are left behind. First segmentCloser() frames of the scan, which changes regions as a
+  /// frame does (by the rule `graph`): what is as narrow as the spine of a book parts only so. Then begin;
+  /// then rate() these frames; then settle; then judgeViewsOf() all framesOfViews(); then lookAgain() at the
+  /// frames that were rated; then beginLastLooks() and lookAgain() at those that it names; then end. What was
+  /// settled in an earlier run of the program goes on after resumeLookingAgain(). Error: the device failed.
   [[nodiscard]] Result<void> segmentCloser(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] Result<void> beginLookingAgain();
   [[nodiscard]] Result<void> rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  [[nodiscard]] Result<std::vector<int>> settleWholes();
+  [[nodiscard]] Result<void> settleWholes();
+  [[nodiscard]] Result<void> resumeLookingAgain();
+  /// RgbdFrame::index of frames of which views were kept, rising.
+  [[nodiscard]] std::vector<int> framesOfViews() const;
   [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
   [[nodiscard]] Result<FrameObjects> lookAgain(const RgbdFrame& frame,
                                                const Eigen::Isometry3d& T_world_camera);

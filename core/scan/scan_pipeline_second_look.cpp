@@ -151,12 +151,25 @@ Result<void> ScanPipeline::partWholes() {
   return {};
 }
 
-Result<std::vector<int>> ScanPipeline::settleWholes() {
-  if (!collector_) return std::vector<int>{};
+Result<void> ScanPipeline::settleWholes() {
+  if (!collector_) return {};
   if (finer_judge_) SCANTROVE_TRY(partWholes());
-  std::vector<int> frames = collector_->settleWholes();
+  collector_->settleWholes();
   judge_->askOnlyOf([this](const RegionSet& regions) { return collector_->mayBeObject(regions); });
-  return frames;
+  return {};
+}
+
+Result<void> ScanPipeline::resumeLookingAgain() {
+  if (!collector_) return {};
+  Result<RegionSamples> known = sampleRegions();
+  if (!known) return fail(known.error());
+  judge_ = std::make_unique<RegionJudge>(params_.discovery, std::move(*known));
+  judge_->askOnlyOf([this](const RegionSet& regions) { return collector_->mayBeObject(regions); });
+  return {};
+}
+
+std::vector<int> ScanPipeline::framesOfViews() const {
+  return collector_ ? collector_->framesOfViews() : std::vector<int>{};
 }
 
 Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,

@@ -56,6 +56,14 @@ struct ScanReport {
     std::string recognised_from;  ///< session that first added it; empty: added in this scan
   };
   std::vector<Object> objects;  ///< met in this scan
+  struct Refinement {
+    double seconds = 0;
+    int key_frames = 0;    ///< that it uses
+    bool skipped = false;  ///< some or all of it is left for later
+  };
+  Refinement refinement;  ///< the pass after the last frame
+  /// It came later: of the frames, their times and the device an earlier report tells.
+  bool is_of_refinement = false;
 };
 
 }  // namespace scantrove

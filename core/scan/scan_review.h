@@ -20,6 +20,9 @@ class ScanReview {
                                                                 ScanSession::Listener listener,
                                                                 LatestValue<ScanSnapshot>& mailbox);
 
+  /// Its refinement was skipped, or it never came to that.
+  [[nodiscard]] bool canBeRefined() const { return session_->canBeRefined(); }
+
   /// Posts a snapshot of all that is there. Error: the device failed.
   [[nodiscard]] Result<void> showAll();
   /// Shows a key frame, by its place in ScanSnapshot::key_frames, as the map shows it now. Error: its images

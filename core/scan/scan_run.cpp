@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -14,9 +15,12 @@
 #include "core/base/program_pages.h"
 #include "core/catalog/object_database.h"
 #include "core/scan/catalogue_numbers.h"
+#include "core/scan/collector_memory.h"
 #include "core/scan/guarded.h"
+#include "core/scan/no_frames.h"
 #include "core/scan/open_source.h"
 #include "core/scan/output_owner.h"
+#include "core/scan/refinement.h"
 #include "core/scan/session_restorer.h"
 
 namespace scantrove {
@@ -61,10 +65,9 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
   if (!request.pictures) run->snapshots_.leaveOutPictures();
   SCANTROVE_TRY(run->checkFolder());
-  SCANTROVE_TRY(moveInto(run->source_, openSource(request.source, request.source_options)));
+  SCANTROVE_TRY(run->openFrames());
   const SourceInfo& info = run->source_->info();
-  const bool poses_given = request.poses == ScanRequest::Poses::given;
-  if (poses_given && !info.has_poses) {
+  if (run->request_.poses == ScanRequest::Poses::given && !info.has_poses) {
     return fail("The recording " + info.name + " (" + info.kind + ") has no poses.",
                 "Leave out --poses given.");
   }
@@ -77,32 +80,85 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
   }
   SCANTROVE_TRY(run->openSession(info));
-  const std::string& file = run->request_.database;
+  SCANTROVE_TRY(run->makePipeline(std::move(on_news)));
+  return run;
+}
+
+Result<void> ScanRun::openFrames() {
+  if (request_.refine_session) return openSessionToRefine();
+  return moveInto(source_, openSource(request_.source, request_.source_options));
+}
+
+Result<void> ScanRun::openSessionToRefine() {
+  const std::filesystem::path& folder = *request_.output_folder;
+  SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
+  std::vector<std::string> damages;
+  SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
+  const Result<SessionSetup> setup = setupFrom(earlier_->facts);
+  if (!setup) return fail(setup.error());
+  request_.source = setup->source;
+  request_.params = setup->params;
+  request_.database = databaseFileOf(*setup, folder).string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(request_.database, ignored)) {
+    return fail("The catalogue " + request_.database + " of the scan " + folder.string() + " is not there.",
+                "Put it back, then refine the scan.");
+  }
+  // Nothing is tracked any more.
+  request_.poses = ScanRequest::Poses::given;
+  for (const SavedFrame& frame : earlier_->frames) {
+    ++frames_.read;
+    ++(frame.isUsable() ? frames_.tracked : frames_.lost);
+  }
+  SourceInfo info;
+  info.name = setup->source;
+  info.kind = "session";
+  info.intrinsics = setup->K;
+  info.frame_count = frames_.read;
+  info.has_poses = true;
+  source_ = std::make_unique<NoFrames>(std::move(info));
+  if (auto memory = refinementMemoryFrom(earlier_->facts, earlier_->operations))
+    refinement_memory_ = std::move(*memory);
+  return {};
+}
+
+Result<void> ScanRun::makePipeline(std::function<void()> on_news) {
+  const SourceInfo& info = source_->info();
+  const std::string& file = request_.database;
   const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
-  SCANTROVE_TRY(moveInto(run->catalogue_, (*database)->identity()));
-  if (run->recorder_) run->recorder_->setCatalogue(run->catalogue_);
+  SCANTROVE_TRY(moveInto(catalogue_, (*database)->identity()));
+  if (recorder_) recorder_->setCatalogue(catalogue_);
+  if (request_.refine_session && isOfAnotherCatalogue())
+    return fail(isAnotherCatalogue(*request_.output_folder, file));
   CatalogueWriter::Options catalogue;
   catalogue.database = file;
   catalogue.source = info.name;
   catalogue.camera = info.intrinsics;
   catalogue.on_news = std::move(on_news);
-  catalogue.patience = request.catalogue_patience;
+  catalogue.patience = request_.catalogue_patience;
   SCANTROVE_TRY(
-      moveInto(run->pipeline_,
-               ScanPipeline::create(*run->compute_, {info.intrinsics, run->request_.params, poses_given,
-                                                     database->get(), catalogue, info.frame_count})));
-  SCANTROVE_TRY(run->resumeSession(**database));
-  return run;
+      moveInto(pipeline_,
+               ScanPipeline::create(
+                   *compute_, {info.intrinsics, request_.params, request_.poses == ScanRequest::Poses::given,
+                               database->get(), catalogue, refinement_memory_.collector, info.frame_count})));
+  return resumeSession(**database);
+}
+
+bool ScanRun::isOfAnotherCatalogue() const {
+  const auto own = earlier_->facts.find(kCatalogueFact);
+  return own != earlier_->facts.end() && !own->second.empty() && own->second != catalogue_;
 }
 
 Result<void> ScanRun::checkFolder() const {
-  if (!request_.output_folder || request_.resume || request_.overwrite) return {};
+  const bool is_of_session = request_.resume || request_.refine_session;
+  if (!request_.output_folder || is_of_session || request_.overwrite) return {};
   return checkHoldsOnlyOurs(*request_.output_folder);
 }
 
 Result<void> ScanRun::openSession(const SourceInfo& info) {
-  if (!request_.output_folder) return {};
+  if (!request_.output_folder || request_.refine_session) return {};
   const std::filesystem::path& folder = *request_.output_folder;
   keeps_earlier_scan_ = !request_.resume && holdsEarlierScan(folder);
   if (!request_.session) return {};
@@ -120,6 +176,7 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
   SessionRecorder::Setup setup{.all_frames = request_.record_all};
   setup.facts = factsOf({request_.source, info.intrinsics, request_.params,
                          databaseAsKept(request_.database, *request_.output_folder)});
+  setup.facts.merge(refinementFacts(false));
   recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
   if (!catalogue_.empty()) recorder_->setCatalogue(catalogue_);
   return {};
@@ -155,11 +212,18 @@ Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
   if (turnTo(*earlier_, *identity))
     listener_(CatalogueFailed{isAnotherCatalogue(*request_.output_folder, request_.database)});
   std::vector<std::string> damages;
-  SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, true, damages));
+  const bool for_camera = !request_.refine_session;
+  SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, for_camera, damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
   recorder_->rewriteFrom(on_disk, earlier_->facts);
-  recorder_->setFact("ended", "");  // not this time, yet
+  if (request_.refine_session) {
+    for (const RegionId region : refinement_memory_.known) pipeline_->kept().table.setKnown(region, true);
+    snapshots_.addBricks(pipeline_->allBricks());
+  } else {
+    recorder_->setFact("ended", "");  // not this time, yet
+    for (const auto& [name, value] : refinementFacts(false)) recorder_->setFact(name, value);
+  }
   recorder_->setFact("database", databaseAsKept(request_.database, *request_.output_folder));
   if (output_) output_->begin(*earlier_);
   earlier_.reset();
@@ -327,14 +391,57 @@ void ScanRun::stopClock() {
   clock_start_.reset();
 }
 
-Result<ScanReport> ScanRun::finish(const std::function<bool()>& goes_on) {
+void ScanRun::refine(const Ending& ending) {
+  const auto start = std::chrono::steady_clock::now();
+  // What it would have found is no result that is lost.
+  if (const Result<void> done = guarded("refining the objects", [&] { return runRefinement(ending); }); !done)
+    spdlog::warn("The objects could not be refined. {}", done.error().message());
+  if (refinement_.key_frames == 0) return;
+  refinement_.seconds = millisecondsSince(start) / 1000.0;
+  ending.enter(ScanState::finishing);
+}
+
+Result<void> ScanRun::runRefinement(const Ending& ending) {
+  if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
+  refinement_.skipped = true;  // until it is done
+  SCANTROVE_TRY(recorder_->save(*pipeline_));
+  Result<Refinement::KeyFrames> key_frames = recorder_->keptFrames();
+  if (!key_frames) return fail(key_frames.error());
+  refinement_.skipped = !key_frames->empty();
+  if (key_frames->empty()) return {};
+  const auto tell = [this](int done, int steps) {
+    listener_(RefinementStepped{done, steps, refinement_.key_frames});
+  };
+  Refinement refinement(*pipeline_, recorder_->folder(), std::move(*key_frames),
+                        {ending.refines, tell, [this](const FrameObjects& objects) { announce(objects); }});
+  refinement_.key_frames = refinement.keyFrames();
+  if (!ending.refines()) return {};
+  ending.enter(ScanState::refining);
+  const Result<void> done = refinement.run(refinement_memory_.position);
+  refinement_memory_.position = refinement.position();
+  refinement_.skipped = refinement_memory_.position.pass != RefinementPosition::Pass::done;
+  return done;
+}
+
+void ScanRun::keepRefinement() {
+  SavedFacts facts = refinementFacts(true);
+  if (refinement_.skipped) {
+    refinement_memory_.collector = CollectorMemory::of(*pipeline_->collector());
+    const RegionTable& table = pipeline_->regionTable();
+    std::set<RegionId> known(table.regions().begin(), table.regions().end());
+    std::erase_if(known, [&table](RegionId region) { return !table.isKnown(region); });
+    refinement_memory_.known.assign(known.begin(), known.end());
+    facts = refinementFacts(refinement_memory_, pipeline_->editor().log().entries());
+  }
+  for (const auto& [name, value] : facts) recorder_->setFact(name, value);
+}
+
+Result<ScanReport> ScanRun::finish(const Ending& ending) {
   stopClock();
   FirstError outcome;
   // First what needs nothing but this process: a catalogue or a device may take its time to fail.
   if (output_ && !keeps_earlier_scan_) outcome.note(output_->writeTrajectory());
-  // What it would have found is no result that is lost.
-  if (const Result<void> again = guarded("looking again", [&] { return lookAgain(goes_on); }); !again)
-    spdlog::warn("The scan could not be looked at again. {}", again.error().message());
+  refine(ending);
   outcome.note(guarded("storing what was found", [&] {
     return pipeline_->finishCatalogue([this](const FrameObjects& objects) { announce(objects); });
   }));
@@ -343,7 +450,12 @@ Result<ScanReport> ScanRun::finish(const std::function<bool()>& goes_on) {
     fillReport(report);
     return {};
   }));
-  if (recorder_) outcome.note(guarded("keeping the scan", [&] { return recorder_->finish(*pipeline_); }));
+  if (recorder_) {
+    outcome.note(guarded("keeping the scan", [&] {
+      keepRefinement();
+      return recorder_->finish(*pipeline_);
+    }));
+  }
   if (output_ && !keeps_earlier_scan_) outcome.note(output_->finish(*pipeline_, report));
   announceMapFailure();
   SCANTROVE_TRY(outcome.result());
@@ -379,6 +491,8 @@ void ScanRun::fillReport(ScanReport& report) {
   const ScanPipeline::RegionCount regions = pipeline_->regionCount();
   report.regions = regions.regions;
   report.slivers = regions.slivers;
+  report.refinement = refinement_;
+  report.is_of_refinement = request_.refine_session;
   report.objects = pipeline_->collector()->metObjects();
 }
 

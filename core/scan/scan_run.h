@@ -9,6 +9,7 @@
 #include "core/capture/frame_source.h"
 #include "core/compute/compute_context.h"
 #include "core/scan/first_error.h"
+#include "core/scan/refinement_memory.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_session.h"
@@ -58,10 +59,14 @@ class ScanRun {
   void startClock();
   void stopClock();
 
-  /// Looks at what is kept again as long as `goes_on`, writes the results, stores what waits for the
-  /// catalogue and closes its session; for every end of a scan, good or bad. What fails keeps nothing else
-  /// from being written. Error: the first failure (the others are in the log).
-  [[nodiscard]] Result<ScanReport> finish(const std::function<bool()>& goes_on);
+  struct Ending {
+    std::function<bool()> refines;         ///< asked before each frame of the refinement
+    std::function<void(ScanState)> enter;  ///< told `refining`, then `finishing`
+  };
+  /// Refines the objects, writes the results, stores what waits for the catalogue and closes its session; for
+  /// every end of a scan, good or bad. What fails keeps nothing else from being written. Error: the first
+  /// failure (the others are in the log).
+  [[nodiscard]] Result<ScanReport> finish(const Ending& ending);
 
  private:
   ScanRun(ScanRequest request, ScanSession::Listener listener, LatestValue<ScanSnapshot>& mailbox)
@@ -76,17 +81,26 @@ class ScanRun {
   void announceMapFailure();
   /// Error: the folder holds files of others.
   [[nodiscard]] Result<void> checkFolder() const;
+  /// Opens what the frames come from; of a session that is only refined, the session.
+  [[nodiscard]] Result<void> openFrames();
+  [[nodiscard]] Result<void> openSessionToRefine();
+  [[nodiscard]] Result<void> makePipeline(std::function<void()> on_news);
+  /// The earlier scan knows its objects by another catalogue's numbers.
+  [[nodiscard]] bool isOfAnotherCatalogue() const;
   /// Begins the session, or goes on in it. An earlier one gives way to the first usable frame.
   [[nodiscard]] Result<void> openSession(const SourceInfo& info);
   [[nodiscard]] Result<void> beginSession(const SourceInfo& info);
   /// The camera of the earlier scan must be this one; its map's parameters are taken over.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
   [[nodiscard]] Result<void> resumeSession(ObjectDatabase& database);
+  /// The session keeps what a refinement that is not done goes on with.
+  void keepRefinement();
   [[nodiscard]] Result<RegionEditor::Outcome> doEdit(const ScanEdit& edit);
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   void fillReport(ScanReport& report);
-  /// At the frames that are kept, with the regions as they came to be.
-  [[nodiscard]] Result<void> lookAgain(const std::function<bool()>& goes_on);
+  /// The objects, with the key frames that the session has.
+  void refine(const Ending& ending);
+  [[nodiscard]] Result<void> runRefinement(const Ending& ending);
 
   ScanRequest request_;
   ScanSession::Listener listener_;
@@ -107,6 +121,8 @@ class ScanRun {
   MapDrift drift_;
   std::vector<double> frame_ms_;
   double elapsed_s_ = 0;
+  ScanReport::Refinement refinement_;
+  RefinementMemory refinement_memory_;  // where it stops, or has stopped
   std::optional<std::chrono::steady_clock::time_point> clock_start_;
 };
 

@@ -64,6 +64,9 @@ class ScanSession::Worker {
       commands_.request.reset();
     });
   }
+  void skipRefinement() {
+    command([this] { commands_.skip_refinement = true; });
+  }
   void addCandidate(RegionId region) {
     command([&] { commands_.wanted.push_back(region); });
   }
@@ -108,6 +111,7 @@ class ScanSession::Worker {
     std::optional<ScanRequest> request;
     bool stop = false;
     bool close = false;  // nor look at what was scanned
+    bool skip_refinement = false;
     bool paused = false;
     int steps = 0;
     bool follow_catalogue = false;
@@ -140,6 +144,7 @@ class ScanSession::Worker {
         if (token.stop_requested()) return;
         request = std::exchange(commands_.request, std::nullopt);
         commands_.stop = false;
+        commands_.skip_refinement = request->skip_refinement;
         commands_.paused = request->start_paused;
         late = std::exchange(commands_.last_edits, {});
         is_running_ = true;
@@ -147,7 +152,8 @@ class ScanSession::Worker {
       params_ = request->params;
       for (const ScanEdit& edit : late)
         listener_(EditFailed{edit, {"The scan that it was about has ended.", ""}});
-      const bool is_open = request->source.empty() || runScan(*request);
+      const bool is_scan = request->refine_session || !request->source.empty();
+      const bool is_open = !is_scan || runScan(*request);
       if (is_open && request->review && request->output_folder) review(*request, token);
       command([this] { is_running_ = false; });
     }
@@ -157,10 +163,11 @@ class ScanSession::Worker {
     if (state.exchange(next) != next) listener_(StateChanged{next});
   }
 
-  /// Who closes the program or starts another scan does not wait for what may be left out.
-  bool isSomethingElseWanted() {
+  /// Who closes the program or starts another scan does not wait for what can be done later.
+  bool isRefinementSkipped() {
     const std::scoped_lock lock(mutex_);
-    return commands_.close || commands_.request || thread_.get_stop_token().stop_requested();
+    return commands_.skip_refinement || commands_.close || commands_.request ||
+           thread_.get_stop_token().stop_requested();
   }
 
   void failWith(const Error& error) {
@@ -179,13 +186,15 @@ class ScanSession::Worker {
       return false;
     }
     FirstError outcome;
-    outcome.note(guarded("during the scan", [&] { return scanFrames(**run); }));
-    enter(ScanState::stopping);
+    if (!request.refine_session) outcome.note(guarded("during the scan", [&] { return scanFrames(**run); }));
+    enter(ScanState::finishing);
     const ScanState end = outcome.result() ? ScanState::finished : ScanState::failed;
     outcome.note(guarded("showing the end of the scan", [&] { return (*run)->showNow(end); }));
     // Even when the scan broke off, what was scanned is kept.
-    Result<ScanReport> report = guarded(
-        "ending the scan", [&] { return (*run)->finish([this] { return !isSomethingElseWanted(); }); });
+    Result<ScanReport> report = guarded("ending the scan", [&] {
+      return (*run)->finish(
+          {[this] { return !isRefinementSkipped(); }, [this](ScanState now) { enter(now); }});
+    });
     if (!report) outcome.note(fail(report.error()));
     if (!outcome.result()) {
       failWith(outcome.result().error());
@@ -198,7 +207,7 @@ class ScanSession::Worker {
 
   /// The session of `request` is open until something else is asked for.
   void review(const ScanRequest& request, const std::stop_token& token) {
-    const bool is_after_scan = !request.source.empty();
+    const bool is_after_scan = request.refine_session || !request.source.empty();
     {
       const std::scoped_lock lock(mutex_);
       if (commands_.close) return;
@@ -214,7 +223,7 @@ class ScanSession::Worker {
     outcome.note(guarded("showing the session", [&] { return (*review)->showAll(); }));
     if (!is_after_scan) enter(ScanState::finished);
     command([this] { is_running_ = false; });
-    listener_(ReviewOpened{});
+    listener_(ReviewOpened{(*review)->canBeRefined()});
     while (outcome.result()) {
       Commands commands;
       if (!awaitReviewer(commands, token)) return;
@@ -356,6 +365,7 @@ void ScanSession::resume() { worker_->resume(); }
 void ScanSession::step() { worker_->step(); }
 void ScanSession::stop() { worker_->stop(); }
 void ScanSession::close() { worker_->close(); }
+void ScanSession::skipRefinement() { worker_->skipRefinement(); }
 void ScanSession::wait() { worker_->wait(); }
 void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region); }
 void ScanSession::edit(ScanEdit edit) { worker_->edit(std::move(edit)); }

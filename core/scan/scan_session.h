@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -44,6 +45,10 @@ struct ScanRequest {
   /// When the scan has ended, its session stays open until the next one starts: it can be edited, its key
   /// frames looked at, and data sets made of it.
   bool review = false;
+  bool skip_refinement = false;  ///< leave the pass after the last frame for later
+  /// Scan nothing; do the refinement that the session in `output_folder` has not had, with its own source,
+  /// camera and parameters.
+  bool refine_session = false;
   bool start_paused = false;
   bool pictures = true;          ///< snapshots hold what is looked at; else numbers alone
   bool profile_kernels = false;  ///< measures every kernel by itself, which takes time
@@ -55,9 +60,12 @@ struct ScanRequest {
 struct StateChanged {
   ScanState state;
 };
-/// The scan has ended, and looks at what it kept again.
-struct LookingAgain {
-  int done = 0, steps = 0;  ///< of these there are as many from beginning to end
+/// The scan refines its objects with its key frames; `steps` is the same from beginning to end.
+struct RefinementStepped {
+  int done = 0, steps = 1;
+  int key_frames = 0;
+  /// 1 ... key_frames. Each is used several times; the steps tell how much of all work is done.
+  [[nodiscard]] int keyFrame() const { return std::min(key_frames, 1 + done * key_frames / steps); }
 };
 struct PreparingDevice {};  ///< kernels are compiled, which takes long and happens once on a device
 struct ObjectAdded {
@@ -103,8 +111,11 @@ struct Edited {
 struct EditFailed {
   ScanEdit edit;
   Error error;
-};                       ///< a person's operation changed nothing, or is not on disk
-struct ReviewOpened {};  ///< the session of the scan that has ended, or that was opened, can be worked with
+};  ///< a person's operation changed nothing, or is not on disk
+/// The session of the scan that has ended, or that was opened, can be worked with.
+struct ReviewOpened {
+  bool can_refine = false;  ///< its refinement was skipped, or it never came to that
+};
 struct ExportPreviewed {
   ExportPreview preview;
 };
@@ -131,7 +142,7 @@ struct ScanFinished {
   ScanReport report;
 };
 using ScanEvent =
-    std::variant<StateChanged, LookingAgain, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
+    std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
                  ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted, Edited,
                  EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished,
                  ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
@@ -156,7 +167,9 @@ class ScanSession {
   void step();   ///< one frame while paused
   void stop();   ///< ends the scan cleanly: results are written, ScanFinished follows
   void close();  ///< the same, and the session is open no longer
-  void wait();   ///< until the scan that runs has ended
+  /// The scan that runs is not refined, or no further; it can be done later.
+  void skipRefinement();
+  void wait();  ///< until the scan that runs has ended
 
   /// A person says that the candidate with this region is an object: it is added when it is seen next.
   void addCandidate(RegionId region);

@@ -18,7 +18,14 @@
 namespace scantrove {
 
 /// States of a ScanSession.
-enum class ScanState { idle, starting, scanning, paused, stopping, finished, failed };
+/// `finishing`: no more frames come, by themselves or because a person stopped; `refining`: Refinement runs.
+enum class ScanState { idle, starting, scanning, paused, finishing, refining, finished, failed };
+
+/// A scan that runs, or begins or ends, keeps its worker busy.
+[[nodiscard]] constexpr bool isBusy(ScanState state) {
+  return state == ScanState::starting || state == ScanState::scanning || state == ScanState::paused ||
+         state == ScanState::finishing || state == ScanState::refining;
+}
 
 /// A discovered object as seen in the current frame.
 struct SeenObject {

@@ -164,7 +164,8 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
     if (for_camera) SCANTROVE_TRY(checkHasMap(kept.bricks, session, scan));
     restoreRegions(kept, scan, std::move(fragments));
     for (const SavedRegion& region : scan.regions) {
-      if (region.object) pipeline.bindObject(region.region, region.object);
+      if (pipeline.objectOf(region.region) != region.object)
+        pipeline.bindObject(region.region, region.object);
     }
     pipeline.wantAsSaid();
     return for_camera ? restoreCamera(pipeline, session, scan, damages) : Result<void>();

@@ -18,8 +18,8 @@ struct ScanEnding {
   std::vector<std::string> added;       ///< names
   std::vector<std::string> recognised;  ///< names
   std::vector<ObjectId> merged;         ///< objects that became part of others
-  std::vector<LookingAgain> again;      ///< how far that was
-  std::vector<ObjectId> left;           ///< that turned out not to be what their views show
+  std::vector<RefinementStepped> refinement;
+  std::vector<ObjectId> left;  ///< that turned out not to be what their views show
 };
 
 /// Runs one scan to its end through the session that window and command line use.
@@ -32,7 +32,7 @@ inline ScanEnding runScan(ScanRequest request) {
     if (const auto* skipped = std::get_if<FrameSkipped>(&event)) ending.skipped.push_back(*skipped);
     if (const auto* added = std::get_if<ObjectAdded>(&event)) ending.added.push_back(added->name);
     if (const auto* known = std::get_if<ObjectRecognised>(&event)) ending.recognised.push_back(known->name);
-    if (const auto* again = std::get_if<LookingAgain>(&event)) ending.again.push_back(*again);
+    if (const auto* step = std::get_if<RefinementStepped>(&event)) ending.refinement.push_back(*step);
     if (const auto* left = std::get_if<ObjectLeft>(&event)) ending.left.push_back(left->object);
     if (const auto* merged = std::get_if<ObjectsMerged>(&event))
       ending.merged.insert(ending.merged.end(), merged->from.begin(), merged->from.end());

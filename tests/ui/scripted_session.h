@@ -34,6 +34,7 @@ class ScriptedSession final : public SessionPort {
     finish();
   }
   void close() override { commands.push_back("close"); }
+  void skipRefinement() override { commands.push_back("skip refinement"); }
   void addCandidate(RegionId region) override { added_candidates.push_back(region); }
   void edit(ScanEdit edit) override { edits.push_back(std::move(edit)); }
   void showKeyFrame(int place) override { key_frames_shown.push_back(place); }

@@ -27,10 +27,7 @@ SessionBridge::~SessionBridge() = default;
 
 void SessionBridge::start(const ScanRequest& request) { session_->start(request); }
 
-bool SessionBridge::busy() const {
-  return state_ == ScanState::starting || state_ == ScanState::scanning || state_ == ScanState::paused ||
-         state_ == ScanState::stopping;
-}
+bool SessionBridge::busy() const { return isBusy(state_); }
 
 void SessionBridge::receive(const ScanEvent& event) {
   const std::scoped_lock lock(mutex_);
@@ -59,7 +56,7 @@ void SessionBridge::announce(const ScanEvent& event) {
             state_ = e.state;
             emit stateChanged(e.state);
           },
-          [this](const LookingAgain& e) { emit lookingAgain(e.done, e.steps); },
+          [this](const RefinementStepped& e) { emit refinementStepped(e); },
           [this](const PreparingDevice&) { emit preparingDevice(); },
           [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
           [this](const ObjectRecognised& e) {
@@ -76,7 +73,7 @@ void SessionBridge::announce(const ScanEvent& event) {
           [this](const MapDrifted& e) { emit mapDrifted(QString::fromStdString(e.error.message())); },
           [this](const Edited& e) { emit edited(e.edit, e.regions); },
           [this](const EditFailed& e) { emit editFailed(e.edit, QString::fromStdString(e.error.message())); },
-          [this](const ReviewOpened&) { emit reviewOpened(); },
+          [this](const ReviewOpened& e) { emit reviewOpened(e.can_refine); },
           [this](const ExportPreviewed& e) { emit exportPreviewed(e.preview); },
           [this](const ExportSampled& e) { emit exportSampled(e.sample); },
           [this](const ExportStepped& e) { emit exportStepped(e.progress); },

@@ -26,6 +26,7 @@ class SessionBridge : public QObject {
   void step() { session_->step(); }
   void stop() { session_->stop(); }
   void close() { session_->close(); }
+  void skipRefinement() { session_->skipRefinement(); }
   void addCandidate(RegionId region) { session_->addCandidate(region); }
   void edit(const ScanEdit& edit) { session_->edit(edit); }
   void showKeyFrame(int place) { session_->showKeyFrame(place); }
@@ -46,8 +47,8 @@ class SessionBridge : public QObject {
  signals:
   void snapshotArrived(const std::shared_ptr<const scantrove::ScanSnapshot>& snapshot);
   void stateChanged(scantrove::ScanState state);
-  void lookingAgain(int done, int steps);  ///< at what was kept, when the scan has ended
-  void preparingDevice();                  ///< kernels are compiled: the first frame takes long
+  void refinementStepped(const scantrove::RefinementStepped& progress);
+  void preparingDevice();  ///< kernels are compiled: the first frame takes long
   void objectAdded(scantrove::ObjectId object, const QString& name);
   void objectRecognised(scantrove::ObjectId object, const QString& name);
   void viewAdded(scantrove::ObjectId object);
@@ -63,7 +64,7 @@ class SessionBridge : public QObject {
   /// It was not done, or is not kept.
   void editFailed(const scantrove::ScanEdit& edit, const QString& message);
   /// The session of the scan that has ended, or that was opened, can be worked with.
-  void reviewOpened();
+  void reviewOpened(bool can_refine);
   void exportPreviewed(const scantrove::ExportPreview& preview);
   void exportSampled(const scantrove::ExportSample& sample);
   void exportStepped(const scantrove::ExportProgress& progress);

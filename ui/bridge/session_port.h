@@ -21,6 +21,7 @@ class SessionPort {
   virtual void step() = 0;
   virtual void stop() = 0;
   virtual void close() = 0;
+  virtual void skipRefinement() = 0;
   virtual void addCandidate(RegionId region) = 0;
   virtual void edit(ScanEdit edit) = 0;
   virtual void showKeyFrame(int place) = 0;

@@ -31,6 +31,11 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   step = make("step", tr("One &frame"), tr("N"), tr("Process one frame and pause"));
   stop = make("stop", tr("S&top"), tr("Ctrl+."), tr("End the scan; what was found is kept"));
 
+  skip_refinement = make("skip", tr("S&kip refinement"), tr("Ctrl+Shift+S"),
+                         tr("Leave the rest of the refinement for later; what was found is kept"));
+  refine = make("refine", tr("&Refine objects"), tr("Ctrl+Shift+R"),
+                tr("Refine the objects of this scan with its key frames, which was skipped"));
+
   undo = undo_stack.createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
   undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
@@ -58,11 +63,14 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   about = make("info", tr("&About Scantrove"), {}, tr("Which version this is"));
   enableFor(ScanState::idle, false);
   enableReview(false);
+  enableRefinement(false);
 }
 
 void MainActions::enableReview(bool open) {
   for (QAction* action : {export_data, frame_back, frame_on}) action->setEnabled(open);
 }
+
+void MainActions::enableRefinement(bool can_refine) { refine->setEnabled(can_refine); }
 
 QAction* MainActions::make(const char* picture, const QString& text, const QString& key,
                            const QString& help) {
@@ -74,14 +82,15 @@ QAction* MainActions::make(const char* picture, const QString& text, const QStri
 }
 
 void MainActions::enableFor(ScanState state, bool has_source) {
-  const bool busy = state == ScanState::starting || state == ScanState::scanning ||
-                    state == ScanState::paused || state == ScanState::stopping;
+  const bool busy = isBusy(state);
   const bool paused = state == ScanState::paused;
   start->setEnabled(has_source && (!busy || paused));
   start->setText(paused ? tr("&Go on") : tr("&Start"));
   pause->setEnabled(state == ScanState::scanning || paused);
   step->setEnabled(state == ScanState::scanning || paused);
-  stop->setEnabled(busy && state != ScanState::stopping);
+  stop->setEnabled(state == ScanState::starting || state == ScanState::scanning || paused);
+  skip_refinement->setEnabled(state == ScanState::refining);
+  if (busy) enableRefinement(false);
   open_catalogue->setEnabled(!busy);
 }
 

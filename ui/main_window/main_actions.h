@@ -32,6 +32,8 @@ class MainActions : public QObject {
   QAction* pause;
   QAction* step;
   QAction* stop;
+  QAction* skip_refinement;
+  QAction* refine;
 
   QAction* undo;
   QAction* redo;
@@ -53,6 +55,8 @@ class MainActions : public QObject {
   void enableFor(ScanState state, bool has_source);
   /// A session is open, of which data sets can be made.
   void enableReview(bool open);
+  /// That session has not been refined.
+  void enableRefinement(bool can_refine);
 
  private:
   QAction* make(const char* picture, const QString& text, const QString& key, const QString& help);

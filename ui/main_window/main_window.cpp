@@ -148,6 +148,7 @@ void MainWindow::closeScan() {
   }
   controller_->close();
   actions_->enableReview(false);
+  actions_->enableRefinement(false);
   actions_->enableFor(controller_->bridge().state(), controller_->hasSource());
   status_->showState(ScanState::idle);
   setWindowTitle(QStringLiteral("Scantrove"));
@@ -187,7 +188,10 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::snapshotArrived, this,
           [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(snapshot); });
   connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
-  connect(&bridge, &SessionBridge::lookingAgain, status_, &StatusStrip::showLookingAgain);
+  connect(&bridge, &SessionBridge::refinementStepped, this, [this](const RefinementStepped& progress) {
+    status_->showRefinement(progress.keyFrame(), progress.key_frames);
+    progress_->showRefinement(progress);
+  });
   connect(&bridge, &SessionBridge::preparingDevice, status_, &StatusStrip::showPreparing);
   connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
   connect(&bridge, &SessionBridge::frameSkipped, this, [this](int /*frame_index*/, const QString& message) {
@@ -219,9 +223,10 @@ void MainWindow::connectRegions() {
     }
     return names;
   });
-  connect(&bridge, &SessionBridge::reviewOpened, this, [this] {
+  connect(&bridge, &SessionBridge::reviewOpened, this, [this](bool can_refine) {
     if (onStartPage()) return;  // it was closed meanwhile
     actions_->enableReview(true);
+    actions_->enableRefinement(can_refine);
     has_snapshot_ = true;
   });
   connect(start_->keptScans(), &KeptScans::chosen, this, &MainWindow::openSession);
@@ -281,6 +286,7 @@ void MainWindow::beginScan(const QString& source) {
   guide_->beginScan();
   time_line_->clear();
   actions_->enableReview(false);
+  actions_->enableRefinement(false);
   model_.beginScan();
   has_snapshot_ = false;
   showScene();
@@ -311,6 +317,7 @@ void MainWindow::showState(ScanState state) {
   }
   const bool is_over = state == ScanState::finished || state == ScanState::failed;
   status_->showState(onStartPage() && is_over ? ScanState::idle : state);
+  progress_->showState(state);
   scene_->view()->setScanning(state == ScanState::scanning);
   actions_->enableFor(state, controller_->hasSource());
 }

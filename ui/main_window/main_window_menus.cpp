@@ -53,9 +53,10 @@ void MainWindow::makeMenus() {
   file->addSeparator();
   file->addActions({actions_->close_scan, actions_->quit});
 
-  menuBar()
-      ->addMenu(tr("&Scan"))
-      ->addActions({actions_->start, actions_->pause, actions_->step, actions_->stop});
+  QMenu* scan = menuBar()->addMenu(tr("&Scan"));
+  scan->addActions({actions_->start, actions_->pause, actions_->step, actions_->stop});
+  scan->addSeparator();
+  scan->addActions({actions_->refine, actions_->skip_refinement});
 
   const ObjectPanel::Actions& objects = objects_->actions();
   QMenu* edit = menuBar()->addMenu(tr("&Objects"));
@@ -87,6 +88,8 @@ void MainWindow::makeMenus() {
   QMenu* theme = view->addMenu(tr("&Colours"));
   theme->addActions({actions_->theme_system, actions_->theme_light, actions_->theme_dark});
   menuBar()->addMenu(tr("&Help"))->addActions({actions_->help_keys, actions_->about});
+  // What a command does is said beside it; the status line goes on saying how the scan is.
+  for (QMenu* menu : menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 
 void MainWindow::makeToolBar() {
@@ -111,7 +114,7 @@ void MainWindow::makeToolBar() {
   bar->addSeparator();
   bar->addActions({actions_->start, actions_->pause, actions_->step, actions_->stop});
   bar->addSeparator();
-  progress_ = new ProgressStrip;
+  progress_ = new ProgressStrip(actions_->skip_refinement);
   bar->addWidget(progress_);
   bar->addSeparator();
   bar->addActions({actions_->undo, actions_->redo});
@@ -139,6 +142,8 @@ void MainWindow::connectActions() {
   on(actions_->pause, [this] { controller_->togglePause(); });
   on(actions_->step, [this] { controller_->step(); });
   on(actions_->stop, [this] { controller_->stop(); });
+  on(actions_->skip_refinement, [this] { controller_->bridge().skipRefinement(); });
+  on(actions_->refine, [this] { controller_->refine(); });
   on(actions_->focus_objects, [this] {
     docks_->docks().first()->show();
     objects_->list()->setFocus(Qt::ShortcutFocusReason);
@@ -170,7 +175,6 @@ void MainWindow::fillRecentMenu() {
     QAction* action = recent_->addAction(sourceTitle(source), this, [this, source] { open(source); });
     action->setToolTip(source);
   }
-  recent_->setToolTipsVisible(true);
   recent_->setEnabled(!recent_->isEmpty());
   if (recent_->isEmpty()) return;
   recent_->addSeparator();

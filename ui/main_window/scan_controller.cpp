@@ -70,6 +70,15 @@ void ScanController::openSession(const QString& folder) {
   bridge_.start(request_);
 }
 
+void ScanController::refine() {
+  if (!request_.output_folder) return;
+  ScanRequest request = request_;
+  request.refine_session = true;
+  request.database.clear();  // the session's
+  emit opening(hasSource() ? source_ : sessionFolder());
+  bridge_.start(request);
+}
+
 void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
   if (isSessionFolder(source)) return openSession(QDir(source).absolutePath());
   source_ = source;

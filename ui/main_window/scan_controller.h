@@ -25,6 +25,8 @@ class ScanController : public QObject {
             ScanRequest::Poses poses = ScanRequest::Poses::tracked);
   /// Opens the session of an earlier scan to look at it and correct it.
   void openSession(const QString& folder);
+  /// Does the refinement that the open session has not had.
+  void refine();
   /// Where the session of the present scan is; empty: it is not kept.
   [[nodiscard]] QString sessionFolder() const;
   /// Whether scans that begin from now on become sessions; usually they do.

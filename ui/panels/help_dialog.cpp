@@ -46,6 +46,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   line(tr("N"), tr("Pause, then one frame"));
   line(tr("Ctrl+R"), tr("Start from the beginning"));
   line(tr("Ctrl+."), tr("Stop"));
+  line(tr("Ctrl+Shift+S, Ctrl+Shift+R"), tr("Skip the refinement; do it later"));
   line(tr("Ctrl+W"), tr("Close the scan"));
   heading(tr("Objects (with the list in focus)"));
   line(tr("Ctrl+L"), tr("Go to the list"));

@@ -3,14 +3,19 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QToolButton>
 #include <algorithm>
 
 #include "ui/panels/elided_label.h"
 
 namespace scantrove {
 
-ProgressStrip::ProgressStrip(QWidget* parent)
-    : QWidget(parent), title_(new ElidedLabel), bar_(new QProgressBar), count_(new QLabel) {
+ProgressStrip::ProgressStrip(QAction* skip, QWidget* parent)
+    : QWidget(parent),
+      title_(new ElidedLabel),
+      bar_(new QProgressBar),
+      count_(new QLabel),
+      skip_(new QToolButton) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 0, 10, 0);
@@ -25,6 +30,10 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   layout->addWidget(title_);
   layout->addWidget(bar_, 1);
   layout->addWidget(count_);
+  layout->addWidget(skip_);
+  skip_->setObjectName(QStringLiteral("skipRefinement"));
+  skip_->setDefaultAction(skip);
+  skip_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   clear();
 }
 
@@ -41,11 +50,29 @@ void ProgressStrip::clear() {
   title_->setFullText({});
   setCount({});
   bar_->hide();
+  showState(ScanState::idle);
+}
+
+void ProgressStrip::showState(ScanState state) {
+  is_refining_ = state == ScanState::refining;
+  skip_->setVisible(is_refining_);
+  if (is_refining_) setCount({});  // of frames
+}
+
+void ProgressStrip::showRefinement(const RefinementStepped& progress) {
+  if (!is_refining_) return;
+  bar_->setUpdatesEnabled(false);  // as in showSnapshot()
+  bar_->setRange(0, progress.steps);
+  bar_->setValue(progress.done);
+  bar_->setUpdatesEnabled(true);
+  bar_->show();
+  setCount(tr("key frame %1 of %2").arg(progress.keyFrame()).arg(progress.key_frames));
 }
 
 QString ProgressStrip::text() const { return count_->text(); }
 
 void ProgressStrip::showSnapshot(const ScanSnapshot& snapshot) {
+  if (is_refining_) return;
   if (snapshot.frames_total > 0) {
     // A bar draws itself as soon as it is set, and with it the window that an OpenGL view is part of: some 30
     // ms. Where it may not, it is drawn with all else that is new.

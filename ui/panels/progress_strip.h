@@ -3,23 +3,29 @@
 #include <QString>
 #include <QWidget>
 
-#include "core/scan/scan_snapshot.h"
+#include "core/scan/scan_session.h"
 
 class QLabel;
+class QAction;
 class QProgressBar;
+class QToolButton;
 
 namespace scantrove {
 
 class ElidedLabel;
 
-/// What is being scanned and how far it is: frames of a recording, elapsed time of a camera.
+/// What is being scanned and how far it is: frames of a recording, elapsed time of a camera, key frames of
+/// the refinement, which can be skipped there.
 class ProgressStrip : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ProgressStrip(QWidget* parent = nullptr);
+  /// `skip`: ends the refinement.
+  explicit ProgressStrip(QAction* skip, QWidget* parent = nullptr);
   void begin(const QString& title);
   void showSnapshot(const ScanSnapshot& snapshot);
+  void showState(ScanState state);
+  void showRefinement(const RefinementStepped& progress);
   void clear();
   [[nodiscard]] QString text() const;
 
@@ -29,6 +35,8 @@ class ProgressStrip : public QWidget {
   ElidedLabel* title_;
   QProgressBar* bar_;
   QLabel* count_;
+  QToolButton* skip_;  ///< only while there is something to skip
+  bool is_refining_ = false;
   QElapsedTimer since_start_;
 };
 

@@ -53,8 +53,10 @@ QString stateInWords(ScanState state) {
       return StatusStrip::tr("Scanning");
     case ScanState::paused:
       return StatusStrip::tr("Paused");
-    case ScanState::stopping:
-      return StatusStrip::tr("Stopping…");
+    case ScanState::finishing:
+      return StatusStrip::tr("Finishing…");
+    case ScanState::refining:
+      return StatusStrip::tr("Refining objects");
     case ScanState::finished:
       return StatusStrip::tr("Finished");
     case ScanState::failed:
@@ -98,11 +100,19 @@ StatusStrip::StatusStrip(QWidget* parent)
 void StatusStrip::showState(ScanState state) {
   state_ = state;
   if (state == ScanState::starting || state == ScanState::idle) clear();
+  if (state != ScanState::refining) refinement_.clear();
+  if (state == ScanState::finishing || state == ScanState::refining) clearSpeed();
+  state_label_->setToolTip(
+      state == ScanState::refining
+          ? tr("The key frames of this scan are used once more: regions are divided more finely, doubtful "
+               "objects and poor views go, and objects that were missed come. It can be skipped, and done "
+               "later.")
+          : QString());
   paintState();
 }
 
-void StatusStrip::showLookingAgain(int done, int steps) {
-  again_percent_ = steps > 0 ? 100 * done / steps : 0;
+void StatusStrip::showRefinement(int key_frame, int key_frames) {
+  refinement_ = tr("Refining objects: key frame %1 of %2").arg(key_frame).arg(key_frames);
   paintState();
 }
 
@@ -114,8 +124,13 @@ void StatusStrip::showPreparing() {
 void StatusStrip::clear() {
   has_pose_ = false;
   is_preparing_ = false;
-  again_percent_ = -1;
-  for (QLabel* label : {speed_, map_, losses_}) label->clear();
+  refinement_.clear();
+  for (QLabel* label : {map_, losses_}) label->clear();
+  clearSpeed();
+}
+
+void StatusStrip::clearSpeed() {
+  speed_->clear();
   stages_->setFullText({});
 }
 
@@ -123,8 +138,7 @@ QString StatusStrip::stateText() const {
   const bool under_way = state_ == ScanState::starting || state_ == ScanState::scanning;
   if (under_way && is_preparing_) return tr("Preparing the processor (once)");
   if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
-  if (state_ == ScanState::stopping && again_percent_ >= 0)
-    return tr("Looking again, %1 %").arg(again_percent_);
+  if (state_ == ScanState::refining && !refinement_.isEmpty()) return refinement_;
   return stateInWords(state_);
 }
 
@@ -134,7 +148,7 @@ void StatusStrip::paintState() {
   if (state_ == ScanState::scanning && has_pose_) {
     const Rgb c = trackingColor(tracking_);
     color = QColor(c[0], c[1], c[2]);
-  } else if (state_ == ScanState::paused || state_ == ScanState::stopping) {
+  } else if (state_ == ScanState::paused || state_ == ScanState::finishing || state_ == ScanState::refining) {
     color = colors.warning;
   } else if (state_ == ScanState::finished) {
     color = colors.good;
@@ -164,12 +178,9 @@ void StatusStrip::showSnapshot(const ScanSnapshot& snapshot) {
 }
 
 void StatusStrip::showSpeed(const ScanSnapshot& snapshot) {
-  // Of a session that is looked at there is none.
-  if (snapshot.stage_times.empty()) {
-    speed_->clear();
-    stages_->setFullText({});
-    return;
-  }
+  // Without frames there is none: the last one would stand frozen.
+  const bool is_ending = state_ == ScanState::finishing || state_ == ScanState::refining;
+  if (snapshot.stage_times.empty() || is_ending) return clearSpeed();
   speed_->setText(tr("%1 fps").arg(snapshot.fps, 0, 'f', 1));
   double total_ms = 0;
   for (const ScanSnapshot::StageTime& stage : snapshot.stage_times) total_ms += stage.ms;

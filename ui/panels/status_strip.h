@@ -18,21 +18,22 @@ class StatusStrip : public QWidget {
   explicit StatusStrip(QWidget* parent = nullptr);
 
   void showState(ScanState state);
-  void showLookingAgain(int done, int steps);  ///< while the scan ends
-  void showPreparing();                        ///< until the first snapshot
+  void showRefinement(int key_frame, int key_frames);
+  void showPreparing();  ///< until the first snapshot
   void showSnapshot(const ScanSnapshot& snapshot);
   [[nodiscard]] QString stateText() const;
 
  private:
   void clear();
   void paintState();
+  void clearSpeed();
   void showSpeed(const ScanSnapshot& snapshot);
 
   ScanState state_ = ScanState::idle;
   TrackingState tracking_ = TrackingState::lost;
   bool has_pose_ = false;
   bool is_preparing_ = false;
-  int again_percent_ = -1;  // of looking again; below 0: that has not begun
+  QString refinement_;  // how far it is
   QLabel* state_label_;
   QLabel* speed_;
   ElidedLabel* stages_;

@@ -97,7 +97,7 @@ TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
   static_cast<void>(studyPlaced(three_, T_now_then_));
   collector_->beginLookingAgain();
   collector_->rate(frame_, {jar_.thing.candidate()});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   ASSERT_EQ(found.recognised.size(), 1U) << "which is said";
   EXPECT_EQ(found.recognised[0].id, jar_id_);

@@ -24,7 +24,7 @@ class Wholes : public test::SecondLookFixture {
   void expectTwoOf(ObjectId object) {
     collector_->beginLookingAgain();
     collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
-    static_cast<void>(collector_->settleWholes());
+    collector_->settleWholes();
     EXPECT_EQ(collector_->objectOf(mug_.region), object);
     EXPECT_FALSE(collector_->objectOf(box_.region));
     collector_->endLookingAgain();
@@ -36,7 +36,8 @@ TEST_F(Wholes, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
   collector_->rate(3, {judged(mug_, 1)});
   collector_->rate(4, {judged(mug_, 3)});
   collector_->rate(5, {judged(mug_, 2)});
-  EXPECT_THAT(collector_->settleWholes(), testing::IsEmpty()) << "no views were kept";
+  collector_->settleWholes();
+  EXPECT_THAT(collector_->framesOfViews(), testing::IsEmpty()) << "no views were kept";
   frame_ = 5;
   static_cast<void>(lookAt({judged(mug_, 2)}, {mug_}));
   EXPECT_TRUE(objects().empty()) << "it may yet be recognised";
@@ -58,7 +59,7 @@ TEST_F(Wholes, WhatTheImageCutsOffIsNoViewUnlessThereIsNoBetterLook) {
   collector_->beginLookingAgain();
   collector_->rate(3, {mug, half_a_box});
   collector_->rate(4, {mug, box});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (frame_ = 3; frame_ < 9; ++frame_) static_cast<void>(lookAt({mug, half_a_box}, {mug_, box_}));
   EXPECT_TRUE(objects().empty());
   EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3, 4));
@@ -86,7 +87,7 @@ TEST_F(Wholes, APartThatWasRatedBecomesAnObjectAsTheRegionThatItIsThen) {
     if (regions == RegionSet{part}) return RegionSet{mug_.region};
     return std::nullopt;
   });
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
   frame_ = 3;
   static_cast<void>(lookAt({judged(mug_, 3)}, {mug_}));
@@ -111,7 +112,7 @@ TEST_F(Wholes, RegionsOfWhatAPersonSpokeOfOrDeletedStay) {
 TEST_F(Wholes, WhatIsUnlikelyToBeAWholeIsNoneHoweverOftenItIsSeen) {
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, -2)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, -2)}, {mug_}));
   EXPECT_THAT(collector_->beginLastLooks(), testing::IsEmpty());
   collector_->endLookingAgain();
@@ -128,7 +129,7 @@ TEST_F(Wholes, AnObjectOfThisScanThatIsUnlikelyToBeOneLeavesUnlessAPersonSpokeOf
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, -2), judged(box_, -2)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   collector_->endLookingAgain();
   settle();
   ASSERT_EQ(objects().size(), 1U);
@@ -147,7 +148,7 @@ TEST_F(Wholes, WhatIsAWholeInTheEndWasNotReplaced) {
   ASSERT_EQ(collector_->objectOf(again.region), mug) << "and yet there it is";
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(again, 3), judged(mug_, 3)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 2U);
@@ -166,7 +167,7 @@ TEST_F(Wholes, WhatAPersonMergedOrBroughtBackStaysHoweverUnlikely) {
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, -2), judged(box_, -2), judged(can, -2)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 2U);
@@ -176,7 +177,7 @@ TEST_F(Wholes, WhatTheLastLooksDoNotShowStays) {
   static_cast<void>(study({mug_}));
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(box_, -2)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 1U);
@@ -189,7 +190,7 @@ TEST_F(Wholes, AnObjectIsTheWholeThatItsRegionIsAPartOf) {
   both.regions.add(handle);
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, 2), both});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   EXPECT_EQ(collector_->objectOf(handle), mug);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 1)}, {mug_}, 60));
   EXPECT_EQ(framesOfViews(mug).size(), 1U) << "a part of it is no view of it";
@@ -217,7 +218,8 @@ TEST_F(Wholes, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
   collector_->rate(3, {both});
   const DepthView surface{
       test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
-  for (const int frame : collector_->settleWholes()) collector_->judgeViewsOf(frame, map, surface, 0.0015F);
+  collector_->settleWholes();
+  for (const int frame : collector_->framesOfViews()) collector_->judgeViewsOf(frame, map, surface, 0.0015F);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({both}, {mug_}));
   collector_->endLookingAgain();
   settle();
@@ -237,7 +239,7 @@ TEST_F(Wholes, AWholeIsNotTheOneThatStandsWhereItDoes) {
   const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as near
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, 4), judged(book, 3)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (int i = 0; i < 12; ++i) static_cast<void>(lookAt({judged(book, 3)}, {book}));
   for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
@@ -268,7 +270,8 @@ TEST_F(Wholes, AWholeWithoutAViewThatCountsHasItsBestLookHoweverPoor) {
   collector_->rate(3, {judged(mug_, kPoor)});
   const DepthView surface{
       test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
-  for (const int frame : collector_->settleWholes())
+  collector_->settleWholes();
+  for (const int frame : collector_->framesOfViews())
     collector_->judgeViewsOf(frame, mapWith(mug_, 0.3), surface, 0.0015F);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, kPoor)}, {mug_}));
   EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
@@ -287,7 +290,7 @@ TEST_F(Wholes, WhatWasTakenForNewIsKnownAgainByAClearLookInTheEnd) {
   ASSERT_EQ(study({unlike, another}).added.size(), 2U) << "as the first looks show them";
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, 3), judged(another, 3)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (int i = 0; i < 6; ++i)
     static_cast<void>(lookAt({judged(mug_, 3), judged(another, 3)}, {mug_, another}));
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
@@ -306,7 +309,7 @@ TEST_F(Wholes, WhatTheMapHasElsewhereIsNotWhatWasTakenForNew) {
   ASSERT_EQ(study({unlike}).added.size(), 1U);
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(second, 3)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(second, 3)}, {second}));
   EXPECT_NE(collector_->objectOf(second.region), mug);
   collector_->endLookingAgain();
@@ -321,7 +324,7 @@ TEST_F(Wholes, OfTwoOfAKindOnlyOneIsTheOneThatWasKnown) {
   ASSERT_EQ(study({unlike, another}).added.size(), 2U);
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, 3), judged(second, 3)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 3), judged(second, 3)}, {mug_, second}));
   EXPECT_TRUE((collector_->objectOf(mug_.region) == mug) != (collector_->objectOf(second.region) == mug));
   collector_->endLookingAgain();
@@ -337,7 +340,7 @@ TEST_F(Wholes, TwoWholesAreOneObjectWhereAPersonMergedThem) {
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
   EXPECT_EQ(collector_->objectOf(box_.region), mug);
   collector_->endLookingAgain();
@@ -351,7 +354,7 @@ TEST_F(Wholes, WhatAPersonDeletedIsNotFoundAgain) {
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
   collector_->rate(3, {judged(mug_, 4)});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
   static_cast<void>(collector_->beginLastLooks());
   frame_ = 3;
@@ -372,7 +375,7 @@ TEST_F(Wholes, WhatAPersonKeepsApartIsNotOneWhole) {
   both.regions.add(box_.region);
   collector_->beginLookingAgain();
   collector_->rate(3, {both});
-  static_cast<void>(collector_->settleWholes());
+  collector_->settleWholes();
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
   EXPECT_EQ(collector_->objectOf(box_.region), box);
   collector_->endLookingAgain();

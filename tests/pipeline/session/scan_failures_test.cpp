@@ -122,7 +122,7 @@ TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
     OtherProgram other(request(1).database);
     other.execute("BEGIN IMMEDIATE");
     session_.resume();
-    log_.awaitState(ScanState::stopping, 2);
+    log_.awaitState(ScanState::finishing, 2);
     EXPECT_EQ(log_.all<ObjectAdded>().size(), found) << "nothing is announced that is not stored";
     other.execute("ROLLBACK");
   }
@@ -239,7 +239,7 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
   ScanSession session([&](const ScanEvent& event) {
     log.add(event);
     const auto* state = std::get_if<StateChanged>(&event);
-    if (state != nullptr && state->state == ScanState::stopping) failing_device::failAfter(calls_that_work);
+    if (state != nullptr && state->state == ScanState::finishing) failing_device::failAfter(calls_that_work);
   });
   ScanRequest wanted = request(3);
   wanted.output_folder = out();

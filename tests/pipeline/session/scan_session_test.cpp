@@ -29,7 +29,7 @@ using test::ScanSessionTest;
 TEST_F(ScanSessionTest, RunsARecordingToItsEnd) {
   session_.start(request(4));
   session_.wait();
-  EXPECT_THAT(log_.states(), ElementsAre(ScanState::starting, ScanState::scanning, ScanState::stopping,
+  EXPECT_THAT(log_.states(), ElementsAre(ScanState::starting, ScanState::scanning, ScanState::finishing,
                                          ScanState::finished));
   EXPECT_EQ(session_.state(), ScanState::finished);
 }

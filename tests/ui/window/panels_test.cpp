@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QLabel>
 #include <QListWidget>
 #include <QPainter>
@@ -8,6 +9,7 @@
 #include <QSlider>
 #include <QStandardItemModel>
 #include <QTest>
+#include <QToolButton>
 #include <opencv2/core.hpp>
 
 #include "ui/models/object_list_model.h"
@@ -237,7 +239,8 @@ class PaintCounter : public QObject {
 
 // A window with a 3D view takes tens of milliseconds to be drawn: once for all that is new, not once a panel.
 TEST(ProgressStrip, IsDrawnWithWhatElseIsNew) {
-  ProgressStrip strip;
+  QAction skip;
+  ProgressStrip strip(&skip);
   strip.resize(400, 40);
   strip.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&strip));
@@ -289,19 +292,68 @@ TEST(StatusStrip, SaysThatTheProcessorIsPreparedUntilTheFirstFrame) {
   EXPECT_EQ(strip.stateText(), QStringLiteral("Starting…"));
 }
 
-TEST(StatusStrip, SaysHowFarLookingAgainIs) {
+TEST(StatusStrip, SaysHowFarTheRefinementIs) {
   StatusStrip strip;
   strip.showState(ScanState::scanning);
-  strip.showLookingAgain(0, 40);  // it is told with the end of the scan, which comes next
-  strip.showState(ScanState::stopping);
-  EXPECT_EQ(strip.stateText(), QStringLiteral("Looking again, 0 %"));
-  strip.showLookingAgain(10, 40);
-  EXPECT_EQ(strip.stateText(), QStringLiteral("Looking again, 25 %"));
+  strip.showState(ScanState::finishing);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Finishing…")) << "a recording that is over is not stopped";
+  strip.showState(ScanState::refining);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Refining objects"));
+  strip.showRefinement(12, 40);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Refining objects: key frame 12 of 40"));
   strip.showState(ScanState::finished);
   EXPECT_EQ(strip.stateText(), QStringLiteral("Finished"));
   strip.showState(ScanState::starting);
-  strip.showState(ScanState::stopping);
-  EXPECT_EQ(strip.stateText(), QStringLiteral("Stopping…")) << "another scan has not got there";
+  strip.showState(ScanState::refining);
+  EXPECT_EQ(strip.stateText(), QStringLiteral("Refining objects")) << "another scan has not got there";
+}
+
+TEST(StatusStrip, ShowsNoSpeed_WhileNoFramesCome) {
+  StatusStrip strip;
+  strip.showState(ScanState::scanning);
+  ScanSnapshot snapshot;
+  snapshot.frame_index = 0;
+  snapshot.fps = 8.5;
+  snapshot.stage_times = {{"raycast", 50}};
+  strip.showSnapshot(snapshot);
+  const auto showsSpeed = [&strip] {
+    return std::ranges::any_of(strip.findChildren<QLabel*>(), [](const QLabel* label) {
+      return label->text().contains(QStringLiteral("fps")) || label->text().contains(QStringLiteral("ms"));
+    });
+  };
+  EXPECT_TRUE(showsSpeed());
+  strip.showState(ScanState::finishing);
+  EXPECT_FALSE(showsSpeed());
+  strip.showSnapshot(snapshot);
+  EXPECT_FALSE(showsSpeed()) << "the last snapshot comes after the last frame";
+  strip.showState(ScanState::refining);
+  strip.showSnapshot(snapshot);
+  EXPECT_FALSE(showsSpeed());
+}
+
+TEST(ProgressStrip, MovesItsBarWhileObjectsAreRefined) {
+  QAction skip;
+  ProgressStrip strip(&skip);
+  strip.begin(QStringLiteral("kitchen"));
+  ScanSnapshot snapshot;
+  snapshot.frames_total = 100;
+  snapshot.frames.read = 100;
+  strip.showSnapshot(snapshot);
+  const auto* bar = strip.findChild<QProgressBar*>();
+  const auto* button = strip.findChild<QToolButton*>(QStringLiteral("skipRefinement"));
+  EXPECT_TRUE(button->isHidden());
+  strip.showState(ScanState::refining);
+  EXPECT_FALSE(button->isHidden());
+  strip.showRefinement({0, 140, 40});
+  EXPECT_EQ(bar->value(), 0);
+  EXPECT_EQ(strip.text(), QStringLiteral("key frame 1 of 40"));
+  strip.showRefinement({70, 140, 40});
+  EXPECT_EQ(bar->value() * 2, bar->maximum());
+  EXPECT_EQ(strip.text(), QStringLiteral("key frame 21 of 40"));
+  strip.showSnapshot(snapshot);
+  EXPECT_EQ(strip.text(), QStringLiteral("key frame 21 of 40"));
+  strip.showState(ScanState::finishing);
+  EXPECT_TRUE(button->isHidden());
 }
 
 TEST(StatusStrip, ASessionThatIsLookedAtHasNoSpeed) {

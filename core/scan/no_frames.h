@@ -1,0 +1,19 @@
+#pragma once
+#include <utility>
+
+#include "core/capture/frame_source.h"
+
+namespace scantrove {
+
+/// The source of a session that nothing is added to: knows its camera, and is over.
+class NoFrames final : public FrameSource {
+ public:
+  explicit NoFrames(SourceInfo info) : info_(std::move(info)) {}
+  [[nodiscard]] const SourceInfo& info() const override { return info_; }
+  [[nodiscard]] FrameRead next() override { return {}; }
+
+ private:
+  SourceInfo info_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,72 @@
+#include "core/scan/refinement_memory.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/byte_stream.h"
+#include "core/session/packed_text.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::uint32_t kRefinementVersion = 1;
+constexpr const char* kStateFact = "refinement";
+constexpr const char* kMemoryFact = "refinement memory";
+constexpr const char* kDone = "done";
+constexpr const char* kPending = "pending";
+
+std::string factIn(const SavedFacts& facts, const char* name) {
+  const auto found = facts.find(name);
+  return found == facts.end() ? std::string() : found->second;
+}
+
+/// How many operations there are, and how many of them are done.
+std::pair<int, int> countsOf(std::span<const OperationLog::Entry> operations) {
+  const auto done = std::ranges::count(operations, OperationLog::State::done, &OperationLog::Entry::state);
+  return {static_cast<int>(operations.size()), static_cast<int>(done)};
+}
+
+}  // namespace
+
+SavedFacts refinementFacts(bool is_done) {
+  return {{kStateFact, is_done ? kDone : kPending}, {kMemoryFact, ""}};
+}
+
+SavedFacts refinementFacts(const RefinementMemory& memory, std::span<const OperationLog::Entry> operations) {
+  ByteWriter to;
+  to.put(kRefinementVersion);
+  to.put(memory.position);
+  const auto [all, done] = countsOf(operations);
+  to.put(all);
+  to.put(done);
+  to.putList(std::span<const std::uint32_t>(memory.collector));
+  to.putList(std::span<const RegionId>(memory.known));
+  return {{kStateFact, kPending}, {kMemoryFact, packedText(to.take())}};
+}
+
+bool canBeRefined(const SavedFacts& facts) {
+  const std::string state = factIn(facts, kStateFact);
+  // Earlier versions kept nothing, and refined every scan that came to its end.
+  return state.empty() ? factIn(facts, "ended").empty() : state != kDone;
+}
+
+std::optional<RefinementMemory> refinementMemoryFrom(const SavedFacts& facts,
+                                                     std::span<const OperationLog::Entry> operations) {
+  const auto words = wordsFromText(factIn(facts, kMemoryFact));
+  if (!words) return std::nullopt;
+  ByteReader from(*words);
+  if (from.get<std::uint32_t>() != kRefinementVersion) return std::nullopt;
+  RefinementMemory memory;
+  memory.position = from.get<RefinementPosition>();
+  const std::pair counts{from.get<int>(), from.get<int>()};
+  memory.collector = from.getList<std::uint32_t>();
+  memory.known = from.getList<RegionId>();
+  const auto pass = static_cast<int>(memory.position.pass);
+  const bool is_pass = pass >= 0 && pass < static_cast<int>(RefinementPosition::Pass::done);
+  if (!from.isAtEnd() || !is_pass || memory.position.frames < 0) return std::nullopt;
+  if (counts != countsOf(operations) && memory.position.pass > RefinementPosition::Pass::rate)
+    memory.position = {RefinementPosition::Pass::rate, 0};
+  return memory;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,276 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <opencv2/core.hpp>
+
+#include "core/catalog/object_database.h"
+#include "core/scan/open_session.h"
+#include "core/scan/refinement_memory.h"
+#include "core/session/session_store.h"
+#include "tests/support/scan_session_runner.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::runScan;
+using test::ScanEnding;
+
+ScanRequest requestIn(const test::TemporaryFolder& folder) {
+  ScanRequest request;
+  request.source = "demo:tabletop:7";
+  request.source_options.frames = 40;
+  request.output_folder = folder / "out";
+  request.database = (folder / "catalogue.sqlite").string();
+  return request;
+}
+
+TEST(Refinement, TellsHowFarItIs) {
+  const test::TemporaryFolder folder;
+  const ScanEnding ending = runScan(requestIn(folder));
+  ASSERT_TRUE(ending.report) << ending.error;
+  ASSERT_FALSE(ending.refinement.empty());
+  const RefinementStepped first = ending.refinement.front();
+  EXPECT_EQ(first.done, 0);
+  EXPECT_EQ(first.keyFrame(), 1);
+  int last_done = 0, last_key_frame = 1;
+  for (const RefinementStepped& step : ending.refinement) {
+    EXPECT_EQ(step.steps, first.steps) << "how much there is does not change on the way";
+    EXPECT_EQ(step.key_frames, first.key_frames);
+    EXPECT_GE(step.done, last_done);
+    EXPECT_GE(step.keyFrame(), last_key_frame);
+    EXPECT_LT(step.done, step.steps);
+    last_done = step.done;
+    last_key_frame = step.keyFrame();
+  }
+  EXPECT_GT(last_done, first.steps * 2 / 3);
+  EXPECT_LE(last_key_frame, first.key_frames);
+  EXPECT_EQ(ending.report->refinement.key_frames, first.key_frames);
+  EXPECT_GT(ending.report->refinement.seconds, 0);
+  EXPECT_FALSE(ending.report->refinement.skipped);
+}
+
+TEST(Refinement, IsLeftForLaterWhenAsked) {
+  const test::TemporaryFolder folder;
+  ScanRequest request = requestIn(folder);
+  request.skip_refinement = true;
+  const ScanEnding ending = runScan(std::move(request));
+  ASSERT_TRUE(ending.report) << ending.error;
+  EXPECT_TRUE(ending.refinement.empty());
+  EXPECT_GT(ending.report->refinement.key_frames, 0);
+  EXPECT_TRUE(ending.report->refinement.skipped);
+}
+
+/// What a scan has made: the cloud with its labels, and the objects with the frames of their views.
+struct Made {
+  std::string cloud, labels;
+  std::vector<std::string> objects;
+  bool can_be_refined = false;
+};
+
+Made madeIn(const test::TemporaryFolder& folder) {
+  Made made;
+  made.cloud = test::readText(folder / "out/cloud.ply");
+  made.labels = test::readText(folder / "out/labels.json");
+  const auto database = ObjectDatabase::open((folder / "catalogue.sqlite").string());
+  if (!database) return made;
+  const auto objects = (*database)->objects();
+  for (const ObjectRecord& object : *objects) {
+    std::string text = object.name + ":";
+    const auto views = (*database)->views(object.id);
+    for (const ObjectView& view : *views)
+      text += " " + std::to_string(view.frame_index) + "/" + std::to_string(cv::countNonZero(view.mask));
+    made.objects.push_back(std::move(text));
+  }
+  const auto session = SessionStore::open(folder / "out");
+  if (!session) return made;
+  const auto scan = (*session)->load();
+  made.can_be_refined = canBeRefined(scan->facts);
+  return made;
+}
+
+ScanRequest requestToRefine(const test::TemporaryFolder& folder) {
+  ScanRequest request;
+  request.refine_session = true;
+  request.output_folder = folder / "out";
+  return request;
+}
+
+/// Runs `request` and skips the refinement at that step of it.
+ScanReport runUntilStep(ScanRequest request, int step) {
+  const test::QtMainThread qt;
+  ScanReport report;
+  ScanSession* running = nullptr;
+  ScanSession session([&](const ScanEvent& event) {
+    const auto* stepped = std::get_if<RefinementStepped>(&event);
+    if (stepped != nullptr && stepped->done >= step) running->skipRefinement();
+    if (const auto* finished = std::get_if<ScanFinished>(&event)) report = finished->report;
+  });
+  running = &session;
+  session.start(std::move(request));
+  session.wait();
+  return report;
+}
+
+class RefinementLater : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const test::TemporaryFolder folder;
+    const ScanEnding ending = runScan(requestIn(folder));
+    ASSERT_TRUE(ending.report) << ending.error;
+    steps_ = ending.refinement.front().steps;
+    direct_ = madeIn(folder);
+    ASSERT_FALSE(direct_.objects.empty());
+    ASSERT_FALSE(direct_.can_be_refined);
+  }
+  static void expectAsDirect(const test::TemporaryFolder& folder) {
+    const Made made = madeIn(folder);
+    EXPECT_THAT(made.objects, testing::ElementsAreArray(direct_.objects));
+    EXPECT_EQ(made.labels, direct_.labels);
+    // Labels of a few voxels at borders may fall to the other side.
+    ASSERT_EQ(made.cloud.size(), direct_.cloud.size());
+    const auto equal = std::inner_product(made.cloud.begin(), made.cloud.end(), direct_.cloud.begin(),
+                                          std::size_t{0}, std::plus<>(), std::equal_to<>());
+    EXPECT_LT(made.cloud.size() - equal, made.cloud.size() / 2000);
+    EXPECT_FALSE(made.can_be_refined);
+  }
+  static int steps_;
+  static Made direct_;
+};
+int RefinementLater::steps_ = 0;
+Made RefinementLater::direct_;
+
+TEST_F(RefinementLater, GivesWhatItGivesAtOnce_WhenSkipped) {
+  const test::TemporaryFolder folder;
+  ScanRequest request = requestIn(folder);
+  request.skip_refinement = true;
+  ASSERT_TRUE(runScan(std::move(request)).report);
+  const Made skipped = madeIn(folder);
+  EXPECT_TRUE(skipped.can_be_refined);
+  EXPECT_NE(skipped.cloud, direct_.cloud) << "there is something to refine";
+  const ScanEnding ending = runScan(requestToRefine(folder));
+  ASSERT_TRUE(ending.report) << ending.error;
+  EXPECT_FALSE(ending.report->refinement.skipped);
+  expectAsDirect(folder);
+  const auto report = nlohmann::json::parse(test::readText(folder / "out/report.json"));
+  EXPECT_EQ(report["refinement"]["skipped"], false);
+  EXPECT_GT(report["fps"], 0) << "the scan's own";
+  EXPECT_EQ(report["objects"].size(), direct_.objects.size());
+}
+
+TEST_F(RefinementLater, GoesOnWhereItWasLeft) {
+  const test::TemporaryFolder folder;
+  // In the first pass, and in the one in which objects are collected.
+  EXPECT_TRUE(runUntilStep(requestIn(folder), steps_ / 6).refinement.skipped);
+  EXPECT_TRUE(madeIn(folder).can_be_refined);
+  EXPECT_TRUE(runUntilStep(requestToRefine(folder), steps_ * 7 / 10).refinement.skipped);
+  EXPECT_TRUE(madeIn(folder).can_be_refined);
+  const ScanEnding ending = runScan(requestToRefine(folder));
+  ASSERT_TRUE(ending.report) << ending.error;
+  EXPECT_GT(ending.refinement.front().done, steps_ / 2);
+  expectAsDirect(folder);
+}
+
+TEST_F(RefinementLater, KeepsWhatAPersonSaidMeanwhile) {
+  const test::TemporaryFolder folder;
+  ScanRequest request = requestIn(folder);
+  request.skip_refinement = true;
+  ASSERT_TRUE(runScan(std::move(request)).report);
+  RegionId named;
+  {
+    const test::QtMainThread qt;
+    auto session = OpenSession::open(folder / "out");
+    ASSERT_TRUE(session) << session.error().message();
+    EXPECT_TRUE((*session)->canBeRefined());
+    const auto regions = (*session)->regions();
+    named = std::ranges::max_element(*regions, {}, &RegionSummary::voxels)->region;
+    Operation operation;
+    operation.kind = OperationKind::background;
+    operation.regions = {named};
+    ASSERT_TRUE((*session)->edit(operation));
+  }
+  ASSERT_TRUE(runScan(requestToRefine(folder)).report);
+  const test::QtMainThread qt;
+  const auto session = OpenSession::open(folder / "out");
+  ASSERT_TRUE(session) << session.error().message();
+  EXPECT_TRUE((*session)->noteOf(named).background);
+  EXPECT_EQ((*session)->history().entries().size(), 1U);
+}
+
+TEST_F(RefinementLater, SaysThatTheCatalogueIsAnotherOne) {
+  const test::TemporaryFolder folder;
+  ScanRequest request = requestIn(folder);
+  request.skip_refinement = true;
+  ASSERT_TRUE(runScan(std::move(request)).report);
+  const test::QtMainThread qt;
+  std::filesystem::remove(folder / "catalogue.sqlite");
+  EXPECT_THAT(runScan(requestToRefine(folder)).error, testing::HasSubstr("is not there"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "catalogue.sqlite")) << "none is made";
+  ASSERT_TRUE(ObjectDatabase::open((folder / "catalogue.sqlite").string()));
+  EXPECT_THAT(runScan(requestToRefine(folder)).error, testing::HasSubstr("catalogue"));
+  EXPECT_TRUE(madeIn(folder).can_be_refined);
+}
+
+TEST(Refinement, EndsAtTheNextFrame_WhenSkipped) {
+  const test::TemporaryFolder folder;
+  const test::QtMainThread qt;
+  std::atomic<int> steps = 0;
+  std::optional<ScanReport> report;
+  std::vector<ScanState> states;
+  ScanSession* running = nullptr;
+  ScanSession session([&](const ScanEvent& event) {
+    if (const auto* state = std::get_if<StateChanged>(&event)) states.push_back(state->state);
+    if (std::holds_alternative<RefinementStepped>(event) && ++steps == 2) running->skipRefinement();
+    if (const auto* finished = std::get_if<ScanFinished>(&event)) report = finished->report;
+  });
+  running = &session;
+  session.start(requestIn(folder));
+  session.wait();
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->refinement.skipped);
+  EXPECT_EQ(steps, 2);
+  EXPECT_THAT(states, testing::ElementsAre(ScanState::starting, ScanState::scanning, ScanState::finishing,
+                                           ScanState::refining, ScanState::finishing, ScanState::finished));
+}
+
+TEST(Refinement, NeedsASession) {
+  const test::TemporaryFolder folder;
+  ScanRequest request = requestIn(folder);
+  request.session = false;
+  const ScanEnding ending = runScan(std::move(request));
+  ASSERT_TRUE(ending.report) << ending.error;
+  EXPECT_TRUE(ending.refinement.empty());
+  EXPECT_EQ(ending.report->refinement.key_frames, 0);
+}
+
+TEST(Refinement, IsSkipped_WhenTheProgramIsClosed) {
+  const test::TemporaryFolder folder;
+  const test::QtMainThread qt;
+  std::atomic<int> steps = 0;
+  std::atomic<bool> has_finished = false;
+  ScanSession session([&](const ScanEvent& event) {
+    if (std::holds_alternative<RefinementStepped>(event)) ++steps;
+    if (std::holds_alternative<ScanFinished>(event)) has_finished = true;
+  });
+  ScanRequest request = requestIn(folder);
+  request.start_paused = true;
+  session.start(std::move(request));
+  for (int i = 0; i < 3; ++i) session.step();
+  int read = 0;
+  while (read < 3) {
+    if (const auto snapshot = session.snapshots().collect()) read = snapshot->frames.read;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  session.close();
+  session.wait();
+  EXPECT_TRUE(has_finished) << "all else is kept";
+  EXPECT_EQ(steps, 0);
+}
+
+}  // namespace
+}  // namespace scantrove

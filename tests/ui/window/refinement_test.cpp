@@ -1,0 +1,65 @@
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/main_window/main_actions.h"
+#include "ui/panels/progress_strip.h"
+
+namespace scantrove::test {
+namespace {
+
+class WindowRefinementTest : public WindowTest {
+ protected:
+  void enter(ScanState state) {
+    session_->post(StateChanged{state});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->controller().bridge().state() == state; }));
+  }
+  void scanToItsEnd() {
+    window_->open(QStringLiteral("demo"));
+    session_->post(snapshotOf(99));
+    enter(ScanState::finishing);
+    enter(ScanState::refining);
+  }
+};
+
+TEST_F(WindowRefinementTest, ItsButtonAndItsKeySkipIt) {
+  const QAction* action = window_->actions().skip_refinement;
+  EXPECT_FALSE(action->isEnabled());
+  scanToItsEnd();
+  EXPECT_TRUE(action->isEnabled());
+  session_->post(RefinementStepped{35, 140, 40});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window_->progressStrip()->text() == QStringLiteral("key frame 11 of 40"); }));
+  auto* button = window_->progressStrip()->findChild<QToolButton*>(QStringLiteral("skipRefinement"));
+  ASSERT_TRUE(button->isVisible());
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(session_->commands.back(), "skip refinement");
+  session_->commands.push_back("nothing yet");
+  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(session_->commands.back(), "skip refinement");
+  enter(ScanState::finishing);
+  EXPECT_FALSE(button->isVisible());
+  EXPECT_FALSE(action->isEnabled());
+}
+
+TEST_F(WindowRefinementTest, CanBeDoneLater) {
+  const QAction* action = window_->actions().refine;
+  window_->openSession(QStringLiteral("/somewhere/kitchen"));
+  enter(ScanState::finished);
+  session_->post(ReviewOpened{.can_refine = false});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }));
+  EXPECT_FALSE(action->isEnabled()) << "it has been done";
+  session_->post(ReviewOpened{.can_refine = true});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return action->isEnabled(); }));
+  QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_EQ(session_->commands.back(), "start");
+  EXPECT_TRUE(session_->last_request.refine_session);
+  EXPECT_EQ(session_->last_request.output_folder, "/somewhere/kitchen");
+  enter(ScanState::refining);
+  EXPECT_FALSE(action->isEnabled());
+  window_->open(QStringLiteral("demo"));
+  EXPECT_FALSE(session_->last_request.refine_session) << "the next scan is a scan";
+}
+
+}  // namespace
+}  // namespace scantrove::test
