@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 #include <set>
 #include <utility>
@@ -82,7 +83,7 @@ Result<void> labelImage(LabelledScan& scan, KeyFrameImage& read, const std::unor
   LabelledImage& image = read.image;
   const auto map = scan.look(image.K, image.T_world_camera);
   if (!map) return fail(map.error());
-  image.regions = refineRegions(*map, {image.depth_m, read.color}, image.K.fx);
+  image.regions = refineRegions(*map, {image.depth_m, read.color}, std::max(image.K.fx, image.K.fy));
   keepOnly(image.regions, kept);
   return {};
 }

@@ -38,6 +38,7 @@ OrientedBox fitOnce(const pcl::PointCloud<pcl::PointXYZ>& cloud) {
   const Eigen::Matrix3f axes = eigen.eigenvectors().rowwise().reverse().cast<float>();  // longest first
   OrientedBox box;
   box.mean = mean.head<3>().cast<float>();
+  box.axes = axes;
   const double largest = eigen.eigenvalues()[2], smallest = std::max(eigen.eigenvalues()[0], 0.0);
   box.thickness_ratio = largest > 0 ? static_cast<float>(std::sqrt(smallest / largest)) : 0;
   std::vector<float> along(cloud.size());

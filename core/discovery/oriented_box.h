@@ -7,7 +7,8 @@ namespace scantrove {
 /// The shape of a set of points by its principal axes.
 struct OrientedBox {
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< sides along the principal axes, longest first
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();    ///< sides along the principal axes, longest first
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  ///< columns: the principal axes, longest first
   float thickness_ratio = 0;  ///< sqrt(smallest / largest eigenvalue of the covariance)
 };
 

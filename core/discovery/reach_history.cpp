@@ -1,8 +1,11 @@
 #include "core/discovery/reach_history.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -39,6 +42,32 @@ std::array<Eigen::Vector3f, ReachHistory::kAxes> makeAxes() {
 const std::array<Eigen::Vector3f, ReachHistory::kAxes>& axes() {
   static const auto made = makeAxes();
   return made;
+}
+
+using Widths = Eigen::Matrix<float, static_cast<int>(ReachHistory::kAxes), 1>;
+
+/// The sides of a box of known directions, and how far it is from having the widths that were asked for.
+struct FittedSides {
+  Eigen::Vector3f size_m = Eigen::Vector3f::Zero();
+  float misfit_m = 0;
+};
+
+/// `directions`: columns of a rotation. Sides along directions that were measured are as measured.
+FittedSides sidesAlong(const Eigen::Matrix3f& directions, const Widths& widths) {
+  // A box is as wide along d as its sides, each times the cosine of its angle to d, together.
+  Eigen::Matrix<float, static_cast<int>(ReachHistory::kAxes), 3> cosines;
+  for (std::size_t axis = 0; axis < ReachHistory::kAxes; ++axis)
+    cosines.row(static_cast<Eigen::Index>(axis)) =
+        (directions.transpose() * axes()[axis]).cwiseAbs().transpose();
+  FittedSides sides;
+  sides.size_m = cosines.colPivHouseholderQr().solve(widths).cwiseMax(0.0F);
+  constexpr float kSame = 1 - 1e-5F;
+  for (Eigen::Index side = 0; side < 3; ++side) {
+    Eigen::Index measured = 0;
+    if (cosines.col(side).maxCoeff(&measured) > kSame) sides.size_m[side] = widths[measured];
+  }
+  sides.misfit_m = (cosines * sides.size_m - widths).norm();
+  return sides;
 }
 
 /// Says which points lie so far from the border that what ends there ends.
@@ -149,16 +178,24 @@ bool ReachHistory::isSeenToItsEnds(RegionId region, int frames) const {
          std::ranges::all_of(found->second.ends, &End::is_shown);
 }
 
-Eigen::Vector3f ReachHistory::sizeOf(RegionId region) const {
+Eigen::Vector3f ReachHistory::sizeOf(RegionId region, const Eigen::Matrix3f& axes) const {
   const auto found = reaches_.find(region);
-  Eigen::Vector3f size = Eigen::Vector3f::Zero();
-  if (found == reaches_.end() || found->second.is_too_large) return size;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    Eigen::Index along = 0;
-    if (axes()[axis].maxCoeff(&along) < 1) continue;  // not an axis of the world
-    size[along] = found->second.ends[2 * axis].far_m + found->second.ends[2 * axis + 1].far_m;
-  }
-  return size;
+  if (found == reaches_.end() || found->second.is_too_large) return Eigen::Vector3f::Zero();
+  Widths widths;
+  for (std::size_t axis = 0; axis < kAxes; ++axis)
+    widths[static_cast<Eigen::Index>(axis)] =
+        found->second.ends[2 * axis].far_m + found->second.ends[2 * axis + 1].far_m;
+  FittedSides best = sidesAlong(Eigen::Matrix3f::Identity(), widths);
+  const auto consider = [&](const Eigen::Matrix3f& turned) {
+    // Extents waver by the slack: who fits but a little better does not fit better.
+    if (const FittedSides other = sidesAlong(turned, widths); other.misfit_m < best.misfit_m - kSlack_m)
+      best = other;
+  };
+  constexpr float kEighthOfATurn = std::numbers::pi_v<float> / 4;
+  for (int axis = 0; axis < 3; ++axis)
+    consider(Eigen::AngleAxisf(kEighthOfATurn, Eigen::Vector3f::Unit(axis)).toRotationMatrix());
+  consider(axes);
+  return best.size_m;
 }
 
 }  // namespace scantrove

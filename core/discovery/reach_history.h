@@ -23,8 +23,11 @@ class ReachHistory {
   [[nodiscard]] bool isSeenToItsEnds(RegionId region, int frames) const;
   /// How much of its extent the last frame showed, in the direction in which it showed least; 0 .. 1.
   [[nodiscard]] float shownPart(RegionId region) const;
-  /// Its extents along the axes of the world. 0: it is not known, or too large.
-  [[nodiscard]] Eigen::Vector3f sizeOf(RegionId region) const;
+  /// The sides of the box that fits its extents best: along the axes of the world, along these turned by 45
+  /// degrees about one of them, or along `axes` (columns of a rotation), as the last frame suggests them. 0:
+  /// it is not known, or too large.
+  [[nodiscard]] Eigen::Vector3f sizeOf(RegionId region,
+                                       const Eigen::Matrix3f& axes = Eigen::Matrix3f::Identity()) const;
 
   /// It is not what it was: it starts anew.
   void forget(RegionId region) { reaches_.erase(region); }

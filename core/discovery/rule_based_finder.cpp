@@ -70,7 +70,7 @@ class RuleBasedFinder final : public CandidateFinder {
       const OutlineSteps outline = outlines.of(hypothesis.regions);
       if (!isNotBackground(outline, params_)) continue;
       OrientedBox box = fitOrientedBox(pointsOf(hypothesis.regions, extent.box_px, input));
-      box.size_m = reaches_.sizeOf(extent.region);
+      box.size_m = reaches_.sizeOf(extent.region, box.axes);
       std::sort(box.size_m.begin(), box.size_m.end(), std::greater<>());
       Candidate candidate = candidateOf(hypothesis, box, input);
       if (!isShapedAsThing(box, candidate.bulge, params_)) continue;

@@ -109,7 +109,7 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
   rate_pixels_.launch(cl::NDRange(cells(K.width), cells(K.height)), Lanes::pixelGroup(),
                       surface.maps.vertices_world, surface.maps.normals_world, readings.vertices_camera,
                       hidden_, K.width, K.height, toKernel(surface.maps.T_world_camera.inverse()),
-                      pointOf(surface.maps.T_world_camera), pointOf(T_world_color), K.fx,
+                      pointOf(surface.maps.T_world_camera), pointOf(T_world_color), std::min(K.fx, K.fy),
                       kAcross_vox * map.voxelSize(), apart, depths_, ratings_);
 }
 

@@ -40,7 +40,8 @@ void Raycaster::cast(const BrickMap& map, std::span<const cl_int> slots, Surface
                     ranges_, K.width, K.height, kernel_K, T_window_camera, params_.truncation_vox,
                     window.cells(), map.pageSlots(), window.size(), map.distances(), inverse_depths_);
   const cl::NDRange rows = lanes.overRows(K.width, K.height);
-  fit_planes_.launch(rows, lanes.rowGroup(), inverse_depths_, K.width, K.height, K.fx, planes_);
+  fit_planes_.launch(rows, lanes.rowGroup(), inverse_depths_, K.width, K.height, cl_float2{{K.fx, K.fy}},
+                     planes_);
   orient_surface_.launch(rows, lanes.rowGroup(), inverse_depths_, planes_, K.width, K.height, kernel_K,
                          T_window_camera, map.voxelSize(),
                          toKernel(static_cast<float>(origin_m.x()), static_cast<float>(origin_m.y()),

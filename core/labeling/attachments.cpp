@@ -160,7 +160,8 @@ class FrameOutlines {
   void collectNear(const Touch& touch, std::vector<std::size_t>& pixels) const {
     const Eigen::Vector3f place = input_.vertices_world[touch.there].head<3>();
     const float z = std::max(0.1F, depthOf(input_.vertices_world[touch.there]));
-    const auto reach = static_cast<int>(std::min(kMostNear_px, std::ceil(kNear_m * input_.K.fx / z)));
+    const auto reach =
+        static_cast<int>(std::min(kMostNear_px, std::ceil(kNear_m * std::max(input_.K.fx, input_.K.fy) / z)));
     const int x0 = static_cast<int>(touch.there) % map_.width,
               y0 = static_cast<int>(touch.there) / map_.width;
     for (int y = std::max(0, y0 - reach); y <= std::min(map_.height - 1, y0 + reach); ++y) {

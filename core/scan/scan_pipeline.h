@@ -227,8 +227,8 @@ class ScanPipeline {
     int regions = 0;  ///< of at least kSliverVoxels voxels
     int slivers = 0;  ///< smaller ones
   };
-  /// Regions of the whole map.
-  [[nodiscard]] RegionCount regionCount() const;
+  /// Regions of the whole map that have a surface: of what was taken away, voxels may keep labels.
+  [[nodiscard]] RegionCount regionCount();
 
   /// Bricks whose labels the last frame may have changed.
   [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }

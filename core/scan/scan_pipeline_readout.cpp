@@ -1,6 +1,7 @@
 // What can be read out of ScanPipeline's map: views, counts, the cloud, the mesh.
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "core/labeling/region_partition.h"
@@ -51,7 +52,11 @@ Result<SegmentMap> ScanPipeline::segmentMapFrom(const Eigen::Isometry3d& T_world
   });
 }
 
-ScanPipeline::RegionCount ScanPipeline::regionCount() const {
+ScanPipeline::RegionCount ScanPipeline::regionCount() {
+  std::unordered_set<RegionId> with_surface;
+  const Result<void> read = forEachCloudPoint([&](const LabelPoint& point) {
+    if (point.fragment < table_.regions().size()) with_surface.insert(table_.regions()[point.fragment]);
+  });
   std::unordered_map<RegionId, std::int64_t> voxels;
   const std::vector<cl_int>& of_fragment = cloud_->voxelsOfFragments();
   for (std::size_t fragment = 1; fragment < std::min(of_fragment.size(), table_.regions().size());
@@ -59,8 +64,10 @@ ScanPipeline::RegionCount ScanPipeline::regionCount() const {
     if (const RegionId region = table_.regions()[fragment]) voxels[region] += of_fragment[fragment];
   }
   RegionCount count;
-  for (const auto& [region, of_region] : voxels)
+  for (const auto& [region, of_region] : voxels) {
+    if (read && !with_surface.contains(region)) continue;  // without a device the voxels are all there is
     ++(of_region < kSliverVoxels ? count.slivers : count.regions);
+  }
   return count;
 }
 

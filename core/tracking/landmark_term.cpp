@@ -49,19 +49,21 @@ LandmarkTerm LandmarkTerm::of(const SeenLandmarks& seen, const Eigen::Isometry3d
   const Eigen::Isometry3d T_color_world = seen.T_color_depth * T_world_depth.inverse();
   const auto fx = static_cast<double>(seen.K.fx);
   const auto fy = static_cast<double>(seen.K.fy);
+  // Errors count in columns: a row may be wider or narrower.
+  const Eigen::Vector2d columns(1, fy / fx);
   for (std::size_t i = 0; i < seen.points_world.size(); ++i) {
     const Eigen::Vector3d q = T_color_world * seen.points_world[i];
     if (q.z() < kNearest_m) continue;
     const Eigen::Vector2d direction((seen.pixels[i].x() - static_cast<double>(seen.K.cx)) / fx,
                                     (seen.pixels[i].y() - static_cast<double>(seen.K.cy)) / fy);
-    const Eigen::Vector2d error = q.z() * direction - q.head<2>();
+    const Eigen::Vector2d error = columns.cwiseProduct(q.z() * direction - q.head<2>());
     const double error_px = fx * error.norm() / q.z();
     const double w = std::min(1.0, kOutlier_px / std::max(error_px, 1e-12)) / (q.z() * q.z());
 
     // The camera moves by the twist: what it sees moves the other way, by -(rotation x arm + translation).
     Eigen::Matrix<double, 2, 3> flatten;
     flatten << 1, 0, -q.x() / q.z(), 0, 1, -q.y() / q.z();
-    const Eigen::Matrix<double, 2, 3> across = flatten * T_color_world.linear();
+    const Eigen::Matrix<double, 2, 3> across = columns.asDiagonal() * (flatten * T_color_world.linear());
     const Eigen::Vector3d arm = seen.points_world[i] - centre;
     Eigen::Matrix<double, 2, 6> J;
     for (int row = 0; row < 2; ++row) {

@@ -23,7 +23,7 @@ struct SeenLandmarks {
 };
 
 /// The normal equations of their reprojection, J x = r, for the same twist as IcpSystem's. Rows are the two
-/// components of (pixel - projection) z / f, metres at the landmark, weighted by 1 / z^2 and by Huber.
+/// components of (pixel - projection) z / fx, metres at the landmark, weighted by 1 / z^2 and by Huber.
 struct LandmarkTerm {
   Eigen::Matrix<double, 6, 6> JtJ = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> Jtr = Eigen::Matrix<double, 6, 1>::Zero();

@@ -31,8 +31,9 @@ class SurfaceReference {
   SurfaceReference(const Intrinsics& K, std::vector<float> depth, const Constants& constants)
       : K_(K), depth_(std::move(depth)), constants_(constants) {}
 
-  /// Least squares over the window's pixels whose depth differs by at most `slope` pixel sizes (z / fx) a
-  /// pixel of (chessboard) distance; none with fewer than five of them or all on one line.
+  /// Least squares over the window's pixels whose depth differs by at most `slope` pixel sizes (z / fx
+  /// along rows, z / fy along columns) a pixel of distance along one of the two; none with fewer than five of
+  /// them or all on one line.
   [[nodiscard]] InverseDepthPlane plane(int u, int v) const {
     InverseDepthPlane result;
     if (!has(u, v)) return result;
@@ -42,7 +43,8 @@ class SurfaceReference {
     for (int dv = -constants_.radius_px; dv <= constants_.radius_px; ++dv) {
       for (int du = -constants_.radius_px; du <= constants_.radius_px; ++du) {
         if (!has(u + du, v + dv)) continue;
-        const double reach = constants_.slope * z / K_.fx * std::max(std::abs(du), std::abs(dv));
+        const double reach =
+            constants_.slope * z * std::max(std::abs(du) / double{K_.fx}, std::abs(dv) / double{K_.fy});
         const double step = std::abs(at(u + du, v + dv) - z);
         if (reach > 0) result.margin = std::min(result.margin, std::abs(step / reach - 1));
         if (step > reach) continue;

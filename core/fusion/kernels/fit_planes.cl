@@ -1,7 +1,7 @@
 // The plane around every pixel that sees a surface. In inverse depth q = 1/z, in which a depth camera's noise is even, a plane
 // is linear: q = a du + b dv + c with (du, dv) the pixels' offsets from the middle one. Least squares over the
-// (2 FIT_RADIUS + 1)^2 pixels whose depth differs from the middle's by at most FIT_SLOPE pixel sizes (z / f) for each pixel of
-// distance.
+// (2 FIT_RADIUS + 1)^2 pixels whose depth differs from the middle's by at most FIT_SLOPE pixel sizes (z / fx for columns, z / fy
+// for rows) for each pixel of distance, by the larger of the two.
 //
 // One work-item: LANES neighbouring pixels of a row.
 // inverse_depths: see cast_rays. planes: for each of the same rows four rows of the same length, that of a, of b, of c and of the
@@ -13,7 +13,7 @@
 #error "The sums of other windows need other bits."
 #endif
 
-kernel void fit_planes(global const float* inverse_depths, const int width, const int height, const float focal,
+kernel void fit_planes(global const float* inverse_depths, const int width, const int height, const float2 focal,
                        global float* planes) {
   const int u = LANES * (int)get_global_id(0);
   const int v = (int)get_global_id(1);
@@ -25,12 +25,15 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
   const intN met = q0 > 0.0f;
   const floatN z = 1.0f / (met ? q0 : 1.0f);
   // Inverse depths that belong to the plane, by how many rows or columns lie between (see above): bounds of q for those of z.
-  floatN lowest[FIT_RADIUS + 1], highest[FIT_RADIUS + 1];
+  floatN lowest[FIT_RADIUS + 1][FIT_RADIUS + 1], highest[FIT_RADIUS + 1][FIT_RADIUS + 1];
 #pragma unroll
-  for (int steps = 0; steps <= FIT_RADIUS; ++steps) {
-    const float slope = FIT_SLOPE / focal * (float)steps;
-    lowest[steps] = q0 * (1.0f / (1.0f + slope));
-    highest[steps] = slope < 1.0f ? q0 * (1.0f / (1.0f - slope)) : FLT_MAX;
+  for (int rows = 0; rows <= FIT_RADIUS; ++rows) {
+#pragma unroll
+    for (int columns = 0; columns <= FIT_RADIUS; ++columns) {
+      const float slope = max(FIT_SLOPE / focal.x * (float)columns, FIT_SLOPE / focal.y * (float)rows);
+      lowest[rows][columns] = q0 * (1.0f / (1.0f + slope));
+      highest[rows][columns] = slope < 1.0f ? q0 * (1.0f / (1.0f - slope)) : FLT_MAX;
+    }
   }
 
   // Sums over the pixels that belong to it, i and j counted from the corner so that none is negative: they share words.
@@ -43,9 +46,8 @@ kernel void fit_planes(global const float* inverse_depths, const int width, cons
 #pragma unroll
     for (int i = -FIT_RADIUS; i <= FIT_RADIUS; ++i) {
       const int right = i + FIT_RADIUS, down = j + FIT_RADIUS;
-      const int steps = max(abs(i), abs(j));
       const floatN qi = LOAD(middle + j * stride + i);
-      const intN take = where(qi >= lowest[steps]) & where(qi <= highest[steps]);
+      const intN take = where(qi >= lowest[abs(j)][abs(i)]) & where(qi <= highest[abs(j)][abs(i)]);
       const floatN q = take ? qi - q0 : 0.0f;
       counts += take ? (intN)(1 | right << 6 | down << 14 | i * i << 22) : (intN)(0);
       moments += take ? (intN)(j * j | right * down << 8) : (intN)(0);

@@ -3,7 +3,7 @@
 //   weight = COLOR_WEIGHT_ONE cos / |e|^2, cos = n . e / |e|, e from V to the colour camera; a whole number from 1 to
 //            COLOR_WEIGHT_OF_VIEW_MAX.
 //   reach  = (across + slack sin_d) / cos_d: how far along z from V the pixels of the cell may still show this surface; cos_d
-//            likewise to the depth camera, slack = CELL_REACH pixels at V, and so the tangent plane is within `across`.
+//            likewise to the depth camera, slack = CELL_REACH pixels (their longer sides) at V, and so the tangent plane is within `across`.
 // Nothing (depth 0) where
 //   no surface is, or the colour camera does not see it (hidden), or either camera sees it at less than MIN_COS;
 //   the frame has no reading, or another than the surface: who stands before it has another colour;

@@ -72,6 +72,9 @@ std::vector<Case> cases() {
     const Intrinsics K = cameraOf(width, height);
     all.push_back({K, roughDepth(K, static_cast<unsigned>(width))});
   }
+  Intrinsics tall_pixels = cameraOf(97, 61);
+  tall_pixels.fy /= 2;
+  all.push_back({tall_pixels, roughDepth(tall_pixels, 5)});
   const Intrinsics K = cameraOf(33, 9);
   all.push_back({K, std::vector<float>(static_cast<std::size_t>(K.pixels()), 0.0F)});  // an empty frame
   all.push_back(
@@ -111,7 +114,7 @@ TEST(FitPlanes, MatchesTheFormula) {
       Buffer<cl_float> planes(compute.context(), 4 * image.size());
       planes.fill(compute.queue(), kNoPlane);
       kernel->launch(itemsOf(compute, c.K), compute.lanes().rowGroup(), inversePadded(compute, c),
-                     cl_int{c.K.width}, cl_int{c.K.height}, cl_float{c.K.fx}, planes);
+                     cl_int{c.K.width}, cl_int{c.K.height}, cl_float2{{c.K.fx, c.K.fy}}, planes);
       const std::vector<float> actual = planes.read(compute.queue());
       const SurfaceReference reference(c.K, c.depth, {});
       for (int v = 0; v < c.K.height; ++v) {

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
 #include "tests/unit/discovery/painted_scene.h"
 
 namespace scantrove {
@@ -17,10 +21,11 @@ const cv::Rect kVisible(0, 0, 160, 120);
 
 /// A sign that is wider than the image, before a wall. The camera has moved along it so that it begins in
 /// column `left_px`, which may lie outside.
-PaintedScene signFrom(int left_px, int top_px = 30, int width_px = kWidth_px) {
+PaintedScene signFrom(int left_px, int top_px = 30, int width_px = kWidth_px, double turned_rad = 0) {
   PaintedScene scene;
   const double metres_per_px = static_cast<double>(kDepth_m) / 150;
-  scene.T_world_camera = Eigen::Translation3d(-metres_per_px * left_px, -metres_per_px * top_px, 0);
+  scene.T_world_camera = Eigen::AngleAxisd(turned_rad, Eigen::Vector3d::UnitZ()) *
+                         Eigen::Translation3d(-metres_per_px * left_px, -metres_per_px * top_px, 0);
   scene.map.regions.assign(scene.map.regions.size(), RegionId{});
   scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 2.0F; });
   const cv::Rect box = cv::Rect(left_px, top_px, width_px, kHeight_px) & cv::Rect(0, 0, 160, 120);
@@ -46,6 +51,35 @@ TEST(ReachHistory, EndsMayShowInDifferentFrames) {
   EXPECT_NEAR(size.x(), 0.36, 0.006);
   EXPECT_NEAR(size.y(), 0.12, 0.006);
   EXPECT_NEAR(size.z(), 0, 1e-6);
+}
+
+/// The sign after its two ends were seen, sides longest first.
+Eigen::Vector3f sizeOfTurned(double turned_rad, const Eigen::Matrix3f& axes) {
+  ReachHistory history;
+  addFrames(history, signFrom(10, 30, kWidth_px, turned_rad), 5);
+  addFrames(history, signFrom(-30, 30, kWidth_px, turned_rad), 5);
+  Eigen::Vector3f size = history.sizeOf(kSign, axes);
+  std::sort(size.begin(), size.end(), std::greater<>());
+  return size;
+}
+
+TEST(ReachHistory, MeasuresAlongTheSides_WhenTheyLieAcrossTheAxesOfTheWorld) {
+  const Eigen::Vector3f size = sizeOfTurned(std::numbers::pi / 4, Eigen::Matrix3f::Identity());
+  EXPECT_NEAR(size.x(), 0.36, 0.01);
+  EXPECT_NEAR(size.y(), 0.12, 0.01);
+  EXPECT_NEAR(size.z(), 0, 0.01);
+}
+
+TEST(ReachHistory, MeasuresAlongTheSides_WhenTheyLieAsTheLastFrameSuggests) {
+  for (const double turned_rad : {0.2, 0.4, 1.1}) {
+    SCOPED_TRACE(turned_rad);
+    const Eigen::Matrix3f axes =
+        Eigen::AngleAxisd(turned_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix().cast<float>();
+    const Eigen::Vector3f size = sizeOfTurned(turned_rad, axes);
+    EXPECT_NEAR(size.x(), 0.36, 0.015);
+    EXPECT_NEAR(size.y(), 0.12, 0.015);
+    EXPECT_NEAR(size.z(), 0, 0.015);
+  }
 }
 
 TEST(ReachHistory, WhatAlwaysLeavesTheImageIsNotKnown) {

@@ -66,5 +66,18 @@ TEST(LandmarkTerm, LeadsToThePoseThatTheLandmarksWereSeenFrom) {
   EXPECT_LT((T.matrix() - truth.matrix()).norm(), 1e-6);
 }
 
+// A pixel that is twice as tall tells half as much, as an error of a pixel is as likely in both directions.
+TEST(LandmarkTerm, WeighsRowsByTheirOwnFocalLength) {
+  SeenLandmarks seen;
+  seen.K = {500, 250, 320, 120, 640, 240};
+  seen.points_world = {{0, 0, 2}};
+  seen.pixels = {{320.5, 120.25}};
+  const LandmarkTerm term = LandmarkTerm::of(seen, Eigen::Isometry3d::Identity(), Eigen::Vector3d::Zero());
+  EXPECT_NEAR(term.JtJ(3, 3), 1 / 4.0, 1e-9);
+  EXPECT_NEAR(term.JtJ(4, 4), 1 / 16.0, 1e-9);
+  // The same error in metres.
+  EXPECT_NEAR(term.Jtr(4), term.Jtr(3) / 4, 1e-9);
+}
+
 }  // namespace
 }  // namespace scantrove::test
