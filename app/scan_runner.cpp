@@ -71,6 +71,7 @@ class Runner {
     if (const auto* failure = std::get_if<CatalogueFailed>(&event)) progress_.say(failure->error.message());
     if (const auto* failure = std::get_if<MapFailed>(&event)) progress_.say(failure->error.message());
     if (const auto* drifted = std::get_if<MapDrifted>(&event)) progress_.say(drifted->error.message());
+    if (const auto* advice = std::get_if<ScanAdvice>(&event)) progress_.say(advice->error.message());
   }
 
   void enter(ScanState state) {

@@ -35,13 +35,17 @@ struct SessionCommand {
   std::vector<std::string> here, there;
 };
 
-Json toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+/// A place of the session in its recording's world.
+Json toJson(const Eigen::Vector3f& place, const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return {place.x(), place.y(), place.z()};
+  return {place.x() + origin.x(), place.y() + origin.y(), place.z() + origin.z()};
+}
 
-Json toJson(const RegionSummary& region) {
+Json toJson(const RegionSummary& region, const Eigen::Vector3d& origin) {
   Json json{{"id", region.region.value},
             {"voxels", region.voxels},
-            {"centroid_m", toJson(region.centroid_world)},
-            {"box_m", {toJson(region.box_world.min()), toJson(region.box_world.max())}},
+            {"centroid_m", toJson(region.centroid_world, origin)},
+            {"box_m", {toJson(region.box_world.min(), origin), toJson(region.box_world.max(), origin)}},
             {"name", region.label.name},
             {"category", region.label.category},
             {"object", nullptr},
@@ -91,10 +95,17 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
     named += region.label.is_named ? 1U : 0U;
     objects += region.label.object ? 1U : 0U;
   }
+  Json recordings = Json::array();
+  for (const SavedRecording& one : session.recordings())
+    recordings.push_back({{"source", one.source},
+                          {"first_frame", one.first_frame},
+                          {"index_shift", one.index_shift},
+                          {"time_shift_s", one.time_shift_s}});
   for (const auto& entry : session.history().entries())
     done += entry.state == OperationLog::State::done ? 1U : 0U;
   if (command.json) {
     printJson({{"source", session.setup().source},
+               {"recordings", recordings},
                {"frames", session.frames().size()},
                {"tracked", usable},
                {"key_frames", session.keyFrames().size()},
@@ -109,12 +120,15 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
     return {};
   }
   std::cout << "source      " << inLine(session.setup().source)
-            << (session.hasEnded() ? "" : "  (recovered: the scan broke off)") << "\nframes      "
-            << session.frames().size() << ", " << usable << " tracked, " << session.keyFrames().size()
-            << " kept as key frames\nmap         " << session.brickCount() << " bricks\nregions     "
-            << regions->size() << ", " << named << " named, " << objects << " objects\noperations  " << done
-            << "\nrefined     " << (session.canBeRefined() ? "no: 'scantrove session refine' does it" : "yes")
-            << '\n';
+            << (session.hasEnded() ? "" : "  (recovered: the scan broke off)");
+  for (const SavedRecording& one : session.recordings()) {
+    if (one.first_frame > 0) std::cout << ", then " << inLine(one.source);
+  }
+  std::cout << "\nframes      " << session.frames().size() << ", " << usable << " tracked, "
+            << session.keyFrames().size() << " kept as key frames\nmap         " << session.brickCount()
+            << " bricks\nregions     " << regions->size() << ", " << named << " named, " << objects
+            << " objects\noperations  " << done << "\nrefined     "
+            << (session.canBeRefined() ? "no: 'scantrove session refine' does it" : "yes") << '\n';
   return {};
 }
 
@@ -125,7 +139,7 @@ Result<void> listRegions(OpenSession& session, const SessionCommand& command) {
     std::cerr << "scantrove: " << inLine(session.missingCatalogue()->message()) << '\n';
   if (command.json) {
     Json json = Json::array();
-    for (const RegionSummary& region : *regions) json.push_back(toJson(region));
+    for (const RegionSummary& region : *regions) json.push_back(toJson(region, session.setup().origin_m));
     printJson(json);
     return {};
   }
@@ -145,7 +159,9 @@ Result<void> showAt(OpenSession& session, const SessionCommand& command) {
   if (!place) return fail(place.error());
   const std::string name = session.labelOf(place->region).name;
   if (command.json) {
-    printJson({{"region", place->region.value}, {"name", name}, {"point_m", toJson(place->point_world)}});
+    printJson({{"region", place->region.value},
+               {"name", name},
+               {"point_m", toJson(place->point_world, session.setup().origin_m)}});
   } else {
     std::cout << place->region.value << (name.empty() ? "" : "  ") << inLine(name) << '\n';
   }

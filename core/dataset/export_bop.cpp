@@ -95,7 +95,7 @@ class BopScene {
     SCANTROVE_TRY(writeJson(kSceneFolder + "scene_gt.json", poses_));
     SCANTROVE_TRY(writeJson(kSceneFolder + "scene_gt_info.json", infos_));
     SCANTROVE_TRY(writeJson("camera.json", camera_));
-    SCANTROVE_TRY(writeJson("labels.json", legendOf(job_.chosen())));
+    SCANTROVE_TRY(writeJson("labels.json", legendOf(job_.chosen(), job_.scan().origin())));
     if (last_mask_name_.empty()) return {};
     const auto bytes = job_.readBack(last_mask_name_);
     if (!bytes) return fail(bytes.error());
@@ -111,7 +111,9 @@ class BopScene {
   }
 
   void describeCamera(const LabelledImage& image, const std::string& key) {
-    const Eigen::Isometry3d T_camera_world = image.T_world_camera.inverse();
+    Eigen::Isometry3d T_world_camera = image.T_world_camera;
+    T_world_camera.translation() += job_.scan().origin();
+    const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
     const double scale = std::round(image.frame.metres_per_unit * kMillimetresPerMetre * 1e6) / 1e6;
     cameras_[key] = {{"cam_K", cameraMatrix(image.K)},
                      {"depth_scale", scale},

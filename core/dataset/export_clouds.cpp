@@ -18,7 +18,7 @@ Result<LabelledMesh> readCloud(ExportJob& job) {
 }
 
 Result<void> writeLegend(ExportJob& job) {
-  const ExportJson legend = legendOf(job.allRegions());
+  const ExportJson legend = legendOf(job.allRegions(), job.scan().origin());
   SCANTROVE_TRY(job.write("labels.json", jsonByLines(legend)));
   return job.checkJson("labels.json", legend);
 }
@@ -27,7 +27,10 @@ Result<void> writeLegend(ExportJob& job) {
 Result<Eigen::Isometry3d> firstCamera(ExportJob& job) {
   const auto trajectory = job.scan().trajectory();
   if (!trajectory) return fail(trajectory.error());
-  return trajectory->empty() ? Eigen::Isometry3d::Identity() : trajectory->front().T_world_camera;
+  if (trajectory->empty()) return Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d first = trajectory->front().T_world_camera;
+  first.translation() += job.scan().origin();
+  return first;
 }
 
 }  // namespace
@@ -35,7 +38,8 @@ Result<Eigen::Isometry3d> firstCamera(ExportJob& job) {
 Result<void> exportPlyCloud(ExportJob& job) {
   const auto cloud = readCloud(job);
   if (!cloud) return fail(cloud.error());
-  const std::string bytes = encodePly(*cloud, {.faces = false}, "labelled cloud: metres, label = region id");
+  const std::string bytes = encodePly(*cloud, {.faces = false, .origin = job.scan().origin()},
+                                      "labelled cloud: metres, label = region id");
   SCANTROVE_TRY(job.write("cloud.ply", bytes));
   SCANTROVE_TRY(job.checkSame("cloud.ply", bytes));
   return writeLegend(job);
@@ -52,7 +56,7 @@ Result<void> exportPcdCloud(ExportJob& job) {
     points.push_back({p.position_world_m.x(), p.position_world_m.y(), p.position_world_m.z(), p.rgb[0],
                       p.rgb[1], p.rgb[2], p.region});
   }
-  const std::string bytes = encodePcd(points, *viewpoint);
+  const std::string bytes = encodePcd(points, *viewpoint, job.scan().origin());
   SCANTROVE_TRY(job.write("cloud.pcd", bytes));
   SCANTROVE_TRY(job.checkSame("cloud.pcd", bytes));
   return writeLegend(job);

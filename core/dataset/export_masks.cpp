@@ -54,7 +54,7 @@ Result<void> exportMasks(ExportJob& job) {
     return job.write(last_name, encodePng(last_mask));
   };
   SCANTROVE_TRY(forEachLabelledImage(job, false, writeOne));
-  const ExportJson legend = legendOf(job.chosen());
+  const ExportJson legend = legendOf(job.chosen(), job.scan().origin());
   ExportJson labels = ExportJson::object();
   for (const auto& [id, entry] : legend.items())
     labels[std::to_string(numbers->at(entry.at("region").get<std::uint32_t>()))] = entry;

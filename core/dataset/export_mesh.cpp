@@ -11,8 +11,10 @@
 namespace scantrove {
 namespace {
 
-GlbPart glbPartOf(const LabelledRegion* region, const LabelledMesh& mesh, const Eigen::Affine3f& y_up) {
-  GlbPart part{region == nullptr ? "scene" : displayName(*region), nullptr, transformed(mesh, y_up)};
+GlbPart glbPartOf(const LabelledRegion* region, const LabelledMesh& mesh, const Eigen::Affine3f& y_up,
+                  const Eigen::Vector3d& origin) {
+  GlbPart part{region == nullptr ? "scene" : displayName(*region), nullptr, transformed(mesh, y_up),
+               y_up.cast<double>() * origin};
   if (region != nullptr) {
     part.extras = {{"region", region->id},
                    {"object", region->object ? ExportJson(*region->object) : ExportJson(nullptr)},
@@ -33,11 +35,12 @@ std::uint64_t facesIn(const GlbContent& file) {
 
 /// `stem`.ply, .obj and .glb of one surface.
 Result<void> writeSurface(ExportJob& job, const std::string& stem, const std::string& title,
-                          const LabelledMesh& mesh, std::span<const GlbPart> parts) {
-  const std::string ply = encodePly(mesh, {}, "metres, label = region id");
+                          const LabelledMesh& mesh, const Eigen::Vector3d& origin,
+                          std::span<const GlbPart> parts) {
+  const std::string ply = encodePly(mesh, {.origin = origin}, "metres, label = region id");
   SCANTROVE_TRY(job.write(stem + ".ply", ply));
   SCANTROVE_TRY(job.checkSame(stem + ".ply", ply));
-  const std::string obj = encodeObj(mesh, title);
+  const std::string obj = encodeObj(mesh, title, origin);
   SCANTROVE_TRY(job.write(stem + ".obj", obj));
   SCANTROVE_TRY(job.checkSame(stem + ".obj", obj));
   const auto glb = encodeGlb(parts);
@@ -53,15 +56,15 @@ Result<void> writeSurface(ExportJob& job, const std::string& stem, const std::st
 
 enum class ObjectPlace { in_the_scene, around_the_origin };
 
-ExportJson listOf(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+ExportJson listOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// What brings an object around the origin back to its place.
 Result<void> writeOffset(ExportJob& job, const std::string& stem, const LabelledRegion& region,
-                         const Eigen::Vector3f& middle, const Eigen::Affine3f& y_up) {
+                         const Eigen::Vector3d& middle, const Eigen::Affine3f& y_up) {
   const ExportJson offset = {{"region", region.id},
                              {"name", displayName(region)},
                              {"offset_m", listOf(middle)},
-                             {"glb_offset_m", listOf(y_up.linear() * middle)}};
+                             {"glb_offset_m", listOf(y_up.linear().cast<double>() * middle)}};
   SCANTROVE_TRY(job.write(stem + ".json", jsonText(offset)));
   return job.checkJson(stem + ".json", offset);
 }
@@ -74,9 +77,12 @@ Result<void> writeObject(ExportJob& job, const LabelledRegion& region, const Lab
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   if (is_moved) middle = boxOf(mesh).center();
   const LabelledMesh placed = transformed(mesh, Eigen::Affine3f(Eigen::Translation3f(-middle)));
-  const GlbPart part = glbPartOf(&region, placed, y_up);
-  SCANTROVE_TRY(writeSurface(job, stem, displayName(region), placed, std::span(&part, 1)));
-  return is_moved ? writeOffset(job, stem, region, middle, y_up) : Result<void>();
+  const Eigen::Vector3d scan_origin = job.scan().origin();
+  const Eigen::Vector3d origin = is_moved ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : scan_origin;
+  const GlbPart part = glbPartOf(&region, placed, y_up, origin);
+  SCANTROVE_TRY(writeSurface(job, stem, displayName(region), placed, origin, std::span(&part, 1)));
+  return is_moved ? writeOffset(job, stem, region, middle.cast<double>() + scan_origin, y_up)
+                  : Result<void>();
 }
 
 Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
@@ -87,25 +93,26 @@ Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
   const auto frames = job.scan().keyFrames(false);
   if (!frames) return fail(frames.error());
   const Eigen::Affine3f y_up = turning(upDirection(*frames, *mesh), Eigen::Vector3f::UnitY());
+  const Eigen::Vector3d origin = job.scan().origin();
   const auto parts = splitByRegion(*mesh, job.chosen());
   std::vector<GlbPart> scene;
   if (const auto rest = parts.find(0); rest != parts.end())
-    scene.push_back(glbPartOf(nullptr, rest->second, y_up));
+    scene.push_back(glbPartOf(nullptr, rest->second, y_up, origin));
   int done = 1;
   const auto total = static_cast<int>(job.chosen().size()) + 2;
   for (const LabelledRegion& region : job.chosen()) {
     SCANTROVE_TRY(job.step(done++, total, onOneLine(displayName(region))));
     const auto part = parts.find(region.id);
     if (part == parts.end()) continue;
-    scene.push_back(glbPartOf(&region, part->second, y_up));
+    scene.push_back(glbPartOf(&region, part->second, y_up, origin));
     SCANTROVE_TRY(writeObject(job, region, part->second, y_up, place));
     ++job.summary().annotations;
   }
   SCANTROVE_TRY(job.step(done, total, "whole scene"));
-  SCANTROVE_TRY(writeSurface(job, "scene", job.scan().name(), *mesh, scene));
+  SCANTROVE_TRY(writeSurface(job, "scene", job.scan().name(), *mesh, origin, scene));
   job.summary().points = mesh->vertices.size();
   job.summary().faces = mesh->faces.size();
-  const ExportJson legend = legendOf(job.allRegions());
+  const ExportJson legend = legendOf(job.allRegions(), job.scan().origin());
   SCANTROVE_TRY(job.write("labels.json", jsonByLines(legend)));
   return job.checkJson("labels.json", legend);
 }

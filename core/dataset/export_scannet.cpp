@@ -1,3 +1,5 @@
+#include <spdlog/fmt/fmt.h>
+
 #include <map>
 #include <set>
 
@@ -20,6 +22,12 @@ std::string sceneName(const std::string& scan) {
   std::string name = safe.size() > kNumber ? safe.substr(kNumber) : "scene";
   for (char& c : name) c = c == ' ' ? '_' : c;
   return name.front() == '.' || name.front() == '-' ? "scene" + name : name;
+}
+
+/// Places are single precision in these files: what the recording's world has them at is this much farther.
+std::string originLine(const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return {};
+  return fmt::format("origin = {:.6f} {:.6f} {:.6f}\n", origin.x(), origin.y(), origin.z());
 }
 
 ExportJson segmentsOf(const LabelledMesh& mesh, const std::string& name) {
@@ -69,8 +77,9 @@ Result<void> exportScannet(ExportJob& job) {
   SCANTROVE_TRY(job.checkJson(name + kSegmentsSuffix, segments));
   SCANTROVE_TRY(job.write(name + ".aggregation.json", jsonText(aggregation)));
   SCANTROVE_TRY(job.checkJson(name + ".aggregation.json", aggregation));
-  SCANTROVE_TRY(
-      job.write(name + ".txt", "axisAlignment = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nsceneType = Misc.\n"));
+  SCANTROVE_TRY(job.write(name + ".txt", "axisAlignment = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n" +
+                                             originLine(z_up.cast<double>() * job.scan().origin()) +
+                                             "sceneType = Misc.\n"));
   job.summary().points = mesh.vertices.size();
   job.summary().faces = mesh.faces.size();
   job.summary().annotations = static_cast<int>(aggregation["segGroups"].size());

@@ -6,8 +6,9 @@ namespace scantrove {
 
 Result<void> exportTum(ExportJob& job) {
   constexpr const char* kFile = "trajectory.txt";
-  const auto trajectory = job.scan().trajectory();
+  auto trajectory = job.scan().trajectory();
   if (!trajectory) return fail(trajectory.error());
+  for (StampedPose& pose : *trajectory) pose.T_world_camera.translation() += job.scan().origin();
   if (trajectory->empty())
     return fail("The scan " + job.scan().name() +
                 " has no tracked frames: there is no trajectory to export.");

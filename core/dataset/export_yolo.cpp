@@ -122,7 +122,7 @@ class YoloSegments {
       yaml += "  " + std::to_string(i) + ": " + yamlQuoted(classes_[i]) + "\n";
     SCANTROVE_TRY(job_.write("data.yaml", yaml));
     SCANTROVE_TRY(job_.checkSame("data.yaml", yaml));
-    SCANTROVE_TRY(job_.write("labels.json", jsonByLines(legendOf(job_.chosen()))));
+    SCANTROVE_TRY(job_.write("labels.json", jsonByLines(legendOf(job_.chosen(), job_.scan().origin()))));
     return checkOneOutline();
   }
 

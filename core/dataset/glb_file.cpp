@@ -70,6 +70,8 @@ class GlbBuilder {
     json_["meshes"].push_back({{"name", part.name}, {"primitives", ExportJson::array({primitive})}});
     ExportJson node = {{"name", part.name}, {"mesh", number}};
     if (!part.extras.is_null()) node["extras"] = part.extras;
+    const Eigen::Vector3d& moved = part.translation;
+    if (!moved.isZero(0)) node["translation"] = {moved.x(), moved.y(), moved.z()};
     json_["nodes"].push_back(std::move(node));
     json_["scenes"][0]["nodes"].push_back(number);
   }

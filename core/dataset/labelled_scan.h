@@ -73,6 +73,9 @@ class LabelledScan {
 
   /// For people and for file names, e.g. the session folder's name.
   [[nodiscard]] virtual std::string name() const = 0;
+  /// All places and poses of the scan are relative to this point of its recording's world, in metres: whole
+  /// numbers, zero unless that is far away. What a data set says of places it says in that world.
+  [[nodiscard]] virtual Eigen::Vector3d origin() const { return Eigen::Vector3d::Zero(); }
   /// All regions there are, in any order.
   [[nodiscard]] virtual Result<std::vector<LabelledRegion>> regions() = 0;
   /// Frames with a pose, in order of time: key frames, or all that were kept.

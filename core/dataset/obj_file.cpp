@@ -8,13 +8,19 @@
 
 namespace scantrove {
 
-std::string encodeObj(const LabelledMesh& mesh, const std::string& name) {
+std::string encodeObj(const LabelledMesh& mesh, const std::string& name, const Eigen::Vector3d& origin) {
   std::string text = "# metres\no " + onOneLine(name) + "\n";
   const auto out = std::back_inserter(text);
+  const bool is_near = origin.isZero(0);
   for (const SurfacePoint& vertex : mesh.vertices) {  // fmt knows no languages: no decimal commas
-    const Eigen::Vector3f& p = vertex.position_world_m;
-    fmt::format_to(out, "v {:.9g} {:.9g} {:.9g} {:.4g} {:.4g} {:.4g}\n", p.x(), p.y(), p.z(),
-                   vertex.rgb[0] / 255.0, vertex.rgb[1] / 255.0, vertex.rgb[2] / 255.0);
+    const Eigen::Vector3d p = vertex.position_world_m.cast<double>() + origin;
+    if (is_near) {
+      fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}", p.x(), p.y(), p.z());
+    } else {
+      fmt::format_to(out, "v {:.6f} {:.6f} {:.6f}", p.x(), p.y(), p.z());
+    }
+    fmt::format_to(out, " {:.4g} {:.4g} {:.4g}\n", vertex.rgb[0] / 255.0, vertex.rgb[1] / 255.0,
+                   vertex.rgb[2] / 255.0);
   }
   for (const SurfacePoint& vertex : mesh.vertices) {
     const Eigen::Vector3f& n = vertex.normal_world;

@@ -12,8 +12,9 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 
 std::string plyHeader(const LabelledMesh& mesh, const PlyContent& content, const std::string& comment) {
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + onOneLine(comment) +
-                       "\nelement vertex " + std::to_string(mesh.vertices.size()) +
-                       "\nproperty float x\nproperty float y\nproperty float z\n";
+                       "\nelement vertex " + std::to_string(mesh.vertices.size()) + "\n";
+  const std::string type = content.origin.isZero(0) ? "float" : "double";
+  for (const char* axis : {"x", "y", "z"}) header += "property " + type + " " + axis + "\n";
   if (content.normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
   header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   if (content.alpha) header += "property uchar alpha\n";
@@ -39,10 +40,14 @@ std::string encodePly(const LabelledMesh& mesh, const PlyContent& content, const
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
   const std::size_t data_begin = bytes.size();
-  constexpr std::size_t kMostVertexBytes = 32, kFaceBytes = 13;
+  const bool has_doubles = !content.origin.isZero(0);
+  constexpr std::size_t kMostVertexBytes = 44, kFaceBytes = 13;
   bytes.reserve(bytes.size() + mesh.vertices.size() * kMostVertexBytes + mesh.faces.size() * kFaceBytes);
   for (const SurfacePoint& vertex : mesh.vertices) {
-    for (int i = 0; i < 3; ++i) put(vertex.position_world_m[i]);
+    for (int i = 0; i < 3; ++i) {
+      const float place = vertex.position_world_m[i];
+      has_doubles ? put(place + content.origin[i]) : put(place);
+    }
     for (int i = 0; content.normals && i < 3; ++i) put(vertex.normal_world[i]);
     put(vertex.rgb);
     if (content.alpha) put(std::uint8_t{255});

@@ -11,6 +11,8 @@ struct PlyContent {
   bool alpha = false;   ///< uchar alpha, 255
   bool label = true;    ///< uint label: the region
   bool faces = true;    ///< `list uchar int vertex_indices`
+  /// Is added to all places; where it is not zero, x, y and z are double.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 };
 
 /// The bytes of a binary little-endian PLY file, in the units and the frame of `mesh`; `comment`: one line.

@@ -11,7 +11,10 @@ ExportJson textOrNull(const std::string& text) {
   return text.empty() ? ExportJson(nullptr) : ExportJson(validUtf8(text));
 }
 
-ExportJson listOf(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+ExportJson listOf(const Eigen::Vector3f& v, const Eigen::Vector3d& origin) {
+  if (origin.isZero(0)) return {v.x(), v.y(), v.z()};
+  return {v.x() + origin.x(), v.y() + origin.y(), v.z() + origin.z()};
+}
 
 /// Of a region without name and category.
 std::string kindOf(const LabelledRegion& region) {
@@ -58,12 +61,12 @@ int classIndex(const std::vector<std::string>& classes, const std::string& name)
   return static_cast<int>(std::lower_bound(classes.begin(), classes.end(), name) - classes.begin());
 }
 
-ExportJson legendOf(const std::vector<LabelledRegion>& regions) {
+ExportJson legendOf(const std::vector<LabelledRegion>& regions, const Eigen::Vector3d& origin) {
   ExportJson legend = ExportJson::object();
   for (const LabelledRegion& region : regions) {
     ExportJson box = nullptr;
     if (!region.box_world_m.isEmpty())
-      box = {listOf(region.box_world_m.min()), listOf(region.box_world_m.max())};
+      box = {listOf(region.box_world_m.min(), origin), listOf(region.box_world_m.max(), origin)};
     legend[std::to_string(region.id)] = {
         {"color", regionColor(RegionId{region.id})},
         {"region", region.id},
@@ -74,7 +77,7 @@ ExportJson legendOf(const std::vector<LabelledRegion>& regions) {
         {"background", region.background},
         {"rejected", region.rejected},
         {"voxels", region.voxels},
-        {"centroid_m", listOf(region.centroid_world_m)},
+        {"centroid_m", listOf(region.centroid_world_m, origin)},
         {"box_m", box}};
   }
   return legend;

@@ -26,7 +26,8 @@ namespace scantrove {
 [[nodiscard]] int classIndex(const std::vector<std::string>& classes, const std::string& name);
 
 /// `{"<region id>": {color, region, name, category, object, confirmed, background, rejected, voxels,
-/// centroid_m, box_m}}`; colours as in the program's views; what is not known is null.
-[[nodiscard]] ExportJson legendOf(const std::vector<LabelledRegion>& regions);
+/// centroid_m, box_m}}`; colours as in the program's views; what is not known is null. `origin`:
+/// LabelledScan::origin().
+[[nodiscard]] ExportJson legendOf(const std::vector<LabelledRegion>& regions, const Eigen::Vector3d& origin);
 
 }  // namespace scantrove

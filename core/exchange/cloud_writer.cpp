@@ -27,16 +27,29 @@ void put(std::string& bytes, const T&... values) {
   (append(values), ...);
 }
 
-void putPcd(const LabeledPoint& p, std::string& bytes) {
-  const std::uint32_t rgba = 0xFF000000U | std::uint32_t{p.r} << 16 | std::uint32_t{p.g} << 8 | p.b;
-  put(bytes, p.x, p.y, p.z, rgba, p.label);
+/// Single precision holds no point that is far from the world's origin.
+bool needsDoubles(const Eigen::Vector3d& origin_world) { return !origin_world.isZero(0); }
+
+void putPlace(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::string& bytes) {
+  if (!needsDoubles(origin_world)) return put(bytes, p.x, p.y, p.z);
+  put(bytes, p.x + origin_world.x(), p.y + origin_world.y(), p.z + origin_world.z());
 }
 
-void putPly(const LabeledPoint& p, std::string& bytes) { put(bytes, p.x, p.y, p.z, p.r, p.g, p.b, p.label); }
+void putPcd(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::string& bytes) {
+  putPlace(p, origin_world, bytes);
+  const std::uint32_t rgba = 0xFF000000U | std::uint32_t{p.r} << 16 | std::uint32_t{p.g} << 8 | p.b;
+  put(bytes, rgba, p.label);
+}
+
+void putPly(const LabeledPoint& p, const Eigen::Vector3d& origin_world, std::string& bytes) {
+  putPlace(p, origin_world, bytes);
+  put(bytes, p.r, p.g, p.b, p.label);
+}
 
 /// A cloud of a large scan has as many bytes as its map: they are made a piece at a time.
 Result<void> write(const std::filesystem::path& path, std::string header, const LabeledCloud& points,
-                   void (*put)(const LabeledPoint&, std::string&)) {
+                   const Eigen::Vector3d& origin_world,
+                   void (*put)(const LabeledPoint&, const Eigen::Vector3d&, std::string&)) {
   constexpr std::ptrdiff_t kPointsOfAPiece = 16384;
   std::string bytes = std::move(header);
   auto point = points.begin();
@@ -45,29 +58,30 @@ Result<void> write(const std::filesystem::path& path, std::string header, const 
     if (std::exchange(is_header, false)) return bytes;
     bytes.clear();
     for (const auto end = point + std::min(kPointsOfAPiece, points.end() - point); point != end; ++point)
-      put(*point, bytes);
+      put(*point, origin_world, bytes);
     return bytes;
   });
 }
 
 /// As PCL writes it, for points of `x y z rgba label` without gaps.
-std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint) {
+std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint, bool has_doubles) {
   pcl::PCLPointCloud2 cloud;
-  for (const auto& [name, type] : {std::pair{"x", pcl::PCLPointField::FLOAT32},
-                                   {"y", pcl::PCLPointField::FLOAT32},
-                                   {"z", pcl::PCLPointField::FLOAT32},
+  const auto place = has_doubles ? pcl::PCLPointField::FLOAT64 : pcl::PCLPointField::FLOAT32;
+  for (const auto& [name, type] : {std::pair{"x", place},
+                                   {"y", place},
+                                   {"z", place},
                                    {"rgba", pcl::PCLPointField::UINT32},
                                    {"label", pcl::PCLPointField::UINT32}}) {
     pcl::PCLPointField field;
     field.name = name;
     field.datatype = static_cast<std::uint8_t>(type);
     field.count = 1;
-    field.offset = static_cast<std::uint32_t>(cloud.fields.size() * sizeof(float));
+    field.offset = cloud.point_step;
+    cloud.point_step += type == pcl::PCLPointField::FLOAT64 ? 8U : 4U;
     cloud.fields.push_back(field);
   }
   cloud.width = static_cast<std::uint32_t>(points);
   cloud.height = 1;
-  cloud.point_step = static_cast<std::uint32_t>(cloud.fields.size() * sizeof(float));
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   origin.head<3>() = T_world_viewpoint.translation().cast<float>();
   const Eigen::Quaterniond orientation(T_world_viewpoint.linear());
@@ -77,26 +91,33 @@ std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewp
 
 }  // namespace
 
-std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint) {
-  std::string bytes = pcdHeader(points.size(), T_world_viewpoint);
-  constexpr std::size_t kPointBytes = 3 * sizeof(float) + 2 * sizeof(std::uint32_t);
-  bytes.reserve(bytes.size() + points.size() * kPointBytes);
-  for (const LabeledPoint& point : points) putPcd(point, bytes);
+std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint,
+                      const Eigen::Vector3d& origin_world) {
+  std::string bytes = pcdHeader(points.size(), T_world_viewpoint, needsDoubles(origin_world));
+  constexpr std::size_t kMostPointBytes = 3 * sizeof(double) + 2 * sizeof(std::uint32_t);
+  bytes.reserve(bytes.size() + points.size() * kMostPointBytes);
+  for (const LabeledPoint& point : points) putPcd(point, origin_world, bytes);
   return bytes;
 }
 
-Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points) {
-  return write(path, pcdHeader(points.size(), Eigen::Isometry3d::Identity()), points, putPcd);
+Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points,
+                      const Eigen::Vector3d& origin_world) {
+  const Eigen::Isometry3d viewpoint = Eigen::Isometry3d::Identity();
+  return write(path, pcdHeader(points.size(), viewpoint, needsDoubles(origin_world)), points, origin_world,
+               putPcd);
 }
 
-Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points) {
-  const std::string header =
+Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points,
+                      const Eigen::Vector3d& origin_world) {
+  std::string header =
       "ply\nformat binary_little_endian 1.0\ncomment labelled cloud: metres, label = region id\nelement "
       "vertex " +
-      std::to_string(points.size()) +
-      "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
-      "property uchar blue\nproperty uint label\nend_header\n";
-  return write(path, header, points, putPly);
+      std::to_string(points.size()) + "\n";
+  const std::string type = needsDoubles(origin_world) ? "double" : "float";
+  for (const char* axis : {"x", "y", "z"}) header += "property " + type + " " + axis + "\n";
+  header +=
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uint label\nend_header\n";
+  return write(path, header, points, origin_world, putPly);
 }
 
 }  // namespace scantrove

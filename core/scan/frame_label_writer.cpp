@@ -113,6 +113,17 @@ Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
   return outcome.result();
 }
 
+void FrameLabelWriter::discard() {
+  close();
+  for (const Written& frame : std::exchange(written_, {})) {
+    for (const std::filesystem::path& file :
+         {folder_ / "segments" / frame.name, folder_ / "labels" / frame.name, frame.depth_file}) {
+      std::error_code ignored;
+      std::filesystem::remove(file, ignored);
+    }
+  }
+}
+
 Result<void> FrameLabelWriter::writeFinal(const Written& frame, const FinalView& view) {
   const Result<cv::Mat> depth = readLabelImage(frame.depth_file);
   if (!depth) return fail(depth.error());

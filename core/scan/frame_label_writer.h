@@ -55,6 +55,9 @@ class FrameLabelWriter {
   /// file that could not be written.
   [[nodiscard]] Result<void> finish(const LookAtMap& look);
 
+  /// Waits for all frames, then removes the images that were written. No add() afterwards.
+  void discard();
+
  private:
   void run();
   [[nodiscard]] Result<void> write(const Frame& frame);

@@ -42,6 +42,7 @@ class OpenSession {
 
   [[nodiscard]] const SessionSetup& setup() const { return setup_; }
   [[nodiscard]] const std::vector<SavedFrame>& frames() const { return scan_.frames; }
+  [[nodiscard]] const std::vector<SavedRecording>& recordings() const { return scan_.recordings; }
   [[nodiscard]] const std::vector<SavedKeyFrame>& keyFrames() const { return scan_.key_frames; }
   /// The frame that a key frame shows; null: it is not known any more.
   [[nodiscard]] const SavedFrame* frameOf(const SavedKeyFrame& key_frame) const;

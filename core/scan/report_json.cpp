@@ -61,6 +61,8 @@ Json reportToJson(const ScanReport& report) {
             {"most_corrected_m", report.drift.most_corrected_m},
             {"places_seen_again", report.drift.places_seen_again},
             {"most_m", report.drift.most_m}}},
+          {"advice", report.advice},
+          {"origin_m", {report.origin_m.x(), report.origin_m.y(), report.origin_m.z()}},
           {"fps", report.fps},
           {"frame_ms", {{"median", report.frame_median_ms}, {"p95", report.frame_p95_ms}}},
           {"stages", stagesToJson(report.stages)},

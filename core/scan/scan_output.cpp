@@ -37,6 +37,15 @@ void ScanOutput::begin(const SavedScan& earlier) {
   }
 }
 
+void ScanOutput::beginAnew() {
+  trajectory_.clear();
+  if (!label_images_) return;
+  label_images_->discard();
+  label_images_.reset();
+  numbers_ = RegionNumbers();
+  label_images_ = std::make_unique<FrameLabelWriter>(folder_, numbers_);
+}
+
 Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   if (!result.pose.usable()) return {};
   trajectory_.push_back({frame.timestamp_s, result.pose.T_world_camera});
@@ -50,7 +59,9 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
 Result<void> ScanOutput::writeTrajectory() {
   return guarded("writing the trajectory", [&] {
     std::ranges::stable_sort(trajectory_, {}, &StampedPose::timestamp_s);
-    return writeTumTrajectory(folder_ / "trajectory.txt", trajectory_);
+    Trajectory in_world = trajectory_;
+    for (StampedPose& pose : in_world) pose.T_world_camera.translation() += origin_world_;
+    return writeTumTrajectory(folder_ / "trajectory.txt", in_world);
   });
 }
 
@@ -93,13 +104,16 @@ Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
   };
   // What could be read until the device or memory fails is written.
   outcome.note(guarded("reading out the labelled cloud", [&] { return pipeline.forEachCloudPoint(add); }));
+  cloud_points_ = points.size();
   std::vector<LabelMapEntry> list;
   for (auto& [number, entry] : entries) list.push_back(std::move(entry));
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
   };
-  attempt("writing the labelled cloud", [&] { return writePly(folder_ / "cloud.ply", points); });
-  attempt("writing the labelled cloud", [&] { return writePcd(folder_ / "cloud.pcd", points); });
+  attempt("writing the labelled cloud",
+          [&] { return writePly(folder_ / "cloud.ply", points, origin_world_); });
+  attempt("writing the labelled cloud",
+          [&] { return writePcd(folder_ / "cloud.pcd", points, origin_world_); });
   attempt("writing the label map", [&] { return writeLabelMap(folder_ / "labels.json", list); });
   return outcome.result();
 }

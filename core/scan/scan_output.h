@@ -22,8 +22,14 @@ class ScanOutput {
   [[nodiscard]] static Result<std::unique_ptr<ScanOutput>> create(const std::filesystem::path& folder,
                                                                   bool label_maps);
 
+  /// All places and poses are relative to this point, in metres; to be said before the first frame.
+  void setOrigin(const Eigen::Vector3d& origin_world) { origin_world_ = origin_world; }
+
   /// The frames of an earlier scan that this one goes on with.
   void begin(const SavedScan& earlier);
+
+  /// The frames so far are none of the scan's.
+  void beginAnew();
 
   /// Error: label images of this or an earlier frame could not be written.
   [[nodiscard]] Result<void> addFrame(const RgbdFrame& frame, const FrameResult& result);
@@ -35,6 +41,8 @@ class ScanOutput {
   /// nor does a device that fails: the cloud is what could be read of it. Error: the first that failed (the
   /// others are in the log).
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const ScanReport& report);
+  /// That finish() wrote.
+  [[nodiscard]] std::size_t cloudPoints() const { return cloud_points_; }
 
  private:
   explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -43,6 +51,8 @@ class ScanOutput {
 
   std::filesystem::path folder_;
   Trajectory trajectory_;
+  Eigen::Vector3d origin_world_ = Eigen::Vector3d::Zero();
+  std::size_t cloud_points_ = 0;
   RegionNumbers numbers_;
   std::unique_ptr<FrameLabelWriter> label_images_;  // null: they are not wanted
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct ScanReport {
   std::string device;
   ScanParams params;
   FrameCounts frames;
-  std::vector<int> lost_frames;  ///< indices of the source
+  std::vector<int> lost_frames;  ///< RgbdFrame::index
   MapDrift drift;
+  std::vector<std::string> advice;                     ///< sentences about the scan as a whole
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< in the recording's world; places here are relative
   double fps = 0;  ///< frames processed / wall time of processing, decoding included
   double frame_median_ms = 0;
   double frame_p95_ms = 0;

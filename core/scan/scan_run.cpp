@@ -22,6 +22,7 @@
 #include "core/scan/output_owner.h"
 #include "core/scan/refinement.h"
 #include "core/scan/session_restorer.h"
+#include "core/scan/session_setup.h"
 
 namespace scantrove {
 namespace {
@@ -78,9 +79,13 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
                                                                 }})));
   if (request.output_folder && request.results) {
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
+    run->output_->setOrigin(run->origin_world_);
   }
   SCANTROVE_TRY(run->openSession(info));
-  SCANTROVE_TRY(run->makePipeline(std::move(on_news)));
+  const bool takes_poses = run->request_.poses == ScanRequest::Poses::given && !request.refine_session;
+  if (takes_poses) run->takePoses();
+  run->on_news_ = std::move(on_news);
+  SCANTROVE_TRY(run->makePipeline());
   return run;
 }
 
@@ -99,6 +104,7 @@ Result<void> ScanRun::openSessionToRefine() {
   if (!setup) return fail(setup.error());
   request_.source = setup->source;
   request_.params = setup->params;
+  origin_world_ = setup->origin_m;
   request_.database = databaseFileOf(*setup, folder).string();
   std::error_code ignored;
   if (!std::filesystem::exists(request_.database, ignored)) {
@@ -123,8 +129,7 @@ Result<void> ScanRun::openSessionToRefine() {
   return {};
 }
 
-Result<void> ScanRun::makePipeline(std::function<void()> on_news) {
-  const SourceInfo& info = source_->info();
+Result<void> ScanRun::makePipeline() {
   const std::string& file = request_.database;
   const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
@@ -132,17 +137,7 @@ Result<void> ScanRun::makePipeline(std::function<void()> on_news) {
   if (recorder_) recorder_->setCatalogue(catalogue_);
   if (request_.refine_session && isOfAnotherCatalogue())
     return fail(isAnotherCatalogue(*request_.output_folder, file));
-  CatalogueWriter::Options catalogue;
-  catalogue.database = file;
-  catalogue.source = info.name;
-  catalogue.camera = info.intrinsics;
-  catalogue.on_news = std::move(on_news);
-  catalogue.patience = request_.catalogue_patience;
-  SCANTROVE_TRY(
-      moveInto(pipeline_,
-               ScanPipeline::create(
-                   *compute_, {info.intrinsics, request_.params, request_.poses == ScanRequest::Poses::given,
-                               database->get(), catalogue, refinement_memory_.collector, info.frame_count})));
+  SCANTROVE_TRY(moveInto(pipeline_, createPipeline(**database)));
   return resumeSession(**database);
 }
 
@@ -155,6 +150,19 @@ Result<void> ScanRun::checkFolder() const {
   const bool is_of_session = request_.resume || request_.refine_session;
   if (!request_.output_folder || is_of_session || request_.overwrite) return {};
   return checkHoldsOnlyOurs(*request_.output_folder);
+}
+
+Result<std::unique_ptr<ScanPipeline>> ScanRun::createPipeline(ObjectDatabase& database) {
+  const SourceInfo& info = source_->info();
+  CatalogueWriter::Options catalogue;
+  catalogue.database = request_.database;
+  catalogue.source = info.name;
+  catalogue.camera = info.intrinsics;
+  catalogue.on_news = on_news_;
+  catalogue.patience = request_.catalogue_patience;
+  return ScanPipeline::create(
+      *compute_, {info.intrinsics, request_.params, request_.poses == ScanRequest::Poses::given, &database,
+                  catalogue, refinement_memory_.collector, info.frame_count});
 }
 
 Result<void> ScanRun::openSession(const SourceInfo& info) {
@@ -193,6 +201,7 @@ Result<void> ScanRun::readSession(const SourceInfo& info) {
                 "Scan into a folder of its own.");
   }
   request_.params.fusion = setup->params.fusion;
+  setOrigin(setup->origin_m);
   if (request_.database.empty()) {
     std::filesystem::path file = databaseFileOf(*setup, *request_.output_folder);
     std::error_code ignored;
@@ -201,32 +210,6 @@ Result<void> ScanRun::readSession(const SourceInfo& info) {
     request_.database = file.string();
   }
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
-  return {};
-}
-
-Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
-  if (!earlier_) return {};
-  const Result<CatalogueIdentity> identity = identityOf(database, earlier_->facts);
-  if (!identity) return fail(identity.error());
-  const SavedScan on_disk = *earlier_;
-  if (turnTo(*earlier_, *identity))
-    listener_(CatalogueFailed{isAnotherCatalogue(*request_.output_folder, request_.database)});
-  std::vector<std::string> damages;
-  const bool for_camera = !request_.refine_session;
-  SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, for_camera, damages));
-  for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
-  recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
-  recorder_->rewriteFrom(on_disk, earlier_->facts);
-  if (request_.refine_session) {
-    for (const RegionId region : refinement_memory_.known) pipeline_->kept().table.setKnown(region, true);
-    snapshots_.addBricks(pipeline_->allBricks());
-  } else {
-    recorder_->setFact("ended", "");  // not this time, yet
-    for (const auto& [name, value] : refinementFacts(false)) recorder_->setFact(name, value);
-  }
-  recorder_->setFact("database", databaseAsKept(request_.database, *request_.output_folder));
-  if (output_) output_->begin(*earlier_);
-  earlier_.reset();
   return {};
 }
 
@@ -244,14 +227,14 @@ Result<ScanRun::Step> ScanRun::step() {
       followCatalogue();
       return Step::nothing_yet;
     case FrameRead::Status::skipped:
-      skip(read);
+      SCANTROVE_TRY(skip(read));
       return Step::nothing_yet;
     case FrameRead::Status::frame:
       break;
   }
   if (request_.poses == ScanRequest::Poses::given && !read.frame.T_world_camera) {
     read.error = {"Frame " + std::to_string(read.frame.index) + " has no usable pose and is left out.", ""};
-    skip(read);
+    SCANTROVE_TRY(skip(read));
     return Step::nothing_yet;
   }
   SCANTROVE_TRY(process(std::move(read.frame)));
@@ -276,18 +259,21 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   announce(result->objects);
   if (!result->pose.usable()) followCatalogue();
   announceMapFailure();
+  if (local_poses_ != nullptr) setOrigin(local_poses_->origin());
   if (output_) SCANTROVE_TRY(output_->addFrame(frame, *result));
-  if (recorder_) {
-    recorder_->addFrame(frame, *result);
-    recorder_->saveWhenDue(*pipeline_);
-  }
+  if (recorder_) keepFrame(frame, *result);
+  const RgbdFrame shown = frame;
+  const bool is_usable = result->pose.usable();
   snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
-  return {};
+  return followAdvisor(shown, is_usable);
 }
 
-void ScanRun::skip(const FrameRead& read) {
+Result<void> ScanRun::skip(const FrameRead& read) {
   ++frames_.skipped;
   listener_(FrameSkipped{read.frame.index, read.error});
+  if (local_poses_ == nullptr) return {};
+  advisor_.addRefused();
+  return advisor_.isMisled() && isUntouched() ? beginAnew(read.frame.index) : Result<void>();
 }
 
 void ScanRun::count(const FrameResult& result, int frame_index) {
@@ -296,6 +282,7 @@ void ScanRun::count(const FrameResult& result, int frame_index) {
     --frames_.lost;
     ++frames_.tracked;
     std::erase(lost_frames_, late.index);
+    if (first_usable_.size() < ScanAdvisor::kRememberedFrames) first_usable_.push_back(late.index);
   }
   if (!result.pose.usable()) {
     ++frames_.lost;
@@ -303,6 +290,7 @@ void ScanRun::count(const FrameResult& result, int frame_index) {
     return;
   }
   ++frames_.tracked;
+  if (first_usable_.size() < ScanAdvisor::kRememberedFrames) first_usable_.push_back(frame_index);
   if (result.pose.state == TrackingState::relocalised) ++frames_.relocalised;
   measureDrift(result, frame_index);
 }
@@ -445,6 +433,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
   outcome.note(guarded("storing what was found", [&] {
     return pipeline_->finishCatalogue([this](const FrameObjects& objects) { announce(objects); });
   }));
+  if (const auto advice = ScanAdvisor::adviceOn(frames_); advice && !request_.refine_session) advise(*advice);
   ScanReport report;
   outcome.note(guarded("making the report", [&]() -> Result<void> {
     fillReport(report);
@@ -458,6 +447,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
   }
   if (output_ && !keeps_earlier_scan_) outcome.note(output_->finish(*pipeline_, report));
   announceMapFailure();
+  outcome.note(checkResult(report));
   SCANTROVE_TRY(outcome.result());
   return report;
 }
@@ -469,6 +459,8 @@ void ScanRun::fillReport(ScanReport& report) {
   report.frames = frames_;
   report.lost_frames = lost_frames_;
   report.drift = drift_;
+  report.advice = advice_;
+  report.origin_m = origin_world_;
   report.fps = elapsed_s_ > 0 ? frames_.read / elapsed_s_ : 0;
   const DurationSummary frame_time = summarise(frame_ms_);
   report.frame_median_ms = frame_time.median_ms;

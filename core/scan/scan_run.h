@@ -6,10 +6,13 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/result.h"
+#include "core/capture/continued_source.h"
 #include "core/capture/frame_source.h"
+#include "core/capture/local_poses.h"
 #include "core/compute/compute_context.h"
 #include "core/scan/first_error.h"
 #include "core/scan/refinement_memory.h"
+#include "core/scan/scan_advisor.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_session.h"
@@ -70,10 +73,13 @@ class ScanRun {
 
  private:
   ScanRun(ScanRequest request, ScanSession::Listener listener, LatestValue<ScanSnapshot>& mailbox)
-      : request_(std::move(request)), listener_(std::move(listener)), snapshots_(mailbox) {}
+      : request_(std::move(request)),
+        listener_(std::move(listener)),
+        snapshots_(mailbox),
+        advisor_(request_.params.fusion.max_depth_m) {}
 
   [[nodiscard]] Result<void> process(RgbdFrame frame);
-  void skip(const FrameRead& read);
+  [[nodiscard]] Result<void> skip(const FrameRead& read);
   void count(const FrameResult& result, int frame_index);
   /// How far the map has drifted, where the frame tells it.
   void measureDrift(const FrameResult& result, int frame_index);
@@ -84,7 +90,7 @@ class ScanRun {
   /// Opens what the frames come from; of a session that is only refined, the session.
   [[nodiscard]] Result<void> openFrames();
   [[nodiscard]] Result<void> openSessionToRefine();
-  [[nodiscard]] Result<void> makePipeline(std::function<void()> on_news);
+  [[nodiscard]] Result<void> makePipeline();
   /// The earlier scan knows its objects by another catalogue's numbers.
   [[nodiscard]] bool isOfAnotherCatalogue() const;
   /// Begins the session, or goes on in it. An earlier one gives way to the first usable frame.
@@ -101,23 +107,47 @@ class ScanRun {
   /// The objects, with the key frames that the session has.
   void refine(const Ending& ending);
   [[nodiscard]] Result<void> runRefinement(const Ending& ending);
+  /// The recording's poses are taken: relative to where the scan begins, or began.
+  void takePoses();
+  void setOrigin(const Eigen::Vector3d& origin_world);
+  /// Frame numbers and times go on after those of the earlier frames.
+  void continueNumbers(const std::vector<SavedFrame>& earlier);
+  void keepFrame(const RgbdFrame& frame, const FrameResult& result);
+  [[nodiscard]] Result<std::unique_ptr<ScanPipeline>> createPipeline(ObjectDatabase& database);
+  void advise(const Error& advice);
+  /// After each frame.
+  [[nodiscard]] Result<void> followAdvisor(const RgbdFrame& frame, bool is_usable);
+  /// The map can be given up: nothing was found in it, and nobody did anything to it.
+  [[nodiscard]] bool isUntouched() const;
+  /// Gives the map up for a new one.
+  [[nodiscard]] Result<void> beginAnew(int frame_index);
+  /// Error: nothing of what the frames show came into the map.
+  [[nodiscard]] Result<void> checkResult(const ScanReport& report) const;
 
   ScanRequest request_;
   ScanSession::Listener listener_;
+  std::function<void()> on_news_;
   SnapshotBuilder snapshots_;
   std::unique_ptr<FrameSource> source_;
   std::unique_ptr<ScanOutput> output_;
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
-  std::unique_ptr<SessionWriter> session_;     // until the recorder has it
-  std::optional<SavedScan> earlier_;           // what the session had
-  std::unique_ptr<SessionRecorder> recorder_;  // null: nothing is kept, or nothing yet
-  bool keeps_earlier_scan_ = false;            // the folder's, until this one has a usable frame
-  std::string catalogue_;                      // identity
+  std::unique_ptr<SessionWriter> session_;                  // until the recorder has it
+  std::optional<SavedScan> earlier_;                        // what the session had
+  ContinuedSource* continued_ = nullptr;                    // source_, if the scan goes on with it
+  LocalPoses* local_poses_ = nullptr;                       // source_ or in it, where its poses are taken
+  Eigen::Vector3d origin_world_ = Eigen::Vector3d::Zero();  // of the map, in the recording's world
+  bool is_recording_noted_ = false;                         // in the session
+  std::unique_ptr<SessionRecorder> recorder_;               // null: nothing is kept, or nothing yet
+  bool keeps_earlier_scan_ = false;                         // the folder's, until this one has a usable frame
+  std::string catalogue_;                                   // identity
 
   std::optional<FrameRead> next_read_;  // taken from the source before its turn
   FrameCounts frames_;
   std::vector<int> lost_frames_;
+  std::vector<int> first_usable_;  // indices of the map's first frames
+  ScanAdvisor advisor_;
+  std::vector<std::string> advice_;
   MapDrift drift_;
   std::vector<double> frame_ms_;
   double elapsed_s_ = 0;

@@ -99,6 +99,9 @@ struct MapFailed {
 struct MapDrifted {
   Error error;
 };  ///< the camera is back at a place that the map has beside where it was: what is seen there is in it twice
+struct ScanAdvice {
+  Error error;
+};  ///< something about the scan as a whole that a person can mend; the scan goes on
 /// Takes the newest operation back, or does it again.
 struct UndoEdit {};
 struct RedoEdit {};
@@ -143,9 +146,9 @@ struct ScanFinished {
 };
 using ScanEvent =
     std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
-                 ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted, Edited,
-                 EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped, ExportFinished,
-                 ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
+                 ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted, ScanAdvice,
+                 Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
+                 ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;
 
 /// Runs one scan after the other on a worker thread that owns device and pipeline.
 /// All public functions are for one thread (the window's or the command line's); none waits for a frame.

@@ -8,6 +8,7 @@
 #include "core/labeling/evidence_graph.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/key_frame_files.h"
+#include "core/scan/scan_advisor.h"
 
 namespace scantrove {
 namespace {
@@ -79,9 +80,31 @@ void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SavedFacts& no
   }
 }
 
+void SessionRecorder::beginRecording(const std::string& source, const ContinuedSource::Shift& shift) {
+  recordings_.push_back({setup_.frames, source, shift.index, shift.time_s});
+}
+
+void SessionRecorder::beginAnew() {
+  for (SavedFrame frame : std::exchange(first_usable_, {})) {
+    frame.state = TrackingState::lost;
+    frame.T_world_camera.setIdentity();
+    frames_.push_back(std::move(frame));
+  }
+  setup_.key_frames = {};
+  voxels_.clear();
+  seen_from_.clear();
+  regions_.clear();
+  objects_.clear();
+  pages_.clear();
+  saves_pages_ = false;
+  view_ = next_view_ = 0;
+  writer_->post([](SessionStore& store) { return store.forgetMap(); });
+}
+
 void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result) {
   const int number = setup_.frames++;
   frames_.push_back({number, frame.index, frame.timestamp_s, result.pose.state, result.pose.T_world_camera});
+  keepFirst(frames_.back());
   number_of_frame_[frame.index] = number;
   if (number_of_frame_.size() > kRememberedFrames) number_of_frame_.erase(number_of_frame_.begin());
   for (const LateFrame& late : result.late) {
@@ -89,6 +112,7 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
     if (known == number_of_frame_.end()) continue;
     frames_.push_back(
         {known->second, late.index, late.timestamp_s, late.pose.state, late.pose.T_world_camera});
+    keepFirst(frames_.back());
   }
   if (writer_->isFailing()) return;
   const bool is_new = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
@@ -101,6 +125,11 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
     if (!key) return fail(key.error());
     return store.saveKeyFrame(saved, *key);
   });
+}
+
+void SessionRecorder::keepFirst(const SavedFrame& frame) {
+  if (frame.isUsable() && first_usable_.size() < ScanAdvisor::kRememberedFrames)
+    first_usable_.push_back(frame);
 }
 
 Result<std::vector<SessionRecorder::KeptFrame>> SessionRecorder::keptFrames() {
@@ -236,6 +265,7 @@ SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
   delta.facts = std::exchange(setup_.facts, {});  // how it ended
   delta.facts["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
   delta.frames = std::exchange(frames_, {});
+  delta.recordings = std::exchange(recordings_, {});
   collectRegions(pipeline, delta);
   if (const ObjectCollector* collector = pipeline.collector()) {
     collectNamings(*collector, delta);

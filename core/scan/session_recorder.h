@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/continued_source.h"
 #include "core/fusion/stored_page.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/scan_pipeline.h"
@@ -43,8 +44,12 @@ class SessionRecorder {
                                                                ScanPipeline& pipeline, const SavedScan& scan,
                                                                bool all_frames);
 
+  /// The frames from the next one on are of this recording.
+  void beginRecording(const std::string& source, const ContinuedSource::Shift& shift);
   /// After each frame, whether it was usable or not.
   void addFrame(const RgbdFrame& frame, const FrameResult& result);
+  /// The map is given up for a new one, before anybody did anything to it: the frames so far are lost.
+  void beginAnew();
   /// Hands over what changed, or a part of it, if it is time. Device faults: cl::Error.
   void saveWhenDue(ScanPipeline& pipeline);
   /// Hands over what changed and waits until it is on disk. Error: it is not; what is there stays as it was.
@@ -91,13 +96,17 @@ class SessionRecorder {
   /// As many of them as may wait are not on disk yet.
   [[nodiscard]] bool arePagesWaiting();
   void hand(SavedDelta delta);
+  /// As long as there are few.
+  void keepFirst(const SavedFrame& frame);
 
   std::unique_ptr<SessionWriter> writer_;
   Setup setup_;
-  std::map<int, int> number_of_frame_;   // by index of the source, for those that may be understood late
-  std::vector<SavedFrame> frames_;       // not handed over yet
-  std::vector<int> voxels_;              // of each fragment, as handed over
-  std::vector<ViewCoverage> seen_from_;  // likewise
+  std::map<int, int> number_of_frame_;      // by index of the source, for those that may be understood late
+  std::vector<SavedFrame> first_usable_;    // those that beginAnew() is about
+  std::vector<SavedFrame> frames_;          // not handed over yet
+  std::vector<SavedRecording> recordings_;  // likewise
+  std::vector<int> voxels_;                 // of each fragment, as handed over
+  std::vector<ViewCoverage> seen_from_;     // likewise
   std::map<RegionId, SavedRegion> regions_;
   std::map<RegionId, ObjectId> objects_;                         // where no catalogue says them
   std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one

@@ -14,6 +14,7 @@ class SessionScan final : public LabelledScan {
   explicit SessionScan(OpenSession& session);
 
   [[nodiscard]] std::string name() const override;
+  [[nodiscard]] Eigen::Vector3d origin() const override { return session_.setup().origin_m; }
   [[nodiscard]] Result<std::vector<LabelledRegion>> regions() override;
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override;
   [[nodiscard]] Result<cv::Mat> color(int index) override;

@@ -1,9 +1,11 @@
 #include "core/scan/session_setup.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
+#include "core/base/text.h"
 #include "core/scan/param_registry.h"
 #include "core/session/row_checks.h"
 
@@ -30,6 +32,12 @@ fs::path databaseFileOf(const SessionSetup& setup, const fs::path& folder) {
   return folder / kept;
 }
 
+std::string originToText(const Eigen::Vector3d& origin_m) {
+  std::string text;
+  for (const double value : origin_m) text += (text.empty() ? "" : " ") + std::to_string(std::llround(value));
+  return text;
+}
+
 SavedFacts factsOf(const SessionSetup& setup) {
   std::string params;
   for (const ParamInfo& info : paramRegistry()) params += info.key + "=" + info.text(setup.params) + "\n";
@@ -37,7 +45,8 @@ SavedFacts factsOf(const SessionSetup& setup) {
   return {{"source", setup.source},
           {"camera", nlohmann::json{{"K", {K.fx, K.fy, K.cx, K.cy}}, {"size", {K.width, K.height}}}.dump()},
           {"params", params},
-          {"database", setup.database}};
+          {"database", setup.database},
+          {kOriginFact, originToText(setup.origin_m)}};
 }
 
 Result<SessionSetup> setupFrom(const SavedFacts& facts) {
@@ -65,6 +74,8 @@ Result<SessionSetup> setupFrom(const SavedFacts& facts) {
     return fail("The session is damaged: no camera can have the intrinsics and the image size that it names.",
                 "Restore session.sqlite from a copy if there is one.");
   }
+  if (const auto origin = parseNumbers(fact(kOriginFact)); origin && origin->size() == 3)
+    setup.origin_m = Eigen::Vector3d(origin->data());
   std::istringstream lines(fact("params"));
   for (std::string line; std::getline(lines, line);) {
     // A parameter that this program does not know any more has no say in it.

@@ -15,6 +15,8 @@ struct SessionSetup {
   Intrinsics K;  ///< of the recording's depth images
   ScanParams params;
   std::string database;  ///< relative to the session's folder where it lies in it
+  /// Places and poses of the session are relative to this point of the recording's world: whole metres.
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
 };
 
 /// How a session in `folder` keeps the name of its catalogue: relative to the folder where it lies in it,
@@ -23,6 +25,10 @@ struct SessionSetup {
 /// The catalogue's file, from what a session in `folder` keeps.
 [[nodiscard]] std::filesystem::path databaseFileOf(const SessionSetup& setup,
                                                    const std::filesystem::path& folder);
+
+/// The fact that tells SessionSetup::origin_m.
+inline constexpr const char* kOriginFact = "origin_m";
+[[nodiscard]] std::string originToText(const Eigen::Vector3d& origin_m);
 
 /// As facts, and back. Error: they are not those of a session.
 [[nodiscard]] SavedFacts factsOf(const SessionSetup& setup);

@@ -103,6 +103,11 @@ void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
   if (has_pictures_) waiting_.add(bricks);
 }
 
+void SnapshotBuilder::beginAnew(const ScanPipeline& given_up) {
+  addBricks(given_up.allBricks());
+  trail_.clear();
+}
+
 void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) {
   for (RegionChange change : pipeline.takeRegionChanges()) {
     change.by_person = by_person;

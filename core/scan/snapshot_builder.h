@@ -40,6 +40,9 @@ class SnapshotBuilder {
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
+  /// Another map takes the place of this one: its bricks are shown as they are there.
+  void beginAnew(const ScanPipeline& given_up);
+
   /// Snapshots hold numbers alone from now on: no images, no regions, no bricks.
   void leaveOutPictures() { has_pictures_ = false; }
   /// Around something that a person does to the regions: what that changes is sent before all else, and

@@ -72,6 +72,8 @@ Result<void> MapFiles::read(DatabaseConnection& database, std::vector<std::strin
 
 void MapFiles::beginAnew() {
   pages_.clear();
+  added_.clear();
+  unflushed_.clear();
   files_.clear();
   appended_.reset();
 }

@@ -8,7 +8,6 @@
 namespace scantrove::rows {
 namespace {
 
-constexpr double kFarthest_m = 1e8;
 /// Of a quaternion's length, and of a rotation's columns.
 constexpr double kRounding = 1e-3;
 constexpr float kLargestEvidence = 1e9F;

@@ -18,6 +18,7 @@ inline constexpr Bounds kFragments{1, 0xffffff};  ///< 24 bits of a voxel's labe
 inline constexpr Bounds kRegions{1, 0x7fffffff};
 inline constexpr Bounds kCounts{0, 0x3fffffff};  ///< frames, voxels, operations: more are counted on
 inline constexpr Bounds kFlags{0, 1};
+inline constexpr double kFarthest_m = 1e8;  ///< of any coordinate
 
 /// None: the value is no integer within the bounds.
 [[nodiscard]] std::optional<std::int64_t> integerAt(const QSqlQuery& row, int column, Bounds bounds);

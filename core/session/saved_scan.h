@@ -20,8 +20,8 @@ namespace scantrove {
 /// What is kept of a scan: plain values, as they go to disk and come back.
 struct SavedFrame {
   int number = 0;        ///< 0, 1, ... in the order in which the scan saw them
-  int source_index = 0;  ///< RgbdFrame::index
-  double time_s = 0;
+  int source_index = 0;  ///< RgbdFrame::index; SavedRecording says which one its recording has
+  double time_s = 0;     ///< likewise
   TrackingState state = TrackingState::lost;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 
@@ -29,6 +29,15 @@ struct SavedFrame {
   [[nodiscard]] bool isUsable() const {
     return state == TrackingState::tracking || state == TrackingState::relocalised;
   }
+};
+
+/// A recording, or a part of one, that became part of the scan.
+struct SavedRecording {
+  int first_frame = 0;  ///< SavedFrame::number
+  std::string source;   ///< as it was given
+  /// What its own frame numbers and times lack to those of the scan.
+  int index_shift = 0;
+  double time_shift_s = 0;
 };
 
 struct SavedKeyFrame {
@@ -80,6 +89,7 @@ using SavedFacts = std::map<std::string, std::string>;
 struct SavedDelta {
   SavedFacts facts;
   std::vector<SavedFrame> frames;  ///< new ones, or understood late
+  std::vector<SavedRecording> recordings;
   std::vector<SavedKeyFrame> key_frames;
   std::vector<SavedFragment> fragments;
   std::vector<SavedRegion> regions;  ///< of which something is to be said, or was
@@ -91,7 +101,8 @@ struct SavedDelta {
 /// A scan as it was read back, but for its map, which is read page by page, and what is known of its camera.
 struct SavedScan {
   SavedFacts facts;
-  std::vector<SavedFrame> frames;  ///< by number
+  std::vector<SavedFrame> frames;          ///< by number
+  std::vector<SavedRecording> recordings;  ///< in order; of an older session, those that are known
   std::vector<SavedKeyFrame> key_frames;
   std::vector<SavedFragment> fragments;
   std::vector<SavedRegion> regions;

@@ -11,9 +11,11 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/fusion/packed_words.h"
 #include "core/session/checked_rows.h"
 #include "core/session/operation_json.h"
+#include "core/session/recording_rows.h"
 #include "core/session/row_checks.h"
 
 namespace scantrove::rows {
@@ -406,9 +408,16 @@ auto addTo(std::vector<Row>& list, std::optional<Row> (*from)(const QSqlQuery&))
   };
 }
 
-/// New regions are counted on from this one.
+/// Places that are relative to another one are not those of the recording.
+bool isOrigin(const std::string& value) {
+  const auto numbers = parseNumbers(value);
+  return numbers && numbers->size() == 3 &&
+         std::ranges::all_of(*numbers, [](double number) { return std::abs(number) <= kFarthest_m; });
+}
+
 bool isFact(const std::string& name, const std::string& value) {
-  if (name != "last_region") return true;
+  if (name == "origin_m") return isOrigin(value);
+  if (name != "last_region") return true;  // new regions are counted on from this one
   const bool is_number = !value.empty() && value.size() < 11 &&
                          std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; });
   return is_number && std::stoll(value) <= kRegions.most;
@@ -442,6 +451,7 @@ Result<SavedFacts> readFacts(DatabaseConnection& database, std::vector<std::stri
 
 Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
   SCANTROVE_TRY(writeFacts(database, delta.facts));
+  SCANTROVE_TRY(writeRecordings(database, delta.recordings));
   SCANTROVE_TRY(writeFrames(database, delta));
   SCANTROVE_TRY(writeFragments(database, delta.fragments));
   SCANTROVE_TRY(writeRegions(database, delta.regions));
@@ -453,6 +463,7 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
 Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
   SavedScan scan;
   SCANTROVE_TRY(moveInto(scan.facts, readFacts(database, damages)));
+  SCANTROVE_TRY(moveInto(scan.recordings, readRecordings(database, damages)));
   const auto readTable = [&](const Reading& reading, auto& list, auto from) {
     return readRows(database, reading, damages, addTo(list, from));
   };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/database/transaction.h"
+#include "core/session/checked_rows.h"
 #include "core/session/inside_folder.h"
 #include "core/session/own_files.h"
 #include "core/session/replaced_session.h"
@@ -102,6 +103,25 @@ Result<void> SessionStore::saveKeyFrame(const SavedFrame& frame, const SavedKeyF
   delta.key_frames.push_back(images);
   if (waitsWith(delta)) return {};
   return write(delta, false);
+}
+
+Result<void> SessionStore::deleteMapRows() {
+  DatabaseConnection& database = **database_;
+  for (const char* table : {"key_frames", "fragments", "regions", "borders", "pages", "camera"}) {
+    SCANTROVE_TRY(database.execute(QString("DELETE FROM ") + table));
+    SCANTROVE_TRY(rows::seal(database, table));
+  }
+  const Result<std::vector<std::string>> files = own_files::kept(database);
+  if (!files) return fail(files.error());
+  return own_files::outdate(database, *files);
+}
+
+Result<void> SessionStore::forgetMap() {
+  map_.beginAnew();
+  if (replaces_) return {};
+  SCANTROVE_TRY(inTransaction(**database_, [&] { return deleteMapRows(); }));
+  lost_before_ = 0;
+  return own_files::removeUnused(**database_, folder_, own_files::Which::outdated);
 }
 
 Result<void> SessionStore::write(const SavedDelta& delta, bool with_pages) {

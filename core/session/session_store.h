@@ -45,6 +45,10 @@ class SessionStore {
   /// is on record before the file is made. Error: the database.
   [[nodiscard]] Result<std::filesystem::path> claimImage(const std::string& stem, const std::string& ending);
 
+  /// The map is given up, with all that is known of it; frames stay. What is written by then for the next
+  /// save() goes, too. Error: the database; its rows are there as before.
+  [[nodiscard]] Result<void> forgetMap();
+
   /// All but the map. What is damaged is left out and named in `damages`.
   [[nodiscard]] Result<SavedScan> load();
   /// A page of the map. Error: it is damaged.
@@ -77,6 +81,8 @@ class SessionStore {
   [[nodiscard]] Result<void> takeLock();
   [[nodiscard]] Result<Error> writeAnew();
   [[nodiscard]] Result<int> countLostImages() const;
+  /// In a transaction.
+  [[nodiscard]] Result<void> deleteMapRows();
 
   std::filesystem::path folder_;
   MapFiles map_;

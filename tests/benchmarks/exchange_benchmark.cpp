@@ -14,7 +14,8 @@ namespace {
 std::filesystem::path scratchFile(const char* name) { return std::filesystem::temp_directory_path() / name; }
 
 void BM_WriteCloud(benchmark::State& state,
-                   Result<void> (*write)(const std::filesystem::path&, const LabeledCloud&)) {
+                   Result<void> (*write)(const std::filesystem::path&, const LabeledCloud&,
+                                         const Eigen::Vector3d&)) {
   std::mt19937 random(1);
   LabeledCloud points(static_cast<std::size_t>(state.range(0)));
   for (LabeledPoint& p : points) {
@@ -22,7 +23,7 @@ void BM_WriteCloud(benchmark::State& state,
     p.label = static_cast<std::uint32_t>(random() % 200);
   }
   const auto path = scratchFile("scantrove-benchmark-cloud");
-  for (auto _ : state) SCANTROVE_CHECK(write(path, points));
+  for (auto _ : state) SCANTROVE_CHECK(write(path, points, Eigen::Vector3d::Zero()));
   std::filesystem::remove(path);
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }

@@ -71,6 +71,7 @@ void SessionBridge::announce(const ScanEvent& event) {
           },
           [this](const MapFailed& e) { emit mapFailed(QString::fromStdString(e.error.message())); },
           [this](const MapDrifted& e) { emit mapDrifted(QString::fromStdString(e.error.message())); },
+          [this](const ScanAdvice& e) { emit scanAdvised(QString::fromStdString(e.error.message())); },
           [this](const Edited& e) { emit edited(e.edit, e.regions); },
           [this](const EditFailed& e) { emit editFailed(e.edit, QString::fromStdString(e.error.message())); },
           [this](const ReviewOpened& e) { emit reviewOpened(e.can_refine); },

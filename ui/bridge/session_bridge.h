@@ -59,6 +59,7 @@ class SessionBridge : public QObject {
   /// A part of the map cannot be written to disk for now, or not be read back; the scan goes on.
   void mapFailed(const QString& message);
   void mapDrifted(const QString& message);
+  void scanAdvised(const QString& message);
   /// What a person wanted to do to the regions is done, and kept; `regions`: what it was about is now.
   void edited(const scantrove::ScanEdit& edit, const std::vector<scantrove::RegionId>& regions);
   /// It was not done, or is not kept.

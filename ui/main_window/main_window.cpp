@@ -201,6 +201,7 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::catalogueFailed, this, warn);
   connect(&bridge, &SessionBridge::mapFailed, this, warn);
   connect(&bridge, &SessionBridge::mapDrifted, this, warn);
+  connect(&bridge, &SessionBridge::scanAdvised, this, warn);
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
   connect(&bridge, &SessionBridge::objectRecognised, this,
           [this](ObjectId object) { model_.markRecognised(object); });

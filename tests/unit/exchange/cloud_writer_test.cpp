@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstring>
 #include <random>
 
 #include "tests/support/poses.h"
@@ -74,6 +75,33 @@ TEST(CloudWriter, PlyReadsBackEqual) {
   PclCloud cloud;
   ASSERT_EQ(pcl::io::loadPLYFile((folder / "cloud.ply").string(), cloud), 0);
   EXPECT_EQ(fromPcl(cloud), points);
+}
+
+double placeIn(const pcl::PCLPointCloud2& cloud, std::size_t point, std::size_t axis) {
+  double place = 0;
+  std::memcpy(&place, &cloud.data[point * cloud.point_step + cloud.fields[axis].offset], sizeof place);
+  return place;
+}
+
+TEST(CloudWriter, WritesDoubles_WhenTheOriginIsFarAway) {
+  const TemporaryFolder folder;
+  const auto points = somePoints();
+  const Eigen::Vector3d origin(5600000, -4, 0);
+  ASSERT_TRUE(writePcd(folder / "cloud.pcd", points, origin));
+  ASSERT_TRUE(writePly(folder / "cloud.ply", points, origin));
+  pcl::PCLPointCloud2 pcd, ply;
+  ASSERT_EQ(pcl::io::loadPCDFile((folder / "cloud.pcd").string(), pcd), 0);
+  ASSERT_EQ(pcl::io::loadPLYFile((folder / "cloud.ply").string(), ply), 0);
+  for (const pcl::PCLPointCloud2& cloud : {pcd, ply}) {
+    ASSERT_EQ(cloud.width * cloud.height, points.size());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      ASSERT_EQ(cloud.fields[axis].datatype, pcl::PCLPointField::FLOAT64);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_NEAR(placeIn(cloud, i, 0) - origin.x(), points[i].x, 1e-8);
+      ASSERT_NEAR(placeIn(cloud, i, 1) - origin.y(), points[i].y, 1e-8);
+      ASSERT_NEAR(placeIn(cloud, i, 2) - origin.z(), points[i].z, 1e-8);
+    }
+  }
 }
 
 TEST(CloudWriter, AreTheSameInManyPieces) {

@@ -1,0 +1,89 @@
+// Recordings whose given poses are many kilometres from their origin.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/capture/pose_files.h"
+#include "core/scan/open_session.h"
+#include "core/scan/session_scan.h"
+#include "tests/support/filmed_recording.h"
+#include "tests/support/scan_session_runner.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kFrames = 6;
+const Eigen::Vector3d kFar(200'000, -30'000, 12);
+
+class FarOriginTest : public testing::Test {
+ protected:
+  ScanEnding scanAt(const Eigen::Vector3d& place, const std::string& name) {
+    writeRecording(folder_ / (name + ".recording"), smallFilm(), kFrames,
+                   [&](RgbdFrame& frame) { frame.T_world_camera->translation() += place; });
+    ScanRequest request;
+    request.source = (folder_ / (name + ".recording")).string();
+    request.poses = ScanRequest::Poses::given;
+    request.output_folder = folder_ / name;
+    request.database = (folder_ / (name + ".sqlite")).string();
+    return runScan(request);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(FarOriginTest, TheScanIsTheSameAsNearTheOrigin) {
+  const ScanEnding near = scanAt({0, 0, 0}, "near"), far = scanAt(kFar, "far");
+  ASSERT_TRUE(near.report) << near.error;
+  ASSERT_TRUE(far.report) << far.error;
+  EXPECT_EQ(far.report->frames.tracked, kFrames);
+  EXPECT_NEAR(far.report->map_bricks, near.report->map_bricks, 0.02 * near.report->map_bricks);
+  EXPECT_NEAR(far.report->regions, near.report->regions, 1);
+  EXPECT_EQ(near.report->origin_m, Eigen::Vector3d::Zero());
+  EXPECT_LT((far.report->origin_m - kFar).norm(), 10) << far.report->origin_m.transpose();
+}
+
+TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
+  ASSERT_TRUE(scanAt(kFar, "far").report);
+  const auto trajectory = readTumTrajectory(folder_ / "far" / "trajectory.txt");
+  ASSERT_TRUE(trajectory);
+  const auto source = makeSyntheticSource(smallFilm()).value();
+  ASSERT_EQ(trajectory->size(), static_cast<std::size_t>(kFrames));
+  for (int i = 0; i < kFrames; ++i) {
+    const Eigen::Vector3d place = (*trajectory)[static_cast<std::size_t>(i)].T_world_camera.translation();
+    EXPECT_LT((place - kFar - source->pose(i).translation()).norm(), 0.002)
+        << i;  // written to the millimetre
+  }
+  EXPECT_THAT(readText(folder_ / "far" / "cloud.ply").substr(0, 300), HasSubstr("property double x"));
+
+  const QtMainThread qt;
+  const auto session = OpenSession::open(folder_ / "far", "");
+  ASSERT_TRUE(session) << session.error().message();
+  SessionScan scan(**session);
+  EXPECT_LT((scan.origin() - kFar).norm(), 10);
+  const auto kept = scan.trajectory();
+  ASSERT_TRUE(kept);
+  EXPECT_LT(kept->front().T_world_camera.translation().norm(), 10) << "relative to the origin";
+}
+
+TEST_F(FarOriginTest, FramesWithImpossiblePosesAreLeftOut) {
+  int number = 0;
+  writeRecording(folder_ / "rec", smallFilm(), kFrames, [&](RgbdFrame& frame) {
+    if (++number > 2) frame.T_world_camera->translation().x() = std::pow(10.0, 3 * number);
+  });
+  ScanRequest request;
+  request.source = (folder_ / "rec").string();
+  request.poses = ScanRequest::Poses::given;
+  request.output_folder = folder_ / "out";
+  request.database = (folder_ / "catalogue.sqlite").string();
+  const ScanEnding ending = runScan(request);
+  ASSERT_TRUE(ending.report) << ending.error;
+  EXPECT_EQ(ending.report->frames.tracked, 2);
+  ASSERT_EQ(ending.skipped.size(), 4U);
+  EXPECT_THAT(ending.skipped.back().error.message(), HasSubstr("where no camera is"));
+}
+
+}  // namespace
+}  // namespace scantrove::test

@@ -1,0 +1,91 @@
+// A session that goes on with another recording whose frame numbers and times begin at 0 again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/session/session_store.h"
+#include "tests/support/scan_session_runner.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove::test {
+namespace {
+
+constexpr int kFirst = 8, kSecond = 6;
+
+ScanRequest scanOf(const std::filesystem::path& folder, int frames) {
+  ScanRequest request;
+  request.source = "demo:tabletop:3";
+  request.source_options.frames = frames;
+  request.output_folder = folder;
+  request.database = (folder.parent_path() / "catalogue.sqlite").string();
+  request.label_maps = true;
+  return request;
+}
+
+std::vector<double> timesIn(const std::filesystem::path& trajectory) {
+  std::ifstream lines(trajectory);
+  std::vector<double> times;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('#')) times.push_back(std::stod(line));
+  }
+  return times;
+}
+
+std::ptrdiff_t filesIn(const std::filesystem::path& folder) {
+  return std::distance(std::filesystem::directory_iterator(folder), {});
+}
+
+class SecondRecording : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(runScan(scanOf(folder_ / "scan", kFirst)).report);
+    ScanRequest second = scanOf(folder_ / "scan", kSecond);
+    second.resume = true;
+    ASSERT_TRUE(runScan(second).report);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(SecondRecording, ItsFramesComeAfterThoseOfTheFirst) {
+  const std::vector<double> times = timesIn(folder_ / "scan" / "trajectory.txt");
+  EXPECT_EQ(times.size(), static_cast<std::size_t>(kFirst + kSecond));
+  EXPECT_EQ(std::ranges::adjacent_find(times, std::greater_equal{}), times.end())
+      << testing::PrintToString(times);
+  for (const char* kind : {"segments", "labels"})
+    EXPECT_EQ(filesIn(folder_ / "scan" / kind), kFirst + kSecond) << kind;
+
+  const QtMainThread qt;
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const Result<SavedScan> scan = (*store)->load();
+  ASSERT_TRUE(scan);
+  std::set<int> numbers;
+  for (const SavedFrame& frame : scan->frames) numbers.insert(frame.source_index);
+  EXPECT_EQ(numbers.size(), static_cast<std::size_t>(kFirst + kSecond));
+  EXPECT_EQ(*numbers.rbegin(), kFirst + kSecond - 1);
+}
+
+TEST_F(SecondRecording, TheSessionKnowsItsOwnFrameNumbersAndTimes) {
+  const QtMainThread qt;
+  const auto store = SessionStore::open(folder_ / "scan");
+  ASSERT_TRUE(store) << store.error().message();
+  const Result<SavedScan> scan = (*store)->load();
+  ASSERT_TRUE(scan);
+  ASSERT_EQ(scan->recordings.size(), 2U);
+  EXPECT_EQ(scan->recordings[0].index_shift, 0);
+  EXPECT_EQ(scan->recordings[1].source, "demo:tabletop:3");
+  EXPECT_EQ(scan->recordings[1].first_frame, kFirst);
+  EXPECT_EQ(scan->recordings[1].index_shift, kFirst);
+  const SavedFrame& first = scan->frames.at(kFirst);
+  EXPECT_EQ(first.source_index - scan->recordings[1].index_shift, 0);
+  EXPECT_NEAR(first.time_s - scan->recordings[1].time_shift_s, 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace scantrove::test
