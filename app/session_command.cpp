@@ -103,6 +103,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
                           {"time_shift_s", one.time_shift_s}});
   for (const auto& entry : session.history().entries())
     done += entry.state == OperationLog::State::done ? 1U : 0U;
+  const std::optional<bool> are_current = session.areResultsCurrent();
   if (command.json) {
     printJson({{"source", session.setup().source},
                {"recordings", recordings},
@@ -116,6 +117,7 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
                {"operations", done},
                {"ended", session.hasEnded()},
                {"refined", !session.canBeRefined()},
+               {"results_current", are_current ? Json(*are_current) : Json(nullptr)},
                {"damages", session.damages()}});
     return {};
   }
@@ -129,6 +131,9 @@ Result<void> show(OpenSession& session, const SessionCommand& command) {
             << " bricks\nregions     " << regions->size() << ", " << named << " named, " << objects
             << " objects\noperations  " << done << "\nrefined     "
             << (session.canBeRefined() ? "no: 'scantrove session refine' does it" : "yes") << '\n';
+  if (!are_current.value_or(true))
+    std::cout << "files       cloud, labels.json and label images are from before the last edits; "
+                 "'scantrove export' writes them anew\n";
   return {};
 }
 
@@ -197,10 +202,9 @@ Operation operationOn(OperationKind kind, const SessionCommand& command) {
 }
 
 /// The session has it; that its catalogue has it not is worth a sentence, and no failure.
-void tellCatalogue(OpenSession& session, const RegionEditor::Outcome& outcome, SaidHow how,
-                   const SessionCommand& command) {
+void tellCatalogue(OpenSession& session, const SessionCommand& command) {
   if (command.without_catalogue || catalogueFileOf(session).empty()) return;
-  if (const Result<void> told = followInCatalogue(session, outcome, how); !told)
+  if (const Result<void> told = followInCatalogue(session); !told)
     std::cerr << "scantrove: The session has it, but not its catalogue: "
               << forTerminal(told.error().message()) << '\n';
 }
@@ -216,7 +220,7 @@ Result<void> edit(OpenSession& session, const SessionCommand& command) {
       session.setFact(sessionOnlyFactOf(region), command.without_catalogue ? operation.name : "");
   }
   const auto outcome = session.edit(operation);
-  if (outcome) tellCatalogue(session, *outcome, SaidHow::done, command);
+  if (outcome) tellCatalogue(session, command);
   return report(outcome, command);
 }
 
@@ -258,7 +262,7 @@ Result<void> undo(OpenSession& session, const SessionCommand& command) {
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
   for (int i = 0; i < command.steps && outcome; ++i) {
     outcome = session.undo();
-    if (outcome) tellCatalogue(session, *outcome, SaidHow::undone, command);
+    if (outcome) tellCatalogue(session, command);
   }
   return report(outcome, command);
 }
@@ -268,7 +272,7 @@ Result<void> redo(OpenSession& session, const SessionCommand& command) {
   Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
   for (int i = 0; i < command.steps && outcome; ++i) {
     outcome = session.redo();
-    if (outcome) tellCatalogue(session, *outcome, SaidHow::done, command);
+    if (outcome) tellCatalogue(session, command);
   }
   return report(outcome, command);
 }
@@ -323,6 +327,7 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
     if (!session) return outcome.failWith(session.error());
     for (const std::string& damage : (*session)->damages())
       std::cerr << "scantrove: " << inLine(damage) << '\n';
+    if (command->without_catalogue) (*session)->leaveOutCatalogue();
     const auto done = action(**session, *command);
     if (!done) return outcome.failWith(done.error());
     if (const auto undisturbed = (*session)->findDisturbance(); !undisturbed)

@@ -38,8 +38,7 @@ Result<Eigen::Isometry3d> firstCamera(ExportJob& job) {
 Result<void> exportPlyCloud(ExportJob& job) {
   const auto cloud = readCloud(job);
   if (!cloud) return fail(cloud.error());
-  const std::string bytes = encodePly(*cloud, {.faces = false, .origin = job.scan().origin()},
-                                      "labelled cloud: metres, label = region id");
+  const std::string bytes = encodePly(*cloud, {.faces = false, .origin = job.scan().origin()}, kCloudComment);
   SCANTROVE_TRY(job.write("cloud.ply", bytes));
   SCANTROVE_TRY(job.checkSame("cloud.ply", bytes));
   return writeLegend(job);

@@ -64,7 +64,8 @@ Result<void> write(const std::filesystem::path& path, std::string header, const 
 }
 
 /// As PCL writes it, for points of `x y z rgba label` without gaps.
-std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint, bool has_doubles) {
+std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewpoint, bool has_doubles,
+                      const std::string& comment) {
   pcl::PCLPointCloud2 cloud;
   const auto place = has_doubles ? pcl::PCLPointField::FLOAT64 : pcl::PCLPointField::FLOAT32;
   for (const auto& [name, type] : {std::pair{"x", place},
@@ -85,15 +86,17 @@ std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewp
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   origin.head<3>() = T_world_viewpoint.translation().cast<float>();
   const Eigen::Quaterniond orientation(T_world_viewpoint.linear());
-  return pcl::PCDWriter().generateHeaderBinary(cloud, origin, orientation.normalized().cast<float>()) +
-         "DATA binary\n";
+  std::string header =
+      pcl::PCDWriter().generateHeaderBinary(cloud, origin, orientation.normalized().cast<float>());
+  header.insert(header.find('\n') + 1, "# " + comment + '\n');  // the first line tells what it is
+  return header + "DATA binary\n";
 }
 
 }  // namespace
 
 std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint,
                       const Eigen::Vector3d& origin_world) {
-  std::string bytes = pcdHeader(points.size(), T_world_viewpoint, needsDoubles(origin_world));
+  std::string bytes = pcdHeader(points.size(), T_world_viewpoint, needsDoubles(origin_world), kCloudComment);
   constexpr std::size_t kMostPointBytes = 3 * sizeof(double) + 2 * sizeof(std::uint32_t);
   bytes.reserve(bytes.size() + points.size() * kMostPointBytes);
   for (const LabeledPoint& point : points) putPcd(point, origin_world, bytes);
@@ -101,18 +104,16 @@ std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometr
 }
 
 Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points,
-                      const Eigen::Vector3d& origin_world) {
+                      const Eigen::Vector3d& origin_world, const std::string& comment) {
   const Eigen::Isometry3d viewpoint = Eigen::Isometry3d::Identity();
-  return write(path, pcdHeader(points.size(), viewpoint, needsDoubles(origin_world)), points, origin_world,
-               putPcd);
+  return write(path, pcdHeader(points.size(), viewpoint, needsDoubles(origin_world), comment), points,
+               origin_world, putPcd);
 }
 
 Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points,
-                      const Eigen::Vector3d& origin_world) {
-  std::string header =
-      "ply\nformat binary_little_endian 1.0\ncomment labelled cloud: metres, label = region id\nelement "
-      "vertex " +
-      std::to_string(points.size()) + "\n";
+                      const Eigen::Vector3d& origin_world, const std::string& comment) {
+  std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + comment + "\nelement vertex " +
+                       std::to_string(points.size()) + "\n";
   const std::string type = needsDoubles(origin_world) ? "double" : "float";
   for (const char* axis : {"x", "y", "z"}) header += "property " + type + " " + axis + "\n";
   header +=

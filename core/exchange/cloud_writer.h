@@ -18,14 +18,19 @@ namespace scantrove {
     const Eigen::Isometry3d& T_world_viewpoint = Eigen::Isometry3d::Identity(),
     const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero());
 
+/// What the headers of clouds say of them, where nothing else is to be said.
+inline constexpr const char* kCloudComment = "labelled cloud: metres, label = region id";
+
 /// Binary PCD with fields `x y z rgba label`; reads back as pcl::PointXYZRGBL (float). An empty cloud is a
-/// valid file. Written beside and renamed. Error: names `path`.
+/// valid file. `comment`: one line for its header. Written beside and renamed. Error: names `path`.
 Result<void> writePcd(const std::filesystem::path& path, const LabeledCloud& points,
-                      const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero());
+                      const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero(),
+                      const std::string& comment = kCloudComment);
 
 /// Binary little-endian PLY with vertex properties `float x y z, uchar red green blue, uint label`.
-/// Written beside and renamed. Error: names `path`.
+/// `comment`: as of writePcd(). Written beside and renamed. Error: names `path`.
 Result<void> writePly(const std::filesystem::path& path, const LabeledCloud& points,
-                      const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero());
+                      const Eigen::Vector3d& origin_world = Eigen::Vector3d::Zero(),
+                      const std::string& comment = kCloudComment);
 
 }  // namespace scantrove

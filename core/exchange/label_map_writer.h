@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,11 +19,13 @@ struct LabelMapEntry {
   std::string name;                     ///< empty without one
   std::string category = {};            ///< likewise
   bool confirmed = false;               ///< the object, by a person
+  /// Its number in label images, where 16 bits do not hold its id; none: its id.
+  std::optional<std::uint32_t> image_label = {};
 };
 
 /// labels.json: `{"<region id>": {"color": [r, g, b], "object": id or null, "name": text or null,
-/// "category": text or null, "confirmed": true or false}, ...}`. Written beside and renamed. Error: names
-/// `path`.
+/// "category": text or null, "confirmed": true or false}, ...}`, by the region ids of the session; with
+/// "image_label" where label images have another number. Written beside and renamed. Error: names `path`.
 Result<void> writeLabelMap(const std::filesystem::path& path, std::span<const LabelMapEntry> entries);
 
 }  // namespace scantrove

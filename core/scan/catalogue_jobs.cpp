@@ -171,6 +171,8 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Name& job) {
   const Result<ObjectId> holder = database_->resolve(object);
   if (!holder) return fail(holder.error());
   if (!*holder) return News{news::NameDropped{job.object, std::nullopt}};
+  if (overruled_.contains(job.again))
+    return withRecords(news::NameDropped{job.object, std::nullopt}, std::array{object, *holder});
   const Result<ObjectNaming> naming = database_->nameByPerson(*holder, job.name);
   if (!naming) return fail(naming.error());
   if (!naming->object) {
@@ -187,15 +189,28 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Name& job) {
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const TakeNameBack& job) {
+  if (job.earlier) namings_.try_emplace(job.naming, *job.earlier);
   const auto found = namings_.find(job.naming);
   if (found == namings_.end()) return News{};  // it was dropped
   const ObjectNaming naming = found->second;
   const Result<bool> done = database_->takeNameBack(naming);
   if (!done) return fail(done.error());
+  if (!*done) overruled_.insert(job.naming);
   namings_.erase(found);
   std::vector<ObjectId> changed{naming.object};
   if (naming.merge) changed.insert(changed.end(), naming.merge->from.begin(), naming.merge->from.end());
   return withRecords(news::NameTakenBack{naming.object}, changed);
+}
+
+Result<CatalogueWriter::News> CatalogueWriter::execute(const Withdraw& job) {
+  const ObjectId object = idOf(job.object);
+  if (!object) return News{};
+  const Result<bool> is_removed = database_->withdraw(object);
+  if (!is_removed) return fail(is_removed.error());
+  touched_.insert(object);
+  Result<CatalogueEdits> now = feed_->reread(std::array{object});
+  if (!now) return News{};
+  return News{news::Edited{std::move(*now)}};
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const LeaveBehind& job) {

@@ -178,6 +178,15 @@ void CatalogueMirror::name(ObjectId object, const std::string& name) {
   applyName(object, name);
 }
 
+void CatalogueMirror::withdraw(ObjectId object) {
+  const bool holds_others = std::ranges::any_of(
+      objects_, [&](ObjectId other) { return other != object && holderOf(other) == object; });
+  if (holds_others || holderOf(object) != object) return;
+  setHolder(object, {});
+  records_.erase(object);
+  std::erase_if(names_to_come_, [object](const auto& name) { return name.first == object; });
+}
+
 void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
   auto own = records_.find(holderOf(object));
   if (own == records_.end()) return;

@@ -76,6 +76,12 @@ class CatalogueMirror {
   /// The visible object of that name, or null.
   [[nodiscard]] const ObjectRecord* named(const std::string& name) const;
 
+  /// An object that was made for something which a person took back is none any more, unless others are part
+  /// of it.
+  void withdraw(ObjectId object);
+  /// Whether there is or was such an object.
+  [[nodiscard]] bool hasHad(ObjectId object) const { return objects_.contains(object); }
+
   /// What the database made of it, and what others did.
   void apply(const CatalogueNews& news);
 

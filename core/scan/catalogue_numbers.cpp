@@ -12,8 +12,8 @@ namespace {
 using NumbersJson = nlohmann::ordered_json;
 
 /// Facts that name objects by their numbers begin so.
-constexpr std::array<std::string_view, 5> kFactsWithNumbers{"namings ", "gone object ", "join ",
-                                                            "pending edits", "refinement memory"};
+constexpr std::array<std::string_view, 6> kFactsWithNumbers{
+    "namings ", "undone namings ", "gone object ", "join ", "pending edits", "refinement memory"};
 /// Begun when an older version kept the session.
 constexpr const char* kBegunFact = "begun";
 

@@ -99,14 +99,19 @@ void CatalogueWriter::merge(ObjectId a, ObjectId b) {
   enqueue(Merge{a, b});
 }
 
-void CatalogueWriter::name(int naming, ObjectId object, const std::string& name) {
+void CatalogueWriter::name(int naming, ObjectId object, const std::string& name, int again) {
   const std::scoped_lock lock(mutex_);
-  enqueue(Name{naming, object, name});
+  enqueue(Name{naming, object, name, again});
 }
 
-void CatalogueWriter::takeNameBack(int naming) {
+void CatalogueWriter::takeNameBack(int naming, std::optional<ObjectNaming> earlier) {
   const std::scoped_lock lock(mutex_);
-  enqueue(TakeNameBack{naming});
+  enqueue(TakeNameBack{naming, std::move(earlier)});
+}
+
+void CatalogueWriter::withdraw(ObjectId object) {
+  const std::scoped_lock lock(mutex_);
+  enqueue(Withdraw{object});
 }
 
 void CatalogueWriter::leaveBehind(ObjectId object, std::vector<int> frames) {

@@ -68,10 +68,15 @@ class CatalogueWriter {
   /// Makes one of two objects, unless by the time persons settled both, parted them or deleted one.
   void merge(ObjectId a, ObjectId b);
   /// A person calls the object so (see ObjectDatabase::nameByPerson), unless it was deleted by the time.
-  /// `naming`: a number for takeNameBack().
-  void name(int naming, ObjectId object, const std::string& name);
+  /// `naming`: a number for takeNameBack(). `again`: of the naming that was taken back and is done again
+  /// here; where others had overruled that, nothing is done.
+  void name(int naming, ObjectId object, const std::string& name, int again = 0);
   /// What that naming did is taken back, unless others have said otherwise by the time.
-  void takeNameBack(int naming);
+  /// `earlier`: what it did, where it was of an earlier scan.
+  void takeNameBack(int naming, std::optional<ObjectNaming> earlier = std::nullopt);
+  /// An object that was made for something which a person took back is removed (see
+  /// ObjectDatabase::withdraw).
+  void withdraw(ObjectId object);
   /// Views of the object that this scan took from those frames show something else. See
   /// ObjectDatabase::leaveBehind(); nothing is done when a person has settled what it is by the time.
   void leaveBehind(ObjectId object, std::vector<int> frames);
@@ -107,9 +112,14 @@ class CatalogueWriter {
     int naming = 0;
     ObjectId object;
     std::string name;
+    int again = 0;
   };
   struct TakeNameBack {
     int naming = 0;
+    std::optional<ObjectNaming> earlier;
+  };
+  struct Withdraw {
+    ObjectId object;
   };
   struct LeaveBehind {
     ObjectId object;
@@ -117,8 +127,8 @@ class CatalogueWriter {
   };
   struct BeginSession {};
   struct EndSession {};
-  using Job =
-      std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, LeaveBehind, EndSession>;
+  using Job = std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, Withdraw, LeaveBehind,
+                           EndSession>;
   /// Kinds of jobs, for counting.
   struct Losses {
     int objects = 0, views = 0, merges = 0, names = 0;
@@ -151,6 +161,7 @@ class CatalogueWriter {
   [[nodiscard]] Result<News> execute(const Merge& job);
   [[nodiscard]] Result<News> execute(const Name& job);
   [[nodiscard]] Result<News> execute(const TakeNameBack& job);
+  [[nodiscard]] Result<News> execute(const Withdraw& job);
   [[nodiscard]] Result<News> execute(const LeaveBehind& job);
   [[nodiscard]] Result<News> execute(const EndSession& job);
   /// As they are now, behind `news`. What cannot be read now is as it was known.
@@ -173,6 +184,7 @@ class CatalogueWriter {
   std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
   std::set<ObjectId> touched_;                   // objects that this scan gave something
   std::map<int, ObjectNaming> namings_;          // by the numbers that were given
+  std::set<int> overruled_;                      // that could not be taken back: others had said otherwise
   std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is no file
   bool is_failure_said_ = false;
 

@@ -55,7 +55,9 @@ const std::string* ObjectCollector::wantedName(const Candidate& candidate) const
 bool ObjectCollector::isCalledOtherwise(RegionId region, const std::string& name) const {
   const ObjectId holder = catalogue_.holderOf(boundTo(region));
   std::map<RegionId, std::string> names;  // by now
-  for (const Naming& naming : namings_) names[naming.region] = naming.name;
+  for (const Naming& naming : namings_) {
+    if (!naming.name.empty()) names[naming.region] = naming.name;
+  }
   return std::ranges::any_of(names, [&](const auto& named) {
     return named.first != region && named.second != name &&
            catalogue_.holderOf(boundTo(named.first)) == holder;
@@ -63,6 +65,20 @@ bool ObjectCollector::isCalledOtherwise(RegionId region, const std::string& name
 }
 
 void ObjectCollector::nameByPerson(RegionId region, const std::string& name) {
+  nameByPerson(region, name, 0);
+}
+
+void ObjectCollector::nameAgain(RegionId region, const std::string& name) {
+  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  const auto newest = std::find_if(undone_.rbegin(), undone_.rend(), [&](const Naming& naming) {
+    return naming.region == region && checked && naming.name == *checked;
+  });
+  const int again = newest == undone_.rend() ? 0 : newest->number;
+  if (again != 0) undone_.erase(std::next(newest).base());
+  nameByPerson(region, name, again);
+}
+
+void ObjectCollector::nameByPerson(RegionId region, const std::string& name, int again) {
   const Result<std::string> checked = ObjectDatabase::checkedName(name);
   if (!checked) {
     refusals_.push_back(
@@ -81,12 +97,14 @@ void ObjectCollector::nameByPerson(RegionId region, const std::string& name) {
     not_these_[region] = object;
     return;
   }
-  nameObject(region, object, *checked, {});
+  namings_.push_back({++last_naming_, region, *checked, {}, {}});
+  catalogue_.name(object, *checked);
+  writer_->name(last_naming_, object, *checked, again);
 }
 
-void ObjectCollector::nameObject(RegionId region, ObjectId object, const std::string& name,
-                                 ObjectId earlier) {
-  namings_.push_back({++last_naming_, region, name, earlier, {}});
+void ObjectCollector::nameObject(RegionId region, ObjectId object, const std::string& name, ObjectId earlier,
+                                 ObjectId made) {
+  namings_.push_back({++last_naming_, region, name, earlier, made});
   catalogue_.name(object, name);
   writer_->name(last_naming_, object, name);
 }
@@ -106,10 +124,26 @@ void ObjectCollector::noteStored(const news::NameStored& news) {
 std::map<RegionId, std::vector<KeptNaming>> ObjectCollector::keptNamings() const {
   std::map<RegionId, std::vector<KeptNaming>> kept;
   for (const Naming& naming : namings_) {
-    const ObjectId earlier = naming.earlier ? naming.earlier : met_.objectOf(naming.region);
-    if (naming.stored) kept[naming.region].push_back({*naming.stored, catalogue_.idOf(earlier), {}});
+    // One that was there, and has the name now, is what the region was before.
+    const bool was_there = !naming.earlier && !naming.made && !naming.is_of_before;
+    const ObjectId earlier = was_there ? met_.objectOf(naming.region) : naming.earlier;
+    const ObjectId made = catalogue_.idOf(naming.made);
+    std::optional<ObjectNaming> stored = naming.stored;
+    if (naming.name.empty() && made) stored = ObjectNaming{made, {}, {}};
+    if (stored) kept[naming.region].push_back({*stored, catalogue_.idOf(earlier), made});
   }
   return kept;
+}
+
+void ObjectCollector::restoreNamings(RegionId region, const std::vector<KeptNaming>& kept) {
+  for (const KeptNaming& one : kept) {
+    const bool is_of_catalogue =
+        catalogue_.hasHad(one.naming.object) &&
+        (!one.naming.merge || std::ranges::all_of(one.naming.merge->from,
+                                                  [this](ObjectId from) { return catalogue_.hasHad(from); }));
+    if (!is_of_catalogue) continue;
+    namings_.push_back({++last_naming_, region, one.naming.name, one.earlier, one.made, one.naming, true});
+  }
 }
 
 void ObjectCollector::takeNameBack(RegionId region, const std::string& name) {
@@ -123,13 +157,34 @@ void ObjectCollector::takeNameBack(RegionId region, const std::string& name) {
     met_.bind({region}, other->second);
     not_these_.erase(other);
   }
-  if (newest == namings_.rend()) return;
-  writer_->takeNameBack(newest->number);
-  if (newest->earlier) met_.bind({region}, newest->earlier);
-  namings_.erase(std::next(newest).base());
+  if (newest != namings_.rend()) takeBack(std::next(newest).base());
 }
 
-void ObjectCollector::fulfil(const Candidate& candidate, ObjectId object) {
+void ObjectCollector::takeObjectBack(RegionId region) {
+  const auto newest = std::find_if(namings_.rbegin(), namings_.rend(), [&](const Naming& naming) {
+    return naming.region == region && naming.name.empty();
+  });
+  if (newest != namings_.rend()) takeBack(std::next(newest).base());
+}
+
+void ObjectCollector::takeBack(std::vector<Naming>::iterator naming) {
+  if (!naming->name.empty())
+    writer_->takeNameBack(naming->number, naming->is_of_before ? naming->stored : std::nullopt);
+  undone_.push_back(*naming);
+  if (naming->made) withdraw(naming->made);
+  if (naming->earlier) met_.bind({naming->region}, naming->earlier);
+  namings_.erase(naming);
+}
+
+void ObjectCollector::withdraw(ObjectId made) {
+  writer_->withdraw(made);
+  by_person_.erase(made);
+  // Frames may find it by themselves, as something new.
+  met_.forget(made);
+  catalogue_.withdraw(made);
+}
+
+void ObjectCollector::fulfil(const Candidate& candidate, ObjectId object, MadeFor made) {
   for (const RegionId region : candidate.regions) {
     const auto found = wanted_.find(region);
     if (found == wanted_.end()) continue;
@@ -140,7 +195,12 @@ void ObjectCollector::fulfil(const Candidate& candidate, ObjectId object) {
     const auto other = not_these_.find(region);
     const ObjectId earlier = other == not_these_.end() ? ObjectId{} : other->second;
     not_these_.erase(region);
-    if (!name.empty()) nameObject(region, object, name, earlier);
+    const ObjectId made_for_it = made == MadeFor::wish ? object : ObjectId{};
+    if (!name.empty()) {
+      nameObject(region, object, name, earlier, made_for_it);
+    } else if (made_for_it) {
+      namings_.push_back({++last_naming_, region, {}, earlier, made_for_it});
+    }
   }
 }
 

@@ -16,6 +16,7 @@ NamingJson namingToJson(const KeptNaming& kept) {
                   {"earlier_confirmed", naming.earlier_confirmed},
                   {"earlier_object", kept.earlier.value},
                   {"made_object", kept.made.value}};
+  if (kept.is_overruled) json["overruled"] = true;
   if (!naming.merge) return json;
   json["merged"] = NamingJson::array();
   for (const ObjectId from : naming.merge->from) json["merged"].push_back(from.value);
@@ -34,6 +35,7 @@ KeptNaming namingFromJson(const NamingJson& json) {
   kept.naming.earlier_confirmed = json.at("earlier_confirmed").get<bool>();
   kept.earlier = idAt("earlier_object");
   kept.made = idAt("made_object");
+  kept.is_overruled = json.value("overruled", false);
   if (!json.contains("merged")) return kept;
   ObjectMerge merge{kept.naming.object, {}, json.at("merge_confirmed").get<bool>()};
   for (const NamingJson& from : json.at("merged")) merge.from.push_back(ObjectId{from.get<std::uint32_t>()});
@@ -44,6 +46,8 @@ KeptNaming namingFromJson(const NamingJson& json) {
 }  // namespace
 
 std::string namingsFactOf(RegionId region) { return "namings " + std::to_string(region.value); }
+
+std::string undoneNamingsFactOf(RegionId region) { return "undone namings " + std::to_string(region.value); }
 
 std::string goneObjectFactOf(RegionId region) { return "gone object " + std::to_string(region.value); }
 

@@ -11,10 +11,14 @@ struct KeptNaming {
   ObjectNaming naming;  ///< no name: it was made an object, and not named
   ObjectId earlier;     ///< the object that the region was before; none: it was none
   ObjectId made = {};   ///< the object that was made for it; none: it was there
+  /// It was taken back in the session alone: others had said otherwise of the object by then.
+  bool is_overruled = false;
 };
 
 /// The session's fact that keeps those of a region.
 [[nodiscard]] std::string namingsFactOf(RegionId region);
+/// The one that keeps those of a region that an undo took back, for a redo.
+[[nodiscard]] std::string undoneNamingsFactOf(RegionId region);
 /// The one that keeps the object that was made for a region and went with an undo: it comes back with a redo.
 [[nodiscard]] std::string goneObjectFactOf(RegionId region);
 /// As text, oldest first; empty for none.

@@ -39,6 +39,11 @@ void MetObjects::unbind(const RegionSet& regions, ObjectId object) {
   }
 }
 
+void MetObjects::forget(ObjectId object) {
+  std::erase_if(object_of_region_, [object](const auto& entry) { return entry.second == object; });
+  met_.erase(object);
+}
+
 std::vector<RegionId> MetObjects::regionsOf(ObjectId object) const {
   std::vector<RegionId> regions;
   for (const auto& [region, of_region] : object_of_region_) {

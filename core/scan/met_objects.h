@@ -29,6 +29,8 @@ class MetObjects {
   void bind(const RegionSet& regions, ObjectId object);
   /// Those of the regions that are the object are of none any more.
   void unbind(const RegionSet& regions, ObjectId object);
+  /// There is no such object: its regions are of none, and nothing is known of its place.
+  void forget(ObjectId object);
   [[nodiscard]] bool hasRegions(ObjectId object) const { return !regionsOf(object).empty(); }
   [[nodiscard]] std::vector<RegionId> regionsOf(ObjectId object) const;
   /// The object of all those of the regions that are of any; none where they are of none, or of several.

@@ -235,9 +235,9 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
     met_.stillThere(doubt->second.object, frame_);
   if (!identity) {
     const bool is_unknown = recognition_.verdict(candidate.regions).has_value();  // or stands elsewhere
-    if (isWanted(candidate.regions) || (isClear(candidate, kForObject) && is_unknown) ||
-        isLastLook(candidate, look))
-      addToCatalogue(candidate, look);
+    const bool is_found = (isClear(candidate, kForObject) && is_unknown) || isLastLook(candidate, look);
+    if (is_found || isWanted(candidate.regions))
+      addToCatalogue(candidate, look, is_found ? MadeFor::itself : MadeFor::wish);
     return;
   }
   const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
@@ -264,10 +264,10 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   met_.meet(identity, candidate, frame_);
   if (is_wanted || is_needed || (is_alike && isClear(candidate, kForView)))
     keepNewDirection(identity, candidate, look);
-  if (is_wanted) fulfil(candidate, identity);
+  if (is_wanted) fulfil(candidate, identity, MadeFor::itself);
 }
 
-void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look) {
+void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look, MadeFor made) {
   if (look.frame.color.empty()) return;
   std::optional<ObjectView> view = viewToKeep(candidate, look);
   if (!view) return;
@@ -282,7 +282,7 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);
   noteKept(*view, candidate, look.frame, look.in_color.places.size());
-  fulfil(candidate, object);
+  fulfil(candidate, object, made);
 }
 
 void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look) {

@@ -97,12 +97,18 @@ class ObjectCollector {
   /// A person calls the region so: its object gets the name, and is confirmed; where the catalogue has one of
   /// that name, the two are one from then on. Where it is no object, want() makes it one.
   void nameByPerson(RegionId region, const std::string& name);
+  /// The same for one that was taken back. What others had made of its object meanwhile stays.
+  void nameAgain(RegionId region, const std::string& name);
   /// The newest such saying is taken back: what it did to the catalogue, unless somebody has said otherwise
   /// since.
   void takeNameBack(RegionId region, const std::string& name);
+  /// A person takes back that the region is an object: one that was made for that goes.
+  void takeObjectBack(RegionId region);
+  /// What namings of earlier scans of this session did, so that they can be taken back here.
+  void restoreNamings(RegionId region, const std::vector<KeptNaming>& kept);
   /// Whether this scan named the region so, and has not taken it back.
   [[nodiscard]] bool hasNamed(RegionId region, const std::string& name) const;
-  /// What this scan's namings of regions did, as far as it is stored and not taken back.
+  /// What namings of regions did, here and in earlier scans, as far as it is stored and not taken back.
   [[nodiscard]] std::map<RegionId, std::vector<KeptNaming>> keptNamings() const;
   /// All of these are one object.
   [[nodiscard]] bool areOneObject(const RegionSet& regions) const;
@@ -247,12 +253,14 @@ class ObjectCollector {
   [[nodiscard]] ObjectId boundTo(RegionId region) const;
   /// Its object is called otherwise, by another of its regions.
   [[nodiscard]] bool isCalledOtherwise(RegionId region, const std::string& name) const;
-  void nameObject(RegionId region, ObjectId object, const std::string& name, ObjectId earlier);
+  void nameObject(RegionId region, ObjectId object, const std::string& name, ObjectId earlier, ObjectId made);
+  void nameByPerson(RegionId region, const std::string& name, int again);
   /// `from` is now part of `into`.
   void followWanted(RegionId into, RegionId from);
-  /// What was waited for is there.
-  void fulfil(const Candidate& candidate, ObjectId object);
-  void addToCatalogue(const Candidate& candidate, const Look& look);
+  enum class MadeFor { itself, wish };
+  /// What was waited for is there; `made`: whether the object was made for that alone.
+  void fulfil(const Candidate& candidate, ObjectId object, MadeFor made);
+  void addToCatalogue(const Candidate& candidate, const Look& look, MadeFor made);
   /// The object is another whole than these regions, and nobody says that the two are one. Before the wholes
   /// are settled: no.
   [[nodiscard]] bool isOfAnotherWhole(ObjectId object, const RegionSet& regions) const;
@@ -291,16 +299,22 @@ class ObjectCollector {
   std::vector<RegionId> in_view_;
   RecognitionHistory recognition_;
   std::map<RegionId, std::string> wanted_;  // by a person, not added yet; names, or empty
-  /// What a person said of an object by naming a region.
+  /// What a person said of an object by naming a region, or by saying that it is one.
   struct Naming {
     int number = 0;
     RegionId region;
-    std::string name;
+    std::string name;  // empty: it is an object
     ObjectId earlier;  // what the region was before, where it is another object now
+    ObjectId made;     // for this alone; none: it was there
     std::optional<ObjectNaming> stored = {};
+    bool is_of_before = false;  // of an earlier scan
   };
+  void takeBack(std::vector<Naming>::iterator naming);
+  /// An object that was made for something which a person took back is none any more.
+  void withdraw(ObjectId made);
   void noteStored(const news::NameStored& news);
   std::vector<Naming> namings_;  // that are not taken back
+  std::vector<Naming> undone_;   // taken back, the newest last
   int last_naming_ = 0;
   std::map<RegionId, ObjectId> not_these_;  // a person said that the region is another than that
   std::vector<Error> refusals_;             // to be told

@@ -12,6 +12,7 @@
 #include "core/scan/guarded.h"
 #include "core/scan/refinement_memory.h"
 #include "core/scan/scan_pipeline.h"
+#include "core/scan/session_catalogue.h"
 #include "core/scan/session_joining.h"
 #include "core/scan/session_recorder.h"
 #include "core/scan/session_restorer.h"
@@ -29,11 +30,6 @@ const RegionNote& OpenSession::noteOf(RegionId region) const {
 }
 
 ObjectId OpenSession::objectOf(RegionId region) const { return recorder_->objectOf(region); }
-
-Result<void> OpenSession::setObject(RegionId region, ObjectId object) {
-  recorder_->setObject(region, object);
-  return saveFacts();
-}
 
 Result<void> OpenSession::saveFacts() {
   rememberObjects();
@@ -127,12 +123,30 @@ void OpenSession::rememberObjects() {
   if (text != fact(kObjectsFact)) setFact(kObjectsFact, text);
 }
 
+std::optional<bool> OpenSession::areResultsCurrent() const {
+  const std::string results = fact(kResultsFact);
+  return results.empty() ? std::nullopt : std::optional(results == kResultsCurrent);
+}
+
 void OpenSession::setFact(const std::string& name, const std::string& value) {
   scan_.facts[name] = value;
   recorder_->setFact(name, value);
 }
 
 bool OpenSession::canBeRefined() const { return scantrove::canBeRefined(scan_.facts); }
+
+std::vector<PendingEdit> OpenSession::pendingEdits() const {
+  return pendingEditsFromJson(fact(kPendingEditsFact));
+}
+
+Result<void> OpenSession::completeEdit(const SavedFacts& facts, const std::map<RegionId, ObjectId>& objects) {
+  std::vector<PendingEdit> pending = pendingEdits();
+  if (!pending.empty()) pending.erase(pending.begin());
+  setFact(kPendingEditsFact, pendingEditsToJson(pending));
+  for (const auto& [name, value] : facts) setFact(name, value);
+  for (const auto& [region, object] : objects) recorder_->setObject(region, object);
+  return saveFacts();
+}
 
 int OpenSession::brickCount() const { return pipeline_->bricks().brickCount(); }
 
@@ -150,7 +164,16 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
   SCANTROVE_TRY(restoreScan(*session->pipeline_, *writer, session->scan_, false, session->damages_));
   session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
   session->readCatalogue();
+  session->completePendingEdits();
   return session;
+}
+
+void OpenSession::completePendingEdits() {
+  std::error_code ignored;
+  // Where its catalogue is not there, that is said when it is needed.
+  if (pendingEdits().empty() || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
+  if (const Result<void> followed = followInCatalogue(*this); !followed)
+    damages_.push_back("What was said last is not in the catalogue: " + followed.error().message());
 }
 
 Result<std::vector<RegionSummary>> OpenSession::regions() {
@@ -224,13 +247,13 @@ std::optional<Error> OpenSession::takeFailure() { return recorder_->takeFailure(
 
 Result<void> OpenSession::findDisturbance() { return recorder_->findDisturbance(); }
 
-int OpenSession::lastOperation(Way way) const {
+int OpenSession::lastOperation(SaidHow how) const {
   const std::vector<OperationLog::Entry>& entries = history().entries();
   const auto is_done = [](const OperationLog::Entry& entry) {
     return entry.state == OperationLog::State::done;
   };
   const auto last = std::find_if(entries.rbegin(), entries.rend(), is_done);
-  if (way == Way::done) return last == entries.rend() ? 0 : last->number;
+  if (how != SaidHow::undone) return last == entries.rend() ? 0 : last->number;
   // What was undone last is the first that can be done again.
   const auto undone = std::find_if(last.base(), entries.end(), [](const OperationLog::Entry& entry) {
     return entry.state == OperationLog::State::undone;
@@ -238,11 +261,11 @@ int OpenSession::lastOperation(Way way) const {
   return undone == entries.end() ? 0 : undone->number;
 }
 
-void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, Way way) {
+void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, SaidHow how) {
   std::map<RegionId, ObjectId> objects = recorder_->objects();
   JoinedObjects joined = scantrove::joinObjects(outcome.events, objects);
-  const std::string name = joinFactOf(lastOperation(way));
-  if (way == Way::undone) {
+  const std::string name = joinFactOf(lastOperation(how));
+  if (how == SaidHow::undone) {
     joined = joinedFrom(fact(name));
     for (const auto& [region, object] : joined.before) objects[region] = object;
     joined.state = JoinedObjects::State::to_part;
@@ -252,19 +275,29 @@ void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, Way way) {
   recorder_->setObjects(std::move(objects));
 }
 
-Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome, Way way) {
+Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome, SaidHow how) {
   if (!outcome) return outcome;
-  joinObjects(*outcome, way);
+  joinObjects(*outcome, how);
+  if (areResultsCurrent()) setFact(kResultsFact, kResultsEdited);
+  std::vector<CatalogueStep> steps;
+  if (has_catalogue_ && !setup_.database.empty())
+    steps = catalogueStepsOf(outcome->operation, how,
+                             [this](RegionId region) -> const RegionNote& { return noteOf(region); });
+  if (!steps.empty()) {
+    std::vector<PendingEdit> pending = pendingEdits();
+    pending.push_back(pendingEditOf(std::move(steps)));
+    setFact(kPendingEditsFact, pendingEditsToJson(pending));
+  }
   SCANTROVE_TRY(saveFacts());
   return outcome;
 }
 
 Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
-  return keep(pipeline_->edit(operation), Way::done);
+  return keep(pipeline_->edit(operation), SaidHow::done);
 }
 
-Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo(), Way::undone); }
+Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo(), SaidHow::undone); }
 
-Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo(), Way::done); }
+Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo(), SaidHow::redone); }
 
 }  // namespace scantrove

@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/editing/region_editor.h"
 #include "core/labeling/view_coverage.h"
+#include "core/scan/pending_edits.h"
 #include "core/scan/region_label.h"
 #include "core/scan/session_setup.h"
 #include "core/session/saved_scan.h"
@@ -51,6 +52,9 @@ class OpenSession {
   [[nodiscard]] const std::vector<std::string>& damages() const { return damages_; }
   /// Whether the scan came to its end.
   [[nodiscard]] bool hasEnded() const { return !fact("ended").empty(); }
+  /// Whether the files beside the session (cloud, label map and images) show its regions as they are now;
+  /// none: there are no such files, or it is not known.
+  [[nodiscard]] std::optional<bool> areResultsCurrent() const;
 
   /// Whether the scan's refinement is left to be done.
   [[nodiscard]] bool canBeRefined() const;
@@ -67,8 +71,8 @@ class OpenSession {
   /// no pose, the pixel lies outside, or shows no surface.
   [[nodiscard]] Result<Place> at(int frame, int x, int y);
 
-  /// Each is written before it returns. Error: see RegionEditor; or it could not be written: then it holds
-  /// until the program ends.
+  /// Each is written as a whole before it returns, with what it has to do in the catalogue (followInCatalogue
+  /// does that). Error: see RegionEditor; or it could not be written: then it holds until the program ends.
   [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
   [[nodiscard]] Result<RegionEditor::Outcome> undo();
   [[nodiscard]] Result<RegionEditor::Outcome> redo();
@@ -83,17 +87,22 @@ class OpenSession {
   void readCatalogue();
   /// Says that the catalogue is not there, and its words are those that the session kept.
   [[nodiscard]] const std::optional<Error>& missingCatalogue() const { return missing_catalogue_; }
-  /// What the catalogue did (core/scan/session_catalogue.h): kept, but no operation. Error: it could not be
-  /// written.
-  [[nodiscard]] Result<void> setObject(RegionId region, ObjectId object);
   /// Numbers of objects are those of this catalogue from now on: those of another one are set aside, and come
-  /// back with it (turnTo). Kept with the next setObject(). Whether any were set aside.
+  /// back with it (turnTo). Kept with the next edit. Whether any were set aside.
   [[nodiscard]] Result<bool> useCatalogue(ObjectDatabase& database);
-  /// A note for this program itself, by name; empty: there is none. Kept with the next setObject().
+  /// A note for this program itself, by name; empty: there is none.
   [[nodiscard]] std::string fact(const std::string& name) const;
   void setFact(const std::string& name, const std::string& value);
   /// Writes them. Error: they could not be written.
   [[nodiscard]] Result<void> saveFacts();
+  /// Operations are not for the catalogue from now on.
+  void leaveOutCatalogue() { has_catalogue_ = false; }
+  /// What operations have still to do in the catalogue, oldest first.
+  [[nodiscard]] std::vector<PendingEdit> pendingEdits() const;
+  /// The catalogue has carried out the oldest: that, and what it said, is written in one piece. Error: it
+  /// could not be written.
+  [[nodiscard]] Result<void> completeEdit(const SavedFacts& facts,
+                                          const std::map<RegionId, ObjectId>& objects);
   /// Of the map.
   [[nodiscard]] int brickCount() const;
   /// What went wrong with the session's files and was mended, or waits; none: nothing new.
@@ -106,16 +115,17 @@ class OpenSession {
  private:
   explicit OpenSession(std::filesystem::path folder);
   [[nodiscard]] const SavedFrame* frameAt(int source_index) const;
-  enum class Way { done, undone };
-  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome, Way way);
+  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome, SaidHow how);
   /// Objects go with regions that are joined, and come back with an undo.
-  void joinObjects(const RegionEditor::Outcome& outcome, Way way);
+  void joinObjects(const RegionEditor::Outcome& outcome, SaidHow how);
   /// Number of the operation that was done or undone last; 0: none.
-  [[nodiscard]] int lastOperation(Way way) const;
+  [[nodiscard]] int lastOperation(SaidHow how) const;
   /// What the catalogue has of the region's object, else what the session kept of it.
   [[nodiscard]] RegionObject regionObjectOf(RegionId region, const RememberedObjects& remembered) const;
   /// Keeps what the catalogue says of the objects now.
   void rememberObjects();
+  /// What an interruption kept from the catalogue.
+  void completePendingEdits();
 
   std::filesystem::path folder_;
   SessionSetup setup_;
@@ -125,6 +135,7 @@ class OpenSession {
   std::map<RegionId, RegionObject> region_objects_;
   std::map<RegionId, RegionLabel> labels_;
   std::optional<Error> missing_catalogue_;
+  bool has_catalogue_ = true;  // that operations are for
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
   std::unique_ptr<SessionRecorder> recorder_;

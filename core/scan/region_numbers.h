@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -8,9 +9,9 @@
 
 namespace scantrove {
 
-/// Small numbers for the regions that results mention: region ids grow as long as the scan goes on, files
-/// hold 16 bits. A region gets the next number when it is first written, and keeps it; once all are given,
-/// the one that was not written for the longest time goes to the new region.
+/// The numbers by which label images, of 16 bits, mention regions: their ids, as everywhere else. Ids grow as
+/// long as the scan goes on: a region beyond the 16 bits gets the number that was not written for the longest
+/// time, and keeps it likewise.
 class RegionNumbers {
  public:
   /// Number of a region, at most 65535; none stays 0.
@@ -18,16 +19,23 @@ class RegionNumbers {
   /// The same for a whole image.
   [[nodiscard]] std::vector<std::uint32_t> numbersOf(std::span<const RegionId> regions);
   /// The region that has a number which was given out.
-  [[nodiscard]] RegionId regionOf(std::uint32_t number) const { return entries_[number].region; }
-  [[nodiscard]] std::size_t count() const { return entries_.size(); }  ///< numbers given out, 0 included
+  [[nodiscard]] RegionId regionOf(std::uint32_t number) const {
+    return number < entries_.size() ? entries_[number].region : RegionId{};
+  }
+  /// The number that a region has; none: it was not written, or had to give it away.
+  [[nodiscard]] std::optional<std::uint32_t> knownNumberOf(RegionId region) const;
+  [[nodiscard]] std::size_t count() const {
+    return number_of_region_.size();
+  }  ///< numbers in use, 0 included
 
  private:
+  [[nodiscard]] std::size_t freeNumberFor(RegionId region);
   struct Entry {
     RegionId region;
     std::uint64_t last_use = 0;
   };
   std::unordered_map<RegionId, std::uint32_t> number_of_region_{{RegionId{}, 0}};
-  std::vector<Entry> entries_{Entry{}};
+  std::vector<Entry> entries_{Entry{}};  // by number
   std::uint64_t uses_ = 0;
 };
 

@@ -71,7 +71,6 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
     outcome.note(guarded(activity, work));
   };
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
-  // The cloud uses the numbers of the images.
   if (label_images_) {
     attempt("writing the label images", [&] {
       return label_images_->finish([&](const Eigen::Isometry3d& T) { return pipeline.lookAtMap(T); });
@@ -83,16 +82,18 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
 
 Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
   LabeledCloud points;
-  std::map<std::uint32_t, LabelMapEntry> entries;  // by number
+  std::map<RegionId, LabelMapEntry> entries;
   const std::map<RegionId, RegionLabel> labels = pipeline.labels();
   FirstError outcome;
   const auto add = [&](const LabelPoint& point) {
     const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
-    const std::uint32_t number = numbers_.numberOf(region);
-    LabelMapEntry& entry = entries[number];
-    if (!entry.region) {
-      entry.region = RegionId{number};
-      entry.color = regionColor(entry.region);
+    const auto [place, is_new] = entries.try_emplace(region);
+    LabelMapEntry& entry = place->second;
+    if (is_new) {
+      entry.region = region;
+      entry.color = regionColor(region);
+      const std::optional<std::uint32_t> number = numbers_.knownNumberOf(region);
+      if (number && *number != region.value) entry.image_label = number;
       if (const auto found = labels.find(region); found != labels.end()) {
         entry.object = found->second.object;
         entry.name = found->second.name;
@@ -100,20 +101,25 @@ Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
         entry.confirmed = found->second.confirmed;
       }
     }
-    points.push_back({point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], number});
+    points.push_back(
+        {point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], region.value});
   };
   // What could be read until the device or memory fails is written.
   outcome.note(guarded("reading out the labelled cloud", [&] { return pipeline.forEachCloudPoint(add); }));
   cloud_points_ = points.size();
   std::vector<LabelMapEntry> list;
-  for (auto& [number, entry] : entries) list.push_back(std::move(entry));
+  for (auto& [region, entry] : entries) list.push_back(std::move(entry));
+  // Edits of the session later do not change these files: they say which moment they are of.
+  const std::string comment =
+      std::string(kCloudComment) +
+      " of the session as the scan ended; 'scantrove export' writes it with later edits";
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
   };
   attempt("writing the labelled cloud",
-          [&] { return writePly(folder_ / "cloud.ply", points, origin_world_); });
+          [&] { return writePly(folder_ / "cloud.ply", points, origin_world_, comment); });
   attempt("writing the labelled cloud",
-          [&] { return writePcd(folder_ / "cloud.pcd", points, origin_world_); });
+          [&] { return writePcd(folder_ / "cloud.pcd", points, origin_world_, comment); });
   attempt("writing the label map", [&] { return writeLabelMap(folder_ / "labels.json", list); });
   return outcome.result();
 }

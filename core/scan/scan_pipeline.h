@@ -126,6 +126,10 @@ class ScanPipeline {
   void bindObject(RegionId region, ObjectId object) {
     if (collector_) collector_->bind(region, object);
   }
+  /// What namings of the region did in earlier scans of this map can be taken back.
+  void restoreNamings(RegionId region, const std::vector<KeptNaming>& namings) {
+    if (collector_) collector_->restoreNamings(region, namings);
+  }
 
   /// What was said of regions in an earlier scan of this map holds for the catalogue, too: things that are no
   /// objects of it become such when they are seen.
@@ -275,7 +279,7 @@ class ScanPipeline {
   void leaveOutSaid(std::vector<Candidate>& candidates) const;
   /// A person waits for these, whatever the rules say of them.
   void addWanted(const DiscoveryInput& input, std::vector<Candidate>& candidates) const;
-  enum class Way { done, undone };
+  enum class Way { done, undone, redone };
   [[nodiscard]] Result<RegionEditor::Outcome> finishEdit(Result<RegionEditor::Outcome> outcome, Way way);
   /// The catalogue's side of what a person said.
   void followSaying(const RegionEditor::Outcome& outcome, Way way);

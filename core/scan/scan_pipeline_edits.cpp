@@ -49,7 +49,7 @@ Result<RegionEditor::Outcome> ScanPipeline::undo() {
 }
 
 Result<RegionEditor::Outcome> ScanPipeline::redo() {
-  return guarded("doing it again", [&] { return finishEdit(editor_->redo(), Way::done); });
+  return guarded("doing it again", [&] { return finishEdit(editor_->redo(), Way::redone); });
 }
 
 Result<RegionEditor::Outcome> ScanPipeline::finishEdit(Result<RegionEditor::Outcome> outcome, Way way) {
@@ -64,6 +64,8 @@ void ScanPipeline::followSaying(const RegionEditor::Outcome& outcome, Way way) {
   if (isNaming(operation.kind) && !operation.name.empty()) {
     if (way == Way::done) {
       for (const RegionId region : operation.regions) collector_->nameByPerson(region, operation.name);
+    } else if (way == Way::redone) {
+      for (const RegionId region : operation.regions) collector_->nameAgain(region, operation.name);
     } else {
       for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {
         collector_->takeNameBack(*region, operation.name);
@@ -72,6 +74,9 @@ void ScanPipeline::followSaying(const RegionEditor::Outcome& outcome, Way way) {
         if (!name.empty() && !collector_->hasNamed(*region, name)) collector_->nameByPerson(*region, name);
       }
     }
+  }
+  if (operation.kind == OperationKind::object && operation.on && way == Way::undone) {
+    for (const RegionId region : operation.regions) collector_->takeObjectBack(region);
   }
   std::vector<RegionId> regions = operation.regions;
   regions.insert(regions.end(), outcome.regions.begin(), outcome.regions.end());

@@ -162,9 +162,7 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
   snapshots_.endEdit(session_->pipeline());
   if (const std::optional<Error> failure = session_->takeFailure()) listener_(MapFailed{*failure});
   if (outcome) {
-    const SaidHow how = std::holds_alternative<UndoEdit>(edit) ? SaidHow::undone : SaidHow::done;
-    const Result<void> told =
-        guarded("telling the catalogue", [&] { return followInCatalogue(*session_, *outcome, how); });
+    const Result<void> told = followInCatalogue(*session_);
     if (!told) listener_(CatalogueFailed{told.error()});
     listener_(Edited{edit, outcome->regions});
   } else {

@@ -18,6 +18,7 @@
 #include "core/scan/collector_memory.h"
 #include "core/scan/guarded.h"
 #include "core/scan/no_frames.h"
+#include "core/scan/open_session.h"
 #include "core/scan/open_source.h"
 #include "core/scan/output_owner.h"
 #include "core/scan/refinement.h"
@@ -98,7 +99,7 @@ Result<void> ScanRun::openSessionToRefine() {
   const std::filesystem::path& folder = *request_.output_folder;
   SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
   std::vector<std::string> damages;
-  SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  SCANTROVE_TRY(loadEarlier(damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   const Result<SessionSetup> setup = setupFrom(earlier_->facts);
   if (!setup) return fail(setup.error());
@@ -192,7 +193,7 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
 
 Result<void> ScanRun::readSession(const SourceInfo& info) {
   std::vector<std::string> damages;
-  SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  SCANTROVE_TRY(loadEarlier(damages));
   const Result<SessionSetup> setup = setupFrom(earlier_->facts);
   if (!setup) return fail(setup.error());
   if (!isSameCamera(setup->K, info.intrinsics)) {
@@ -211,6 +212,18 @@ Result<void> ScanRun::readSession(const SourceInfo& info) {
   }
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   return {};
+}
+
+Result<void> ScanRun::loadEarlier(std::vector<std::string>& damages) {
+  SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  const auto pending = earlier_->facts.find(kPendingEditsFact);
+  if (pending == earlier_->facts.end() || pending->second.empty()) return {};
+  const std::filesystem::path folder = session_->folder();
+  session_.reset();  // for one at a time
+  // Opening it does that. What cannot be done by now waits on.
+  if (const auto opened = OpenSession::open(folder, request_.device); !opened) return fail(opened.error());
+  SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
+  return moveInto(earlier_, loadScan(*session_, damages));
 }
 
 ScanRun::~ScanRun() = default;
@@ -442,6 +455,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
   if (recorder_) {
     outcome.note(guarded("keeping the scan", [&] {
       keepRefinement();
+      if (output_) recorder_->setFact(kResultsFact, kResultsCurrent);
       return recorder_->finish(*pipeline_);
     }));
   }

@@ -98,6 +98,8 @@ class ScanRun {
   [[nodiscard]] Result<void> beginSession(const SourceInfo& info);
   /// The camera of the earlier scan must be this one; its map's parameters are taken over.
   [[nodiscard]] Result<void> readSession(const SourceInfo& info);
+  /// Reads the session. Where it was interrupted while it told its catalogue something, that comes first.
+  [[nodiscard]] Result<void> loadEarlier(std::vector<std::string>& damages);
   [[nodiscard]] Result<void> resumeSession(ObjectDatabase& database);
   /// The session keeps what a refinement that is not done goes on with.
   void keepRefinement();

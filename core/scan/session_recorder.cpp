@@ -55,7 +55,6 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
     recorder->objects_[region.region] = region.object;
     const auto namings = scan.facts.find(namingsFactOf(region.region));
     if (namings == scan.facts.end()) continue;
-    recorder->earlier_namings_[region.region] = namingsFromJson(namings->second);
     recorder->namings_[region.region] = namings->second;
   }
   if (const auto objects = scan.facts.find(kObjectsFact); objects != scan.facts.end())
@@ -196,9 +195,7 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) 
 }
 
 void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelta& delta) {
-  auto namings = earlier_namings_;
-  for (const auto& [region, kept] : collector.keptNamings())
-    namings[region].insert(namings[region].end(), kept.begin(), kept.end());
+  auto namings = collector.keptNamings();
   for (const auto& [region, text] : namings_) namings.try_emplace(region);
   for (const auto& [region, kept] : namings) {
     std::string text = namingsToJson(kept);

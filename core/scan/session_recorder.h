@@ -108,12 +108,11 @@ class SessionRecorder {
   std::vector<int> voxels_;                 // of each fragment, as handed over
   std::vector<ViewCoverage> seen_from_;     // likewise
   std::map<RegionId, SavedRegion> regions_;
-  std::map<RegionId, ObjectId> objects_;                         // where no catalogue says them
-  std::map<RegionId, std::vector<KeptNaming>> earlier_namings_;  // of the scans before this one
-  std::map<RegionId, std::string> namings_;                      // as handed over
-  RememberedObjects remembered_;                                 // likewise
-  std::string catalogue_;                                        // identity
-  std::vector<int> pages_;  // of the map, to be handed over; the next one last
+  std::map<RegionId, ObjectId> objects_;     // where no catalogue says them
+  std::map<RegionId, std::string> namings_;  // as handed over
+  RememberedObjects remembered_;             // likewise
+  std::string catalogue_;                    // identity
+  std::vector<int> pages_;                   // of the map, to be handed over; the next one last
   std::vector<std::weak_ptr<const HandedPages>> handed_pages_;
   bool saves_pages_ = false;
   std::uint64_t view_ = 0;       // of the map: no page that lay in view later is part of the session

@@ -9,6 +9,7 @@
 #include "core/labeling/evidence_graph.h"
 #include "core/labeling/kernels/label_voxel.h"
 #include "core/scan/guarded.h"
+#include "core/scan/kept_namings.h"
 #include "core/scan/key_frame_files.h"
 
 namespace scantrove {
@@ -166,6 +167,8 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
     for (const SavedRegion& region : scan.regions) {
       if (pipeline.objectOf(region.region) != region.object)
         pipeline.bindObject(region.region, region.object);
+      if (const auto namings = scan.facts.find(namingsFactOf(region.region)); namings != scan.facts.end())
+        pipeline.restoreNamings(region.region, namingsFromJson(namings->second));
     }
     pipeline.wantAsSaid();
     return for_camera ? restoreCamera(pipeline, session, scan, damages) : Result<void>();

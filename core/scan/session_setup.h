@@ -29,6 +29,10 @@ struct SessionSetup {
 /// The fact that tells SessionSetup::origin_m.
 inline constexpr const char* kOriginFact = "origin_m";
 [[nodiscard]] std::string originToText(const Eigen::Vector3d& origin_m);
+/// The fact that says whether the files beside the session (cloud, label map and images) show its regions as
+/// they are now; without it there are none, or it is not known.
+inline constexpr const char *kResultsFact = "results", *kResultsCurrent = "current",
+                            *kResultsEdited = "edited since";
 
 /// As facts, and back. Error: they are not those of a session.
 [[nodiscard]] SavedFacts factsOf(const SessionSetup& setup);

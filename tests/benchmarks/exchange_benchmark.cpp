@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/base/check.h"
@@ -15,7 +16,7 @@ std::filesystem::path scratchFile(const char* name) { return std::filesystem::te
 
 void BM_WriteCloud(benchmark::State& state,
                    Result<void> (*write)(const std::filesystem::path&, const LabeledCloud&,
-                                         const Eigen::Vector3d&)) {
+                                         const Eigen::Vector3d&, const std::string&)) {
   std::mt19937 random(1);
   LabeledCloud points(static_cast<std::size_t>(state.range(0)));
   for (LabeledPoint& p : points) {
@@ -23,7 +24,7 @@ void BM_WriteCloud(benchmark::State& state,
     p.label = static_cast<std::uint32_t>(random() % 200);
   }
   const auto path = scratchFile("scantrove-benchmark-cloud");
-  for (auto _ : state) SCANTROVE_CHECK(write(path, points, Eigen::Vector3d::Zero()));
+  for (auto _ : state) SCANTROVE_CHECK(write(path, points, Eigen::Vector3d::Zero(), kCloudComment));
   std::filesystem::remove(path);
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }

@@ -64,6 +64,25 @@ TEST_F(NamedRegions, AnUndoLeavesWhatSomebodySaidSince) {
   EXPECT_EQ(record(mug).name, "jug");
 }
 
+TEST_F(NamedRegions, ARedoLeavesWhatOthersMadeOfTheObject) {
+  const FrameObjects found = study({mug_, box_});
+  const ObjectId mug = found.added.at(0).id, box = found.added.at(1).id;
+  name(box_, "cup");
+  settle();
+  ASSERT_TRUE(person_->rename(mug, "mug"));
+  ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
+  ASSERT_TRUE(person_->merge(std::array{mug, box}));
+  ASSERT_EQ(person_->resolve(box).value_or(ObjectId{}), mug);
+  static_cast<void>(look({mug_, box_}));
+  unname(box_, "cup");
+  static_cast<void>(look({mug_, box_}));
+  EXPECT_EQ(record(mug).name, "mug");
+  collector_->nameAgain(box_.region, "cup");
+  EXPECT_EQ(look({mug_, box_}).seen[1].name, "mug");
+  EXPECT_EQ(record(mug).name, "mug") << "the other's object keeps its name";
+  EXPECT_EQ(objects().size(), 1U);
+}
+
 TEST_F(NamedRegions, WhatIsNoObjectYetBecomesOneWhenItIsSeenWholeOrNot) {
   name(mug_, "mug");
   for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(look({}).added.empty());
@@ -108,8 +127,74 @@ TEST_F(NamedRegions, ThereIsOneObjectOfAName) {
   EXPECT_EQ(seen.seen[0].object, objects()[0].id);
   unname(again, "mug");
   static_cast<void>(look({again}));
-  EXPECT_EQ(objects().size(), 2U) << "they are two again";
+  EXPECT_EQ(objects().size(), 1U) << "what was made for the name is gone with it";
   EXPECT_EQ(record(objects()[0].id).views, 1);
+  static_cast<void>(study({again}));
+  EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
+}
+
+TEST_F(NamedRegions, AnUndoTakesWhatWasMadeForANameAndNothingElse) {
+  const ObjectId box = study({box_}).added.at(0).id;
+  name(box_, "box");
+  name(mug_, "mug");
+  static_cast<void>(lookAt({part(mug_), box_.candidate()}, {mug_, box_}));
+  ASSERT_EQ(objects().size(), 2U);
+  unname(mug_, "mug");
+  unname(box_, "box");
+  static_cast<void>(look({}));
+  ASSERT_EQ(objects().size(), 1U) << "the scan had found the box";
+  EXPECT_EQ(objects()[0].id, box);
+  EXPECT_FALSE(collector_->objectOf(mug_.region));
+  static_cast<void>(study({mug_}));
+  EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
+}
+
+TEST_F(NamedRegions, AnUndoTakesWhatWasMadeBecauseAPersonCalledItAnObject) {
+  collector_->want(mug_.region, "");
+  static_cast<void>(lookAt({part(mug_)}, {mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  ASSERT_EQ(collector_->keptNamings().at(mug_.region).at(0).made, objects()[0].id);
+  collector_->takeObjectBack(mug_.region);
+  static_cast<void>(look({}));
+  EXPECT_TRUE(objects().empty());
+}
+
+TEST_F(NamedRegions, AreTakenBackInALaterScan) {
+  name(mug_, "mug");
+  static_cast<void>(lookAt({part(mug_)}, {mug_}));
+  collector_->want(box_.region, "");
+  static_cast<void>(lookAt({part(box_)}, {box_}));
+  ASSERT_EQ(objects().size(), 2U);
+  std::map<RegionId, ObjectId> bound;
+  for (const Thing& thing : {mug_, box_}) bound[thing.region] = collector_->objectOf(thing.region);
+  const auto kept = collector_->keptNamings();
+  settle();
+  beginScan();
+  for (const auto& [region, namings] : kept) {
+    collector_->bind(region, bound.at(region));
+    collector_->restoreNamings(region, namings);
+  }
+  EXPECT_EQ(collector_->keptNamings().size(), 2U) << "they stay kept";
+  unname(mug_, "mug");
+  collector_->takeObjectBack(box_.region);
+  static_cast<void>(look({}));
+  EXPECT_TRUE(objects().empty());
+  EXPECT_TRUE(collector_->keptNamings().empty());
+}
+
+TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  name(mug_, "mug");
+  settle();
+  beginScan();
+  KeptNaming stranger;
+  stranger.naming = {ObjectId{99}, "mug", "Obj_9"};
+  stranger.made = ObjectId{99};
+  collector_->restoreNamings(mug_.region, {stranger});
+  EXPECT_TRUE(collector_->keptNamings().empty());
+  unname(mug_, "mug");
+  static_cast<void>(look({}));
+  EXPECT_EQ(record(mug).name, "mug");
 }
 
 TEST_F(NamedRegions, AFoundOneBecomesPartOfTheOneOfThatName) {

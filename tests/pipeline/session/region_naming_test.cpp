@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "core/catalog/object_database.h"
@@ -98,7 +99,7 @@ TEST_F(RegionNaming, WhileTheScanRuns) {
   for (int i = 0; i < 4; ++i) {
     const auto undone = session->undo();
     ASSERT_TRUE(undone);
-    EXPECT_TRUE(followInCatalogue(*session, *undone, SaidHow::undone)) << i;
+    EXPECT_TRUE(followInCatalogue(*session)) << i;
   }
   EXPECT_TRUE(objectsCalled("another").empty());
   EXPECT_EQ(objectsCalled("a thing").size(), 1U);
@@ -118,6 +119,38 @@ TEST_F(RegionNaming, IsTakenBackByAnUndo) {
   EXPECT_EQ(objectsCalled("first").size(), 1U);
   EXPECT_TRUE(objectsCalled("second").empty());
   EXPECT_TRUE(objectsCalled("not yet seen").empty());
+}
+
+TEST_F(RegionNaming, UndoneAfterTheScanWentOnLeavesNothingInTheCatalogue) {
+  const std::vector<RegionId> regions = scanUntil(12, 16);
+  ASSERT_GE(regions.size(), 2U);
+  // The largest ones are no objects by themselves.
+  edit(naming(regions[0], "a thing"));
+  edit(Operation{.kind = OperationKind::object, .regions = {regions[1]}});
+  goOn();
+  ASSERT_EQ(objectsCalled("a thing").size(), 1U);
+  ObjectId promoted;
+  {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    promoted = session->objectOf(regions[1]);
+  }
+  ASSERT_TRUE(promoted);
+  ScanRequest further = request(4);
+  further.output_folder = folder_ / "scan";
+  further.database.clear();
+  further.resume = true;
+  further.start_paused = true;
+  session_.start(further);
+  log_.awaitState(ScanState::paused, 2);
+  edit(UndoEdit{});
+  edit(UndoEdit{});
+  goOn();
+  EXPECT_TRUE(objectsCalled("a thing").empty());
+  for (const ObjectRecord& object : objects()) EXPECT_NE(object.id, promoted);
+  const auto session = open();
+  ASSERT_TRUE(session);
+  EXPECT_NE(session->objectOf(regions[1]), promoted);
 }
 
 TEST_F(RegionNaming, OfWhatTheLastFrameShowsIsNotLost) {
@@ -142,10 +175,9 @@ TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
     ASSERT_TRUE(session);
     const auto named = session->edit(naming(regions[3], "thing"));
     ASSERT_TRUE(named);
-    const Result<ObjectId> object = nameInCatalogue(*session, regions[3], "thing");
-    ASSERT_TRUE(object) << object.error().message();
-    EXPECT_EQ(session->objectOf(regions[3]), *object);
-    EXPECT_FALSE(nameInCatalogue(*session, regions[3], "12")) << "no name for an object";
+    const Result<void> followed = followInCatalogue(*session);
+    ASSERT_TRUE(followed) << followed.error().message();
+    EXPECT_TRUE(session->objectOf(regions[3]));
   }
   ASSERT_EQ(objectsCalled("thing").size(), 1U);
   EXPECT_TRUE(objectsCalled("thing")[0].confirmed);
@@ -155,10 +187,66 @@ TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
     EXPECT_EQ(session->objectOf(regions[3]), objectsCalled("thing")[0].id) << "it is kept";
     const auto undone = session->undo();
     ASSERT_TRUE(undone);
-    ASSERT_TRUE(followInCatalogue(*session, *undone, SaidHow::undone));
+    ASSERT_TRUE(followInCatalogue(*session));
   }
   EXPECT_EQ(objects().size(), before);
   EXPECT_TRUE(objectsCalled("thing").empty());
+}
+
+TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
+  const std::vector<RegionId> regions = scanUntil(12, 20);
+  ASSERT_GE(regions.size(), 1U);
+  goOn();
+  const std::string file = (folder_ / "scan" / "catalogue.sqlite").string();
+  const auto session = open();
+  ASSERT_TRUE(session);
+  ASSERT_TRUE(session->edit(naming(regions[0], "cup")));
+  ASSERT_TRUE(followInCatalogue(*session));
+  const ObjectId cup = session->objectOf(regions[0]);
+  // In another session a person has a mug, and says that the cup is that.
+  const ObjectRecord mug = objects().front();
+  ASSERT_NE(mug.id, cup);
+  const auto other = ObjectDatabase::open(file);
+  ASSERT_TRUE(other);
+  ASSERT_TRUE((*other)->rename(mug.id, "mug"));
+  ASSERT_TRUE((*other)->setConfirmed(std::array{mug.id}, true));
+  ASSERT_TRUE((*other)->merge(std::array{mug.id, cup}));
+  const std::size_t views = (*other)->views(mug.id)->size();
+
+  ASSERT_TRUE(session->undo());
+  const Result<void> undone = followInCatalogue(*session);
+  ASSERT_FALSE(undone) << "what an undo leaves is said";
+  EXPECT_THAT(undone.error().message(), HasSubstr("others"));
+  EXPECT_FALSE(session->objectOf(regions[0])) << "as before the naming";
+  EXPECT_EQ(objectsCalled("mug").size(), 1U);
+
+  ASSERT_TRUE(session->redo());
+  EXPECT_TRUE(followInCatalogue(*session));
+  EXPECT_EQ((*other)->resolve(session->objectOf(regions[0])).value_or(ObjectId{}), mug.id);
+  EXPECT_EQ(objectsCalled("mug").size(), 1U) << "the other's object keeps its name";
+  EXPECT_TRUE(objectsCalled("cup").empty());
+  EXPECT_EQ((*other)->views(mug.id)->size(), views);
+}
+
+TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
+  const std::vector<RegionId> regions = scanUntil(12, 20);
+  ASSERT_GE(regions.size(), 1U);
+  goOn();
+  const auto session = open();
+  ASSERT_TRUE(session);
+  ASSERT_TRUE(session->edit(naming(regions[0], "cup")));
+  ASSERT_TRUE(followInCatalogue(*session));
+  const ObjectId cup = session->objectOf(regions[0]);
+  const ObjectRecord found = objects().front();
+  const auto other = ObjectDatabase::open((folder_ / "scan" / "catalogue.sqlite").string());
+  ASSERT_TRUE(other);
+  const auto merge = (*other)->merge(std::array{found.id, cup});
+  ASSERT_TRUE(merge);
+  ASSERT_EQ(merge->into, cup) << "a person named it";
+  ASSERT_TRUE(session->undo());
+  EXPECT_TRUE(followInCatalogue(*session));
+  EXPECT_EQ((*other)->resolve(found.id).value_or(ObjectId{}), cup) << "nothing of others is hidden";
+  EXPECT_TRUE(objectsCalled("cup").empty());
 }
 
 TEST_F(RegionNaming, WithoutItsCatalogueIsSaid) {
@@ -168,9 +256,10 @@ TEST_F(RegionNaming, WithoutItsCatalogueIsSaid) {
   std::filesystem::rename(folder_ / "scan" / "catalogue.sqlite", folder_ / "elsewhere.sqlite");
   const auto session = open();
   ASSERT_TRUE(session);
-  const Result<ObjectId> object = nameInCatalogue(*session, regions[3], "thing");
-  ASSERT_FALSE(object);
-  EXPECT_THAT(object.error().message(), HasSubstr("catalogue.sqlite"));
+  ASSERT_TRUE(session->edit(naming(regions[3], "thing")));
+  const Result<void> followed = followInCatalogue(*session);
+  ASSERT_FALSE(followed);
+  EXPECT_THAT(followed.error().message(), HasSubstr("catalogue.sqlite"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "catalogue.sqlite")) << "none is made";
 }
 

@@ -66,7 +66,7 @@ std::pair<int, int> halves(const std::filesystem::path& file) {
   return {valueOf(0), valueOf(kWidth)};
 }
 
-// More frames than may wait; regions get their numbers in the order of the frames.
+// More frames than may wait; regions have their ids.
 TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
   const TemporaryFolder folder;
   makeFolders(folder);
@@ -81,9 +81,8 @@ TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
       [](const Eigen::Isometry3d& T) { return mapOf(90, T.translation().x() == 1 ? 90 : 95)(T); }));
   for (int i = 0; i < kFrames; ++i) {
     EXPECT_EQ(halves(folder / "segments" / nameOf(i)), std::pair(1, 2)) << i;
-    const int number = i < 20 ? 2 + i : 22;
-    EXPECT_EQ(halves(folder / "labels" / nameOf(i)), std::pair(1, number)) << i;
-    EXPECT_EQ(halves(folder / "labels-final" / nameOf(i)), std::pair(1, i == 1 ? 1 : 23)) << i;
+    EXPECT_EQ(halves(folder / "labels" / nameOf(i)), std::pair(90, i < 20 ? 30 + i : 29)) << i;
+    EXPECT_EQ(halves(folder / "labels-final" / nameOf(i)), std::pair(90, i == 1 ? 90 : 95)) << i;
   }
   EXPECT_EQ(numbers.count(), 24U);
 }
@@ -118,7 +117,7 @@ TEST(FrameLabelWriter, AFileThatCannotBeWrittenIsAnErrorThatNamesItAndTheOthersA
   const Result<void> finished = writer.finish(mapOf(5, 6));
   ASSERT_FALSE(finished);
   EXPECT_EQ(finished.error().what, added.error().what);
-  EXPECT_EQ(halves(folder / "labels-final" / "000002.png"), std::pair(1, 2));
+  EXPECT_EQ(halves(folder / "labels-final" / "000002.png"), std::pair(5, 6));
 }
 
 TEST(FrameLabelWriter, OnlyLabelImagesAreLeftInTheFolders) {
@@ -150,7 +149,7 @@ TEST(FrameLabelWriter, AMapThatCannotBeLookedAtIsAnError) {
       });
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().what, HasSubstr("The device is gone."));
-  EXPECT_EQ(halves(folder / "labels-final" / nameOf(0)), std::pair(1, 2));
+  EXPECT_EQ(halves(folder / "labels-final" / nameOf(0)), std::pair(5, 6));
 }
 
 }  // namespace

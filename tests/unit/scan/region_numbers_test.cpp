@@ -8,14 +8,27 @@
 namespace scantrove {
 namespace {
 
-TEST(RegionNumbers, AreGivenInOrderKeptAndKnownBackwards) {
+TEST(RegionNumbers, AreTheIdsOfRegions) {
   RegionNumbers numbers;
-  EXPECT_EQ(numbers.numbersOf(std::vector<RegionId>{{0}, {900}, {900}, {70000}, {0}, {900}}),
-            (std::vector<std::uint32_t>{0, 1, 1, 2, 0, 1}));
-  EXPECT_EQ(numbers.numberOf(RegionId{70000}), 2U);
-  EXPECT_EQ(numbers.regionOf(2), RegionId{70000});
+  EXPECT_EQ(numbers.numbersOf(std::vector<RegionId>{{0}, {900}, {900}, {7}, {0}, {65535}}),
+            (std::vector<std::uint32_t>{0, 900, 900, 7, 0, 65535}));
+  EXPECT_EQ(numbers.regionOf(900), RegionId{900});
   EXPECT_EQ(numbers.regionOf(0), RegionId{});
-  EXPECT_EQ(numbers.count(), 3U);
+  EXPECT_EQ(numbers.regionOf(8), RegionId{}) << "not written";
+  EXPECT_EQ(numbers.knownNumberOf(RegionId{7}), 7U);
+  EXPECT_FALSE(numbers.knownNumberOf(RegionId{8}));
+  EXPECT_EQ(numbers.count(), 4U);
+}
+
+TEST(RegionNumbers, OfRegionsBeyond16BitsAreThoseThatWereNotWrittenForLongest) {
+  RegionNumbers numbers;
+  EXPECT_EQ(numbers.numberOf(RegionId{1}), 1U);
+  EXPECT_EQ(numbers.numberOf(RegionId{70000}), 2U) << "written by nobody";
+  EXPECT_EQ(numbers.numberOf(RegionId{70000}), 2U) << "it keeps it";
+  const std::uint32_t second = numbers.numberOf(RegionId{2});
+  EXPECT_NE(second, 2U) << "its own is taken";
+  EXPECT_NE(second, 1U);
+  EXPECT_EQ(numbers.knownNumberOf(RegionId{2}), second);
 }
 
 // More regions than 16 bits hold, as a long scan meets them: a few at a time.

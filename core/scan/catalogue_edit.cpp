@@ -1,0 +1,257 @@
+#include "core/scan/catalogue_edit.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/scan/region_views.h"
+#include "core/scan/scan_pipeline.h"
+
+namespace scantrove {
+namespace {
+
+using OutcomeJson = nlohmann::ordered_json;
+
+/// Directions from which a new object has views.
+constexpr std::size_t kMostDirections = 6;
+
+}  // namespace
+
+std::string CatalogueOutcome::toJson() const {
+  OutcomeJson json{{"facts", OutcomeJson::object()},
+                   {"objects", OutcomeJson::array()},
+                   {"refusals", OutcomeJson::array()}};
+  for (const auto& [name, value] : facts) json["facts"][name] = value;
+  for (const auto& [region, object] : objects) json["objects"].push_back({region.value, object.value});
+  for (const Error& refusal : refusals) json["refusals"].push_back({refusal.what, refusal.advice});
+  return json.dump(-1, ' ', false, OutcomeJson::error_handler_t::replace);
+}
+
+Result<CatalogueOutcome> CatalogueOutcome::fromJson(const std::string& text) {
+  try {
+    const OutcomeJson json = OutcomeJson::parse(text);
+    CatalogueOutcome outcome;
+    for (const auto& [name, value] : json.at("facts").items()) outcome.facts[name] = value.get<std::string>();
+    for (const OutcomeJson& one : json.at("objects"))
+      outcome.objects[RegionId{one.at(0).get<std::uint32_t>()}] = ObjectId{one.at(1).get<std::uint32_t>()};
+    for (const OutcomeJson& one : json.at("refusals"))
+      outcome.refusals.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});
+    return outcome;
+  } catch (const OutcomeJson::exception&) {
+    return fail("What the catalogue did for an edit of the session cannot be read.",
+                "Restore the catalogue from a backup.");
+  }
+}
+
+Result<CatalogueOutcome> CatalogueEdit::carryOut(const PendingEdit& edit) {
+  for (;;) {
+    without_views_ = {};
+    const Result<std::string> done = database_.applyOnce(edit.token, [&] { return run(edit); });
+    if (done) return CatalogueOutcome::fromJson(*done);
+    if (!without_views_) return fail(done.error());
+    const RegionId region = without_views_;
+    SCANTROVE_TRY(moveInto(views_[region], viewsOfRegion(session_, region, kMostDirections)));
+  }
+}
+
+Result<std::string> CatalogueEdit::run(const PendingEdit& edit) {
+  outcome_ = {};
+  for (const CatalogueStep& step : edit.steps) SCANTROVE_TRY(runStep(step));
+  return outcome_.toJson();
+}
+
+Result<void> CatalogueEdit::runStep(const CatalogueStep& step) {
+  switch (step.kind) {
+    case CatalogueStep::Kind::name:
+      keep(undoneNamingsFactOf(step.region), {});
+      return name(step);
+    case CatalogueStep::Kind::name_again:
+      return nameAgain(step);
+    case CatalogueStep::Kind::take_name:
+      return takeName(step);
+    case CatalogueStep::Kind::add:
+      return add(step.region);
+    case CatalogueStep::Kind::take_object:
+      break;
+  }
+  return takeBack(step.region, "").map([](bool) {});
+}
+
+Result<void> CatalogueEdit::name(const CatalogueStep& step) {
+  const Result<std::string> checked = ObjectDatabase::checkedName(step.name);
+  if (!checked) {
+    outcome_.refusals.push_back(checked.error());
+    return {};
+  }
+  Result<std::optional<KeptNaming>> naming = nameObjectOf(step.region, *checked);
+  if (!naming) return fail(naming.error());
+  if (!*naming) return {};
+  std::vector<KeptNaming> namings = kept(namingsFactOf(step.region));
+  namings.push_back(**naming);
+  keep(namingsFactOf(step.region), namings);
+  setObject(step.region, (*naming)->naming.object);
+  return {};
+}
+
+Result<void> CatalogueEdit::nameAgain(const CatalogueStep& step) {
+  const std::string fact_name = undoneNamingsFactOf(step.region);
+  std::vector<KeptNaming> undone = kept(fact_name);
+  if (!undone.empty()) {
+    const KeptNaming newest = undone.back();
+    undone.pop_back();
+    keep(fact_name, undone);
+    // What others had said of the object since was left alone by the undo, and is so now.
+    if (newest.is_overruled && trimmed(step.name) == newest.naming.name) {
+      std::vector<KeptNaming> namings = kept(namingsFactOf(step.region));
+      namings.push_back(newest);
+      keep(namingsFactOf(step.region), namings);
+      setObject(step.region, newest.naming.object);
+      return {};
+    }
+  }
+  return name(step);
+}
+
+Result<void> CatalogueEdit::takeName(const CatalogueStep& step) {
+  std::string removed = step.name;
+  if (removed.empty()) {
+    // The name that the newest naming gave and nobody took back.
+    const std::vector<KeptNaming> namings = kept(namingsFactOf(step.region));
+    const auto newest = std::find_if(namings.rbegin(), namings.rend(),
+                                     [](const KeptNaming& one) { return !one.naming.name.empty(); });
+    if (newest == namings.rend()) return {};
+    removed = newest->naming.name;
+  }
+  const Result<std::string> checked = ObjectDatabase::checkedName(removed);
+  const Result<bool> taken = checked ? takeBack(step.region, *checked) : Result<bool>(false);
+  if (!taken) return fail(taken.error());
+  if (!*taken && objectOf(step.region))
+    refuse("What the catalogue calls the object stays as it is.", "'scantrove objects rename' changes it.");
+  return {};
+}
+
+Result<void> CatalogueEdit::add(RegionId region) {
+  if (presentObjectOf(region)) return {};
+  KeptNaming added;
+  SCANTROVE_TRY(moveInto(added.made, objectFor(region)));
+  if (!added.made) return {};
+  added.naming.object = added.made;
+  std::vector<KeptNaming> namings = kept(namingsFactOf(region));
+  namings.push_back(added);
+  keep(namingsFactOf(region), namings);
+  setObject(region, added.made);
+  return {};
+}
+
+Result<bool> CatalogueEdit::takeBack(RegionId region, const std::string& name) {
+  std::vector<KeptNaming> namings = kept(namingsFactOf(region));
+  const auto found = std::find_if(namings.rbegin(), namings.rend(),
+                                  [&](const KeptNaming& one) { return one.naming.name == name; });
+  if (found == namings.rend()) return false;
+  KeptNaming newest = *found;
+  bool is_as_said = true;
+  if (!name.empty()) SCANTROVE_TRY(moveInto(is_as_said, database_.takeNameBack(newest.naming)));
+  ObjectId object = newest.earlier;
+  if (newest.made && is_as_said) {
+    const Result<bool> is_removed = database_.withdraw(newest.made);
+    if (!is_removed) return fail(is_removed.error());
+    if (*is_removed) outcome_.facts[goneObjectFactOf(region)] = std::to_string(newest.made.value);
+    if (!*is_removed) object = newest.made;
+  } else if (!object && !newest.made) {
+    object = newest.naming.object;
+  }
+  if (!is_as_said)
+    refuse("The catalogue keeps what it calls the object: others have changed it since.",
+           "'scantrove objects' shows and changes it.");
+  namings.erase(std::next(found).base());
+  keep(namingsFactOf(region), namings);
+  newest.is_overruled = !is_as_said;
+  if (!name.empty()) {
+    std::vector<KeptNaming> undone = kept(undoneNamingsFactOf(region));
+    undone.push_back(newest);
+    keep(undoneNamingsFactOf(region), undone);
+  }
+  setObject(region, object);
+  return true;
+}
+
+Result<std::optional<KeptNaming>> CatalogueEdit::nameObjectOf(RegionId region, const std::string& name) {
+  KeptNaming kept;
+  kept.earlier = presentObjectOf(region);
+  if (kept.earlier && !isNamedByAnother(region, kept.earlier, name)) {
+    SCANTROVE_TRY(moveInto(kept.naming, database_.nameByPerson(kept.earlier, name)));
+    if (kept.naming.object) return kept;
+    // This object and the one of that name are two. The region is not this one, then.
+  }
+  SCANTROVE_TRY(moveInto(kept.made, objectFor(region)));
+  if (!kept.made) return std::nullopt;
+  SCANTROVE_TRY(moveInto(kept.naming, database_.nameByPerson(kept.made, name)));
+  return kept;
+}
+
+Result<ObjectId> CatalogueEdit::objectFor(RegionId region) {
+  const std::string fact_name = goneObjectFactOf(region);
+  const ObjectId gone{static_cast<std::uint32_t>(parseFrameNumber(fact(fact_name)).value_or(0))};
+  outcome_.facts[fact_name] = "";
+  if (gone && database_.restore(std::array{gone}) && database_.resolve(gone).value_or(ObjectId{}) == gone)
+    return gone;
+  return makeFromKeyFrames(region);
+}
+
+Result<ObjectId> CatalogueEdit::makeFromKeyFrames(RegionId region) {
+  const auto found = views_.find(region);
+  if (found == views_.end()) {
+    without_views_ = region;
+    return fail("The views of region " + std::to_string(region.value) + " are still to be cut.");
+  }
+  std::vector<ObjectView> views = found->second;  // images are shared
+  if (views.empty()) {
+    refuse("No key frame of " + session_.folder().string() + " shows region " + std::to_string(region.value) +
+               ".",
+           "Scan on with --resume and show it to the camera.");
+    return ObjectId{};
+  }
+  const Result<std::int64_t> begun = database_.beginSession(session_.setup().source, session_.setup().K);
+  if (!begun) return fail(begun.error());
+  for (ObjectView& view : views) view.session = *begun;
+  const Result<ObjectRecord> object = database_.addObject(views.front());
+  if (!object) return fail(object.error());
+  for (ObjectView& view : std::span(views).subspan(1)) {
+    view.object = object->id;
+    const Result<std::int64_t> added = database_.addView(view);
+    if (!added) return fail(added.error());
+  }
+  SCANTROVE_TRY(database_.endSession(*begun));
+  return object->id;
+}
+
+bool CatalogueEdit::isNamedByAnother(RegionId region, ObjectId object, const std::string& name) {
+  const ScanPipeline& pipeline = session_.pipeline();
+  const auto& notes = pipeline.editor().notes().all();
+  return std::ranges::any_of(notes, [&](const auto& entry) {
+    const auto& [other, note] = entry;
+    return other != region && !note.name.empty() && note.name != name &&
+           !pipeline.regionTable().fragmentsOf(other).empty() && presentObjectOf(other) == object;
+  });
+}
+
+ObjectId CatalogueEdit::presentObjectOf(RegionId region) {
+  const ObjectId object = objectOf(region);
+  return object ? database_.resolve(object).value_or(ObjectId{}) : ObjectId{};
+}
+
+ObjectId CatalogueEdit::objectOf(RegionId region) const {
+  const auto changed = outcome_.objects.find(region);
+  return changed == outcome_.objects.end() ? session_.objectOf(region) : changed->second;
+}
+
+std::string CatalogueEdit::fact(const std::string& name) const {
+  const auto changed = outcome_.facts.find(name);
+  return changed == outcome_.facts.end() ? session_.fact(name) : changed->second;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,79 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/catalog/object_database.h"
+#include "core/scan/kept_namings.h"
+#include "core/scan/open_session.h"
+#include "core/scan/pending_edits.h"
+
+namespace scantrove {
+
+/// What the catalogue did for one edit, as the session is to keep it.
+struct CatalogueOutcome {
+  SavedFacts facts;
+  std::map<RegionId, ObjectId> objects;  ///< none: the region is none any more
+  std::vector<Error> refusals;           ///< what cannot be done, now or later
+
+  [[nodiscard]] std::string toJson() const;
+  /// Error: it was not written so.
+  [[nodiscard]] static Result<CatalogueOutcome> fromJson(const std::string& text);
+};
+
+/// Carries one edit of a session out in its catalogue, as one transaction there. The session is only read.
+/// Thread of both; may throw cl::Error.
+class CatalogueEdit {
+ public:
+  /// Both outlive it.
+  CatalogueEdit(OpenSession& session, ObjectDatabase& database) : session_(session), database_(database) {}
+
+  /// Error: it cannot be done for now; nothing was changed.
+  [[nodiscard]] Result<CatalogueOutcome> carryOut(const PendingEdit& edit);
+
+ private:
+  [[nodiscard]] Result<std::string> run(const PendingEdit& edit);
+  [[nodiscard]] Result<void> runStep(const CatalogueStep& step);
+  [[nodiscard]] Result<void> name(const CatalogueStep& step);
+  [[nodiscard]] Result<void> nameAgain(const CatalogueStep& step);
+  [[nodiscard]] Result<void> takeName(const CatalogueStep& step);
+  [[nodiscard]] Result<void> add(RegionId region);
+  /// Takes the newest entry of that name back. False: there is none.
+  [[nodiscard]] Result<bool> takeBack(RegionId region, const std::string& name);
+
+  /// Names the region's object, or one that is made for it.
+  [[nodiscard]] Result<std::optional<KeptNaming>> nameObjectOf(RegionId region, const std::string& name);
+  /// A new object for the region; one that was made for it, and went with an undo, comes back. None: refused.
+  [[nodiscard]] Result<ObjectId> objectFor(RegionId region);
+  [[nodiscard]] Result<ObjectId> makeFromKeyFrames(RegionId region);
+  /// The object is called otherwise, by another of its regions.
+  [[nodiscard]] bool isNamedByAnother(RegionId region, ObjectId object, const std::string& name);
+  /// The object that the region is now; none: it is none, or was deleted.
+  [[nodiscard]] ObjectId presentObjectOf(RegionId region);
+
+  // The session as this edit leaves it.
+  [[nodiscard]] ObjectId objectOf(RegionId region) const;
+  void setObject(RegionId region, ObjectId object) { outcome_.objects[region] = object; }
+  [[nodiscard]] std::string fact(const std::string& name) const;
+  [[nodiscard]] std::vector<KeptNaming> kept(const std::string& fact_name) const {
+    return namingsFromJson(fact(fact_name));
+  }
+  void keep(const std::string& fact_name, const std::vector<KeptNaming>& namings) {
+    outcome_.facts[fact_name] = namingsToJson(namings);
+  }
+  void refuse(std::string what, std::string advice) {
+    outcome_.refusals.push_back({std::move(what), std::move(advice)});
+  }
+
+  OpenSession& session_;
+  ObjectDatabase& database_;
+  CatalogueOutcome outcome_;
+  /// Cut from the key frames before the transaction: nobody waits for that. A region without an entry was not
+  /// needed so far.
+  std::map<RegionId, std::vector<ObjectView>> views_;
+  RegionId without_views_;  // the transaction was left for these
+};
+
+}  // namespace scantrove

@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/editing/region_editor.h"
+
+namespace scantrove {
+
+/// How an operation came to hold, or not to.
+enum class SaidHow { done, undone, redone };
+
+/// One thing that the catalogue is to do for a region.
+struct CatalogueStep {
+  enum class Kind {
+    name,        ///< its object gets the name; where it is none, it becomes one
+    name_again,  ///< the same, where an undo has taken that back
+    take_name,   ///< the newest naming is taken back: that with `name` or, where that is empty, any
+    add,         ///< it becomes an object
+    take_object  ///< that is taken back
+  };
+  Kind kind = Kind::name;
+  RegionId region;
+  std::string name = {};
+
+  bool operator==(const CatalogueStep&) const = default;
+};
+
+/// What an operation in a session has still to do in the session's catalogue. It is written with the
+/// operation itself, and goes when the catalogue and then the session have it: so an interruption in between
+/// leaves neither half an edit nor, when it is tried again, a second object.
+struct PendingEdit {
+  std::string token;  ///< by which the catalogue knows whether it did it; random
+  std::vector<CatalogueStep> steps;
+
+  bool operator==(const PendingEdit&) const = default;
+};
+
+/// The session's fact that keeps them, oldest first.
+inline constexpr const char* kPendingEditsFact = "pending edits";
+
+/// Of an operation that was done, undone or done again; none: it does not concern the catalogue. `note_of`:
+/// what is said of a region now.
+[[nodiscard]] std::vector<CatalogueStep> catalogueStepsOf(
+    const Operation& operation, SaidHow how, const std::function<const RegionNote&(RegionId)>& note_of);
+
+/// With a new token.
+[[nodiscard]] PendingEdit pendingEditOf(std::vector<CatalogueStep> steps);
+
+/// As text; empty for none.
+[[nodiscard]] std::string pendingEditsToJson(const std::vector<PendingEdit>& edits);
+/// None for what was not written so.
+[[nodiscard]] std::vector<PendingEdit> pendingEditsFromJson(const std::string& text);
+
+}  // namespace scantrove

@@ -1,0 +1,227 @@
+// An operation in an opened session is whole or is not, in the session and in its catalogue, wherever it is
+// interrupted.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "core/catalog/object_database.h"
+#include "core/scan/open_session.h"
+#include "core/scan/session_catalogue.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/support/other_program.h"
+
+namespace scantrove {
+namespace {
+
+namespace fs = std::filesystem;
+using test::OtherProgram;
+using test::ScanSessionTest;
+
+/// A step that fails: no row of `table` of which `condition` holds can be written.
+struct Obstacle {
+  const char* file;  ///< of the session's folder
+  const char* table;
+  const char* condition;
+};
+
+constexpr const char *kSession = "session.sqlite", *kCatalogue = "catalogue.sqlite";
+constexpr Obstacle kOperation{kSession, "operations", "number > 0"};
+constexpr Obstacle kPending{kSession, "facts", "name = 'pending edits'"};
+constexpr Obstacle kCatalogueSteps[]{{kCatalogue, "events", "action = 'session-begin' AND id > N"},
+                                     {kCatalogue, "events", "action = 'add' AND id > N"},
+                                     {kCatalogue, "events", "action = 'add-view' AND id > N"},
+                                     {kCatalogue, "events", "action = 'session-end' AND id > N"},
+                                     {kCatalogue, "events", "action = 'rename' AND id > N"},
+                                     {kCatalogue, "events", "action = 'confirm' AND id > N"},
+                                     {kCatalogue, "applied_edits", "token <> ''"}};
+constexpr Obstacle kAnswer{kSession, "facts", "name LIKE 'namings %'"};
+
+class InterruptedEdits : public ScanSessionTest {
+ protected:
+  void SetUp() override {
+    ScanRequest scan = request(12);
+    scan.output_folder = folder_ / "scan";
+    scan.database = (folder_ / "scan" / kCatalogue).string();
+    session_.start(scan);
+    session_.wait();
+    ASSERT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    const auto session = open();
+    ASSERT_TRUE(session);
+    const auto regions = session->regions();
+    ASSERT_TRUE(regions);
+    std::int64_t most = 0;
+    for (const RegionSummary& region : *regions) {
+      if (region.object || region.voxels <= most) continue;
+      most = region.voxels;
+      region_ = region.region;
+    }
+    ASSERT_TRUE(region_);
+    objects_before_ = rowsOf("objects");
+  }
+
+  [[nodiscard]] std::unique_ptr<OpenSession> open() const {
+    auto session = OpenSession::open(folder_ / "scan");
+    EXPECT_TRUE(session) << session.error().message();
+    return session ? std::move(*session) : nullptr;
+  }
+  [[nodiscard]] std::string ask(const char* file, const QString& sql) const {
+    return OtherProgram((folder_ / "scan" / file).string()).ask(sql);
+  }
+  /// In the catalogue, hidden ones too.
+  [[nodiscard]] int rowsOf(const char* table) const {
+    return std::stoi(ask(kCatalogue, QString("SELECT count(*) FROM %1").arg(table)));
+  }
+  /// While it lives, the step fails. Indexes may be in a file that is opened, triggers not.
+  class Blocked {
+   public:
+    Blocked(const fs::path& folder, const Obstacle& obstacle) : file_((folder / obstacle.file).string()) {
+      OtherProgram program(file_);
+      QString condition = obstacle.condition;
+      if (condition.contains("id > N"))
+        condition.replace("> N", "> " + QString::fromStdString(program.ask("SELECT max(id) FROM events")));
+      program.execute(QString("CREATE INDEX obstacle ON %1 (CASE WHEN %2 THEN json('none') END)")
+                          .arg(obstacle.table, condition));
+    }
+    ~Blocked() { OtherProgram(file_).execute("DROP INDEX obstacle"); }
+    Blocked(const Blocked&) = delete;
+    Blocked& operator=(const Blocked&) = delete;
+
+   private:
+    std::string file_;
+  };
+
+  [[nodiscard]] Operation naming(const std::string& name) const {
+    return {.kind = OperationKind::name, .regions = {region_}, .name = name};
+  }
+  /// As the program does it, and ends. Whether all of it worked.
+  [[nodiscard]] bool nameAndEnd(const std::string& name) const {
+    const auto session = open();
+    return session && session->edit(naming(name)) && followInCatalogue(*session);
+  }
+  void expectOneObjectCalled(const std::string& name) const {
+    const auto session = open();  // what was interrupted is completed
+    ASSERT_TRUE(session);
+    EXPECT_TRUE(session->pendingEdits().empty());
+    EXPECT_EQ(session->noteOf(region_).name, name);
+    EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "no orphan, no hidden one either";
+    EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM sessions WHERE ended IS NULL"), "0");
+    const auto database = ObjectDatabase::open((folder_ / "scan" / kCatalogue).string());
+    ASSERT_TRUE(database);
+    const auto object = (*database)->object(session->objectOf(region_));
+    ASSERT_TRUE(object) << object.error().message();
+    EXPECT_EQ(object->name, name);
+    EXPECT_TRUE(object->confirmed);
+  }
+
+  RegionId region_;  // the largest that is no object
+  int objects_before_ = 0;
+};
+
+TEST_F(InterruptedEdits, NamingThatTheSessionCannotTakeIsNotInTheCatalogue) {
+  for (const Obstacle& obstacle : {kOperation, kPending}) {
+    {
+      const Blocked blocked(folder_ / "scan", obstacle);
+      EXPECT_FALSE(nameAndEnd("cup"));
+    }
+    const auto session = open();
+    ASSERT_TRUE(session);
+    EXPECT_TRUE(session->history().entries().empty()) << obstacle.condition;
+    EXPECT_EQ(session->noteOf(region_).name, "");
+    EXPECT_TRUE(session->pendingEdits().empty());
+    EXPECT_EQ(rowsOf("objects"), objects_before_);
+  }
+  EXPECT_TRUE(nameAndEnd("cup"));
+  expectOneObjectCalled("cup");
+}
+
+TEST_F(InterruptedEdits, NamingGivesOneObject_WhereverTheCatalogueFails) {
+  const fs::path whole = folder_ / "whole";
+  fs::copy(folder_ / "scan", whole, fs::copy_options::recursive);
+  for (const Obstacle& obstacle : kCatalogueSteps) {
+    SCOPED_TRACE(obstacle.condition);
+    fs::remove_all(folder_ / "scan");
+    fs::copy(whole, folder_ / "scan", fs::copy_options::recursive);
+    {
+      const Blocked blocked(folder_ / "scan", obstacle);
+      for (int i = 0; i < 2; ++i) EXPECT_FALSE(nameAndEnd("cup")) << "each try fails";
+      EXPECT_EQ(rowsOf("objects"), objects_before_) << "nothing of it is there";
+    }
+    expectOneObjectCalled("cup");
+  }
+}
+
+TEST_F(InterruptedEdits, NamingGivesOneObject_WhenTheSessionDoesNotHearOfIt) {
+  {
+    const Blocked blocked(folder_ / "scan", kAnswer);
+    for (int i = 0; i < 2; ++i) EXPECT_FALSE(nameAndEnd("cup"));
+    EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the catalogue has it";
+  }
+  expectOneObjectCalled("cup");
+}
+
+TEST_F(InterruptedEdits, AnInterruptedUndoTakesTheObjectBackOnce) {
+  ASSERT_TRUE(nameAndEnd("cup"));
+  const auto undoAndEnd = [this] {
+    const auto session = open();
+    return session && session->undo() && followInCatalogue(*session);
+  };
+  {
+    const Blocked blocked(folder_ / "scan", {kCatalogue, "events", "action = 'remove' AND id > N"});
+    EXPECT_FALSE(undoAndEnd());
+  }
+  const auto session = open();
+  ASSERT_TRUE(session);
+  EXPECT_FALSE(session->objectOf(region_));
+  EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup'"), "0");
+  ASSERT_TRUE(session->redo());
+  ASSERT_TRUE(followInCatalogue(*session));
+  EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the same one comes back";
+  EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup' AND hidden = 0"), "1");
+}
+
+TEST_F(InterruptedEdits, NoOperationIsHalfInTheSession) {
+  const auto session = open();
+  ASSERT_TRUE(session);
+  const auto regions = session->regions();
+  ASSERT_TRUE(regions);
+  ASSERT_GE(regions->size(), 3U);
+  std::vector<Operation> operations;
+  operations.push_back(
+      {.kind = OperationKind::join, .regions = {(*regions)[0].region, (*regions)[1].region}});
+  for (const OperationKind kind : {OperationKind::background, OperationKind::reject, OperationKind::object})
+    operations.push_back({.kind = kind, .regions = {region_}});
+  const std::string kState =
+      "SELECT (SELECT count(*) FROM operations) || ' ' || (SELECT group_concat(fragment || ':' || region) "
+      "FROM"
+      " fragments) || ' ' || (SELECT group_concat(region || name || background || is_object || rejected) FROM"
+      " regions) || ' ' || (SELECT count(*) FROM borders WHERE by_person)";
+  const std::string before = ask(kSession, QString::fromStdString(kState));
+  for (const Operation& operation : operations) {
+    const Blocked blocked(folder_ / "scan", kOperation);
+    EXPECT_FALSE(session->edit(operation)) << toString(operation.kind);
+    EXPECT_EQ(ask(kSession, QString::fromStdString(kState)), before) << toString(operation.kind);
+  }
+}
+
+TEST_F(InterruptedEdits, AreCompletedBeforeTheScanGoesOn) {
+  {
+    const Blocked blocked(folder_ / "scan", kCatalogueSteps[4]);
+    EXPECT_FALSE(nameAndEnd("cup"));
+  }
+  ScanRequest scan = request(3);
+  scan.output_folder = folder_ / "scan";
+  scan.database.clear();
+  scan.resume = true;
+  session_.start(scan);
+  session_.wait();
+  ASSERT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  const auto session = open();
+  ASSERT_TRUE(session);
+  EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup'"), "1");
+  EXPECT_EQ(ask(kSession, "SELECT value FROM facts WHERE name = 'pending edits'"), "");
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,94 @@
+// The files that a scan writes number its regions as its session does.
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/exchange/label_image_writer.h"
+#include "core/scan/open_session.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using Counts = std::map<std::uint32_t, std::int64_t>;
+
+class ResultNumbers : public test::ScanSessionTest {
+ protected:
+  void scan() {
+    ScanRequest scan = request(10);
+    scan.output_folder = folder_ / "scan";
+    scan.database = (folder_ / "scan" / "catalogue.sqlite").string();
+    scan.label_maps = true;
+    session_.start(scan);
+    session_.wait();
+    ASSERT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  }
+  [[nodiscard]] std::unique_ptr<OpenSession> open() const {
+    auto session = OpenSession::open(folder_ / "scan");
+    EXPECT_TRUE(session) << session.error().message();
+    return session ? std::move(*session) : nullptr;
+  }
+  /// Voxels of each region but the one that is none.
+  static Counts countsOf(const pcl::PointCloud<pcl::PointXYZRGBL>& cloud) {
+    Counts counts;
+    for (const auto& point : cloud) ++counts[point.label];
+    counts.erase(0);
+    return counts;
+  }
+};
+
+TEST_F(ResultNumbers, AreThoseOfTheSessionInEveryFile) {
+  scan();
+  const auto session = open();
+  ASSERT_TRUE(session);
+  const auto regions = session->regions();
+  ASSERT_TRUE(regions);
+  Counts counts;
+  for (const RegionSummary& region : *regions) counts[region.region.value] = region.voxels;
+  ASSERT_GE(counts.size(), 3U);
+
+  pcl::PointCloud<pcl::PointXYZRGBL> cloud;
+  ASSERT_EQ(pcl::io::loadPLYFile((folder_ / "scan" / "cloud.ply").string(), cloud), 0);
+  EXPECT_EQ(countsOf(cloud), counts);
+  ASSERT_EQ(pcl::io::loadPCDFile((folder_ / "scan" / "cloud.pcd").string(), cloud), 0);
+  EXPECT_EQ(countsOf(cloud), counts);
+
+  const auto map = nlohmann::json::parse(test::readText(folder_ / "scan" / "labels.json"));
+  std::set<std::uint32_t> listed;
+  for (const auto& [id, entry] : map.items()) listed.insert(static_cast<std::uint32_t>(std::stoul(id)));
+  listed.erase(0);
+  for (const auto& [id, voxels] : counts) EXPECT_TRUE(listed.contains(id)) << id;
+  EXPECT_EQ(listed.size(), counts.size());
+
+  const auto image = readLabelImage(folder_ / "scan" / "labels-final" / "000009.png");
+  ASSERT_TRUE(image) << image.error().message();
+  std::set<std::uint32_t> shown(image->begin<std::uint16_t>(), image->end<std::uint16_t>());
+  shown.erase(0);
+  ASSERT_FALSE(shown.empty());
+  for (const std::uint32_t id : shown) EXPECT_TRUE(counts.contains(id)) << id;
+}
+
+TEST_F(ResultNumbers, SayThatTheyAreFromBeforeAnEdit) {
+  scan();
+  const std::string header = test::readText(folder_ / "scan" / "cloud.ply").substr(0, 300);
+  EXPECT_NE(header.find("as the scan ended"), std::string::npos) << header;
+  {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    EXPECT_EQ(session->areResultsCurrent(), true);
+    const auto regions = session->regions();
+    ASSERT_TRUE(regions);
+    ASSERT_GE(regions->size(), 2U);
+    ASSERT_TRUE(session->edit(
+        {.kind = OperationKind::join, .regions = {(*regions)[0].region, (*regions)[1].region}}));
+  }
+  const auto session = open();
+  ASSERT_TRUE(session);
+  EXPECT_EQ(session->areResultsCurrent(), false);
+}
+
+}  // namespace
+}  // namespace scantrove
