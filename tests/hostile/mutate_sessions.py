@@ -14,6 +14,7 @@ import hashlib
 import json
 import pathlib
 import random
+import re
 import shutil
 import sqlite3
 import subprocess
@@ -22,6 +23,7 @@ import tempfile
 
 LIMIT_S = 120
 FORMATS = ["coco", "tum", "ply", "masks"]
+DATE = re.compile(rb"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d[.\d]*Z")  # when a data set was made
 # Looked at, but no part of the result.
 NOT_RESULT = {"damages"}
 
@@ -40,7 +42,8 @@ def content_of(folder):
     files = {}
     for file in sorted(folder.rglob("*")):
         if file.is_file():
-            files[str(file.relative_to(folder))] = hashlib.sha1(file.read_bytes()).hexdigest()
+            content = DATE.sub(b"", file.read_bytes())
+            files[str(file.relative_to(folder))] = hashlib.sha1(content).hexdigest()
     return files
 
 
@@ -280,7 +283,7 @@ def main():
         for number in range(options.count):
             seed = options.seed + number
             chance = random.Random(seed)
-            copy = folder / "damaged"
+            copy = folder / "copies" / session.name  # some results hold the name
             shutil.copytree(session, copy)
             kind = chance.choices(list(CHANGES), WEIGHTS)[0]
             done = CHANGES[kind](chance, copy)
