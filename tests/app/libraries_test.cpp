@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "tests/app/scantrove_program.h"
+#include "tests/support/source_tree.h"
 
 namespace scantrove::test {
 namespace {
@@ -41,6 +42,25 @@ TEST(Libraries, RunPathsAreAbsoluteAndAddressesReadOnly) {
       }
     }
   }
+}
+
+TEST(Libraries, BuffersAreGuarded) {
+  const Finished symbols = runProgram({"readelf", "--dyn-syms", "-W", SCANTROVE_BINARY});
+  ASSERT_EQ(symbols.exit_code, 0) << symbols.err;
+  if (symbols.out.find("__asan_init") != std::string::npos ||
+      symbols.out.find("__tsan_init") != std::string::npos)
+    GTEST_SKIP() << "the sanitizers watch in their stead";
+  EXPECT_THAT(symbols.out, HasSubstr("__stack_chk_fail"));
+  EXPECT_THAT(symbols.out,
+              testing::ContainsRegex("__[a-z]+_chk@"));  // what FORTIFY puts in place of read(), memcpy() ...
+}
+
+TEST(Libraries, BinaryDoesNotNameTheFolderItWasBuiltIn) {
+  const TemporaryFolder folder;
+  const std::string stripped = folder / "scantrove";
+  const Finished run = runProgram({"strip", "-o", stripped, SCANTROVE_BINARY});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(readText(stripped).find(sourceTree().string() + "/"), std::string::npos);
 }
 
 }  // namespace
