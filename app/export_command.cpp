@@ -67,10 +67,8 @@ Result<void> exportSession(const ExportCommand& command) {
                                   std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
   if ((*session)->missingCatalogue())
-    std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '
-';
-  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '
-';
+    std::cerr << "scantrove: " << inLine((*session)->missingCatalogue()->message()) << '\n';
+  for (const std::string& skipped : summary->skipped) std::cerr << "scantrove: " << inLine(skipped) << '\n';
   std::cout << command.format << "     " << summary->images << " images, " << summary->regions << " regions, "
             << summary->annotations << " annotations";
   if (summary->points > 0) std::cout << ", " << summary->points << " points";
