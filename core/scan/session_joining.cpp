@@ -16,16 +16,17 @@ namespace scantrove {
 namespace {
 
 using JoinJson = nlohmann::ordered_json;
-using State = JoinedObjects::State;
 
-constexpr std::array<std::pair<State, const char*>, 3> kStates{
-    {{State::to_merge, "to merge"}, {State::done, "done"}, {State::to_part, "to part"}}};
+constexpr std::array<std::pair<JoinedObjects::State, const char*>, 3> kStates{
+    {{JoinedObjects::State::to_merge, "to merge"},
+     {JoinedObjects::State::done, "done"},
+     {JoinedObjects::State::to_part, "to part"}}};
 
-const char* wordFor(State state) {
-  return std::ranges::find(kStates, state, &std::pair<State, const char*>::first)->second;
+const char* wordFor(JoinedObjects::State state) {
+  return std::ranges::find(kStates, state, &std::pair<JoinedObjects::State, const char*>::first)->second;
 }
 
-std::optional<State> stateFrom(const std::string& word) {
+std::optional<JoinedObjects::State> stateFrom(const std::string& word) {
   for (const auto& [state, known] : kStates) {
     if (word == known) return state;
   }
@@ -71,7 +72,7 @@ Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a
 /// Of one operation. Error: the first thing that could not be done; it is not tried again.
 Result<void> carryOut(ObjectDatabase& database, JoinedObjects& joined) {
   FirstError first;
-  if (joined.state == State::to_merge) {
+  if (joined.state == JoinedObjects::State::to_merge) {
     for (const auto& [a, b] : std::exchange(joined.pairs, {})) {
       auto merge = mergeTwo(database, a, b);
       if (!merge) {
@@ -80,7 +81,7 @@ Result<void> carryOut(ObjectDatabase& database, JoinedObjects& joined) {
         joined.merges.push_back(std::move(**merge));
       }
     }
-    joined.state = State::done;
+    joined.state = JoinedObjects::State::done;
   } else {
     for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge) {
       const Result<ObjectId> holder = database.resolve(merge->from.front());
@@ -119,7 +120,7 @@ JoinedObjects joinedFrom(const std::string& text) {
   try {
     const JoinJson json = JoinJson::parse(text);
     JoinedObjects joined;
-    joined.state = stateFrom(json.at("state").get<std::string>()).value_or(State::done);
+    joined.state = stateFrom(json.at("state").get<std::string>()).value_or(JoinedObjects::State::done);
     for (const auto& [region, object] : json.at("before").items())
       joined.before[RegionId{static_cast<std::uint32_t>(std::stoul(region))}] = objectFrom(object);
     for (const JoinJson& pair : json.at("pairs"))
@@ -152,7 +153,7 @@ JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectI
   const bool is_any =
       std::ranges::any_of(joined.before, [](const auto& entry) { return bool(entry.second); });
   if (!is_any) return {};
-  if (!joined.pairs.empty()) joined.state = State::to_merge;
+  if (!joined.pairs.empty()) joined.state = JoinedObjects::State::to_merge;
   return joined;
 }
 
@@ -160,11 +161,11 @@ Result<void> mergeJoinedObjects(OpenSession& session) {
   FirstError first;
   for (const OperationLog::Entry& entry : session.history().entries()) {
     const std::string name = joinFactOf(entry.number);
-    if (joinedFrom(session.fact(name)).state == State::done) continue;
+    if (joinedFrom(session.fact(name)).state == JoinedObjects::State::done) continue;
     const auto database = openCatalogue(session);
     if (!database) return fail(database.error());
     JoinedObjects joined = joinedFrom(session.fact(name));  // none, where the catalogue is another one
-    if (joined.state == State::done) continue;
+    if (joined.state == JoinedObjects::State::done) continue;
     first.note(carryOut(**database, joined));
     session.setFact(name, joinedToText(joined));
     SCANTROVE_TRY(session.saveFacts());

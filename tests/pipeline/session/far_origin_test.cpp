@@ -16,13 +16,13 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kFrames = 6;
+constexpr int kFarFrames = 6;
 const Eigen::Vector3d kFar(200'000, -30'000, 12);
 
 class FarOriginTest : public testing::Test {
  protected:
   ScanEnding scanAt(const Eigen::Vector3d& place, const std::string& name) {
-    writeRecording(folder_ / (name + ".recording"), smallFilm(), kFrames,
+    writeRecording(folder_ / (name + ".recording"), smallFilm(), kFarFrames,
                    [&](RgbdFrame& frame) { frame.T_world_camera->translation() += place; });
     ScanRequest request;
     request.source = (folder_ / (name + ".recording")).string();
@@ -38,7 +38,7 @@ TEST_F(FarOriginTest, TheScanIsTheSameAsNearTheOrigin) {
   const ScanEnding near = scanAt({0, 0, 0}, "near"), far = scanAt(kFar, "far");
   ASSERT_TRUE(near.report) << near.error;
   ASSERT_TRUE(far.report) << far.error;
-  EXPECT_EQ(far.report->frames.tracked, kFrames);
+  EXPECT_EQ(far.report->frames.tracked, kFarFrames);
   EXPECT_NEAR(far.report->map_bricks, near.report->map_bricks, 0.02 * near.report->map_bricks);
   EXPECT_NEAR(far.report->regions, near.report->regions, 1);
   EXPECT_EQ(near.report->origin_m, Eigen::Vector3d::Zero());
@@ -50,8 +50,8 @@ TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
   const auto trajectory = readTumTrajectory(folder_ / "far" / "trajectory.txt");
   ASSERT_TRUE(trajectory);
   const auto source = makeSyntheticSource(smallFilm()).value();
-  ASSERT_EQ(trajectory->size(), static_cast<std::size_t>(kFrames));
-  for (int i = 0; i < kFrames; ++i) {
+  ASSERT_EQ(trajectory->size(), static_cast<std::size_t>(kFarFrames));
+  for (int i = 0; i < kFarFrames; ++i) {
     const Eigen::Vector3d place = (*trajectory)[static_cast<std::size_t>(i)].T_world_camera.translation();
     EXPECT_LT((place - kFar - source->pose(i).translation()).norm(), 0.002)
         << i;  // written to the millimetre
@@ -70,7 +70,7 @@ TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
 
 TEST_F(FarOriginTest, FramesWithImpossiblePosesAreLeftOut) {
   int number = 0;
-  writeRecording(folder_ / "rec", smallFilm(), kFrames, [&](RgbdFrame& frame) {
+  writeRecording(folder_ / "rec", smallFilm(), kFarFrames, [&](RgbdFrame& frame) {
     if (++number > 2) frame.T_world_camera->translation().x() = std::pow(10.0, 3 * number);
   });
   ScanRequest request;
