@@ -88,7 +88,9 @@ TEST(DeviceChoiceDeathTest, RefusesPoclsBasicDevice) {
   setenv("POCL_DEVICES", "basic", 1);
   EXPECT_EXIT(
       {
-        const auto first = chooseDevice(""), named = chooseDevice("basic"), numbered = chooseDevice("0");
+        const auto first = chooseDevice("");
+        const auto named = chooseDevice("basic");
+        const auto numbered = chooseDevice("0");
         std::fprintf(stderr, "%s\n", first ? "a device" : first.error().message().c_str());
         std::exit(first || named || numbered ? 1 : 0);
       },

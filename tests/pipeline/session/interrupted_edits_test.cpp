@@ -53,7 +53,7 @@ class InterruptedEdits : public ScanSessionTest {
     ASSERT_TRUE(regions);
     std::int64_t most = 0;
     for (const RegionSummary& region : *regions) {
-      if (region.object || region.voxels <= most) continue;
+      if (region.label.object || region.voxels <= most) continue;
       most = region.voxels;
       region_ = region.region;
     }

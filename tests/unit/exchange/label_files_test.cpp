@@ -79,7 +79,7 @@ TEST(LabelImage, ReadingSaysWhatIsWrong) {
 TEST(LabelMap, MapsRegionsToColourObjectAndName) {
   const TemporaryFolder folder;
   const std::vector<LabelMapEntry> entries{{RegionId{3}, {10, 20, 30}, ObjectId{7}, "M\xC3\xBCsli \"box\""},
-                                           {RegionId{12}, {1, 2, 3}, {}, "", 7},
+                                           {RegionId{12}, {1, 2, 3}, {}, "", "", false, 7},
                                            {RegionId{13}, {1, 2, 3}, ObjectId{8}, "not utf-8 \xff"}};
   ASSERT_TRUE(writeLabelMap(folder / "labels.json", entries));
   const auto map = nlohmann::json::parse(test::readText(folder / "labels.json"));
