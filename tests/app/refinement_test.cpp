@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-std::vector<std::string> scanInto(const fs::path& out) {
+std::vector<std::string> argumentsInto(const fs::path& out) {
   return {"scan", "demo:tabletop:7", "--frames", "30", "--out", out};
 }
 
@@ -21,7 +21,7 @@ nlohmann::json refinementIn(const fs::path& out) {
 
 TEST(ScanRefinement, IsToldOnStderrAndInTheReport) {
   const TemporaryFolder folder;
-  const Finished run = scantrove(scanInto(folder / "out"));
+  const Finished run = scantrove(argumentsInto(folder / "out"));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("Refining objects with "));
   const auto refinement = refinementIn(folder / "out");
@@ -33,7 +33,7 @@ TEST(ScanRefinement, IsToldOnStderrAndInTheReport) {
 
 TEST(ScanRefinement, IsSkippedAndDoneLater) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments = scanInto(folder / "out");
+  std::vector<std::string> arguments = argumentsInto(folder / "out");
   arguments.push_back("--skip-refinement");
   const Finished run = scantrove(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -55,7 +55,7 @@ TEST(ScanRefinement, IsSkippedAndDoneLater) {
 TEST(ScanRefinement, CtrlCSkipsTheRestAndKeepsTheResults) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
-    ChildProcess child(command(scanInto(folder / "out")));
+    ChildProcess child(command(argumentsInto(folder / "out")));
     const auto end = std::chrono::steady_clock::now() + 180s;
     while (child.err().find("Refining objects") == std::string::npos && child.isRunning() &&
            std::chrono::steady_clock::now() < end)

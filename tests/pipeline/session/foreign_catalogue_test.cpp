@@ -44,7 +44,9 @@ class ForeignCatalogueReview : public test::ScanSessionTest {
     const auto database = ObjectDatabase::open(catalogue_);
     std::vector<std::string> words;
     if (!database) return words;
-    for (const ObjectRecord& object : *(*database)->objects()) {
+    const auto objects = (*database)->objects();
+    EXPECT_TRUE(objects);
+    for (const ObjectRecord& object : *objects) {
       if (object.id.value <= kForeignObjects)
         words.push_back(std::to_string(object.id.value) + " " + object.name + " " +
                         std::to_string(object.views) + (object.confirmed ? " confirmed" : ""));
