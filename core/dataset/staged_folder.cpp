@@ -168,7 +168,7 @@ void StagedFolder::discard() noexcept {
 Result<StagedFolder> StagedFolder::create(const fs::path& folder) {
   if (folder.empty()) return fail("No folder was given for the export.", "Give the name of a new folder.");
   std::error_code failure;
-  if (fs::is_symlink(folder, failure) && !fs::exists(folder, failure)) {
+  if (fs::is_symlink(folder, failure) && fs::status(folder, failure).type() == fs::file_type::not_found) {
     return fail(folder.string() + " is a link to " + fs::read_symlink(folder, failure).string() +
                     ", which does not exist.",
                 "Make that folder, or give another one.");

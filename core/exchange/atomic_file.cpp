@@ -136,7 +136,7 @@ Result<void> writeFileAtomically(const fs::path& path, const std::function<std::
 
 Result<void> prepareOutputFolder(const fs::path& folder) {
   std::error_code failure;
-  if (fs::is_symlink(folder, failure) && !fs::exists(folder, failure)) {
+  if (fs::is_symlink(folder, failure) && fs::status(folder, failure).type() == fs::file_type::not_found) {
     return fail(folder.string() + " is a link to " + fs::read_symlink(folder, failure).string() +
                     ", which does not exist.",
                 "Make that folder, or choose another output folder.");
