@@ -20,7 +20,7 @@ struct LabelledImage {
   std::string stem;         ///< "000120", of its files
   std::string image_bytes;  ///< the colour image: the recorded bytes where these are JPEG or PNG of 8-bit
                             ///< RGB, without an orientation; else a PNG of that kind; empty without colour
-  std::string image_name;  ///< stem with the extension that fits; empty without colour
+  std::string image_name;   ///< stem with the extension that fits; empty without colour
 
   /// CV_8UC1, 255 = the region.
   [[nodiscard]] cv::Mat maskOf(std::uint32_t region) const { return regions == static_cast<int>(region); }

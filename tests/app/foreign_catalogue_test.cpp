@@ -245,10 +245,10 @@ TEST_F(ForeignCatalogue, AnOlderSessionKeepsItsNumbers_WhereTheCatalogueHasItsSc
     const QtMainThread qt;
     const auto connection = DatabaseConnection::open(scan_ / "session.sqlite");
     ASSERT_TRUE(connection);
-    for (const char* sql : {"DELETE FROM facts WHERE name = 'catalogue'",
-                            "DELETE FROM fact_copies WHERE name = 'catalogue'",
-                            "INSERT INTO facts (name, value) SELECT 'begun', applied FROM schema_migrations"
-                            " WHERE version = 1"})
+    for (const char* sql :
+         {"DELETE FROM facts WHERE name = 'catalogue'", "DELETE FROM fact_copies WHERE name = 'catalogue'",
+          "INSERT INTO facts (name, value) SELECT 'begun', applied FROM schema_migrations"
+          " WHERE version = 1"})
       ASSERT_TRUE((*connection)->execute(sql)) << sql;
   }
   const fs::path older = folder_ / "older";
