@@ -59,7 +59,7 @@ class FramePanels : public QWidget {
   void bandDrawn(const std::vector<scantrove::RegionId>& regions, Qt::KeyboardModifiers modifiers);
 
  public:
-  [[nodiscard]] QSize minimumSizeHint() const override { return {230, 340}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {200, 200}; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

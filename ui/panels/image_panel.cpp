@@ -30,7 +30,7 @@ void paintChip(QPainter& painter, const QPointF& top_left, const QString& text, 
 
 ImagePanel::ImagePanel(const QString& title, const QString& explanation, QWidget* parent)
     : QWidget(parent), title_(title) {
-  setMinimumSize(96, 72);
+  setMinimumSize(48, 36);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(title);

@@ -11,16 +11,18 @@
 namespace scantrove {
 namespace {
 constexpr int kPictureGap = 6;
-constexpr int kHeight = 84;
+constexpr int kMostHeight = 84, kLeastHeight = 40;  ///< of the pictures: less where the window is low
+constexpr int kMargin = 2;
 constexpr int kKeyStep = 90;
 
-int widthOf(const QImage& picture) {
-  return std::clamp(picture.width() * kHeight / std::max(1, picture.height()), 40, 160);
+int widthOf(const QImage& picture, int height) {
+  return std::clamp(picture.width() * height / std::max(1, picture.height()), kLeastHeight, 160);
 }
 }  // namespace
 
 ViewsStrip::ViewsStrip(QWidget* parent) : QWidget(parent) {
-  setFixedHeight(kHeight + 4);
+  setMinimumHeight(kLeastHeight + 2 * kMargin);
+  setMaximumHeight(kMostHeight + 2 * kMargin);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Views of the selected object"));
   setToolTip(tr("Views of the selected object, newest first. Scroll with the wheel or the arrow keys."));
@@ -41,7 +43,7 @@ void ViewsStrip::updateViews(std::vector<QImage> pictures) {
 
 int ViewsStrip::contentWidth() const {
   int sum = 0;
-  for (const QImage& picture : pictures_) sum += widthOf(picture) + kPictureGap;
+  for (const QImage& picture : pictures_) sum += widthOf(picture, height() - 2 * kMargin) + kPictureGap;
   return sum;
 }
 
@@ -57,7 +59,8 @@ void ViewsStrip::paintEvent(QPaintEvent* /*event*/) {
   }
   int x = -offset_;
   for (const QImage& picture : pictures_) {
-    const QRect cell(x, 2, widthOf(picture), kHeight);
+    const int picture_height = height() - 2 * kMargin;
+    const QRect cell(x, kMargin, widthOf(picture, picture_height), picture_height);
     QPainterPath shape;
     shape.addRoundedRect(cell, 6, 6);
     painter.save();
