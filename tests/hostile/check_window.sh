@@ -16,7 +16,7 @@ interrupt_refinement() {
   local signal=$1 out=$2
   (cd "$work" && exec "${scan[@]}" --out "$out") >"$work/$out.log" 2>&1 &
   local pid=$!
-  while kill -0 $pid 2>/dev/null && ! grep -q "Refining objects" "$work/$out.log"; do sleep 0.05; done
+  while kill -0 $pid 2>/dev/null && ! grep -qs "Refining objects" "$work/$out.log"; do sleep 0.05; done
   kill "-$signal" $pid
   local since=$SECONDS
   wait $pid
