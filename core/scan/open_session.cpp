@@ -18,6 +18,16 @@
 #include "core/scan/session_restorer.h"
 
 namespace scantrove {
+namespace {
+
+/// What a session remembers of objects, without what was said anew of some regions.
+std::string withoutRegions(const std::string& remembered, const std::vector<RegionId>& regions) {
+  RememberedObjects objects = rememberedFrom(remembered);
+  for (const RegionId region : regions) objects.erase(region);
+  return rememberedToText(objects);
+}
+
+}  // namespace
 
 OpenSession::OpenSession(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
@@ -278,6 +288,8 @@ void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, SaidHow how)
 Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome, SaidHow how) {
   if (!outcome) return outcome;
   joinObjects(*outcome, how);
+  if (isNaming(outcome->operation.kind))
+    setFact(kObjectsFact, withoutRegions(fact(kObjectsFact), outcome->operation.regions));
   if (areResultsCurrent()) setFact(kResultsFact, kResultsEdited);
   std::vector<CatalogueStep> steps;
   if (has_catalogue_ && !setup_.database.empty())

@@ -156,6 +156,8 @@ TEST_F(ObjectWords, WithoutItsCatalogueASessionSaysWhatItKept) {
   EXPECT_EQ(labels[one]["name"], "red mug");
   EXPECT_EQ(labels[one]["confirmed"], true);
   EXPECT_THAT(said, testing::AllOf(HasSubstr(catalogue_), HasSubstr("what the session kept")));
+  ASSERT_EQ(tell({"name", "--region", one, "--name", "blue mug"}).exit_code, 0);
+  EXPECT_EQ(region(one)["name"], "blue mug") << "what is said now counts for more";
 }
 
 TEST_F(ObjectWords, ANameOfTheSessionAloneHolds) {
