@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/session/checked_rows.h"
 #include "core/session/row_checks.h"
 
 namespace scantrove::rows {
@@ -14,32 +15,38 @@ constexpr Bounds kIndexShifts{0, 0x7fffffff};
 
 Result<void> writeRecordings(DatabaseConnection& database, const std::vector<SavedRecording>& recordings) {
   for (const SavedRecording& one : recordings) {
-    SCANTROVE_TRY(database.execute(
-        "INSERT OR REPLACE INTO recordings (first_frame, source, index_shift, time_shift_s) VALUES (?, ?, ?, "
-        "?)",
-        {one.first_frame, QString::fromStdString(one.source), one.index_shift, one.time_shift_s}));
+    SCANTROVE_TRY(put(database, "recordings",
+                      {{"first_frame", one.first_frame},
+                       {"source", QString::fromStdString(one.source)},
+                       {"index_shift", one.index_shift},
+                       {"time_shift_s", one.time_shift_s}}));
   }
-  return {};
+  return recordings.empty() ? Result<void>() : seal(database, "recordings");
 }
 
 Result<std::vector<SavedRecording>> readRecordings(DatabaseConnection& database,
                                                    std::vector<std::string>& damages) {
   Result<QSqlQuery> rows = database.execute(
-      "SELECT first_frame, source, index_shift, time_shift_s FROM recordings ORDER BY first_frame");
+      "SELECT first_frame, source, index_shift, time_shift_s, row_check FROM recordings ORDER BY "
+      "first_frame");
   if (!rows) return fail(rows.error());
+  RowAudit audit(*rows);
   std::vector<SavedRecording> recordings;
   int bad = 0;
   while (rows->next()) {
     SavedRecording one{rows->value(0).toInt(), rows->value(1).toString().toStdString(),
                        rows->value(2).toInt(), rows->value(3).toDouble()};
-    const bool is_recording =
-        integerAt(*rows, 0, kCounts) && integerAt(*rows, 2, kIndexShifts) && std::isfinite(one.time_shift_s);
+    const bool is_recording = audit.take(*rows) && integerAt(*rows, 0, kCounts) &&
+                              integerAt(*rows, 2, kIndexShifts) && std::isfinite(one.time_shift_s);
     if (is_recording) recordings.push_back(std::move(one));
     bad += is_recording ? 0 : 1;
   }
   if (bad > 0)
     damages.push_back(std::to_string(bad) + " recordings of the session in " + database.file() +
                       " cannot be read and are left out.");
+  const Result<std::string> rest = audit.close(database, "recordings", "recordings", *rows);
+  if (!rest) return fail(rest.error());
+  if (!rest->empty()) damages.push_back(*rest);
   return recordings;
 }
 

@@ -5,5 +5,6 @@ CREATE TABLE recordings (
   first_frame INTEGER PRIMARY KEY,
   source TEXT NOT NULL,
   index_shift INTEGER NOT NULL,
-  time_shift_s REAL NOT NULL
+  time_shift_s REAL NOT NULL,
+  row_check INTEGER
 );

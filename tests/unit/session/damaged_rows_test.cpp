@@ -33,6 +33,7 @@ SavedDelta soundDelta() {
   delta.key_frames = {key};
   delta.fragments = {{FragmentId{7}, RegionId{3}, 100, {}}};
   delta.regions = {{RegionId{3}, ObjectId{2}, {"cup", "cup", false, true, false}}};
+  delta.recordings = {{1, "demo", 0, 0.5}};
   BorderEvidence evidence;
   evidence.looks = 3;
   delta.borders = {{FragmentId{7}, FragmentId{9}, evidence}};
@@ -83,8 +84,8 @@ TEST_F(SavedSession, NothingIsNamed_WhenRowsAreSound) {
   ASSERT_TRUE(scan);
   EXPECT_THAT((*store)->damages(), IsEmpty());
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
-                scan->borders.size() + scan->operations.size() + scan->pages.size(),
-            8U);
+                scan->borders.size() + scan->operations.size() + scan->pages.size() + scan->recordings.size(),
+            9U);
 }
 
 TEST_P(DamagedRowTest, RowIsLeftOutAndNamed_WhenNoScanWritesIt) {
@@ -95,8 +96,9 @@ TEST_P(DamagedRowTest, RowIsLeftOutAndNamed_WhenNoScanWritesIt) {
   ASSERT_TRUE(scan) << scan.error().message();
   EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().left_out)));
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
-                scan->borders.size() + scan->operations.size() + scan->pages.size() + scan->facts.size(),
-            9U);
+                scan->borders.size() + scan->operations.size() + scan->pages.size() +
+                scan->recordings.size() + scan->facts.size(),
+            10U);
 }
 
 QString operation(const char* regions, const char* moves, const char* said) {
@@ -179,6 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Change{"constraint", "UPDATE borders SET said = 1", "borders"},
                     Change{"border of others", "UPDATE borders SET b = 8", "borders"},
                     Change{"undone", "UPDATE operations SET state = 'undone'", "operations"},
+                    Change{"another recording", "UPDATE recordings SET index_shift = 7", "recordings"},
                     Change{"moved page", "UPDATE pages SET x = 5 WHERE x = 1", "parts of the map"}));
 
 struct Deletion {
@@ -207,6 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Deletion{"key frame", "DELETE FROM key_frames", "1 key frames"},
         Deletion{"fragment", "DELETE FROM fragments", "1 fragments"},
         Deletion{"region", "DELETE FROM regions", "1 regions"},
+        Deletion{"recording", "DELETE FROM recordings", "1 recordings"},
         Deletion{"border", "DELETE FROM borders", "1 borders"},
         Deletion{"operation", "DELETE FROM operations", "1 operations"},
         Deletion{"page", "DELETE FROM pages WHERE x = 1", "1 parts of the map"},
