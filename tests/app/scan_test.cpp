@@ -61,7 +61,7 @@ TEST(Scan, WritesEverythingThatIsPromised) {
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(out / part), fs::directory_iterator()), 3) << part;
   }
-  EXPECT_THAT(readText(out / "cloud.pcd").substr(0, 200), HasSubstr("FIELDS x y z rgba label"));
+  EXPECT_THAT(readText(out / "cloud.pcd").substr(0, 400), HasSubstr("FIELDS x y z rgba label"));
   EXPECT_THAT(readText(out / "cloud.ply").substr(0, 400), HasSubstr("property uint label"));
   EXPECT_TRUE(nlohmann::json::parse(readText(out / "labels.json"), nullptr, false).is_object());
   EXPECT_TRUE(fs::exists(out / "catalogue.sqlite"));
