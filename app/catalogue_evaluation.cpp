@@ -7,7 +7,7 @@
 #include "app/json_output.h"
 #include "app/true_objects.h"
 #include "core/capture/pose_files.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/exchange/label_image_writer.h"
 
 namespace scantrove {

@@ -8,7 +8,7 @@
 #include "app/command.h"
 #include "app/core_application.h"
 #include "app/json_output.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 
 namespace scantrove {
 namespace {

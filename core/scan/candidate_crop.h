@@ -4,7 +4,7 @@
 
 #include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 #include "core/discovery/candidate.h"
 
 namespace scantrove {

@@ -10,7 +10,7 @@
 
 #include "core/base/regular_file.h"
 #include "core/capture/intrinsics.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/dataset/export_text.h"
 #include "core/dataset/image_bytes.h"
 #include "core/dataset/staged_folder.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/catalogue_news.h"
 
 namespace scantrove {

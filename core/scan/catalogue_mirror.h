@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalog/detector.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/detector.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/catalogue_news.h"
 #include "core/scan/known_places.h"
 

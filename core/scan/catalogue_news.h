@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 
 namespace scantrove {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/catalogue_feed.h"
 #include "core/scan/catalogue_news.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 #include "core/scan/scan_snapshot.h"
 
 namespace scantrove {

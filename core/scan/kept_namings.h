@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 
 namespace scantrove {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/catalog/view_sphere.h"
+#include "core/catalogue/view_sphere.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "core/catalog/thumbnail.h"
+#include "core/catalogue/thumbnail.h"
 #include "core/discovery/candidate_finder.h"
 #include "core/scan/candidate_crop.h"
 #include "core/scan/clarity.h"

@@ -13,7 +13,7 @@
 #include "core/base/result.h"
 #include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
 #include "core/labeling/region_map.h"

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/guarded.h"

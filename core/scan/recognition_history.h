@@ -2,7 +2,7 @@
 #include <map>
 #include <optional>
 
-#include "core/catalog/detector.h"
+#include "core/catalogue/detector.h"
 #include "core/discovery/region_set.h"
 
 namespace scantrove {

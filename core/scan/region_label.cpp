@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 
 namespace scantrove {
 namespace {

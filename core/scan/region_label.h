@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 #include "core/editing/region_notes.h"
 
 namespace scantrove {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/capture/color_projection.h"
-#include "core/catalog/thumbnail.h"
-#include "core/catalog/view_sphere.h"
+#include "core/catalogue/thumbnail.h"
+#include "core/catalogue/view_sphere.h"
 #include "core/discovery/region_candidate.h"
 #include "core/scan/candidate_crop.h"
 #include "core/scan/key_frame_choice.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 #include "core/scan/open_session.h"
 
 namespace scantrove {

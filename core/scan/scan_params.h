@@ -1,5 +1,5 @@
 #pragma once
-#include "core/catalog/detection_params.h"
+#include "core/catalogue/detection_params.h"
 #include "core/discovery/discovery_params.h"
 #include "core/fusion/fusion_params.h"
 #include "core/labeling/labeling_params.h"

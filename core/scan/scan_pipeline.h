@@ -10,7 +10,7 @@
 #include "core/base/stage_timer.h"
 #include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/discovery/candidate_finder.h"
 #include "core/discovery/region_judge.h"

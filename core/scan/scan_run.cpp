@@ -13,7 +13,7 @@
 #include "core/base/heap.h"
 #include "core/base/overloaded.h"
 #include "core/base/program_pages.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/collector_memory.h"
 #include "core/scan/guarded.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/scan_run.h"
 
 namespace scantrove {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/scan_run.h"
 #include "core/scan/session_restorer.h"

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/catalogue_edit.h"
 #include "core/scan/first_error.h"
 #include "core/scan/guarded.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/first_error.h"
 #include "core/scan/open_session.h"
 #include "core/scan/session_catalogue.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalog/object_record.h"
+#include "core/catalogue/object_record.h"
 #include "core/editing/region_editor.h"
 
 namespace scantrove {

@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 #include <opencv2/imgproc.hpp>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/exchange/recording_writer.h"
 #include "tests/app/scantrove_program.h"
 

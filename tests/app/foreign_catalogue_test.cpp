@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/database/database_connection.h"
 #include "tests/app/scantrove_program.h"
 #include "tests/support/qt_main_thread.h"

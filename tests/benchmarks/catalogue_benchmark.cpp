@@ -12,7 +12,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/check.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/database/database_connection.h"
 
 namespace scantrove {

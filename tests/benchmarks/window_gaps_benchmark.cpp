@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/region_controller.h"
 #include "ui/main_window/scan_controller.h"

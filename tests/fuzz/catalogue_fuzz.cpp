@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace scantrove::test {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/catalog/thumbnail.h"
+#include "core/catalogue/thumbnail.h"
 
 namespace scantrove::reference {
 

@@ -10,7 +10,7 @@
 #include <opencv2/core.hpp>
 #include <sstream>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 
 namespace scantrove {
 namespace {

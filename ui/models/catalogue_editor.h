@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "ui/models/undo_history.h"
 
 namespace scantrove {

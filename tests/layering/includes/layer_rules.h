@@ -120,7 +120,7 @@ class LayerRules {
         "core/fusion/surface_maps.h",    "core/segmentation/segment_map.h",
         "core/labeling/region_map.h",    "core/labeling/kernels/label_voxel.h",
         "core/meshing/surface_mesh.h",   "core/discovery/candidate.h",
-        "core/discovery/region_set.h",   "core/catalog/object_record.h",
+        "core/discovery/region_set.h",   "core/catalogue/object_record.h",
         "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h"};
     const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
     return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
@@ -132,7 +132,7 @@ class LayerRules {
     const Toolkit toolkit = toolkitOf(header);
     if (toolkit == Toolkit::none) return {};
     if (layer == "core") {
-      static const std::set<std::string> kWithSql{"database", "catalog", "session"};
+      static const std::set<std::string> kWithSql{"database", "catalogue", "session"};
       const bool allowed =
           kWithSql.contains(part) && (toolkit == Toolkit::qt_core || toolkit == Toolkit::qt_sql);
       return allowed ? "" : "core knows no Qt (but QtCore and QtSql where data are kept) and no VTK";
@@ -167,7 +167,7 @@ class LayerRules {
     // Modules that are built on others.
     static const std::map<std::string, std::set<std::string>> kStandsOn{
         {"editing", {"labeling"}},
-        {"catalog", {"database"}},
+        {"catalogue", {"database"}},
         {"session", {"database", "editing", "labeling", "fusion"}}};
     if (const auto found = kStandsOn.find(part); found != kStandsOn.end() && found->second.contains(to_part))
       return {};

@@ -35,15 +35,16 @@ TEST(LayerRules, ModulesStandInTheirOrder) {
               ElementsAre(HasSubstr("stands on nothing")));
   EXPECT_THAT(LayerRules::broken({{"core/compute/a.h", {"core/capture/intrinsics.h"}}}),
               ElementsAre(HasSubstr("base alone")));
-  EXPECT_THAT(LayerRules::broken({{"core/catalog/a.h", {"core/scan/scan_params.h"}}}),
+  EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.h", {"core/scan/scan_params.h"}}}),
               ElementsAre(HasSubstr("no module knows scan")));
-  EXPECT_THAT(LayerRules::broken({{"core/scan/a.cpp", {"core/fusion/raycaster.h", "core/catalog/detector.h"}},
-                                  {"core/fusion/b.cpp", {"core/compute/buffer.h", "core/base/result.h"}}}),
-              IsEmpty());
+  EXPECT_THAT(
+      LayerRules::broken({{"core/scan/a.cpp", {"core/fusion/raycaster.h", "core/catalogue/detector.h"}},
+                          {"core/fusion/b.cpp", {"core/compute/buffer.h", "core/base/result.h"}}}),
+      IsEmpty());
 }
 
 TEST(LayerRules, ImagesAreReadByAllAndKnowNobody) {
-  EXPECT_THAT(LayerRules::broken({{"core/catalog/a.cpp", {"core/image/png_decoder.h"}}}), IsEmpty());
+  EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.cpp", {"core/image/png_decoder.h"}}}), IsEmpty());
   EXPECT_THAT(LayerRules::broken({{"core/image/a.cpp", {"core/capture/intrinsics.h"}}}),
               ElementsAre(HasSubstr("image stands on base alone")));
 }
@@ -79,13 +80,13 @@ TEST(LayerRules, ModulesKnowPlainDataOnly) {
 TEST(LayerRules, CoreHasNoToolkitButSqlInTheCatalogue) {
   EXPECT_THAT(LayerRules::broken({{"core/capture/a.cpp", {"QString"}}}),
               ElementsAre(HasSubstr("core knows no Qt")));
-  EXPECT_THAT(LayerRules::broken({{"core/catalog/a.cpp", {"QImage"}}}),
+  EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.cpp", {"QImage"}}}),
               ElementsAre(HasSubstr("core knows no Qt")));
-  EXPECT_THAT(LayerRules::broken({{"core/catalog/a.cpp", {"QtWidgets/QLabel"}}}),
+  EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.cpp", {"QtWidgets/QLabel"}}}),
               ElementsAre(HasSubstr("no Qt")));
   EXPECT_THAT(LayerRules::broken({{"core/scan/a.cpp", {"vtkSmartPointer.h"}}}),
               ElementsAre(HasSubstr("no VTK")));
-  EXPECT_THAT(LayerRules::broken({{"core/catalog/a.cpp", {"QSqlDatabase", "QByteArray", "QtCore/QFile"}}}),
+  EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.cpp", {"QSqlDatabase", "QByteArray", "QtCore/QFile"}}}),
               IsEmpty());
 }
 

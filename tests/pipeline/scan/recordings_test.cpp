@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/capture/trajectory_reader.h"
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/evaluation/trajectory_metrics.h"
 #include "tests/support/recordings.h"
 #include "tests/support/scan_session_runner.h"

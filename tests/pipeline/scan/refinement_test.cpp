@@ -8,7 +8,7 @@
 #include <numeric>
 #include <opencv2/core.hpp>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/open_session.h"
 #include "core/scan/refinement_memory.h"
 #include "core/session/session_store.h"

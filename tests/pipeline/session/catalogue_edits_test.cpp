@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "tests/pipeline/session/scan_session_fixture.h"
 #include "tests/support/other_program.h"
 

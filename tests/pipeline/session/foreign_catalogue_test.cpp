@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/open_session.h"
 #include "tests/pipeline/session/scan_session_fixture.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 #include "core/scan/open_session.h"
 #include "core/scan/session_catalogue.h"
 #include "tests/pipeline/session/scan_session_fixture.h"

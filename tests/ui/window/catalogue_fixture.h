@@ -4,7 +4,7 @@
 #include <QTemporaryDir>
 #include <opencv2/core.hpp>
 
-#include "core/catalog/object_database.h"
+#include "core/catalogue/object_database.h"
 
 namespace scantrove::test {
 

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "tests/support/temporary_folder.h"
-#include "tests/unit/catalog/catalog_test_support.h"
+#include "tests/unit/catalogue/catalogue_test_support.h"
 
 namespace scantrove {
 namespace {

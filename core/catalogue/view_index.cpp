@@ -1,0 +1,149 @@
+#include "core/catalogue/view_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace scantrove {
+namespace {
+
+constexpr int kMostSamples = 256;  // views that the components are fitted to
+constexpr float kGrowthToRefit = 1.5F;
+constexpr int kEnoughViews = 2000;          // the components of so many are those of more: fitted no more
+constexpr std::size_t kWaitingViews = 256;  // whose pixels wait for their coordinates
+constexpr float kColorUnit = 40;            // CIE units of mean colour that count as 1 of distance
+
+using Coarse = decltype(Thumbnail::coarse);
+
+Eigen::VectorXf toVector(const Coarse& coarse) {
+  return Eigen::Map<const Eigen::Matrix<std::int8_t, Eigen::Dynamic, 1>>(coarse.data(), coarse.size())
+      .cast<float>();
+}
+
+Coarse mirrored(const Coarse& coarse) {
+  Coarse result;
+  for (std::size_t row = 0; row < coarse.size(); row += Thumbnail::kCoarseSide) {
+    const auto begin = coarse.begin() + static_cast<std::ptrdiff_t>(row);
+    std::reverse_copy(begin, begin + Thumbnail::kCoarseSide,
+                      result.begin() + static_cast<std::ptrdiff_t>(row));
+  }
+  return result;
+}
+
+float colorDistance(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return (a - b).squaredNorm() / (kColorUnit * kColorUnit);
+}
+
+/// A size of zero is unknown and fits all.
+bool sizesAgree(float a, float b, float tolerance) {
+  return !(a > 0 && b > 0) || std::abs(a - b) <= tolerance * std::max(a, b);
+}
+
+/// The half and more of something larger.
+bool isPartOf(float diagonal_m, float whole_m) {
+  return diagonal_m < whole_m && diagonal_m >= 0.5F * whole_m;
+}
+
+}  // namespace
+
+std::uint32_t ViewIndex::ownerOf(ObjectId first_object) {
+  const auto [entry, is_new] = owners_.try_emplace(first_object, static_cast<std::uint32_t>(holders_.size()));
+  if (is_new) holders_.emplace_back();
+  return entry->second;
+}
+
+void ViewIndex::setHolder(const ObjectHolder& entry) { holders_[ownerOf(entry.object)] = entry.holder; }
+
+ObjectId ViewIndex::holderOf(ObjectId object) const {
+  const auto found = owners_.find(object);
+  return found == owners_.end() ? ObjectId{} : holders_[found->second];
+}
+
+void ViewIndex::append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
+  views_.push_back(
+      {ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), PrincipalComponents::Coordinates::Zero()});
+  coarse_.push_back(thumbnail.coarse);
+  if (size() >= kEnoughViews && coarse_.size() >= kWaitingViews) updateComponents();
+}
+
+void ViewIndex::updateComponents() {
+  if (size() < kFewViews) return;
+  const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
+  if (views_at_fit_ < kEnoughViews && grown) {
+    const int samples = std::min(size(), kMostSamples);
+    Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
+    for (int i = 0; i < samples; ++i) {
+      const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
+      rows.row(i) = toVector(coarse_[place]).transpose();
+    }
+    components_ = PrincipalComponents::fit(rows);
+    views_at_fit_ = size();
+    projected_ = 0;
+  }
+  const std::size_t first_coarse = views_.size() - coarse_.size();
+  for (; projected_ < views_.size(); ++projected_) {
+    views_[projected_].coordinates = components_.project(toVector(coarse_[projected_ - first_coarse]));
+  }
+  if (views_at_fit_ >= kEnoughViews) coarse_ = {};
+}
+
+std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) {
+  updateComponents();
+  const float diagonal_m = query.size_m.norm();
+  PrincipalComponents::Coordinates straight = PrincipalComponents::Coordinates::Zero(), flipped = straight;
+  const bool prune = !components_.isEmpty();
+  if (prune) {
+    straight = components_.project(toVector(query.thumbnail.coarse));
+    flipped = components_.project(toVector(mirrored(query.thumbnail.coarse)));
+  }
+  struct Ranked {
+    float distance;
+    int place;
+    bool operator<(const Ranked& other) const {
+      return distance < other.distance || (distance == other.distance && place < other.place);
+    }
+  };
+  std::vector<Ranked> ranked;
+  for (int place = 0; place < size(); ++place) {
+    const View& view = views_[static_cast<std::size_t>(place)];
+    const float color = colorDistance(query.thumbnail.mean_lab, view.mean_lab);
+    if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
+        !holders_[view.owner])
+      continue;
+    const float distance = prune ? std::min((straight - view.coordinates).squaredNorm(),
+                                            (flipped - view.coordinates).squaredNorm())
+                                 : color;
+    ranked.push_back({distance, place});
+  }
+  if (prune && ranked.size() > static_cast<std::size_t>(std::max(limits.shortlist, 1))) {
+    const auto end = ranked.begin() + std::max(limits.shortlist, 1);
+    std::nth_element(ranked.begin(), end, ranked.end());
+    ranked.erase(end, ranked.end());
+  }
+  std::ranges::sort(ranked, std::less<>());
+  std::vector<int> places(ranked.size());
+  std::ranges::transform(ranked, places.begin(), &Ranked::place);
+  return places;
+}
+
+std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> holders, const Query& query,
+                                    const Limits& limits) const {
+  std::vector<int> places;
+  if (holders.empty()) return places;
+  const float diagonal_m = query.size_m.norm();
+  for (int place = 0; place < size(); ++place) {
+    const View& view = views_[static_cast<std::size_t>(place)];
+    const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
+                      isPartOf(diagonal_m, view.diagonal_m);
+    if (fits && std::ranges::find(holders, holders_[view.owner]) != holders.end() &&
+        colorDistance(query.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
+      places.push_back(place);
+  }
+  return places;
+}
+
+float ViewIndex::colorTerm(const Thumbnail& query, int place) const {
+  return colorDistance(query.mean_lab, views_[static_cast<std::size_t>(place)].mean_lab);
+}
+
+}  // namespace scantrove

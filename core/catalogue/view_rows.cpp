@@ -1,0 +1,122 @@
+#include "core/catalogue/view_rows.h"
+
+#include <spdlog/spdlog.h>
+
+#include <QVariant>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/catalogue/image_blob.h"
+#include "core/catalogue/object_rows.h"
+#include "core/database/database_connection.h"
+
+namespace scantrove {
+namespace {
+
+Result<void> storeImages(DatabaseConnection& connection, qlonglong view, const ViewSummary& summary) {
+  if (summary.descriptor) {
+    const Thumbnail& thumbnail = *summary.descriptor;
+    const QByteArray fine(reinterpret_cast<const char*>(thumbnail.fine.data()),
+                          static_cast<qsizetype>(thumbnail.fine.size()));
+    SCANTROVE_TRY(connection.execute(
+        "INSERT OR REPLACE INTO descriptors (view, mean_l, mean_a, mean_b, fine) VALUES (?, ?, ?, ?, ?)",
+        {view, thumbnail.mean_lab.x(), thumbnail.mean_lab.y(), thumbnail.mean_lab.z(), fine}));
+  }
+  if (!summary.picture_jpeg.isEmpty()) {
+    SCANTROVE_TRY(connection.execute("INSERT OR REPLACE INTO pictures (view, jpeg) VALUES (?, ?)",
+                                     {view, summary.picture_jpeg}));
+  }
+  return {};
+}
+
+float medianOf(std::vector<float> values) {
+  const std::size_t half = values.size() / 2;
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(half));
+  if (values.size() % 2 == 1) return values[half];
+  const float below = *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half));
+  return (below + values[half]) / 2;
+}
+
+}  // namespace
+
+Result<void> insertSummary(DatabaseConnection& connection, const ObjectView& view,
+                           const ViewSummary& summary) {
+  const auto id = static_cast<qlonglong>(view.id);
+  QVariantList values{id,
+                      view.object.value,
+                      summary.object_pixels,
+                      view.size_m.x(),
+                      view.size_m.y(),
+                      view.size_m.z(),
+                      orNull(view.session)};
+  for (int i = 0; i < 3; ++i) {
+    values << (view.centroid_world ? QVariant((*view.centroid_world)[i])
+                                   : QVariant(QMetaType(QMetaType::Float)));
+  }
+  SCANTROVE_TRY(connection.execute(
+      "INSERT INTO view_summaries (view, first_object, object_pixels, size_x_m, size_y_m, size_z_m, session,"
+      " place_x_m, place_y_m, place_z_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      values));
+  return storeImages(connection, id, summary);
+}
+
+Result<ObjectId> summariseStoredView(DatabaseConnection& connection, std::int64_t id) {
+  const auto view_id = static_cast<qlonglong>(id);
+  Result<QSqlQuery> query =
+      connection.execute("SELECT object, color, mask FROM views WHERE id = ?", {view_id});
+  if (!query) return fail(query.error());
+  ObjectView view;
+  ViewSummary summary;
+  if (query->next()) {
+    view.object = ObjectId{query->value(0).toUInt()};
+    const QByteArray color = query->value(1).toByteArray(), mask = query->value(2).toByteArray();
+    view.color = decodedImage(color);
+    view.mask = decodedImage(mask);
+    std::string flaw = flawOf(view);
+    if (view.color.empty() && !color.isEmpty()) flaw = "its colour is not an image";
+    if (view.mask.empty() && !mask.isEmpty()) flaw = "its mask is not an image";
+    if (flaw.empty()) {
+      summary = summarise(view);
+    } else {
+      warnOfView(connection, id, view.object, flaw);
+    }
+  }
+  SCANTROVE_TRY(connection.execute("UPDATE view_summaries SET object_pixels = ? WHERE view = ?",
+                                   {summary.object_pixels, view_id}));
+  SCANTROVE_TRY(storeImages(connection, view_id, summary));
+  return view.object;
+}
+
+Result<void> refreshObject(DatabaseConnection& connection, ObjectId object) {
+  Result<QSqlQuery> query = connection.execute(
+      "SELECT v.id, s.size_x_m, s.size_y_m, s.size_z_m FROM views v JOIN view_summaries s ON s.view = v.id"
+      " WHERE v.object = ? ORDER BY s.object_pixels DESC, v.id DESC",
+      {object.value});
+  if (!query) return fail(query.error());
+  std::array<std::vector<float>, 3> sides;
+  QVariant best_view{QMetaType(QMetaType::LongLong)};
+  while (query->next()) {
+    if (best_view.isNull()) best_view = query->value(0);
+    const Eigen::Vector3f size(query->value(1).toFloat(), query->value(2).toFloat(),
+                               query->value(3).toFloat());
+    if (!size.allFinite() || size.isZero()) continue;
+    for (int i = 0; i < 3; ++i) sides[static_cast<std::size_t>(i)].push_back(size[i]);
+  }
+  SCANTROVE_TRY(
+      connection.execute("UPDATE objects SET best_view = ? WHERE id = ?", {best_view, object.value}));
+  if (best_view.isNull()) return {};  // hidden: its own size comes back with its views
+  // No view of its own says how large it is: the size was that of another, which it was one with.
+  const bool is_unknown = sides[0].empty();
+  SCANTROVE_TRY(connection.execute("UPDATE objects SET size_x_m = ?, size_y_m = ?, size_z_m = ? WHERE id = ?",
+                                   {is_unknown ? 0 : medianOf(sides[0]), is_unknown ? 0 : medianOf(sides[1]),
+                                    is_unknown ? 0 : medianOf(sides[2]), object.value}));
+  return {};
+}
+
+void warnOfView(const DatabaseConnection& connection, std::int64_t view, ObjectId object,
+                const std::string& flaw) {
+  spdlog::warn("View {} of object {} in {} is left out: {}.", view, object.value, connection.file(), flaw);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,117 @@
+#include <array>
+
+#include "catalogue_test_support.h"
+#include "core/database/database_connection.h"
+#include "core/database/transaction.h"
+
+namespace scantrove {
+namespace {
+
+using test::askSqlite;
+using test::CatalogueTest;
+using test::openOrFail;
+using test::randomView;
+
+class AppliedEdits : public CatalogueTest {
+ protected:
+  /// What a session does when a region is named: several calls that belong together.
+  static Result<std::string> nameNewObject(ObjectDatabase& database) {
+    const Result<std::int64_t> session = database.beginSession("a scan");
+    if (!session) return fail(session.error());
+    const Result<ObjectRecord> object = database.addObject(randomView(0));
+    if (!object) return fail(object.error());
+    ObjectView view = randomView(1);
+    view.object = object->id;
+    const Result<std::int64_t> added = database.addView(view);
+    if (!added) return fail(added.error());
+    const Result<ObjectNaming> naming = database.nameByPerson(object->id, "cup");
+    if (!naming) return fail(naming.error());
+    SCANTROVE_TRY(database.endSession(*session));
+    return std::to_string(object->id.value);
+  }
+  /// Rows in all tables that an edit writes into.
+  [[nodiscard]] std::string rows() const {
+    return askSqlite(
+        file(),
+        "SELECT (SELECT count(*) FROM sessions) || ' ' || (SELECT count(*) FROM objects) || ' ' ||"
+        " (SELECT count(*) FROM views) || ' ' || (SELECT count(*) FROM view_summaries) || ' ' ||"
+        " (SELECT count(*) FROM events) || ' ' || (SELECT count(*) FROM applied_edits)");
+  }
+};
+
+TEST_F(AppliedEdits, IsCarriedOutOnceForEachToken) {
+  const auto database = openOrFail(file());
+  int runs = 0;
+  const auto edit = [&] {
+    ++runs;
+    return nameNewObject(*database);
+  };
+  const Result<std::string> first = database->applyOnce("a", edit);
+  ASSERT_TRUE(first) << first.error().message();
+  EXPECT_EQ(database->applyOnce("a", edit).value_or(""), *first) << "what it said then";
+  EXPECT_EQ(openOrFail(file())->applyOnce("a", edit).value_or(""), *first) << "another program, later";
+  EXPECT_EQ(runs, 1);
+  EXPECT_EQ(database->objects()->size(), 1U);
+}
+
+TEST_F(AppliedEdits, LeavesNothing_WhenAnyOfItsStepsFails) {
+  const auto database = openOrFail(file());
+  const std::string before = rows();
+  // Each table in turn cannot be written into: the edit fails at another of its steps.
+  for (const char* table : {"sessions", "events", "objects", "views", "view_summaries", "descriptors",
+                            "pictures", "applied_edits"}) {
+    const auto rename = [&](const QString& from, const QString& to) {
+      askSqlite(file(), QString("ALTER TABLE %1 RENAME TO %2").arg(from, to));
+    };
+    rename(table, "taken_away");
+    EXPECT_FALSE(database->applyOnce("a", [&] { return nameNewObject(*database); })) << table;
+    rename("taken_away", table);
+    EXPECT_EQ(rows(), before) << table;
+  }
+  EXPECT_TRUE(database->applyOnce("a", [&] { return nameNewObject(*database); })) << "the next try";
+  EXPECT_EQ(database->objects()->size(), 1U);
+}
+
+TEST_F(AppliedEdits, APartThatFailsIsUndoneAlone) {
+  const auto database = openOrFail(file());
+  const Result<std::string> done = database->applyOnce("a", [&]() -> Result<std::string> {
+    const Result<ObjectRecord> object = database->addObject(randomView(0));
+    if (!object) return fail(object.error());
+    const std::array<ObjectId, 2> pair{object->id, ObjectId{77}};
+    EXPECT_FALSE(database->remove(pair)) << "there is no object 77";
+    return std::to_string(object->id.value);
+  });
+  ASSERT_TRUE(done) << done.error().message();
+  EXPECT_EQ(database->objects()->size(), 1U) << "it was not removed with the other";
+}
+
+TEST_F(AppliedEdits, NothingFollowsATransactionThatTheDatabaseTookBack) {
+  openOrFail(file());
+  const auto connection = DatabaseConnection::open(file());
+  ASSERT_TRUE(connection);
+  ASSERT_TRUE((*connection)->execute("CREATE TABLE filler (bytes BLOB)"));
+  const auto insert = [&](int kilobytes) -> Result<void> {
+    SCANTROVE_TRY(
+        (*connection)->execute("INSERT INTO filler VALUES (?)", {QByteArray(1024 * kilobytes, 'x')}));
+    return {};
+  };
+  const auto countRows = [&] { return askSqlite(file(), "SELECT count(*) FROM filler"); };
+  const Result<void> outer = inTransaction(**connection, [&]() -> Result<void> {
+    SCANTROVE_TRY(insert(1));
+    const Result<void> inner = inTransaction(**connection, [&]() -> Result<void> {
+      // As a full disk does, and ROLLBACK TO can then not.
+      SCANTROVE_TRY((*connection)->execute("ROLLBACK"));
+      return fail("The disk is full.");
+    });
+    EXPECT_FALSE(inner);
+    EXPECT_FALSE(insert(1)) << "it would be committed by itself";
+    return {};
+  });
+  EXPECT_FALSE(outer);
+  EXPECT_EQ(countRows(), "0");
+  EXPECT_TRUE(inTransaction(**connection, [&] { return insert(1); })) << "the connection is usable again";
+  EXPECT_EQ(countRows(), "1");
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "catalogue_test_support.h"
+
+namespace scantrove {
+namespace {
+
+using test::askSqlite;
+using test::openOrFail;
+using test::randomView;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct InWords {
+  std::string operator()(const change::Added& c) const { return "added " + id(c.object); }
+  std::string operator()(const change::ViewAdded& c) const {
+    return "view " + std::to_string(c.view) + " of " + id(c.object);
+  }
+  std::string operator()(const change::Renamed& c) const { return id(c.object) + " is now " + c.name; }
+  std::string operator()(const change::Confirmed& c) const {
+    return (c.confirmed ? "confirmed " : "unconfirmed ") + id(c.object);
+  }
+  std::string operator()(const change::Removed& c) const { return "removed " + id(c.object); }
+  std::string operator()(const change::Restored& c) const { return "restored " + id(c.object); }
+  std::string operator()(const change::Merged& c) const { return id(c.from) + " into " + id(c.into); }
+  std::string operator()(const change::Unmerged& c) const { return id(c.from) + " out of " + id(c.into); }
+  std::string operator()(const change::ViewsLeft& c) const { return "views left " + id(c.object); }
+
+  static std::string id(ObjectId object) { return std::to_string(object.value); }
+};
+
+class CatalogueChangesTest : public test::CatalogueTest {
+ protected:
+  /// What `database` reports since the last question, in words.
+  std::vector<std::string> news(ObjectDatabase& database) {
+    const Result<CatalogueChanges> changes = database.changesAfter(last_event_);
+    if (!changes) return {changes.error().message()};
+    last_event_ = changes->last_event;
+    std::vector<std::string> words;
+    for (const CatalogueChange& change : changes->changes) words.push_back(std::visit(InWords(), change));
+    return words;
+  }
+  std::int64_t last_event_ = 0;
+};
+
+TEST_F(CatalogueChangesTest, OneConnectionHearsWhatAnotherDid) {
+  const auto window = openOrFail(file()), worker = openOrFail(file());
+  EXPECT_EQ(*window->lastEvent(), 0);
+  EXPECT_THAT(news(*window), IsEmpty());
+
+  ObjectView view = randomView(0);
+  view.session = *worker->beginSession("demo");
+  const ObjectId a = worker->addObject(view)->id, b = worker->addObject(randomView(1))->id;
+  EXPECT_THAT(news(*window), ElementsAre("added 1", "view 1 of 1", "added 2", "view 2 of 2"));
+  EXPECT_EQ(last_event_, *window->lastEvent());
+  EXPECT_THAT(news(*window), IsEmpty());
+
+  EXPECT_TRUE(window->rename(a, "mug \xC3\xA4 \"x\""));
+  EXPECT_TRUE(window->setConfirmed({&b, 1}, true));
+  EXPECT_TRUE(window->setConfirmed({&b, 1}, true));  // no change, nothing to tell
+  EXPECT_FALSE(window->rename(b, "mug \xC3\xA4 \"x\""));
+  EXPECT_THAT(news(*worker), ElementsAre("1 is now mug \xC3\xA4 \"x\"", "confirmed 2"));
+
+  const ObjectMerge merge = *window->merge(std::array{a, b});
+  EXPECT_THAT(news(*worker), ElementsAre("2 into 1", "confirmed 1"));
+  view.object = b;
+  EXPECT_TRUE(worker->addView(view));
+  EXPECT_THAT(news(*window), ElementsAre("view 3 of 1"));
+  EXPECT_TRUE(window->unmerge(merge));
+  EXPECT_THAT(news(*worker), ElementsAre("2 out of 1", "unconfirmed 1"));
+
+  EXPECT_TRUE(window->remove(std::array{a, b}));
+  EXPECT_TRUE(window->restore({&b, 1}));
+  EXPECT_TRUE(worker->endSession(view.session));
+  EXPECT_THAT(news(*worker), ElementsAre("removed 1", "removed 2", "restored 2"));
+}
+
+TEST_F(CatalogueChangesTest, EventsThatMakeNoSenseAreLeftOut) {
+  const auto database = openOrFail(file());
+  ASSERT_TRUE(database->addObject(randomView(0)));
+  askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'juggle', 1)");
+  askSqlite(file(), "INSERT INTO events (created, action, after_json) VALUES ('', 'rename', '{}')");
+  askSqlite(file(), "INSERT INTO events (created, action, object, after_json) VALUES ('', 'rename', 1, '[')");
+  askSqlite(file(), "INSERT INTO events (created, action, object) VALUES ('', 'merge', 1)");
+  EXPECT_THAT(news(*database), ElementsAre("added 1", "view 1 of 1"));
+  EXPECT_EQ(last_event_, *database->lastEvent());
+}
+
+TEST_F(CatalogueChangesTest, EventsKeepWhatWasBefore) {
+  const auto database = openOrFail(file());
+  const ObjectId a = database->addObject(randomView(0))->id, b = database->addObject(randomView(1))->id;
+  EXPECT_TRUE(database->rename(a, "mug"));
+  EXPECT_TRUE(database->merge(std::array{a, b}));
+  EXPECT_EQ(askSqlite(file(), "SELECT before_json FROM events WHERE action = 'rename'"),
+            R"({"confirmed":false,"hidden":false,"name":"Obj_1","named_by_person":false})");
+  EXPECT_EQ(askSqlite(file(), "SELECT after_json FROM events WHERE action = 'merge'"),
+            R"({"confirmed":false,"hidden":true,"merged_into":1,"name":"Obj_2","named_by_person":false})");
+}
+
+}  // namespace
+}  // namespace scantrove

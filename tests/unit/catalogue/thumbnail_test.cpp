@@ -1,0 +1,121 @@
+#include "core/catalogue/thumbnail.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "core/catalogue/principal_components.h"
+
+namespace scantrove {
+namespace {
+
+cv::Mat texture(const cv::Size& size) {
+  cv::RNG random(4);
+  cv::Mat small(6, 6, CV_8UC3), image;
+  random.fill(small, cv::RNG::UNIFORM, 0, 256);
+  cv::resize(small, image, size, 0, 0, cv::INTER_LINEAR);
+  return image;
+}
+
+cv::Mat leftHalf(const cv::Size& size) {
+  cv::Mat mask(size, CV_8UC1, cv::Scalar(0));
+  mask(cv::Rect(0, 0, size.width / 2, size.height)).setTo(255);
+  return mask;
+}
+
+TEST(Thumbnail, IsNormalisedOverTheObjectAndZeroBehindIt) {
+  for (const cv::Size size : {cv::Size(32, 32), cv::Size(200, 90), cv::Size(10, 14)}) {
+    const std::optional<Thumbnail> thumbnail = makeThumbnail(texture(size), leftHalf(size));
+    ASSERT_TRUE(thumbnail);
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0, squares = 0;
+      for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) {
+          const double value = thumbnail->fine[c * 1024 + static_cast<std::size_t>(y * 32 + x)] / 32.0;
+          if (x < 14) sum += value, squares += value * value;
+          if (x > 18) {
+            EXPECT_EQ(value, 0);
+          }
+        }
+      }
+      EXPECT_NEAR(sum / (14 * 32), 0, 0.35) << size;  // the two blended columns carry the rest
+      EXPECT_NEAR(squares / (14 * 32), 1, 0.35) << size;
+    }
+  }
+}
+
+TEST(Thumbnail, IgnoresTheBackground) {
+  const cv::Size size(60, 40);
+  cv::Mat other = texture(size);
+  other(cv::Rect(30, 0, 30, 40)).setTo(cv::Scalar(255, 0, 200));
+  EXPECT_EQ(makeThumbnail(texture(size), leftHalf(size))->fine, makeThumbnail(other, leftHalf(size))->fine);
+}
+
+TEST(Thumbnail, IgnoresContrastAndKeepsTheMeanColour) {
+  const cv::Size size(64, 64);
+  const cv::Mat mask(size, CV_8UC1, cv::Scalar(255));
+  // Grey: CIELAB's L is then a function of one value, nearly linear over a small range.
+  cv::Mat gray, half;
+  cv::cvtColor(texture(size), gray, cv::COLOR_BGR2GRAY);
+  gray.convertTo(half, CV_8U, 0.25, 100);
+  gray.convertTo(gray, CV_8U, 0.5, 70);
+  cv::cvtColor(half, half, cv::COLOR_GRAY2BGR);
+  cv::cvtColor(gray, gray, cv::COLOR_GRAY2BGR);
+  const Thumbnail a = *makeThumbnail(gray, mask), b = *makeThumbnail(half, mask);
+  double difference = 0;
+  for (std::size_t i = 0; i < 1024; ++i) difference += std::abs(a.fine[i] - b.fine[i]) / 32.0;
+  EXPECT_LT(difference / 1024, 0.15);
+  const Thumbnail red = *makeThumbnail(cv::Mat(size, CV_8UC3, cv::Scalar(0, 0, 255)), mask);
+  EXPECT_LT((red.mean_lab - Eigen::Vector3f(53.2F, 80.1F, 67.2F)).norm(), 1.0F);  // CIELAB of sRGB red
+}
+
+TEST(Thumbnail, AUniformObjectIsZero) {
+  const cv::Mat gray(50, 40, CV_8UC3, cv::Scalar(120, 120, 120));
+  const Thumbnail thumbnail = *makeThumbnail(gray, cv::Mat(gray.size(), CV_8UC1, cv::Scalar(255)));
+  for (const std::int8_t value : thumbnail.fine) EXPECT_EQ(value, 0);
+}
+
+TEST(Thumbnail, NeedsColourAndPixels) {
+  const cv::Mat color = texture({20, 20});
+  EXPECT_FALSE(makeThumbnail(color, cv::Mat(20, 20, CV_8UC1, cv::Scalar(0))));
+  EXPECT_FALSE(makeThumbnail(cv::Mat(), cv::Mat()));
+  EXPECT_FALSE(makeThumbnail(cv::Mat(), cv::Mat(20, 20, CV_8UC1, cv::Scalar(255))));
+}
+
+TEST(PrincipalComponents, FindsTheDirectionsOfMostVariance) {
+  // 19 axes with deviations 40, 38, ..., 4 in a turned frame, noise of 0.1 in the other 41.
+  constexpr int kRows = 200, kColumns = 60;
+  std::mt19937 random(2);
+  std::normal_distribution<float> normal;
+  const auto draw = [&] { return normal(random); };
+  const Eigen::MatrixXf turn =
+      Eigen::HouseholderQR<Eigen::MatrixXf>(Eigen::MatrixXf::NullaryExpr(kColumns, kColumns, draw))
+          .householderQ();
+  Eigen::MatrixXf rows(kRows, kColumns);
+  for (int j = 0; j < kColumns; ++j) {
+    const float deviation = j < 19 ? 40.0F - 2.0F * static_cast<float>(j) : 0.1F;
+    for (int i = 0; i < kRows; ++i) rows(i, j) = deviation * draw() + 3.0F;
+  }
+  rows = rows * turn.transpose();
+  const PrincipalComponents components = PrincipalComponents::fit(rows);
+  const Eigen::MatrixXf& axes = components.axes();
+  ASSERT_EQ(axes.cols(), 19);
+  EXPECT_LT((axes.transpose() * axes - Eigen::MatrixXf::Identity(19, 19)).norm(), 1e-4F);
+  // The 19 span the large directions: nothing but the noise is lost.
+  const Eigen::MatrixXf centred = rows.rowwise() - rows.colwise().mean();
+  EXPECT_LT((centred - centred * axes * axes.transpose()).norm() / std::sqrt(static_cast<float>(kRows)),
+            0.1F * 7);
+  // Ordered by variance.
+  Eigen::VectorXf variance = (centred * axes).colwise().squaredNorm();
+  for (int i = 1; i < 19; ++i) EXPECT_LE(variance[i], variance[i - 1] * 1.0001F);
+  const float between = (components.project(rows.row(0)) - components.project(rows.row(1))).norm();
+  EXPECT_LE(between, (rows.row(0) - rows.row(1)).norm() * 1.0001F);
+}
+
+}  // namespace
+}  // namespace scantrove
