@@ -15,9 +15,6 @@ namespace {
 constexpr float kLeastFit = 0.7F;
 /// The same of a whole of several regions, whose views may be of one of them.
 constexpr float kLeastFitOfWhole = 0.6F;
-/// Of RatedSets: from there on something is about as likely a whole as not; below, what was an object is none
-/// any more. Of what is between this and even odds about half is whole on random rooms.
-constexpr float kWhole = -0.2F;
 /// So many looks at what the scan took for new are held against what earlier scans know.
 constexpr int kLooksBack = 4;
 
@@ -110,16 +107,6 @@ void ObjectCollector::beginLookingAgain() {
   for (KeptView& view : kept_views_) view.is_outdated = view.is_of_what_left = false;
 }
 
-void ObjectCollector::rate(int frame_index, const std::vector<Candidate>& candidates) {
-  rated_.add(frame_index, candidates);
-}
-
-std::vector<RegionSet> ObjectCollector::ratedWholes() const {
-  std::vector<RegionSet> wholes;
-  for (const RatedSets::Rated& rated : rated_.disjoint(kWhole)) wholes.push_back(rated.regions);
-  return wholes;
-}
-
 bool ObjectCollector::isByPerson(ObjectId object) const {
   const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
   return holder == nullptr || isSettled(*holder) || by_person_.contains(object) ||
@@ -130,11 +117,11 @@ bool ObjectCollector::staysAsItIs(ObjectId object) const {
   return isByPerson(object) || !CatalogueMirror::isOfThisScan(catalogue_.holderOf(object));
 }
 
-void ObjectCollector::bindWholes() {
+void ObjectCollector::bindComplete(std::span<const CompleteSet> complete) {
   std::set<ObjectId> taken_holders;
-  for (const RatedSets::Rated& rated : rated_.disjoint(kWhole)) {
+  for (const auto& [regions, best_frame] : complete) {
     std::vector<ObjectId> objects;  // that its regions were taken for
-    for (const RegionId region : rated.regions) {
+    for (const RegionId region : regions) {
       const ObjectId object = met_.objectOf(region);
       if (object && !std::ranges::count(objects, object)) objects.push_back(object);
     }
@@ -145,8 +132,8 @@ void ObjectCollector::bindWholes() {
     std::stable_partition(objects.begin(), objects.end(),
                           [this](ObjectId object) { return staysAsItIs(object); });
     if (objects.size() > 1 && staysAsItIs(objects[1])) continue;
-    wholes_.emplace(rated.regions, rated.frame_index);
-    for (const ObjectId object : objects) met_.unbind(rated.regions, object);
+    wholes_.emplace(regions, best_frame);
+    for (const ObjectId object : objects) met_.unbind(regions, object);
     // Two wholes are one object only where a person said so.
     std::erase_if(objects, [&](ObjectId object) {
       return !staysAsItIs(object) && taken_holders.contains(catalogue_.holderOf(object));
@@ -157,18 +144,18 @@ void ObjectCollector::bindWholes() {
       return successorOf(object) == successorOf(objects.front());
     });
     if (!is_with_successor) successor_.erase(objects.front());
-    met_.bind(rated.regions, objects.front());
+    met_.bind(regions, objects.front());
     taken_holders.insert(catalogue_.holderOf(objects.front()));
   }
 }
 
-void ObjectCollector::settleWholes() {
-  bindWholes();
+void ObjectCollector::settleComplete(std::span<const CompleteSet> complete,
+                                     const std::function<bool(RegionId)>& is_unlikely) {
+  bindComplete(complete);
   for (KeptView& view : kept_views_) {
     const std::vector<RegionId> regions = met_.regionsOf(view.object);
     view.is_outdated =
-        !staysAsItIs(view.object) && !regions.empty() &&
-        std::ranges::all_of(regions, [this](RegionId region) { return rated_.isUnlikely(region, kWhole); });
+        !staysAsItIs(view.object) && !regions.empty() && std::ranges::all_of(regions, is_unlikely);
   }
 }
 
@@ -323,7 +310,6 @@ void ObjectCollector::mergeSuccessors() {
 
 void ObjectCollector::endLookingAgain() {
   is_looking_again_ = are_last_looks_ = false;
-  rated_ = {};
   wholes_.clear();
   looks_back_.clear();
   mergeSuccessors();

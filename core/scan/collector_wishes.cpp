@@ -17,12 +17,6 @@ bool ObjectCollector::areOneObject(const RegionSet& regions) const {
          });
 }
 
-void ObjectCollector::addByPerson(RegionId region) {
-  // Of one that was deleted it is no more.
-  if (met_.objectOf(region) && !boundTo(region)) met_.bind({region}, {});
-  wanted_.try_emplace(region);
-}
-
 void ObjectCollector::want(RegionId region, const std::string& name) {
   if (boundTo(region)) return wantNoMore(region);
   met_.bind({region}, {});

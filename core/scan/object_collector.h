@@ -23,7 +23,6 @@
 #include "core/scan/kept_namings.h"
 #include "core/scan/kept_view.h"
 #include "core/scan/met_objects.h"
-#include "core/scan/rated_sets.h"
 #include "core/scan/recognition_history.h"
 #include "core/scan/region_label.h"
 #include "core/scan/scan_report.h"
@@ -83,11 +82,9 @@ class ObjectCollector {
     met_.lookAtPlaces(now, depth_noise_m, frame_);
   }
 
-  /// A person says that the candidate with this region is an object: it is added when it is seen next, whole
-  /// or not.
-  void addByPerson(RegionId region);
-  /// The same where it is no object yet; with a `name`, it gets that then. `name` is what the region is
-  /// called by now.
+  /// A person says that the candidate with this region is an object. Where it is none yet, it is added when
+  /// it is seen next, complete or not; with a `name`, it gets that then. `name` is what the region is called
+  /// by now.
   void want(RegionId region, const std::string& name);
   /// A person says that it is none, or has nothing more to say of it.
   void wantNoMore(RegionId region);
@@ -118,16 +115,21 @@ class ObjectCollector {
                                        const SurfaceInColor& in_color,
                                        const std::vector<Candidate>& candidates);
 
-  // At the end of a scan, when regions do not change any more: begin; rate() what frames of the scan show;
-  // settle what is whole; judge the views of all framesOfViews(); collect() from the frames that were
-  // rated; begin the last looks; collect() from the frames that it names; end.
+  // At the end of a scan, when regions do not change any more: begin; settle what is complete; judge the
+  // views of all framesOfViews(); collect() from the key frames; begin the last looks; collect() from the
+  // frames that it names; end.
 
   void beginLookingAgain();
-  /// What that frame (RgbdFrame::index) shows, with Candidate::wholeness.
-  void rate(int frame_index, const std::vector<Candidate>& candidates);
-  /// From now on the scene is made of the most likely wholes. An object is what its regions are a part of;
-  /// where that is nothing, and nobody spoke of it, it leaves.
-  void settleWholes();
+  /// Regions that are one complete object, and the frame (RgbdFrame::index) that shows it best.
+  struct CompleteSet {
+    RegionSet regions;
+    int best_frame = 0;
+  };
+  /// From now on the scene consists of the `complete` sets, which are disjoint, most likely first. A tracked
+  /// object follows its regions into one of them. `is_unlikely`: the region is no part of a complete object:
+  /// the views of an object of such regions alone are dropped, unless a user has edited it.
+  void settleComplete(std::span<const CompleteSet> complete,
+                      const std::function<bool(RegionId)>& is_unlikely);
   /// Frames (RgbdFrame::index) of which this scan kept views, rising.
   [[nodiscard]] std::vector<int> framesOfViews() const;
   /// Of wholes that are settled: they are one, or wanted.
@@ -137,10 +139,6 @@ class ObjectCollector {
     const ObjectId object = met_.objectOf(region);
     return object && staysAsItIs(object);
   }
-  /// What was rated and is likely to be a whole, no two with a region in common.
-  [[nodiscard]] std::vector<RegionSet> ratedWholes() const;
-  /// The regions that were rated are called otherwise now; `rename` tells how, none: they are none any more.
-  void renameRated(const RatedSets::Rename& rename) { rated_.rename(rename); }
   /// Where that frame was taken, and the size of the image that some views of it are of.
   struct ViewsCamera {
     cv::Size image_px;
@@ -272,7 +270,7 @@ class ObjectCollector {
   /// It is a whole, and no look will show that better.
   [[nodiscard]] bool isLastLook(const Candidate& candidate, const Look& look) const;
   /// The wholes take the objects that their regions were taken for, each one, and none that another has.
-  void bindWholes();
+  void bindComplete(std::span<const CompleteSet> complete);
   /// A person said something of it, or deleted it.
   [[nodiscard]] bool isByPerson(ObjectId object) const;
   /// That, or it is not of this scan alone.
@@ -342,7 +340,6 @@ class ObjectCollector {
   /// New ones that came into the scene; how often each missing one was held against them.
   std::map<ObjectId, std::map<ObjectId, int>> came_;
   bool is_looking_again_ = false;
-  RatedSets rated_;
   std::map<RegionSet, int> wholes_;     // and the frames (RgbdFrame::index) that show them best
   std::map<ObjectId, int> looks_back_;  // by object: looks that were held against those of before
   bool are_last_looks_ = false;

@@ -31,6 +31,7 @@
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/object_collector.h"
+#include "core/scan/rated_sets.h"
 #include "core/scan/scan_params.h"
 #include "core/segmentation/graph_segmenter.h"
 #include "core/tracking/pose_estimate.h"
@@ -201,10 +202,6 @@ class ScanPipeline {
   [[nodiscard]] const RegionTable& regionTable() const { return table_; }
   /// Fragments whose region changed since the last call.
   [[nodiscard]] std::vector<RegionChange> takeRegionChanges();
-  /// A person says that the candidate with this region is an object.
-  void addCandidate(RegionId region) {
-    if (collector_) collector_->addByPerson(region);
-  }
   /// Of the catalogue; none: the region is no object, or nothing is collected.
   [[nodiscard]] ObjectId objectOf(RegionId region) const {
     return collector_ ? collector_->objectOf(region) : ObjectId{};
@@ -330,6 +327,7 @@ class ScanPipeline {
   std::unique_ptr<RegionJudge> judge_;  // while it is looked again, and what is seen then
   std::optional<FinerRegions> finer_;   // until the wholes are settled; and their judge
   std::unique_ptr<RegionJudge> finer_judge_;
+  RatedSets rated_;  // likewise
   SurfaceMaps seen_again_;
   std::unique_ptr<ObjectCollector> collector_;
 

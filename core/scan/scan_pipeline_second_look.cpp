@@ -8,6 +8,10 @@
 namespace scantrove {
 namespace {
 
+/// Of RatedSets: a set of this objectness is about as likely to be a complete object as not; below, an object
+/// is dropped. Of the sets between this and even odds about half are complete in random rooms.
+constexpr float kComplete = -0.2F;
+
 DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intrinsics& K,
                   const Eigen::Isometry3d& T_world_camera) {
   DepthView view{K, T_world_camera, cv::Mat::zeros(K.height, K.width, CV_32FC1)};
@@ -68,6 +72,7 @@ Result<void> ScanPipeline::beginLookingAgain() {
     finer_judge_->askOnlyOf(
         [&finer = *finer_](const RegionSet& regions) { return finer.holdsPart(regions); });
   }
+  rated_ = {};
   collector_->beginLookingAgain();
   return {};
 }
@@ -132,15 +137,17 @@ Result<void> ScanPipeline::rate(const RgbdFrame& frame, const Eigen::Isometry3d&
       for (Candidate& candidate : candidates) candidate.regions = finer_->partsOf(candidate.regions);
       std::ranges::move(findAgain(seen, *finer_judge_, finer_->table()), std::back_inserter(candidates));
     }
-    collector_->rate(frame.index, candidates);
+    rated_.add(frame.index, candidates);
     return {};
   });
 }
 
 Result<void> ScanPipeline::partWholes() {
   RegionEvents events;
-  finer_->apply(collector_->ratedWholes(), table_, *merger_, cloud_->voxelsOfFragments(), events);
-  collector_->renameRated([this](const RegionSet& rated) { return finer_->regionsOf(rated, table_); });
+  std::vector<RegionSet> complete;
+  for (const RatedSets::Rated& rated : rated_.disjoint(kComplete)) complete.push_back(rated.regions);
+  finer_->apply(complete, table_, *merger_, cloud_->voxelsOfFragments(), events);
+  rated_.rename([this](const RegionSet& rated) { return finer_->regionsOf(rated, table_); });
   finer_judge_.reset();
   finer_.reset();
   if (events.parted.empty()) return {};
@@ -154,7 +161,11 @@ Result<void> ScanPipeline::partWholes() {
 Result<void> ScanPipeline::settleWholes() {
   if (!collector_) return {};
   if (finer_judge_) SCANTROVE_TRY(partWholes());
-  collector_->settleWholes();
+  std::vector<ObjectCollector::CompleteSet> complete;
+  for (const RatedSets::Rated& rated : rated_.disjoint(kComplete))
+    complete.push_back({rated.regions, rated.frame_index});
+  collector_->settleComplete(complete,
+                             [this](RegionId region) { return rated_.isUnlikely(region, kComplete); });
   judge_->askOnlyOf([this](const RegionSet& regions) { return collector_->mayBeObject(regions); });
   return {};
 }
@@ -191,6 +202,7 @@ void ScanPipeline::endLookingAgain() {
   finer_judge_.reset();
   finer_.reset();
   seen_again_ = {};
+  rated_ = {};
   collector_->endLookingAgain();
 }
 

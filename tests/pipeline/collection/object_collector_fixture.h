@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/scan/object_collector.h"
+#include "core/scan/rated_sets.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 
@@ -146,6 +147,20 @@ class ObjectCollectorFixture : public testing::Test {
     collector_->lookForThoseMet({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, 0.0015F);
   }
 
+  // The refinement's side.
+
+  void rate(int frame_index, const std::vector<Candidate>& candidates) {
+    rated_.add(frame_index, candidates);
+  }
+  void settleComplete() {
+    constexpr float kLeast = -0.2F;
+    std::vector<ObjectCollector::CompleteSet> complete;
+    for (const RatedSets::Rated& rated : rated_.disjoint(kLeast))
+      complete.push_back({rated.regions, rated.frame_index});
+    collector_->settleComplete(complete, [&](RegionId region) { return rated_.isUnlikely(region, kLeast); });
+    rated_ = {};
+  }
+
   std::vector<ObjectRecord> objects() {
     const Result<std::vector<ObjectRecord>> objects = person_->objects();
     EXPECT_TRUE(objects);
@@ -159,6 +174,7 @@ class ObjectCollectorFixture : public testing::Test {
   std::unique_ptr<ObjectDatabase> person_;  // the window, or another program
   CatalogueWriter::Options writer_{.retry = std::chrono::milliseconds(20)};
   std::unique_ptr<ObjectCollector> collector_;
+  RatedSets rated_;
   bool waits_ = true;  // each frame for all to be stored
   int frame_ = 0;
 

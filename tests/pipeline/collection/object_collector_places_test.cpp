@@ -96,8 +96,8 @@ TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
   const ObjectId taken_for_new = studyPlaced({jarInOtherLight()}, T_now_then_).added.at(0).id;
   static_cast<void>(studyPlaced(three_, T_now_then_));
   collector_->beginLookingAgain();
-  collector_->rate(frame_, {jar_.thing.candidate()});
-  collector_->settleWholes();
+  rate(frame_, {jar_.thing.candidate()});
+  settleComplete();
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   ASSERT_EQ(found.recognised.size(), 1U) << "which is said";
   EXPECT_EQ(found.recognised[0].id, jar_id_);

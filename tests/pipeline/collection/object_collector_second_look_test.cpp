@@ -125,7 +125,7 @@ TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {
 }
 
 TEST_F(SecondLook, WhatAPersonMadeAnObjectStaysOne) {
-  collector_->addByPerson(mug_.region);
+  collector_->want(mug_.region, "");
   ASSERT_EQ(look({mug_}).added.size(), 1U);
   lookAgain(mapWith(mug_, 0.2), {});
   EXPECT_EQ(objects().size(), 1U);

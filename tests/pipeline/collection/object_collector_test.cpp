@@ -166,7 +166,7 @@ TEST_F(ObjectCollectorTest, ARestThatIsCountedToSomethingElseDoesNotMakeThatTheO
 }
 
 TEST_F(ObjectCollectorTest, WhatAPersonMadeAnObjectIsFollowedIntoWhatItIsCountedTo) {
-  collector_->addByPerson(mug_.region);
+  collector_->want(mug_.region, "");
   const ObjectId mug = look({mug_}).added.at(0).id;
   collector_->regionsJoined(RegionId{50}, mug_.region, ObjectCollector::JoinedBy::frames);
   EXPECT_EQ(collector_->objectOf(RegionId{50}), mug);
@@ -290,7 +290,7 @@ TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
   }
   ASSERT_EQ(seen.seen.size(), 1U);
   EXPECT_FALSE(seen.seen[0].object);
-  collector_->addByPerson(mug_.region);
+  collector_->want(mug_.region, "");
   seen = lookAt({part}, {mug_});
   ASSERT_EQ(seen.added.size(), 1U);
   EXPECT_EQ(seen.seen[0].object, seen.added[0].id);

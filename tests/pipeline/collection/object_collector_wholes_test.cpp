@@ -23,8 +23,8 @@ class Wholes : public test::SecondLookFixture {
   /// Mug and box, both wholes and both taken for `object`, part: it is the mug, the likelier one.
   void expectTwoOf(ObjectId object) {
     collector_->beginLookingAgain();
-    collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
-    collector_->settleWholes();
+    rate(3, {judged(mug_, 4), judged(box_, 3)});
+    settleComplete();
     EXPECT_EQ(collector_->objectOf(mug_.region), object);
     EXPECT_FALSE(collector_->objectOf(box_.region));
     collector_->endLookingAgain();
@@ -33,10 +33,10 @@ class Wholes : public test::SecondLookFixture {
 
 TEST_F(Wholes, AWholeBecomesAnObjectByItsBestLookAtTheLatest) {
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 1)});
-  collector_->rate(4, {judged(mug_, 3)});
-  collector_->rate(5, {judged(mug_, 2)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 1)});
+  rate(4, {judged(mug_, 3)});
+  rate(5, {judged(mug_, 2)});
+  settleComplete();
   EXPECT_THAT(collector_->framesOfViews(), testing::IsEmpty()) << "no views were kept";
   frame_ = 5;
   static_cast<void>(lookAt({judged(mug_, 2)}, {mug_}));
@@ -57,9 +57,9 @@ TEST_F(Wholes, WhatTheImageCutsOffIsNoViewUnlessThereIsNoBetterLook) {
   Candidate mug = judged(mug_, 3), box = judged(box_, 3), half_a_box = judged(box_, 4);
   mug.is_cut_off = half_a_box.is_cut_off = true;
   collector_->beginLookingAgain();
-  collector_->rate(3, {mug, half_a_box});
-  collector_->rate(4, {mug, box});
-  collector_->settleWholes();
+  rate(3, {mug, half_a_box});
+  rate(4, {mug, box});
+  settleComplete();
   for (frame_ = 3; frame_ < 9; ++frame_) static_cast<void>(lookAt({mug, half_a_box}, {mug_, box_}));
   EXPECT_TRUE(objects().empty());
   EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3, 4));
@@ -81,13 +81,12 @@ TEST_F(Wholes, APartThatWasRatedBecomesAnObjectAsTheRegionThatItIsThen) {
   Candidate of_rest = judged(box_, -2);
   of_rest.regions = {rest};
   collector_->beginLookingAgain();
-  collector_->rate(3, {rated, of_rest});
-  EXPECT_THAT(collector_->ratedWholes(), testing::ElementsAre(RegionSet{part}));
-  collector_->renameRated([&](const RegionSet& regions) -> std::optional<RegionSet> {
+  rate(3, {rated, of_rest});
+  rated_.rename([&](const RegionSet& regions) -> std::optional<RegionSet> {
     if (regions == RegionSet{part}) return RegionSet{mug_.region};
     return std::nullopt;
   });
-  collector_->settleWholes();
+  settleComplete();
   EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
   frame_ = 3;
   static_cast<void>(lookAt({judged(mug_, 3)}, {mug_}));
@@ -111,8 +110,8 @@ TEST_F(Wholes, RegionsOfWhatAPersonSpokeOfOrDeletedStay) {
 
 TEST_F(Wholes, WhatIsUnlikelyToBeAWholeIsNoneHoweverOftenItIsSeen) {
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, -2)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, -2)});
+  settleComplete();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, -2)}, {mug_}));
   EXPECT_THAT(collector_->beginLastLooks(), testing::IsEmpty());
   collector_->endLookingAgain();
@@ -128,8 +127,8 @@ TEST_F(Wholes, AnObjectOfThisScanThatIsUnlikelyToBeOneLeavesUnlessAPersonSpokeOf
   settle();
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, -2), judged(box_, -2)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, -2), judged(box_, -2)});
+  settleComplete();
   collector_->endLookingAgain();
   settle();
   ASSERT_EQ(objects().size(), 1U);
@@ -147,8 +146,8 @@ TEST_F(Wholes, WhatIsAWholeInTheEndWasNotReplaced) {
   static_cast<void>(study({again}));
   ASSERT_EQ(collector_->objectOf(again.region), mug) << "and yet there it is";
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(again, 3), judged(mug_, 3)});
-  collector_->settleWholes();
+  rate(3, {judged(again, 3), judged(mug_, 3)});
+  settleComplete();
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 2U);
@@ -166,8 +165,8 @@ TEST_F(Wholes, WhatAPersonMergedOrBroughtBackStaysHoweverUnlikely) {
   settle();
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, -2), judged(box_, -2), judged(can, -2)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, -2), judged(box_, -2), judged(can, -2)});
+  settleComplete();
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 2U);
@@ -176,8 +175,8 @@ TEST_F(Wholes, WhatAPersonMergedOrBroughtBackStaysHoweverUnlikely) {
 TEST_F(Wholes, WhatTheLastLooksDoNotShowStays) {
   static_cast<void>(study({mug_}));
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(box_, -2)});
-  collector_->settleWholes();
+  rate(3, {judged(box_, -2)});
+  settleComplete();
   collector_->endLookingAgain();
   settle();
   EXPECT_EQ(objects().size(), 1U);
@@ -189,8 +188,8 @@ TEST_F(Wholes, AnObjectIsTheWholeThatItsRegionIsAPartOf) {
   Candidate both = judged(mug_, 3);
   both.regions.add(handle);
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 2), both});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 2), both});
+  settleComplete();
   EXPECT_EQ(collector_->objectOf(handle), mug);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 1)}, {mug_}, 60));
   EXPECT_EQ(framesOfViews(mug).size(), 1U) << "a part of it is no view of it";
@@ -215,10 +214,10 @@ TEST_F(Wholes, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
     std::fill_n(beside, 9 * box_px.width / 10, handle);
   }
   collector_->beginLookingAgain();
-  collector_->rate(3, {both});
+  rate(3, {both});
   const DepthView surface{
       test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
-  collector_->settleWholes();
+  settleComplete();
   for (const int frame : collector_->framesOfViews()) collector_->judgeViewsOf(frame, map, surface, 0.0015F);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({both}, {mug_}));
   collector_->endLookingAgain();
@@ -238,8 +237,8 @@ TEST_F(Wholes, AWholeIsNotTheOneThatStandsWhereItDoes) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as near
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 4), judged(book, 3)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 4), judged(book, 3)});
+  settleComplete();
   for (int i = 0; i < 12; ++i) static_cast<void>(lookAt({judged(book, 3)}, {book}));
   for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
@@ -267,10 +266,10 @@ TEST_F(Wholes, AWholeWithoutAViewThatCountsHasItsBestLookHoweverPoor) {
   ASSERT_EQ(objects().size(), 1U);
   const std::vector<int> before = framesOfViews(objects()[0].id);
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, kPoor)});
+  rate(3, {judged(mug_, kPoor)});
   const DepthView surface{
       test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
-  collector_->settleWholes();
+  settleComplete();
   for (const int frame : collector_->framesOfViews())
     collector_->judgeViewsOf(frame, mapWith(mug_, 0.3), surface, 0.0015F);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, kPoor)}, {mug_}));
@@ -289,8 +288,8 @@ TEST_F(Wholes, WhatWasTakenForNewIsKnownAgainByAClearLookInTheEnd) {
   beginScan();
   ASSERT_EQ(study({unlike, another}).added.size(), 2U) << "as the first looks show them";
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 3), judged(another, 3)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 3), judged(another, 3)});
+  settleComplete();
   for (int i = 0; i < 6; ++i)
     static_cast<void>(lookAt({judged(mug_, 3), judged(another, 3)}, {mug_, another}));
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
@@ -308,8 +307,8 @@ TEST_F(Wholes, WhatTheMapHasElsewhereIsNotWhatWasTakenForNew) {
   collector_->bind(mug_.region, mug);  // a scan that goes on, and has not been back there yet
   ASSERT_EQ(study({unlike}).added.size(), 1U);
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(second, 3)});
-  collector_->settleWholes();
+  rate(3, {judged(second, 3)});
+  settleComplete();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(second, 3)}, {second}));
   EXPECT_NE(collector_->objectOf(second.region), mug);
   collector_->endLookingAgain();
@@ -323,8 +322,8 @@ TEST_F(Wholes, OfTwoOfAKindOnlyOneIsTheOneThatWasKnown) {
   beginScan();
   ASSERT_EQ(study({unlike, another}).added.size(), 2U);
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 3), judged(second, 3)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 3), judged(second, 3)});
+  settleComplete();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 3), judged(second, 3)}, {mug_, second}));
   EXPECT_TRUE((collector_->objectOf(mug_.region) == mug) != (collector_->objectOf(second.region) == mug));
   collector_->endLookingAgain();
@@ -339,8 +338,8 @@ TEST_F(Wholes, TwoWholesAreOneObjectWhereAPersonMergedThem) {
   settle();
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 4), judged(box_, 3)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 4), judged(box_, 3)});
+  settleComplete();
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
   EXPECT_EQ(collector_->objectOf(box_.region), mug);
   collector_->endLookingAgain();
@@ -353,8 +352,8 @@ TEST_F(Wholes, WhatAPersonDeletedIsNotFoundAgain) {
   settle();
   static_cast<void>(collector_->followCatalogue());
   collector_->beginLookingAgain();
-  collector_->rate(3, {judged(mug_, 4)});
-  collector_->settleWholes();
+  rate(3, {judged(mug_, 4)});
+  settleComplete();
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, 4)}, {mug_}));
   static_cast<void>(collector_->beginLastLooks());
   frame_ = 3;
@@ -374,8 +373,8 @@ TEST_F(Wholes, WhatAPersonKeepsApartIsNotOneWhole) {
   Candidate both = judged(mug_, 3);
   both.regions.add(box_.region);
   collector_->beginLookingAgain();
-  collector_->rate(3, {both});
-  collector_->settleWholes();
+  rate(3, {both});
+  settleComplete();
   EXPECT_EQ(collector_->objectOf(mug_.region), mug);
   EXPECT_EQ(collector_->objectOf(box_.region), box);
   collector_->endLookingAgain();

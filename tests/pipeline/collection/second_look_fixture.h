@@ -33,7 +33,7 @@ class SecondLookFixture : public ObjectCollectorFixture {
                  double degrees = 0) {
     const DepthView surface{kWorking, {}, cv::Mat(kWorking.height, kWorking.width, CV_32FC1, surface_m)};
     collector_->beginLookingAgain();
-    collector_->settleWholes();
+    settleComplete();
     for (const int frame : collector_->framesOfViews()) {
       ASSERT_EQ(collector_->camerasOfViews(frame).size(), 1U);
       EXPECT_EQ(collector_->camerasOfViews(frame).front().image_px,
