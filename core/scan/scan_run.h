@@ -53,7 +53,6 @@ class ScanRun {
   /// The last frame's segments as the present parameters give them, for the next snapshot; the map stays as
   /// it is. Error: the device failed.
   [[nodiscard]] Result<void> segmentAgain();
-  void addCandidate(RegionId region) { pipeline_->addCandidate(region); }
 
   /// Does what a person says to the regions, keeps it in the session, and tells how it went.
   void edit(const ScanEdit& edit);

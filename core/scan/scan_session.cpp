@@ -67,9 +67,6 @@ class ScanSession::Worker {
   void skipRefinement() {
     command([this] { commands_.skip_refinement = true; });
   }
-  void addCandidate(RegionId region) {
-    command([&] { commands_.wanted.push_back(region); });
-  }
   void edit(ScanEdit edit) {
     command([&] { commands_.edits.push_back(std::move(edit)); });
   }
@@ -115,7 +112,6 @@ class ScanSession::Worker {
     bool paused = false;
     int steps = 0;
     bool follow_catalogue = false;
-    std::vector<RegionId> wanted;
     std::vector<ScanEdit> edits;
     std::vector<ScanEdit> last_edits;  // of the scan before the one that is asked for
     std::optional<ScanParams> params;
@@ -269,7 +265,6 @@ class ScanSession::Worker {
         run.setParams(*commands.params);
         params_ = *commands.params;
       }
-      for (const RegionId region : commands.wanted) run.addCandidate(region);
       for (const ScanEdit& edit : commands.edits) run.edit(edit);
       if (commands.preview || commands.sample || commands.dataset) refuseExport();
       if (commands.stop) return {};
@@ -328,7 +323,6 @@ class ScanSession::Worker {
     taken.steps = commands_.steps;
     if (commands_.steps > 0) --commands_.steps;
     taken.follow_catalogue = std::exchange(commands_.follow_catalogue, false);
-    taken.wanted = std::exchange(commands_.wanted, {});
     taken.edits = takeEdits();
     taken.params = std::exchange(commands_.params, std::nullopt);
     taken.preview = std::exchange(commands_.preview, std::nullopt);
@@ -367,7 +361,6 @@ void ScanSession::stop() { worker_->stop(); }
 void ScanSession::close() { worker_->close(); }
 void ScanSession::skipRefinement() { worker_->skipRefinement(); }
 void ScanSession::wait() { worker_->wait(); }
-void ScanSession::addCandidate(RegionId region) { worker_->addCandidate(region); }
 void ScanSession::edit(ScanEdit edit) { worker_->edit(std::move(edit)); }
 void ScanSession::showKeyFrame(int place) { worker_->showKeyFrame(place); }
 void ScanSession::previewExport(ExportOptions options) { worker_->previewExport(std::move(options)); }

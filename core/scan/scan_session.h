@@ -174,9 +174,6 @@ class ScanSession {
   void skipRefinement();
   void wait();  ///< until the scan that runs has ended
 
-  /// A person says that the candidate with this region is an object: it is added when it is seen next.
-  void addCandidate(RegionId region);
-
   /// A person does something to the regions: between two frames, or to a session that is open. In order;
   /// Edited or EditFailed follows.
   void edit(ScanEdit edit);

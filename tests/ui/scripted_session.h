@@ -35,7 +35,6 @@ class ScriptedSession final : public SessionPort {
   }
   void close() override { commands.push_back("close"); }
   void skipRefinement() override { commands.push_back("skip refinement"); }
-  void addCandidate(RegionId region) override { added_candidates.push_back(region); }
   void edit(ScanEdit edit) override { edits.push_back(std::move(edit)); }
   void showKeyFrame(int place) override { key_frames_shown.push_back(place); }
   void previewExport(ExportOptions options) override { previews.push_back(std::move(options)); }
@@ -62,7 +61,6 @@ class ScriptedSession final : public SessionPort {
   ScanRequest last_request;
   ScanParams last_params;
   int catalogue_changes = 0;
-  std::vector<RegionId> added_candidates;
   std::vector<ScanEdit> edits;
   std::vector<int> key_frames_shown;
   std::vector<ExportOptions> previews, exports;

@@ -15,7 +15,6 @@ class ScanSessionPort final : public SessionPort {
   void stop() override { session_.stop(); }
   void close() override { session_.close(); }
   void skipRefinement() override { session_.skipRefinement(); }
-  void addCandidate(RegionId region) override { session_.addCandidate(region); }
   void edit(ScanEdit edit) override { session_.edit(std::move(edit)); }
   void showKeyFrame(int place) override { session_.showKeyFrame(place); }
   void previewExport(ExportOptions options) override { session_.previewExport(std::move(options)); }

@@ -27,7 +27,6 @@ class SessionBridge : public QObject {
   void stop() { session_->stop(); }
   void close() { session_->close(); }
   void skipRefinement() { session_->skipRefinement(); }
-  void addCandidate(RegionId region) { session_->addCandidate(region); }
   void edit(const ScanEdit& edit) { session_->edit(edit); }
   void showKeyFrame(int place) { session_->showKeyFrame(place); }
   void previewExport(const ExportOptions& options) { session_->previewExport(options); }

@@ -22,7 +22,6 @@ class SessionPort {
   virtual void stop() = 0;
   virtual void close() = 0;
   virtual void skipRefinement() = 0;
-  virtual void addCandidate(RegionId region) = 0;
   virtual void edit(ScanEdit edit) = 0;
   virtual void showKeyFrame(int place) = 0;
   virtual void previewExport(ExportOptions options) = 0;
