@@ -22,7 +22,7 @@ struct DeviceMemory {
 /// One OpenCL device with its in-order queue and its built programs. Everything on it runs on one thread
 /// (the scan worker's) but what that hands to another, with kernels and buffers of its own; profiling bears
 /// only one. Only construction may fail softly. After that a device fault in the frame path throws
-/// `cl::Error`, which ends at the edges of the scan (core/scan/guarded.h).
+/// `cl::Error`, which ends at the edges of the scan (core/compute/guarded.h).
 class ComputeContext {
  public:
   struct Options {

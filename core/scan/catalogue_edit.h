@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/kept_namings.h"
 #include "core/catalogue/object_database.h"
-#include "core/scan/kept_namings.h"
 #include "core/scan/open_session.h"
 #include "core/scan/pending_edits.h"
 

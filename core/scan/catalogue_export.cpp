@@ -11,12 +11,12 @@
 #include "core/base/regular_file.h"
 #include "core/capture/intrinsics.h"
 #include "core/catalogue/object_database.h"
+#include "core/compute/guarded.h"
 #include "core/dataset/export_text.h"
 #include "core/dataset/image_bytes.h"
 #include "core/dataset/staged_folder.h"
 #include "core/exchange/atomic_file.h"
 #include "core/image/png_encoder.h"
-#include "core/scan/guarded.h"
 
 namespace scantrove {
 namespace {

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/base/thread_priority.h"
+#include "core/compute/guarded.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/label_image_writer.h"
 #include "core/exchange/part_name.h"
 #include "core/image/png_encoder.h"
 #include "core/scan/first_error.h"
-#include "core/scan/guarded.h"
 #include "core/segmentation/upsample_segments.h"
 
 namespace scantrove {

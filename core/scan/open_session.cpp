@@ -8,8 +8,8 @@
 
 #include "core/catalogue/object_database.h"
 #include "core/compute/compute_context.h"
+#include "core/compute/guarded.h"
 #include "core/scan/catalogue_numbers.h"
-#include "core/scan/guarded.h"
 #include "core/scan/refinement_memory.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/session_catalogue.h"

@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/compute/guarded.h"
 #include "core/exchange/atomic_file.h"
 #include "core/exchange/cloud_writer.h"
 #include "core/exchange/label_map_writer.h"
 #include "core/exchange/region_palette.h"
 #include "core/exchange/trajectory_writer.h"
 #include "core/scan/first_error.h"
-#include "core/scan/guarded.h"
 #include "core/scan/report_json.h"
 
 namespace scantrove {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "core/compute/guarded.h"
 #include "core/fusion/contradicted_surface.h"
-#include "core/scan/guarded.h"
 #include "core/scan/map_memory.h"
 
 namespace scantrove {

@@ -1,8 +1,8 @@
 // What a person says of regions while the frames go by, and the catalogue's side of it.
 #include <algorithm>
 
+#include "core/compute/guarded.h"
 #include "core/discovery/region_candidate.h"
-#include "core/scan/guarded.h"
 #include "core/scan/map_view.h"
 #include "core/scan/scan_pipeline.h"
 

@@ -4,8 +4,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/compute/guarded.h"
 #include "core/labeling/region_partition.h"
-#include "core/scan/guarded.h"
 #include "core/scan/scan_pipeline.h"
 
 namespace scantrove {

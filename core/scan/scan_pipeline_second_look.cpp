@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/scan/guarded.h"
+#include "core/compute/guarded.h"
 #include "core/scan/scan_pipeline.h"
 
 namespace scantrove {

@@ -5,8 +5,8 @@
 
 #include "core/base/overloaded.h"
 #include "core/capture/color_projection.h"
+#include "core/compute/guarded.h"
 #include "core/dataset/dataset_export.h"
-#include "core/scan/guarded.h"
 #include "core/scan/key_frame_files.h"
 #include "core/scan/objects_in_view.h"
 #include "core/scan/scan_pipeline.h"

@@ -5,8 +5,8 @@
 #include <mutex>
 #include <thread>
 
+#include "core/compute/guarded.h"
 #include "core/scan/first_error.h"
-#include "core/scan/guarded.h"
 #include "core/scan/scan_review.h"
 #include "core/scan/scan_run.h"
 

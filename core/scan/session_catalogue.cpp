@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/catalogue/object_database.h"
+#include "core/compute/guarded.h"
 #include "core/scan/catalogue_edit.h"
 #include "core/scan/first_error.h"
-#include "core/scan/guarded.h"
 #include "core/scan/session_joining.h"
 
 namespace scantrove {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "core/catalogue/kept_namings.h"
+#include "core/compute/guarded.h"
 #include "core/labeling/evidence_graph.h"
 #include "core/labeling/kernels/label_voxel.h"
-#include "core/scan/guarded.h"
-#include "core/scan/kept_namings.h"
 #include "core/scan/key_frame_files.h"
 
 namespace scantrove {

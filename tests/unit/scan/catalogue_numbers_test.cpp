@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/scan/kept_namings.h"
+#include "core/catalogue/kept_namings.h"
 
 namespace scantrove {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/object_database.h"
-#include "core/scan/catalogue_news.h"
 
 namespace scantrove {
 

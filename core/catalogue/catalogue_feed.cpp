@@ -1,4 +1,4 @@
-#include "core/scan/catalogue_feed.h"
+#include "core/catalogue/catalogue_feed.h"
 
 #include <variant>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "core/scan/catalogue_mirror.h"
+#include "core/catalogue/catalogue_mirror.h"
 
 #include <algorithm>
 #include <array>

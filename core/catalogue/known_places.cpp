@@ -1,4 +1,4 @@
-#include "core/scan/known_places.h"
+#include "core/catalogue/known_places.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/scan/catalogue_writer.h"
+#include "core/catalogue/catalogue_writer.h"
 
 #include <spdlog/spdlog.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/thread_priority.h"
 #include "core/base/urgent_end.h"
-#include "core/scan/guarded.h"
+#include "core/compute/guarded.h"
 
 namespace scantrove {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/scan/guarded.h"
+#include "core/compute/guarded.h"
 
 #include <new>
 

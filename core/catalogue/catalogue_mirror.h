@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/detector.h"
+#include "core/catalogue/known_places.h"
 #include "core/catalogue/object_database.h"
-#include "core/scan/catalogue_news.h"
-#include "core/scan/known_places.h"
 
 namespace scantrove {
 

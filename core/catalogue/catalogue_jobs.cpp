@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/scan/catalogue_writer.h"
-#include "core/scan/guarded.h"
+#include "core/catalogue/catalogue_writer.h"
+#include "core/compute/guarded.h"
 
 namespace scantrove {
 

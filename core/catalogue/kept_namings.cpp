@@ -1,4 +1,4 @@
-#include "core/scan/kept_namings.h"
+#include "core/catalogue/kept_namings.h"
 
 #include <nlohmann/json.hpp>
 

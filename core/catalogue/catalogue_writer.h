@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_feed.h"
+#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/object_database.h"
-#include "core/scan/catalogue_feed.h"
-#include "core/scan/catalogue_news.h"
 
 namespace scantrove {
 
