@@ -32,7 +32,7 @@ bool isInView(const OutlineSteps& outline) {
   return static_cast<float>(outline.cut) <= kMostCut * known && unseen <= kMostUnseen * (known + unseen);
 }
 
-bool isCutOff(const WholenessEvidence& evidence) {
+bool isCutOff(const ObjectnessEvidence& evidence) {
   constexpr float kShown = 0.8F, kCut = 0.3F;
   return evidence.shown < kShown || evidence.cut > kCut;
 }
@@ -46,13 +46,13 @@ void forEachInParallel(std::size_t count, const Work& work) {
 }
 
 /// What the image shows of it.
-WholenessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
+ObjectnessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
                          const DiscoveryInput& input, const DiscoveryParams& params) {
   const RegionExtent& extent = hypothesis.extent;
   const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
     return static_cast<float>(of) / static_cast<float>(steps);
   };
-  WholenessEvidence evidence;
+  ObjectnessEvidence evidence;
   evidence.open = partOfOutline(outline.open);
   evidence.folded = partOfOutline(outline.folded);
   evidence.ridged = partOfOutline(outline.ridged);
@@ -73,7 +73,7 @@ WholenessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps&
   return evidence;
 }
 
-void setKnown(const RegionSamples::Shape& known, WholenessEvidence& evidence) {
+void setKnown(const RegionSamples::Shape& known, ObjectnessEvidence& evidence) {
   evidence.known_bulge = known.bulge;
   evidence.known_flatness = known.box.thickness_ratio;
   evidence.known_size_m = known.box.size_m;
@@ -104,7 +104,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   const auto pixelsOf = [&parts](RegionId region) {
     return std::ranges::find(parts, region, &RegionExtent::region)->pixels;
   };
-  const auto evidenceOf = [&](const RegionHypothesis& hypothesis) -> std::optional<WholenessEvidence> {
+  const auto evidenceOf = [&](const RegionHypothesis& hypothesis) -> std::optional<ObjectnessEvidence> {
     const auto pixels = static_cast<float>(hypothesis.extent.pixels);
     const OutlineSteps outline = outlines.of(hypothesis.regions);
     float shown = 0, largest = 0;
@@ -114,7 +114,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
       largest = std::max(largest, of_region);
     }
     if (!isInView(outline) || shown < kLeastShown * pixels) return std::nullopt;
-    WholenessEvidence evidence = seenOf(hypothesis, outline, input, params_);
+    ObjectnessEvidence evidence = seenOf(hypothesis, outline, input, params_);
     setKnown(shapes_.at(hypothesis.regions), evidence);
     evidence.pixels = pixels * scale;
     evidence.largest_part = largest / pixels;
@@ -131,7 +131,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
            static_cast<float>(hypothesis.extent.pixels) * scale < kLeastPixels ||
            shapeOf(hypothesis.regions).box.size_m[0] > largest_m;
   });
-  std::vector<std::optional<WholenessEvidence>> evidence(hypotheses.size());
+  std::vector<std::optional<ObjectnessEvidence>> evidence(hypotheses.size());
   forEachInParallel(hypotheses.size(), [&](std::size_t i) { evidence[i] = evidenceOf(hypotheses[i]); });
   std::vector<Judged> judged;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {

@@ -7,7 +7,7 @@
 #include "core/discovery/candidate_finder.h"
 #include "core/discovery/region_hypotheses.h"
 #include "core/discovery/region_samples.h"
-#include "core/discovery/wholeness.h"
+#include "core/discovery/objectness/objectness_evidence.h"
 
 namespace scantrove {
 
@@ -24,7 +24,7 @@ class RegionJudge final : public CandidateSource {
 
   struct Judged {
     RegionHypothesis hypothesis;
-    WholenessEvidence evidence;
+    ObjectnessEvidence evidence;
   };
   /// All that are no larger than things are, and of which enough is in view to say. `input.joining_odds` is
   /// asked by several threads at once.

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/labeling/border_trees.h"
+#include "core/labeling/border_features.h"
+#include "embedded/border_model.h"
 
 namespace scantrove {
 namespace {
 
 constexpr float kFullLength_px = 16;  // borders this long count fully
-constexpr float kUsualShift = 7;      // of colours across a border, where none was seen
-/// Taken off the logarithm of the odds. On scenes that trees were not fitted to (border_evidence_fit), 0.884
-/// of the small things and 0.865 of the large ones are over half so; a quarter less 0.883 and 0.871, a
-/// quarter more 0.887 and 0.856.
+/// Taken off the logarithm of the odds. On scenes that the model was not trained on, 0.884 of the small
+/// objects and 0.865 of the large ones are over half so; with 1 it is 0.883 and 0.871, with 1.5 it is 0.887
+/// and 0.856.
 constexpr float kCaution = 1.25F;
 constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
 constexpr float kHolds = 0.01F;    // any other border outweighs it
@@ -82,33 +82,10 @@ void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
   ridged += step * (contact.ridged - ridged);
 }
 
-std::array<float, BorderEvidence::kFeatures> BorderEvidence::features(int voxels_a, int voxels_b) const {
-  const auto [fewer, more] = std::minmax(voxels_a, voxels_b);
-  const float all = std::max(looks, 1e-3F);
-  const ColorComparison seen = colors.value_or(ColorComparison{});
-  return {looks,
-          shared / all,
-          bridged / all,
-          concavity_rad,
-          folded,
-          ridged,
-          color_shift.value_or(kUsualShift),
-          static_cast<float>(fewer),
-          static_cast<float>(more),
-          seen.chroma_difference,
-          seen.difference,
-          step_m,
-          seen.shared,
-          seen.shared_chroma,
-          seen.elsewhere,
-          seen.variety};
-}
-
 float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
-  const std::array<float, kFeatures> x = features(voxels_a, voxels_b);
-  float sum = kBorderPrior - kCaution;
-  for (const BoostedTree<4>& tree : kBorderTrees) sum += tree.valueOf(x);
-  return sum;
+  static const BoostedTrees model = BoostedTrees::embedded(models::border, namesOf(kBorderFeatures));
+  std::array values = valuesOf(kBorderFeatures, {*this, voxels_a, voxels_b});
+  return model.logOdds(values) - kCaution;
 }
 
 void BorderEvidence::addArrival(bool together) { count(together, came_together, came_apart); }

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <optional>
 
 #include "core/labeling/fragment_contacts.h"
@@ -41,14 +40,8 @@ struct BorderEvidence {
   /// Adds that the one was seen as a part of the other by the way it is held, or not.
   void addAttachment(bool is_attached);
 
-  /// What logOdds() asks for.
-  static constexpr std::size_t kFeatures = 16;
-  /// Those of colour, which features() takes for neither alike nor unlike where none was seen.
-  static constexpr std::array<std::size_t, 7> kOfColor{6, 9, 10, 12, 13, 14, 15};
-  [[nodiscard]] std::array<float, kFeatures> features(int voxels_a, int voxels_b) const;
-
-  /// Logarithm of the odds that the two are one thing, by boosted trees of the above; fitted to random
-  /// synthetic scenes, and a little lower: small things suffer more from a wrong join than from a missed one.
+  /// Logarithm of the odds that both belong to one object (resources/models; border_features.h says what it
+  /// weighs), and a little lower: small objects suffer more from a wrong join than from a missed one.
   [[nodiscard]] float logOdds(int voxels_a, int voxels_b) const;
 
   /// What looks add to the balance between two regions: logOdds() + bias; what speaks for joining less as

@@ -1,7 +1,8 @@
 # Texts that become part of the program, byte for byte:
 #  * scantrove_embed_kernels(<module> <file.cl>...): OpenCL sources, see core/compute/kernel_source.h;
 #  * scantrove_embed_program(<module> <file.cl>...): several of them as one;
-#  * scantrove_embed_migrations(<module> <NNN_name.sql>...): a schema, see core/database/migrations.h.
+#  * scantrove_embed_migrations(<module> <NNN_name.sql>...): a schema, see core/database/migrations.h;
+#  * scantrove_embed_model(<module> <name>): resources/models/<name>.json, see core/base/boosted_trees.h.
 # Run as a script (cmake -P) with KIND, ROOT, INPUTS, OUTPUT and MODULE this file is also what writes the C++ source.
 if(CMAKE_SCRIPT_MODE_FILE)
   # The bytes of a text as the elements of an array.
@@ -63,6 +64,23 @@ namespace scantrove::kernels {
 extern const KernelSource ${identifier};
 const KernelSource ${identifier}{\"${path}\", {reinterpret_cast<const char*>(kText), sizeof(kText) - 1}};
 }  // namespace scantrove::kernels
+")
+    return()
+  endif()
+
+  if(KIND STREQUAL "model")
+    file(RELATIVE_PATH path "${ROOT}" "${INPUTS}")
+    get_filename_component(identifier "${INPUTS}" NAME_WE)
+    file(READ "${INPUTS}" text)
+    bytes_of("${text}" bytes)
+    file(WRITE "${OUTPUT}" "// Made from ${path}; do not edit.
+#include \"embedded/${identifier}_model.h\"
+namespace {
+const unsigned char kText[] = {${bytes}};
+}  // namespace
+namespace scantrove::models {
+const ModelFile ${identifier}{\"${path}\", {reinterpret_cast<const char*>(kText), sizeof(kText) - 1}};
+}  // namespace scantrove::models
 ")
     return()
   endif()
@@ -170,4 +188,18 @@ function(scantrove_embed_migrations module)
   list(SORT inputs)
   set(SCANTROVE_EMBED_MODULE ${module})
   scantrove_embed(scantrove_${module} migrations "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded/migrations.cpp" "${inputs}")
+endfunction()
+
+# Reachable as scantrove::models::<name> after #include "embedded/<name>_model.h".
+function(scantrove_embed_model module name)
+  set(generated "${CMAKE_CURRENT_BINARY_DIR}/generated/embedded")
+  file(CONFIGURE OUTPUT "${generated}/${name}_model.h" CONTENT
+"#pragma once
+#include \"core/base/boosted_trees.h\"
+namespace scantrove::models {
+extern const ModelFile ${name};
+}  // namespace scantrove::models
+" @ONLY)
+  scantrove_embed(scantrove_${module} model "${generated}/${name}.cpp" "${PROJECT_SOURCE_DIR}/resources/models/${name}.json")
+  target_include_directories(scantrove_${module} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/generated")
 endfunction()

@@ -8,7 +8,6 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "core/labeling/graph_merger.h"
 #include "core/scan/param_registry.h"
 #include "core/scan/scan_pipeline.h"
 #include "tests/benchmarks/scene_cache.h"
@@ -38,10 +37,6 @@ struct SceneOptions {
     app.add_option("--stride", stride, "every N-th frame")->check(CLI::PositiveNumber);
   }
 
-  /// Of the scenes, as a person would say which they are.
-  [[nodiscard]] std::string text() const {
-    return fmt::format("demo:room:{} and demo:tabletop:{}", fmt::join(rooms, ","), fmt::join(tables, ","));
-  }
   /// Names as after "demo:", of "room" or "tabletop".
   [[nodiscard]] std::vector<std::string> scenesOf(const std::string& kind) const {
     std::vector<std::string> scenes;
@@ -131,36 +126,6 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   scan.seconds = elapsed.count();
   return scan;
-}
-
-/// Called with the number of the scene, what a frame gave and what is known by then, and the true instances
-/// at the working resolution.
-using EvidenceVisit = std::function<void(std::size_t scene, const ScanPipeline&, const EvidenceGraph&,
-                                         const FrameResult&, const cv::Mat& truth)>;
-
-/// Scans all scenes, rooms first, by the graph's rule, and prints a line of each. Returns how many there are.
-inline Result<std::size_t> scanForEvidence(const SceneOptions& options, const EvidenceVisit& visit) {
-  ScanParams params;
-  for (const std::string& setting : options.settings) SCANTROVE_TRY(applySetting(params, setting));
-  params.labeling.rule = LabelingParams::Rule::graph;
-  auto compute = ComputeContext::create({});
-  if (!compute) return fail(compute.error());
-  const SceneCache cache(options.cache);
-  std::vector<std::string> scenes = options.scenesOf("room");
-  std::ranges::copy(options.scenesOf("tabletop"), std::back_inserter(scenes));
-  for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
-    const auto recording = cache.recordingOf(scenes[scene]);
-    if (!recording) return fail(recording.error());
-    const auto scan = scanScene(
-        *recording, params, options, **compute,
-        [&](const ScanPipeline& pipeline, const RgbdFrame&, const FrameResult& result, const cv::Mat& truth) {
-          const auto& merger = dynamic_cast<const GraphMerger&>(pipeline.regionMerger());
-          visit(scene, pipeline, merger.graph(), result, truthIn(truth, pipeline.workingIntrinsics()));
-        });
-    if (!scan) return fail(scan.error());
-    std::fprintf(stderr, "%-18s %d frames, %d lost\n", scenes[scene].c_str(), scan->frames, scan->lost);
-  }
-  return scenes.size();
 }
 
 }  // namespace scantrove::benchmarks

@@ -38,7 +38,7 @@ TEST(RegionJudge, SeesWhatTheThingIsLike) {
   const auto judged = judge(scene);
   ASSERT_EQ(judged.size(), 1U) << "the wall is too large, and nothing is known of it";
   EXPECT_EQ(judged[0].hypothesis.regions, RegionSet{kThing});
-  const WholenessEvidence& evidence = judged[0].evidence;
+  const ObjectnessEvidence& evidence = judged[0].evidence;
   EXPECT_FLOAT_EQ(evidence.pixels, 4 * 40 * 30) << "of an image twice as wide and high";
   EXPECT_FLOAT_EQ(evidence.open, 1) << "the wall lies a metre behind it";
   EXPECT_FLOAT_EQ(evidence.fill, 1);

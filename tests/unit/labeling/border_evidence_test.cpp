@@ -1,9 +1,11 @@
 #include "core/labeling/border_evidence.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
+
+#include "core/labeling/border_features.h"
 
 namespace scantrove {
 namespace {
@@ -281,6 +283,23 @@ TEST(BorderEvidence, WhatOneIsHeldByIsOneWithItUnlessLooksDenyIt) {
   const float before = flat.weight(kVoxels, kVoxels, 0);
   for (int i = 0; i < 20; ++i) flat.addAttachment(false);
   EXPECT_EQ(flat.weight(kVoxels, kVoxels, 0), before);
+}
+
+TEST(BorderEvidence, EveryFeatureThatNeedsColorIsUnknownWithoutIt) {
+  const auto unknownOf = [](const BorderEvidence& border) {
+    std::vector<std::string_view> unknown;
+    for (const Feature<SizedBorder>& feature : kBorderFeatures) {
+      if (std::isnan(feature.of({border, 60, 5000}))) unknown.push_back(feature.name);
+    }
+    return unknown;
+  };
+  BorderEvidence border = after(nearFold(0.3F), 0.4F, 5);
+  EXPECT_THAT(unknownOf(border),
+              testing::ElementsAre("color_shift", "chroma_difference", "color_difference", "shared_colors",
+                                   "shared_chroma", "elsewhere", "variety"));
+  border.color_shift = 3;
+  border.colors = kAlike;
+  EXPECT_THAT(unknownOf(border), testing::IsEmpty());
 }
 
 TEST(BorderEvidence, DoesNotMatterWhichFragmentIsWhich) {

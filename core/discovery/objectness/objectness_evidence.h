@@ -1,7 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
 #include <optional>
 
 #include "core/discovery/color_changes.h"
@@ -11,8 +9,9 @@
 
 namespace scantrove {
 
-/// What one look at some regions, and all that is known of them, says of whether they are one whole thing.
-struct WholenessEvidence {
+/// What one view of some regions, and all that the map knows of them, says of whether they are one complete
+/// object. objectness_features.h says what the model weighs of it.
+struct ObjectnessEvidence {
   float pixels = 0;  ///< that show them, of an image of 320 x 240
   float shown = 1;   ///< the part of all that is known that is in view, hidden or not
   // Of their outline in the image, parts of what is known of it (OutlineSteps).
@@ -35,13 +34,7 @@ struct WholenessEvidence {
   std::optional<ColorLikeness> likeness;
   std::optional<ColorChanges> changes;
 
-  static constexpr std::size_t kFeatures = 32;
-  /// What logOdds() weighs.
-  [[nodiscard]] std::array<float, kFeatures> features() const;
-
-  /// Logarithm of the odds that they are one whole thing and are seen as such: the mean of what two lots of
-  /// boosted trees say (Friedman 2001), which are fitted to different random synthetic scenes. Where real
-  /// scenes show what neither has learned (the back of a chair, above a table) the two disagree.
+  /// Logarithm of the odds that they are one complete object and are seen as such (resources/models).
   [[nodiscard]] float logOdds() const;
 };
 
