@@ -1,13 +1,17 @@
 #include "core/image/color_bytes.h"
 
 #include <libdeflate.h>
+#include <spng.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 
+#include "core/image/file_bytes.h"
 #include "core/image/image_header.h"
+#include "core/image/jpeg_decoder.h"
 
 namespace scantrove {
 
@@ -18,26 +22,11 @@ using MutableBytes = std::span<std::uint8_t>;
 
 constexpr std::uint8_t kUpright = 1;
 
-bool beginsWith(Bytes bytes, std::string_view start) {
-  return bytes.size() >= start.size() &&
-         std::equal(start.begin(), start.end(), bytes.begin(),
-                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
-}
-
-/// A number of `count` bytes; 0 beyond the end.
-std::uint32_t numberAt(Bytes bytes, std::size_t at, std::size_t count, bool is_big_endian) {
-  std::uint32_t value = 0;
-  if (at > bytes.size() || count > bytes.size() - at) return 0;
-  for (std::size_t i = 0; i < count; ++i)
-    value = value << 8 | bytes[at + (is_big_endian ? i : count - 1 - i)];
-  return value;
-}
-
 /// Makes the orientation of a TIFF directory, as Exif is one, upright. Whether it was another.
 bool clearTiffOrientation(MutableBytes tiff) {
   constexpr std::uint32_t kOrientation = 0x0112;
   constexpr std::size_t kEntryBytes = 12;
-  if (!beginsWith(tiff, "II") && !beginsWith(tiff, "MM")) return false;
+  if (!textOf(tiff).starts_with("II") && !textOf(tiff).starts_with("MM")) return false;
   const bool is_big_endian = tiff[0] == 'M';
   const auto number = [&](std::size_t at, std::size_t count) {
     return numberAt(tiff, at, count, is_big_endian);
@@ -64,7 +53,7 @@ bool clearTiffOrientation(MutableBytes tiff) {
 /// The same of XMP: `tiff:Orientation="6"`, or `<tiff:Orientation>6<`.
 bool clearXmpOrientation(MutableBytes xmp) {
   constexpr std::string_view kName = "tiff:Orientation";
-  const std::string_view text(reinterpret_cast<const char*>(xmp.data()), xmp.size());
+  const std::string_view text = textOf(xmp);
   bool is_changed = false;
   for (std::size_t at = text.find(kName); at != std::string_view::npos; at = text.find(kName, at + 1)) {
     const std::size_t digit = text.find_first_not_of(" \t\r\n=\"'>", at + kName.size());
@@ -90,7 +79,7 @@ void clearJpegOrientation(MutableBytes jpeg) {
     if (length < 2 || length > jpeg.size() - at - 2) return;
     const MutableBytes content = jpeg.subspan(at + 4, length - 2);
     if (jpeg[at + 1] == kApplication1) {
-      if (beginsWith(content, kExif) && content.size() > kExifHeader) {
+      if (textOf(content).starts_with(kExif) && content.size() > kExifHeader) {
         clearTiffOrientation(content.subspan(kExifHeader));
       } else {
         clearXmpOrientation(content);
@@ -106,7 +95,7 @@ bool isHiddenMetadata(Bytes content) {
   constexpr std::array kNames{"Raw profile type exif\0"sv, "Raw profile type APP1\0"sv,
                               "Raw profile type xmp\0"sv, "XML:com.adobe.xmp\0\1"sv};
   return std::any_of(kNames.begin(), kNames.end(),
-                     [&](std::string_view name) { return beginsWith(content, name); });
+                     [&](std::string_view name) { return textOf(content).starts_with(name); });
 }
 
 std::string clearPngOrientation(std::string& png) {
@@ -119,9 +108,10 @@ std::string clearPngOrientation(std::string& png) {
     if (length > bytes.size() - at - kFrame) break;
     const MutableBytes typed = bytes.subspan(at + 4, length + 4);
     const MutableBytes content = typed.subspan(4);
-    const bool is_text = beginsWith(typed, "tEXt") || beginsWith(typed, "zTXt") || beginsWith(typed, "iTXt");
-    const bool is_changed = (beginsWith(typed, "eXIf") && clearTiffOrientation(content)) ||
-                            (beginsWith(typed, "iTXt") && clearXmpOrientation(content));
+    const bool is_text = textOf(typed).starts_with("tEXt") || textOf(typed).starts_with("zTXt") ||
+                         textOf(typed).starts_with("iTXt");
+    const bool is_changed = (textOf(typed).starts_with("eXIf") && clearTiffOrientation(content)) ||
+                            (textOf(typed).starts_with("iTXt") && clearXmpOrientation(content));
     if (is_changed) {
       const std::uint32_t sum = libdeflate_crc32(0, typed.data(), typed.size());
       for (std::size_t i = 0; i < 4; ++i)
@@ -133,40 +123,25 @@ std::string clearPngOrientation(std::string& png) {
   return kept.append(png, at);
 }
 
-/// Channels by the frame header (SOF), bits a channel in front of them.
-bool isPlainJpeg(Bytes jpeg) {
-  std::size_t at = 2;
-  while (numberAt(jpeg, at, 1, true) == 0xFF) {
-    const std::uint32_t type = numberAt(jpeg, at + 1, 1, true);
-    if (type == 0xFF) {  // fill byte
-      ++at;
-      continue;
-    }
-    if (type >= 0xC0 && type <= 0xCF && type != 0xC4 && type != 0xC8 && type != 0xCC)
-      return numberAt(jpeg, at + 4, 1, true) == 8 && numberAt(jpeg, at + 9, 1, true) == 3;
-    at += 2 + std::size_t{numberAt(jpeg, at + 2, 2, true)};
-  }
-  return false;
-}
-
-/// Color type 2 of 8 bits, without one of its colors being declared transparent.
+/// Without one of its colors being declared transparent.
 bool isPlainPng(Bytes png) {
-  constexpr std::size_t kBitsAt = 24, kSignature = 8, kFrame = 12;
-  if (numberAt(png, kBitsAt, 1, true) != 8 || numberAt(png, kBitsAt + 1, 1, true) != 2) return false;
-  for (std::size_t at = kSignature; png.size() >= at + kFrame;) {
-    const Bytes type = png.subspan(at + 4, 4);
-    if (beginsWith(type, "tRNS")) return false;
-    if (beginsWith(type, "IDAT")) return true;
-    at += kFrame + std::size_t{numberAt(png, at, 4, true)};
-  }
-  return false;
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> decoder(spng_ctx_new(0), &spng_ctx_free);
+  spng_ihdr header{};
+  spng_trns transparency{};
+  return spng_set_png_buffer(decoder.get(), png.data(), png.size()) == 0 &&
+         spng_get_ihdr(decoder.get(), &header) == 0 && header.bit_depth == 8 &&
+         header.color_type == SPNG_COLOR_TYPE_TRUECOLOR &&
+         spng_get_trns(decoder.get(), &transparency) == SPNG_ECHUNKAVAIL;
 }
 
 }  // namespace
 
 bool isPlainColor(Bytes bytes) {
   const auto format = imageFormat(bytes);
-  if (format == ImageFormat::jpeg) return isPlainJpeg(bytes);
+  if (format == ImageFormat::jpeg) {
+    const auto header = readJpegHeader(bytes);
+    return header && header->is_color;
+  }
   return format == ImageFormat::png && isPlainPng(bytes);
 }
 

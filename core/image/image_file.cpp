@@ -1,15 +1,16 @@
 #include "core/image/image_file.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <exception>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <span>
 #include <vector>
 
 #include "core/base/regular_file.h"
-#include "core/image/depth_png.h"
 #include "core/image/image_header.h"
-#include "core/image/image_integrity.h"
 #include "core/image/jpeg_decoder.h"
-#include "core/image/other_formats.h"
 #include "core/image/png_decoder.h"
 
 namespace scantrove {
@@ -43,27 +44,34 @@ Result<cv::Mat> readImage(const std::filesystem::path& file, Decode& decode) {
 
 /// The format, once it is sure that decoding is worth trying.
 Result<ImageFormat> checkImage(Bytes bytes, const std::string& name) {
-  if (const std::string damage = findImageDamage(bytes); !damage.empty()) {
-    return fail(name + " " + damage + ".");
-  }
+  if (bytes.empty()) return fail(name + " is empty.");
   const auto format = imageFormat(bytes);
   const auto size = imageSize(bytes);
   if (!format || !size) {
-    return fail(name + " cannot be decoded: it is damaged or no image.",
+    return fail(name + " cannot be decoded: it is damaged, truncated or no image.",
                 "Images are PNG, JPEG, PPM, PGM, BMP or TIFF files.");
   }
   SCANTROVE_TRY(checkImageSize(*size, name));
+  if (bytes.size() < leastImageBytes(bytes))
+    return fail(name + " is truncated (" + std::to_string(bytes.size()) + " bytes).");
   return *format;
 }
 
-bool isTextPnm(Bytes bytes) { return bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '3'; }
-
-/// OpenCV reads a number of a text PNM by the blank behind it, which the last one may lack.
-Result<cv::Mat> decodeOther(Bytes bytes, PictureWay way, const std::string& name) {
-  if (!isTextPnm(bytes)) return decodeOtherFormat(bytes, way, name);
-  std::vector<std::uint8_t> ended(bytes.begin(), bytes.end());
-  ended.push_back('\n');
-  return decodeOtherFormat(ended, way, name);
+/// By OpenCV. `flags`: cv::ImreadModes.
+Result<cv::Mat> decodeOther(Bytes bytes, int flags, const std::string& name) {
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
+  // OpenCV reads a number of a text PNM by the blank behind it, which the last one may lack.
+  const bool is_text = bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '3';
+  if (is_text) copy.push_back('\n');
+  std::string reason;
+  try {
+    cv::Mat image = cv::imdecode(copy, flags);
+    if (!image.empty()) return image;
+  } catch (const std::exception& exception) {
+    reason = std::string(" (") + exception.what() + ")";
+  }
+  return fail(name + " cannot be decoded: it is damaged or truncated" + reason + ".");
 }
 
 std::string describe(const cv::Mat& image) {
@@ -78,32 +86,19 @@ std::string describe(const cv::Mat& image) {
 
 Result<cv::Mat> decodeGreyImage(Bytes bytes, const std::string& name) {
   const auto format = checkImage(bytes, name);
-  if (!format) {
-    return fail(format.error());
-  }
-  if (isDepthPng(bytes)) {
-    return decodeDepthPng(bytes, name);
-  }
-  if (*format == ImageFormat::png) {
-    return decodeGreyPng(bytes, name);
-  }
+  if (!format) return fail(format.error());
+  if (*format == ImageFormat::png) return decodeGreyPng(bytes, name);
   return *format == ImageFormat::jpeg ? decodeJpeg(bytes, name)
-                                      : decodeOther(bytes, PictureWay::as_it_is, name);
+                                      : decodeOther(bytes, cv::IMREAD_UNCHANGED, name);
 }
 
 Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
   const auto format = checkImage(bytes, name);
-  if (!format) {
-    return fail(format.error());
-  }
-  switch (*format) {
-    case ImageFormat::png:
-      return decodeColorPng(bytes, name);
-    case ImageFormat::jpeg:
-      return decodeJpeg(bytes, name);
-    default:
-      return decodeOther(bytes, PictureWay::to_color, name);
-  }
+  if (!format) return fail(format.error());
+  if (*format == ImageFormat::png) return decodeColorPng(bytes, name);
+  return *format == ImageFormat::jpeg
+             ? decodeJpeg(bytes, name)
+             : decodeOther(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION, name);
 }
 
 Result<cv::Mat> decodeDepthImage(Bytes bytes, const std::string& name) {
@@ -116,10 +111,8 @@ Result<cv::Mat> decodeDepthImage(Bytes bytes, const std::string& name) {
                 "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
   }
   for (int y = 0; y < image->rows; ++y) {
-    std::uint16_t* const row = image->ptr<std::uint16_t>(y);
-    for (int x = 0; x < image->cols; ++x) {
-      row[x] = row[x] == UINT16_MAX ? std::uint16_t{0} : row[x];
-    }
+    auto* const row = image->ptr<std::uint16_t>(y);
+    std::replace(row, row + image->cols, std::uint16_t{UINT16_MAX}, std::uint16_t{0});
   }
   return image;
 }

@@ -9,9 +9,9 @@
 
 namespace scantrove {
 
-/// Decodes a colour image (PNG, JPEG, PNM, BMP, TIFF) to CV_8UC3, BGR (grey ones are spread over three
-/// channels; rotation tags are ignored). Error: names `name`; truncated, damaged, too large (see
-/// image_header.h).
+/// Decodes a color image to CV_8UC3, BGR (grey ones are spread over three channels; rotation tags are
+/// ignored): PNG by libspng, JPEG by TurboJPEG, PNM, BMP and TIFF by OpenCV. Error: names `name`; truncated,
+/// damaged, too large (see image_header.h).
 [[nodiscard]] Result<cv::Mat> decodeColorImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Decodes an image of one channel as it is: depths, labels. (JPEGs, of which there are none, become BGR.)

@@ -1,9 +1,15 @@
 #include "core/image/image_header.h"
 
+#include <spng.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
+
+#include "core/image/file_bytes.h"
+#include "core/image/jpeg_decoder.h"
 
 namespace scantrove {
 
@@ -11,72 +17,33 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Numbers of `count` bytes at any place of a file; 0 beyond its end.
-class Numbers {
- public:
-  Numbers(Bytes bytes, bool is_big_endian) : bytes_(bytes), is_big_endian_(is_big_endian) {}
-
-  [[nodiscard]] std::uint32_t at(std::size_t position, std::size_t count) const {
-    std::uint32_t value = 0;
-    if (position > bytes_.size() || count > bytes_.size() - position) {
-      return 0;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      value = value << 8 | bytes_[position + (is_big_endian_ ? i : count - 1 - i)];
-    }
-    return value;
-  }
-
- private:
-  Bytes bytes_;
-  bool is_big_endian_;
-};
-
-bool startsWith(Bytes bytes, std::string_view start) {
-  return bytes.size() >= start.size() &&
-         std::equal(start.begin(), start.end(), bytes.begin(),
-                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
-}
-
 ImageSize pngSize(Bytes bytes) {
-  const Numbers numbers(bytes, true);
-  return {numbers.at(16, 4), numbers.at(20, 4)};
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> decoder(spng_ctx_new(0), &spng_ctx_free);
+  spng_ihdr header{};
+  const bool is_read = spng_set_png_buffer(decoder.get(), bytes.data(), bytes.size()) == 0 &&
+                       spng_get_ihdr(decoder.get(), &header) == 0;
+  return is_read ? ImageSize{header.width, header.height} : ImageSize{};
 }
 
-/// In the frame header (SOF0 to SOF15 but for the tables DHT, JPG and DAC), which the other segments precede.
 ImageSize jpegSize(Bytes bytes) {
-  const Numbers numbers(bytes, true);
-  std::size_t at = 2;
-  while (numbers.at(at, 1) == 0xFF) {
-    const std::uint32_t type = numbers.at(at + 1, 1);
-    if (type == 0xFF) {  // fill byte
-      ++at;
-      continue;
-    }
-    if (type >= 0xC0 && type <= 0xCF && type != 0xC4 && type != 0xC8 && type != 0xCC) {
-      return {numbers.at(at + 7, 2), numbers.at(at + 5, 2)};
-    }
-    at += 2 + numbers.at(at + 2, 2);
-  }
-  return {};
+  const JpegHeader header = readJpegHeader(bytes).value_or(JpegHeader{});
+  return {static_cast<std::uint32_t>(header.size.width), static_cast<std::uint32_t>(header.size.height)};
 }
 
 struct PnmHeader {
   ImageSize size;
-  std::uint32_t largest_value = 1;  ///< P1 and P4 (bits) have none
-  std::size_t bytes = 0;            ///< of the header; the pixels follow
+  std::uint32_t largest_value = 1;  ///< of a bitmap, which does not tell
+  std::uint64_t bytes = 0;          ///< of the header; the pixels follow
 };
 
-/// "P5", width, height, largest value, separated by blanks and lines of comment; one blank before the pixels.
+/// "P5", width, height and largest value, separated by blanks and lines of comment; one blank follows.
 PnmHeader readPnmHeader(Bytes bytes) {
-  const std::string_view whole(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  std::string_view text = whole.substr(2);
+  std::string_view text = textOf(bytes).substr(2);
   const auto next = [&] {
     std::uint32_t value = 0;
     std::size_t begin = text.find_first_not_of(" \t\r\n");
-    while (begin != std::string_view::npos && text[begin] == '#') {
+    while (begin != std::string_view::npos && text[begin] == '#')
       begin = text.find_first_not_of(" \t\r\n", text.find('\n', begin));
-    }
     text.remove_prefix(std::min(begin, text.size()));
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
@@ -85,98 +52,81 @@ PnmHeader readPnmHeader(Bytes bytes) {
   PnmHeader header;
   header.size.width = next();
   header.size.height = next();
-  if (whole[1] != '1' && whole[1] != '4') {
-    header.largest_value = next();
-  }
-  header.bytes = whole.size() - text.size() + 1;
+  if (bytes[1] != '1' && bytes[1] != '4') header.largest_value = next();
+  header.bytes = bytes.size() - text.size() + 1;
   return header;
-}
-
-/// Of a binary PNM: its header and pixels.
-std::uint64_t pnmBytes(Bytes bytes) {
-  const PnmHeader header = readPnmHeader(bytes);
-  const std::uint64_t width = header.size.width;
-  const std::uint64_t bytes_of_value = header.largest_value > 255 ? 2 : 1;
-  switch (bytes[1]) {
-    case '4':
-      return header.bytes + (width + 7) / 8 * header.size.height;
-    case '5':
-      return header.bytes + width * header.size.height * bytes_of_value;
-    case '6':
-      return header.bytes + width * header.size.height * bytes_of_value * 3;
-    default:
-      return header.bytes;
-  }
 }
 
 /// The height is negative where rows run from the top.
 ImageSize bmpSize(Bytes bytes) {
-  const Numbers numbers(bytes, false);
+  const auto number = [&](std::size_t at, std::size_t count) { return numberAt(bytes, at, count, false); };
   constexpr std::uint32_t kOldHeader = 12;
-  if (numbers.at(14, 4) == kOldHeader) {
-    return {numbers.at(18, 2), numbers.at(20, 2)};
-  }
-  const auto height = static_cast<std::int32_t>(numbers.at(22, 4));
-  return {numbers.at(18, 4), static_cast<std::uint32_t>(std::abs(std::int64_t{height}))};
+  if (number(14, 4) == kOldHeader) return {number(18, 2), number(20, 2)};
+  const auto height = static_cast<std::int32_t>(number(22, 4));
+  return {number(18, 4), static_cast<std::uint32_t>(std::abs(std::int64_t{height}))};
 }
 
 /// Tags 256 and 257 of the first directory, which may lie anywhere in the file.
 ImageSize tiffSize(Bytes bytes) {
-  const Numbers numbers(bytes, bytes[0] == 'M');
-  const std::size_t directory = numbers.at(4, 4);
+  const auto number = [&](std::size_t at, std::size_t count) {
+    return numberAt(bytes, at, count, bytes[0] == 'M');
+  };
+  const std::size_t directory = number(4, 4);
   ImageSize size;
-  for (std::size_t i = 0; i < numbers.at(directory, 2); ++i) {
+  for (std::size_t i = 0; i < number(directory, 2); ++i) {
     const std::size_t entry = directory + 2 + 12 * i;
-    const std::size_t bytes_of_value = numbers.at(entry + 2, 2) == 3 ? 2 : 4;  // a short or a long
-    const std::uint32_t value = numbers.at(entry + 8, bytes_of_value);
-    if (numbers.at(entry, 2) == 256) size.width = value;
-    if (numbers.at(entry, 2) == 257) size.height = value;
+    const std::uint32_t value = number(entry + 8, number(entry + 2, 2) == 3 ? 2 : 4);  // a short or a long
+    if (number(entry, 2) == 256) size.width = value;
+    if (number(entry, 2) == 257) size.height = value;
   }
   return size;
+}
+
+ImageSize sizeOf(ImageFormat format, Bytes bytes) {
+  switch (format) {
+    case ImageFormat::png:
+      return pngSize(bytes);
+    case ImageFormat::jpeg:
+      return jpegSize(bytes);
+    case ImageFormat::pnm:
+      return readPnmHeader(bytes).size;
+    case ImageFormat::bmp:
+      return bmpSize(bytes);
+    case ImageFormat::tiff:
+      return tiffSize(bytes);
+  }
+  return {};
 }
 
 }  // namespace
 
 std::optional<ImageFormat> imageFormat(Bytes bytes) {
   using namespace std::string_view_literals;
-  if (startsWith(bytes, "\x89PNG\r\n\x1A\n")) return ImageFormat::png;
-  if (startsWith(bytes, "\xFF\xD8")) return ImageFormat::jpeg;
-  if (startsWith(bytes, "BM")) return ImageFormat::bmp;
-  if (startsWith(bytes, "II*\0"sv) || startsWith(bytes, "MM\0*"sv)) return ImageFormat::tiff;
+  const std::string_view text = textOf(bytes);
+  if (text.starts_with("\x89PNG\r\n\x1A\n")) return ImageFormat::png;
+  if (text.starts_with("\xFF\xD8")) return ImageFormat::jpeg;
+  if (text.starts_with("BM")) return ImageFormat::bmp;
+  if (text.starts_with("II*\0"sv) || text.starts_with("MM\0*"sv)) return ImageFormat::tiff;
   if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') return ImageFormat::pnm;
   return std::nullopt;
 }
 
 std::optional<ImageSize> imageSize(Bytes bytes) {
   const auto format = imageFormat(bytes);
-  if (!format) {
-    return std::nullopt;
-  }
-  ImageSize size;
-  switch (*format) {
-    case ImageFormat::png:
-      size = pngSize(bytes);
-      break;
-    case ImageFormat::jpeg:
-      size = jpegSize(bytes);
-      break;
-    case ImageFormat::pnm:
-      size = readPnmHeader(bytes).size;
-      break;
-    case ImageFormat::bmp:
-      size = bmpSize(bytes);
-      break;
-    case ImageFormat::tiff:
-      size = tiffSize(bytes);
-      break;
-  }
+  if (!format) return std::nullopt;
+  const ImageSize size = sizeOf(*format, bytes);
   return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
 }
 
 std::uint64_t leastImageBytes(Bytes bytes) {
   const auto format = imageFormat(bytes);
-  if (format == ImageFormat::pnm) return pnmBytes(bytes);
-  return format == ImageFormat::bmp ? Numbers(bytes, false).at(2, 4) : 0;
+  if (format == ImageFormat::bmp) return numberAt(bytes, 2, 4, false);
+  if (format != ImageFormat::pnm || bytes[1] <= '3') return 0;
+  const PnmHeader header = readPnmHeader(bytes);
+  const std::uint64_t values = std::uint64_t{header.size.width} * (bytes[1] == '6' ? 3 : 1);
+  const std::uint64_t row =
+      bytes[1] == '4' ? (values + 7) / 8 : values * (header.largest_value > 255 ? 2 : 1);
+  return header.bytes + row * header.size.height;
 }
 
 Result<void> checkImageSize(const ImageSize& size, const std::string& name) {

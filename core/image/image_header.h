@@ -28,10 +28,11 @@ struct ImageSize {
 [[nodiscard]] std::optional<ImageFormat> imageFormat(std::span<const std::uint8_t> bytes);
 
 /// The size that an image's header tells, without decoding; empty if the header is not among the bytes or
-/// makes no sense.
+/// makes no sense. PNM, BMP and TIFF are parsed here: OpenCV, which decodes them, allocates what a header
+/// claims, up to three gigabytes, and its limits cannot be set by a program.
 [[nodiscard]] std::optional<ImageSize> imageSize(std::span<const std::uint8_t> bytes);
 
-/// The bytes that a file has at least by its header; 0 where the format does not tell (PNG, JPEG, TIFF).
+/// The bytes that a PNM or BMP has at least by its header; 0 for other formats and PNM as text.
 [[nodiscard]] std::uint64_t leastImageBytes(std::span<const std::uint8_t> bytes);
 
 /// Error: the image `name` is empty or larger than what is read; says what fits.

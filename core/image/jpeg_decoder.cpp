@@ -1,104 +1,98 @@
 #include "core/image/jpeg_decoder.h"
 
-#include <vector>
+#include <turbojpeg.h>
 
-#include "core/image/jpeg_errors.h"
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string_view>
+#include <type_traits>
 
-#include <jerror.h>  // after jpeglib.h
+#include "core/image/file_bytes.h"
 
 namespace scantrove {
 
 namespace {
 
-/// Messages of level -1 are warnings: the picture is not what was recorded, but for a few that tell nothing.
-void onMessage(j_common_ptr jpeg, int level) {
-  const int code = jpeg->err->msg_code;
-  const bool is_harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_TOO_MUCH_DATA ||
-                           code == JWRN_ADOBE_XFORM || code == JWRN_BOGUS_PROGRESSION;
-  if (level < 0 && !is_harmless) {
-    leaveJpeg(jpeg);
-  }
+using Bytes = std::span<const std::uint8_t>;
+using Decoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, decltype(&tjDestroy)>;
+
+std::optional<JpegHeader> readHeader(tjhandle decoder, Bytes bytes) {
+  int width = 0, height = 0, subsampling = 0, colors = -1;
+  // The returned value is also an error where only the subsampling has no name.
+  tjDecompressHeader3(decoder, bytes.data(), static_cast<unsigned long>(bytes.size()), &width, &height,
+                      &subsampling, &colors);
+  if (colors < 0) return std::nullopt;
+  return JpegHeader{{width, height},
+                    colors == TJCS_RGB || colors == TJCS_YCbCr,
+                    colors == TJCS_CMYK || colors == TJCS_YCCK};
 }
 
-/// Cyan, magenta, yellow and black to BGR, as print programs show them without a color profile. Adobe's store
-/// the light that an ink leaves, others the ink.
-void inksToBgr(std::span<const std::uint8_t> inks, bool is_by_adobe, std::uint8_t* bgr) {
-  const auto light = [&](std::size_t at) { return is_by_adobe ? inks[at] : 255 - inks[at]; };
-  for (std::size_t at = 0; at + 4 <= inks.size(); at += 4) {
-    for (const std::size_t ink : {std::size_t{2}, std::size_t{1}, std::size_t{0}})
-      *bgr++ = static_cast<std::uint8_t>((light(at + ink) * light(at + 3) + 127) / 255);
-  }
+/// After these warnings the image is what was recorded.
+bool isHarmless(std::string_view warning) {
+  constexpr std::array kTexts{"extraneous bytes before marker", "too many scanlines", "Adobe color transform",
+                              "Inconsistent progression sequence"};
+  return std::any_of(kTexts.begin(), kTexts.end(),
+                     [&](std::string_view text) { return warning.find(text) != std::string_view::npos; });
 }
 
-class JpegDecoder {
- public:
-  explicit JpegDecoder(std::span<const std::uint8_t> bytes) {
-    jpeg_.err = jpeg_std_error(&handler_.base);
-    handler_.base.error_exit = leaveJpeg;
-    handler_.base.emit_message = onMessage;
-    jpeg_create_decompress(&jpeg_);
-    jpeg_mem_src(&jpeg_, bytes.data(), static_cast<unsigned long>(bytes.size()));
-  }
-  JpegDecoder(const JpegDecoder&) = delete;
-  JpegDecoder& operator=(const JpegDecoder&) = delete;
-  ~JpegDecoder() { jpeg_destroy_decompress(&jpeg_); }
+/// Whether an end marker follows the last start of pixels: of several warnings TurboJPEG tells the first.
+bool isEnded(Bytes jpeg) {
+  const std::size_t end = textOf(jpeg).rfind("\xFF\xD9");
+  return end != std::string_view::npos && end > textOf(jpeg).rfind("\xFF\xDA");
+}
 
-  bool start() {
-    if (setjmp(handler_.on_error) != 0) {
-      return false;
+/// Whether the file has Adobe's marker: CMYK is stored as light instead of ink. Compressed pixels never look
+/// like it.
+bool isByAdobe(Bytes jpeg) {
+  using namespace std::string_view_literals;
+  return textOf(jpeg).find("\xFF\xEE\0\016Adobe"sv) != std::string_view::npos;
+}
+
+cv::Mat cmykToBgr(const cv::Mat& cmyk, bool is_light) {
+  cv::Mat bgr(cmyk.size(), CV_8UC3);
+  for (int y = 0; y < cmyk.rows; ++y) {
+    for (int x = 0; x < cmyk.cols; ++x) {
+      const auto& ink = cmyk.at<cv::Vec4b>(y, x);
+      const auto light = [&](int channel) { return is_light ? ink[channel] : 255 - ink[channel]; };
+      for (int channel = 0; channel < 3; ++channel)
+        bgr.at<cv::Vec3b>(y, x)[2 - channel] =
+            static_cast<std::uint8_t>((light(channel) * light(3) + 127) / 255);
     }
-    jpeg_read_header(&jpeg_, TRUE);
-    is_of_inks_ = jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK;
-    jpeg_.out_color_space = is_of_inks_ ? JCS_CMYK : JCS_EXT_BGR;
-    jpeg_start_decompress(&jpeg_);
-    return true;
   }
+  return bgr;
+}
 
-  [[nodiscard]] cv::Size size() const {
-    return {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height)};
-  }
-
-  /// Bytes of a row as it comes, before its inks become colors.
-  [[nodiscard]] std::size_t rowBytes() const {
-    return std::size_t{jpeg_.output_width} * static_cast<std::size_t>(jpeg_.output_components);
-  }
-
-  /// `row`: of rowBytes().
-  bool readRows(cv::Mat& image, std::vector<std::uint8_t>& row) {
-    if (setjmp(handler_.on_error) != 0) {
-      return false;
-    }
-    while (jpeg_.output_scanline < jpeg_.output_height) {
-      std::uint8_t* const pixels = image.ptr(static_cast<int>(jpeg_.output_scanline));
-      JSAMPROW target = is_of_inks_ ? row.data() : pixels;
-      jpeg_read_scanlines(&jpeg_, &target, 1);
-      if (is_of_inks_) inksToBgr(row, jpeg_.saw_Adobe_marker != FALSE, pixels);
-    }
-    jpeg_finish_decompress(&jpeg_);
-    return true;
-  }
-
-  [[nodiscard]] const char* reason() const { return handler_.reason; }
-
- private:
-  JpegErrorHandler handler_{};
-  jpeg_decompress_struct jpeg_{};
-  bool is_of_inks_ = false;
-};
+/// The pixels as TurboJPEG gives them: BGR or CMYK. Error: its reason; empty where the file is truncated.
+tl::expected<cv::Mat, std::string> decode(Bytes bytes) {
+  const Decoder decoder(tjInitDecompress(), &tjDestroy);
+  const auto header = readHeader(decoder.get(), bytes);
+  if (!header) return tl::unexpected<std::string>(tjGetErrorStr2(decoder.get()));
+  cv::Mat image(header->size, header->is_cmyk ? CV_8UC4 : CV_8UC3);
+  if (tjDecompress2(decoder.get(), bytes.data(), static_cast<unsigned long>(bytes.size()), image.data,
+                    image.cols, 0, image.rows, header->is_cmyk ? TJPF_CMYK : TJPF_BGR,
+                    TJFLAG_LIMITSCANS) == 0)
+    return image;
+  const std::string reason = tjGetErrorStr2(decoder.get());
+  if (!isEnded(bytes)) return tl::unexpected<std::string>("");
+  if (tjGetErrorCode(decoder.get()) == TJERR_WARNING && isHarmless(reason)) return image;
+  return tl::unexpected(reason);
+}
 
 }  // namespace
 
-Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
-  JpegDecoder decoder(bytes);
-  cv::Mat image;
-  if (decoder.start()) {
-    image.create(decoder.size(), CV_8UC3);
-    std::vector<std::uint8_t> row(decoder.rowBytes());
-    if (decoder.readRows(image, row)) {
-      return image;
-    }
-  }
-  return fail(name + " cannot be decoded: it is damaged (" + decoder.reason() + ").");
+std::optional<JpegHeader> readJpegHeader(Bytes bytes) {
+  const Decoder decoder(tjInitDecompress(), &tjDestroy);
+  return readHeader(decoder.get(), bytes);
+}
+
+Result<cv::Mat> decodeJpeg(Bytes bytes, const std::string& name) {
+  const auto image = decode(bytes);
+  if (!image && image.error().empty())
+    return fail(name + " is truncated (" + std::to_string(bytes.size()) + " bytes).");
+  if (!image) return fail(name + " cannot be decoded: it is damaged (" + image.error() + ").");
+  return image->channels() == 4 ? cmykToBgr(*image, isByAdobe(bytes)) : *image;
 }
 
 }  // namespace scantrove

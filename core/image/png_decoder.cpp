@@ -1,148 +1,107 @@
 #include "core/image/png_decoder.h"
 
-#include <png.h>
+#include <spng.h>
 
-#include <cstdio>
-#include <cstring>
-#include <vector>
+#include <memory>
+#include <opencv2/imgproc.hpp>
 
+#include "core/image/file_bytes.h"
 #include "core/image/image_header.h"
 
 namespace scantrove {
 
 namespace {
 
-/// What libpng's callbacks share. It leaves a function that fails by longjmp, so whatever calls it between
-/// setjmp and its return has no object with a destructor.
-struct Input {
-  std::span<const std::uint8_t> bytes;
-  char reason[160] = "";
-};
+using Bytes = std::span<const std::uint8_t>;
 
-void readInput(png_structp png, png_bytep out, png_size_t size) {
-  auto* const input = static_cast<Input*>(png_get_io_ptr(png));
-  if (size > input->bytes.size()) {
-    png_error(png, "it ends too early");
-  }
-  std::memcpy(out, input->bytes.data(), size);
-  input->bytes = input->bytes.subspan(size);
-}
-
-[[noreturn]] void onError(png_structp png, png_const_charp message) {
-  auto* const input = static_cast<Input*>(png_get_error_ptr(png));
-  std::snprintf(input->reason, sizeof input->reason, "%s", message);
-  png_longjmp(png, 1);
-}
-
-void onWarning(png_structp, png_const_charp) {}
+/// Of a chunk other than pixels, and of all of them, inflated: more than any color profile or XMP.
+constexpr std::size_t kMostMetadataBytes = 16 << 20;
 
 class PngDecoder {
  public:
-  explicit PngDecoder(Input& input)
-      : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &input, onError, onWarning)),
-        info_(png_create_info_struct(png_)) {
-    png_set_read_fn(png_, &input, readInput);
-    png_set_user_limits(png_, kLongestImageSide_px, kLongestImageSide_px);
-  }
-  PngDecoder(const PngDecoder&) = delete;
-  PngDecoder& operator=(const PngDecoder&) = delete;
-  ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngDecoder(Bytes bytes, const std::string& name)
+      : bytes_(bytes), name_(name), context_(spng_ctx_new(0), &spng_ctx_free) {}
 
-  bool readHeader() {
-    if (setjmp(png_jmpbuf(png_)) != 0) {
-      return false;
-    }
-    png_read_info(png_, info_);
-    return true;
+  Result<void> readHeader() {
+    int error = spng_set_image_limits(context_.get(), kLongestImageSide_px, kLongestImageSide_px);
+    if (error == 0) error = spng_set_chunk_limits(context_.get(), kMostMetadataBytes, kMostMetadataBytes);
+    if (error == 0) error = spng_set_png_buffer(context_.get(), bytes_.data(), bytes_.size());
+    if (error == 0) error = spng_get_ihdr(context_.get(), &header_);
+    return check(error);
   }
 
-  [[nodiscard]] bool isColor() const { return (png_get_color_type(png_, info_) & PNG_COLOR_MASK_COLOR) != 0; }
+  [[nodiscard]] bool is16Bit() const { return header_.bit_depth == 16; }
   [[nodiscard]] int channels() const {
-    return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE ? 3 : png_get_channels(png_, info_);
-  }
-  [[nodiscard]] bool is16Bit() const { return png_get_bit_depth(png_, info_) == 16; }
-  [[nodiscard]] cv::Size size() const {
-    return {static_cast<int>(png_get_image_width(png_, info_)),
-            static_cast<int>(png_get_image_height(png_, info_))};
+    switch (header_.color_type) {
+      case SPNG_COLOR_TYPE_GRAYSCALE:
+        return 1;
+      case SPNG_COLOR_TYPE_GRAYSCALE_ALPHA:
+        return 2;
+      case SPNG_COLOR_TYPE_TRUECOLOR_ALPHA:
+        return 4;
+      default:
+        return 3;
+    }
   }
 
-  /// Decodes to BGR of 8 bits, or as it is; `rows` points to each row of an image that takes it.
-  bool readRows(bool to_color, std::vector<png_bytep>& rows) {
-    if (setjmp(png_jmpbuf(png_)) != 0) {
-      return false;
-    }
-    if (to_color) {
-      png_set_strip_16(png_);
-      png_set_strip_alpha(png_);
-      png_set_palette_to_rgb(png_);
-      isColor() ? png_set_bgr(png_) : png_set_gray_to_rgb(png_);
-    } else {
-      png_set_swap(png_);
-    }
-    if (!isColor()) {
-      png_set_expand_gray_1_2_4_to_8(png_);
-    }
-    png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
-    png_read_image(png_, rows.data());
-    png_read_end(png_, nullptr);
-    return true;
+  [[nodiscard]] Result<cv::Mat> decodeGrey() {
+    return is16Bit() ? decode(CV_16UC1, SPNG_FMT_PNG) : decode(CV_8UC1, SPNG_FMT_G8);
+  }
+
+  [[nodiscard]] Result<cv::Mat> decodeColor() {
+    Result<cv::Mat> image = decode(CV_8UC3, SPNG_FMT_RGB8);
+    if (image) cv::cvtColor(*image, *image, cv::COLOR_RGB2BGR);
+    return image;
   }
 
  private:
-  png_structp png_;
-  png_infop info_;
+  Result<cv::Mat> decode(int type, spng_format format) {
+    cv::Mat image(static_cast<int>(header_.height), static_cast<int>(header_.width), type);
+    SCANTROVE_TRY(
+        check(spng_decode_image(context_.get(), image.data, image.total() * image.elemSize(), format, 0)));
+    // A truncated file lacks its end, or as little as the end's checksum, which libspng does not read.
+    SCANTROVE_TRY(check(spng_decode_chunks(context_.get())));
+    if (bytes_.size() < textOf(bytes_).rfind("IEND") + 8) return truncated();
+    return image;
+  }
+
+  [[nodiscard]] tl::unexpected<Error> truncated() const {
+    return fail(name_ + " is truncated (" + std::to_string(bytes_.size()) + " bytes).");
+  }
+
+  [[nodiscard]] Result<void> check(int error) const {
+    if (error == 0) return {};
+    if (error == SPNG_IO_EOF) return truncated();
+    return fail(name_ + " cannot be decoded: it is damaged (" + spng_strerror(error) + ").");
+  }
+
+  Bytes bytes_;
+  const std::string& name_;
+  std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> context_;
+  spng_ihdr header_{};
 };
-
-tl::unexpected<Error> cannotDecode(const std::string& name, const Input& input) {
-  return fail(name + " cannot be decoded: it is damaged (" + input.reason + ").");
-}
-
-Result<cv::Mat> readImage(PngDecoder& decoder, const Input& input, int type, const std::string& name) {
-  cv::Mat image(decoder.size(), type);
-  std::vector<png_bytep> rows;
-  for (int y = 0; y < image.rows; ++y) {
-    rows.push_back(image.ptr(y));
-  }
-  if (!decoder.readRows(type == CV_8UC3, rows)) {
-    return cannotDecode(name, input);
-  }
-  return image;
-}
 
 }  // namespace
 
-Result<cv::Mat> decodeColorPng(std::span<const std::uint8_t> bytes, const std::string& name) {
-  Input input{bytes};
-  PngDecoder decoder(input);
-  if (!decoder.readHeader()) {
-    return cannotDecode(name, input);
-  }
-  return readImage(decoder, input, CV_8UC3, name);
+Result<cv::Mat> decodeColorPng(Bytes bytes, const std::string& name) {
+  PngDecoder decoder(bytes, name);
+  SCANTROVE_TRY(decoder.readHeader());
+  return decoder.decodeColor();
 }
 
-Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::string& name) {
-  Input input{bytes};
-  PngDecoder decoder(input);
-  if (!decoder.readHeader()) {
-    return cannotDecode(name, input);
-  }
-  if (decoder.channels() != 1) {
-    return fail(name + " is " + (decoder.is16Bit() ? "16-bit" : "8-bit") + " with " +
-                    std::to_string(decoder.channels()) + " channels; depth images are 16-bit with 1 channel.",
-                "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
-  }
-  return readImage(decoder, input, decoder.is16Bit() ? CV_16UC1 : CV_8UC1, name);
+Result<cv::Mat> decodeGreyPng(Bytes bytes, const std::string& name) {
+  PngDecoder decoder(bytes, name);
+  SCANTROVE_TRY(decoder.readHeader());
+  if (decoder.channels() == 1) return decoder.decodeGrey();
+  return fail(name + " is " + (decoder.is16Bit() ? "16-bit" : "8-bit") + " with " +
+                  std::to_string(decoder.channels()) + " channels; depth images are 16-bit with 1 channel.",
+              "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
 }
 
-Result<cv::Mat> decodeAnyPng(std::span<const std::uint8_t> bytes, const std::string& name) {
-  Input input{bytes};
-  PngDecoder decoder(input);
-  if (!decoder.readHeader()) {
-    return cannotDecode(name, input);
-  }
-  const int grey = decoder.is16Bit() ? CV_16UC1 : CV_8UC1;
-  return readImage(decoder, input, decoder.channels() == 1 ? grey : CV_8UC3, name);
+Result<cv::Mat> decodeAnyPng(Bytes bytes, const std::string& name) {
+  PngDecoder decoder(bytes, name);
+  SCANTROVE_TRY(decoder.readHeader());
+  return decoder.channels() == 1 ? decoder.decodeGrey() : decoder.decodeColor();
 }
 
 }  // namespace scantrove

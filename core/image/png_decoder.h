@@ -8,12 +8,12 @@
 
 namespace scantrove {
 
-/// Decodes any PNG to CV_8UC3, BGR: 16 bits are cut to 8, grey spread, palettes looked up, transparency left
-/// out. libpng's warnings are not printed. Error: `name` and libpng's reason.
+/// Decodes any PNG to CV_8UC3, BGR: 16 bits are cut to 8, grey is spread, transparency is left out. Error:
+/// `name` and libspng's reason.
 [[nodiscard]] Result<cv::Mat> decodeColorPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Decodes a PNG of one channel to CV_8UC1 or CV_16UC1, interlaced or not. Error: `name` and libpng's reason;
-/// a PNG of other channels, with how many it has.
+/// Decodes a PNG of one channel to CV_8UC1 or CV_16UC1, interlaced or not. Error: `name` and libspng's
+/// reason; a PNG of other channels, with how many it has.
 [[nodiscard]] Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Decodes a PNG of one channel as decodeGreyPng does, and any other as decodeColorPng does.

@@ -1,14 +1,12 @@
 #pragma once
-#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string>
 
 namespace scantrove {
 
-/// The bytes of a PNG of `image`, not empty: CV_8UC1, CV_16UC1, or CV_8UC3 as BGR. For images of large even
-/// areas: every row is stored as its difference to the row above and packed at the lowest level, several
-/// times as fast as libpng. Throws std::runtime_error where it is larger than images that are read
-/// (checkImageSize). Any thread.
+/// The bytes of a PNG of `image`, not empty: CV_8UC1, CV_16UC1, or CV_8UC3 as BGR. For speed every row is
+/// stored as its difference to the row above, deflated at the lowest level. Throws std::runtime_error where
+/// it is larger than images that are read (checkImageSize). Any thread.
 [[nodiscard]] std::string encodePng(const cv::Mat& image);
 
 }  // namespace scantrove

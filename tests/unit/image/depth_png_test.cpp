@@ -1,9 +1,9 @@
-#include "core/image/depth_png.h"
-
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
+
+#include "core/image/png_decoder.h"
 
 namespace scantrove {
 namespace {
@@ -37,8 +37,7 @@ TEST(DepthPng, GivesThePixelsThatWereWritten) {
                                cv::IMWRITE_PNG_STRATEGY_RLE, cv::IMWRITE_PNG_STRATEGY_FIXED}) {
       const cv::Mat depth = variedDepth(size.width, size.height);
       const std::vector<uchar> bytes = encode(depth, strategy);
-      ASSERT_TRUE(isDepthPng(bytes));
-      const auto decoded = decodeDepthPng(bytes, "test");
+      const auto decoded = decodeGreyPng(bytes, "test");
       ASSERT_TRUE(decoded) << decoded.error().message();
       ASSERT_EQ(decoded->type(), CV_16UC1);
       ASSERT_EQ(decoded->size(), size);
@@ -47,22 +46,15 @@ TEST(DepthPng, GivesThePixelsThatWereWritten) {
   }
 }
 
-TEST(DepthPng, OtherPngsAreNotItsBusiness) {
-  EXPECT_FALSE(isDepthPng(encode(cv::Mat(4, 4, CV_8UC1, cv::Scalar(1)))));
-  EXPECT_FALSE(isDepthPng(encode(cv::Mat(4, 4, CV_8UC3, cv::Scalar(1)))));
-  EXPECT_FALSE(isDepthPng(encode(cv::Mat(4, 4, CV_16UC3, cv::Scalar(1)))));
-  EXPECT_FALSE(isDepthPng(std::vector<uchar>{1, 2, 3}));
-}
-
 TEST(DepthPng, NoDamageIsTakenForAPicture) {
   const cv::Mat depth = variedDepth(32, 24);
   const std::vector<uchar> bytes = encode(depth);
   for (std::size_t i = 33; i < bytes.size(); ++i) {  // after the header
     std::vector<uchar> damaged = bytes;
     damaged[i] ^= 0x10;
-    const auto decoded = decodeDepthPng(damaged, "test");
+    const auto decoded = decodeGreyPng(damaged, "test");
     EXPECT_TRUE(!decoded || cv::norm(*decoded, depth, cv::NORM_INF) == 0) << "byte " << i;
-    const auto cut = decodeDepthPng({bytes.data(), i}, "test");
+    const auto cut = decodeGreyPng({bytes.data(), i}, "test");
     EXPECT_TRUE(!cut || cv::norm(*cut, depth, cv::NORM_INF) == 0) << "length " << i;
   }
 }
