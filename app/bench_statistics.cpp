@@ -50,9 +50,9 @@ std::vector<BenchQuarter> quartersOf(const std::vector<BenchSample>& samples) {
     }
     const BenchSample& newest = *std::prev(end);
     quarters.push_back(
-        {newest.frames_done, newest.bricks, summarise(frame_ms).median_ms, summarise(map_ms).median_ms, {}});
+        {newest.frames_done, newest.bricks, summarize(frame_ms).median_ms, summarize(map_ms).median_ms, {}});
     for (const auto& [stage, all_ms] : stages_ms)
-      quarters.back().stage_medians_ms[stage] = summarise(all_ms).median_ms;
+      quarters.back().stage_medians_ms[stage] = summarize(all_ms).median_ms;
     begin = end;
   }
   return quarters;
@@ -68,7 +68,7 @@ std::optional<MapGrowth> mapGrowthOf(const std::vector<BenchSample>& samples) {
     if (sample.frames_done >= samples.back().frames_done - 2 * kHalf) late_ms.push_back(sample.map_ms);
   }
   if (early_ms.empty()) return std::nullopt;
-  return MapGrowth{summarise(early_ms).median_ms, summarise(late_ms).median_ms};
+  return MapGrowth{summarize(early_ms).median_ms, summarize(late_ms).median_ms};
 }
 
 std::string benchTable(const ScanReport& report, const std::vector<BenchSample>& samples) {

@@ -76,8 +76,8 @@ cv::Rect boxIn(const cv::Size& image, const ObjectView& view) {
   return {first, last};
 }
 
-Result<EntryJudgement> judge(const Entry& entry, const TrueScene& scene, const std::set<int>& objects) {
-  std::vector<ViewJudgement> views;
+Result<EntryJudgment> judge(const Entry& entry, const TrueScene& scene, const std::set<int>& objects) {
+  std::vector<ViewJudgment> views;
   for (const ObjectView& view : entry.views) {
     const auto image = scene.images.find(view.frame_index);
     if (image == scene.images.end()) continue;
@@ -101,13 +101,13 @@ Json namesOf(const std::vector<int>& instances, const TrueScene& scene) {
   return names;
 }
 
-Json toJson(const Entry& entry, const EntryJudgement& judgement, const TrueScene& scene) {
+Json toJson(const Entry& entry, const EntryJudgment& judgment, const TrueScene& scene) {
   return {{"id", entry.record.id.value},
           {"name", entry.record.name},
-          {"verdict", wordFor(judgement.verdict)},
-          {"of", namesOf(judgement.instances, scene)},
-          {"views", judgement.views},
-          {"whole_views", judgement.whole_views}};
+          {"verdict", wordFor(judgment.verdict)},
+          {"of", namesOf(judgment.instances, scene)},
+          {"views", judgment.views},
+          {"whole_views", judgment.whole_views}};
 }
 
 }  // namespace
@@ -134,16 +134,16 @@ Result<Json> evaluateCatalogueOf(const std::string& scan, const std::string& tru
 
   std::set<int> objects;
   for (const auto& [id, object] : scene->objects) objects.insert(id);
-  std::vector<EntryJudgement> judgements;
+  std::vector<EntryJudgment> judgments;
   Json each = Json::array();
   for (const Entry& entry : *entries) {
-    const auto judgement = judge(entry, *scene, objects);
-    if (!judgement) return fail(judgement.error());
-    if (judgement->views == 0) continue;
-    judgements.push_back(*judgement);
-    each.push_back(toJson(entry, *judgement, *scene));
+    const auto judgment = judge(entry, *scene, objects);
+    if (!judgment) return fail(judgment.error());
+    if (judgment->views == 0) continue;
+    judgments.push_back(*judgment);
+    each.push_back(toJson(entry, *judgment, *scene));
   }
-  const CatalogueMetrics metrics = evaluateCatalogue(judgements, scene->objects);
+  const CatalogueMetrics metrics = evaluateCatalogue(judgments, scene->objects);
   return Json{{"purity", metrics.purity},
               {"completeness", metrics.completeness},
               {"seen_entirely", metrics.seen_entirely},

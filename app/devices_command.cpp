@@ -3,7 +3,7 @@
 #include "app/command.h"
 #include "app/json_output.h"
 #include "app/kernel_cache_use.h"
-#include "core/capture/camera_doctor.h"
+#include "core/capture/camera_diagnostics.h"
 #include "core/capture/cameras.h"
 #include "core/compute/device_choice.h"
 

@@ -17,7 +17,7 @@ namespace {
 
 struct ExportCommand {
   std::string folder, database, out, format, device;
-  bool all_frames = false, background = false, centred = false;
+  bool all_frames = false, background = false, centered = false;
 };
 
 /// Progress in steps of ten percent on stderr; Ctrl+C ends the export.
@@ -62,7 +62,7 @@ Result<void> exportSession(const ExportCommand& command) {
     std::cerr << "scantrove: " << inLine(damage) << '\n';
   SessionScan scan(**session);
   ExportTeller teller;
-  const auto exportScan = command.centred ? exportCentredMesh : exportDataset;
+  const auto exportScan = command.centered ? exportCenteredMesh : exportDataset;
   const auto summary = exportScan(scan, {*format, command.out, command.all_frames, command.background},
                                   std::ref(teller), teller.token());
   if (!summary) return fail(summary.error());
@@ -96,7 +96,7 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
   sub->add_flag("--all-frames", command->all_frames, "every frame that was kept, not key frames only");
   sub->add_flag("--background", command->background, "also what is background or was rejected");
   sub->add_flag(
-      "--centred,--centered", command->centred,
+      "--centred,--centered", command->centered,
       "with --format mesh: move each object's middle to the origin, and write the offset beside it");
   sub->add_option("--device", command->device, "OpenCL device; 'scantrove devices' lists them")
       ->type_name("INDEX|NAME");
@@ -109,7 +109,7 @@ void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
     if (is_catalogue && (!command->format.empty() || command->all_frames || command->background)) {
       throw CLI::ValidationError("--database", "takes none of --format, --all-frames and --background");
     }
-    if (command->centred && command->format != "mesh")
+    if (command->centered && command->format != "mesh")
       throw CLI::ValidationError("--centred", "moves the objects of --format mesh, and of no other format");
     if (!is_catalogue && command->format.empty())
       throw CLI::ValidationError("--format", "is needed: what shall the session be exported as?");

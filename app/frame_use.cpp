@@ -28,13 +28,13 @@ DepthSample sampleDepth(const std::string& source, SourceOptions options) {
     if (read.status == FrameRead::Status::end || read.status == FrameRead::Status::failed) return sample;
     if (read.status != FrameRead::Status::frame) continue;
     ++sample.images;
-    if (const auto median = medianDepth(read.frame.depth, read.frame.metres_per_unit)) {
+    if (const auto median = medianDepth(read.frame.depth, read.frame.meters_per_unit)) {
       sample.medians_m.push_back(*median);
     }
   }
 }
 
-std::string metres(double value) {
+std::string meters(double value) {
   std::ostringstream text;
   text << std::setprecision(3) << value << " m";
   return text.str();
@@ -42,7 +42,7 @@ std::string metres(double value) {
 
 Error likelyReason(const ScanReport& report, const SourceOptions& options, bool is_resumed) {
   const FusionParams& fusion = report.params.fusion;
-  const std::string range = metres(fusion.min_depth_m) + " to " + metres(fusion.max_depth_m);
+  const std::string range = meters(fusion.min_depth_m) + " to " + meters(fusion.max_depth_m);
   DepthSample sample = sampleDepth(report.source, options);
   if (sample.images > 0 && sample.medians_m.empty()) {
     return {"its depth images hold no readings (all 0 or 65535)",
@@ -52,7 +52,7 @@ Error likelyReason(const ScanReport& report, const SourceOptions& options, bool 
     std::ranges::nth_element(sample.medians_m, sample.medians_m.begin() + sample.medians_m.size() / 2);
     const double median_m = sample.medians_m[sample.medians_m.size() / 2];
     if (median_m < fusion.min_depth_m || median_m > fusion.max_depth_m) {
-      return {"its depth is around " + metres(median_m) + ", and readings from " + range + " are used",
+      return {"its depth is around " + meters(median_m) + ", and readings from " + range + " are used",
               "Give the right --depth-scale (units per metre: 1000 for millimetres, 5000 for TUM), or other "
               "limits with --set fusion.min_depth_m=... and fusion.max_depth_m=..."};
     }

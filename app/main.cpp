@@ -35,9 +35,9 @@ int afterPrinting(int exit_code) {
 
 int run(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files (ulimit -f) is an error like a full disk
-  keepHeapTogether();
-  initialiseLog();
-  keepDeviceThreadsApart();
+  useSingleArena();
+  initializeLog();
+  pinDeviceThreads();
   CommandOutcome outcome;
   WindowCommand window;
   WindowOptions window_options;

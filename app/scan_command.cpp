@@ -30,7 +30,7 @@ struct ScanCommand {
 void printSummary(const ScanReport& report, const std::string& out) {
   const FrameCounts& frames = report.frames;
   std::size_t known = 0;
-  for (const ScanReport::Object& object : report.objects) known += object.recognised_from.empty() ? 0U : 1U;
+  for (const ScanReport::Object& object : report.objects) known += object.recognized_from.empty() ? 0U : 1U;
   std::cout << std::fixed << std::setprecision(1);
   std::cout << "frames   " << frames.read << " read, " << frames.tracked << " tracked, " << frames.lost
             << " lost";

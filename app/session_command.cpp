@@ -217,7 +217,7 @@ Result<void> edit(OpenSession& session, const SessionCommand& command) {
     operation.category = session.noteOf(operation.regions.front()).category;
   for (const RegionId region : operation.regions) {
     if (isNaming(kKind))
-      session.setFact(sessionOnlyFactOf(region), command.without_catalogue ? operation.name : "");
+      session.setMetadata(sessionOnlyKeyOf(region), command.without_catalogue ? operation.name : "");
   }
   const auto outcome = session.edit(operation);
   if (outcome) tellCatalogue(session, command);
@@ -327,7 +327,7 @@ CLI::App* addAction(CLI::App& parent, const char* name, const char* help,
     if (!session) return outcome.failWith(session.error());
     for (const std::string& damage : (*session)->damages())
       std::cerr << "scantrove: " << inLine(damage) << '\n';
-    if (command->without_catalogue) (*session)->leaveOutCatalogue();
+    if (command->without_catalogue) (*session)->omitCatalogue();
     const auto done = action(**session, *command);
     if (!done) return outcome.failWith(done.error());
     if (const auto undisturbed = (*session)->findDisturbance(); !undisturbed)

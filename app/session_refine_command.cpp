@@ -22,18 +22,18 @@ struct SessionRefineCommand {
   bool json = false;
 };
 
-Result<bool> isRefinementLeft(const std::string& folder) {
+Result<bool> isRefinementPending(const std::string& folder) {
   const Result<std::unique_ptr<SessionStore>> store = SessionStore::open(folder);
   if (!store) return fail(store.error());
   const Result<SavedScan> scan = (*store)->load();
   if (!scan) return fail(scan.error());
-  return canBeRefined(scan->facts);
+  return canBeRefined(scan->metadata);
 }
 
 Result<void> refine(const SessionRefineCommand& command) {
   const KernelCacheUse kernels;
   const CoreApplication qt;
-  const Result<bool> is_left = isRefinementLeft(command.folder);
+  const Result<bool> is_left = isRefinementPending(command.folder);
   if (!is_left) return fail(is_left.error());
   ScanReport::Refinement refinement;
   if (*is_left) {

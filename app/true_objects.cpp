@@ -53,7 +53,7 @@ void addPoints(const RgbdFrame& frame, const Intrinsics& K, const cv::Mat& insta
       if (area == areas.end() || depth == 0 || passed[id]++ % (1 + area->second / kPointsAFrame) != 0)
         continue;
       const Eigen::Vector3f p_camera = K.backProject(static_cast<float>(u), static_cast<float>(v),
-                                                     static_cast<float>(depth) * frame.metres_per_unit);
+                                                     static_cast<float>(depth) * frame.meters_per_unit);
       points[id].push_back(frame.T_world_camera->cast<float>() * p_camera);
     }
   }

@@ -35,13 +35,13 @@ void choosePlatform() {
   }
 }
 
-void applyTheme(const std::string& wanted) {
+void applyTheme(const std::string& requested) {
   const int remembered =
       QSettings().value(QStringLiteral("theme"), static_cast<int>(ThemeChoice::system)).toInt();
   ThemeChoice choice =
       remembered >= 0 && remembered <= 2 ? static_cast<ThemeChoice>(remembered) : ThemeChoice::system;
-  if (wanted == "dark") choice = ThemeChoice::dark;
-  if (wanted == "light") choice = ThemeChoice::light;
+  if (requested == "dark") choice = ThemeChoice::dark;
+  if (requested == "light") choice = ThemeChoice::light;
   Theme::instance().choose(choice);
 }
 
@@ -88,7 +88,7 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
 #ifdef SCANTROVE_VERSION
   QApplication::setApplicationVersion(QStringLiteral(SCANTROVE_VERSION));
 #endif
-  initialiseResources();
+  initializeResources();
   applyTheme(options.theme);
 
   MainWindow window(makeScanSessionPort, options);

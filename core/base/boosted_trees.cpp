@@ -14,7 +14,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kMostLevels = 16;
+constexpr int kMaxLevels = 16;
 
 /// Names where the two lists differ first.
 Result<void> checkFeatures(const std::vector<std::string>& in_file,
@@ -64,7 +64,7 @@ Result<void> BoostedTrees::read(std::string_view json, std::span<const std::stri
   }
   prior_ = model.at("prior").get<float>();
   const int levels = model.at("levels").get<int>();
-  if (levels < 1 || levels > kMostLevels) return fail(fmt::format("its trees have {} levels", levels));
+  if (levels < 1 || levels > kMaxLevels) return fail(fmt::format("its trees have {} levels", levels));
   const std::size_t leaves = std::size_t{1} << levels;
   splits_per_tree_ = leaves - 1;
   for (const auto& tree : model.at("trees")) {

@@ -8,16 +8,16 @@
 
 namespace scantrove {
 
-void keepHeapTogether() {
+void useSingleArena() {
 #ifdef __GLIBC__
   if (std::getenv("MALLOC_ARENA_MAX") == nullptr) ::mallopt(M_ARENA_MAX, 1);
-  constexpr int kKept_bytes = 32 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, kKept_bytes);
-  ::mallopt(M_TRIM_THRESHOLD, kKept_bytes);
+  constexpr int kUntrimmed_bytes = 32 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, kUntrimmed_bytes);
+  ::mallopt(M_TRIM_THRESHOLD, kUntrimmed_bytes);
 #endif
 }
 
-void returnFreeHeap() {
+void trimHeap() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
 #endif

@@ -7,10 +7,10 @@ namespace scantrove {
 /// where the C library is not GNU's, or when MALLOC_ARENA_MAX says what to do. What is freed stays with the
 /// heap, up to 32 MB at its end: each frame takes what the one before gave back, and the system need not
 /// clear it anew.
-void keepHeapTogether();
+void useSingleArena();
 
 /// Gives the system what the heap has free: after much was freed that nobody will want again, as when kernels
 /// have been compiled. Some milliseconds; any thread.
-void returnFreeHeap();
+void trimHeap();
 
 }  // namespace scantrove

@@ -27,7 +27,7 @@ class MessageForTerminal : public spdlog::custom_flag_formatter {
 
 }  // namespace
 
-void initialiseLog() {
+void initializeLog() {
   auto logger = spdlog::get("scantrove");
   if (!logger) logger = spdlog::stderr_color_mt("scantrove");
   auto formatter = std::make_unique<spdlog::pattern_formatter>();

@@ -5,6 +5,6 @@ namespace scantrove {
 
 /// Sends spdlog's default logger to stderr (results own stdout) at the level of SCANTROVE_LOG
 /// (trace, debug, info, warn, error, off; default warn).
-void initialiseLog();
+void initializeLog();
 
 }  // namespace scantrove

@@ -68,10 +68,10 @@ Result<std::string> readFile(const std::filesystem::path& file, std::size_t limi
   const auto expected = static_cast<std::size_t>(status.st_size);
   while (bytes.size() < limit) {
     // One byte more than expected, so that a file that did not grow is read in one piece.
-    constexpr std::size_t kLeastPiece = 4096;
+    constexpr std::size_t kMinPiece = 4096;
     const std::size_t had = bytes.size();
     const std::size_t missing = expected >= had ? expected - had + 1 : 0;
-    bytes.resize(had + std::min(limit - had, std::max(missing, kLeastPiece)));
+    bytes.resize(had + std::min(limit - had, std::max(missing, kMinPiece)));
     const ssize_t got = ::read(open.descriptor(), bytes.data() + had, bytes.size() - had);
     bytes.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     if (got < 0 && errno != EINTR) {

@@ -7,7 +7,7 @@
 
 namespace scantrove {
 
-DurationSummary summarise(std::vector<double> durations_ms) {
+DurationSummary summarize(std::vector<double> durations_ms) {
   if (durations_ms.empty()) return {};
   std::sort(durations_ms.begin(), durations_ms.end());
   const auto at = [&](double fraction) {
@@ -50,7 +50,7 @@ void StageTimer::endFrame() {
   for (const Pending& pending : pending_) {
     Stage& stage = stages_[pending.stage];
     stage.last_ms = pending.duration_ms;
-    if (stage.all_ms.size() >= kMostFrames) stage.thinOut();
+    if (stage.all_ms.size() >= kMaxFrames) stage.thinOut();
     if (stage.runs++ % stage.every != 0) continue;
     stage.all_ms.push_back(pending.duration_ms);
     stage.frames.push_back(frames_);
@@ -63,7 +63,7 @@ std::vector<SlowFrame> slowestFrames(const std::vector<StageTimer::Stage>& stage
   std::map<std::size_t, SlowFrame> by_frame;
   std::map<std::size_t, double> above_median_ms;
   for (const StageTimer::Stage& stage : stages) {
-    const double median_ms = summarise(stage.all_ms).median_ms;
+    const double median_ms = summarize(stage.all_ms).median_ms;
     for (std::size_t i = 0; i < stage.all_ms.size(); ++i) {
       SlowFrame& slow = by_frame[stage.frames[i]];
       slow.frame = stage.frames[i];

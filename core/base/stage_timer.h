@@ -13,13 +13,13 @@ struct DurationSummary {
   double p95_ms = 0;
 };
 
-[[nodiscard]] DurationSummary summarise(std::vector<double> durations_ms);
+[[nodiscard]] DurationSummary summarize(std::vector<double> durations_ms);
 
 /// Wall time of the named stages of one frame, in call order, and of the frames so far: of all, or in a long
 /// scan of so many that are spread evenly over it. One thread.
 class StageTimer {
  public:
-  static constexpr std::size_t kMostFrames = 8192;  ///< that are kept of a stage
+  static constexpr std::size_t kMaxFrames = 8192;  ///< that are kept of a stage
 
   struct Stage {
     std::string name;

@@ -5,7 +5,7 @@
 
 namespace scantrove {
 
-void giveWay(Niceness niceness) {
+void lowerThreadPriority(Niceness niceness) {
   if (niceness == Niceness::none) return;
 #ifdef __linux__
   static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), static_cast<int>(niceness)));

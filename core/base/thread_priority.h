@@ -14,6 +14,6 @@ enum class Niceness {
 
 /// The calling thread and those that it starts from now on. On Linux a thread has a priority of its own;
 /// elsewhere nothing happens.
-void giveWay(Niceness niceness);
+void lowerThreadPriority(Niceness niceness);
 
 }  // namespace scantrove

@@ -15,8 +15,8 @@ namespace scantrove {
 
 namespace {
 
-bool isCentreNear(float centre, int size) {
-  return centre >= -0.5F * static_cast<float>(size) && centre <= 1.5F * static_cast<float>(size);
+bool isCenterNear(float center, int size) {
+  return center >= -0.5F * static_cast<float>(size) && center <= 1.5F * static_cast<float>(size);
 }
 
 constexpr double kNarrowestView_deg = 2;
@@ -142,7 +142,7 @@ Result<void> checkIntrinsics(const Intrinsics& K, const std::string& origin) {
                   kAdvice);
     }
   }
-  if (!isCentreNear(K.cx, K.width) || !isCentreNear(K.cy, K.height)) {
+  if (!isCenterNear(K.cx, K.width) || !isCenterNear(K.cy, K.height)) {
     return fail("Intrinsics " + describe(K) + " (" + origin + "): the centre lies far outside the " +
                     sizeText(K) + " images.",
                 kAdvice);
@@ -184,7 +184,7 @@ Result<CameraModel> readIntrinsicsJson(const std::filesystem::path& file) {
     CameraModel model;
     SCANTROVE_TRY(moveInto(model.K, intrinsicsFrom(json, file)));
     if (json.contains("depth_scale")) {
-      model.units_per_metre = json.at("depth_scale").get<double>();
+      model.units_per_meter = json.at("depth_scale").get<double>();
     }
     if (json.contains("color_camera")) {
       ColorCamera camera;

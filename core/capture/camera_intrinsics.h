@@ -12,7 +12,7 @@ namespace scantrove {
 /// A camera whose image size may be unknown yet.
 struct CameraModel {
   Intrinsics K;  ///< width and height 0: the values hold for the recording's images, whatever their size
-  std::optional<double> units_per_metre;        ///< of the depth images, where the file says so
+  std::optional<double> units_per_meter;        ///< of the depth images, where the file says so
   std::optional<ColorRegistration> color = {};  ///< where the file says it
   std::optional<LensDistortion> lens = {};  ///< of both cameras, registered to each other; none: a pinhole
 };

@@ -13,7 +13,7 @@ namespace scantrove {
 namespace {
 
 Result<std::vector<CameraInfo>> listOpenNiCameras() {
-  SCANTROVE_TRY(initialiseOpenNi());
+  SCANTROVE_TRY(initializeOpenNi());
   openni::Array<openni::DeviceInfo> devices;
   openni::OpenNI::enumerateDevices(&devices);
   std::vector<CameraInfo> cameras;

@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-std::optional<double> medianDepth(const cv::Mat& depth, double metres_per_unit) {
+std::optional<double> medianDepth(const cv::Mat& depth, double meters_per_unit) {
   std::vector<std::uint16_t> valid;
   valid.reserve(depth.total());
   for (int y = 0; y < depth.rows; ++y) {
@@ -20,13 +20,13 @@ std::optional<double> medianDepth(const cv::Mat& depth, double metres_per_unit) 
   }
   const auto middle = valid.begin() + static_cast<std::ptrdiff_t>(valid.size() / 2);
   std::nth_element(valid.begin(), middle, valid.end());
-  return *middle * metres_per_unit;
+  return *middle * meters_per_unit;
 }
 
-void warnOfImplausibleDepth(const cv::Mat& depth, double metres_per_unit, const std::string& source_name) {
+void warnOfImplausibleDepth(const cv::Mat& depth, double meters_per_unit, const std::string& source_name) {
   constexpr double kNearest_m = 0.2;
   constexpr double kFarthest_m = 8.0;
-  const auto median = medianDepth(depth, metres_per_unit);
+  const auto median = medianDepth(depth, meters_per_unit);
   if (!median || (*median >= kNearest_m && *median <= kFarthest_m)) {
     return;
   }
@@ -34,7 +34,7 @@ void warnOfImplausibleDepth(const cv::Mat& depth, double metres_per_unit, const 
       "{}: the median depth of the first frame is {:.3g} m with {:g} units per metre, which is not plausible "
       "for a room. "
       "Set the right scale with --depth-scale (units per metre: 1000 for millimetres, 5000 for TUM).",
-      source_name, *median, 1.0 / metres_per_unit);
+      source_name, *median, 1.0 / meters_per_unit);
 }
 
 }  // namespace scantrove

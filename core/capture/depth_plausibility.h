@@ -5,10 +5,10 @@
 namespace scantrove {
 
 /// Median of the valid depths of an image (CV_16UC1, 0 = none), metres; empty if none is valid.
-[[nodiscard]] std::optional<double> medianDepth(const cv::Mat& depth, double metres_per_unit);
+[[nodiscard]] std::optional<double> medianDepth(const cv::Mat& depth, double meters_per_unit);
 
 /// Logs a warning that names --depth-scale if the median depth lies outside 0.2 - 8 m, the commonest mistake
 /// with recordings.
-void warnOfImplausibleDepth(const cv::Mat& depth, double metres_per_unit, const std::string& source_name);
+void warnOfImplausibleDepth(const cv::Mat& depth, double meters_per_unit, const std::string& source_name);
 
 }  // namespace scantrove

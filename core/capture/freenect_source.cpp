@@ -12,13 +12,13 @@ namespace scantrove {
 
 namespace {
 
-constexpr std::size_t kMostIndexDigits = 3;  // a serial number is longer
+constexpr std::size_t kMaxIndexDigits = 3;  // a serial number is longer
 
 FreenectChoice choiceOf(const std::string& uri) {
   const std::size_t colon = uri.find(':');
   const std::string which = colon == std::string::npos ? "" : uri.substr(colon + 1);
   const auto index = parseFrameNumber(which);
-  if (which.empty() || (index && which.size() <= kMostIndexDigits)) {
+  if (which.empty() || (index && which.size() <= kMaxIndexDigits)) {
     return {index.value_or(0), {}};
   }
   return {0, which};
@@ -68,7 +68,7 @@ Result<std::unique_ptr<FrameSource>> openFreenectCamera(const FreenectApi& api, 
     return fail(setup.color_camera.error());
   }
   if (options.depth_scale) {
-    setup.metres_per_unit = 1.0 / *options.depth_scale;
+    setup.meters_per_unit = 1.0 / *options.depth_scale;
   }
   return std::make_unique<PairedSource>(std::move(*camera), std::move(setup), options);
 }

@@ -58,7 +58,7 @@ bool isNear(const Intrinsics& a, const Intrinsics& b) {
 class ImageSequenceSource final : public FrameSource {
  public:
   ImageSequenceSource(ImageSequence sequence, std::vector<std::size_t> selected, SourceInfo info,
-                      cv::Size color_size, std::optional<ColorCamera> color_camera, double metres_per_unit)
+                      cv::Size color_size, std::optional<ColorCamera> color_camera, double meters_per_unit)
       : sequence_(std::move(sequence)),
         selected_(std::move(selected)),
         info_(std::move(info)),
@@ -67,7 +67,7 @@ class ImageSequenceSource final : public FrameSource {
         undistorter_(sequence_.camera.lens
                          ? std::optional(Undistorter(*sequence_.camera.lens, info_.intrinsics))
                          : std::nullopt),
-        metres_per_unit_(static_cast<float>(metres_per_unit)) {}
+        meters_per_unit_(static_cast<float>(meters_per_unit)) {}
 
   const SourceInfo& info() const override { return info_; }
 
@@ -80,7 +80,7 @@ class ImageSequenceSource final : public FrameSource {
     const ImageSequenceEntry& entry = sequence_.entries[selected_[position_++]];
     read.frame.index = entry.index;
     read.frame.timestamp_s = entry.timestamp_s;
-    read.frame.metres_per_unit = metres_per_unit_;
+    read.frame.meters_per_unit = meters_per_unit_;
     auto images = readImages(entry, sequence_.has_color);
     if (const auto problem = images ? checkSizes(entry, *images) : tl::unexpected(images.error()); !problem) {
       std::error_code error;
@@ -137,7 +137,7 @@ class ImageSequenceSource final : public FrameSource {
   cv::Size color_size_;
   std::optional<ColorCamera> color_camera_;
   std::optional<Undistorter> undistorter_;
-  float metres_per_unit_;
+  float meters_per_unit_;
   std::size_t position_ = 0;
 };
 
@@ -193,13 +193,13 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
         moveInto(color_camera, colorCameraFor(color, color_size, info.intrinsics, sequence.folder.string())));
   }
 
-  const double units_per_metre =
-      options.depth_scale.value_or(sequence.camera.units_per_metre.value_or(sequence.units_per_metre));
+  const double units_per_meter =
+      options.depth_scale.value_or(sequence.camera.units_per_meter.value_or(sequence.units_per_meter));
   SCANTROVE_TRY(
-      checkDepthScale(units_per_metre, options.depth_scale ? "--depth-scale" : sequence.camera_origin));
-  warnOfImplausibleDepth(first->depth, 1.0 / units_per_metre, info.name);
+      checkDepthScale(units_per_meter, options.depth_scale ? "--depth-scale" : sequence.camera_origin));
+  warnOfImplausibleDepth(first->depth, 1.0 / units_per_meter, info.name);
   return std::make_unique<ImageSequenceSource>(std::move(sequence), std::move(*selected), std::move(info),
-                                               color_size, std::move(color_camera), 1.0 / units_per_metre);
+                                               color_size, std::move(color_camera), 1.0 / units_per_meter);
 }
 
 }  // namespace scantrove

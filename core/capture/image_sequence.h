@@ -26,7 +26,7 @@ struct ImageSequence {
   std::vector<ImageSequenceEntry> entries;  ///< in recording order
   CameraModel camera;                       ///< SourceOptions override it
   std::string camera_origin;                ///< for messages: the file, or "default"
-  double units_per_metre = 1000;            ///< SourceOptions override it
+  double units_per_meter = 1000;            ///< SourceOptions override it
   bool has_color = true;                    ///< false: depth only; else a frame without colour is skipped
   bool has_poses = false;
   ColorRegistration color;  ///< of the layout; `camera` and SourceOptions override it

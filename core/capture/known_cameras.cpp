@@ -81,9 +81,10 @@ constexpr KnownCamera kTable[] = {
 }  // namespace
 
 std::optional<KnownCamera> findKnownCamera(std::uint16_t vendor, std::uint16_t product) {
-  for (const std::uint16_t wanted : {product, std::uint16_t{0}}) {
-    const auto* const found = std::ranges::find_if(
-        kTable, [&](const KnownCamera& known) { return known.vendor == vendor && known.product == wanted; });
+  for (const std::uint16_t requested : {product, std::uint16_t{0}}) {
+    const auto* const found = std::ranges::find_if(kTable, [&](const KnownCamera& known) {
+      return known.vendor == vendor && known.product == requested;
+    });
     if (found != std::end(kTable)) {
       return *found;
     }

@@ -11,7 +11,7 @@ constexpr double kLargest_m = 1e8;
 /// A recording that was cut: so many frames in a row have to be at the new place.
 constexpr int kAgreeingFrames = 3;
 
-std::string metres(double value) {
+std::string meters(double value) {
   std::ostringstream text;
   text.precision(3);
   if (value < 1000) {
@@ -53,10 +53,10 @@ bool LocalPoses::isJump(const Eigen::Vector3d& place) {
 std::string LocalPoses::refusalOf(const Eigen::Vector3d& place) {
   if (!place.allFinite()) return "is not finite";
   if (place.cwiseAbs().maxCoeff() > kLargest_m)
-    return "lies " + metres(place.norm()) + " from the recording's origin, where no camera is";
+    return "lies " + meters(place.norm()) + " from the recording's origin, where no camera is";
   if (origin_ && (place - *origin_).norm() > kFarthest_m)
-    return "lies " + metres((place - *origin_).norm()) + " from where the scan began";
-  if (isJump(place)) return "jumps by " + metres((place - *last_).norm());
+    return "lies " + meters((place - *origin_).norm()) + " from where the scan began";
+  if (isJump(place)) return "jumps by " + meters((place - *last_).norm());
   return {};
 }
 

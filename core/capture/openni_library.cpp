@@ -17,7 +17,7 @@ std::string openNiError() {
   return text.empty() ? "no reason given" : text;
 }
 
-Result<void> initialiseOpenNi() {
+Result<void> initializeOpenNi() {
   static std::mutex mutex;
   static bool is_ready = false;
   const std::scoped_lock lock(mutex);

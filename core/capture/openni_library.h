@@ -7,7 +7,7 @@ namespace scantrove {
 
 /// Loads OpenNI2 and its drivers, once a process (they stay loaded until it ends); its own console log is
 /// off. Any thread. Error: OpenNI2's words, and which package to install.
-[[nodiscard]] Result<void> initialiseOpenNi();
+[[nodiscard]] Result<void> initializeOpenNi();
 
 /// What OpenNI2 says about the last call that failed on this thread, in one line.
 [[nodiscard]] std::string openNiError();

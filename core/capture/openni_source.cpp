@@ -48,7 +48,7 @@ Result<std::unique_ptr<FrameSource>> makeSource(std::unique_ptr<OpenNiStreams> s
     }
     info.frame_count = static_cast<int>(selected->size());
   }
-  setup.metres_per_unit = options.depth_scale ? 1.0 / *options.depth_scale : streams->metresPerUnit();
+  setup.meters_per_unit = options.depth_scale ? 1.0 / *options.depth_scale : streams->metersPerUnit();
   if (streams->hasColor()) {
     const ColorRegistration color = options.color_registration.value_or(ColorRegistration{});
     setup.color_camera = colorCameraFor(color, streams->colorSize(), info.intrinsics, name);

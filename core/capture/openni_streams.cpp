@@ -37,10 +37,10 @@ void chooseMode(openni::VideoStream& stream, openni::PixelFormat format) {
 /// Empty if the frame has not the bytes that its size needs (a damaged recording).
 cv::Mat viewOf(const openni::VideoFrameRef& frame, int type) {
   const std::int64_t stride = frame.getStrideInBytes();
-  const bool is_whole = frame.getWidth() > 0 && frame.getHeight() > 0 &&
-                        stride >= std::int64_t{CV_ELEM_SIZE(type)} * frame.getWidth() &&
-                        stride * frame.getHeight() <= frame.getDataSize();
-  if (!is_whole) {
+  const bool is_complete = frame.getWidth() > 0 && frame.getHeight() > 0 &&
+                           stride >= std::int64_t{CV_ELEM_SIZE(type)} * frame.getWidth() &&
+                           stride * frame.getHeight() <= frame.getDataSize();
+  if (!is_complete) {
     return {};
   }
   return {frame.getHeight(), frame.getWidth(), type, const_cast<void*>(frame.getData()),
@@ -118,7 +118,7 @@ OpenNiStreams::~OpenNiStreams() {
 }
 
 Result<void> OpenNiStreams::open(const std::string& uri, bool is_to_register) {
-  SCANTROVE_TRY(initialiseOpenNi());
+  SCANTROVE_TRY(initializeOpenNi());
   if (handles_->device.open(uri.c_str()) != openni::STATUS_OK) {
     return fail("OpenNI2 cannot open " + uri + ": " + openNiError() + ".");
   }
@@ -175,7 +175,7 @@ int OpenNiStreams::depthFrameCount() {
   return playback == nullptr ? 0 : std::max(0, playback->getNumberOfFrames(handles_->depth));
 }
 
-double OpenNiStreams::metresPerUnit() const {
+double OpenNiStreams::metersPerUnit() const {
   return handles_->depth.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 1e-4 : 1e-3;
 }
 

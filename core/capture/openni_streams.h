@@ -29,7 +29,7 @@ class OpenNiStreams final : public DepthColorStreams {
   [[nodiscard]] std::string name() const { return handles_->device.getDeviceInfo().getName(); }
   [[nodiscard]] bool hasColor() const override { return handles_->color.isValid(); }
   [[nodiscard]] int depthFrameCount();  ///< of a recording; 0 if it does not say
-  [[nodiscard]] double metresPerUnit() const;
+  [[nodiscard]] double metersPerUnit() const;
   /// From the field of view and the depth stream's size; empty if the device does not say.
   [[nodiscard]] std::optional<Intrinsics> intrinsics() const;
   [[nodiscard]] cv::Size size() const;  ///< of the depth images

@@ -20,7 +20,7 @@ using Status = FrameRead::Status;
 constexpr auto kLiveTimeout = 1000ms;
 constexpr auto kRecordingTimeout = 2000ms;  // a recording that gives nothing for so long is over
 constexpr double kColorLag_s = 0.020;       // a little more than half a frame at 30 Hz
-constexpr int kMostWithoutColor = 30;       // depth images that wait for a first colour image: a second
+constexpr int kMaxWithoutColor = 30;        // depth images that wait for a first colour image: a second
 
 }  // namespace
 
@@ -90,7 +90,7 @@ FrameRead PairedSource::readOne() {
 /// there is no hope of any.
 bool PairedSource::hasColorFor(const StreamImage& depth) const {
   if (!color_) {
-    return !streams_->hasColor() || without_color_ >= kMostWithoutColor;
+    return !streams_->hasColor() || without_color_ >= kMaxWithoutColor;
   }
   return color_->timestamp_s >= depth.timestamp_s - kColorLag_s;
 }
@@ -106,14 +106,14 @@ FrameRead PairedSource::makeFrame(const StreamImage& depth) {
   }
   read.status = Status::frame;
   read.frame.timestamp_s = depth.timestamp_s;
-  read.frame.metres_per_unit = static_cast<float>(setup_.metres_per_unit);
+  read.frame.meters_per_unit = static_cast<float>(setup_.meters_per_unit);
   read.frame.depth = depth.image;
   if (setup_.color_camera) {
     read.frame.color = colorFor(depth);
     read.frame.color_camera = *setup_.color_camera;
   }
   if (!setup_.info.is_live && read.frame.index == options_.start) {
-    warnOfImplausibleDepth(read.frame.depth, setup_.metres_per_unit, setup_.info.name);
+    warnOfImplausibleDepth(read.frame.depth, setup_.meters_per_unit, setup_.info.name);
   }
   return read;
 }

@@ -13,7 +13,7 @@ namespace scantrove {
 struct PairedSourceSetup {
   SourceInfo info;
   Result<std::optional<ColorCamera>> color_camera;  ///< error: colour is of no use
-  double metres_per_unit = 1e-3;
+  double meters_per_unit = 1e-3;
   int available = 0;  ///< depth frames of a recording; 0: live, or unknown
 };
 

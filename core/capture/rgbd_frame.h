@@ -18,7 +18,7 @@ struct RgbdFrame {
                                             ///< depth, that is it shows what `depth` shows, scaled
   std::filesystem::path color_file = {};    ///< that `color` was read from and shows as it is; else empty
   cv::Mat depth;  ///< h x w, CV_16UC1, 0 = no reading (all the source's invalid values are mapped to it)
-  float metres_per_unit = 0.001F;  ///< z in metres = depth * metres_per_unit
+  float meters_per_unit = 0.001F;  ///< z in metres = depth * meters_per_unit
 
   std::optional<Eigen::Isometry3d> T_world_camera;  ///< the recording's own pose, where it has one
   cv::Mat instances;  ///< ground truth, h x w, CV_16UC1, 0 = none; only from the synthetic scene

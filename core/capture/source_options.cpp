@@ -27,14 +27,14 @@ Result<void> checkSourceOptions(const SourceOptions& options) {
   return {};
 }
 
-Result<void> checkDepthScale(double units_per_metre, const std::string& origin) {
-  constexpr double kLeast = 1e-6;
-  constexpr double kMost = 1e12;
-  if (units_per_metre >= kLeast && units_per_metre <= kMost) {
+Result<void> checkDepthScale(double units_per_meter, const std::string& origin) {
+  constexpr double kMin = 1e-6;
+  constexpr double kMax = 1e12;
+  if (units_per_meter >= kMin && units_per_meter <= kMax) {
     return {};
   }
   std::ostringstream value;
-  value << units_per_metre;
+  value << units_per_meter;
   return fail("The depth scale " + value.str() + " (" + origin + ") is none that depth images can have.",
               "It is depth units per metre, e.g. --depth-scale 1000 for millimetres, 5000 for TUM.");
 }

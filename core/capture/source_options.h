@@ -13,7 +13,7 @@ namespace scantrove {
 
 /// Refuses a depth scale (units per metre) that is not positive, or beyond what a float holds well. Error:
 /// names the value and `origin` ("--depth-scale", a file).
-[[nodiscard]] Result<void> checkDepthScale(double units_per_metre, const std::string& origin);
+[[nodiscard]] Result<void> checkDepthScale(double units_per_meter, const std::string& origin);
 
 /// The positions start, start + stride, ... below `available`, at most `frames` of them.
 /// Error: start is at or beyond the end; names the number of frames there are.

@@ -20,7 +20,7 @@ namespace scantrove {
 namespace {
 
 constexpr double kPairTolerance_s = 0.02;
-constexpr double kTumUnitsPerMetre = 5000;
+constexpr double kTumUnitsPerMeter = 5000;
 /// The cameras as TUM calibrated them; the third recordings are already free of distortion.
 struct FreiburgCamera {
   Intrinsics K;
@@ -100,7 +100,7 @@ void chooseFreiburgCamera(ImageSequence& sequence, const std::string& comments, 
   }
   const std::size_t chosen = camera.value_or(0);
   sequence.camera = CameraModel{
-      .K = kFreiburg[chosen].K, .units_per_metre = {}, .color = {}, .lens = kFreiburg[chosen].lens};
+      .K = kFreiburg[chosen].K, .units_per_meter = {}, .color = {}, .lens = kFreiburg[chosen].lens};
   sequence.camera_origin = "TUM freiburg" + std::to_string(chosen + 1);
 }
 
@@ -197,7 +197,7 @@ Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& 
   sequence.kind = "TUM RGB-D";
   sequence.folder = folder;
   sequence.has_color = color.has_value();
-  sequence.units_per_metre = kTumUnitsPerMetre;
+  sequence.units_per_meter = kTumUnitsPerMeter;
   auto entries = pairImages(folder, *depth, color);
   if (!entries) {
     return fail(entries.error());

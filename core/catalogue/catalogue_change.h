@@ -38,14 +38,14 @@ struct Unmerged {
   ObjectId into, from;
 };
 /// Some of its views are no longer of it.
-struct ViewsLeft {
+struct ViewsDiscarded {
   ObjectId object;
 };
 }  // namespace change
 
 using CatalogueChange =
     std::variant<change::Added, change::ViewAdded, change::Renamed, change::Confirmed, change::Removed,
-                 change::Restored, change::Merged, change::Unmerged, change::ViewsLeft>;
+                 change::Restored, change::Merged, change::Unmerged, change::ViewsDiscarded>;
 
 /// Changes in the order in which the database took them.
 struct CatalogueChanges {

@@ -24,7 +24,7 @@ std::optional<CatalogueChange> toChange(const QString& action, ObjectId object, 
   if (action == event::kUnconfirm) return change::Confirmed{object, false};
   if (action == event::kRemove) return change::Removed{object};
   if (action == event::kRestore) return change::Restored{object};
-  if (action == event::kLeaveBehind) return change::ViewsLeft{object};
+  if (action == event::kDiscardViews) return change::ViewsDiscarded{object};
   if (action == event::kAddView && after.contains("view")) {
     return change::ViewAdded{object, after["view"].toInteger()};
   }

@@ -12,8 +12,8 @@ struct CatalogueFeed::Effects {
   std::multiset<std::pair<ObjectId, ObjectId>> own_merges = feed.own_merges_;  ///< likewise
   std::set<ObjectId> changed = {};  ///< whose records are to be read again
   std::vector<ObjectId> regrouped = {};
-  bool holders = false;  ///< views have gone from one object to another, or to none
-  bool views = false;    ///< there are more
+  bool merge_roots = false;  ///< views have gone from one object to another, or to none
+  bool views = false;        ///< there are more
   std::vector<std::int64_t> own_first_views = {};
   std::vector<ObjectId> added = {};
   std::vector<std::pair<ObjectId, ObjectId>> unmerged = {};
@@ -34,7 +34,7 @@ struct CatalogueFeed::Effects {
   }
   void operator()(const change::Renamed& e) { changed.insert(e.object); }
   void operator()(const change::Confirmed& e) { changed.insert(e.object); }
-  void operator()(const change::ViewsLeft& e) { changed.insert(e.object); }
+  void operator()(const change::ViewsDiscarded& e) { changed.insert(e.object); }
   void operator()(const change::Removed& e) { regroup(e.object); }
   void operator()(const change::Restored& e) { regroup(e.object); }
   void operator()(const change::Merged& e) {
@@ -55,7 +55,7 @@ struct CatalogueFeed::Effects {
   void regroup(ObjectId object) {
     changed.insert(object);
     regrouped.push_back(object);
-    holders = true;
+    merge_roots = true;
   }
 };
 
@@ -70,7 +70,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
   for (const CatalogueChange& change : news->changes) std::visit(effects, change);
   CatalogueEdits edits;
   CataloguePosition now{news->last_event, position_.view};
-  if (effects.holders) SCANTROVE_TRY(moveInto(edits.holders, database_.holders()));
+  if (effects.merge_roots) SCANTROVE_TRY(moveInto(edits.merge_roots, database_.merge_roots()));
   for (const ObjectId object : effects.changed) SCANTROVE_TRY(readRecord(object, edits));
   own_views_.insert(effects.own_first_views.begin(), effects.own_first_views.end());
   if (effects.views) SCANTROVE_TRY(readViews(edits, now.view));
@@ -88,7 +88,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
 
 Result<CatalogueEdits> CatalogueFeed::reread(std::span<const ObjectId> objects) {
   CatalogueEdits edits;
-  SCANTROVE_TRY(moveInto(edits.holders, database_.holders()));
+  SCANTROVE_TRY(moveInto(edits.merge_roots, database_.merge_roots()));
   for (const ObjectId object : objects) SCANTROVE_TRY(readRecord(object, edits));
   return edits;
 }
@@ -100,8 +100,8 @@ Result<void> CatalogueFeed::readRecord(ObjectId object, CatalogueEdits& edits) {
     return {};
   }
   // It cannot be read because it is hidden?
-  const Result<ObjectId> holder = database_.resolve(object);
-  if (!holder || *holder == object) return fail(record.error());
+  const Result<ObjectId> root = database_.resolve(object);
+  if (!root || *root == object) return fail(record.error());
   edits.hidden.push_back(object);
   return {};
 }

@@ -81,11 +81,11 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(AddObject& job) {
 Result<CatalogueWriter::News> CatalogueWriter::execute(AddView& job) {
   const ObjectId key = job.view.object, object = idOf(key);
   if (!object) return News{news::ViewDropped{key}};
-  ObjectId holder;
+  ObjectId root;
   bool is_deleted = false;
   const auto check = [&]() -> Result<void> {
-    SCANTROVE_TRY(moveInto(holder, database_->resolve(object)));
-    is_deleted = !holder;
+    SCANTROVE_TRY(moveInto(root, database_->resolve(object)));
+    is_deleted = !root;
     return is_deleted ? Result<void>(fail("Its object was deleted.")) : Result<void>();
   };
   ObjectView view = job.view;  // images are shared
@@ -94,20 +94,20 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(AddView& job) {
   const Result<std::int64_t> stored = database_->addView(view, check);
   if (is_deleted) return News{news::ViewDropped{key}};
   if (!stored) return fail(stored.error());
-  touched_.insert(holder);
+  touched_.insert(root);
   feed_->expectView(*stored);
-  return News{news::ViewStored{key, holder}};
+  return News{news::ViewStored{key, root}};
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const Merge& job) {
-  constexpr int kMostTries = 8;  // by others' edits in between
-  for (int i = 0; i < kMostTries; ++i) {
-    const Result<std::vector<ObjectId>> pair = holdersOf(job);
+  constexpr int kMaxTries = 8;  // by others' edits in between
+  for (int i = 0; i < kMaxTries; ++i) {
+    const Result<std::vector<ObjectId>> pair = mergeRootsOf(job);
     if (!pair) return fail(pair.error());
     if (pair->size() < 2) break;
     bool has_changed = false, are_two = false;
     const auto check = [&]() -> Result<void> {
-      const Result<std::vector<ObjectId>> now = holdersOf(job);
+      const Result<std::vector<ObjectId>> now = mergeRootsOf(job);
       if (!now) return fail(now.error());
       has_changed = *now != *pair;
       if (has_changed) return fail("Others have changed it.");
@@ -122,26 +122,26 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Merge& job) {
     if (!merge) return fail(merge.error());
     touched_.insert(merge->into);
     feed_->expectMerge(*merge);
-    const Result<ObjectRecord> holder = database_->object(merge->into);
-    return News{news::MergeStored{std::move(*merge), holder ? std::optional(*holder) : std::nullopt}};
+    const Result<ObjectRecord> root = database_->object(merge->into);
+    return News{news::MergeStored{std::move(*merge), root ? std::optional(*root) : std::nullopt}};
   }
-  const Result<std::vector<ObjectId>> pair = holdersOf(job);
+  const Result<std::vector<ObjectId>> pair = mergeRootsOf(job);
   if (!pair) return fail(pair.error());
   Result<CatalogueEdits> now = feed_->reread(*pair);
   if (!now) return fail(now.error());
   return News{news::MergeDropped{}, news::Edited{std::move(*now)}};
 }
 
-Result<std::vector<ObjectId>> CatalogueWriter::holdersOf(const Merge& job) {
-  std::vector<ObjectId> holders;
+Result<std::vector<ObjectId>> CatalogueWriter::mergeRootsOf(const Merge& job) {
+  std::vector<ObjectId> merge_roots;
   for (const ObjectId key : {job.a, job.b}) {
     const ObjectId object = idOf(key);
     if (!object) continue;
-    const Result<ObjectId> holder = database_->resolve(object);
-    if (!holder) return fail(holder.error());
-    if (*holder && (holders.empty() || holders.front() != *holder)) holders.push_back(*holder);
+    const Result<ObjectId> root = database_->resolve(object);
+    if (!root) return fail(root.error());
+    if (*root && (merge_roots.empty() || merge_roots.front() != *root)) merge_roots.push_back(*root);
   }
-  return holders;
+  return merge_roots;
 }
 
 Result<bool> CatalogueWriter::mayMerge(const std::vector<ObjectId>& pair) {
@@ -168,24 +168,24 @@ CatalogueWriter::News CatalogueWriter::withRecords(CatalogueNews news, std::span
 Result<CatalogueWriter::News> CatalogueWriter::execute(const Name& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{news::NameDropped{job.object, std::nullopt}};
-  const Result<ObjectId> holder = database_->resolve(object);
-  if (!holder) return fail(holder.error());
-  if (!*holder) return News{news::NameDropped{job.object, std::nullopt}};
+  const Result<ObjectId> root = database_->resolve(object);
+  if (!root) return fail(root.error());
+  if (!*root) return News{news::NameDropped{job.object, std::nullopt}};
   if (overruled_.contains(job.again))
-    return withRecords(news::NameDropped{job.object, std::nullopt}, std::array{object, *holder});
-  const Result<ObjectNaming> naming = database_->nameByPerson(*holder, job.name);
+    return withRecords(news::NameDropped{job.object, std::nullopt}, std::array{object, *root});
+  const Result<ObjectNaming> naming = database_->nameByPerson(*root, job.name);
   if (!naming) return fail(naming.error());
   if (!naming->object) {
     return withRecords(
         news::NameDropped{job.object,
                           Error{"Another object in " + options_.database + " is called " + job.name + ".",
                                 "Choose another name, or merge the two if they are one."}},
-        std::array{object, *holder});
+        std::array{object, *root});
   }
   touched_.insert(naming->object);
   namings_[job.naming] = *naming;
   return withRecords(news::NameStored{job.object, job.naming, *naming},
-                     std::array{object, *holder, naming->object});
+                     std::array{object, *root, naming->object});
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const TakeNameBack& job) {
@@ -213,16 +213,16 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Withdraw& job) {
   return News{news::Edited{std::move(*now)}};
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const LeaveBehind& job) {
+Result<CatalogueWriter::News> CatalogueWriter::execute(const DiscardViews& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{};
-  const Result<ObjectId> holder = database_->resolve(object);
-  if (!holder) return fail(holder.error());
-  if (!*holder) return News{};  // it was deleted
-  const Result<bool> is_removed = database_->leaveBehind(object, session_, job.frames);
+  const Result<ObjectId> root = database_->resolve(object);
+  if (!root) return fail(root.error());
+  if (!*root) return News{};  // it was deleted
+  const Result<bool> is_removed = database_->discardViews(object, session_, job.frames);
   if (!is_removed) return fail(is_removed.error());
   touched_.insert(object);
-  return withRecords(news::ViewsLeft{*holder, *is_removed}, std::array{*holder});
+  return withRecords(news::ViewsDiscarded{*root, *is_removed}, std::array{*root});
 }
 
 Result<CatalogueWriter::News> CatalogueWriter::execute(const EndSession& /*job*/) {

@@ -48,9 +48,9 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
     record.id = keyOf(record.id);
     records_.emplace(record.id, std::move(record));
   }
-  const Result<std::vector<ObjectHolder>> holders = database.holders();
-  if (!holders) return fail(holders.error());
-  for (const ObjectHolder& entry : *holders) setHolder(keyOf(entry.object), keyOf(entry.holder));
+  const Result<std::vector<MergeRoot>> merge_roots = database.merge_roots();
+  if (!merge_roots) return fail(merge_roots.error());
+  for (const MergeRoot& entry : *merge_roots) setMergeRoot(keyOf(entry.object), keyOf(entry.root));
   const Result<int> views = database.viewCount();
   if (!views) return fail(views.error());
   detector_.reserve(*views + kViewsOfAScan);
@@ -85,14 +85,14 @@ ObjectId CatalogueMirror::keyOf(ObjectId id) const {
   return found == keys_.end() ? id : found->second;
 }
 
-void CatalogueMirror::setHolder(ObjectId object, ObjectId holder) {
+void CatalogueMirror::setMergeRoot(ObjectId object, ObjectId root) {
   objects_.insert(object);
-  detector_.setHolder({object, holder});
+  detector_.setMergeRoot({object, root});
 }
 
 void CatalogueMirror::regroup(ObjectId from, ObjectId into) {
   for (const ObjectId object : objects_) {
-    if (holderOf(object) == from) detector_.setHolder({object, into});
+    if (mergeRootOf(object) == from) detector_.setMergeRoot({object, into});
   }
 }
 
@@ -110,10 +110,10 @@ void CatalogueMirror::addSize(ObjectId object, const Eigen::Vector3f& size_m) {
   if (size_m.allFinite() && !size_m.isZero()) sizes_[object].push_back(size_m);
 }
 
-Eigen::Vector3f CatalogueMirror::sizeOf(ObjectId holder) const {
+Eigen::Vector3f CatalogueMirror::sizeOf(ObjectId root) const {
   std::array<std::vector<float>, 3> sides;
   for (const auto& [object, sizes] : sizes_) {
-    if (holderOf(object) != holder) continue;
+    if (mergeRootOf(object) != root) continue;
     for (const Eigen::Vector3f& size_m : sizes) {
       for (int i = 0; i < 3; ++i) sides[static_cast<std::size_t>(i)].push_back(size_m[i]);
     }
@@ -122,17 +122,17 @@ Eigen::Vector3f CatalogueMirror::sizeOf(ObjectId holder) const {
   return {middleOf(sides[0]), middleOf(sides[1]), middleOf(sides[2])};
 }
 
-int CatalogueMirror::viewsToCome(ObjectId holder) const {
+int CatalogueMirror::viewsToCome(ObjectId root) const {
   int views = 0;
   for (const auto& [object, count] : views_to_come_) {
-    if (holderOf(object) == holder) views += count;
+    if (mergeRootOf(object) == root) views += count;
   }
   return views;
 }
 
 void CatalogueMirror::add(const ObjectView& first_view) {
   const ObjectId key = first_view.object;
-  setHolder(key, key);
+  setMergeRoot(key, key);
   ObjectRecord record;
   record.id = key;
   record.size_m = first_view.size_m;
@@ -144,7 +144,7 @@ void CatalogueMirror::addView(const ObjectView& view) {
   if (view.descriptor) detector_.add({0, view.object, view.size_m, *view.descriptor});
   addSize(view.object, view.size_m);
   ++views_to_come_[view.object];
-  const auto found = records_.find(holderOf(view.object));
+  const auto found = records_.find(mergeRootOf(view.object));
   if (found == records_.end()) return;
   ++found->second.views;
   if (const Eigen::Vector3f size_m = sizeOf(found->first); !size_m.isZero()) found->second.size_m = size_m;
@@ -180,15 +180,15 @@ void CatalogueMirror::name(ObjectId object, const std::string& name) {
 
 void CatalogueMirror::withdraw(ObjectId object) {
   const bool holds_others = std::ranges::any_of(
-      objects_, [&](ObjectId other) { return other != object && holderOf(other) == object; });
-  if (holds_others || holderOf(object) != object) return;
-  setHolder(object, {});
+      objects_, [&](ObjectId other) { return other != object && mergeRootOf(other) == object; });
+  if (holds_others || mergeRootOf(object) != object) return;
+  setMergeRoot(object, {});
   records_.erase(object);
   std::erase_if(names_to_come_, [object](const auto& name) { return name.first == object; });
 }
 
 void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
-  auto own = records_.find(holderOf(object));
+  auto own = records_.find(mergeRootOf(object));
   if (own == records_.end()) return;
   const ObjectRecord* other = named(name);
   if (other != nullptr && other->id != own->first) {
@@ -220,14 +220,14 @@ struct CatalogueMirror::Applied {
     settleView(e.key);
   }
   void operator()(const news::ObjectRefused& e) const {
-    mirror.setHolder(e.key, {});
+    mirror.setMergeRoot(e.key, {});
     mirror.records_.erase(e.key);
     mirror.views_to_come_.erase(e.key);
   }
   void operator()(const news::ViewStored& e) const { settleView(e.key); }
   void operator()(const news::ViewDropped& e) const {
     settleView(e.key);
-    const auto found = mirror.records_.find(mirror.holderOf(e.key));
+    const auto found = mirror.records_.find(mirror.mergeRootOf(e.key));
     if (found != mirror.records_.end()) --found->second.views;
   }
   void operator()(const news::MergeStored& e) const {
@@ -238,10 +238,10 @@ struct CatalogueMirror::Applied {
       const bool is_into_here = mirror.record(into) != nullptr, is_from_here = mirror.record(from) != nullptr;
       if (is_into_here && is_from_here) {  // an edit came in between
         mirror.join(into, from);
-      } else if (is_from_here && e.holder) {  // the database chose the other one
+      } else if (is_from_here && e.root) {  // the database chose the other one
         mirror.regroup(from, into);
         mirror.records_.erase(from);
-        ObjectRecord record = *e.holder;
+        ObjectRecord record = *e.root;
         record.id = into;
         record.views += mirror.viewsToCome(into);
         mirror.records_[into] = std::move(record);
@@ -252,7 +252,7 @@ struct CatalogueMirror::Applied {
   void operator()(const news::NameStored&) const { endName(); }
   void operator()(const news::NameDropped&) const { endName(); }
   void operator()(const news::NameTakenBack&) const {}
-  void operator()(const news::ViewsLeft&) const {}
+  void operator()(const news::ViewsDiscarded&) const {}
   void operator()(const news::Edited& e) const { mirror.edit(e.edits); }
   void operator()(const news::Failed&) const {}
 
@@ -272,14 +272,14 @@ struct CatalogueMirror::Applied {
 void CatalogueMirror::apply(const CatalogueNews& news) { std::visit(Applied{*this}, news); }
 
 void CatalogueMirror::edit(const CatalogueEdits& edits) {
-  for (const ObjectId object : edits.added) setHolder(keyOf(object), keyOf(object));
-  for (const ObjectHolder& entry : edits.holders) setHolder(keyOf(entry.object), keyOf(entry.holder));
+  for (const ObjectId object : edits.added) setMergeRoot(keyOf(object), keyOf(object));
+  for (const MergeRoot& entry : edits.merge_roots) setMergeRoot(keyOf(entry.object), keyOf(entry.root));
   for (const ObjectId object : edits.hidden) records_.erase(keyOf(object));
   for (const StoredDescriptor& view : edits.views) addDescriptor(view);
   for (const ObjectRecord& read : edits.records) {
     ObjectRecord record = read;
     record.id = keyOf(read.id);
-    if (holderOf(record.id) != record.id) continue;  // merged here, and not yet there
+    if (mergeRootOf(record.id) != record.id) continue;  // merged here, and not yet there
     record.views += viewsToCome(record.id);
     records_[record.id] = std::move(record);
   }
@@ -290,7 +290,7 @@ void CatalogueMirror::edit(const CatalogueEdits& edits) {
 
 void CatalogueMirror::applyToCome() {
   for (const auto& [a, b] : merges_to_come_) {
-    const ObjectRecord *first = record(holderOf(a)), *second = record(holderOf(b));
+    const ObjectRecord *first = record(mergeRootOf(a)), *second = record(mergeRootOf(b));
     if (first == nullptr || second == nullptr || first == second) continue;
     const bool first_holds = holdsBoth(*first, *second);
     join(first_holds ? first->id : second->id, first_holds ? second->id : first->id);

@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/detector.h"
-#include "core/catalogue/known_places.h"
+#include "core/catalogue/known_layouts.h"
 #include "core/catalogue/object_database.h"
 
 namespace scantrove {
@@ -38,7 +38,7 @@ class CatalogueMirror {
   /// The visible objects that this scan has not found, rising.
   [[nodiscard]] std::vector<ObjectId> ofBefore() const;
   /// Who holds what was this object's; none: it was deleted.
-  [[nodiscard]] ObjectId holderOf(ObjectId object) const { return detector_.holderOf(object); }
+  [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const { return detector_.mergeRootOf(object); }
   /// A person took a merge of these two back.
   [[nodiscard]] bool areKeptApart(ObjectId a, ObjectId b) const {
     return kept_apart_.contains(std::minmax(a, b));
@@ -47,8 +47,8 @@ class CatalogueMirror {
   [[nodiscard]] bool isRegrouped(ObjectId object) const { return regrouped_.contains(object); }
   [[nodiscard]] Detector& detector() { return detector_; }
   /// Where earlier scans saw what is in it.
-  [[nodiscard]] KnownPlaces& places() { return places_; }
-  [[nodiscard]] const KnownPlaces& places() const { return places_; }
+  [[nodiscard]] KnownLayouts& places() { return places_; }
+  [[nodiscard]] const KnownLayouts& places() const { return places_; }
 
   /// This scan found the object.
   [[nodiscard]] static bool isOfThisScan(ObjectId key) { return key.value >= kFirstKey; }
@@ -90,22 +90,22 @@ class CatalogueMirror {
   static constexpr std::uint32_t kFirstKey = 1U << 31U;
   struct Applied;
 
-  void setHolder(ObjectId object, ObjectId holder);
+  void setMergeRoot(ObjectId object, ObjectId root);
   /// All that `from` holds is `into`'s now.
   void regroup(ObjectId from, ObjectId into);
   void join(ObjectId into, ObjectId from);
   void addDescriptor(const StoredDescriptor& view);
   void addSize(ObjectId object, const Eigen::Vector3f& size_m);
-  [[nodiscard]] Eigen::Vector3f sizeOf(ObjectId holder) const;
+  [[nodiscard]] Eigen::Vector3f sizeOf(ObjectId root) const;
   /// Views that the holder has and the database does not have yet.
-  [[nodiscard]] int viewsToCome(ObjectId holder) const;
+  [[nodiscard]] int viewsToCome(ObjectId root) const;
   void edit(const CatalogueEdits& edits);
   void applyName(ObjectId object, const std::string& name);
   /// What the database does not know yet holds all the same.
   void applyToCome();
 
   Detector detector_;
-  KnownPlaces places_;
+  KnownLayouts places_;
   std::unordered_map<ObjectId, ObjectRecord> records_;
   std::set<ObjectId> objects_;                                        // that ever were
   std::unordered_map<ObjectId, std::vector<Eigen::Vector3f>> sizes_;  // of the views, by first object

@@ -19,7 +19,7 @@ struct CataloguePosition {
 /// What persons and other programs did to the catalogue, as it is to be known after it.
 struct CatalogueEdits {
   std::vector<ObjectId> added;                          ///< objects that are new
-  std::vector<ObjectHolder> holders;                    ///< of all objects; empty: as before
+  std::vector<MergeRoot> merge_roots;                   ///< of all objects; empty: as before
   std::vector<ObjectRecord> records;                    ///< of visible objects
   std::vector<ObjectId> hidden;                         ///< objects without a record
   std::vector<StoredDescriptor> views;                  ///< that are new
@@ -27,7 +27,7 @@ struct CatalogueEdits {
   std::vector<ObjectId> regrouped;  ///< that were deleted, brought back, merged or taken apart
 
   [[nodiscard]] bool isEmpty() const {
-    return added.empty() && holders.empty() && records.empty() && hidden.empty() && views.empty() &&
+    return added.empty() && merge_roots.empty() && records.empty() && hidden.empty() && views.empty() &&
            unmerged.empty();
   }
 };
@@ -45,7 +45,7 @@ struct ObjectRefused {
 };
 struct ViewStored {
   ObjectId key;
-  ObjectId holder;
+  ObjectId root;
 };
 /// Its object was deleted meanwhile, or it cannot be stored.
 struct ViewDropped {
@@ -53,7 +53,7 @@ struct ViewDropped {
 };
 struct MergeStored {
   ObjectMerge merge;
-  std::optional<ObjectRecord> holder;  ///< none: hidden by now
+  std::optional<ObjectRecord> root;  ///< none: hidden by now
 };
 /// Persons settled both objects meanwhile, or one of them is gone. Edits that say how it is follow.
 struct MergeDropped {};
@@ -73,7 +73,7 @@ struct NameTakenBack {
   ObjectId object;
 };
 /// Views of it showed something else in the end, and are not of it any more. Edits follow.
-struct ViewsLeft {
+struct ViewsDiscarded {
   ObjectId object;
   bool is_removed = false;  ///< they were all that there was
 };
@@ -89,6 +89,6 @@ struct Failed {
 using CatalogueNews =
     std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored, news::ViewDropped,
                  news::MergeStored, news::MergeDropped, news::NameStored, news::NameDropped,
-                 news::NameTakenBack, news::ViewsLeft, news::Edited, news::Failed>;
+                 news::NameTakenBack, news::ViewsDiscarded, news::Edited, news::Failed>;
 
 }  // namespace scantrove

@@ -114,9 +114,9 @@ void CatalogueWriter::withdraw(ObjectId object) {
   enqueue(Withdraw{object});
 }
 
-void CatalogueWriter::leaveBehind(ObjectId object, std::vector<int> frames) {
+void CatalogueWriter::discardViews(ObjectId object, std::vector<int> frames) {
   const std::scoped_lock lock(mutex_);
-  enqueue(LeaveBehind{object, std::move(frames)});
+  enqueue(DiscardViews{object, std::move(frames)});
 }
 
 void CatalogueWriter::follow() {
@@ -144,9 +144,9 @@ Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
     enqueue(EndSession{});
     std::uint64_t done = done_;
     std::chrono::milliseconds waited{0}, waited_urgently{0};
-    const auto has_come = [&] { return jobs_.empty() || done_ != done || !news_.empty(); };
+    const auto has_appeared = [&] { return jobs_.empty() || done_ != done || !news_.empty(); };
     while (!jobs_.empty() && waited < options_.patience && waited_urgently < kUrgentPatience) {
-      if (!changed_.wait_for(lock, kLook, has_come)) {
+      if (!changed_.wait_for(lock, kLook, has_appeared)) {
         waited += kLook;
         if (isEndUrgent()) waited_urgently += kLook;
       }
@@ -188,7 +188,7 @@ Error CatalogueWriter::lossesInWords(const Losses& losses, const Error& reason) 
 // --- The writer's thread.
 
 void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> opened) {
-  giveWay(Niceness::catalogue_writer);
+  lowerThreadPriority(Niceness::catalogue_writer);
   const Result<void> open = guarded("opening the catalogue", [&]() -> Result<void> {
     SCANTROVE_TRY(moveInto(database_, ObjectDatabase::open(options_.database)));
     feed_.emplace(*database_, from);

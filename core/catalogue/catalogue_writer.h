@@ -78,8 +78,8 @@ class CatalogueWriter {
   /// ObjectDatabase::withdraw).
   void withdraw(ObjectId object);
   /// Views of the object that this scan took from those frames show something else. See
-  /// ObjectDatabase::leaveBehind(); nothing is done when a person has settled what it is by the time.
-  void leaveBehind(ObjectId object, std::vector<int> frames);
+  /// ObjectDatabase::discardViews(); nothing is done when a person has settled what it is by the time.
+  void discardViews(ObjectId object, std::vector<int> frames);
   /// Asks for what others did to the catalogue.
   void follow();
 
@@ -121,14 +121,14 @@ class CatalogueWriter {
   struct Withdraw {
     ObjectId object;
   };
-  struct LeaveBehind {
+  struct DiscardViews {
     ObjectId object;
     std::vector<int> frames;
   };
   struct BeginSession {};
   struct EndSession {};
-  using Job = std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, Withdraw, LeaveBehind,
-                           EndSession>;
+  using Job = std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, Withdraw,
+                           DiscardViews, EndSession>;
   /// Kinds of jobs, for counting.
   struct Losses {
     int objects = 0, views = 0, merges = 0, names = 0;
@@ -162,13 +162,13 @@ class CatalogueWriter {
   [[nodiscard]] Result<News> execute(const Name& job);
   [[nodiscard]] Result<News> execute(const TakeNameBack& job);
   [[nodiscard]] Result<News> execute(const Withdraw& job);
-  [[nodiscard]] Result<News> execute(const LeaveBehind& job);
+  [[nodiscard]] Result<News> execute(const DiscardViews& job);
   [[nodiscard]] Result<News> execute(const EndSession& job);
   /// As they are now, behind `news`. What cannot be read now is as it was known.
   [[nodiscard]] News withRecords(CatalogueNews news, std::span<const ObjectId> objects);
   [[nodiscard]] ObjectId idOf(ObjectId object) const;
   /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
-  [[nodiscard]] Result<std::vector<ObjectId>> holdersOf(const Merge& job);
+  [[nodiscard]] Result<std::vector<ObjectId>> mergeRootsOf(const Merge& job);
   [[nodiscard]] Result<bool> mayMerge(const std::vector<ObjectId>& pair);
   [[nodiscard]] std::optional<std::pair<dev_t, ino_t>> fileNow() const;
   /// Error: the file that is written to is no longer where it was. SQLite does not see that.

@@ -55,12 +55,12 @@ std::vector<DetectionMatch> Detector::find(const std::vector<DetectionQuery>& qu
     if (is_guess[i]) {
       if (distance >= match.guess_distance) continue;
       match.guess_distance = distance;
-      match.guess = index_.holderAt(pair.view);
+      match.guess = index_.mergeRootAt(pair.view);
       continue;
     }
     if (distance >= match.distance) continue;
     match.distance = distance;
-    match.nearest = index_.holderAt(pair.view);
+    match.nearest = index_.mergeRootAt(pair.view);
     match.object = distance < params_.max_distance ? match.nearest : ObjectId{};
   }
   return matches;

@@ -45,8 +45,8 @@ class Detector {
   [[nodiscard]] int viewCount() const { return index_.size(); }
 
   /// Views of an object without a holder match nothing.
-  void setHolder(const ObjectHolder& entry) { index_.setHolder(entry); }
-  [[nodiscard]] ObjectId holderOf(ObjectId object) const { return index_.holderOf(object); }
+  void setMergeRoot(const MergeRoot& entry) { index_.setMergeRoot(entry); }
+  [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const { return index_.mergeRootOf(object); }
 
   /// Colour tables and device code are made on first use, which takes a second where the driver has none of
   /// the code yet: now, not in the middle of a scan.

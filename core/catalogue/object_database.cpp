@@ -190,27 +190,28 @@ Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
   });
 }
 
-Result<bool> ObjectDatabase::leaveBehind(ObjectId object, std::int64_t session, std::span<const int> frames) {
+Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
+                                          std::span<const int> frames) {
   return inTransaction(*connection_, [&]() -> Result<bool> {
-    const Result<ObjectRow> holder = holderOf(*connection_, object);
-    if (!holder) return fail(holder.error());
-    if (holder->hidden || holder->confirmed || holder->named_by == NamedBy::person) return false;
+    const Result<ObjectRow> root = mergeRootOf(*connection_, object);
+    if (!root) return fail(root.error());
+    if (root->hidden || root->confirmed || root->named_by == NamedBy::person) return false;
     QVariantList views;
     for (const int frame : frames) {
       Result<QSqlQuery> view = connection_->execute(
           "SELECT id FROM views WHERE object = ? AND first_object = ? AND session = ? AND frame_index = ?",
-          {holder->id.value, object.value, static_cast<qlonglong>(session), frame});
+          {root->id.value, object.value, static_cast<qlonglong>(session), frame});
       if (!view) return fail(view.error());
       while (view->next()) views.push_back(view->value(0));
     }
     if (views.empty()) return false;
     Result<QSqlQuery> all =
-        connection_->execute("SELECT count(*) FROM views WHERE object = ?", {holder->id.value});
+        connection_->execute("SELECT count(*) FROM views WHERE object = ?", {root->id.value});
     if (!all) return fail(all.error());
     if (all->next() && all->value(0).toInt() == views.size()) {
-      ObjectRow row = *holder;
+      ObjectRow row = *root;
       row.hidden = true;
-      SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *holder, row));
+      SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *root, row));
       return true;
     }
     const Result<int> number = nextNumber(*connection_);
@@ -220,35 +221,35 @@ Result<bool> ObjectDatabase::leaveBehind(ObjectId object, std::int64_t session, 
         " VALUES (?, ?, 1, 0, 0, 0, ?, ?)",
         {*number, QString("Obj_%1").arg(*number), orNull(session), DatabaseConnection::now()});
     if (!left) return fail(left.error());
-    const ObjectId left_behind{static_cast<std::uint32_t>(*left)};
+    const ObjectId discarded{static_cast<std::uint32_t>(*left)};
     for (const QVariant& view : views) {
       SCANTROVE_TRY(connection_->execute("UPDATE views SET object = ?, first_object = ? WHERE id = ?",
-                                         {left_behind.value, left_behind.value, view}));
+                                         {discarded.value, discarded.value, view}));
       SCANTROVE_TRY(connection_->execute("UPDATE view_summaries SET first_object = ? WHERE view = ?",
-                                         {left_behind.value, view}));
+                                         {discarded.value, view}));
     }
-    SCANTROVE_TRY(refreshObject(*connection_, left_behind));
-    SCANTROVE_TRY(refreshObject(*connection_, holder->id));
-    SCANTROVE_TRY(recordEvent(*connection_, event::kLeaveBehind, holder->id, {},
-                              {{"left_behind", static_cast<qint64>(left_behind.value)}}, session));
+    SCANTROVE_TRY(refreshObject(*connection_, discarded));
+    SCANTROVE_TRY(refreshObject(*connection_, root->id));
+    SCANTROVE_TRY(recordEvent(*connection_, event::kDiscardViews, root->id, {},
+                              {{"left_behind", static_cast<qint64>(discarded.value)}}, session));
     return false;
   });
 }
 
 Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name, NamedBy by) {
-  const Result<QString> wanted = checkedObjectName(name);
-  if (!wanted) return fail(wanted.error());
+  const Result<QString> requested = checkedObjectName(name);
+  if (!requested) return fail(requested.error());
   return inTransaction(*connection_, [&]() -> Result<void> {
     const Result<ObjectRow> before = readVisibleRow(*connection_, id);
     if (!before) return fail(before.error());
-    const Result<ObjectId> other = visibleObjectNamed(*connection_, *wanted);
+    const Result<ObjectId> other = visibleObjectNamed(*connection_, *requested);
     if (!other) return fail(other.error());
     if (*other && *other != id) {
-      return fail("Another object in " + connection_->file() + " is called " + wanted->toStdString() + ".",
+      return fail("Another object in " + connection_->file() + " is called " + requested->toStdString() + ".",
                   "Choose another name, or merge the two if they are one.");
     }
     ObjectRow row = *before;
-    row.name = *wanted;
+    row.name = *requested;
     row.named_by = by;
     if (row.name == before->name && row.named_by == before->named_by) return {};
     return changeRow(*connection_, event::kRename, *before, row);

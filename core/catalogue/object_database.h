@@ -63,7 +63,7 @@ class ObjectDatabase {
   /// The object that holds what was `id`'s, after merges; none when it was deleted.
   [[nodiscard]] Result<ObjectId> resolve(ObjectId id);
   /// The same for all objects that ever were, by id.
-  [[nodiscard]] Result<std::vector<ObjectHolder>> holders();
+  [[nodiscard]] Result<std::vector<MergeRoot>> merge_roots();
 
   /// With their images, oldest first; a view whose images cannot be used is left out and named in the log.
   [[nodiscard]] Result<std::vector<ObjectView>> views(ObjectId id);
@@ -98,7 +98,7 @@ class ObjectDatabase {
   /// Views that `object` was given by that session, from those frames, show something else: they become an
   /// object of their own, which is removed. Where they are all that there is of it, it is removed itself.
   /// Nothing is done to what a person named or confirmed, nor to what is hidden. Whether it was removed.
-  [[nodiscard]] Result<bool> leaveBehind(ObjectId object, std::int64_t session, std::span<const int> frames);
+  [[nodiscard]] Result<bool> discardViews(ObjectId object, std::int64_t session, std::span<const int> frames);
 
   /// Blanks around the name are dropped. Error: no name for an object (see checkedObjectName), or another
   /// visible object has it. `by` is `program` only to take a person's name back.

@@ -71,12 +71,12 @@ Result<std::vector<ObjectRow>> contenders(DatabaseConnection& connection, std::s
 }  // namespace
 
 Result<ObjectId> ObjectDatabase::resolve(ObjectId id) {
-  const Result<ObjectRow> row = holderOf(*connection_, id);
+  const Result<ObjectRow> row = mergeRootOf(*connection_, id);
   if (!row) return fail(row.error());
   return row->hidden ? ObjectId{} : row->id;
 }
 
-Result<std::vector<ObjectHolder>> ObjectDatabase::holders() {
+Result<std::vector<MergeRoot>> ObjectDatabase::merge_roots() {
   Result<QSqlQuery> query = connection_->execute("SELECT id, hidden, merged_into FROM objects ORDER BY id");
   if (!query) return fail(query.error());
   std::map<ObjectId, ObjectId> next;  // itself for visible objects, none for deleted ones
@@ -84,16 +84,16 @@ Result<std::vector<ObjectHolder>> ObjectDatabase::holders() {
     const ObjectId id{query->value(0).toUInt()};
     next[id] = query->value(1).toInt() == 0 ? id : ObjectId{query->value(2).toUInt()};
   }
-  std::vector<ObjectHolder> result;
+  std::vector<MergeRoot> result;
   for (const auto& [id, first] : next) {
-    ObjectId before = id, holder = first;
+    ObjectId before = id, root = first;
     std::set<ObjectId> passed;
-    while (holder && holder != before && passed.insert(holder).second) {
-      const auto found = next.find(holder);
-      before = holder;
-      holder = found == next.end() ? ObjectId{} : found->second;
+    while (root && root != before && passed.insert(root).second) {
+      const auto found = next.find(root);
+      before = root;
+      root = found == next.end() ? ObjectId{} : found->second;
     }
-    result.push_back({id, holder == before ? holder : ObjectId{}});
+    result.push_back({id, root == before ? root : ObjectId{}});
   }
   return result;
 }
@@ -108,19 +108,19 @@ Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, con
 Result<ObjectMerge> ObjectDatabase::mergeRows(std::span<const ObjectId> objects) {
   const Result<std::vector<ObjectRow>> ranked = contenders(*connection_, objects);
   if (!ranked) return fail(ranked.error());
-  const ObjectRow& holder = ranked->front();
-  ObjectMerge merge{holder.id, {}, false};
+  const ObjectRow& root = ranked->front();
+  ObjectMerge merge{root.id, {}, false};
   for (const ObjectRow& other : std::span(*ranked).subspan(1)) {
     ObjectRow row = other;
     row.hidden = true;
-    row.merged_into = holder.id;
-    SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other, row, holder.id));
+    row.merged_into = root.id;
+    SCANTROVE_TRY(giveViews(*connection_, event::kMerge, other, row, root.id));
     SCANTROVE_TRY(refreshObject(*connection_, row.id));
     merge.from.push_back(row.id);
-    merge.has_confirmed = merge.has_confirmed || (row.confirmed && !holder.confirmed);
+    merge.has_confirmed = merge.has_confirmed || (row.confirmed && !root.confirmed);
   }
-  if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, holder, true));
-  SCANTROVE_TRY(refreshObject(*connection_, holder.id));
+  if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, root, true));
+  SCANTROVE_TRY(refreshObject(*connection_, root.id));
   return merge;
 }
 
@@ -148,11 +148,11 @@ Result<void> ObjectDatabase::unmergeRows(const ObjectMerge& merge) {
   if (merge.has_confirmed) SCANTROVE_TRY(markConfirmed(*connection_, *into, false));
   SCANTROVE_TRY(refreshObject(*connection_, merge.into));
   // It may be part of another by now, which held these views, too.
-  const Result<ObjectRow> holder = holderOf(*connection_, merge.into);
-  if (!holder) return fail(holder.error());
-  if (holder->id == merge.into) return {};
-  SCANTROVE_TRY(refreshObject(*connection_, holder->id));
-  return recordEvent(*connection_, event::kLeaveBehind, holder->id, {},
+  const Result<ObjectRow> root = mergeRootOf(*connection_, merge.into);
+  if (!root) return fail(root.error());
+  if (root->id == merge.into) return {};
+  SCANTROVE_TRY(refreshObject(*connection_, root->id));
+  return recordEvent(*connection_, event::kDiscardViews, root->id, {},
                      {{"unmerged", static_cast<qint64>(merge.from.front().value)}});
 }
 

@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-bool isSaid(const ObjectRow& row) { return row.confirmed || row.named_by == NamedBy::person; }
+bool isSetByPerson(const ObjectRow& row) { return row.confirmed || row.named_by == NamedBy::person; }
 
 /// Stores another name, if it is one.
 Result<void> giveName(DatabaseConnection& connection, const ObjectRow& before, const ObjectRow& row) {
@@ -27,23 +27,23 @@ Result<std::string> ObjectDatabase::checkedName(const std::string& name) {
 }
 
 Result<ObjectNaming> ObjectDatabase::nameByPerson(ObjectId id, const std::string& name) {
-  const Result<QString> wanted = checkedObjectName(name);
-  if (!wanted) return fail(wanted.error());
+  const Result<QString> requested = checkedObjectName(name);
+  if (!requested) return fail(requested.error());
   return inTransaction(*connection_, [&]() -> Result<ObjectNaming> {
-    const Result<ObjectRow> own = holderOf(*connection_, id);
+    const Result<ObjectRow> own = mergeRootOf(*connection_, id);
     if (!own) return fail(own.error());
     if (own->hidden) return fail(readVisibleRow(*connection_, own->id).error());
-    const Result<ObjectId> called_so = visibleObjectNamed(*connection_, *wanted);
+    const Result<ObjectId> called_so = visibleObjectNamed(*connection_, *requested);
     if (!called_so) return fail(called_so.error());
     const bool is_other = *called_so && *called_so != own->id;
-    if (is_other && isSaid(*own)) return ObjectNaming{};
+    if (is_other && isSetByPerson(*own)) return ObjectNaming{};
     const Result<ObjectRow> before = is_other ? readVisibleRow(*connection_, *called_so) : own;
     if (!before) return fail(before.error());
 
-    ObjectNaming naming{before->id, wanted->toStdString(), before->name.toStdString(), before->named_by,
+    ObjectNaming naming{before->id, requested->toStdString(), before->name.toStdString(), before->named_by,
                         before->confirmed};
     ObjectRow row = *before;
-    row.name = *wanted;
+    row.name = *requested;
     row.named_by = NamedBy::person;  // so it is the one that holds both
     SCANTROVE_TRY(giveName(*connection_, *before, row));
     SCANTROVE_TRY(markConfirmed(*connection_, row, true));

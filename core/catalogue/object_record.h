@@ -56,9 +56,9 @@ struct ObjectRecord {
 }
 
 /// Who holds the views that were first seen as `object`.
-struct ObjectHolder {
+struct MergeRoot {
   ObjectId object;
-  ObjectId holder;  ///< itself, or what it was merged into; none: deleted
+  ObjectId root;  ///< itself, or what it was merged into; none: deleted
 };
 
 /// What a merge did, for taking it back.
@@ -87,7 +87,7 @@ struct ViewPlace {
 /// What recognition needs of a stored view.
 struct StoredDescriptor {
   std::int64_t view = 0;
-  ObjectId first_object;  ///< the object that the view was stored for; see ObjectHolder
+  ObjectId first_object;  ///< the object that the view was stored for; see MergeRoot
   Eigen::Vector3f size_m = Eigen::Vector3f::Zero();  ///< as ObjectView::size_m
   Thumbnail thumbnail;
   std::optional<ViewPlace> place = {};  ///< none: stored by an older version

@@ -102,7 +102,7 @@ Result<void> recordEvent(DatabaseConnection& connection, const char* action, Obj
   return {};
 }
 
-Result<ObjectRow> holderOf(DatabaseConnection& connection, ObjectId id) {
+Result<ObjectRow> mergeRootOf(DatabaseConnection& connection, ObjectId id) {
   Result<ObjectRow> row = readRow(connection, id);
   std::set<ObjectId> passed;
   while (row && row->hidden && row->merged_into && passed.insert(row->id).second) {

@@ -35,7 +35,7 @@ inline constexpr const char* kRemove = "remove";
 inline constexpr const char* kRestore = "restore";
 inline constexpr const char* kMerge = "merge";
 inline constexpr const char* kUnmerge = "unmerge";
-inline constexpr const char* kLeaveBehind = "leave-behind";
+inline constexpr const char* kDiscardViews = "leave-behind";
 }  // namespace event
 
 /// For binding: null for 0.
@@ -63,6 +63,6 @@ inline constexpr const char* kLeaveBehind = "leave-behind";
 
 /// The object that holds what was once `id`'s: follows merges to the first visible object, or to their end.
 /// Hidden when that one was deleted, or (in a damaged file) when the merges go round in a circle or nowhere.
-[[nodiscard]] Result<ObjectRow> holderOf(DatabaseConnection& connection, ObjectId id);
+[[nodiscard]] Result<ObjectRow> mergeRootOf(DatabaseConnection& connection, ObjectId id);
 
 }  // namespace scantrove

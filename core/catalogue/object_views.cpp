@@ -117,9 +117,9 @@ Result<std::int64_t> ObjectDatabase::insertView(ObjectView view) {
                 std::to_string(view.frame_index) + " was not stored in " + connection_->file() + ": " + flaw +
                 ".");
   }
-  const Result<ObjectRow> holder = holderOf(*connection_, view.object);
-  if (!holder) return fail(holder.error());
-  QVariantList values{holder->id.value,
+  const Result<ObjectRow> root = mergeRootOf(*connection_, view.object);
+  if (!root) return fail(root.error());
+  QVariantList values{root->id.value,
                       view.object.value,
                       orNull(view.session),
                       view.frame_index,
@@ -139,9 +139,9 @@ Result<std::int64_t> ObjectDatabase::insertView(ObjectView view) {
           " direction_z, created, color, mask, depth_mm, box_x, box_y, box_width, box_height, frame_width,"
           " frame_height) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
           values)));
-  SCANTROVE_TRY(insertSummary(*connection_, view, summarise(view)));
-  SCANTROVE_TRY(refreshObject(*connection_, holder->id));
-  SCANTROVE_TRY(recordEvent(*connection_, event::kAddView, holder->id, {},
+  SCANTROVE_TRY(insertSummary(*connection_, view, summarize(view)));
+  SCANTROVE_TRY(refreshObject(*connection_, root->id));
+  SCANTROVE_TRY(recordEvent(*connection_, event::kAddView, root->id, {},
                             {{"view", static_cast<qint64>(view.id)}}, view.session));
   return view.id;
 }

@@ -14,7 +14,7 @@ PrincipalComponents PrincipalComponents::fit(const Eigen::MatrixXf& rows) {
   const Eigen::Index width = std::min<Eigen::Index>({kCount + kSpare, rows.rows(), rows.cols()});
   PrincipalComponents result;
   result.mean_ = rows.colwise().mean();
-  const Eigen::MatrixXf centred = rows.rowwise() - result.mean_.transpose();
+  const Eigen::MatrixXf centered = rows.rowwise() - result.mean_.transpose();
 
   std::mt19937 random(19);
   Eigen::MatrixXf basis(rows.cols(), width);
@@ -27,11 +27,11 @@ PrincipalComponents PrincipalComponents::fit(const Eigen::MatrixXf& rows) {
   };
   for (int round = 0; round < kRounds; ++round) {
     basis = orthonormal(basis);
-    const Eigen::MatrixXf along = centred * basis;
-    basis = centred.transpose() * along;
+    const Eigen::MatrixXf along = centered * basis;
+    basis = centered.transpose() * along;
   }
   basis = orthonormal(basis);
-  const Eigen::MatrixXf along = centred * basis;
+  const Eigen::MatrixXf along = centered * basis;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> eigen(along.transpose() * along);
   result.axes_ =
       basis * eigen.eigenvectors().rowwise().reverse().leftCols(kCount);  // ascending becomes descending

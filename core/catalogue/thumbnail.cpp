@@ -10,7 +10,7 @@ namespace scantrove {
 namespace {
 
 // CIE units. Compressed camera images vary by about this much on a uniform surface.
-constexpr std::array<float, 3> kLeastDeviation = {4, 2, 2};
+constexpr std::array<float, 3> kMinDeviation = {4, 2, 2};
 
 struct SmallCrop {
   cv::Mat lab;     // 32 x 32, CV_32FC3, means over the object's pixels only
@@ -59,9 +59,8 @@ std::optional<Thumbnail> makeThumbnail(const cv::Mat& color, const cv::Mat& mask
     }
     const double mean = sum / total;
     const double deviation = std::sqrt(std::max(squares / total - mean * mean, 0.0));
-    const double unit =
-        Thumbnail::kUnit /
-        std::max(deviation, static_cast<double>(kLeastDeviation[static_cast<std::size_t>(c)]));
+    const double unit = Thumbnail::kUnit /
+                        std::max(deviation, static_cast<double>(kMinDeviation[static_cast<std::size_t>(c)]));
     thumbnail.mean_lab[c] = static_cast<float>(mean);
     std::int8_t* fine = thumbnail.fine.data() + c * Thumbnail::kPixels;
     for (int i = 0; i < Thumbnail::kPixels; ++i) {

@@ -25,26 +25,26 @@ Result<std::vector<std::int64_t>> viewsWithoutSummary(DatabaseConnection& connec
   return views;
 }
 
-Result<void> summariseViews(DatabaseConnection& connection, const std::vector<std::int64_t>& views) {
+Result<void> summarizeViews(DatabaseConnection& connection, const std::vector<std::int64_t>& views) {
   return inTransaction(connection, [&]() -> Result<void> {
-    std::set<ObjectId> holders;
+    std::set<ObjectId> merge_roots;
     for (const std::int64_t view : views) {
-      const Result<ObjectId> holder = summariseStoredView(connection, view);
-      if (!holder) return fail(holder.error());
-      holders.insert(*holder);
+      const Result<ObjectId> root = summarizeStoredView(connection, view);
+      if (!root) return fail(root.error());
+      merge_roots.insert(*root);
     }
-    for (const ObjectId holder : holders) SCANTROVE_TRY(refreshObject(connection, holder));
+    for (const ObjectId root : merge_roots) SCANTROVE_TRY(refreshObject(connection, root));
     return {};
   });
 }
 
 /// Views that an older version stored.
-Result<void> summariseOlderViews(DatabaseConnection& connection) {
+Result<void> summarizeOlderViews(DatabaseConnection& connection) {
   for (;;) {
     const Result<std::vector<std::int64_t>> views = viewsWithoutSummary(connection);
     if (!views) return fail(views.error());
     if (views->empty()) return {};
-    SCANTROVE_TRY(summariseViews(connection, *views));
+    SCANTROVE_TRY(summarizeViews(connection, *views));
   }
 }
 
@@ -75,7 +75,7 @@ std::optional<ViewPlace> readPlace(const QSqlQuery& query, int column) {
 
 Result<std::int64_t> ObjectDatabase::forEachDescriptor(
     std::int64_t after, const std::function<void(const StoredDescriptor&)>& visit) {
-  SCANTROVE_TRY(summariseOlderViews(*connection_));
+  SCANTROVE_TRY(summarizeOlderViews(*connection_));
   Result<QSqlQuery> query = connection_->execute(
       "SELECT d.view, s.first_object, s.size_x_m, s.size_y_m, s.size_z_m, d.mean_l, d.mean_a, d.mean_b,"
       " d.fine, s.session, s.place_x_m, s.place_y_m, s.place_z_m"
@@ -113,7 +113,7 @@ Result<cv::Mat> ObjectDatabase::picture(ObjectId id) {
   if (!query) return fail(query.error());
   if (!query->next() || query->value(0).isNull()) return cv::Mat();
   if (query->value(2).toBool()) {
-    SCANTROVE_TRY(summariseViews(*connection_, {query->value(0).toLongLong()}));
+    SCANTROVE_TRY(summarizeViews(*connection_, {query->value(0).toLongLong()}));
     query = connection_->execute(kSelect, {id.value});
     if (!query) return fail(query.error());
     if (!query->next()) return cv::Mat();
@@ -129,7 +129,7 @@ Result<std::vector<cv::Mat>> ObjectDatabase::pictures(ObjectId id) {
   if (!query) return fail(query.error());
   std::vector<std::int64_t> older;
   while (query->next()) older.push_back(query->value(0).toLongLong());
-  if (!older.empty()) SCANTROVE_TRY(summariseViews(*connection_, older));
+  if (!older.empty()) SCANTROVE_TRY(summarizeViews(*connection_, older));
 
   query = connection_->execute(
       "SELECT p.jpeg FROM views v JOIN pictures p ON p.view = v.id WHERE v.object = ? ORDER BY v.id DESC",

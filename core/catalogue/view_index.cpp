@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kMostSamples = 256;  // views that the components are fitted to
+constexpr int kMaxSamples = 256;  // views that the components are fitted to
 constexpr float kGrowthToRefit = 1.5F;
 constexpr int kEnoughViews = 2000;          // the components of so many are those of more: fitted no more
 constexpr std::size_t kWaitingViews = 256;  // whose pixels wait for their coordinates
@@ -47,16 +47,17 @@ bool isPartOf(float diagonal_m, float whole_m) {
 }  // namespace
 
 std::uint32_t ViewIndex::ownerOf(ObjectId first_object) {
-  const auto [entry, is_new] = owners_.try_emplace(first_object, static_cast<std::uint32_t>(holders_.size()));
-  if (is_new) holders_.emplace_back();
+  const auto [entry, is_new] =
+      owners_.try_emplace(first_object, static_cast<std::uint32_t>(merge_roots_.size()));
+  if (is_new) merge_roots_.emplace_back();
   return entry->second;
 }
 
-void ViewIndex::setHolder(const ObjectHolder& entry) { holders_[ownerOf(entry.object)] = entry.holder; }
+void ViewIndex::setMergeRoot(const MergeRoot& entry) { merge_roots_[ownerOf(entry.object)] = entry.root; }
 
-ObjectId ViewIndex::holderOf(ObjectId object) const {
+ObjectId ViewIndex::mergeRootOf(ObjectId object) const {
   const auto found = owners_.find(object);
-  return found == owners_.end() ? ObjectId{} : holders_[found->second];
+  return found == owners_.end() ? ObjectId{} : merge_roots_[found->second];
 }
 
 void ViewIndex::append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
@@ -70,7 +71,7 @@ void ViewIndex::updateComponents() {
   if (size() < kFewViews) return;
   const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
   if (views_at_fit_ < kEnoughViews && grown) {
-    const int samples = std::min(size(), kMostSamples);
+    const int samples = std::min(size(), kMaxSamples);
     Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
     for (int i = 0; i < samples; ++i) {
       const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
@@ -108,7 +109,7 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
     const View& view = views_[static_cast<std::size_t>(place)];
     const float color = colorDistance(query.thumbnail.mean_lab, view.mean_lab);
     if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
-        !holders_[view.owner])
+        !merge_roots_[view.owner])
       continue;
     const float distance = prune ? std::min((straight - view.coordinates).squaredNorm(),
                                             (flipped - view.coordinates).squaredNorm())
@@ -126,16 +127,16 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
   return places;
 }
 
-std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> holders, const Query& query,
+std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> merge_roots, const Query& query,
                                     const Limits& limits) const {
   std::vector<int> places;
-  if (holders.empty()) return places;
+  if (merge_roots.empty()) return places;
   const float diagonal_m = query.size_m.norm();
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
     const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
                       isPartOf(diagonal_m, view.diagonal_m);
-    if (fits && std::ranges::find(holders, holders_[view.owner]) != holders.end() &&
+    if (fits && std::ranges::find(merge_roots, merge_roots_[view.owner]) != merge_roots.end() &&
         colorDistance(query.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
       places.push_back(place);
   }

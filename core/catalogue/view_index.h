@@ -34,11 +34,11 @@ class ViewIndex {
   void append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m);
 
   /// Views of an object that nobody holds are never worth a comparison.
-  void setHolder(const ObjectHolder& entry);
+  void setMergeRoot(const MergeRoot& entry);
   /// None for an object that was deleted or never heard of.
-  [[nodiscard]] ObjectId holderOf(ObjectId object) const;
-  [[nodiscard]] ObjectId holderAt(int place) const {
-    return holders_[views_[static_cast<std::size_t>(place)].owner];
+  [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const;
+  [[nodiscard]] ObjectId mergeRootAt(int place) const {
+    return merge_roots_[views_[static_cast<std::size_t>(place)].owner];
   }
 
   /// Places worth a comparison, nearest first; at most `shortlist` once there are kFewViews views.
@@ -46,7 +46,7 @@ class ViewIndex {
 
   /// Places of views that are held by one of the `holders`, whose colour could be the query's, and that are
   /// about as large or up to twice as large.
-  [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> holders, const Query& query,
+  [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> merge_roots, const Query& query,
                                          const Limits& limits) const;
 
   /// What the difference of mean colours adds to the warped distance of a pair.
@@ -55,7 +55,7 @@ class ViewIndex {
  private:
   using Coarse = decltype(Thumbnail::coarse);
   struct View {           // what every query reads: small
-    std::uint32_t owner;  // of holders_
+    std::uint32_t owner;  // of merge_roots_
     Eigen::Vector3f mean_lab;
     float diagonal_m;
     PrincipalComponents::Coordinates coordinates;
@@ -65,7 +65,7 @@ class ViewIndex {
 
   std::vector<View> views_;
   std::unordered_map<ObjectId, std::uint32_t> owners_;  // by first object
-  std::vector<ObjectId> holders_;                       // by owner
+  std::vector<ObjectId> merge_roots_;                   // by owner
   // 16 x 16 pixels of the last views: all, as long as components may be fitted to them anew; later those
   // whose coordinates are still to be computed.
   std::vector<Coarse> coarse_;

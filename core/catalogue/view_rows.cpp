@@ -61,7 +61,7 @@ Result<void> insertSummary(DatabaseConnection& connection, const ObjectView& vie
   return storeImages(connection, id, summary);
 }
 
-Result<ObjectId> summariseStoredView(DatabaseConnection& connection, std::int64_t id) {
+Result<ObjectId> summarizeStoredView(DatabaseConnection& connection, std::int64_t id) {
   const auto view_id = static_cast<qlonglong>(id);
   Result<QSqlQuery> query =
       connection.execute("SELECT object, color, mask FROM views WHERE id = ?", {view_id});
@@ -77,7 +77,7 @@ Result<ObjectId> summariseStoredView(DatabaseConnection& connection, std::int64_
     if (view.color.empty() && !color.isEmpty()) flaw = "its colour is not an image";
     if (view.mask.empty() && !mask.isEmpty()) flaw = "its mask is not an image";
     if (flaw.empty()) {
-      summary = summarise(view);
+      summary = summarize(view);
     } else {
       warnOfView(connection, id, view.object, flaw);
     }

@@ -17,7 +17,7 @@ class DatabaseConnection;
 /// Reads one view's images and stores what is computed of them, in place of what there was; a view whose
 /// images cannot be used is named in the log and has no summary but an area of 0. Inside the caller's
 /// transaction. Returns the object that holds the view.
-[[nodiscard]] Result<ObjectId> summariseStoredView(DatabaseConnection& connection, std::int64_t view);
+[[nodiscard]] Result<ObjectId> summarizeStoredView(DatabaseConnection& connection, std::int64_t view);
 
 /// Brings size and best view of an object in line with the views that it holds now.
 [[nodiscard]] Result<void> refreshObject(DatabaseConnection& connection, ObjectId object);

@@ -32,7 +32,7 @@ std::string flawOf(const ObjectView& view) {
   return flaw;
 }
 
-ViewSummary summarise(const ObjectView& view) {
+ViewSummary summarize(const ObjectView& view) {
   ViewSummary summary;
   if (!view.mask.empty()) summary.object_pixels = cv::countNonZero(view.mask);
   summary.descriptor = view.descriptor ? view.descriptor : makeThumbnail(view.color, view.mask);

@@ -20,7 +20,7 @@ struct ViewSummary {
 [[nodiscard]] std::string flawOf(const ObjectView& view);
 
 /// The descriptor is the view's own if it carries one. `flawOf(view)` must be empty.
-[[nodiscard]] ViewSummary summarise(const ObjectView& view);
+[[nodiscard]] ViewSummary summarize(const ObjectView& view);
 
 /// A small BGR picture of a view, its longest side at most kListPictureSide: the background dimmed, so that
 /// the object stands out.

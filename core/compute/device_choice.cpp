@@ -101,30 +101,30 @@ std::vector<DeviceInfo> listDevices() {
   return infos;
 }
 
-Result<cl::Device> chooseDevice(const std::string& wanted_by_caller) {
+Result<cl::Device> chooseDevice(const std::string& requested_by_caller) {
   const char* from_environment = std::getenv("SCANTROVE_DEVICE");
-  const std::string wanted =
-      wanted_by_caller.empty() && from_environment != nullptr ? from_environment : wanted_by_caller;
+  const std::string requested =
+      requested_by_caller.empty() && from_environment != nullptr ? from_environment : requested_by_caller;
   const std::vector<cl::Device> devices = allDevices();
   if (devices.empty()) return fail(noDevice());
-  if (wanted.empty()) {
+  if (requested.empty()) {
     const auto usable = std::ranges::find_if_not(devices, stopsForEver);
     return unlessItStops(usable != devices.end() ? *usable : devices.front());
   }
   std::size_t index = 0;
-  const char* end = wanted.data() + wanted.size();
-  if (const auto [stop, failure] = std::from_chars(wanted.data(), end, index);
+  const char* end = requested.data() + requested.size();
+  if (const auto [stop, failure] = std::from_chars(requested.data(), end, index);
       failure == std::errc{} && stop == end) {
     if (index < devices.size()) return unlessItStops(devices[index]);
   } else {
     for (const cl::Device& device : devices) {
-      if (lowered(describe(device, 0).name).find(lowered(wanted)) != std::string::npos)
+      if (lowered(describe(device, 0).name).find(lowered(requested)) != std::string::npos)
         return unlessItStops(device);
     }
   }
   std::string known;
   for (const DeviceInfo& info : listDevices()) known += " [" + std::to_string(info.index) + "] " + info.name;
-  return fail("No OpenCL device matches '" + wanted + "'.", "There are:" + known + ".");
+  return fail("No OpenCL device matches '" + requested + "'.", "There are:" + known + ".");
 }
 
 }  // namespace scantrove

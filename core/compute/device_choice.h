@@ -25,6 +25,6 @@ struct DeviceInfo {
 /// else the first whose name contains it (case-insensitive). Also SCANTROVE_DEVICE is asked when `wanted` is
 /// empty. Error: no device at all (names the package to install) or none that matches (names those there
 /// are).
-[[nodiscard]] Result<cl::Device> chooseDevice(const std::string& wanted);
+[[nodiscard]] Result<cl::Device> chooseDevice(const std::string& requested);
 
 }  // namespace scantrove

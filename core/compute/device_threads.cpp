@@ -9,7 +9,7 @@
 
 namespace scantrove {
 
-void keepDeviceThreadsApart() {
+void pinDeviceThreads() {
 #ifdef __linux__
   cpu_set_t usable;
   CPU_ZERO(&usable);

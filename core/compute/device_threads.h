@@ -7,6 +7,6 @@ namespace scantrove {
 /// do. Call at the start of a program, before other threads are there and before OpenCL is used. What the
 /// environment's POCL_AFFINITY says stands; and nothing happens where this program may not use every core,
 /// as PoCL counts them from the first.
-void keepDeviceThreadsApart();
+void pinDeviceThreads();
 
 }  // namespace scantrove

@@ -13,7 +13,7 @@ class Lanes {
 
   /// `wanted` = 1, 4, 8 or 16; or 0: what the environment's SCANTROVE_LANES says, else what suits the device.
   /// Error: neither of these.
-  [[nodiscard]] static Result<Lanes> choose(const cl::Device& device, int wanted);
+  [[nodiscard]] static Result<Lanes> choose(const cl::Device& device, int requested);
 
   [[nodiscard]] int count() const { return count_; }
 

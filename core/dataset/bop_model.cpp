@@ -8,18 +8,17 @@
 namespace scantrove {
 namespace {
 
-constexpr float kMillimetres = 1000;
+constexpr float kMillimeters = 1000;
 
 }  // namespace
 
-LabelledMesh BopModel::meshInMillimetres() const {
-  const Eigen::Affine3f T(Eigen::Scaling(kMillimetres) *
+LabeledMesh BopModel::meshInMillimeters() const {
+  const Eigen::Affine3f T(Eigen::Scaling(kMillimeters) *
                           Eigen::Affine3f(T_world_model.inverse().cast<float>().matrix()));
   return transformed(mesh_world, T);
 }
 
-std::map<std::uint32_t, BopModel> bopModelsOf(const LabelledMesh& mesh,
-                                              std::span<const LabelledRegion> regions,
+std::map<std::uint32_t, BopModel> bopModelsOf(const LabeledMesh& mesh, std::span<const LabeledRegion> regions,
                                               const Eigen::Vector3f& up) {
   std::map<std::uint32_t, BopModel> models;
   const Eigen::Affine3f upright = turning(up, Eigen::Vector3f::UnitZ());
@@ -34,7 +33,7 @@ std::map<std::uint32_t, BopModel> bopModelsOf(const LabelledMesh& mesh,
   return models;
 }
 
-ExportJson bopModelInfo(const LabelledMesh& mesh_mm) {
+ExportJson bopModelInfo(const LabeledMesh& mesh_mm) {
   const Eigen::AlignedBox3f box = boxOf(mesh_mm);
   const Eigen::Vector3f size = box.sizes();
   return {{"diameter", diameterOf(mesh_mm)},

@@ -11,19 +11,19 @@ namespace scantrove {
 
 /// An object as BOP knows it: a surface in a frame of its own, z up, the middle of its box in the origin.
 struct BopModel {
-  LabelledMesh mesh_world;                                          ///< metres, world
+  LabeledMesh mesh_world;                                           ///< metres, world
   Eigen::Isometry3d T_world_model = Eigen::Isometry3d::Identity();  ///< metres
 
   /// In its own frame and millimetres.
-  [[nodiscard]] LabelledMesh meshInMillimetres() const;
+  [[nodiscard]] LabeledMesh meshInMillimeters() const;
 };
 
 /// The models of `regions` that have a surface, by region id. `up`: unit vector of the world.
-[[nodiscard]] std::map<std::uint32_t, BopModel> bopModelsOf(const LabelledMesh& mesh,
-                                                            std::span<const LabelledRegion> regions,
+[[nodiscard]] std::map<std::uint32_t, BopModel> bopModelsOf(const LabeledMesh& mesh,
+                                                            std::span<const LabeledRegion> regions,
                                                             const Eigen::Vector3f& up);
 
-/// The entry of models_info.json: diameter, min_x .. size_z in mm. `mesh_mm`: of meshInMillimetres().
-[[nodiscard]] ExportJson bopModelInfo(const LabelledMesh& mesh_mm);
+/// The entry of models_info.json: diameter, min_x .. size_z in mm. `mesh_mm`: of meshInMillimeters().
+[[nodiscard]] ExportJson bopModelInfo(const LabeledMesh& mesh_mm);
 
 }  // namespace scantrove

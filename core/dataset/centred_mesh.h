@@ -10,8 +10,8 @@ namespace scantrove {
 /// files: as programs want a thing that they place themselves. Beside them objects/NNNNNN_name.json says what
 /// brings it back to its place in the scene: `offset_m`, and in the frame of the GLB files `glb_offset_m`.
 /// The files of the whole scene are those of exportDataset().
-[[nodiscard]] Result<ExportSummary> exportCentredMesh(LabelledScan& scan, const ExportOptions& options,
-                                                      const ExportProgressCallback& progress = {},
-                                                      const std::stop_token& cancel = {});
+[[nodiscard]] Result<ExportSummary> exportCenteredMesh(LabeledScan& scan, const ExportOptions& options,
+                                                       const ExportProgressCallback& progress = {},
+                                                       const std::stop_token& cancel = {});
 
 }  // namespace scantrove

@@ -21,7 +21,7 @@ constexpr std::array<WriteFormat, 9> kWriters{exportCoco,  exportBop,      expor
                                               exportMasks, exportPlyCloud, exportPcdCloud,
                                               exportMesh,  exportTum,      exportScannet};
 
-Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& options, WriteFormat write,
+Result<ExportSummary> exportInto(LabeledScan& scan, const ExportOptions& options, WriteFormat write,
                                  const StagedFolder& folder, const ExportProgressCallback& progress,
                                  const std::stop_token& cancel) {
   ExportJob job(scan, options, folder.path(), progress, cancel);
@@ -35,7 +35,7 @@ Result<ExportSummary> exportInto(LabelledScan& scan, const ExportOptions& option
 }
 
 /// The edge where exceptions of libraries end.
-Result<ExportSummary> exportGuarded(LabelledScan& scan, const ExportOptions& options, WriteFormat write,
+Result<ExportSummary> exportGuarded(LabeledScan& scan, const ExportOptions& options, WriteFormat write,
                                     const StagedFolder& folder, const ExportProgressCallback& progress,
                                     const std::stop_token& cancel) {
   try {
@@ -49,7 +49,7 @@ Result<ExportSummary> exportGuarded(LabelledScan& scan, const ExportOptions& opt
 }
 
 /// Into a folder that is there whole or not at all.
-Result<ExportSummary> exportWith(WriteFormat write, LabelledScan& scan, const ExportOptions& options,
+Result<ExportSummary> exportWith(WriteFormat write, LabeledScan& scan, const ExportOptions& options,
                                  const ExportProgressCallback& progress, const std::stop_token& cancel) {
   auto folder = StagedFolder::create(options.folder);
   if (!folder) return fail(folder.error());
@@ -79,7 +79,7 @@ Result<DatasetFormat> parseDatasetFormat(std::string_view name) {
   return fail("There is no format called '" + std::string(name) + "'.", "Formats: " + all + ".");
 }
 
-Result<ExportPreview> previewExport(LabelledScan& scan, const ExportOptions& options) {
+Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options) {
   const auto regions = scan.regions();
   if (!regions) return fail(regions.error());
   const auto frames = scan.keyFrames(options.all_frames);
@@ -87,7 +87,7 @@ Result<ExportPreview> previewExport(LabelledScan& scan, const ExportOptions& opt
   ExportPreview preview;
   preview.regions = static_cast<int>(chooseRegions(*regions, options.background).size());
   double voxels = 0;
-  for (const LabelledRegion& region : *regions) voxels += region.voxels;
+  for (const LabeledRegion& region : *regions) voxels += region.voxels;
   if (!hasImages(options.format)) {
     // Bytes for each voxel of a surface (three files with two faces a voxel make a mesh), and for each pose.
     constexpr double kCloudBytes = 30, kMeshBytes = 300, kPoseBytes = 90;
@@ -112,16 +112,16 @@ Result<ExportPreview> previewExport(LabelledScan& scan, const ExportOptions& opt
   return preview;
 }
 
-Result<ExportSummary> exportDataset(LabelledScan& scan, const ExportOptions& options,
+Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,
                                     const ExportProgressCallback& progress, const std::stop_token& cancel) {
   const WriteFormat write = kWriters.at(static_cast<std::size_t>(options.format));
   return exportWith(write, scan, options, progress, cancel);
 }
 
-Result<ExportSummary> exportCentredMesh(LabelledScan& scan, const ExportOptions& options,
-                                        const ExportProgressCallback& progress,
-                                        const std::stop_token& cancel) {
-  return exportWith(exportCentredObjects, scan, options, progress, cancel);
+Result<ExportSummary> exportCenteredMesh(LabeledScan& scan, const ExportOptions& options,
+                                         const ExportProgressCallback& progress,
+                                         const std::stop_token& cancel) {
+  return exportWith(exportCenteredObjects, scan, options, progress, cancel);
 }
 
 }  // namespace scantrove

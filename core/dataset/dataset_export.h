@@ -57,14 +57,14 @@ struct ExportPreview {
 };
 
 /// Error: as the scan's, in reading its regions or key frames.
-[[nodiscard]] Result<ExportPreview> previewExport(LabelledScan& scan, const ExportOptions& options);
+[[nodiscard]] Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options);
 
 /// Writes `scan` to `options.folder`: into `FOLDER.part-XXXXXX` beside it, reads it back, and renames, so
 /// that the folder is there whole or not at all. A key frame that cannot be read is skipped and named in the
 /// summary. `progress` is called in this thread, before each step. `cancel` is looked at as often. Error: a
 /// folder with something in it; nothing to export; every key frame unusable; the scan's map unreadable; a
 /// full or read-only disk (names the path and the remedy); cancelled. Nothing is left behind then.
-[[nodiscard]] Result<ExportSummary> exportDataset(LabelledScan& scan, const ExportOptions& options,
+[[nodiscard]] Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,
                                                   const ExportProgressCallback& progress = {},
                                                   const std::stop_token& cancel = {});
 

@@ -43,8 +43,8 @@ namespace scantrove {
 
 /// scene.ply .obj .glb, objects/NNNNNN_name.ply .obj .glb, labels.json. World frame, metres; GLB: y up.
 [[nodiscard]] Result<void> exportMesh(ExportJob& job);
-/// The same with each object around the origin (centred_mesh.h).
-[[nodiscard]] Result<void> exportCentredObjects(ExportJob& job);
+/// The same with each object around the origin (centered_mesh.h).
+[[nodiscard]] Result<void> exportCenteredObjects(ExportJob& job);
 
 /// trajectory.txt.
 [[nodiscard]] Result<void> exportTum(ExportJob& job);

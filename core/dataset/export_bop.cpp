@@ -18,7 +18,7 @@
 namespace scantrove {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1000;
+constexpr double kMillimetersPerMeter = 1000;
 const std::string kSceneFolder = "000001/";
 
 ExportJson rowByRow(const Eigen::Matrix3d& matrix) {
@@ -29,8 +29,8 @@ ExportJson rowByRow(const Eigen::Matrix3d& matrix) {
   return list;
 }
 
-ExportJson millimetresOf(const Eigen::Vector3d& v) {
-  return {v.x() * kMillimetresPerMetre, v.y() * kMillimetresPerMetre, v.z() * kMillimetresPerMetre};
+ExportJson millimetersOf(const Eigen::Vector3d& v) {
+  return {v.x() * kMillimetersPerMeter, v.y() * kMillimetersPerMeter, v.z() * kMillimetersPerMeter};
 }
 
 ExportJson boxAsList(const cv::Rect& box) {
@@ -40,12 +40,12 @@ ExportJson boxAsList(const cv::Rect& box) {
 
 ExportJson cameraMatrix(const Intrinsics& K) { return {K.fx, 0.0, K.cx, 0.0, K.fy, K.cy, 0.0, 0.0, 1.0}; }
 
-/// CV_16UC1 in units of `metres_per_unit`; what does not fit is no reading.
-cv::Mat toUnits(const cv::Mat& depth_m, float metres_per_unit) {
+/// CV_16UC1 in units of `meters_per_unit`; what does not fit is no reading.
+cv::Mat toUnits(const cv::Mat& depth_m, float meters_per_unit) {
   cv::Mat units = cv::Mat::zeros(depth_m.size(), CV_16UC1);
   for (int y = 0; y < depth_m.rows; ++y) {
     for (int x = 0; x < depth_m.cols; ++x) {
-      const float value = std::round(depth_m.at<float>(y, x) / metres_per_unit);
+      const float value = std::round(depth_m.at<float>(y, x) / meters_per_unit);
       if (value > 0 && value < 65535) units.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(value);
     }
   }
@@ -66,7 +66,7 @@ class BopScene {
     models_ = bopModelsOf(*mesh, job_.chosen(), upDirection(*frames, *mesh));
     ExportJson infos = ExportJson::object();
     for (const auto& [region, model] : models_) {
-      const LabelledMesh mesh_mm = model.meshInMillimetres();
+      const LabeledMesh mesh_mm = model.meshInMillimeters();
       const std::string name = fmt::format("models/obj_{:06}.ply", region);
       const std::string bytes = encodePly(mesh_mm, {.label = false}, "millimetres, z up");
       SCANTROVE_TRY(job_.write(name, bytes));
@@ -78,9 +78,9 @@ class BopScene {
     return writeJson("models/models_info.json", infos);
   }
 
-  Result<void> add(const LabelledImage& image) {
+  Result<void> add(const LabeledImage& image) {
     const std::string key = std::to_string(image.frame.index);
-    const cv::Mat depth = toUnits(image.depth_m, image.frame.metres_per_unit);
+    const cv::Mat depth = toUnits(image.depth_m, image.frame.meters_per_unit);
     SCANTROVE_TRY(job_.write(kSceneFolder + "rgb/" + image.image_name, image.image_bytes));
     SCANTROVE_TRY(job_.write(kSceneFolder + "depth/" + image.stem + ".png", encodePng(depth)));
     describeCamera(image, key);
@@ -110,20 +110,20 @@ class BopScene {
     return job_.checkJson(name, json);
   }
 
-  void describeCamera(const LabelledImage& image, const std::string& key) {
+  void describeCamera(const LabeledImage& image, const std::string& key) {
     Eigen::Isometry3d T_world_camera = image.T_world_camera;
     T_world_camera.translation() += job_.scan().origin();
     const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
-    const double scale = std::round(image.frame.metres_per_unit * kMillimetresPerMetre * 1e6) / 1e6;
+    const double scale = std::round(image.frame.meters_per_unit * kMillimetersPerMeter * 1e6) / 1e6;
     cameras_[key] = {{"cam_K", cameraMatrix(image.K)},
                      {"depth_scale", scale},
                      {"cam_R_w2c", rowByRow(T_camera_world.linear())},
-                     {"cam_t_w2c", millimetresOf(T_camera_world.translation())}};
+                     {"cam_t_w2c", millimetersOf(T_camera_world.translation())}};
     camera_ = {{"cx", image.K.cx}, {"cy", image.K.cy},         {"depth_scale", scale},  {"fx", image.K.fx},
                {"fy", image.K.fy}, {"height", image.K.height}, {"width", image.K.width}};
   }
 
-  Result<void> addObject(const LabelledImage& image, const std::string& key, const cv::Mat& depth,
+  Result<void> addObject(const LabeledImage& image, const std::string& key, const cv::Mat& depth,
                          std::uint32_t region, const BopModel& model) {
     const Silhouette whole = silhouetteOf(model.mesh_world, image.K, image.T_world_camera);
     const cv::Mat visible = image.maskOf(region);
@@ -141,7 +141,7 @@ class BopScene {
 
     const Eigen::Isometry3d T_camera_model = image.T_world_camera.inverse() * model.T_world_model;
     poses_[key].push_back({{"cam_R_m2c", rowByRow(T_camera_model.linear())},
-                           {"cam_t_m2c", millimetresOf(T_camera_model.translation())},
+                           {"cam_t_m2c", millimetersOf(T_camera_model.translation())},
                            {"obj_id", region}});
     const int all = inside + whole.pixels - cv::countNonZero(rendered);
     const int seen = cv::countNonZero(visible);
@@ -171,8 +171,7 @@ Result<void> exportBop(ExportJob& job) {
   SCANTROVE_TRY(job.needRegions());
   BopScene scene(job);
   SCANTROVE_TRY(scene.writeModels());
-  SCANTROVE_TRY(
-      forEachLabelledImage(job, true, [&](const LabelledImage& image) { return scene.add(image); }));
+  SCANTROVE_TRY(forEachLabeledImage(job, true, [&](const LabeledImage& image) { return scene.add(image); }));
   return scene.finish();
 }
 

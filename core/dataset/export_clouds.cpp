@@ -6,9 +6,9 @@
 namespace scantrove {
 namespace {
 
-Result<LabelledMesh> readCloud(ExportJob& job) {
+Result<LabeledMesh> readCloud(ExportJob& job) {
   SCANTROVE_TRY(job.step(0, 2, "cloud"));
-  LabelledMesh cloud;
+  LabeledMesh cloud;
   SCANTROVE_TRY(job.scan().forEachPoint([&](const SurfacePoint& point) {
     if (point.position_world_m.allFinite()) cloud.vertices.push_back(point);
   }));

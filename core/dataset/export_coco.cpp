@@ -30,7 +30,7 @@ class CocoInstances {
     }
   }
 
-  Result<void> add(const LabelledImage& image) {
+  Result<void> add(const LabeledImage& image) {
     SCANTROVE_TRY(job_.write("images/" + image.image_name, image.image_bytes));
     const std::size_t number = images_.size() + 1;
     images_.push_back({{"id", number},
@@ -39,7 +39,7 @@ class CocoInstances {
                        {"height", image.K.height},
                        {"frame", image.frame.index},
                        {"timestamp_s", image.frame.timestamp_s}});
-    for (const LabelledRegion& region : job_.chosen()) {
+    for (const LabeledRegion& region : job_.chosen()) {
       const cv::Mat mask = image.maskOf(region.id);
       const cv::Rect box = boxOf(mask);
       if (!box.empty()) annotate(region, number, mask, box);
@@ -63,7 +63,7 @@ class CocoInstances {
   }
 
  private:
-  void annotate(const LabelledRegion& region, std::size_t image, const cv::Mat& mask, const cv::Rect& box) {
+  void annotate(const LabeledRegion& region, std::size_t image, const cv::Mat& mask, const cv::Rect& box) {
     const std::string class_name = classOf(region);
     annotations_.push_back(
         {{"id", annotations_.size() + 1},
@@ -106,7 +106,7 @@ Result<void> exportCoco(ExportJob& job) {
   SCANTROVE_TRY(job.needRegions());
   CocoInstances instances(job);
   SCANTROVE_TRY(
-      forEachLabelledImage(job, true, [&](const LabelledImage& image) { return instances.add(image); }));
+      forEachLabeledImage(job, true, [&](const LabeledImage& image) { return instances.add(image); }));
   return instances.finish();
 }
 

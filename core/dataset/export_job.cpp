@@ -13,14 +13,14 @@ namespace scantrove {
 
 namespace fs = std::filesystem;
 
-ExportJob::ExportJob(LabelledScan& scan, const ExportOptions& options, fs::path folder,
+ExportJob::ExportJob(LabeledScan& scan, const ExportOptions& options, fs::path folder,
                      const ExportProgressCallback& progress, const std::stop_token& cancel)
     : scan_(scan), options_(options), folder_(std::move(folder)), progress_(progress), cancel_(cancel) {}
 
 Result<void> ExportJob::readRegions() {
   SCANTROVE_TRY(moveInto(all_, scan_.regions()));
   std::sort(all_.begin(), all_.end(),
-            [](const LabelledRegion& a, const LabelledRegion& b) { return a.id < b.id; });
+            [](const LabeledRegion& a, const LabeledRegion& b) { return a.id < b.id; });
   chosen_ = chooseRegions(all_, options_.background);
   summary_.regions = static_cast<int>(chosen_.size());
   return {};

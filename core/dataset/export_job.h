@@ -18,7 +18,7 @@ namespace scantrove {
 class ExportJob {
  public:
   /// `folder` is where to write; `progress` and `cancel` outlive the job.
-  ExportJob(LabelledScan& scan, const ExportOptions& options, std::filesystem::path folder,
+  ExportJob(LabeledScan& scan, const ExportOptions& options, std::filesystem::path folder,
             const ExportProgressCallback& progress, const std::stop_token& cancel);
 
   /// Reads the regions and chooses those that count. Error: the scan's.
@@ -26,10 +26,10 @@ class ExportJob {
   /// Error: none counts; says how one does.
   [[nodiscard]] Result<void> needRegions() const;
 
-  [[nodiscard]] LabelledScan& scan() { return scan_; }
+  [[nodiscard]] LabeledScan& scan() { return scan_; }
   [[nodiscard]] const ExportOptions& options() const { return options_; }
-  [[nodiscard]] const std::vector<LabelledRegion>& allRegions() const { return all_; }
-  [[nodiscard]] const std::vector<LabelledRegion>& chosen() const { return chosen_; }
+  [[nodiscard]] const std::vector<LabeledRegion>& allRegions() const { return all_; }
+  [[nodiscard]] const std::vector<LabeledRegion>& chosen() const { return chosen_; }
   [[nodiscard]] ExportSummary& summary() { return summary_; }
 
   /// Tells how far the export is. Error: it was cancelled.
@@ -54,12 +54,12 @@ class ExportJob {
                                                       const std::string& why) const;
 
  private:
-  LabelledScan& scan_;
+  LabeledScan& scan_;
   ExportOptions options_;
   std::filesystem::path folder_;
   const ExportProgressCallback& progress_;
   const std::stop_token& cancel_;
-  std::vector<LabelledRegion> all_, chosen_;
+  std::vector<LabeledRegion> all_, chosen_;
   std::map<std::filesystem::path, std::uintmax_t> written_;  // bytes, by name
   ExportSummary summary_;
 };

@@ -14,13 +14,13 @@ namespace {
 using MaskNumbers = std::unordered_map<std::uint32_t, std::uint16_t>;
 
 /// Region ids where 16 bits hold them, else 1, 2, ... Error: more regions than numbers.
-Result<MaskNumbers> numberRegions(const std::vector<LabelledRegion>& regions) {
-  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-  if (regions.size() > kMost) {
+Result<MaskNumbers> numberRegions(const std::vector<LabeledRegion>& regions) {
+  constexpr std::uint32_t kMax = std::numeric_limits<std::uint16_t>::max();
+  if (regions.size() > kMax) {
     return fail(std::to_string(regions.size()) + " regions do not fit into masks of 16 bits.",
                 "Export coco instead, or without --background.");
   }
-  const bool fit = regions.empty() || regions.back().id <= kMost;  // by id
+  const bool fit = regions.empty() || regions.back().id <= kMax;  // by id
   MaskNumbers numbers;
   for (std::size_t i = 0; i < regions.size(); ++i)
     numbers[regions[i].id] = static_cast<std::uint16_t>(fit ? regions[i].id : i + 1);
@@ -46,14 +46,14 @@ Result<void> exportMasks(ExportJob& job) {
   if (!numbers) return fail(numbers.error());
   std::string last_name;
   cv::Mat last_mask;
-  const auto writeOne = [&](const LabelledImage& image) -> Result<void> {
+  const auto writeOne = [&](const LabeledImage& image) -> Result<void> {
     last_name = "masks/" + image.stem + ".png";
     last_mask = numberedMask(image.regions, *numbers);
     if (!image.image_name.empty()) SCANTROVE_TRY(job.write("color/" + image.image_name, image.image_bytes));
     job.summary().annotations += static_cast<int>(visibleRegions(image.regions).size());
     return job.write(last_name, encodePng(last_mask));
   };
-  SCANTROVE_TRY(forEachLabelledImage(job, false, writeOne));
+  SCANTROVE_TRY(forEachLabeledImage(job, false, writeOne));
   const ExportJson legend = legendOf(job.chosen(), job.scan().origin());
   ExportJson labels = ExportJson::object();
   for (const auto& [id, entry] : legend.items())

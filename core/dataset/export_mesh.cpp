@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-GlbPart glbPartOf(const LabelledRegion* region, const LabelledMesh& mesh, const Eigen::Affine3f& y_up,
+GlbPart glbPartOf(const LabeledRegion* region, const LabeledMesh& mesh, const Eigen::Affine3f& y_up,
                   const Eigen::Vector3d& origin) {
   GlbPart part{region == nullptr ? "scene" : displayName(*region), nullptr, transformed(mesh, y_up),
                y_up.cast<double>() * origin};
@@ -35,7 +35,7 @@ std::uint64_t facesIn(const GlbContent& file) {
 
 /// `stem`.ply, .obj and .glb of one surface.
 Result<void> writeSurface(ExportJob& job, const std::string& stem, const std::string& title,
-                          const LabelledMesh& mesh, const Eigen::Vector3d& origin,
+                          const LabeledMesh& mesh, const Eigen::Vector3d& origin,
                           std::span<const GlbPart> parts) {
   const std::string ply = encodePly(mesh, {.origin = origin}, "metres, label = region id");
   SCANTROVE_TRY(job.write(stem + ".ply", ply));
@@ -59,7 +59,7 @@ enum class ObjectPlace { in_the_scene, around_the_origin };
 ExportJson listOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// What brings an object around the origin back to its place.
-Result<void> writeOffset(ExportJob& job, const std::string& stem, const LabelledRegion& region,
+Result<void> writeOffset(ExportJob& job, const std::string& stem, const LabeledRegion& region,
                          const Eigen::Vector3d& middle, const Eigen::Affine3f& y_up) {
   const ExportJson offset = {{"region", region.id},
                              {"name", displayName(region)},
@@ -70,13 +70,13 @@ Result<void> writeOffset(ExportJob& job, const std::string& stem, const Labelled
 }
 
 /// The files of one object; `mesh` is in the world frame.
-Result<void> writeObject(ExportJob& job, const LabelledRegion& region, const LabelledMesh& mesh,
+Result<void> writeObject(ExportJob& job, const LabeledRegion& region, const LabeledMesh& mesh,
                          const Eigen::Affine3f& y_up, ObjectPlace place) {
   const std::string stem = "objects/" + safeFileName(region.id, displayName(region));
   const bool is_moved = place == ObjectPlace::around_the_origin;
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   if (is_moved) middle = boxOf(mesh).center();
-  const LabelledMesh placed = transformed(mesh, Eigen::Affine3f(Eigen::Translation3f(-middle)));
+  const LabeledMesh placed = transformed(mesh, Eigen::Affine3f(Eigen::Translation3f(-middle)));
   const Eigen::Vector3d scan_origin = job.scan().origin();
   const Eigen::Vector3d origin = is_moved ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : scan_origin;
   const GlbPart part = glbPartOf(&region, placed, y_up, origin);
@@ -100,7 +100,7 @@ Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
     scene.push_back(glbPartOf(nullptr, rest->second, y_up, origin));
   int done = 1;
   const auto total = static_cast<int>(job.chosen().size()) + 2;
-  for (const LabelledRegion& region : job.chosen()) {
+  for (const LabeledRegion& region : job.chosen()) {
     SCANTROVE_TRY(job.step(done++, total, onOneLine(displayName(region))));
     const auto part = parts.find(region.id);
     if (part == parts.end()) continue;
@@ -121,6 +121,8 @@ Result<void> writeMeshes(ExportJob& job, ObjectPlace place) {
 
 Result<void> exportMesh(ExportJob& job) { return writeMeshes(job, ObjectPlace::in_the_scene); }
 
-Result<void> exportCentredObjects(ExportJob& job) { return writeMeshes(job, ObjectPlace::around_the_origin); }
+Result<void> exportCenteredObjects(ExportJob& job) {
+  return writeMeshes(job, ObjectPlace::around_the_origin);
+}
 
 }  // namespace scantrove

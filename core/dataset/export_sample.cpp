@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kMostWidth = 640;
+constexpr int kMaxWidth = 640;
 constexpr double kMaskOpacity = 0.45;
 constexpr double kFarthest_m = 5;  ///< is black, where there is no colour
 
@@ -55,7 +55,7 @@ void drawMasks(const cv::Mat& regions, cv::Mat& picture) {
 cv::Mat pictureWithMasks(const KeyFrameImage& read) {
   const cv::Mat& regions = read.image.regions;
   const cv::Mat full = read.color.empty() ? pictureOf(read.image.depth_m) : read.color;
-  const double scale = std::min(1.0, static_cast<double>(kMostWidth) / regions.cols);
+  const double scale = std::min(1.0, static_cast<double>(kMaxWidth) / regions.cols);
   cv::Mat picture, small;
   cv::resize(full, picture, {}, scale, scale, cv::INTER_AREA);
   cv::resize(regions, small, picture.size(), 0, 0, cv::INTER_NEAREST);
@@ -65,8 +65,7 @@ cv::Mat pictureWithMasks(const KeyFrameImage& read) {
 
 }  // namespace
 
-Result<ExportSample> sampleExport(LabelledScan& scan, const ExportOptions& options,
-                                  std::optional<int> place) {
+Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& options, std::optional<int> place) {
   ExportSample sample;
   if (!hasImages(options.format)) return sample;
   auto frames = scan.keyFrames(options.all_frames);

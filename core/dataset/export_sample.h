@@ -20,7 +20,7 @@ struct ExportSample {
 
 /// The image at `place`, or the nearest there is; without `place` the one in the middle. Masks as
 /// exportDataset() writes them. Error: as the scan's, in reading its regions, key frames or map.
-[[nodiscard]] Result<ExportSample> sampleExport(LabelledScan& scan, const ExportOptions& options,
+[[nodiscard]] Result<ExportSample> sampleExport(LabeledScan& scan, const ExportOptions& options,
                                                 std::optional<int> place);
 
 }  // namespace scantrove

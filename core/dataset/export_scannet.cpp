@@ -30,18 +30,18 @@ std::string originLine(const Eigen::Vector3d& origin) {
   return fmt::format("origin = {:.6f} {:.6f} {:.6f}\n", origin.x(), origin.y(), origin.z());
 }
 
-ExportJson segmentsOf(const LabelledMesh& mesh, const std::string& name) {
+ExportJson segmentsOf(const LabeledMesh& mesh, const std::string& name) {
   ExportJson indices = ExportJson::array();
   for (const SurfacePoint& vertex : mesh.vertices) indices.push_back(vertex.region);
   return {{"params", ExportJson::object()}, {"sceneId", name}, {"segIndices", std::move(indices)}};
 }
 
 /// Objects count from 0, and tools add one.
-ExportJson aggregationOf(const ExportJob& job, const LabelledMesh& mesh, const std::string& name) {
+ExportJson aggregationOf(const ExportJob& job, const LabeledMesh& mesh, const std::string& name) {
   std::set<std::uint32_t> present;
   for (const SurfacePoint& vertex : mesh.vertices) present.insert(vertex.region);
   ExportJson groups = ExportJson::array();
-  for (const LabelledRegion& region : job.chosen()) {
+  for (const LabeledRegion& region : job.chosen()) {
     if (!present.contains(region.id)) continue;
     const std::size_t number = groups.size();
     groups.push_back({{"id", number},
@@ -66,7 +66,7 @@ Result<void> exportScannet(ExportJob& job) {
   const auto frames = job.scan().keyFrames(false);
   if (!frames) return fail(frames.error());
   const Eigen::Affine3f z_up = turning(upDirection(*frames, *read), Eigen::Vector3f::UnitZ());
-  const LabelledMesh mesh = transformed(std::move(*read), z_up);
+  const LabeledMesh mesh = transformed(std::move(*read), z_up);
   SCANTROVE_TRY(job.step(1, 2, "surface"));
   const std::string name = sceneName(job.scan().name());
   const std::string ply = encodePly(mesh, {.normals = false, .alpha = true, .label = false}, "metres, z up");

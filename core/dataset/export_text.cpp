@@ -30,9 +30,9 @@ char32_t nextCharacter(std::string_view text, std::size_t& at) {
     }
     value = value << 6U | (byte(at + i) & 0x3FU);
   }
-  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr char32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_bad =
-      length == 0 || value < kLeast[length] || value > 0x10FFFF || (value >= 0xD800 && value < 0xE000);
+      length == 0 || value < kMin[length] || value > 0x10FFFF || (value >= 0xD800 && value < 0xE000);
   at += is_bad ? 1 : length;
   return is_bad ? kReplacement : value;
 }

@@ -21,7 +21,7 @@ namespace {
 
 /// A corner lies in the pixel that it names whether a program cuts off or rounds.
 constexpr double kWithinPixel = 0.25;
-constexpr int kLeastForValidation = 5;
+constexpr int kMinForValidation = 5;
 
 /// What one line speaks of: an object of the catalogue, all its regions, or a region that is none.
 struct Instance {
@@ -29,7 +29,7 @@ struct Instance {
   std::vector<std::uint32_t> regions;
 
   /// CV_8UC1, 255 = the instance.
-  [[nodiscard]] cv::Mat maskIn(const LabelledImage& image) const {
+  [[nodiscard]] cv::Mat maskIn(const LabeledImage& image) const {
     cv::Mat mask = image.maskOf(regions.front());
     for (std::size_t i = 1; i < regions.size(); ++i) mask |= image.maskOf(regions[i]);
     return mask;
@@ -37,10 +37,10 @@ struct Instance {
 };
 
 /// In the order of their first regions.
-std::vector<Instance> instancesOf(const std::vector<LabelledRegion>& regions) {
+std::vector<Instance> instancesOf(const std::vector<LabeledRegion>& regions) {
   std::vector<Instance> instances;
   std::map<std::int64_t, std::size_t> of_object;
-  for (const LabelledRegion& region : regions) {
+  for (const LabeledRegion& region : regions) {
     const std::size_t next = instances.size();
     const std::size_t place =
         region.object ? of_object.try_emplace(*region.object, next).first->second : next;
@@ -88,13 +88,13 @@ class YoloSegments {
       if (!frame.color_file.empty()) usable.push_back(frame.index);
     }
     const auto training =
-        usable.size() < kLeastForValidation ? usable.size() : usable.size() - usable.size() / 5;
+        usable.size() < kMinForValidation ? usable.size() : usable.size() - usable.size() / 5;
     training_.insert(usable.begin(), usable.begin() + static_cast<std::ptrdiff_t>(training));
     has_validation_ = training < usable.size();
     return {};
   }
 
-  Result<void> add(const LabelledImage& image) {
+  Result<void> add(const LabeledImage& image) {
     const std::string part = training_.contains(image.frame.index) ? "train/" : "val/";
     SCANTROVE_TRY(job_.write("images/" + part + image.image_name, image.image_bytes));
     std::string lines;
@@ -159,7 +159,7 @@ Result<void> exportYolo(ExportJob& job) {
   YoloSegments segments(job);
   SCANTROVE_TRY(segments.chooseValidation());
   SCANTROVE_TRY(
-      forEachLabelledImage(job, true, [&](const LabelledImage& image) { return segments.add(image); }));
+      forEachLabeledImage(job, true, [&](const LabeledImage& image) { return segments.add(image); }));
   return segments.finish();
 }
 

@@ -117,7 +117,7 @@ class GlbBuilder {
     return static_cast<int>(json_["accessors"].size()) - 1;
   }
 
-  int addPositions(const LabelledMesh& mesh) {
+  int addPositions(const LabeledMesh& mesh) {
     const std::size_t start = binary_.size();
     for (const SurfacePoint& vertex : mesh.vertices) {
       for (int i = 0; i < 3; ++i) append(binary_, vertex.position_world_m[i]);
@@ -131,7 +131,7 @@ class GlbBuilder {
                      {"max", {box.max().x(), box.max().y(), box.max().z()}}});
   }
 
-  int addNormals(const LabelledMesh& mesh) {
+  int addNormals(const LabeledMesh& mesh) {
     const std::size_t start = binary_.size();
     for (const SurfacePoint& vertex : mesh.vertices) {
       const float length = vertex.normal_world.norm();  // which must be 1
@@ -143,7 +143,7 @@ class GlbBuilder {
                     {{"componentType", kFloat}, {"count", mesh.vertices.size()}, {"type", "VEC3"}});
   }
 
-  int addColors(const LabelledMesh& mesh) {
+  int addColors(const LabeledMesh& mesh) {
     const std::size_t start = binary_.size();
     for (const SurfacePoint& vertex : mesh.vertices) {
       for (const std::uint8_t value : vertex.rgb) append(binary_, linearColor(value));
@@ -156,7 +156,7 @@ class GlbBuilder {
                      {"type", "VEC4"}});
   }
 
-  int addIndices(const LabelledMesh& mesh) {
+  int addIndices(const LabeledMesh& mesh) {
     const std::size_t start = binary_.size();
     for (const auto& face : mesh.faces) append(binary_, face);
     return describe(start, kIndexTarget,

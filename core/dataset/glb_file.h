@@ -12,7 +12,7 @@ namespace scantrove {
 struct GlbPart {
   std::string name;   ///< any UTF-8
   ExportJson extras;  ///< what else programs may want to know of it; null: nothing
-  LabelledMesh mesh;  ///< metres, y up; with faces
+  LabeledMesh mesh;   ///< metres, y up; with faces
   /// Of the mesh in the scene, metres, y up: GLB has no places in double precision.
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };

@@ -27,7 +27,7 @@ Result<void> checkSize(const cv::Mat& image, const Intrinsics& K, const KeyFrame
 }
 
 /// The bytes as recorded, but for an orientation, if every program reads them alike; else a PNG.
-Result<void> takeImage(LabelledImage& image, const cv::Mat& color) {
+Result<void> takeImage(LabeledImage& image, const cv::Mat& color) {
   auto bytes = readFile(image.frame.color_file);
   if (!bytes) return fail(bytes.error());
   const std::span view(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
@@ -53,7 +53,7 @@ void keepOnly(cv::Mat& regions, const std::unordered_set<int>& kept) {
 
 }  // namespace
 
-Result<KeyFrameImage> readKeyFrameImage(LabelledScan& scan, const KeyFrameInfo& frame) {
+Result<KeyFrameImage> readKeyFrameImage(LabeledScan& scan, const KeyFrameInfo& frame) {
   KeyFrameImage read;
   auto& [image, color] = read;
   image.frame = frame;
@@ -79,8 +79,8 @@ Result<KeyFrameImage> readKeyFrameImage(LabelledScan& scan, const KeyFrameInfo& 
   return read;
 }
 
-Result<void> labelImage(LabelledScan& scan, KeyFrameImage& read, const std::unordered_set<int>& kept) {
-  LabelledImage& image = read.image;
+Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read, const std::unordered_set<int>& kept) {
+  LabeledImage& image = read.image;
   const auto map = scan.look(image.K, image.T_world_camera);
   if (!map) return fail(map.error());
   image.regions = refineRegions(*map, {image.depth_m, read.color}, std::max(image.K.fx, image.K.fy));
@@ -88,14 +88,14 @@ Result<void> labelImage(LabelledScan& scan, KeyFrameImage& read, const std::unor
   return {};
 }
 
-std::unordered_set<int> idsOf(const std::vector<LabelledRegion>& regions) {
+std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions) {
   std::unordered_set<int> ids;
-  for (const LabelledRegion& region : regions) ids.insert(static_cast<int>(region.id));
+  for (const LabeledRegion& region : regions) ids.insert(static_cast<int>(region.id));
   return ids;
 }
 
-Result<void> forEachLabelledImage(ExportJob& job, bool needs_color, const UseLabelledImage& use) {
-  LabelledScan& scan = job.scan();
+Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use) {
+  LabeledScan& scan = job.scan();
   const auto frames = scan.keyFrames(job.options().all_frames);
   if (!frames) return fail(frames.error());
   if (frames->empty())

@@ -11,7 +11,7 @@
 namespace scantrove {
 
 /// A key frame with its labels, at the resolution of its colour image (without colour: of its depth image).
-struct LabelledImage {
+struct LabeledImage {
   KeyFrameInfo frame;
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
@@ -28,24 +28,23 @@ struct LabelledImage {
 
 /// A key frame whose labels need not be known yet.
 struct KeyFrameImage {
-  LabelledImage image;
+  LabeledImage image;
   cv::Mat color;  ///< CV_8UC3; empty without colour
 };
 /// Without labels. Error: the frame is unusable; the others need not be.
-[[nodiscard]] Result<KeyFrameImage> readKeyFrameImage(LabelledScan& scan, const KeyFrameInfo& frame);
+[[nodiscard]] Result<KeyFrameImage> readKeyFrameImage(LabeledScan& scan, const KeyFrameInfo& frame);
 /// Finds its labels in the map, those of `kept` only. Error: the map.
-[[nodiscard]] Result<void> labelImage(LabelledScan& scan, KeyFrameImage& read,
+[[nodiscard]] Result<void> labelImage(LabeledScan& scan, KeyFrameImage& read,
                                       const std::unordered_set<int>& kept);
-[[nodiscard]] std::unordered_set<int> idsOf(const std::vector<LabelledRegion>& regions);
+[[nodiscard]] std::unordered_set<int> idsOf(const std::vector<LabeledRegion>& regions);
 
 /// What a format makes of one frame.
-using UseLabelledImage = std::function<Result<void>(const LabelledImage&)>;
+using UseLabeledImage = std::function<Result<void>(const LabeledImage&)>;
 
 /// Gives every key frame with its labels in turn, and counts them; says how far it is. Frames that cannot be
 /// read are named in the summary and left out, as are those without colour if `needs_color`. Error: no frame
 /// could be used (with what was the matter with the first); what `use` returns; the map; cancelled.
-[[nodiscard]] Result<void> forEachLabelledImage(ExportJob& job, bool needs_color,
-                                                const UseLabelledImage& use);
+[[nodiscard]] Result<void> forEachLabeledImage(ExportJob& job, bool needs_color, const UseLabeledImage& use);
 
 /// Regions of `image` that are visible, by id.
 [[nodiscard]] std::vector<std::uint32_t> visibleRegions(const cv::Mat& regions);

@@ -16,7 +16,7 @@
 namespace scantrove {
 
 /// One region of a finished scan and what a person, or the catalogue, said about it.
-struct LabelledRegion {
+struct LabeledRegion {
   std::uint32_t id = 0;                ///< never 0
   std::string name;                    ///< as typed: any UTF-8, slashes, quotes, line ends; empty without one
   std::string category;                ///< likewise
@@ -39,7 +39,7 @@ struct SurfacePoint {
 };
 
 /// The surface of the map, or a part of it. Faces: indices of three vertices, counter-clockwise from outside.
-struct LabelledMesh {
+struct LabeledMesh {
   std::vector<SurfacePoint> vertices;
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
@@ -50,7 +50,7 @@ struct KeyFrameInfo {
   double timestamp_s = 0;
   Eigen::Isometry3d T_world_depth = Eigen::Isometry3d::Identity();
   Intrinsics K_depth;
-  float metres_per_unit = 0.001F;  ///< of the depth image
+  float meters_per_unit = 0.001F;  ///< of the depth image
   Intrinsics K_color;  ///< of the colour image, its own size; registered colour: K_depth resized to it
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();  ///< registered colour: the identity
   std::filesystem::path color_file;  ///< JPEG or PNG as recorded; empty: the frame has no colour
@@ -67,9 +67,9 @@ struct ViewOfMap {
 
 /// A finished scan with its labels, as data sets are made from it: a session on disk, or a scene in memory.
 /// From one thread at a time. Nothing here changes the scan. Errors name the file that is the matter.
-class LabelledScan {
+class LabeledScan {
  public:
-  virtual ~LabelledScan() = default;
+  virtual ~LabeledScan() = default;
 
   /// For people and for file names, e.g. the session folder's name.
   [[nodiscard]] virtual std::string name() const = 0;
@@ -77,18 +77,18 @@ class LabelledScan {
   /// numbers, zero unless that is far away. What a data set says of places it says in that world.
   [[nodiscard]] virtual Eigen::Vector3d origin() const { return Eigen::Vector3d::Zero(); }
   /// All regions there are, in any order.
-  [[nodiscard]] virtual Result<std::vector<LabelledRegion>> regions() = 0;
+  [[nodiscard]] virtual Result<std::vector<LabeledRegion>> regions() = 0;
   /// Frames with a pose, in order of time: key frames, or all that were kept.
   [[nodiscard]] virtual Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) = 0;
   /// The colour image of the key frame called `index`: CV_8UC3, BGR, of the size of K_color.
   [[nodiscard]] virtual Result<cv::Mat> color(int index) = 0;
-  /// Its depth image: CV_16UC1 of the size of K_depth, in units of metres_per_unit, 0 = no reading.
+  /// Its depth image: CV_16UC1 of the size of K_depth, in units of meters_per_unit, 0 = no reading.
   [[nodiscard]] virtual Result<cv::Mat> depth(int index) = 0;
   /// Casts one ray a pixel into the final map; present labels, nearest surface.
   [[nodiscard]] virtual Result<ViewOfMap> look(const Intrinsics& K,
                                                const Eigen::Isometry3d& T_world_camera) = 0;
   /// The whole surface.
-  [[nodiscard]] virtual Result<LabelledMesh> mesh() = 0;
+  [[nodiscard]] virtual Result<LabeledMesh> mesh() = 0;
   /// Gives the points of the labelled cloud one after the other.
   [[nodiscard]] virtual Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) = 0;
   /// Tracked frames in order of time, depth camera to world.

@@ -11,8 +11,8 @@ namespace {
 
 using Ring = std::vector<cv::Point>;
 
-constexpr double kLeastPart = 0.02;
-constexpr double kLeastPart_px = 9;
+constexpr double kMinPart = 0.02;
+constexpr double kMinPart_px = 9;
 
 /// Pixels inside of a ring, those on it included (Pick's theorem).
 double pixelsWithin(const Ring& ring) {
@@ -64,7 +64,7 @@ std::vector<cv::Point> outlineOf(const cv::Mat& mask) {
   std::vector<Ring> all;
   std::vector<cv::Vec4i> hierarchy;
   cv::findContours(mask, all, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
-  const double least = std::max(kLeastPart_px, kLeastPart * cv::countNonZero(mask));
+  const double least = std::max(kMinPart_px, kMinPart * cv::countNonZero(mask));
   std::vector<Ring> rings;
   std::vector<bool> is_kept(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-std::uint32_t regionOfFace(const LabelledMesh& mesh, const std::array<std::uint32_t, 3>& face) {
+std::uint32_t regionOfFace(const LabeledMesh& mesh, const std::array<std::uint32_t, 3>& face) {
   const std::uint32_t a = mesh.vertices[face[0]].region, b = mesh.vertices[face[1]].region,
                       c = mesh.vertices[face[2]].region;
   return b == c ? b : a;
@@ -16,10 +16,10 @@ std::uint32_t regionOfFace(const LabelledMesh& mesh, const std::array<std::uint3
 
 /// A mesh that takes over faces of another one, with the vertices that they need.
 struct Part {
-  LabelledMesh mesh;
+  LabeledMesh mesh;
   std::unordered_map<std::uint32_t, std::uint32_t> taken;
 
-  void add(const LabelledMesh& whole, const std::array<std::uint32_t, 3>& face) {
+  void add(const LabeledMesh& whole, const std::array<std::uint32_t, 3>& face) {
     std::array<std::uint32_t, 3> own{};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [entry, is_new] =
@@ -33,21 +33,21 @@ struct Part {
 
 }  // namespace
 
-std::unordered_map<std::uint32_t, LabelledMesh> splitByRegion(const LabelledMesh& mesh,
-                                                              std::span<const LabelledRegion> regions) {
-  std::unordered_set<std::uint32_t> wanted;
-  for (const LabelledRegion& region : regions) wanted.insert(region.id);
+std::unordered_map<std::uint32_t, LabeledMesh> splitByRegion(const LabeledMesh& mesh,
+                                                             std::span<const LabeledRegion> regions) {
+  std::unordered_set<std::uint32_t> requested;
+  for (const LabeledRegion& region : regions) requested.insert(region.id);
   std::unordered_map<std::uint32_t, Part> parts;
   for (const auto& face : mesh.faces) {
     const std::uint32_t region = regionOfFace(mesh, face);
-    parts[wanted.contains(region) ? region : 0].add(mesh, face);
+    parts[requested.contains(region) ? region : 0].add(mesh, face);
   }
-  std::unordered_map<std::uint32_t, LabelledMesh> meshes;
+  std::unordered_map<std::uint32_t, LabeledMesh> meshes;
   for (auto& [region, part] : parts) meshes.emplace(region, std::move(part.mesh));
   return meshes;
 }
 
-LabelledMesh transformed(LabelledMesh mesh, const Eigen::Affine3f& T) {
+LabeledMesh transformed(LabeledMesh mesh, const Eigen::Affine3f& T) {
   const Eigen::Matrix3f turn = T.rotation();
   for (SurfacePoint& vertex : mesh.vertices) {
     vertex.position_world_m = T * vertex.position_world_m;
@@ -56,13 +56,13 @@ LabelledMesh transformed(LabelledMesh mesh, const Eigen::Affine3f& T) {
   return mesh;
 }
 
-Eigen::AlignedBox3f boxOf(const LabelledMesh& mesh) {
+Eigen::AlignedBox3f boxOf(const LabeledMesh& mesh) {
   Eigen::AlignedBox3f box;
   for (const SurfacePoint& vertex : mesh.vertices) box.extend(vertex.position_world_m);
   return box;
 }
 
-float diameterOf(const LabelledMesh& mesh) {
+float diameterOf(const LabeledMesh& mesh) {
   if (mesh.vertices.empty()) return 0;
   // Farthest from the middle first: once two distances from it add up to less than what was found, so do all
   // others.
@@ -82,7 +82,7 @@ float diameterOf(const LabelledMesh& mesh) {
   return best;
 }
 
-Result<void> checkMesh(const LabelledMesh& mesh) {
+Result<void> checkMesh(const LabeledMesh& mesh) {
   const bool has_faces = std::all_of(mesh.faces.begin(), mesh.faces.end(), [&](const auto& face) {
     return *std::max_element(face.begin(), face.end()) < mesh.vertices.size();
   });

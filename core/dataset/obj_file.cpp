@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-std::string encodeObj(const LabelledMesh& mesh, const std::string& name, const Eigen::Vector3d& origin) {
+std::string encodeObj(const LabeledMesh& mesh, const std::string& name, const Eigen::Vector3d& origin) {
   std::string text = "# metres\no " + onOneLine(name) + "\n";
   const auto out = std::back_inserter(text);
   const bool is_near = origin.isZero(0);

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
-std::string plyHeader(const LabelledMesh& mesh, const PlyContent& content, const std::string& comment) {
+std::string plyHeader(const LabeledMesh& mesh, const PlyContent& content, const std::string& comment) {
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + onOneLine(comment) +
                        "\nelement vertex " + std::to_string(mesh.vertices.size()) + "\n";
   const std::string type = content.origin.isZero(0) ? "float" : "double";
@@ -34,15 +34,15 @@ void keepOffTheHeader(std::string& bytes, std::size_t data_begin) {
 
 }  // namespace
 
-std::string encodePly(const LabelledMesh& mesh, const PlyContent& content, const std::string& comment) {
+std::string encodePly(const LabeledMesh& mesh, const PlyContent& content, const std::string& comment) {
   std::string bytes = plyHeader(mesh, content, comment);
   const auto put = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
   const std::size_t data_begin = bytes.size();
   const bool has_doubles = !content.origin.isZero(0);
-  constexpr std::size_t kMostVertexBytes = 44, kFaceBytes = 13;
-  bytes.reserve(bytes.size() + mesh.vertices.size() * kMostVertexBytes + mesh.faces.size() * kFaceBytes);
+  constexpr std::size_t kMaxVertexBytes = 44, kFaceBytes = 13;
+  bytes.reserve(bytes.size() + mesh.vertices.size() * kMaxVertexBytes + mesh.faces.size() * kFaceBytes);
   for (const SurfacePoint& vertex : mesh.vertices) {
     for (int i = 0; i < 3; ++i) {
       const float place = vertex.position_world_m[i];

@@ -16,7 +16,7 @@ struct PlyContent {
 };
 
 /// The bytes of a binary little-endian PLY file, in the units and the frame of `mesh`; `comment`: one line.
-[[nodiscard]] std::string encodePly(const LabelledMesh& mesh, const PlyContent& content,
+[[nodiscard]] std::string encodePly(const LabeledMesh& mesh, const PlyContent& content,
                                     const std::string& comment);
 
 }  // namespace scantrove

@@ -17,7 +17,7 @@ ExportJson listOf(const Eigen::Vector3f& v, const Eigen::Vector3d& origin) {
 }
 
 /// Of a region without name and category.
-std::string kindOf(const LabelledRegion& region) {
+std::string kindOf(const LabeledRegion& region) {
   if (region.object) return "object " + std::to_string(*region.object);
   if (region.background) return "background";
   return region.rejected ? "rejected" : "region";
@@ -25,33 +25,33 @@ std::string kindOf(const LabelledRegion& region) {
 
 }  // namespace
 
-std::vector<LabelledRegion> chooseRegions(const std::vector<LabelledRegion>& all, bool background) {
-  std::vector<LabelledRegion> chosen;
-  for (const LabelledRegion& region : all) {
+std::vector<LabeledRegion> chooseRegions(const std::vector<LabeledRegion>& all, bool background) {
+  std::vector<LabeledRegion> chosen;
+  for (const LabeledRegion& region : all) {
     const bool is_set_aside = region.background || region.rejected;
     const bool is_something = !region.name.empty() || region.object;
     if (is_set_aside ? background : is_something) chosen.push_back(region);
   }
   std::sort(chosen.begin(), chosen.end(),
-            [](const LabelledRegion& a, const LabelledRegion& b) { return a.id < b.id; });
+            [](const LabeledRegion& a, const LabeledRegion& b) { return a.id < b.id; });
   return chosen;
 }
 
-std::string displayName(const LabelledRegion& region) {
+std::string displayName(const LabeledRegion& region) {
   if (!region.name.empty()) return validUtf8(region.name);
   if (!region.category.empty()) return validUtf8(region.category);
   const std::string kind = kindOf(region);
   return kind == "region" ? kind + " " + std::to_string(region.id) : kind;
 }
 
-std::string classOf(const LabelledRegion& region) {
+std::string classOf(const LabeledRegion& region) {
   if (!region.category.empty()) return validUtf8(region.category);
   return region.name.empty() ? kindOf(region) : validUtf8(region.name);
 }
 
-std::vector<std::string> classesOf(const std::vector<LabelledRegion>& regions) {
+std::vector<std::string> classesOf(const std::vector<LabeledRegion>& regions) {
   std::vector<std::string> classes;
-  for (const LabelledRegion& region : regions) classes.push_back(classOf(region));
+  for (const LabeledRegion& region : regions) classes.push_back(classOf(region));
   std::sort(classes.begin(), classes.end());
   classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
   return classes;
@@ -61,9 +61,9 @@ int classIndex(const std::vector<std::string>& classes, const std::string& name)
   return static_cast<int>(std::lower_bound(classes.begin(), classes.end(), name) - classes.begin());
 }
 
-ExportJson legendOf(const std::vector<LabelledRegion>& regions, const Eigen::Vector3d& origin) {
+ExportJson legendOf(const std::vector<LabeledRegion>& regions, const Eigen::Vector3d& origin) {
   ExportJson legend = ExportJson::object();
-  for (const LabelledRegion& region : regions) {
+  for (const LabeledRegion& region : regions) {
     ExportJson box = nullptr;
     if (!region.box_world_m.isEmpty())
       box = {listOf(region.box_world_m.min(), origin), listOf(region.box_world_m.max(), origin)};

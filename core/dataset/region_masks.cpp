@@ -18,20 +18,20 @@ namespace {
 /// How far measured depth and map may differ on one surface: a map of voxels of half a centimetre and its
 /// poses, and the noise of structured light, which grows with the square of the distance.
 constexpr float kMapNoise_m = 0.01F;
-constexpr float kSensorNoisePerMetre = 0.003F;
+constexpr float kSensorNoisePerMeter = 0.003F;
 /// A steep surface differs by this many pixels' worth of its slope; more than this much is another surface.
 constexpr float kSlope_px = 1.5F;
-constexpr float kMostSlope_m = 0.03F;
+constexpr float kMaxSlope_m = 0.03F;
 /// Outlines of the map are at most this far from where they are: a voxel and a half, and the pose.
 constexpr float kOutlineError_m = 0.02F;
-constexpr int kMostOutlineError_px = 16;
+constexpr int kMaxOutlineError_px = 16;
 /// What the map cannot tell apart along an outline.
 constexpr float kMapDetail_m = 0.006F;
-constexpr int kMostBand_px = 6;
+constexpr int kMaxBand_px = 6;
 /// Across an edge, readings of both sides are not farther apart than this.
 constexpr int kMixedReach_px = 3;
 /// Pieces of fewer pixels, or smaller than the map's detail squared, are noise.
-constexpr int kLeastSpeck_px = 8;
+constexpr int kMinComponent_px = 8;
 constexpr float kSameColor = 20;   ///< of 255, standard deviation
 constexpr float kBandVote = 0.3F;  ///< of a pixel that may itself be wrong
 constexpr float kClearMajority = 1.2F;
@@ -73,7 +73,7 @@ cv::Mat tolerances(const cv::Mat& depth_m) {
       const float slope = std::min(std::abs(at(x + 1, y) - z), std::abs(at(x - 1, y) - z)) +
                           std::min(std::abs(at(x, y + 1) - z), std::abs(at(x, y - 1) - z));
       result.at<float>(y, x) =
-          kMapNoise_m + kSensorNoisePerMetre * z * z + std::min(kSlope_px * slope, kMostSlope_m);
+          kMapNoise_m + kSensorNoisePerMeter * z * z + std::min(kSlope_px * slope, kMaxSlope_m);
     }
   }
   return result;
@@ -86,14 +86,14 @@ class OutlineRefiner {
         color_(measured.color),
         focal_px_(focal_px),
         tolerance_m_(tolerances(map.depth_m)),
-        search_(offsetsWithin(kMostOutlineError_px)),
+        search_(offsetsWithin(kMaxOutlineError_px)),
         depth_m_(measured.depth_m.clone()),
         regions_(map.regions.clone()) {}
 
   cv::Mat run() {
     followDepth();
     followColor();
-    dropSpecks();
+    dropSmallComponents();
     return regions_;
   }
 
@@ -124,7 +124,7 @@ class OutlineRefiner {
   }
 
   [[nodiscard]] std::optional<int> nearestOfDepth(int x, int y, float z) const {
-    const auto radius = static_cast<float>(pixelsOf(kOutlineError_m, z, focal_px_, kMostOutlineError_px));
+    const auto radius = static_cast<float>(pixelsOf(kOutlineError_m, z, focal_px_, kMaxOutlineError_px));
     for (const Offset& offset : search_) {
       if (offset.distance > radius) break;
       const int u = x + offset.x, v = y + offset.y;
@@ -156,14 +156,14 @@ class OutlineRefiner {
   /// 255 within the band along the outlines, CV_8UC1.
   [[nodiscard]] cv::Mat outlineBand() const {
     cv::Mat outline = cv::Mat::zeros(regions_.size(), CV_8UC1);
-    std::array<std::vector<cv::Point>, kMostBand_px + 1> by_radius;
+    std::array<std::vector<cv::Point>, kMaxBand_px + 1> by_radius;
     for (int y = 0; y < regions_.rows; ++y) {
       for (int x = 0; x < regions_.cols; ++x) {
         const int region = regions_.at<int>(y, x);
         const bool is_outline = (x + 1 < regions_.cols && regions_.at<int>(y, x + 1) != region) ||
                                 (y + 1 < regions_.rows && regions_.at<int>(y + 1, x) != region);
         if (!is_outline) continue;
-        const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px);
+        const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxBand_px);
         by_radius[static_cast<std::size_t>(radius)].emplace_back(x, y);
       }
     }
@@ -204,7 +204,7 @@ class OutlineRefiner {
       }
       parties.push_back({region, weight});
     };
-    const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px) + 1;
+    const int radius = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxBand_px) + 1;
     const float z = depth_m_.at<float>(y, x);
     const cv::Vec3b color = color_.at<cv::Vec3b>(y, x);
     for (const Offset& offset : search_) {
@@ -213,7 +213,7 @@ class OutlineRefiner {
       if (!isInside(u, v)) continue;
       const float other_z = depth_m_.at<float>(v, u);
       if (z > 0 && other_z > 0 &&
-          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoisePerMetre * z * z) {
+          std::abs(other_z - z) > kMapNoise_m * (1 + offset.distance / 2) + kSensorNoisePerMeter * z * z) {
         continue;
       }
       const cv::Vec3b& other = color_.at<cv::Vec3b>(v, u);
@@ -229,15 +229,15 @@ class OutlineRefiner {
   }
 
   /// Small pieces become what lies around most of them.
-  void dropSpecks() {
+  void dropSmallComponents() {
     cv::Mat visited = cv::Mat::zeros(regions_.size(), CV_8UC1);
     std::vector<cv::Point> piece;
     for (int y = 0; y < regions_.rows; ++y) {
       for (int x = 0; x < regions_.cols; ++x) {
         if (visited.at<std::uint8_t>(y, x) != 0) continue;
         const int around = collectPiece({x, y}, visited, piece);
-        const int detail = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMostBand_px);
-        if (static_cast<int>(piece.size()) >= std::max(kLeastSpeck_px, detail * detail)) continue;
+        const int detail = pixelsOf(kMapDetail_m, depthAt(x, y), focal_px_, kMaxBand_px);
+        if (static_cast<int>(piece.size()) >= std::max(kMinComponent_px, detail * detail)) continue;
         for (const cv::Point& p : piece) regions_.at<int>(p) = around;
       }
     }

@@ -40,7 +40,7 @@ cv::Mat registerDepth(const KeyFrameInfo& frame, const cv::Mat& depth) {
   const Intrinsics& K = frame.K_depth;
   SCANTROVE_CHECK(depth.type() == CV_16UC1 && depth.cols == K.width && depth.rows == K.height);
   cv::Mat depth_m;
-  depth.convertTo(depth_m, CV_32F, frame.metres_per_unit);
+  depth.convertTo(depth_m, CV_32F, frame.meters_per_unit);
   if (isOneCamera(frame)) return depth_m;
   const Eigen::Isometry3f T = frame.T_color_depth.cast<float>();
   DepthRaster raster(frame.K_color);

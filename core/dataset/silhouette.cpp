@@ -26,7 +26,7 @@ cv::Rect Silhouette::tightBox() const {
   return within + box.tl();
 }
 
-Silhouette silhouetteOf(const LabelledMesh& mesh, const Intrinsics& K,
+Silhouette silhouetteOf(const LabeledMesh& mesh, const Intrinsics& K,
                         const Eigen::Isometry3d& T_world_camera) {
   const Eigen::Isometry3f T = T_world_camera.inverse().cast<float>();
   std::vector<Eigen::Vector3f> points;

@@ -19,7 +19,7 @@ struct Silhouette {
 };
 
 /// Nothing is looked at beyond one image's width and height on each side, as the tools for BOP do.
-[[nodiscard]] Silhouette silhouetteOf(const LabelledMesh& mesh, const Intrinsics& K,
+[[nodiscard]] Silhouette silhouetteOf(const LabeledMesh& mesh, const Intrinsics& K,
                                       const Eigen::Isometry3d& T_world_camera);
 
 /// The smallest box around what is not 0 in `mask` (CV_8UC1); empty if nothing is.

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-constexpr float kLeastLevelPart = 0.03F;  ///< of the vertices, for a surface to say what is level
+constexpr float kMinLevelPart = 0.03F;  ///< of the vertices, for a surface to say what is level
 /// Normals of a level surface that was seen once, with a depth camera's noise, are within this of its own.
 constexpr float kLevel_deg = 15;
 /// Who scans looks down on things: how much that weighs against the area of a surface.
@@ -22,7 +22,7 @@ constexpr float kSteepest_deg = 50;
 float cosineOf(float angle_deg) { return std::cos(angle_deg * std::numbers::pi_v<float> / 180); }
 
 /// The mean of the normals within `angle_deg` of `about`, and how many there are.
-std::pair<Eigen::Vector3f, std::size_t> meanNormal(const LabelledMesh& mesh, const Eigen::Vector3f& about,
+std::pair<Eigen::Vector3f, std::size_t> meanNormal(const LabeledMesh& mesh, const Eigen::Vector3f& about,
                                                    float angle_deg) {
   const float least = cosineOf(angle_deg);
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -37,11 +37,11 @@ std::pair<Eigen::Vector3f, std::size_t> meanNormal(const LabelledMesh& mesh, con
 
 /// From all that could be level to what is: whatever surface has most of it wins. None: there is no such
 /// surface.
-std::optional<Eigen::Vector3f> squareToLevel(const LabelledMesh& mesh, const Eigen::Vector3f& by_hand) {
+std::optional<Eigen::Vector3f> squareToLevel(const LabeledMesh& mesh, const Eigen::Vector3f& by_hand) {
   Eigen::Vector3f up = by_hand;
   for (const float angle_deg : {kSteepest_deg, 35.0F, 25.0F, kLevel_deg, 10.0F, 5.0F, 5.0F}) {
     const auto [sum, count] = meanNormal(mesh, up, angle_deg);
-    const auto least = kLeastLevelPart * static_cast<float>(mesh.vertices.size());
+    const auto least = kMinLevelPart * static_cast<float>(mesh.vertices.size());
     if (static_cast<float>(count) < std::max(1.0F, least) || sum.norm() < 1e-3F) {
       if (angle_deg >= kLevel_deg) return std::nullopt;
       break;
@@ -81,7 +81,7 @@ Eigen::Vector3f meanForward(std::span<const KeyFrameInfo> frames) {
 
 /// How much speaks for `up`: the area of what faces it and, as ceilings do, not the other way; more if the
 /// cameras look down on it, and if it is up in their images.
-float evidenceFor(const Eigen::Vector3f& up, const LabelledMesh& mesh, const Eigen::Vector3f& forward,
+float evidenceFor(const Eigen::Vector3f& up, const LabeledMesh& mesh, const Eigen::Vector3f& forward,
                   const Roll& roll) {
   const auto facing = static_cast<float>(meanNormal(mesh, up, kLevel_deg).second);
   const auto facing_away = static_cast<float>(meanNormal(mesh, -up, kLevel_deg).second);
@@ -92,7 +92,7 @@ float evidenceFor(const Eigen::Vector3f& up, const LabelledMesh& mesh, const Eig
 
 }  // namespace
 
-Eigen::Vector3f upDirection(std::span<const KeyFrameInfo> frames, const LabelledMesh& mesh) {
+Eigen::Vector3f upDirection(std::span<const KeyFrameInfo> frames, const LabeledMesh& mesh) {
   if (frames.empty()) return Eigen::Vector3f::UnitZ();
   const std::array<Roll, 4> rolls = rollsOf(frames);
   const Eigen::Vector3f forward = meanForward(frames);

@@ -12,7 +12,7 @@ namespace scantrove {
 /// what faces down; a camera that looks down on it; the same roll in all frames; and half as much again for
 /// the upright camera, as most are. Without such a surface: as the upright camera has it. Without key frames:
 /// +z.
-[[nodiscard]] Eigen::Vector3f upDirection(std::span<const KeyFrameInfo> frames, const LabelledMesh& mesh);
+[[nodiscard]] Eigen::Vector3f upDirection(std::span<const KeyFrameInfo> frames, const LabeledMesh& mesh);
 
 /// Turns `from` (a unit vector) to `to`, by the smallest angle.
 [[nodiscard]] Eigen::Affine3f turning(const Eigen::Vector3f& from, const Eigen::Vector3f& to);

@@ -31,10 +31,10 @@ struct Candidate {
     return of_any + (outline >= kClearOutline && bulge >= kClearBulge ? kMore : 0);
   }
 
-  bool has_come = false;  ///< into the scene, while it was watched
-  bool is_whole = false;  ///< has shown itself to be whole, over several looks: may become an object
+  bool has_appeared = false;  ///< into the scene, while it was watched
+  bool is_complete = false;   ///< has shown itself to be whole, over several looks: may become an object
   /// Log-odds that this look shows one whole thing, by all that is known (RegionJudge). None: more may come.
-  std::optional<float> wholeness;
+  std::optional<float> objectness;
   bool is_cut_off =
       false;  ///< by the image, as far as RegionJudge says; `size_m` is of all that is known then
 };

@@ -25,7 +25,7 @@ struct DiscoveryInput {
   /// regions.
   std::function<float(RegionId, RegionId)> joining_odds = {};
   /// By pixel: not 0 for what came into the scene and rests there now. Empty: nothing did.
-  std::span<const std::uint8_t> came = {};
+  std::span<const std::uint8_t> appeared = {};
   /// By pixel: CIE L*a*b* of the surface, a little blurred. Empty: the image has no colour.
   std::span<const Eigen::Vector3f> color_lab = {};
 };

@@ -23,8 +23,8 @@ class Way {
     ++pixels_;
   }
   [[nodiscard]] ColorChange sharpest() const {
-    constexpr int kEnds = 8;       // within an eighth of the pixels from an end it parts off a rim only
-    constexpr int kLeastPart = 3;  // of the usual pixels of a strip: of fewer the mean says little
+    constexpr int kEnds = 8;     // within an eighth of the pixels from an end it parts off a rim only
+    constexpr int kMinPart = 3;  // of the usual pixels of a strip: of fewer the mean says little
     ColorChange change;
     std::optional<std::size_t> at;
     int before = 0;
@@ -32,7 +32,7 @@ class Way {
       const Strip& strip = strips_[i];
       const bool is_inner = before > pixels_ / kEnds && before + strip.pixels < pixels_ - pixels_ / kEnds;
       before += strip.pixels;
-      if (!is_inner || strip.pixels * kLeastPart * static_cast<int>(kStrips) < pixels_) continue;
+      if (!is_inner || strip.pixels * kMinPart * static_cast<int>(kStrips) < pixels_) continue;
       const float contrast = strip.contrast / static_cast<float>(strip.pixels);
       if (at && contrast <= change.contrast) continue;
       change.contrast = contrast;

@@ -13,8 +13,8 @@ namespace scantrove {
 
 /// Colours are compared so many pixels off an edge, which is blurred: in an image of that width.
 [[nodiscard]] constexpr int colorReach(int width) {
-  constexpr int kLeast_px = 2, kPart = 160;
-  return std::max(kLeast_px, width / kPart);
+  constexpr int kMin_px = 2, kPart = 160;
+  return std::max(kMin_px, width / kPart);
 }
 
 }  // namespace scantrove

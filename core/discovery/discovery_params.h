@@ -28,13 +28,13 @@ struct DiscoveryParams {
   /// registration, the colour image ends (a Kinect loses 8 to 24 of 640 columns).
   float max_strip_fraction = 0.04F;
   // A candidate is whole, and may become an object, when
-  int whole_looks = 10;  ///< it passed all rules so often
-  float whole_outline =
+  int complete_observations = 10;  ///< it passed all rules so often
+  float complete_outline =
       0.8F;  ///< and this part of its outline was its own, on the average (OutlineSteps::own)
-  float whole_hidden = 0.35F;  ///< with no more of it behind nearer things,
-  float whole_angle_deg = 5;   ///< from directions so far apart,
-  int still_frames = 15;       ///< or over so many frames, where the camera stands still
-  int border_px = 2;           ///< a region that comes this close to the image border is no candidate
+  float complete_hidden = 0.35F;  ///< with no more of it behind nearer things,
+  float complete_angle_deg = 5;   ///< from directions so far apart,
+  int still_frames = 15;          ///< or over so many frames, where the camera stands still
+  int border_px = 2;              ///< a region that comes this close to the image border is no candidate
 };
 
 }  // namespace scantrove

@@ -49,7 +49,7 @@ OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes, cons
   Bounds all;
   std::array<Bounds, 4> sides{};
   pixels.forEach([&](int u, int v) {
-    for (const auto& [du, dv] : kFourWays) {
+    for (const auto& [du, dv] : kFourNeighbors) {
       if (pixels.contains(u + du, v + dv) || !pixels.isInside(u + reach_px * du, v + reach_px * dv)) continue;
       const OutlineEnd end = judge.judge(u, v, du, dv);
       if (end == &OutlineSteps::hidden || end == &OutlineSteps::cut || end == &OutlineSteps::unseen) continue;

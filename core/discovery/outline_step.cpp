@@ -12,7 +12,7 @@ constexpr int kBeyond_px = 2;     // pixels at an edge may lie between two surfa
 constexpr int kBendReach_px = 3;  // normals are compared so far to either side
 constexpr float kGrowsFrom_m = 1.5F;
 constexpr float kClearBend_rad = 0.35F;  // 20 degrees
-constexpr float kLeastStep_m = 0.005F;   // up to 1.2 m; beyond it grows as the sensor's noise does
+constexpr float kMinStep_m = 0.005F;     // up to 1.2 m; beyond it grows as the sensor's noise does
 constexpr float kStepGrowsFrom_m = 1.2F;
 
 }  // namespace
@@ -73,8 +73,8 @@ OutlineEnd OutlineStepJudge::judgeContact(int u, int v, int du, int dv, float z)
   // Two surfaces that face one way: on one level, or one above the other.
   const float grown = std::max(1.0F, z / kStepGrowsFrom_m);
   const float rise_m = across.dot((n_a + n_b).head<3>()) / 2;
-  if (rise_m < -kLeastStep_m * grown * grown) return &OutlineSteps::open;
-  if (rise_m > kLeastStep_m * grown * grown) return &OutlineSteps::hidden;
+  if (rise_m < -kMinStep_m * grown * grown) return &OutlineSteps::open;
+  if (rise_m > kMinStep_m * grown * grown) return &OutlineSteps::hidden;
   return &OutlineSteps::smooth;
 }
 

@@ -13,10 +13,10 @@ OutwardOdds outwardOddsOf(const RegionSet& regions, const RegionOutlines& outlin
   int known = 0;
   for (const auto& [beyond, steps] : all) known += steps.known();
   for (const auto& [beyond, steps] : all) {
-    if (!beyond || steps.touching() < kLeastContact) continue;
-    float odds = OutwardOdds::kLeast;
+    if (!beyond || steps.touching() < kMinContact) continue;
+    float odds = OutwardOdds::kMin;
     for (const RegionId region : regions) {
-      if (outlines.between(region, beyond).touching() >= kLeastContact)
+      if (outlines.between(region, beyond).touching() >= kMinContact)
         odds = std::max(odds, input.joining_odds(region, beyond));
     }
     outward.most = std::max(outward.most, odds);

@@ -5,9 +5,9 @@ namespace scantrove {
 
 /// How near some regions are to being one thing with what they touch in an image.
 struct OutwardOdds {
-  static constexpr float kLeast = -8;  ///< of what touches nothing, or was never seen as one
+  static constexpr float kMin = -8;  ///< of what touches nothing, or was never seen as one
 
-  float most = kLeast;    ///< DiscoveryInput::joining_odds of the contact that comes nearest
+  float most = kMin;      ///< DiscoveryInput::joining_odds of the contact that comes nearest
   float joined_part = 0;  ///< expected part of the known outline that lies inside of something larger
 };
 

@@ -24,7 +24,7 @@ constexpr float kSlack_m = 0.015F;
 /// And the image goes on behind an end by so much more.
 constexpr int kMargin_px = 2;
 /// What was too large is looked at again after so many frames: it may have parted.
-constexpr int kLookAgain = 60;
+constexpr int kRecheckFrames = 60;
 
 std::array<Eigen::Vector3f, ReachHistory::kAxes> makeAxes() {
   std::array<Eigen::Vector3f, ReachHistory::kAxes> axes;
@@ -117,7 +117,7 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
   ++frame_;
   std::erase_if(reaches_, [&](const auto& entry) {
     const Reach& reach = entry.second;
-    return frame_ - reach.last_seen > (reach.is_too_large ? kLookAgain : kMemory);
+    return frame_ - reach.last_seen > (reach.is_too_large ? kRecheckFrames : kMemory);
   });
   std::unordered_map<RegionId, Seen> seen;
   const Interior interior(input, visible_px);
@@ -133,8 +133,8 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
       if (region != last) {
         last = region;
         const auto known = reaches_.find(region);
-        const bool is_wanted = known == reaches_.end() || !known->second.is_too_large;
-        of_last = is_wanted ? &seen[region] : nullptr;
+        const bool is_requested = known == reaches_.end() || !known->second.is_too_large;
+        of_last = is_requested ? &seen[region] : nullptr;
       }
       if (of_last != nullptr)
         of_last->add(input.vertices_world[pixel].head<3>(),

@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/discovery/mask_specks.h"
 #include "core/discovery/region_points.h"
+#include "core/discovery/small_components.h"
 
 namespace scantrove {
 namespace {
@@ -31,18 +31,18 @@ cv::Mat maskOf(const RegionHypothesis& hypothesis, const RegionMap& map) {
 }
 
 /// Most of what is masked came into the scene.
-bool hasCome(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& input) {
-  if (input.came.empty()) return false;
-  int all = 0, came = 0;
+bool hasAppeared(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInput& input) {
+  if (input.appeared.empty()) return false;
+  int all = 0, appeared = 0;
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask.at<unsigned char>(y, x) == 0) continue;
       const int at = (box_px.y + y) * input.regions.width + box_px.x + x;
       ++all;
-      came += input.came[static_cast<std::size_t>(at)] != 0 ? 1 : 0;
+      appeared += input.appeared[static_cast<std::size_t>(at)] != 0 ? 1 : 0;
     }
   }
-  return 2 * came > all;
+  return 2 * appeared > all;
 }
 
 /// Where the box has it.
@@ -60,8 +60,8 @@ Candidate candidateOf(const RegionHypothesis& hypothesis, const OrientedBox& box
   candidate.regions = hypothesis.regions;
   candidate.box_px = hypothesis.extent.box_px;
   candidate.mask = maskOf(hypothesis, input.regions);
-  dropSpecks(candidate.mask, candidate.box_px);
-  candidate.has_come = hasCome(candidate.mask, candidate.box_px, input);
+  dropSmallComponents(candidate.mask, candidate.box_px);
+  candidate.has_appeared = hasAppeared(candidate.mask, candidate.box_px, input);
   candidate.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
   candidate.odds = hypothesis.odds;
   candidate.pixels = static_cast<int>(hypothesis.extent.pixels);
@@ -79,7 +79,7 @@ std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& inpu
   candidate.regions = {region};
   candidate.box_px = box_px;
   candidate.mask = pixels(box_px).clone();
-  dropSpecks(candidate.mask, candidate.box_px);
+  dropSmallComponents(candidate.mask, candidate.box_px);
   place(fitOrientedBox(points), input, candidate);
   candidate.pixels = cv::countNonZero(candidate.mask);
   return candidate;

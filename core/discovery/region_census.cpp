@@ -77,7 +77,7 @@ RegionCensus RegionCounter::count(const RegionMap& map) {
   }
   for (const RegionExtent& extent : census.extents) {
     slot_of_region_[extent.region.value] = 0;
-    census.labelled_px |= extent.box_px;
+    census.labeled_px |= extent.box_px;
   }
   std::ranges::sort(census.extents, {}, &RegionExtent::region);
   return census;

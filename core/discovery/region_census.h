@@ -26,7 +26,7 @@ struct RegionExtent {
 /// All regions of the image.
 struct RegionCensus {
   std::vector<RegionExtent> extents;  ///< by region id
-  cv::Rect labelled_px;               ///< box around everything labelled
+  cv::Rect labeled_px;                ///< box around everything labelled
 
   /// With at least so many pixels, in order.
   [[nodiscard]] std::vector<RegionId> regionsOfSize(double least_pixels) const;

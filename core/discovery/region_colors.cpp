@@ -14,7 +14,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kUsualWidth = 320, kUsualReach_px = 5;
-constexpr int kLeastNear = 8;        // pixels of a neighbour within reach
+constexpr int kMinNear = 8;          // pixels of a neighbour within reach
 constexpr float kTouches_m = 0.06F;  // nearer to the middle depth than that; grows with the distance
 constexpr float kTouchGrowsFrom_m = 1.5F;
 
@@ -110,8 +110,7 @@ std::optional<ColorLikeness> RegionColors::likenessOf(const RegionSet& regions,
   ColorLikeness alike;
   alike.touching = own.intersection(surroundings.touching);
   for (const auto& [region, pixels] : surroundings.pixels) {
-    if (pixels >= kLeastNear)
-      alike.neighbour = std::max(alike.neighbour, own.intersection(colorsOf({region})));
+    if (pixels >= kMinNear) alike.neighbor = std::max(alike.neighbor, own.intersection(colorsOf({region})));
   }
   compareHalves(regions, extent, alike);
   return alike;

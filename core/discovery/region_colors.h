@@ -12,7 +12,7 @@ namespace scantrove {
 /// How much two collections of colours are alike: 0 = nothing in common, 1 = the same.
 struct ColorLikeness {
   /// With the neighbour in the image, of those that reach near it, that is most like it.
-  float neighbour = 0;
+  float neighbor = 0;
   /// With what touches it: what lies around it and neither clearly before nor behind it.
   float touching = 0;
   // Of their two halves: on either side of the middle of their longer axis in the image, and of the other.

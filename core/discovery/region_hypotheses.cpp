@@ -10,8 +10,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kLeastContactPart = 0.1F;  // of the outline of one of them
-constexpr float kLeastRimPart = 0.2F;      // of a hollow's outline
+constexpr float kMinContactPart = 0.1F;  // of the outline of one of them
+constexpr float kMinRimPart = 0.2F;      // of a hollow's outline
 
 /// The outside of a thing is about as wide as its inside, at least; what stands in a plate is not.
 bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
@@ -33,15 +33,15 @@ void include(const RegionExtent& other, RegionExtent& extent) {
 }
 
 /// Which regions could be one thing with which.
-class Neighbourhood {
+class Neighborhood {
  public:
-  struct Neighbour {
+  struct Neighbor {
     RegionId region;
     float odds = 0;
   };
 
-  Neighbourhood(std::span<const RegionExtent> regions, const RegionOutlines& outlines,
-                const DiscoveryInput& input, const DiscoveryParams& params)
+  Neighborhood(std::span<const RegionExtent> regions, const RegionOutlines& outlines,
+               const DiscoveryInput& input, const DiscoveryParams& params)
       : outlines_(outlines) {
     if (!input.joining_odds) return;
     std::set<RegionId> hollows;
@@ -50,7 +50,7 @@ class Neighbourhood {
     }
     for (const RegionExtent& extent : regions) {
       const RegionId a = extent.region;
-      for (const RegionId b : outlines.metBy(a, kLeastContact)) {
+      for (const RegionId b : outlines.touchedBy(a, kMinContact)) {
         const auto found = std::ranges::lower_bound(regions, b, {}, &RegionExtent::region);
         if (b < a || found == regions.end() || found->region != b) continue;
         const bool is_a_in_b =
@@ -62,19 +62,19 @@ class Neighbourhood {
         float odds = input.joining_odds(a, b);
         if (is_rim) odds = std::max(odds, -kNearOdds);  // over it nothing is seen to touch
         if (!(odds >= -kNearOdds)) continue;
-        neighbours_[a].push_back({b, odds});
-        neighbours_[b].push_back({a, odds});
+        neighbors_[a].push_back({b, odds});
+        neighbors_[b].push_back({a, odds});
         if (is_a_in_b) noteInside(a, b);
         if (is_b_in_a) noteInside(b, a);
       }
     }
   }
 
-  [[nodiscard]] std::span<const Neighbour> of(RegionId region) const {
-    const auto found = neighbours_.find(region);
-    return found == neighbours_.end() ? std::span<const Neighbour>() : found->second;
+  [[nodiscard]] std::span<const Neighbor> of(RegionId region) const {
+    const auto found = neighbors_.find(region);
+    return found == neighbors_.end() ? std::span<const Neighbor>() : found->second;
   }
-  [[nodiscard]] bool isTorn(const RegionSet& regions) const {
+  [[nodiscard]] bool hasInconsistentOutline(const RegionSet& regions) const {
     return std::ranges::any_of(insides_, [&](const auto& inside) {
       return regions.contains(inside.first) != regions.contains(inside.second);
     });
@@ -83,10 +83,10 @@ class Neighbourhood {
  private:
   [[nodiscard]] bool isContact(RegionId of, RegionId with) const {
     const int touching = outlines_.between(of, with).touching();
-    return touching >= kLeastContact && static_cast<float>(touching) >= kLeastContactPart * lengthOf(of);
+    return touching >= kMinContact && static_cast<float>(touching) >= kMinContactPart * lengthOf(of);
   }
   [[nodiscard]] bool isRim(RegionId hollow, RegionId with) const {
-    return static_cast<float>(outlines_.between(hollow, with).known()) >= kLeastRimPart * lengthOf(hollow);
+    return static_cast<float>(outlines_.between(hollow, with).known()) >= kMinRimPart * lengthOf(hollow);
   }
   [[nodiscard]] float lengthOf(RegionId region) const {
     return static_cast<float>(outlines_.of({region}).known());
@@ -100,7 +100,7 @@ class Neighbourhood {
   }
 
   const RegionOutlines& outlines_;
-  std::map<RegionId, std::vector<Neighbour>> neighbours_;
+  std::map<RegionId, std::vector<Neighbor>> neighbors_;
   std::map<RegionId, RegionId> insides_;  // hollows, and what they are the inside of
 };
 
@@ -112,13 +112,13 @@ std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> re
   std::vector<RegionHypothesis> hypotheses;
   for (const RegionExtent& extent : regions)
     hypotheses.push_back({{extent.region}, extent, visibleArea(extent, input)});
-  const Neighbourhood neighbourhood(regions, outlines, input, params);
+  const Neighborhood neighborhood(regions, outlines, input, params);
   // Sets of one region more are made of those that there are, each once.
   std::set<RegionSet> known;
-  for (std::size_t i = 0; i < hypotheses.size() && hypotheses.size() < regions.size() + kMostSets; ++i) {
-    if (hypotheses[i].regions.size() == kMostRegions) break;
+  for (std::size_t i = 0; i < hypotheses.size() && hypotheses.size() < regions.size() + kMaxSets; ++i) {
+    if (hypotheses[i].regions.size() == kMaxRegions) break;
     for (const RegionId member : RegionSet(hypotheses[i].regions)) {
-      for (const auto& [other, odds] : neighbourhood.of(member)) {
+      for (const auto& [other, odds] : neighborhood.of(member)) {
         RegionSet larger = hypotheses[i].regions;
         larger.add(other);
         if (larger.size() == hypotheses[i].regions.size() || !known.insert(larger).second) continue;
@@ -134,7 +134,7 @@ std::vector<RegionHypothesis> proposeHypotheses(std::span<const RegionExtent> re
     }
   }
   for (RegionHypothesis& hypothesis : hypotheses)
-    hypothesis.is_torn = neighbourhood.isTorn(hypothesis.regions);
+    hypothesis.is_inconsistent = neighborhood.hasInconsistentOutline(hypothesis.regions);
   std::ranges::sort(hypotheses, {}, &RegionHypothesis::regions);
   return hypotheses;
 }

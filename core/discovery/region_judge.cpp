@@ -20,16 +20,16 @@ namespace {
 
 /// Of DiscoveryParams::max_size_m: all that is known of a thing measures more than one look at it.
 constexpr float kLargestPart = 8.0F / 7;
-constexpr float kLeastPixels = 60;      // of 320 x 240: of fewer nothing can be said ...
-constexpr float kLeastPartPixels = 30;  // ... and of fewer still not that they are a part of something
+constexpr float kMinPixels = 60;      // of 320 x 240: of fewer nothing can be said ...
+constexpr float kMinPartPixels = 30;  // ... and of fewer still not that they are a part of something
 constexpr double kUsualPixels = 320.0 * 240.0;
 /// What a look has no room for, and what was never seen, is not judged by it.
-constexpr float kLeastShown = 0.45F;                  // of all that is known of it
-constexpr float kMostCut = 0.5F, kMostUnseen = 0.3F;  // of the outline
+constexpr float kMinShown = 0.45F;                  // of all that is known of it
+constexpr float kMaxCut = 0.5F, kMaxUnseen = 0.3F;  // of the outline
 
 bool isInView(const OutlineSteps& outline) {
   const auto known = static_cast<float>(outline.known()), unseen = static_cast<float>(outline.unseen);
-  return static_cast<float>(outline.cut) <= kMostCut * known && unseen <= kMostUnseen * (known + unseen);
+  return static_cast<float>(outline.cut) <= kMaxCut * known && unseen <= kMaxUnseen * (known + unseen);
 }
 
 bool isCutOff(const ObjectnessEvidence& evidence) {
@@ -47,7 +47,7 @@ void forEachInParallel(std::size_t count, const Work& work) {
 
 /// What the image shows of it.
 ObjectnessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
-                         const DiscoveryInput& input, const DiscoveryParams& params) {
+                          const DiscoveryInput& input, const DiscoveryParams& params) {
   const RegionExtent& extent = hypothesis.extent;
   const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
     return static_cast<float>(of) / static_cast<float>(steps);
@@ -68,7 +68,7 @@ ObjectnessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps
   const SetAxes axes(pixels, extent);
   evidence.bounds = outlineBoundsOf(pixels, axes, input, params);
   if (!input.color_lab.empty()) evidence.changes = colorChangesOf(pixels, axes, input);
-  evidence.is_torn = hypothesis.is_torn;
+  evidence.is_inconsistent = hypothesis.is_inconsistent;
   evidence.odds = hypothesis.odds;
   return evidence;
 }
@@ -94,7 +94,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   const float largest_m = kLargestPart * params_.max_size_m;
   std::vector<RegionExtent> parts;
   std::ranges::copy_if(census_.extents, std::back_inserter(parts), [&](const RegionExtent& extent) {
-    if (static_cast<float>(extent.pixels) * scale < kLeastPartPixels) return false;
+    if (static_cast<float>(extent.pixels) * scale < kMinPartPixels) return false;
     const float size_m = shapeOf({extent.region}).box.size_m[0];
     return size_m >= params_.min_size_m && size_m <= largest_m;
   });
@@ -113,7 +113,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
       shown += of_region * known_.partInView(region, input.K, input.T_world_camera, visible);
       largest = std::max(largest, of_region);
     }
-    if (!isInView(outline) || shown < kLeastShown * pixels) return std::nullopt;
+    if (!isInView(outline) || shown < kMinShown * pixels) return std::nullopt;
     ObjectnessEvidence evidence = seenOf(hypothesis, outline, input, params_);
     setKnown(shapes_.at(hypothesis.regions), evidence);
     evidence.pixels = pixels * scale;
@@ -128,7 +128,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   std::vector<RegionHypothesis> hypotheses = proposeHypotheses(parts, outlines, input, params_);
   std::erase_if(hypotheses, [&](const RegionHypothesis& hypothesis) {
     return (asked_ && !asked_(hypothesis.regions)) ||
-           static_cast<float>(hypothesis.extent.pixels) * scale < kLeastPixels ||
+           static_cast<float>(hypothesis.extent.pixels) * scale < kMinPixels ||
            shapeOf(hypothesis.regions).box.size_m[0] > largest_m;
   });
   std::vector<std::optional<ObjectnessEvidence>> evidence(hypotheses.size());
@@ -151,7 +151,7 @@ std::vector<Candidate> RegionJudge::find(const DiscoveryInput& input) {
         is_cut_off ? shapes_.at(hypothesis.regions).box
                    : fitOrientedBox(pointsOf(hypothesis.regions, hypothesis.extent.box_px, input));
     candidates[i] = candidateOf(hypothesis, box, input);
-    candidates[i].wholeness = evidence.logOdds();
+    candidates[i].objectness = evidence.logOdds();
     candidates[i].is_cut_off = is_cut_off;
   });
   return candidates;

@@ -72,7 +72,7 @@ OutlineSteps RegionOutlines::between(RegionId a, RegionId b) const {
   return beyond == outline->second.end() ? OutlineSteps{} : beyond->steps;
 }
 
-std::vector<RegionId> RegionOutlines::metBy(RegionId region, int least_steps) const {
+std::vector<RegionId> RegionOutlines::touchedBy(RegionId region, int least_steps) const {
   std::vector<RegionId> met;
   const auto outline = outlines_.find(region);
   if (outline == outlines_.end()) return met;

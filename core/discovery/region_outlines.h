@@ -10,7 +10,7 @@
 
 namespace scantrove {
 
-inline constexpr int kLeastContact = 4;  ///< steps along which two regions touch, of one thing or not
+inline constexpr int kMinContact = 4;  ///< steps along which two regions touch, of one thing or not
 
 /// How the regions of an image end, and against what.
 class RegionOutlines {
@@ -26,7 +26,7 @@ class RegionOutlines {
   [[nodiscard]] OutlineSteps between(RegionId a, RegionId b) const;
   /// Regions that `region` meets along at least `least_steps` steps of which something is known, whether it
   /// touches them there or not, rising.
-  [[nodiscard]] std::vector<RegionId> metBy(RegionId region, int least_steps) const;
+  [[nodiscard]] std::vector<RegionId> touchedBy(RegionId region, int least_steps) const;
 
  private:
   struct Beyond {

@@ -15,7 +15,7 @@ constexpr float kStep = 0.06F;
 /// A piece with less of the largest one's pixels was spilled.
 constexpr int kPartOfLargest = 10;
 /// With less of its pixels what is left is not the thing, but the little of it that is not thin.
-constexpr int kLeastPart = 2;
+constexpr int kMinPart = 2;
 
 /// Of the pixels in `mask` those of its larger pieces, and what does not lie behind these: what is 2 pixels
 /// wide or less, or only hangs together across a step in depth, joins nothing.
@@ -37,7 +37,7 @@ cv::Mat bodyOf(const cv::Mat& mask, const cv::Mat1f& z_m) {
   cv::Mat body;
   cv::dilate(inside, body, {});
   body &= mask;
-  if (kLeastPart * cv::countNonZero(body) < cv::countNonZero(mask)) return mask;
+  if (kMinPart * cv::countNonZero(body) < cv::countNonZero(mask)) return mask;
   // What is spilled lies behind; a handle does not.
   double farthest_of_body = 0;
   cv::minMaxLoc(z_m, nullptr, &farthest_of_body, nullptr, nullptr, body);

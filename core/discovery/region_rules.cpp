@@ -12,7 +12,7 @@ cv::Rect visibleFrame(const RegionCensus& census, int width, int height, const D
     return static_cast<int>(params.max_strip_fraction * static_cast<float>(size));
   };
   const int strip_u = stripOf(width), strip_v = stripOf(height);
-  const cv::Rect& seen = census.labelled_px;
+  const cv::Rect& seen = census.labeled_px;
   // A gap wider than a strip is no strip: the image's own edge holds there.
   const auto inset = [](int gap, int strip) { return gap <= strip ? gap : 0; };
   const int left = inset(seen.x, strip_u), right = inset(width - seen.br().x, strip_u);

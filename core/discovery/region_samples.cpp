@@ -5,7 +5,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kMostPoints = 512;
+constexpr std::size_t kMaxPoints = 512;
 
 /// Every second of them.
 template <class T>
@@ -20,7 +20,7 @@ void RegionSamples::add(RegionId region, const Eigen::Vector3f& point_world,
                         const Eigen::Vector3f& normal_world) {
   Sample& sample = samples_[region];
   if (sample.added++ % sample.step != 0) return;
-  if (sample.points.size() == kMostPoints) {
+  if (sample.points.size() == kMaxPoints) {
     thinOut(sample.points);
     thinOut(sample.normals);
     sample.step *= 2;

@@ -4,7 +4,7 @@
 
 #include "core/base/check.h"
 #include "core/discovery/candidate_finder.h"
-#include "core/discovery/look_history.h"
+#include "core/discovery/observation_history.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/reach_history.h"
 #include "core/discovery/region_candidate.h"
@@ -19,9 +19,9 @@ namespace {
 /// A set is one way to see its regions only where its outline is not clearly worse than theirs.
 constexpr float kOutlineSlack = 0.05F;
 /// Of a thing that the border cuts off so much must be seen, along each axis.
-constexpr float kMostOfThing = 0.6F;
+constexpr float kMaxOfThing = 0.6F;
 /// Parts of a set may be smaller than what must be seen of a thing.
-constexpr int kLeastPartOfThing = 8;
+constexpr int kMinPartOfThing = 8;
 
 class RuleBasedFinder final : public CandidateFinder {
  public:
@@ -31,7 +31,7 @@ class RuleBasedFinder final : public CandidateFinder {
   [[nodiscard]] const RegionCensus& census() const override { return census_; }
   void regionsJoined(RegionId into, RegionId from) override {
     sizes_.follow(into, from);
-    looks_.follow(into, from);
+    observations_.follow(into, from);
     reaches_.forget(into);
     reaches_.forget(from);
   }
@@ -43,15 +43,15 @@ class RuleBasedFinder final : public CandidateFinder {
     const RegionOutlines outlines(input, params_);
     const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
     const std::vector<RegionHypothesis> hypotheses =
-        proposeHypotheses(wholeRegions(census_, visible, input), outlines, input, params_);
+        proposeHypotheses(completeRegions(census_, visible, input), outlines, input, params_);
     rememberSizes(hypotheses);
-    looks_.nextFrame();
+    observations_.nextFrame();
     reaches_.add(input, visible, params_.max_size_m);
 
     std::vector<Candidate> candidates;
     for (const RegionHypothesis& hypothesis : hypotheses) {
       const RegionExtent& extent = hypothesis.extent;
-      if (hypothesis.is_torn || !hasEnoughPoints(extent, input.K, params_) ||
+      if (hypothesis.is_inconsistent || !hasEnoughPoints(extent, input.K, params_) ||
           !isCentral(extent, input.K, params_) || !isNotEccentric(extent, params_))
         continue;
       if (!sizes_.isPersistent(hypothesis.regions, params_.persistent_frames, params_.size_tolerance))
@@ -83,12 +83,12 @@ class RuleBasedFinder final : public CandidateFinder {
 
  private:
   /// Regions that are seen entirely: only their size means anything.
-  [[nodiscard]] std::vector<RegionExtent> wholeRegions(const RegionCensus& census, const cv::Rect& visible,
-                                                       const DiscoveryInput& input) const {
+  [[nodiscard]] std::vector<RegionExtent> completeRegions(const RegionCensus& census, const cv::Rect& visible,
+                                                          const DiscoveryInput& input) const {
     std::vector<RegionExtent> whole;
     for (const RegionExtent& extent : census.extents) {
       RegionExtent enlarged = extent;
-      enlarged.pixels *= kLeastPartOfThing;
+      enlarged.pixels *= kMinPartOfThing;
       if (isOffBorder(extent, visible, params_) && hasEnoughPoints(enlarged, input.K, params_))
         whole.push_back(extent);
     }
@@ -102,7 +102,7 @@ class RuleBasedFinder final : public CandidateFinder {
     for (const RegionExtent& extent : census.extents) {
       if (!isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.K, params_) &&
           reaches_.isSeenToItsEnds(extent.region, params_.persistent_frames) &&
-          reaches_.shownPart(extent.region) >= kMostOfThing)
+          reaches_.shownPart(extent.region) >= kMaxOfThing)
         cut.push_back(extent);
     }
     return cut;
@@ -121,26 +121,27 @@ class RuleBasedFinder final : public CandidateFinder {
                                           const std::vector<RegionHypothesis>& all) {
     return std::ranges::all_of(hypothesis.regions, [&](RegionId region) {
       const auto alone = std::ranges::lower_bound(all, RegionSet{region}, {}, &RegionHypothesis::regions);
-      const bool is_thing = alone == all.end() || alone->regions != RegionSet{region} || !alone->is_torn;
+      const bool is_thing =
+          alone == all.end() || alone->regions != RegionSet{region} || !alone->is_inconsistent;
       return !is_thing || outline.own() >= outlines.of({region}).own() - kOutlineSlack;
     });
   }
 
   void look(const OutlineSteps& outline, const DiscoveryInput& input, Candidate& candidate) {
-    const Eigen::Vector3f camera_centre = input.T_world_camera.translation().cast<float>();
+    const Eigen::Vector3f camera_center = input.T_world_camera.translation().cast<float>();
     candidate.outline = outline.own();
     candidate.hidden = outline.hiddenPart();
-    looks_.add(candidate.regions,
-               {candidate.outline, candidate.hidden - candidate.mostHidden(0), candidate.size_m,
-                (camera_centre - candidate.centroid_world).normalized()});
-    candidate.is_whole = looks_.isWhole(candidate.regions, params_);
+    observations_.add(candidate.regions,
+                      {candidate.outline, candidate.hidden - candidate.mostHidden(0), candidate.size_m,
+                       (camera_center - candidate.centroid_world).normalized()});
+    candidate.is_complete = observations_.isComplete(candidate.regions, params_);
   }
 
   DiscoveryParams params_;
   RegionCounter counter_;
   RegionCensus census_;
   SizeHistory sizes_;
-  LookHistory looks_;
+  ObservationHistory observations_;
   ReachHistory reaches_;
 };
 
@@ -153,12 +154,12 @@ std::unique_ptr<CandidateFinder> makeRuleBasedFinder(const DiscoveryParams& para
 std::vector<std::size_t> chooseDisjoint(std::span<const Candidate> candidates, std::span<const float> known) {
   SCANTROVE_CHECK(candidates.size() == known.size());
   // Where odds are even a set and its regions are equally likely; regions join later than that.
-  constexpr float kEvenOdds = -1, kOfOdds = 0.1F, kMostGain = 0.15F;
+  constexpr float kEvenOdds = -1, kOfOdds = 0.1F, kMaxGain = 0.15F;
   const auto score = [&](std::size_t i) {
     const Candidate& candidate = candidates[i];
     const float together =
-        candidate.regions.size() < 2 ? 0 : std::min(kOfOdds * (candidate.odds - kEvenOdds), kMostGain);
-    return known[i] + (candidate.is_whole ? 0.5F : 0.0F) + candidate.outline - candidate.hidden + together;
+        candidate.regions.size() < 2 ? 0 : std::min(kOfOdds * (candidate.odds - kEvenOdds), kMaxGain);
+    return known[i] + (candidate.is_complete ? 0.5F : 0.0F) + candidate.outline - candidate.hidden + together;
   };
   std::vector<std::size_t> order(candidates.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -11,7 +11,7 @@
 namespace scantrove {
 
 /// From a pixel to those beside it.
-inline constexpr std::array<std::array<int, 2>, 4> kFourWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+inline constexpr std::array<std::array<int, 2>, 4> kFourNeighbors{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// Which pixels of an image some regions fill.
 class SetPixels {

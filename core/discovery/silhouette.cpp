@@ -12,7 +12,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kFarBeyond_px = 4;  // labels and depth are unsure nearer to an outline
-constexpr float kLeastRelief_m = 0.02F, kMostRelief_m = 0.5F;
+constexpr float kMinRelief_m = 0.02F, kMaxRelief_m = 0.5F;
 
 /// Of all pixels on the hull's edge and inside.
 double pixelsOfHull(const std::vector<cv::Point>& points) {
@@ -34,7 +34,7 @@ Silhouette silhouetteOf(const RegionSet& regions, const cv::Rect& box_px, const 
   pixels.forEach([&](int u, int v) {
     ++count;
     bool is_outline = false;
-    for (const auto& [du, dv] : kFourWays) {
+    for (const auto& [du, dv] : kFourNeighbors) {
       if (pixels.contains(u + du, v + dv)) continue;
       is_outline = true;
       const int beyond_u = u + kFarBeyond_px * du, beyond_v = v + kFarBeyond_px * dv;
@@ -43,8 +43,8 @@ Silhouette silhouetteOf(const RegionSet& regions, const cv::Rect& box_px, const 
                             &there = input.vertices_world[pixels.at(beyond_u, beyond_v)];
       if (!isSurface(here) || !isSurface(there)) continue;
       const float step_m = depth(there) - depth(here);
-      if (!(step_m > kLeastRelief_m)) continue;
-      sum_m += std::min(step_m, kMostRelief_m);
+      if (!(step_m > kMinRelief_m)) continue;
+      sum_m += std::min(step_m, kMaxRelief_m);
       ++steps;
     }
     if (is_outline) outline.emplace_back(u, v);

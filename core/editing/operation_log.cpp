@@ -45,7 +45,7 @@ bool OperationLog::canRedo() const {
   return std::ranges::find(entries_, State::undone, &Entry::state) != entries_.end();
 }
 
-void OperationLog::cutOut(FragmentId part, FragmentId fragment) {
+void OperationLog::splitOff(FragmentId part, FragmentId fragment) {
   for (std::size_t place = 0; place < entries_.size(); ++place) {
     std::vector<RegionMove>& moves = entries_[place].effect.moves;
     const auto found = std::ranges::find(moves, fragment, &RegionMove::fragment);
@@ -61,7 +61,7 @@ void OperationLog::extend(int number, const OperationEffect& more) {
   if (found == entries_.end()) return;
   OperationEffect& effect = found->effect;
   effect.moves.insert(effect.moves.end(), more.moves.begin(), more.moves.end());
-  effect.sayings.insert(effect.sayings.end(), more.sayings.begin(), more.sayings.end());
+  effect.constraints.insert(effect.constraints.end(), more.constraints.begin(), more.constraints.end());
   noteChange(static_cast<std::size_t>(found - entries_.begin()));
 }
 
@@ -70,8 +70,9 @@ void OperationLog::forget(FragmentId fragment) {
     OperationEffect& effect = entries_[place].effect;
     const auto gone =
         std::erase_if(effect.moves, [=](const auto& move) { return move.fragment == fragment; }) +
-        std::erase_if(effect.sayings,
-                      [=](const auto& saying) { return saying.a == fragment || saying.b == fragment; });
+        std::erase_if(effect.constraints, [=](const auto& constraint) {
+          return constraint.a == fragment || constraint.b == fragment;
+        });
     if (gone > 0) noteChange(place);
   }
 }

@@ -11,10 +11,10 @@ namespace scantrove {
 
 /// What an operation changed, so that it can be taken back, and done again, whatever frames did meanwhile.
 struct OperationEffect {
-  struct Saying {
+  struct UserConstraint {
     FragmentId a, b;
     LinkConstraint before = LinkConstraint::none, after = LinkConstraint::none;
-    bool operator==(const Saying&) const = default;
+    bool operator==(const UserConstraint&) const = default;
   };
   struct Note {
     RegionId region;
@@ -22,7 +22,7 @@ struct OperationEffect {
     bool operator==(const Note&) const = default;
   };
   std::vector<RegionMove> moves;
-  std::vector<Saying> sayings;
+  std::vector<UserConstraint> constraints;
   std::vector<Note> notes;
 
   bool operator==(const OperationEffect&) const = default;
@@ -58,7 +58,7 @@ class OperationLog {
   [[nodiscard]] bool canRedo() const;
 
   /// `part` was cut out of `fragment` just now: what was done to that was done to it.
-  void cutOut(FragmentId part, FragmentId fragment);
+  void splitOff(FragmentId part, FragmentId fragment);
   /// What that entry changed is so much more: since it was done, or taken back, frames have added to its
   /// regions.
   void extend(int number, const OperationEffect& more);

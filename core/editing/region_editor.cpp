@@ -8,7 +8,7 @@
 
 #include "core/base/label_name.h"
 #include "core/base/text.h"
-#include "core/editing/surface_cut.h"
+#include "core/editing/surface_split.h"
 #include "core/labeling/region_partition.h"
 
 namespace scantrove {
@@ -39,9 +39,9 @@ std::set<std::pair<RegionId, RegionId>> joinedBy(const OperationLog::Entry& entr
   return joined;
 }
 
-RegionSaid saidBy(const RegionNote& note) {
-  if (!note.name.empty() || note.object) return RegionSaid::thing;
-  return note.background || note.rejected ? RegionSaid::background : RegionSaid::nothing;
+UserLabel userLabelOf(const RegionNote& note) {
+  if (!note.name.empty() || note.object) return UserLabel::thing;
+  return note.background || note.rejected ? UserLabel::background : UserLabel::nothing;
 }
 
 /// The operation with the names as they are stored, by the same rule as the catalogue's. An empty name
@@ -168,7 +168,7 @@ Result<void> RegionEditor::cut(Work& work) {
     return fail("The two places of the cut are one place of " + called(region) + ".",
                 "Point at two places that lie farther apart.");
   }
-  const std::vector<std::uint8_t> side = cutSurface(graph, here, there);
+  const std::vector<std::uint8_t> side = splitSurface(graph, here, there);
   const std::vector<Fragments> parts =
       divideVoxels(region, graph, std::vector<std::uint32_t>(side.begin(), side.end()), 2);
   divide(work, parts);
@@ -181,7 +181,7 @@ Result<void> RegionEditor::finer(Work& work) {
   const auto isPart = [this](const Fragments& fragments) {
     int voxels = 0;
     for (const FragmentId fragment : fragments) voxels += voxelsOf(fragment);
-    return voxels >= kSliverVoxels;
+    return voxels >= kSmallFragmentVoxels;
   };
   float less = kFirstLess;
   for (int i = 0; i < kLessTimes; ++i, less *= 2) {
@@ -195,7 +195,7 @@ Result<void> RegionEditor::finer(Work& work) {
       SurfaceGraph::of(map_.surfaceOf(table_.fragmentsOf(region), work.operation.here_world));
   float k = kFirstThreshold;
   for (int i = 0; i < kHalvings; ++i, k /= 2) {
-    const std::vector<std::uint32_t> part = segmentSurface(graph, k, kSliverVoxels);
+    const std::vector<std::uint32_t> part = segmentSurface(graph, k, kSmallFragmentVoxels);
     const std::size_t parts = part.empty() ? 0 : *std::ranges::max_element(part) + std::size_t{1};
     if (parts < 2) continue;
     divide(work, divideVoxels(region, graph, part, parts));
@@ -207,19 +207,19 @@ Result<void> RegionEditor::finer(Work& work) {
 
 Result<void> RegionEditor::coarser(Work& work) {
   const RegionId region = work.operation.regions.front();
-  std::set<RegionId> neighbours;
+  std::set<RegionId> neighbors;
   for (const FragmentId fragment : table_.fragmentsOf(region)) {
-    for (const FragmentId other : merger_->neighboursOf(fragment)) neighbours.insert(table_.regionOf(other));
+    for (const FragmentId other : merger_->neighborsOf(fragment)) neighbors.insert(table_.regionOf(other));
   }
-  neighbours.erase(region);
-  neighbours.erase(RegionId{});
+  neighbors.erase(region);
+  neighbors.erase(RegionId{});
   RegionId likeliest;
   float best = 0;
-  for (const RegionId neighbour : neighbours) {
-    const auto odds = merger_->joiningOdds(region, neighbour, table_, map_.voxelsOfFragments(), work.params);
+  for (const RegionId neighbor : neighbors) {
+    const auto odds = merger_->joiningOdds(region, neighbor, table_, map_.voxelsOfFragments(), work.params);
     if (!odds || (likeliest && *odds <= best)) continue;
     best = *odds;
-    likeliest = neighbour;
+    likeliest = neighbor;
   }
   if (!likeliest) {
     return fail("Nothing was seen to touch " + called(region) + ".", "Join it by naming the other region.");
@@ -258,7 +258,7 @@ std::vector<RegionEditor::Fragments> RegionEditor::divideVoxels(RegionId region,
       const FragmentId holder = p == keeper ? fragment : table_.newFragmentBeside(fragment);
       if (p != keeper) {
         map_.relabel(found->second[p], holder);
-        log_.cutOut(holder, fragment);
+        log_.splitOff(holder, fragment);
       }
       fragments[p].push_back(holder);
     }
@@ -286,7 +286,7 @@ void RegionEditor::divide(Work& work, const std::vector<Fragments>& parts) {
 void RegionEditor::keepApart(Work& work, const Fragments& one, const Fragments& other) {
   say(work, largestOf(one), largestOf(other), LinkConstraint::cannot_link);
   for (const FragmentId a : one) {
-    for (const FragmentId b : merger_->neighboursOf(a)) {
+    for (const FragmentId b : merger_->neighborsOf(a)) {
       if (std::ranges::find(other, b) != other.end()) say(work, a, b, LinkConstraint::cannot_link);
     }
   }
@@ -295,7 +295,7 @@ void RegionEditor::keepApart(Work& work, const Fragments& one, const Fragments& 
 void RegionEditor::say(Work& work, FragmentId a, FragmentId b, LinkConstraint constraint) {
   const LinkConstraint before = merger_->constraintBetween(a, b);
   merger_->constrain(a, b, constraint);
-  if (before != constraint) work.effect.sayings.push_back({a, b, before, constraint});
+  if (before != constraint) work.effect.constraints.push_back({a, b, before, constraint});
 }
 
 int RegionEditor::voxelsOf(FragmentId fragment) const {
@@ -316,7 +316,7 @@ void RegionEditor::write(Work& work, RegionId region, const RegionNote& note) {
 
 void RegionEditor::setNote(RegionId region, const RegionNote& note) {
   notes_.set(region, note);
-  table_.say(region, saidBy(note));
+  table_.say(region, userLabelOf(note));
 }
 
 void RegionEditor::takeInNewFragments(const OperationLog::Entry& entry, bool is_undo) {
@@ -349,16 +349,16 @@ void RegionEditor::holdTogether(const OperationLog::Entry& entry) {
   for (const auto& [into, from] : joinedBy(entry)) {
     if (!exists(into) || !exists(from)) continue;
     const bool is_said =
-        std::ranges::any_of(entry.effect.sayings, [&, into = into, from = from](const auto& saying) {
-          const RegionId a = table_.regionOf(saying.a), b = table_.regionOf(saying.b);
-          return saying.after == LinkConstraint::must_link &&
+        std::ranges::any_of(entry.effect.constraints, [&, into = into, from = from](const auto& constraint) {
+          const RegionId a = table_.regionOf(constraint.a), b = table_.regionOf(constraint.b);
+          return constraint.after == LinkConstraint::must_link &&
                  ((a == into && b == from) || (a == from && b == into));
         });
     if (is_said) continue;
     const FragmentId a = largestOf(table_.fragmentsOf(into)), b = largestOf(table_.fragmentsOf(from));
-    more.sayings.push_back({a, b, merger_->constraintBetween(a, b), LinkConstraint::must_link});
+    more.constraints.push_back({a, b, merger_->constraintBetween(a, b), LinkConstraint::must_link});
   }
-  if (!more.sayings.empty()) log_.extend(entry.number, more);
+  if (!more.constraints.empty()) log_.extend(entry.number, more);
 }
 
 Result<RegionEditor::Outcome> RegionEditor::undo() {
@@ -370,10 +370,11 @@ Result<RegionEditor::Outcome> RegionEditor::undo() {
   std::vector<RegionMove> back;
   for (const RegionMove& move : effect.moves) back.push_back({move.fragment, move.after, move.before});
   table_.move(back, outcome.events);
-  for (const auto& saying : effect.sayings) merger_->constrain(saying.a, saying.b, saying.before);
+  for (const auto& constraint : effect.constraints)
+    merger_->constrain(constraint.a, constraint.b, constraint.before);
   for (const auto& note : effect.notes) setNote(note.region, note.before);
   // Regions that came back are what was said of them before they went.
-  for (const RegionMove& move : effect.moves) table_.say(move.before, saidBy(notes_.of(move.before)));
+  for (const RegionMove& move : effect.moves) table_.say(move.before, userLabelOf(notes_.of(move.before)));
   outcome.regions = entry->operation.regions;
   outcome.operation = entry->operation;
   return outcome;
@@ -387,9 +388,10 @@ Result<RegionEditor::Outcome> RegionEditor::redo() {
   const OperationEffect& effect = entry->effect;
   Outcome outcome;
   table_.move(effect.moves, outcome.events);
-  for (const auto& saying : effect.sayings) merger_->constrain(saying.a, saying.b, saying.after);
+  for (const auto& constraint : effect.constraints)
+    merger_->constrain(constraint.a, constraint.b, constraint.after);
   for (const auto& note : effect.notes) setNote(note.region, note.after);
-  for (const RegionMove& move : effect.moves) table_.say(move.after, saidBy(notes_.of(move.after)));
+  for (const RegionMove& move : effect.moves) table_.say(move.after, userLabelOf(notes_.of(move.after)));
   outcome.regions = entry->operation.regions;
   outcome.operation = entry->operation;
   return outcome;

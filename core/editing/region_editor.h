@@ -47,7 +47,7 @@ class RegionEditor {
   void forget(FragmentId fragment) { log_.forget(fragment); }
   /// A frame has shown that `part` is something else than the rest of `fragment`: what was done to that was
   /// done to it, and is taken back with it.
-  void cutOut(FragmentId part, FragmentId fragment) { log_.cutOut(part, fragment); }
+  void splitOff(FragmentId part, FragmentId fragment) { log_.splitOff(part, fragment); }
 
  private:
   using Fragments = std::vector<FragmentId>;

@@ -19,7 +19,7 @@ struct VoxelHash {
 };
 
 /// The half of a voxel's 26 neighbours that comes after it.
-std::vector<Eigen::Vector3i> laterNeighbours() {
+std::vector<Eigen::Vector3i> laterNeighbors() {
   std::vector<Eigen::Vector3i> steps;
   for (int z = -1; z <= 1; ++z) {
     for (int y = -1; y <= 1; ++y) {
@@ -40,7 +40,7 @@ float weightBetween(const SurfaceVoxel& i, const SurfaceVoxel& j) {
   return convex ? concave * concave : concave;
 }
 
-Eigen::Vector3f centreOf(const SurfaceVoxel& voxel, float voxel_size_m) {
+Eigen::Vector3f centerOf(const SurfaceVoxel& voxel, float voxel_size_m) {
   return (voxel.voxel.cast<float>() + Eigen::Vector3f::Constant(0.5F)) * voxel_size_m;
 }
 
@@ -52,7 +52,7 @@ SurfaceGraph SurfaceGraph::of(std::vector<SurfaceVoxel> voxels) {
   std::unordered_map<Eigen::Vector3i, std::uint32_t, VoxelHash> place;
   place.reserve(graph.voxels.size());
   for (std::uint32_t i = 0; i < graph.voxels.size(); ++i) place[graph.voxels[i].voxel] = i;
-  const std::vector<Eigen::Vector3i> steps = laterNeighbours();
+  const std::vector<Eigen::Vector3i> steps = laterNeighbors();
   for (std::uint32_t i = 0; i < graph.voxels.size(); ++i) {
     for (const Eigen::Vector3i& step : steps) {
       const auto found = place.find(graph.voxels[i].voxel + step);
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> SurfaceGraph::around(const Eigen::Vector3f& place_wor
   std::uint32_t nearest = 0;
   float least_m2 = std::numeric_limits<float>::max();
   for (std::uint32_t i = 0; i < voxels.size(); ++i) {
-    const float distance_m2 = (centreOf(voxels[i], voxel_size_m) - place_world).squaredNorm();
+    const float distance_m2 = (centerOf(voxels[i], voxel_size_m) - place_world).squaredNorm();
     if (distance_m2 <= radius_m * radius_m) within.push_back(i);
     if (distance_m2 >= least_m2) continue;
     least_m2 = distance_m2;

@@ -55,8 +55,8 @@ std::vector<int> namedInstances(const MaskOverlaps& overlaps) {
 
 }  // namespace
 
-ViewJudgement judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat& truth,
-                        const std::set<int>& objects) {
+ViewJudgment judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat& truth,
+                       const std::set<int>& objects) {
   if (mask.empty() || box.empty()) return {};
   const cv::Mat1i instances = toLabelGrid(truth);
   const MaskOverlaps overlaps = overlapsOf(mask, box, instances);
@@ -82,11 +82,11 @@ ViewJudgement judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat&
   return {CatalogueVerdict::merger, namedInstances(overlaps)};
 }
 
-EntryJudgement judgeEntry(std::span<const ViewJudgement> views) {
+EntryJudgment judgeEntry(std::span<const ViewJudgment> views) {
   using Kind = std::pair<CatalogueVerdict, std::vector<int>>;
   std::map<Kind, int> counts;
-  for (const ViewJudgement& view : views) ++counts[{view.verdict, view.instances}];
-  EntryJudgement entry;
+  for (const ViewJudgment& view : views) ++counts[{view.verdict, view.instances}];
+  EntryJudgment entry;
   entry.views = static_cast<int>(views.size());
   int most_others = 0;
   Kind others;
@@ -100,12 +100,12 @@ EntryJudgement judgeEntry(std::span<const ViewJudgement> views) {
       others = kind;
     }
   }
-  const bool is_whole = entry.views > 0 && entry.whole_views >= kWholeViews * entry.views;
-  if (!is_whole && most_others == 0 && entry.views > 0) {  // whole, but each time something else
+  const bool is_complete = entry.views > 0 && entry.whole_views >= kWholeViews * entry.views;
+  if (!is_complete && most_others == 0 && entry.views > 0) {  // whole, but each time something else
     for (const auto& [kind, count] : counts) others.second.push_back(kind.second.front());
     others.first = CatalogueVerdict::merger;
   }
-  if (entry.views > 0) std::tie(entry.verdict, entry.instances) = is_whole ? whole : others;
+  if (entry.views > 0) std::tie(entry.verdict, entry.instances) = is_complete ? whole : others;
   return entry;
 }
 
@@ -143,11 +143,11 @@ void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects) {
   }
 }
 
-CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgement> entries,
+CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgment> entries,
                                    const std::map<int, TrueObject>& objects) {
   CatalogueMetrics metrics;
   std::set<int> found;
-  for (const EntryJudgement& entry : entries) {
+  for (const EntryJudgment& entry : entries) {
     ++metrics.entries;
     if (entry.verdict != CatalogueVerdict::whole) continue;
     ++metrics.whole;

@@ -16,7 +16,7 @@ enum class CatalogueVerdict {
 };
 
 /// One view held against the truth of its frame.
-struct ViewJudgement {
+struct ViewJudgment {
   CatalogueVerdict verdict = CatalogueVerdict::background;
   std::vector<int>
       instances;  ///< of what it is: one for whole and part; else all with a share, largest first
@@ -26,11 +26,11 @@ struct ViewJudgement {
 /// not annotated); the part of the box outside the image is left out. `objects`: the instances that are
 /// objects. Background: at least half of the mask is no object. Part: at least three quarters are one object.
 /// Instances with less than 15 % of the mask are not named.
-[[nodiscard]] ViewJudgement judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat& truth,
-                                      const std::set<int>& objects);
+[[nodiscard]] ViewJudgment judgeView(const cv::Mat& mask, const cv::Rect& box, const cv::Mat& truth,
+                                     const std::set<int>& objects);
 
 /// An entry of the catalogue by its views.
-struct EntryJudgement {
+struct EntryJudgment {
   CatalogueVerdict verdict = CatalogueVerdict::background;
   std::vector<int> instances;
   int views = 0;
@@ -39,7 +39,7 @@ struct EntryJudgement {
 
 /// Whole: at least 80 % of the views are, of one and the same object. Else the verdict of most of the other
 /// views.
-[[nodiscard]] EntryJudgement judgeEntry(std::span<const ViewJudgement> views);
+[[nodiscard]] EntryJudgment judgeEntry(std::span<const ViewJudgment> views);
 
 /// What a catalogue could have found.
 struct TrueObject {
@@ -69,7 +69,7 @@ struct CatalogueMetrics {
   int duplicates = 0;                 ///< whole entries beyond the first of their object
 };
 
-[[nodiscard]] CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgement> entries,
+[[nodiscard]] CatalogueMetrics evaluateCatalogue(std::span<const EntryJudgment> entries,
                                                  const std::map<int, TrueObject>& objects);
 
 }  // namespace scantrove

@@ -13,6 +13,6 @@ struct ErrorSummary {
   int count = 0;
 };
 
-[[nodiscard]] ErrorSummary summariseErrors(std::vector<double> errors);
+[[nodiscard]] ErrorSummary summarizeErrors(std::vector<double> errors);
 
 }  // namespace scantrove

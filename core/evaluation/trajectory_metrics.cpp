@@ -8,7 +8,7 @@
 
 namespace scantrove {
 
-ErrorSummary summariseErrors(std::vector<double> errors) {
+ErrorSummary summarizeErrors(std::vector<double> errors) {
   if (errors.empty()) return {};
   std::sort(errors.begin(), errors.end());
   const double count = static_cast<double>(errors.size());
@@ -33,7 +33,7 @@ ErrorSummary absoluteTrajectoryError(std::span<const PosePair> pairs) {
     const Eigen::Vector3d aligned = T_truth_estimate * pair.estimate.T_world_camera.translation();
     errors_m.push_back((pair.truth.T_world_camera.translation() - aligned).norm());
   }
-  return summariseErrors(std::move(errors_m));
+  return summarizeErrors(std::move(errors_m));
 }
 
 RelativePoseError relativePoseError(std::span<const PosePair> pairs, int delta_frames) {
@@ -50,7 +50,7 @@ RelativePoseError relativePoseError(std::span<const PosePair> pairs, int delta_f
     translations_m.push_back(error.translation().norm());
     rotations_deg.push_back(Eigen::AngleAxisd(error.rotation()).angle() * 180.0 / std::numbers::pi);
   }
-  return {summariseErrors(std::move(translations_m)), summariseErrors(std::move(rotations_deg))};
+  return {summarizeErrors(std::move(translations_m)), summarizeErrors(std::move(rotations_deg))};
 }
 
 }  // namespace scantrove

@@ -97,8 +97,8 @@ std::string pcdHeader(std::size_t points, const Eigen::Isometry3d& T_world_viewp
 std::string encodePcd(std::span<const LabeledPoint> points, const Eigen::Isometry3d& T_world_viewpoint,
                       const Eigen::Vector3d& origin_world) {
   std::string bytes = pcdHeader(points.size(), T_world_viewpoint, needsDoubles(origin_world), kCloudComment);
-  constexpr std::size_t kMostPointBytes = 3 * sizeof(double) + 2 * sizeof(std::uint32_t);
-  bytes.reserve(bytes.size() + points.size() * kMostPointBytes);
+  constexpr std::size_t kMaxPointBytes = 3 * sizeof(double) + 2 * sizeof(std::uint32_t);
+  bytes.reserve(bytes.size() + points.size() * kMaxPointBytes);
   for (const LabeledPoint& point : points) putPcd(point, origin_world, bytes);
   return bytes;
 }

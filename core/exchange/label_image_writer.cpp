@@ -28,7 +28,7 @@ Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const 
 }
 
 Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {
-  Result<cv::Mat> read = readGreyImage(path);
+  Result<cv::Mat> read = readGrayImage(path);
   if (!read) return read;
   cv::Mat& image = *read;
   if (image.type() == CV_8UC1) image.convertTo(image, CV_16UC1);

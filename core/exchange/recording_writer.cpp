@@ -93,8 +93,8 @@ Result<void> RecordingWriter::add(const RgbdFrame& frame) {
 
 Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) const {
   Json camera = toJson(info_.intrinsics);
-  const double units_per_metre = 1.0 / double{frame.metres_per_unit};
-  camera["depth_scale"] = std::round(units_per_metre * 1e3) / 1e3;
+  const double units_per_meter = 1.0 / double{frame.meters_per_unit};
+  camera["depth_scale"] = std::round(units_per_meter * 1e3) / 1e3;
   camera["color_registered"] = !frame.color_camera;
   if (frame.color_camera) camera["color_camera"] = toJson(*frame.color_camera);
   return write(folder_ / "intrinsic.json", camera.dump(1) + '\n');

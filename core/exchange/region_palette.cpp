@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-constexpr Rgb kUnlabelled{110, 114, 122};
+constexpr Rgb kUnlabeled{110, 114, 122};
 constexpr std::uint32_t kTableSize = 4096;
 constexpr double kGoldenAngle_rad = 2.39996322972865332;
 
@@ -51,7 +51,7 @@ Rgb makeColor(std::uint32_t id) {
 }
 
 Rgb colorOf(std::uint32_t id) {
-  if (id == 0) return kUnlabelled;
+  if (id == 0) return kUnlabeled;
   static const std::vector<Rgb> table = [] {
     std::vector<Rgb> colors(kTableSize);
     for (std::uint32_t i = 0; i < kTableSize; ++i) colors[i] = makeColor(i);

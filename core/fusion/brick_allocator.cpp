@@ -37,7 +37,7 @@ Result<BrickAllocator> BrickAllocator::create(ComputeContext& compute, const Fus
 
 int BrickAllocator::allocate(BrickMap& map, const BrickWindow& window, const DepthPyramid& frame,
                              const Eigen::Isometry3d& T_world_camera) {
-  SCANTROVE_CHECK(frame.K.width >= kLeastWidth_px);
+  SCANTROVE_CHECK(frame.K.width >= kMinWidth_px);
   const cl::NDRange groups = compute_->lanes().overRows(frame.K.width, frame.K.height);
   const std::size_t group_count = groups.get()[0] * groups.get()[1];
   if (missing_.size() < group_count) missing_ = Buffer<cl_uchar>(compute_->context(), group_count);

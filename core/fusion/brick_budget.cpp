@@ -24,7 +24,7 @@ double machineBytes() {
 double bricksThatFit(const DeviceMemory& memory) {
   const double in_one_buffer = static_cast<double>(memory.largest_buffer_bytes) / kPoolBytes;
   const double in_all = static_cast<double>(memory.total_bytes) / (kGrowingPools * kPoolBytes);
-  return std::floor(std::min({in_one_buffer, in_all, static_cast<double>(kMostBricks)}));
+  return std::floor(std::min({in_one_buffer, in_all, static_cast<double>(kMaxBricks)}));
 }
 
 BrickBudget brickBudget(const FusionParams& params, const ComputeContext& compute) {

@@ -11,11 +11,11 @@ namespace scantrove {
 constexpr double kBrickBytes = BRICK_VOXELS * VOXEL_BYTES + 128;
 
 /// Kernels count voxels with 31 bits.
-constexpr int kMostBricks = (1 << 22) - 1;
+constexpr int kMaxBricks = (1 << 22) - 1;
 
 /// How many bricks stay on the device, and what becomes of others.
 struct BrickBudget {
-  int bricks = kMostBricks;      ///< as long as one view needs no more
+  int bricks = kMaxBricks;       ///< as long as one view needs no more
   bool at_once = false;          ///< room for all is made at once, rather than by growing
   std::filesystem::path folder;  ///< of the file that takes those for which there is no room; empty: no file
 };

@@ -58,7 +58,7 @@ const Eigen::Vector3i& BrickMap::positionOf(int slot) const {
   return positions_[static_cast<std::size_t>(slot)];
 }
 
-void BrickMap::lookAt(std::span<const int> pages) {
+void BrickMap::beginFrame(std::span<const int> pages) {
   ++view_;
   for (const int page : pages) pages_.page(page).last_view = view_;
   bringBack(pages);
@@ -85,13 +85,13 @@ int BrickMap::allocate(std::span<const Eigen::Vector3i> bricks) {
     const int known = index_.slotOf(brick);
     if (known == BRICK_NONE) {
       if (is_fresh.insert(brick).second) fresh.push_back(brick);
-    } else if (dormant_[static_cast<std::size_t>(known)]) {
-      dormant_[static_cast<std::size_t>(known)] = false;
+    } else if (inactive_[static_cast<std::size_t>(known)]) {
+      inactive_[static_cast<std::size_t>(known)] = false;
       pages_.insert(brick, known, changed_page_slots_);
       ++woken;
     }
   }
-  dormant_count_ -= woken;
+  inactive_count_ -= woken;
   makeRoom(static_cast<int>(fresh.size()));
   std::vector<int> slots;
   for (const Eigen::Vector3i& brick : fresh) {
@@ -104,15 +104,15 @@ int BrickMap::allocate(std::span<const Eigen::Vector3i> bricks) {
   return static_cast<int>(fresh.size()) + woken;
 }
 
-void BrickMap::makeDormant(std::span<const Eigen::Vector3i> bricks) {
+void BrickMap::deactivate(std::span<const Eigen::Vector3i> bricks) {
   holdPagesOf(bricks);
   for (const Eigen::Vector3i& brick : bricks) {
     const int slot = index_.slotOf(brick);
     if (slot == BRICK_NONE) continue;  // of a page that could not be read back
-    SCANTROVE_CHECK(!dormant_[static_cast<std::size_t>(slot)]);
-    dormant_[static_cast<std::size_t>(slot)] = true;
-    pages_.layAside(brick, slot, changed_page_slots_);
-    ++dormant_count_;
+    SCANTROVE_CHECK(!inactive_[static_cast<std::size_t>(slot)]);
+    inactive_[static_cast<std::size_t>(slot)] = true;
+    pages_.deactivate(brick, slot, changed_page_slots_);
+    ++inactive_count_;
   }
   updateDevice();
 }
@@ -121,12 +121,12 @@ int BrickMap::takeSlot(const Eigen::Vector3i& brick) {
   int slot = slotEnd();
   if (free_slots_.empty()) {
     positions_.push_back(brick);
-    dormant_.push_back(false);
+    inactive_.push_back(false);
   } else {
     slot = free_slots_.top();
     free_slots_.pop();
     positions_[static_cast<std::size_t>(slot)] = brick;
-    dormant_[static_cast<std::size_t>(slot)] = false;
+    inactive_[static_cast<std::size_t>(slot)] = false;
   }
   changed_entries_.push_back(index_.insert(brick, slot));
   return slot;
@@ -148,14 +148,14 @@ std::vector<cl_int> BrickMap::slotsInPages(std::span<const int> pages, const Vie
   std::vector<cl_int> result;
   for (const int index : pages) {
     const BrickPages::Page& page = pages_.page(index);
-    const Eigen::Vector3d centre = (page.position.cast<double>().array() + 0.5) * (PAGE_SIDE * size_m);
-    if (frustum.holdsSphere(centre, PAGE_SIDE * radius_m)) {
+    const Eigen::Vector3d center = (page.position.cast<double>().array() + 0.5) * (PAGE_SIDE * size_m);
+    if (frustum.holdsSphere(center, PAGE_SIDE * radius_m)) {
       result.insert(result.end(), page.slots.begin(), page.slots.end());
       continue;
     }
     for (const int slot : page.slots) {
       const Eigen::Vector3d brick = (positionOf(slot).cast<double>().array() + 0.5) * size_m;
-      if (frustum.meetsSphere(brick, radius_m)) result.push_back(slot);
+      if (frustum.intersectsSphere(brick, radius_m)) result.push_back(slot);
     }
   }
   return result;
@@ -171,7 +171,7 @@ std::vector<int> BrickMap::pagesByPosition() const {
 std::vector<Eigen::Vector3i> BrickMap::bricksOfPage(int index) const {
   const BrickPages::Page& page = pages_.page(index);
   std::bitset<PAGE_BRICKS> bricks = page.stored;
-  for (const std::vector<int>& slots : {page.slots, page.dormant}) {
+  for (const std::vector<int>& slots : {page.slots, page.inactive}) {
     for (const int slot : slots) bricks.set(localBrick(positionOf(slot)));
   }
   std::vector<Eigen::Vector3i> result;

@@ -56,7 +56,7 @@ class BrickMap {
   [[nodiscard]] const Eigen::Vector3i& positionOf(int slot) const;
 
   /// A view meets `pages`: brings back those in the file. They stay until the next view.
-  void lookAt(std::span<const int> pages);
+  void beginFrame(std::span<const int> pages);
 
   /// Allocates those of `bricks` that do not exist (duplicates welcome) with weight 0 and no labels, on host
   /// and device; slots follow the order of `bricks`. Wakes those that are dormant. Returns how many are new
@@ -66,8 +66,8 @@ class BrickMap {
   /// Lays `bricks` (awake ones) aside: views and rays pass them over as if there were none, and so cost
   /// nothing. For bricks that noise or a thing now gone once called for, and that hold nothing but free
   /// space. Voxels and labels stay as they are.
-  void makeDormant(std::span<const Eigen::Vector3i> bricks);
-  [[nodiscard]] int dormantCount() const { return dormant_count_; }
+  void deactivate(std::span<const Eigen::Vector3i> bricks);
+  [[nodiscard]] int inactiveCount() const { return inactive_count_; }
 
   /// Slots of all bricks (but dormant ones) of these pages whose sphere meets the frustum. With the pages
   /// that the frustum meets (BrickPages::pagesInView) these are all in view; cost follows the view, not the
@@ -144,9 +144,9 @@ class BrickMap {
   std::optional<Error> failure_;
   std::uint64_t view_ = 1;                  ///< number of the last view
   std::vector<Eigen::Vector3i> positions_;  ///< by slot
-  std::vector<bool> dormant_;               ///< by slot
+  std::vector<bool> inactive_;              ///< by slot
   std::priority_queue<int, std::vector<int>, std::greater<>> free_slots_;
-  int dormant_count_ = 0;
+  int inactive_count_ = 0;
   int stored_count_ = 0;
   std::vector<std::size_t> changed_entries_, changed_page_slots_;  ///< since the device last heard
   DeviceMirror<BrickEntry> table_;

@@ -77,15 +77,15 @@ void BrickPages::insert(const Eigen::Vector3i& brick, int slot, std::vector<std:
   page_slots_[element] = slot;
   changed.push_back(element);
   page.slots.insert(std::upper_bound(page.slots.begin(), page.slots.end(), slot), slot);
-  std::erase(page.dormant, slot);
+  std::erase(page.inactive, slot);
 }
 
-void BrickPages::layAside(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
+void BrickPages::deactivate(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed) {
   const int index = pageWith(brick);
   SCANTROVE_CHECK(index != BRICK_NONE);
   Page& page = pages_[static_cast<std::size_t>(index)];
   std::erase(page.slots, slot);
-  page.dormant.push_back(slot);
+  page.inactive.push_back(slot);
   // The bricks around may know of a larger empty cube, but a smaller one is never wrong.
   const std::size_t element = static_cast<std::size_t>(page.block) * PAGE_BRICKS + localBrick(brick);
   page_slots_[element] = PAGE_EMPTY_CUBE(0);
@@ -101,11 +101,11 @@ BrickPages::Cells BrickPages::takeOut(int index) {
   free_blocks_.push_back(page.block);
   page.block = PAGE_EMPTY;
   page.slots.clear();
-  page.dormant.clear();
+  page.inactive.clear();
   return cells;
 }
 
-void BrickPages::putBack(int index, const Cells& cells, std::vector<int> dormant,
+void BrickPages::putBack(int index, const Cells& cells, std::vector<int> inactive,
                          std::vector<std::size_t>& changed) {
   Page& page = pages_[static_cast<std::size_t>(index)];
   SCANTROVE_CHECK(page.block == PAGE_EMPTY);
@@ -118,7 +118,7 @@ void BrickPages::putBack(int index, const Cells& cells, std::vector<int> dormant
     if (cells[i] >= 0) page.slots.push_back(cells[i]);
   }
   std::ranges::sort(page.slots);
-  page.dormant = std::move(dormant);
+  page.inactive = std::move(inactive);
 }
 
 // The cube of (2^level)^3 bricks around `local` is no longer empty: its empty bricks may claim smaller cubes
@@ -147,8 +147,8 @@ std::vector<int> BrickPages::pagesInView(const ViewFrustum& frustum, double bric
 
   std::vector<int> result;
   const auto addIfSeen = [&](int index, const Eigen::Vector3i& position) {
-    const Eigen::Vector3d centre = (position.cast<double>().array() + 0.5) * page_size_m;
-    if (frustum.meetsSphere(centre, page_radius_m)) result.push_back(index);
+    const Eigen::Vector3d center = (position.cast<double>().array() + 0.5) * page_size_m;
+    if (frustum.intersectsSphere(center, page_radius_m)) result.push_back(index);
   };
   const double box = ((last - first).cast<double>().array() + 1.0).prod();
   if (box > static_cast<double>(pages_.size())) {

@@ -24,13 +24,13 @@ class BrickPages {
     Eigen::Vector3i position = Eigen::Vector3i::Zero();  ///< first brick / 8
     int block = PAGE_EMPTY;                              ///< of pageSlots(); PAGE_EMPTY: not on the device
     std::vector<int> slots;                              ///< its bricks' slots, ascending
-    std::vector<int> dormant;                            ///< slots of those laid aside
+    std::vector<int> inactive;                           ///< slots of those laid aside
     std::uint64_t last_view = 0;                         ///< number of the view that met it last
     std::optional<BrickStore::Record> record;            ///< where it is while it is not on the device
     std::bitset<PAGE_BRICKS> stored;                     ///< bricks in the record
-    int stored_dormant = 0;                              ///< how many of them are laid aside
+    int stored_inactive = 0;                             ///< how many of them are laid aside
 
-    [[nodiscard]] int bricksHere() const { return static_cast<int>(slots.size() + dormant.size()); }
+    [[nodiscard]] int bricksHere() const { return static_cast<int>(slots.size() + inactive.size()); }
   };
   using Cells = std::array<int, PAGE_BRICKS>;
 
@@ -44,14 +44,14 @@ class BrickPages {
   int add(const Eigen::Vector3i& position);
 
   /// Lays a brick aside: kernels see none in its place. `changed` as with insert.
-  void layAside(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
+  void deactivate(const Eigen::Vector3i& brick, int slot, std::vector<std::size_t>& changed);
 
   /// Takes a page off the device, with what its block held.
   Cells takeOut(int index);
 
   /// Puts a page that has no block on the device: the block as it was taken out, but with the slots that its
   /// bricks have now, of which `dormant` are not in the block.
-  void putBack(int index, const Cells& cells, std::vector<int> dormant, std::vector<std::size_t>& changed);
+  void putBack(int index, const Cells& cells, std::vector<int> inactive, std::vector<std::size_t>& changed);
 
   /// Indices of the pages that the frustum meets, in a fixed order. `brick_size_m` is the side of a brick.
   [[nodiscard]] std::vector<int> pagesInView(const ViewFrustum& frustum, double brick_size_m) const;

@@ -28,7 +28,7 @@ void BrickMap::makeRoom(int count) {
 std::vector<int> BrickMap::slotsOfPage(int index) const {
   const BrickPages::Page& page = pages_.page(index);
   std::vector<int> slots(page.slots);
-  slots.insert(slots.end(), page.dormant.begin(), page.dormant.end());
+  slots.insert(slots.end(), page.inactive.begin(), page.inactive.end());
   std::ranges::sort(slots, {}, [&](int slot) { return localBrick(positionOf(slot)); });
   return slots;
 }
@@ -38,7 +38,7 @@ StoredPage BrickMap::copyOfPageHere(int index) const {
   const std::vector<int> slots = slotsOfPage(index);
   StoredPage copy;
   for (const int slot : slots) copy.bricks.set(localBrick(positionOf(slot)));
-  for (const int slot : page.dormant) copy.dormant.set(localBrick(positionOf(slot)));
+  for (const int slot : page.inactive) copy.inactive.set(localBrick(positionOf(slot)));
   copy.contents = pools_.read(slots);
   const auto block =
       pages_.pageSlots().subspan(static_cast<std::size_t>(page.block) * PAGE_BRICKS, PAGE_BRICKS);
@@ -62,7 +62,7 @@ bool BrickMap::putAway(int index, const StoredPage& stored) {
   BrickPages::Page& page = pages_.page(index);
   page.record = *record;
   page.stored = stored.bricks;
-  page.stored_dormant = static_cast<int>(stored.dormant.count());
+  page.stored_inactive = static_cast<int>(stored.inactive.count());
   stored_count_ += static_cast<int>(stored.bricks.count());
   return true;
 }
@@ -79,7 +79,7 @@ void BrickMap::adopt(const Eigen::Vector3i& position, const StoredPage& stored) 
   const int page = pages_.add(position);
   SCANTROVE_CHECK(pages_.page(page).bricksHere() == 0 && !pages_.page(page).record);
   if (stored.bricks.none()) return;
-  dormant_count_ += static_cast<int>(stored.dormant.count());
+  inactive_count_ += static_cast<int>(stored.inactive.count());
   if (may_store_ && putAway(page, stored)) return;
   reserve(slotEnd() + static_cast<int>(stored.bricks.count()));
   putBack(page, stored);
@@ -105,7 +105,7 @@ std::optional<StoredPage> BrickMap::readStored(int index) {
   const Result<std::vector<std::uint32_t>> words = store_.get(*page.record);
   if (words) return StoredPage::fromWords(*words);
   failure_ = words.error();
-  dormant_count_ -= page.stored_dormant;
+  inactive_count_ -= page.stored_inactive;
   forgetStored(index);
   return std::nullopt;
 }
@@ -116,7 +116,7 @@ void BrickMap::forgetStored(int index) {
   stored_count_ -= static_cast<int>(page.stored.count());
   page.record.reset();
   page.stored.reset();
-  page.stored_dormant = 0;
+  page.stored_inactive = 0;
 }
 
 void BrickMap::putBack(int index, const StoredPage& stored) {
@@ -124,20 +124,20 @@ void BrickMap::putBack(int index, const StoredPage& stored) {
   BrickPages::Cells cells{};
   std::ranges::copy(stored.cells, cells.begin());
   std::vector<int> slots;
-  std::vector<int> dormant;
+  std::vector<int> inactive;
   for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
     if (!stored.bricks[i]) continue;
     const int slot = takeSlot(brickOfPage(page, i));
     slots.push_back(slot);
-    if (stored.dormant[i]) {
-      dormant_[static_cast<std::size_t>(slot)] = true;
-      dormant.push_back(slot);
+    if (stored.inactive[i]) {
+      inactive_[static_cast<std::size_t>(slot)] = true;
+      inactive.push_back(slot);
     } else {
       cells[i] = slot;
     }
   }
   pools_.write(slots, stored.contents);
-  pages_.putBack(index, cells, std::move(dormant), changed_page_slots_);
+  pages_.putBack(index, cells, std::move(inactive), changed_page_slots_);
 }
 
 }  // namespace scantrove

@@ -121,7 +121,7 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
   host_bricks_.clear();
   listed_in_.resize(static_cast<std::size_t>(map.slotEnd()), 0);
   const float voxel_m = map.voxelSize();
-  const float bricks_per_metre = 1 / (BRICK_SIDE * voxel_m);
+  const float bricks_per_meter = 1 / (BRICK_SIDE * voxel_m);
   const auto add = [&](const Eigen::Vector3i& brick) {
     const int slot = map.slotOf(brick);
     if (slot == BRICK_NONE) return;
@@ -131,7 +131,7 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
     host_bricks_.push_back({{local.x(), local.y(), local.z(), slot}});
   };
   const auto brickOf = [&](const Eigen::Vector3f& p) -> Eigen::Vector3i {
-    return (p * bricks_per_metre).array().floor().cast<int>();
+    return (p * bricks_per_meter).array().floor().cast<int>();
   };
   const auto height = static_cast<int>(vertices_world.size()) / width;
   const unsigned choice = brick_hash(static_cast<int>(turns_.frame), 0, 0);

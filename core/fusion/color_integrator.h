@@ -41,7 +41,7 @@ class ColorIntegrator {
     std::uint32_t first = 0;  ///< turn of the bricks that the next frame begins with
   };
   [[nodiscard]] Turns turns() const { return turns_; }
-  void goOnFrom(Turns turns) { turns_ = turns; }
+  void restoreState(Turns turns) { turns_ = turns; }
 
  private:
   ColorIntegrator(ComputeContext& compute, const FusionParams& params)

@@ -30,16 +30,16 @@ void DenseMap::integrate(const DepthPyramid& frame, const Eigen::Isometry3d& T_w
   const float truncation_m = params_.truncation_vox * params_.voxel_size_m;
   const ViewFrustum frustum(T_world_camera, frame.K, kNearestView_m, params_.max_depth_m + truncation_m);
   settle();
-  lookAt(frustum, window_);
-  if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) lookAt(frustum, window_);
+  beginFrame(frustum, window_);
+  if (allocator_.allocate(bricks_, window_, frame, T_world_camera) > 0) beginFrame(frustum, window_);
   integrator_.integrate(bricks_, window_, bricks_.slotsInPages(pages_, frustum), frame, T_world_camera);
 }
 
 void DenseMap::settle() {
   const std::vector<Eigen::Vector3i> empty = integrator_.takeEmptyBricks();
   if (empty.empty()) return;
-  bricks_.lookAt({});  // a view of its own: who keeps what changed learns of it
-  bricks_.makeDormant(empty);
+  bricks_.beginFrame({});  // a view of its own: who keeps what changed learns of it
+  bricks_.deactivate(empty);
 }
 
 void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K, SurfaceMaps& surface) {
@@ -49,13 +49,13 @@ void DenseMap::raycast(const Eigen::Isometry3d& T_world_camera, const Intrinsics
   surface.K = K;
   surface.T_world_camera = T_world_camera;
   const ViewFrustum frustum(T_world_camera, K, kNearestView_m, params_.max_depth_m);
-  lookAt(frustum, surface.window);
+  beginFrame(frustum, surface.window);
   raycaster_.cast(bricks_, bricks_.slotsInPages(pages_, frustum), surface);
 }
 
-void DenseMap::lookAt(const ViewFrustum& frustum, BrickWindow& window) {
+void DenseMap::beginFrame(const ViewFrustum& frustum, BrickWindow& window) {
   pages_ = bricks_.pages().pagesInView(frustum, BRICK_SIDE * static_cast<double>(bricks_.voxelSize()));
-  bricks_.lookAt(pages_);
+  bricks_.beginFrame(pages_);
   window.set(compute_, bricks_.pages(), pages_);
 }
 

@@ -44,7 +44,7 @@ class DenseMap {
            Integrator integrator, Raycaster raycaster);
 
   /// Makes `pages_` and `window` those of a view, and its bricks those on the device.
-  void lookAt(const ViewFrustum& frustum, BrickWindow& window);
+  void beginFrame(const ViewFrustum& frustum, BrickWindow& window);
 
   ComputeContext& compute_;
   FusionParams params_;

@@ -44,10 +44,10 @@ Result<std::unique_ptr<DepthPreprocessor>> DepthPreprocessor::create(ComputeCont
                     std::to_string(params.working_width) + ".",
                 "Give the size of the depth images and a working width of at least 1.");
   }
-  if (K.width < kLeastWidth_px) {
+  if (K.width < kMinWidth_px) {
     return fail("Images of " + std::to_string(K.width) + " x " + std::to_string(K.height) +
                     " pixels are too narrow to be scanned.",
-                "Give depth images that are at least " + std::to_string(kLeastWidth_px) + " pixels wide.");
+                "Give depth images that are at least " + std::to_string(kMinWidth_px) + " pixels wide.");
   }
   try {
     std::unique_ptr<DepthPreprocessor> preprocessor(new DepthPreprocessor(compute, K, params));
@@ -95,7 +95,7 @@ const DepthPyramid& DepthPreprocessor::process(const RgbdFrame& frame) {
   upload(frame);
   reduceAndFilter();
   for (std::size_t level = 0; level < planes_.size(); ++level) {
-    if (level > 0) halve(planes_[level - 1].metres, planes_[level - 1].stride, PLANE_PAD, planes_[level]);
+    if (level > 0) halve(planes_[level - 1].meters, planes_[level - 1].stride, PLANE_PAD, planes_[level]);
     buildSurface(planes_[level], pyramid_.levels[level]);
   }
   return pyramid_;
@@ -108,7 +108,7 @@ void DepthPreprocessor::upload(const RgbdFrame& frame) {
   const cv::Mat depth = frame.depth.isContinuous() ? frame.depth : frame.depth.clone();
   units_.write(compute_.queue(), {depth.ptr<cl_ushort>(), units_.size()});
   convert_.launch(cl::NDRange(units_.size()), cl::NullRange, units_, cl_int{K.pixels()},
-                  cl_float{frame.metres_per_unit}, cl_float{params_.min_depth_m},
+                  cl_float{frame.meters_per_unit}, cl_float{params_.min_depth_m},
                   cl_float{params_.max_depth_m}, pyramid_.depth_m);
 }
 
@@ -119,17 +119,17 @@ void DepthPreprocessor::reduceAndFilter() {
     reduce();
   }
   const Lanes& lanes = compute_.lanes();
-  filter_.launch(lanes.overRows(reduced_.width, reduced_.height), lanes.rowGroup(), reduced_.metres,
+  filter_.launch(lanes.overRows(reduced_.width, reduced_.height), lanes.rowGroup(), reduced_.meters,
                  cl_int{reduced_.width}, cl_int{reduced_.height}, cl_int{reduced_.stride},
                  cl_float{kRangeBase_m}, cl_float{kRangeInNoise * params_.depth_noise_m},
-                 planes_.front().metres);
+                 planes_.front().meters);
 }
 
 void DepthPreprocessor::reduce() {
   const Intrinsics& K = pyramid_.K;
   reduce_.launch(imageRange(reduced_.width, reduced_.height), cl::NullRange, pyramid_.depth_m,
                  cl_int{K.width}, cl_int{K.height}, cl_int{reduced_.width}, cl_int{reduced_.height},
-                 cl_int{reduced_.stride}, reduced_.metres);
+                 cl_int{reduced_.stride}, reduced_.meters);
 }
 
 void DepthPreprocessor::halve(const Buffer<cl_float>& large, int large_stride, int large_pad,
@@ -137,12 +137,12 @@ void DepthPreprocessor::halve(const Buffer<cl_float>& large, int large_stride, i
   const Lanes& lanes = compute_.lanes();
   halve_.launch(lanes.overEights(small.width, small.height), lanes.rowGroup(), large, cl_int{large_stride},
                 cl_int{large_pad}, cl_int{small.width}, cl_int{small.height}, cl_int{small.stride},
-                small.metres);
+                small.meters);
 }
 
 void DepthPreprocessor::buildSurface(const DepthPlane& plane, DepthPyramid::Level& level) {
   const Lanes& lanes = compute_.lanes();
-  build_surface_.launch(lanes.overRows(plane.width, plane.height), lanes.rowGroup(), plane.metres,
+  build_surface_.launch(lanes.overRows(plane.width, plane.height), lanes.rowGroup(), plane.meters,
                         cl_int{plane.width}, cl_int{plane.height}, cl_int{plane.stride},
                         toKernel(level.K.fx, level.K.fy, level.K.cx, level.K.cy), level.vertices_camera,
                         level.normals_camera);

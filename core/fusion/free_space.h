@@ -33,7 +33,7 @@ class FreeSpace {
     int views = 0;  ///< that it was given
   };
   [[nodiscard]] const Memory& memory() const { return seen_; }
-  void goOnFrom(Memory memory) { seen_ = std::move(memory); }
+  void restoreState(Memory memory) { seen_ = std::move(memory); }
 
  private:
   Memory seen_;

@@ -3,6 +3,6 @@
 namespace scantrove {
 
 /// Narrower depth images do not fit the lanes of every device.
-inline constexpr int kLeastWidth_px = 16;
+inline constexpr int kMinWidth_px = 16;
 
 }  // namespace scantrove

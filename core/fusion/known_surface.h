@@ -11,7 +11,7 @@
 namespace scantrove {
 
 /// How a reading stands to the map's surface.
-enum class Standing : std::uint8_t {
+enum class DepthConsistency : std::uint8_t {
   none,     ///< there is no reading
   unknown,  ///< nothing is known there
   fits,     ///< it is on the surface, or near it
@@ -31,7 +31,7 @@ class KnownSurface {
   KnownSurface(ComputeContext& compute, const SurfaceMaps& surface);
 
   /// Standing by pixel, CV_8UC1. `depth_noise_m`: FusionParams.
-  [[nodiscard]] cv::Mat standings(const DepthView& now, float depth_noise_m) const;
+  [[nodiscard]] cv::Mat consistencies(const DepthView& now, float depth_noise_m) const;
 
  private:
   DepthView view_;

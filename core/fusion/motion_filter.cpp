@@ -19,7 +19,7 @@ constexpr std::size_t kLevel = 1;
 constexpr int kFewestPixels = 12;
 /// Surface is settled after so many observations; where more than this part of it is not, all of it counts.
 constexpr cl_int kSettled = 4;
-constexpr double kMostFresh = 0.3;
+constexpr double kMaxFresh = 0.3;
 
 DepthView viewOf(ComputeContext& compute, const DepthPyramid& frame,
                  const Eigen::Isometry3d& T_world_camera) {
@@ -47,7 +47,7 @@ Result<std::unique_ptr<MotionFilter>> MotionFilter::create(ComputeContext& compu
   SCANTROVE_TRY(moveInto(filter->leave_out_depth_, compute.kernel(kernels::fusion, "leave_out_depth")));
   SCANTROVE_TRY(moveInto(filter->leave_out_fresh_, compute.kernel(kernels::fusion, "leave_out_fresh")));
   filter->fresh_counts_ = {compute.context(), 2};
-  SCANTROVE_TRY(moveInto(filter->doubt_surface_, compute.kernel(kernels::fusion, "doubt_surface")));
+  SCANTROVE_TRY(moveInto(filter->mark_surface_, compute.kernel(kernels::fusion, "doubt_surface")));
   SCANTROVE_TRY(moveInto(filter->leave_out_surface_, compute.kernel(kernels::fusion, "leave_out_surface")));
   return filter;
 }
@@ -55,13 +55,13 @@ Result<std::unique_ptr<MotionFilter>> MotionFilter::create(ComputeContext& compu
 const DepthPyramid& MotionFilter::still(const DepthPyramid& frame, const Eigen::Isometry3d& T_world_camera,
                                         const KnownSurface& known) {
   const DepthView view = viewOf(compute_, frame, T_world_camera);
-  const cv::Mat standings = known.standings(view, params_.depth_noise_m);
+  const cv::Mat consistencies = known.consistencies(view, params_.depth_noise_m);
   const cv::Mat intruding = free_space_.contradicting(view);
-  moving_ = orNone(movingPixels(intruding, standings, view.z_m));
-  vacated_ = orNone(vacatedPixels(standings));
+  moving_ = orNone(movingPixels(intruding, consistencies, view.z_m));
+  vacated_ = orNone(vacatedPixels(consistencies));
   free_space_.add(view);
-  arrivals_.add(view, moving_, intruding);
-  came_ = arrivals_.atRest(view, moving_);
+  appeared_objects_.add(view, moving_, intruding);
+  appeared_ = appeared_objects_.atRest(view, moving_);
   still_ = frame;
   if (moving_.empty()) return still_;
   if (depth_m_.size() != frame.depth_m.size()) depth_m_ = {compute_.context(), frame.depth_m.size()};
@@ -82,11 +82,11 @@ void MotionFilter::doubt(const DepthPyramid& frame, BrickMap& bricks, const Surf
   const Eigen::Vector3f eye = surface.T_world_camera.translation().cast<float>();
   const float at_0_m = kBehind.at(0, params_.depth_noise_m);
   const cl_float2 apart{{at_0_m, kBehind.at(1, params_.depth_noise_m) - at_0_m}};
-  doubt_surface_.launch(pixelsOf(surface.K), cl::NullRange, sent(vacated_), cl_int{vacated_.cols},
-                        cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
-                        toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),
-                        apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(),
-                        bricks.table(), bricks.tableMask(), bricks.weights());
+  mark_surface_.launch(pixelsOf(surface.K), cl::NullRange, sent(vacated_), cl_int{vacated_.cols},
+                       cl_int{vacated_.rows}, frame.levels.front().vertices_camera, surface.vertices_world,
+                       toKernel(surface.T_world_camera.inverse()), toKernel(eye.x(), eye.y(), eye.z(), 0),
+                       apart, bricks.voxelSize(), params_.truncation_vox * bricks.voxelSize(), bricks.table(),
+                       bricks.tableMask(), bricks.weights());
 }
 
 const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const BrickMap& bricks) {
@@ -101,7 +101,7 @@ const SurfaceMaps& MotionFilter::settled(const SurfaceMaps& surface, const Brick
   std::array<cl_int, 2> counts{};
   fresh_counts_.read(compute_.queue(), std::span<cl_int>(counts));
   settled_ = surface;
-  if (counts[0] <= kMostFresh * counts[1]) settled_.normals_world = settled_normals_;
+  if (counts[0] <= kMaxFresh * counts[1]) settled_.normals_world = settled_normals_;
   return settled_;
 }
 

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
-#include "core/fusion/arrivals.h"
+#include "core/fusion/appeared_objects.h"
 #include "core/fusion/brick_map.h"
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/free_space.h"
@@ -40,11 +40,11 @@ class MotionFilter {
   [[nodiscard]] FreeSpace& freeSpace() { return free_space_; }
 
   /// Where it remembers things to have come to rest.
-  [[nodiscard]] Arrivals& arrivals() { return arrivals_; }
+  [[nodiscard]] AppearedObjects& appeared_objects() { return appeared_objects_; }
 
   /// Readings of the last frame by the thing that they came with, as Arrivals::atRest() has it; smaller than
   /// the frame.
-  [[nodiscard]] const cv::Mat& came() const { return came_; }
+  [[nodiscard]] const cv::Mat& appeared() const { return appeared_; }
 
   /// Pixels of the last frame that move: CV_8UC1, 255 or 0, smaller than the frame; empty when there are
   /// none.
@@ -61,15 +61,15 @@ class MotionFilter {
   ComputeContext& compute_;
   FusionParams params_;
   FreeSpace free_space_;
-  Arrivals arrivals_;
-  Kernel leave_out_depth_, leave_out_surface_, leave_out_fresh_, doubt_surface_;
+  AppearedObjects appeared_objects_;
+  Kernel leave_out_depth_, leave_out_surface_, leave_out_fresh_, mark_surface_;
   DepthPyramid still_;
   Buffer<cl_float> depth_m_;
   Buffer<cl_uchar> mask_;
   SurfaceMaps settled_;
   Buffer<cl_float4> settled_normals_;
   Buffer<cl_int> fresh_counts_;
-  cv::Mat moving_, came_;
+  cv::Mat moving_, appeared_;
   cv::Mat vacated_;  // pixels in which the last frame saw through known surface, likewise
 };
 

@@ -22,14 +22,14 @@ const cv::Mat& square3() {
   return kSquare;
 }
 
-bool isUnknownToTheMap(std::uint8_t standing) {
-  return standing == static_cast<std::uint8_t>(Standing::unknown) ||
-         standing == static_cast<std::uint8_t>(Standing::before);
+bool isUnknownToTheMap(std::uint8_t consistency) {
+  return consistency == static_cast<std::uint8_t>(DepthConsistency::unknown) ||
+         consistency == static_cast<std::uint8_t>(DepthConsistency::before);
 }
 
 }  // namespace
 
-cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& standings, const cv::Mat& z_m) {
+cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& consistencies, const cv::Mat& z_m) {
   cv::Mat moving;
   cv::medianBlur(intruding, moving, 3);
   if (cv::countNonZero(moving) == 0) return moving;
@@ -50,7 +50,7 @@ cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& standings, const c
         for (const cv::Point& step : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
           const cv::Point q = p + step;
           if (!image.contains(q) || is_done.at<std::uint8_t>(q) != 0) continue;
-          if (!isUnknownToTheMap(standings.at<std::uint8_t>(q)) && intruding.at<std::uint8_t>(q) == 0)
+          if (!isUnknownToTheMap(consistencies.at<std::uint8_t>(q)) && intruding.at<std::uint8_t>(q) == 0)
             continue;
           if (!(std::abs(z_m.at<float>(q) - z) < kStep_m + kStepSlope * z)) continue;
           is_done.at<std::uint8_t>(q) = 1;
@@ -67,8 +67,8 @@ cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& standings, const c
   return moving;
 }
 
-cv::Mat vacatedPixels(const cv::Mat& standings) {
-  cv::Mat vacated = standings == static_cast<int>(Standing::behind);
+cv::Mat vacatedPixels(const cv::Mat& consistencies) {
+  cv::Mat vacated = consistencies == static_cast<int>(DepthConsistency::behind);
   cv::medianBlur(vacated, vacated, 3);
   cv::erode(vacated, vacated, square3());
   return vacated;

@@ -8,9 +8,10 @@ namespace scantrove {
 /// map does not know moves as a whole when a good part of it intrudes: somebody's middle stands where it
 /// stood a moment ago. Specks are noise and go; what stays grows by a pixel, for at edges readings mix.
 /// All images alike in size; returns CV_8UC1, 255 or 0.
-[[nodiscard]] cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& standings, const cv::Mat& z_m);
+[[nodiscard]] cv::Mat movingPixels(const cv::Mat& intruding, const cv::Mat& consistencies,
+                                   const cv::Mat& z_m);
 
 /// Where known surface was seen through, without specks and edges: CV_8UC1, 255 or 0.
-[[nodiscard]] cv::Mat vacatedPixels(const cv::Mat& standings);
+[[nodiscard]] cv::Mat vacatedPixels(const cv::Mat& consistencies);
 
 }  // namespace scantrove

@@ -61,10 +61,10 @@ void Raycaster::findRanges(const BrickMap& map, std::span<const cl_int> slots, c
   const double size_m = BRICK_SIDE * static_cast<double>(map.voxelSize());
   const float radius_m = 0.5F * std::sqrt(3.0F) * static_cast<float>(size_m);
   const Eigen::Isometry3d T_camera_world = surface.T_world_camera.inverse();
-  const auto bound = [](float low, float high, float nearest, float farthest, float focal, float centre,
+  const auto bound = [](float low, float high, float nearest, float farthest, float focal, float center,
                         int count_of) {
-    const float from = (focal * std::min(low / nearest, low / farthest) + centre) / RAY_TILE;
-    const float to = (focal * std::max(high / nearest, high / farthest) + centre) / RAY_TILE;
+    const float from = (focal * std::min(low / nearest, low / farthest) + center) / RAY_TILE;
+    const float to = (focal * std::max(high / nearest, high / farthest) + center) / RAY_TILE;
     const float last = static_cast<float>(count_of) - 0.5F;
     return std::pair(static_cast<int>(std::clamp(from, 0.0F, last)),
                      static_cast<int>(std::clamp(to, -1.0F, last)));

@@ -10,7 +10,7 @@ namespace {
 // Of a place, in one word.
 constexpr std::uint32_t kCellBits = 0xffU;
 constexpr std::uint32_t kIsBrick = 0x100U;
-constexpr std::uint32_t kIsDormant = 0x200U;
+constexpr std::uint32_t kIsInactive = 0x200U;
 constexpr std::size_t kWordsOfVoxel = 3;  // distance and weight, label, colour
 
 // Weights are kept in 1/256 observations.
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> StoredPage::toWords() const {
   std::vector<std::uint32_t> words(PAGE_BRICKS + kWordsOfVoxel * count);
   for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
     words[i] =
-        static_cast<std::uint8_t>(cells[i]) | (bricks[i] ? kIsBrick : 0U) | (dormant[i] ? kIsDormant : 0U);
+        static_cast<std::uint8_t>(cells[i]) | (bricks[i] ? kIsBrick : 0U) | (inactive[i] ? kIsInactive : 0U);
   }
   const auto place = [&](std::size_t i) {
     return words.begin() + static_cast<std::ptrdiff_t>(PAGE_BRICKS + i * count);
@@ -46,11 +46,11 @@ std::optional<StoredPage> StoredPage::fromWords(std::span<const std::uint32_t> w
   for (std::size_t i = 0; i < PAGE_BRICKS; ++i) {
     page.cells[i] = static_cast<std::int8_t>(words[i] & kCellBits);
     page.bricks[i] = (words[i] & kIsBrick) != 0;
-    page.dormant[i] = (words[i] & kIsDormant) != 0;
+    page.inactive[i] = (words[i] & kIsInactive) != 0;
     const bool is_cell = page.cells[i] <= 0 && page.cells[i] >= PAGE_EMPTY_CUBE(PAGE_SHIFT);
-    const bool is_awake = page.bricks[i] && !page.dormant[i];
+    const bool is_active = page.bricks[i] && !page.inactive[i];
     // A cell of 0 without a brick would be the slot of another page's brick.
-    if (!is_cell || (page.cells[i] == 0) != is_awake || (page.dormant[i] && !page.bricks[i]))
+    if (!is_cell || (page.cells[i] == 0) != is_active || (page.inactive[i] && !page.bricks[i]))
       return std::nullopt;
   }
   const std::size_t count = page.bricks.count() * BRICK_VOXELS;

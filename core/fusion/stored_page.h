@@ -15,9 +15,9 @@ namespace scantrove {
 struct StoredPage {
   /// By local index: an empty place as kernels see it (PAGE_EMPTY_CUBE), 0 where a brick is awake.
   std::array<std::int8_t, PAGE_BRICKS> cells{};
-  std::bitset<PAGE_BRICKS> bricks;   ///< which there are, dormant ones too
-  std::bitset<PAGE_BRICKS> dormant;  ///< those of them that are laid aside
-  BrickContents contents;            ///< in the order of the local indices
+  std::bitset<PAGE_BRICKS> bricks;    ///< which there are, dormant ones too
+  std::bitset<PAGE_BRICKS> inactive;  ///< those of them that are laid aside
+  BrickContents contents;             ///< in the order of the local indices
 
   [[nodiscard]] std::vector<std::uint32_t> toWords() const;
   /// Of words that toWords made; none: they are not.

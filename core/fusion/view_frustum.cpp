@@ -31,12 +31,12 @@ double ViewFrustum::smallestDistance(const Eigen::Vector3d& point_world) const {
   return (planes_world_.leftCols<3>() * point_world + planes_world_.col(3)).minCoeff();
 }
 
-bool ViewFrustum::meetsSphere(const Eigen::Vector3d& centre_world, double radius_m) const {
-  return smallestDistance(centre_world) >= -radius_m;
+bool ViewFrustum::intersectsSphere(const Eigen::Vector3d& center_world, double radius_m) const {
+  return smallestDistance(center_world) >= -radius_m;
 }
 
-bool ViewFrustum::holdsSphere(const Eigen::Vector3d& centre_world, double radius_m) const {
-  return smallestDistance(centre_world) >= radius_m;
+bool ViewFrustum::holdsSphere(const Eigen::Vector3d& center_world, double radius_m) const {
+  return smallestDistance(center_world) >= radius_m;
 }
 
 }  // namespace scantrove

@@ -13,10 +13,10 @@ class ViewFrustum {
 
   /// False only if the sphere (world, metres) has no point in the frustum; may be true just outside of its
   /// edges.
-  [[nodiscard]] bool meetsSphere(const Eigen::Vector3d& centre_world, double radius_m) const;
+  [[nodiscard]] bool intersectsSphere(const Eigen::Vector3d& center_world, double radius_m) const;
 
   /// True only if the whole sphere lies in the frustum.
-  [[nodiscard]] bool holdsSphere(const Eigen::Vector3d& centre_world, double radius_m) const;
+  [[nodiscard]] bool holdsSphere(const Eigen::Vector3d& center_world, double radius_m) const;
 
   [[nodiscard]] const Eigen::AlignedBox3d& boundsWorld() const { return bounds_world_; }
 

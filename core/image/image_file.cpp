@@ -84,10 +84,10 @@ std::string describe(const cv::Mat& image) {
 
 }  // namespace
 
-Result<cv::Mat> decodeGreyImage(Bytes bytes, const std::string& name) {
+Result<cv::Mat> decodeGrayImage(Bytes bytes, const std::string& name) {
   const auto format = checkImage(bytes, name);
   if (!format) return fail(format.error());
-  if (*format == ImageFormat::png) return decodeGreyPng(bytes, name);
+  if (*format == ImageFormat::png) return decodeGrayPng(bytes, name);
   return *format == ImageFormat::jpeg ? decodeJpeg(bytes, name)
                                       : decodeOther(bytes, cv::IMREAD_UNCHANGED, name);
 }
@@ -102,7 +102,7 @@ Result<cv::Mat> decodeColorImage(Bytes bytes, const std::string& name) {
 }
 
 Result<cv::Mat> decodeDepthImage(Bytes bytes, const std::string& name) {
-  auto image = decodeGreyImage(bytes, name);
+  auto image = decodeGrayImage(bytes, name);
   if (!image) {
     return image;
   }
@@ -121,7 +121,7 @@ Result<cv::Mat> readColorImage(const std::filesystem::path& file) {
   return readImage(file, decodeColorImage);
 }
 
-Result<cv::Mat> readGreyImage(const std::filesystem::path& file) { return readImage(file, decodeGreyImage); }
+Result<cv::Mat> readGrayImage(const std::filesystem::path& file) { return readImage(file, decodeGrayImage); }
 
 Result<cv::Mat> readDepthImage(const std::filesystem::path& file) {
   return readImage(file, decodeDepthImage);

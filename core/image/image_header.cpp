@@ -130,7 +130,7 @@ std::uint64_t leastImageBytes(Bytes bytes) {
 }
 
 Result<void> checkImageSize(const ImageSize& size, const std::string& name) {
-  if (std::uint64_t{size.width} * size.height <= kMostImagePixels &&
+  if (std::uint64_t{size.width} * size.height <= kMaxImagePixels &&
       std::max(size.width, size.height) <= kLongestImageSide_px) {
     return {};
   }

@@ -16,7 +16,7 @@ inline constexpr std::size_t kImageHeaderBytes = 1 << 16;
 
 /// The most pixels of an image that is read, and the longest side: beyond any depth camera, and decoded in
 /// well under a second.
-inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{4096} * 4096;
+inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{4096} * 4096;
 inline constexpr std::uint32_t kLongestImageSide_px = 8192;
 
 struct ImageSize {

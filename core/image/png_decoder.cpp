@@ -15,7 +15,7 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 /// Of a chunk other than pixels, and of all of them, inflated: more than any color profile or XMP.
-constexpr std::size_t kMostMetadataBytes = 16 << 20;
+constexpr std::size_t kMaxMetadataBytes = 16 << 20;
 
 class PngDecoder {
  public:
@@ -24,7 +24,7 @@ class PngDecoder {
 
   Result<void> readHeader() {
     int error = spng_set_image_limits(context_.get(), kLongestImageSide_px, kLongestImageSide_px);
-    if (error == 0) error = spng_set_chunk_limits(context_.get(), kMostMetadataBytes, kMostMetadataBytes);
+    if (error == 0) error = spng_set_chunk_limits(context_.get(), kMaxMetadataBytes, kMaxMetadataBytes);
     if (error == 0) error = spng_set_png_buffer(context_.get(), bytes_.data(), bytes_.size());
     if (error == 0) error = spng_get_ihdr(context_.get(), &header_);
     return check(error);
@@ -44,7 +44,7 @@ class PngDecoder {
     }
   }
 
-  [[nodiscard]] Result<cv::Mat> decodeGrey() {
+  [[nodiscard]] Result<cv::Mat> decodeGray() {
     return is16Bit() ? decode(CV_16UC1, SPNG_FMT_PNG) : decode(CV_8UC1, SPNG_FMT_G8);
   }
 
@@ -89,10 +89,10 @@ Result<cv::Mat> decodeColorPng(Bytes bytes, const std::string& name) {
   return decoder.decodeColor();
 }
 
-Result<cv::Mat> decodeGreyPng(Bytes bytes, const std::string& name) {
+Result<cv::Mat> decodeGrayPng(Bytes bytes, const std::string& name) {
   PngDecoder decoder(bytes, name);
   SCANTROVE_TRY(decoder.readHeader());
-  if (decoder.channels() == 1) return decoder.decodeGrey();
+  if (decoder.channels() == 1) return decoder.decodeGray();
   return fail(name + " is " + (decoder.is16Bit() ? "16-bit" : "8-bit") + " with " +
                   std::to_string(decoder.channels()) + " channels; depth images are 16-bit with 1 channel.",
               "Check that this is the depth folder and that the depth was saved as 16-bit PNG.");
@@ -101,7 +101,7 @@ Result<cv::Mat> decodeGreyPng(Bytes bytes, const std::string& name) {
 Result<cv::Mat> decodeAnyPng(Bytes bytes, const std::string& name) {
   PngDecoder decoder(bytes, name);
   SCANTROVE_TRY(decoder.readHeader());
-  return decoder.channels() == 1 ? decoder.decodeGrey() : decoder.decodeColor();
+  return decoder.channels() == 1 ? decoder.decodeGray() : decoder.decodeColor();
 }
 
 }  // namespace scantrove

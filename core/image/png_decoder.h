@@ -14,9 +14,9 @@ namespace scantrove {
 
 /// Decodes a PNG of one channel to CV_8UC1 or CV_16UC1, interlaced or not. Error: `name` and libspng's
 /// reason; a PNG of other channels, with how many it has.
-[[nodiscard]] Result<cv::Mat> decodeGreyPng(std::span<const std::uint8_t> bytes, const std::string& name);
+[[nodiscard]] Result<cv::Mat> decodeGrayPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Decodes a PNG of one channel as decodeGreyPng does, and any other as decodeColorPng does.
+/// Decodes a PNG of one channel as decodeGrayPng does, and any other as decodeColorPng does.
 [[nodiscard]] Result<cv::Mat> decodeAnyPng(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace scantrove

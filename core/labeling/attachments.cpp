@@ -10,20 +10,20 @@
 namespace scantrove {
 namespace {
 
-constexpr int kMostVoxels = 12000;        // of a thing: 0.4 square metres
+constexpr int kMaxVoxels = 12000;         // of a thing: 0.4 square metres
 constexpr int kBeyond_px = 2;             // pixels at an edge may lie between two surfaces: look past them
 constexpr float kStep_m = 0.03F;          // deeper or nearer by more, they do not touch ...
 constexpr float kStepGrowsFrom_m = 1.5F;  // ... and from here on in proportion to the depth
-constexpr int kLeastOutline = 20, kLeastContact = 6;  // steps
-constexpr float kMostUnseen = 0.35F;                  // of the outline: hidden or cut off
-constexpr float kOnlyOne = 0.85F;                     // of what it touches is the other
+constexpr int kMinOutline = 20, kMinContact = 6;  // steps
+constexpr float kMaxUnseen = 0.35F;               // of the outline: hidden or cut off
+constexpr float kOnlyOne = 0.85F;                 // of what it touches is the other
 constexpr float kNear_m = 0.03F;  // the other's surface is looked at so far from where they touch
-constexpr float kMostNear_px = 20;
+constexpr float kMaxNear_px = 20;
 constexpr std::size_t kPlaces = 16, kDirections = 24;  // that are looked at
-constexpr std::size_t kLeastNormals = 6;
-constexpr float kSameWay = 0.985F;  // cosine of 10 degrees
+constexpr std::size_t kMinNormals = 6;
+constexpr float kSameDirection = 0.985F;  // cosine of 10 degrees
 // So many of the normals point the same way where the other is curved, and where it is flat.
-constexpr float kMostCurved = 0.27F, kLeastFlat = 0.33F;
+constexpr float kMaxCurved = 0.27F, kMinFlat = 0.33F;
 
 /// A step from a pixel of one region to one of another that it touches.
 struct Touch {
@@ -35,7 +35,7 @@ struct Touch {
 struct Outline {
   int known = 0, unseen = 0, touching = 0;
   [[nodiscard]] bool isSeen() const {
-    return known >= kLeastOutline && static_cast<float>(unseen) <= kMostUnseen * static_cast<float>(known);
+    return known >= kMinOutline && static_cast<float>(unseen) <= kMaxUnseen * static_cast<float>(known);
   }
 };
 
@@ -73,13 +73,13 @@ class FrameOutlines {
     for (std::size_t i = 0; i < contact.size(); i += stride) collectNear(contact[i], pixels);
     std::ranges::sort(pixels);
     pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
-    if (pixels.size() < kLeastNormals) return std::nullopt;
+    if (pixels.size() < kMinNormals) return std::nullopt;
     const std::size_t each = (pixels.size() + kDirections - 1) / kDirections;
     std::size_t most = 0;
     for (std::size_t i = 0; i < pixels.size(); i += each) {
       const Eigen::Vector4f& direction = input_.normals_world[pixels[i]];
       const auto same = static_cast<std::size_t>(std::ranges::count_if(pixels, [&](std::size_t pixel) {
-        return input_.normals_world[pixel].head<3>().dot(direction.head<3>()) > kSameWay;
+        return input_.normals_world[pixel].head<3>().dot(direction.head<3>()) > kSameDirection;
       }));
       most = std::max(most, same);
     }
@@ -121,7 +121,7 @@ class FrameOutlines {
     int voxels = 0;
     for (const FragmentId fragment : table_.fragmentsOf(region))
       voxels += fragment.value < input_.voxels.size() ? input_.voxels[fragment.value] : 0;
-    entry->second.is_thing = voxels <= kMostVoxels;
+    entry->second.is_thing = voxels <= kMaxVoxels;
     return entry->second;
   }
 
@@ -161,7 +161,7 @@ class FrameOutlines {
     const Eigen::Vector3f place = input_.vertices_world[touch.there].head<3>();
     const float z = std::max(0.1F, depthOf(input_.vertices_world[touch.there]));
     const auto reach =
-        static_cast<int>(std::min(kMostNear_px, std::ceil(kNear_m * std::max(input_.K.fx, input_.K.fy) / z)));
+        static_cast<int>(std::min(kMaxNear_px, std::ceil(kNear_m * std::max(input_.K.fx, input_.K.fy) / z)));
     const int x0 = static_cast<int>(touch.there) % map_.width,
               y0 = static_cast<int>(touch.there) / map_.width;
     for (int y = std::max(0, y0 - reach); y <= std::min(map_.height - 1, y0 + reach); ++y) {
@@ -199,15 +199,15 @@ std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMap
     while (next < touches.size() && touches[next].from == part && touches[next].to == holder) ++next;
     const std::span<const Touch> contact = touches.subspan(first, next - first);
     const Outline& outline = outlines.of(part);
-    if (contact.size() < kLeastContact || !outline.isSeen()) continue;
+    if (contact.size() < kMinContact || !outline.isSeen()) continue;
     const bool is_only_one =
         static_cast<float>(contact.size()) >= kOnlyOne * static_cast<float>(outline.touching);
     const std::optional<float> flat = is_only_one ? outlines.flatPart(contact) : 1;
-    if (!flat || (*flat > kMostCurved && *flat < kLeastFlat)) continue;
+    if (!flat || (*flat > kMaxCurved && *flat < kMinFlat)) continue;
     const auto [low, high] = std::minmax(part, holder);
     const auto [entry, is_new] = found.try_emplace({low, high}, Attachment{low, high, false, {}});
     Attachment& attachment = entry->second;
-    attachment.is_attached = attachment.is_attached || *flat <= kMostCurved;
+    attachment.is_attached = attachment.is_attached || *flat <= kMaxCurved;
     for (const Touch& touch : contact) {
       std::pair<FragmentId, FragmentId> border(map.fragments[touch.here], map.fragments[touch.there]);
       if (part != low) std::swap(border.first, border.second);

@@ -14,15 +14,15 @@ constexpr float kFullLength_px = 16;  // borders this long count fully
 /// objects and 0.865 of the large ones are over half so; with 1 it is 0.883 and 0.871, with 1.5 it is 0.887
 /// and 0.856.
 constexpr float kCaution = 1.25F;
-constexpr float kEnoughLooks = 2;  // weighed; before these what is apart stays so, and what is one
-constexpr float kHolds = 0.01F;    // any other border outweighs it
+constexpr float kMinObservations = 2;  // weighed; before these what is apart stays so, and what is one
+constexpr float kHolds = 0.01F;        // any other border outweighs it
 /// A wrong join costs more than a missed one: what speaks for joining counts by half after so many looks.
-constexpr float kHalfSureLooks = 8;
+constexpr float kHalfSureObservations = 8;
 constexpr float kEnoughLength_m = 0.1F;  // shorter borders count in proportion
 /// What it means that two came together or one to the other, once it was seen so often.
-constexpr float kArrival = 20;
-constexpr float kSureArrival = 5;
-constexpr float kFirstArrival = 1;  // so many looks mean nothing yet: one frame may be wrong
+constexpr float kAppearanceWeight = 20;
+constexpr float kSureAppearance = 5;
+constexpr float kFirstAppearance = 1;  // so many looks mean nothing yet: one frame may be wrong
 /// What it means that one is held by the other alone, likewise; one look that denies it undoes two.
 constexpr float kAttachment = 20;
 constexpr float kSureAttachment = 12;
@@ -36,10 +36,10 @@ float weightOf(const FragmentContact& contact) {
   return std::min(1.0F, static_cast<float>(contact.length_px) / kFullLength_px) / (1 + far * far);
 }
 
-/// One look more that says yes or no; of both together no more than kMostLooks are remembered.
+/// One look more that says yes or no; of both together no more than kMaxObservations are remembered.
 void count(bool says_yes, float& yes, float& no) {
   (says_yes ? yes : no) += 1;
-  const float fade = std::min(1.0F, BorderEvidence::kMostLooks / (yes + no));
+  const float fade = std::min(1.0F, BorderEvidence::kMaxObservations / (yes + no));
   yes *= fade;
   no *= fade;
 }
@@ -49,17 +49,17 @@ void count(bool says_yes, float& yes, float& no) {
 void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
   const float weight = weightOf(contact);
   const float bridged_part = static_cast<float>(contact.bridged_px) / static_cast<float>(contact.length_px);
-  looks += weight;
+  observations += weight;
   bridged += weight * bridged_part;
   shared += weight * shared_part;
-  if (looks > kMostLooks) {
-    const float fade = kMostLooks / looks;
-    looks *= fade;
+  if (observations > kMaxObservations) {
+    const float fade = kMaxObservations / observations;
+    observations *= fade;
     bridged *= fade;
     shared *= fade;
   }
   length_m = std::max(length_m, contact.length_m);
-  const float part = weight / looks;
+  const float part = weight / observations;
   if (contact.color_shift) {
     const float before = color_shift.value_or(*contact.color_shift);
     color_shift = before + part * (*contact.color_shift - before);
@@ -75,7 +75,7 @@ void BorderEvidence::add(const FragmentContact& contact, float shared_part) {
   if (contact.bends == 0) return;
   const float bend_weight =
       weight * static_cast<float>(contact.bends) / static_cast<float>(contact.length_px);
-  bends = std::min(bends + bend_weight, kMostLooks);
+  bends = std::min(bends + bend_weight, kMaxObservations);
   const float step = bends > 0 ? bend_weight / bends : 0;
   concavity_rad += step * (contact.concavity_rad - concavity_rad);
   folded += step * (contact.folded - folded);
@@ -88,27 +88,28 @@ float BorderEvidence::logOdds(int voxels_a, int voxels_b) const {
   return model.logOdds(values) - kCaution;
 }
 
-void BorderEvidence::addArrival(bool together) { count(together, came_together, came_apart); }
+void BorderEvidence::addAppearance(bool together) { count(together, appeared_together, appeared_apart); }
 
 void BorderEvidence::addAttachment(bool is_attached) { count(is_attached, attached, unattached); }
 
 float BorderEvidence::weight(int voxels_a, int voxels_b, float bias, bool joined) const {
-  return weightOfLooks(voxels_a, voxels_b, bias, joined) + weightOfArrivals() +
+  return weightOfObservations(voxels_a, voxels_b, bias, joined) + weightOfAppearance() +
          kAttachment * std::max(0.0F, attached - kDenied * unattached - kFirstAttached) /
              std::max(kSureAttachment, attached + unattached);
 }
 
-float BorderEvidence::weightOfArrivals() const {
-  const float more = came_together - came_apart;
-  const float means = std::copysign(std::max(0.0F, std::abs(more) - kFirstArrival), more);
-  return kArrival * means / std::max(kSureArrival, came_together + came_apart - kFirstArrival);
+float BorderEvidence::weightOfAppearance() const {
+  const float more = appeared_together - appeared_apart;
+  const float means = std::copysign(std::max(0.0F, std::abs(more) - kFirstAppearance), more);
+  return kAppearanceWeight * means /
+         std::max(kSureAppearance, appeared_together + appeared_apart - kFirstAppearance);
 }
 
-float BorderEvidence::weightOfLooks(int voxels_a, int voxels_b, float bias, bool joined) const {
+float BorderEvidence::weightOfObservations(int voxels_a, int voxels_b, float bias, bool joined) const {
   const float odds = logOdds(voxels_a, voxels_b) + bias;
-  if (joined && looks < kEnoughLooks) return kHolds;
-  if (!joined && odds > 0 && looks < kEnoughLooks) return 0;
-  const float sure = odds > 0 ? looks / (looks + kHalfSureLooks) : 1;
+  if (joined && observations < kMinObservations) return kHolds;
+  if (!joined && odds > 0 && observations < kMinObservations) return 0;
+  const float sure = odds > 0 ? observations / (observations + kHalfSureObservations) : 1;
   return odds * sure * std::min(1.0F, length_m / kEnoughLength_m);
 }
 

@@ -17,8 +17,8 @@ struct SizedBorder {
 namespace border {
 
 inline float observations(const SizedBorder& b) {
-  constexpr float kLeast = 1e-3F;
-  return std::max(b.evidence.looks, kLeast);
+  constexpr float kMin = 1e-3F;
+  return std::max(b.evidence.observations, kMin);
 }
 inline float ofColors(const SizedBorder& b, float ColorComparison::*value) {
   return b.evidence.colors ? (*b.evidence.colors).*value : kUnknownFeature;
@@ -28,7 +28,7 @@ inline float ofColors(const SizedBorder& b, float ColorComparison::*value) {
 
 /// What the border model weighs, by name. Another list needs a model trained anew (tools/train).
 inline constexpr auto kBorderFeatures = std::to_array<Feature<SizedBorder>>({
-    {"observations", [](const SizedBorder& b) { return b.evidence.looks; }},
+    {"observations", [](const SizedBorder& b) { return b.evidence.observations; }},
     {"same_segment_part", [](const SizedBorder& b) { return b.evidence.shared / border::observations(b); }},
     {"bridged_part", [](const SizedBorder& b) { return b.evidence.bridged / border::observations(b); }},
     {"concavity_rad", [](const SizedBorder& b) { return b.evidence.concavity_rad; }},

@@ -6,7 +6,7 @@
 namespace scantrove {
 namespace {
 
-constexpr float kGrey = 0.5F * (ChromaHistogram::kSide - 1);  // its place between bins
+constexpr float kGray = 0.5F * (ChromaHistogram::kSide - 1);  // its place between bins
 
 /// Where a value lies between bins: the lower one, and the share of the next.
 struct Between {
@@ -16,7 +16,7 @@ struct Between {
 
 Between between(float value) {
   constexpr float kLast = ChromaHistogram::kSide - 1;
-  const float place = std::clamp(value / ChromaHistogram::kBinWidth + kGrey, 0.0F, kLast - 1e-3F);
+  const float place = std::clamp(value / ChromaHistogram::kBinWidth + kGray, 0.0F, kLast - 1e-3F);
   const int bin = static_cast<int>(place);
   return {bin, place - static_cast<float>(bin)};
 }
@@ -39,7 +39,7 @@ const ChromaHistogram::Bins& ChromaHistogram::chromas() {
     for (int a = 0; a < kSide; ++a) {
       for (int b = 0; b < kSide; ++b)
         chromas[a * kSide + b] =
-            kBinWidth * std::hypot(static_cast<float>(a) - kGrey, static_cast<float>(b) - kGrey);
+            kBinWidth * std::hypot(static_cast<float>(a) - kGray, static_cast<float>(b) - kGray);
     }
     return chromas;
   }();

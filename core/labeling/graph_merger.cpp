@@ -7,8 +7,8 @@
 
 #include "core/labeling/attachments.h"
 #include "core/labeling/fragment_contacts.h"
-#include "core/labeling/fragment_specks.h"
 #include "core/labeling/region_partition.h"
+#include "core/labeling/small_fragment_pieces.h"
 #include "core/labeling/thesis_merger.h"
 
 namespace scantrove {
@@ -22,7 +22,8 @@ namespace {
 
 using Overlaps = OverlapGraph<FragmentId>;
 
-constexpr int kSpecksInImage = 3000;  // smaller pieces of a fragment mean nothing: 25 pixels of 320 x 240
+constexpr int kSmallPiecesInImage =
+    3000;  // smaller pieces of a fragment mean nothing: 25 pixels of 320 x 240
 
 /// How the visible part of each fragment is shared out among segments.
 class SegmentShares {
@@ -66,15 +67,15 @@ class SegmentShares {
 };
 
 /// Which fragments came into the scene, each as a part of one thing, in this frame's view.
-class ArrivedFragments {
+class AppearedFragments {
  public:
-  explicit ArrivedFragments(const MergeInput& input) {
-    if (input.came.empty()) return;
+  explicit AppearedFragments(const MergeInput& input) {
+    if (input.appeared.empty()) return;
     for (std::size_t pixel = 0; pixel < input.projected.size(); ++pixel) {
       if (!input.projected[pixel]) continue;
       Pixels& pixels = of_fragment_[input.projected[pixel]];
       ++pixels.all;
-      if (input.came[pixel] != 0) ++pixels.of_thing[input.came[pixel]];
+      if (input.appeared[pixel] != 0) ++pixels.of_thing[input.appeared[pixel]];
     }
   }
 
@@ -89,7 +90,7 @@ class ArrivedFragments {
  private:
   static constexpr int kWasThere = 0, kUnclear = -1;
   /// Parts of a fragment's pixels: so many that came make it come; so few leave it what was there.
-  static constexpr double kCame = 0.6, kStayed = 0.2;
+  static constexpr double kAppeared = 0.6, kStayed = 0.2;
   struct Pixels {
     int all = 0;
     std::map<int, int> of_thing;
@@ -99,12 +100,12 @@ class ArrivedFragments {
     const auto found = of_fragment_.find(fragment);
     if (found == of_fragment_.end()) return kUnclear;
     const auto& [all, of_thing] = found->second;
-    int came = 0;
+    int appeared = 0;
     for (const auto& [thing, count] : of_thing) {
-      if (count >= kCame * all) return thing;
-      came += count;
+      if (count >= kAppeared * all) return thing;
+      appeared += count;
     }
-    return came <= kStayed * all ? kWasThere : kUnclear;
+    return appeared <= kStayed * all ? kWasThere : kUnclear;
   }
 
   std::unordered_map<FragmentId, Pixels> of_fragment_;
@@ -139,13 +140,13 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
 
 void GraphMerger::look(const MergeInput& input, const Overlaps& overlaps) {
   const SegmentShares shares(overlaps);
-  const ArrivedFragments arrived(input);
+  const AppearedFragments arrived(input);
   const std::vector<FragmentId> parts =
-      withoutSpecks(input.projected, input.K.width, input.K.pixels() / kSpecksInImage);
+      withoutSmallPieces(input.projected, input.K.width, input.K.pixels() / kSmallPiecesInImage);
   for (const FragmentContact& contact : findContacts(input, parts)) {
     BorderEvidence& border = graph_.between(contact.a, contact.b);
     border.add(contact, shares.shared(contact.a, contact.b));
-    if (const auto are_one = arrived.areOne(contact.a, contact.b)) border.addArrival(*are_one);
+    if (const auto are_one = arrived.areOne(contact.a, contact.b)) border.addAppearance(*are_one);
     touched_.push_back(contact.a);
     touched_.push_back(contact.b);
   }
@@ -168,7 +169,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
       owners.owner[segment] = table.newFragment();
     }
   }
-  carve(input, overlaps, owners.owner, table, outcome);
+  splitFragment(input, overlaps, owners.owner, table, outcome);
 
   RegionMap& map = outcome.map;
   map.width = segments.width;
@@ -181,7 +182,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
     FragmentId fragment = projected;
     const FragmentId owner = owners.owner[segment];
     if (owner && !owners.covers(segment, fragment)) fragment = owner;
-    if (carved_from_[segment] && carved_from_[segment] == fragment) fragment = carved_[segment];
+    if (split_from_[segment] && split_from_[segment] == fragment) fragment = split_off_[segment];
     const RegionId region = table.regionOf(fragment);
     for (; pixel < map.fragments.size() && input.projected[pixel] == projected &&
            segments.ids[pixel] == segment;
@@ -190,12 +191,11 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
       map.regions[pixel] = region;
     }
   }
-  lookForAttachments(input, map, table);
+  attachParts(input, map, table);
   return outcome;
 }
 
-void GraphMerger::lookForAttachments(const MergeInput& input, const RegionMap& map,
-                                     const RegionTable& table) {
+void GraphMerger::attachParts(const MergeInput& input, const RegionMap& map, const RegionTable& table) {
   for (const Attachment& attachment : findAttachments(input, map, table)) {
     for (const auto& [a, b] : attachment.borders) {
       // What nothing speaks for needs no denial.
@@ -208,21 +208,21 @@ void GraphMerger::lookForAttachments(const MergeInput& input, const RegionMap& m
   }
 }
 
-void GraphMerger::carve(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
-                        RegionTable& table, Outcome& outcome) {
-  carved_from_.assign(owner.size(), {});
-  carved_.assign(owner.size(), {});
-  for (const FragmentCutter::Cut& cut : cutter_.find(input, overlaps, owner)) {
+void GraphMerger::splitFragment(const MergeInput& input, const Overlaps& overlaps,
+                                std::span<const FragmentId> owner, RegionTable& table, Outcome& outcome) {
+  split_from_.assign(owner.size(), {});
+  split_off_.assign(owner.size(), {});
+  for (const FragmentSplitter::Split& cut : cutter_.find(input, overlaps, owner)) {
     // Whether it is a region of its own is for the next partition to say.
-    const FragmentId carved = table.newFragmentBeside(cut.fragment);
-    carved_from_[cut.segment] = cut.fragment;
-    carved_[cut.segment] = carved;
-    outcome.carved.push_back(carved);
-    outcome.carved_from.push_back(cut.fragment);
-    for (int look = 0; look < FragmentCutter::kLooks; ++look) {
-      graph_.between(cut.fragment, carved).add(cut.contact, 0);
+    const FragmentId split_off = table.newFragmentBeside(cut.fragment);
+    split_from_[cut.segment] = cut.fragment;
+    split_off_[cut.segment] = split_off;
+    outcome.split_off.push_back(split_off);
+    outcome.split_from.push_back(cut.fragment);
+    for (int look = 0; look < FragmentSplitter::kLooks; ++look) {
+      graph_.between(cut.fragment, split_off).add(cut.contact, 0);
     }
-    touched_.push_back(carved);
+    touched_.push_back(split_off);
     touched_.push_back(cut.fragment);
   }
 }
@@ -274,10 +274,10 @@ void GraphMerger::constrain(FragmentId a, FragmentId b, LinkConstraint constrain
   touched_.push_back(b);
 }
 
-std::vector<FragmentId> GraphMerger::neighboursOf(FragmentId fragment) const {
-  std::vector<FragmentId> neighbours;
-  for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) neighbours.push_back(link.other);
-  return neighbours;
+std::vector<FragmentId> GraphMerger::neighborsOf(FragmentId fragment) const {
+  std::vector<FragmentId> neighbors;
+  for (const EvidenceGraph::Link& link : graph_.linksOf(fragment)) neighbors.push_back(link.other);
+  return neighbors;
 }
 
 std::vector<std::vector<FragmentId>> GraphMerger::partsOf(RegionId region, float less,

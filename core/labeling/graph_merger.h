@@ -1,6 +1,6 @@
 #pragma once
 #include "core/labeling/evidence_graph.h"
-#include "core/labeling/fragment_cutter.h"
+#include "core/labeling/fragment_splitter.h"
 #include "core/labeling/overlap_graph.h"
 #include "core/labeling/region_merger.h"
 
@@ -30,7 +30,7 @@ class GraphMerger final : public RegionMerger {
   [[nodiscard]] LinkConstraint constraintBetween(FragmentId a, FragmentId b) const override {
     return graph_.constraintBetween(a, b);
   }
-  [[nodiscard]] std::vector<FragmentId> neighboursOf(FragmentId fragment) const override;
+  [[nodiscard]] std::vector<FragmentId> neighborsOf(FragmentId fragment) const override;
   [[nodiscard]] std::vector<std::vector<FragmentId>> partsOf(RegionId region, float less,
                                                              const RegionTable& table,
                                                              std::span<const int> voxels,
@@ -42,16 +42,16 @@ class GraphMerger final : public RegionMerger {
  private:
   using Overlaps = OverlapGraph<FragmentId>;
   void look(const MergeInput& input, const Overlaps& overlaps);
-  void lookForAttachments(const MergeInput& input, const RegionMap& map, const RegionTable& table);
-  void carve(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
-             RegionTable& table, Outcome& outcome);
+  void attachParts(const MergeInput& input, const RegionMap& map, const RegionTable& table);
+  void splitFragment(const MergeInput& input, const Overlaps& overlaps, std::span<const FragmentId> owner,
+                     RegionTable& table, Outcome& outcome);
 
   void constrain(FragmentId a, FragmentId b, LinkConstraint constraint, bool by_person);
 
   EvidenceGraph graph_;
-  FragmentCutter cutter_;
-  std::vector<FragmentId> touched_;               // whose evidence changed since the last partition
-  std::vector<FragmentId> carved_from_, carved_;  // of this frame, by segment
+  FragmentSplitter cutter_;
+  std::vector<FragmentId> touched_;                 // whose evidence changed since the last partition
+  std::vector<FragmentId> split_from_, split_off_;  // of this frame, by segment
 };
 
 }  // namespace scantrove

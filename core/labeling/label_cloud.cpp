@@ -63,10 +63,10 @@ void LabelCloud::fitFragments(std::uint32_t highest) {
 }
 
 std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
-                                                    std::span<const FragmentId> carved,
+                                                    std::span<const FragmentId> split_off,
                                                     const LabelingParams& params, BrickMap& map) {
   const bool is_projected = projected_view_ && projected_view_->matrix() == surface.T_world_camera.matrix();
-  listPixels(merged, carved, !params.voxel_confidence || !is_projected);
+  listPixels(merged, split_off, !params.voxel_confidence || !is_projected);
   touched_bricks_.clear();
   std::vector<Eigen::Vector3i> missing = writeLabels(surface, params, false, map);
   while (!missing.empty()) {
@@ -82,7 +82,7 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, 
   return touched_bricks_;
 }
 
-void LabelCloud::listPixels(const RegionMap& merged, std::span<const FragmentId> carved, bool all) {
+void LabelCloud::listPixels(const RegionMap& merged, std::span<const FragmentId> split_off, bool all) {
   ++updates_;
   pixels_host_.clear();
   new_labels_host_.clear();
@@ -92,7 +92,7 @@ void LabelCloud::listPixels(const RegionMap& merged, std::span<const FragmentId>
     const bool has_turn = all || (pixel / kTurnPixels + updates_) % kTurns == 0;
     if (fragment == 0 || (!has_turn && projected_host_[pixel] == (fragment | LABEL_SURE))) continue;
     highest = std::max(highest, fragment);
-    const bool at_once = std::ranges::find(carved, FragmentId{fragment}) != carved.end();
+    const bool at_once = std::ranges::find(split_off, FragmentId{fragment}) != split_off.end();
     pixels_host_.push_back(static_cast<cl_int>(pixel));
     new_labels_host_.push_back(fragment | (at_once ? LABEL_AT_ONCE : 0U));
   }
@@ -151,7 +151,7 @@ void LabelCloud::relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fra
     const int page = map.pages().pageWith({v.x() >> BRICK_SHIFT, v.y() >> BRICK_SHIFT, v.z() >> BRICK_SHIFT});
     if (page != BRICK_NONE) pages.insert(page);
   }
-  map.lookAt(std::vector<int>(pages.begin(), pages.end()));
+  map.beginFrame(std::vector<int>(pages.begin(), pages.end()));
   fitFragments(fragment.value);
   fit(listed_, listed.size());
   listed_.write(compute_.queue(), listed);

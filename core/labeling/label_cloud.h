@@ -31,7 +31,7 @@ class LabelCloud {
   /// sure (project()) have their turn every fourth time. Allocates bricks where such a voxel
   /// has none. Returns the bricks that were written to.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMap& merged,
-                                          std::span<const FragmentId> carved, const LabelingParams& params,
+                                          std::span<const FragmentId> split_off, const LabelingParams& params,
                                           BrickMap& map);
 
   /// These voxels (brick_layout.h, each once) hold `fragment` from now on, but for those without label.
@@ -66,7 +66,7 @@ class LabelCloud {
                                                          const LabelingParams& params, bool only_new,
                                                          const BrickMap& map);
   /// Fills pixels_ and new_labels_.
-  void listPixels(const RegionMap& merged, std::span<const FragmentId> carved, bool all);
+  void listPixels(const RegionMap& merged, std::span<const FragmentId> split_off, bool all);
   void fitStamps(const BrickMap& map);
   /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
   void extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,

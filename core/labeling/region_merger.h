@@ -29,17 +29,17 @@ struct MergeInput {
   std::span<const int> voxels;  ///< that hold each fragment, by fragment number
   /// Which thing came into the scene with the surface of a pixel, as Arrivals has it, 0: it was there before.
   /// Empty: nothing came.
-  std::span<const std::uint8_t> came = {};
+  std::span<const std::uint8_t> appeared = {};
 };
 
 /// Merges the segments of one frame with the regions of the label cloud (thesis 3.3). One thread.
 class RegionMerger {
  public:
   struct Outcome {
-    RegionMap map;                        ///< S_cloud,t
-    RegionEvents events;                  ///< what this frame changed
-    std::vector<FragmentId> carved;       ///< cut out of others in this frame: take their voxels at once
-    std::vector<FragmentId> carved_from;  ///< of which each of these was a part until now
+    RegionMap map;                       ///< S_cloud,t
+    RegionEvents events;                 ///< what this frame changed
+    std::vector<FragmentId> split_off;   ///< cut out of others in this frame: take their voxels at once
+    std::vector<FragmentId> split_from;  ///< of which each of these was a part until now
   };
 
   virtual ~RegionMerger() = default;
@@ -67,7 +67,7 @@ class RegionMerger {
   /// What was said of two fragments.
   [[nodiscard]] virtual LinkConstraint constraintBetween(FragmentId a, FragmentId b) const = 0;
   /// Fragments that were seen to touch this one, rising.
-  [[nodiscard]] virtual std::vector<FragmentId> neighboursOf(FragmentId fragment) const = 0;
+  [[nodiscard]] virtual std::vector<FragmentId> neighborsOf(FragmentId fragment) const = 0;
   /// What a region would part into if every border spoke `less` (log-odds) less for joining.
   [[nodiscard]] virtual std::vector<std::vector<FragmentId>> partsOf(RegionId region, float less,
                                                                      const RegionTable& table,

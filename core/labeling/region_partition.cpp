@@ -74,7 +74,7 @@ class Divider {
     }
     const std::map<RegionPair, float> lengths_m = lengthsBetween(table);
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
-      if (isSliver(members_[a]) || isSliver(members_[b])) return;
+      if (isSmall(members_[a]) || isSmall(members_[b])) return;
       // Two regions must pass the hysteresis once, however many fragments they meet with.
       const auto between = regionPair(a, b, table);
       const bool are_one = between.first == between.second;
@@ -86,7 +86,7 @@ class Divider {
     const std::vector<std::uint32_t> part_of_group = contractGreedily(members_.size(), edges);
     std::vector<std::uint32_t> part(members_.size());
     for (std::uint32_t i = 0; i < part.size(); ++i) part[i] = part_of_group[constraints.groupOf(i)];
-    attachSlivers(part);
+    attachSmallFragments(part);
     std::vector<std::vector<FragmentId>> parts(members_.size());
     for (std::size_t i = 0; i < members_.size(); ++i) parts[part[i]].push_back(members_[i]);
     std::erase_if(parts, [](const auto& fragments) { return fragments.empty(); });
@@ -105,8 +105,8 @@ class Divider {
     return fragment.value < voxels_.size() ? voxels_[fragment.value] : 0;
   }
   /// One that something was said of is none.
-  [[nodiscard]] bool isSliver(FragmentId fragment) const {
-    return voxelsOf(fragment) < kSliverVoxels &&
+  [[nodiscard]] bool isSmall(FragmentId fragment) const {
+    return voxelsOf(fragment) < kSmallFragmentVoxels &&
            std::ranges::all_of(graph_.linksOf(fragment), [this](const EvidenceGraph::Link& link) {
              return graph_.border(link.border).constraint == Constraint::none;
            });
@@ -120,7 +120,7 @@ class Divider {
   [[nodiscard]] std::map<RegionPair, float> lengthsBetween(const RegionTable& table) const {
     std::map<RegionPair, float> lengths_m;
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
-      if (!isSliver(members_[a]) && !isSliver(members_[b]))
+      if (!isSmall(members_[a]) && !isSmall(members_[b]))
         lengths_m[regionPair(a, b, table)] += border.length_m;
     });
     return lengths_m;
@@ -138,19 +138,19 @@ class Divider {
   }
 
   [[nodiscard]] Constraints findConstraints(const RegionTable& table) const {
-    struct Said {
+    struct UserConstraint {
       std::pair<bool, int> order;
       std::uint32_t a, b;
       Constraint constraint;
     };
-    std::vector<Said> said;
+    std::vector<UserConstraint> said;
     forEachBorder([&](std::uint32_t a, std::uint32_t b, const BorderEvidence& border) {
       if (border.constraint != Constraint::none)
         said.push_back({{border.by_person, border.constraint_order}, a, b, border.constraint});
     });
-    std::ranges::sort(said, std::greater<>(), &Said::order);
+    std::ranges::sort(said, std::greater<>(), &UserConstraint::order);
     Constraints constraints(members_.size());
-    for (const Said& entry : said) constraints.add(entry.a, entry.b, entry.constraint);
+    for (const UserConstraint& entry : said) constraints.add(entry.a, entry.b, entry.constraint);
     keepApart(table, constraints);
     return constraints;
   }
@@ -161,27 +161,27 @@ class Divider {
     std::map<RegionId, std::uint32_t> largest;
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       const RegionId region = table.regionOf(members_[i]);
-      if (table.said(region) == RegionSaid::nothing) continue;
+      if (table.said(region) == UserLabel::nothing) continue;
       const auto [found, is_first] = largest.try_emplace(region, i);
       if (!is_first && voxelsOf(members_[i]) > voxelsOf(members_[found->second])) found->second = i;
     }
     for (auto one = largest.begin(); one != largest.end(); ++one) {
       for (auto other = std::next(one); other != largest.end(); ++other) {
-        if (table.said(one->first) == RegionSaid::thing || table.said(other->first) == RegionSaid::thing)
+        if (table.said(one->first) == UserLabel::thing || table.said(other->first) == UserLabel::thing)
           constraints.add(one->second, other->second, Constraint::cannot_link);
       }
     }
   }
 
   /// Slivers beside something take its part; those beside slivers only stay what they are.
-  void attachSlivers(std::vector<std::uint32_t>& part) const {
+  void attachSmallFragments(std::vector<std::uint32_t>& part) const {
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
-      if (!isSliver(members_[i])) continue;
+      if (!isSmall(members_[i])) continue;
       float longest_m = 0;
       for (const EvidenceGraph::Link& link : graph_.linksOf(members_[i])) {
         const std::uint32_t other = indexOf(link.other);
         const BorderEvidence& border = graph_.border(link.border);
-        if (other == kOutside || isSliver(link.other) || border.length_m <= longest_m) continue;
+        if (other == kOutside || isSmall(link.other) || border.length_m <= longest_m) continue;
         longest_m = border.length_m;
         part[i] = part[other];
       }

@@ -77,13 +77,13 @@ bool RegionTable::isKnown(RegionId region) const {
   return found != members_.end() && found->second.known;
 }
 
-void RegionTable::say(RegionId region, RegionSaid said) {
+void RegionTable::say(RegionId region, UserLabel said) {
   if (const auto found = members_.find(region); found != members_.end()) found->second.said = said;
 }
 
-RegionSaid RegionTable::said(RegionId region) const {
+UserLabel RegionTable::said(RegionId region) const {
   const auto found = members_.find(region);
-  return found == members_.end() ? RegionSaid::nothing : found->second.said;
+  return found == members_.end() ? UserLabel::nothing : found->second.said;
 }
 
 RegionId RegionTable::newRegion() {
@@ -177,7 +177,7 @@ void RegionTable::divide(const std::vector<std::vector<FragmentId>>& parts, std:
     RegionId region;
   };
   const auto strengthOf = [this](RegionId region) {
-    return said(region) != RegionSaid::nothing ? 2 : isKnown(region) ? 1 : 0;
+    return said(region) != UserLabel::nothing ? 2 : isKnown(region) ? 1 : 0;
   };
   std::vector<Claim> claims;
   for (std::size_t part = 0; part < parts.size(); ++part) {

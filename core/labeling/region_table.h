@@ -25,7 +25,7 @@ struct RegionMove {
 };
 
 /// What a person said that a region is.
-enum class RegionSaid {
+enum class UserLabel {
   nothing,
   background,  ///< nothing by itself; it may be joined with others of that kind
   thing        ///< a thing of its own
@@ -65,8 +65,8 @@ class RegionTable {
   void setKnown(RegionId region, bool known);
   [[nodiscard]] bool isKnown(RegionId region) const;
   /// What a person says of a region gives it an identity stronger than any other.
-  void say(RegionId region, RegionSaid said);
-  [[nodiscard]] RegionSaid said(RegionId region) const;
+  void say(RegionId region, UserLabel said);
+  [[nodiscard]] UserLabel said(RegionId region) const;
 
   /// All fragments of `from` become fragments of `into`. False when they are one already, or one is none.
   bool join(RegionId into, RegionId from);
@@ -99,7 +99,7 @@ class RegionTable {
   struct Region {
     std::vector<FragmentId> fragments;  // rising
     bool known = false;
-    RegionSaid said = RegionSaid::nothing;
+    UserLabel said = UserLabel::nothing;
   };
   FragmentId takeNumber();
   RegionId newRegion();

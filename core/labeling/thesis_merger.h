@@ -25,7 +25,7 @@ class ThesisMerger final : public RegionMerger {
   [[nodiscard]] LinkConstraint constraintBetween(FragmentId, FragmentId) const override {
     return LinkConstraint::none;
   }
-  [[nodiscard]] std::vector<FragmentId> neighboursOf(FragmentId) const override { return {}; }
+  [[nodiscard]] std::vector<FragmentId> neighborsOf(FragmentId) const override { return {}; }
   [[nodiscard]] std::vector<std::vector<FragmentId>> partsOf(RegionId, float, const RegionTable&,
                                                              std::span<const int>,
                                                              const LabelingParams&) const override {

@@ -15,22 +15,22 @@ constexpr std::array kHeightsAbove_deg{75.0F, 90.0F};
 
 float radians(float degrees) { return degrees * kPi / 180; }
 
-using Centres = std::array<Eigen::Vector3f, ViewCoverage::kCells>;
+using Centers = std::array<Eigen::Vector3f, ViewCoverage::kCells>;
 
 /// Centres of the cells: a Fibonacci lattice, points of equal area along a spiral from pole to pole.
-const Centres& cellCentres() {
-  static const Centres kCentres = [] {
-    Centres centres;
+const Centers& cellCenters() {
+  static const Centers kCenters = [] {
+    Centers centers;
     const float golden_angle = kPi * (3 - std::sqrt(5.0F));
-    for (std::size_t i = 0; i < centres.size(); ++i) {
-      const float z = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(centres.size());
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      const float z = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(centers.size());
       const float around = std::sqrt(1 - z * z);
       const float angle = golden_angle * static_cast<float>(i);
-      centres[i] = {around * std::cos(angle), around * std::sin(angle), z};
+      centers[i] = {around * std::cos(angle), around * std::sin(angle), z};
     }
-    return centres;
+    return centers;
   }();
-  return kCentres;
+  return kCenters;
 }
 
 }  // namespace
@@ -39,17 +39,17 @@ void ViewCoverage::look(const Eigen::Vector3f& direction) {
   const float length = direction.norm();
   if (!std::isfinite(length) || !(length > 0)) return;
   const float least = std::cos(radians(kReach_deg)) * length;
-  const Centres& centres = cellCentres();
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    if (centres[i].dot(direction) >= least) cells_.set(i);
+  const Centers& centers = cellCenters();
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    if (centers[i].dot(direction) >= least) cells_.set(i);
   }
 }
 
 bool ViewCoverage::covers(const Eigen::Vector3f& direction) const {
-  const Centres& centres = cellCentres();
+  const Centers& centers = cellCenters();
   const auto nearest = std::ranges::max_element(
-      centres, {}, [&](const Eigen::Vector3f& centre) { return centre.dot(direction); });
-  return cells_[static_cast<std::size_t>(nearest - centres.begin())];
+      centers, {}, [&](const Eigen::Vector3f& center) { return center.dot(direction); });
+  return cells_[static_cast<std::size_t>(nearest - centers.begin())];
 }
 
 float ViewCoverage::share() const { return static_cast<float>(cells_.count()) / kCells; }

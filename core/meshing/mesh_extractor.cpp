@@ -63,7 +63,7 @@ class PageMesher {
   /// Place of the voxel nearest to a point (voxels from the page's first) of those around `centre` with a
   /// `value` other than 0; none: `centre`'s.
   template <class Value>
-  [[nodiscard]] std::size_t nearestWith(const Value& value, const Eigen::Vector3i& centre,
+  [[nodiscard]] std::size_t nearestWith(const Value& value, const Eigen::Vector3i& center,
                                         const Eigen::Vector3f& point) const;
 
   float voxel_size_m_;
@@ -147,18 +147,18 @@ Vertex PageMesher::makeVertex(const Eigen::Vector3i& start, int axis) const {
   const bool starts_nearer = share <= 0.5F;
   const std::size_t nearer = starts_nearer ? from : to;
   const std::size_t farther = starts_nearer ? to : from;
-  const Eigen::Vector3i centre = starts_nearer ? start : Eigen::Vector3i(start + along);
+  const Eigen::Vector3i center = starts_nearer ? start : Eigen::Vector3i(start + along);
   if (block_.hasLabels()) {
     const auto labelAt = [&](std::size_t i) { return LABEL_OF(block_.label(i)); };
-    std::size_t labelled = labelAt(nearer) != 0 ? nearer : farther;
-    if (labelAt(labelled) == 0) labelled = nearestWith(labelAt, centre, point);
-    vertex.fragment = FragmentId{labelAt(labelled)};
+    std::size_t labeled = labelAt(nearer) != 0 ? nearer : farther;
+    if (labelAt(labeled) == 0) labeled = nearestWith(labelAt, center, point);
+    vertex.fragment = FragmentId{labelAt(labeled)};
   }
   if (block_.hasColors()) {
     const auto colorAt = [&](std::size_t i) { return block_.color(i); };
     std::uint32_t a = colorAt(from);
     std::uint32_t b = colorAt(to);
-    if (a == 0 && b == 0) a = colorAt(nearestWith(colorAt, centre, point));
+    if (a == 0 && b == 0) a = colorAt(nearestWith(colorAt, center, point));
     if (a == 0) a = b;
     if (b == 0) b = a;
     const auto between = [&](std::uint32_t low, std::uint32_t high) {
@@ -186,15 +186,15 @@ Eigen::Vector3f PageMesher::gradientAt(std::size_t at) const {
 }
 
 template <class Value>
-std::size_t PageMesher::nearestWith(const Value& value, const Eigen::Vector3i& centre,
+std::size_t PageMesher::nearestWith(const Value& value, const Eigen::Vector3i& center,
                                     const Eigen::Vector3f& point) const {
   constexpr int kReach = VoxelBlock::kMargin;
-  std::size_t nearest = VoxelBlock::at(centre);
+  std::size_t nearest = VoxelBlock::at(center);
   float least = std::numeric_limits<float>::max();
   for (int z = -kReach; z <= kReach; ++z) {
     for (int y = -kReach; y <= kReach; ++y) {
       for (int x = -kReach; x <= kReach; ++x) {
-        const Eigen::Vector3i voxel = centre + Eigen::Vector3i(x, y, z);
+        const Eigen::Vector3i voxel = center + Eigen::Vector3i(x, y, z);
         const std::size_t at = VoxelBlock::at(voxel);
         if (value(at) == 0) continue;
         const float distance = (voxel.cast<float>() - point).squaredNorm();
@@ -209,16 +209,17 @@ std::size_t PageMesher::nearestWith(const Value& value, const Eigen::Vector3i& c
 
 }  // namespace
 
-std::optional<SurfaceMesh> extractMesh(BrickMap& map, const MeshProgress& goes_on) {
+std::optional<SurfaceMesh> extractMesh(BrickMap& map, const MeshProgress& may_continue) {
   SurfaceMesh mesh;
   PageReader reader(map);
   PageMesher mesher(map.voxelSize(), mesh);
   const std::vector<int> pages = map.pagesByPosition();
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    if (goes_on && !goes_on(static_cast<double>(i) / static_cast<double>(pages.size()))) return std::nullopt;
+    if (may_continue && !may_continue(static_cast<double>(i) / static_cast<double>(pages.size())))
+      return std::nullopt;
     mesher.add(reader, pages[i]);
   }
-  if (goes_on && !goes_on(1)) return std::nullopt;
+  if (may_continue && !may_continue(1)) return std::nullopt;
   return mesh;
 }
 

@@ -15,8 +15,8 @@ using MeshProgress = std::function<bool(double done)>;
 /// lie in memory. Colours are between those of the voxels on both sides; fragments are those of the nearest
 /// labelled voxels, up to two voxels away. The map is read page by page and not changed; beside the mesh this
 /// takes about 60 MB.
-/// Nothing: `goes_on` said false. Pages that cannot be read are left out (BrickMap::takeFailure). May throw
-/// cl::Error (device lost). The thread of the map's context.
-[[nodiscard]] std::optional<SurfaceMesh> extractMesh(BrickMap& map, const MeshProgress& goes_on = {});
+/// Nothing: `may_continue` said false. Pages that cannot be read are left out (BrickMap::takeFailure). May
+/// throw cl::Error (device lost). The thread of the map's context.
+[[nodiscard]] std::optional<SurfaceMesh> extractMesh(BrickMap& map, const MeshProgress& may_continue = {});
 
 }  // namespace scantrove

@@ -4,22 +4,22 @@
 
 namespace scantrove {
 namespace {
-constexpr std::size_t kMostKeptBricks = 8192;
+constexpr std::size_t kMaxKeptBricks = 8192;
 }  // namespace
 
 const StoredPage& PageReader::page(int index) {
-  const auto found = std::ranges::find(kept_, index, &std::pair<int, StoredPage>::first);
-  if (found != kept_.end()) {
-    kept_.splice(kept_.begin(), kept_, found);
-    return kept_.front().second;
+  const auto found = std::ranges::find(stored_, index, &std::pair<int, StoredPage>::first);
+  if (found != stored_.end()) {
+    stored_.splice(stored_.begin(), stored_, found);
+    return stored_.front().second;
   }
-  kept_.emplace_front(index, map_.copyOfPage(index).value_or(StoredPage{}));
-  kept_bricks_ += kept_.front().second.bricks.count();
-  while (kept_bricks_ > kMostKeptBricks && kept_.size() > 1) {
-    kept_bricks_ -= kept_.back().second.bricks.count();
-    kept_.pop_back();
+  stored_.emplace_front(index, map_.copyOfPage(index).value_or(StoredPage{}));
+  kept_bricks_ += stored_.front().second.bricks.count();
+  while (kept_bricks_ > kMaxKeptBricks && stored_.size() > 1) {
+    kept_bricks_ -= stored_.back().second.bricks.count();
+    stored_.pop_back();
   }
-  return kept_.front().second;
+  return stored_.front().second;
 }
 
 }  // namespace scantrove

@@ -20,7 +20,7 @@ class PageReader {
 
  private:
   BrickMap& map_;
-  std::list<std::pair<int, StoredPage>> kept_;  ///< last asked for first
+  std::list<std::pair<int, StoredPage>> stored_;  ///< last asked for first
   std::size_t kept_bricks_ = 0;
 };
 

@@ -27,8 +27,8 @@ void VoxelBlock::load(PageReader& reader, int page) {
   const Eigen::Vector3i position = pages.page(page).position;
   first_voxel_ = kPageVoxels * position;
   bricks_ = reader.page(page).bricks;
-  for (int neighbour = 0; neighbour < 27; ++neighbour) {
-    const Eigen::Vector3i offset(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+  for (int neighbor = 0; neighbor < 27; ++neighbor) {
+    const Eigen::Vector3i offset(neighbor % 3 - 1, neighbor / 3 % 3 - 1, neighbor / 9 - 1);
     const int index = pages.pageWith(PAGE_SIDE * (position + offset));
     if (index == BRICK_NONE) continue;
     const StoredPage& stored = reader.page(index);

@@ -63,10 +63,10 @@ bool isOf(const Intrinsics& K, const cv::Mat& image) {
 
 /// Empty, or of `type`; else the reader is not ok() any more.
 cv::Mat getImage(ByteReader& from, int type) {
-  const int rows = from.get<int>(), cols = from.get<int>(), kept_type = from.get<int>();
+  const int rows = from.get<int>(), cols = from.get<int>(), stored_type = from.get<int>();
   if (rows == 0 || cols == 0) return {};
   const bool is_image =
-      rows > 0 && cols > 0 && rows < kLargestSide && cols < kLargestSide && kept_type == type;
+      rows > 0 && cols > 0 && rows < kLargestSide && cols < kLargestSide && stored_type == type;
   if (!is_image || from.bytesLeft() / static_cast<std::size_t>(cols) < static_cast<std::size_t>(rows)) {
     from.refuse();
     return {};
@@ -91,7 +91,7 @@ void put(ByteWriter& to, const SeenSurfaces::View& view) {
   put(to, view.is_left);
 }
 
-KeyFrame getPlace(ByteReader& from) {
+KeyFrame getKeyFrame(ByteReader& from) {
   KeyFrame place;
   place.T_world_camera = getPose(from);
   place.landmarks.points_world = from.getList<cv::Point3f>();
@@ -108,7 +108,7 @@ SeenSurfaces::View getView(ByteReader& from) {
   SeenSurfaces::View view;
   view.T_world_camera = getPose(from);
   const Intrinsics K = getCamera(from);
-  view.surface = KeptSurface(K, getImage(from, CV_16UC1));
+  view.surface = StoredSurface(K, getImage(from, CV_16UC1));
   view.is_left = getFlag(from);
   if (view.surface.empty() || !isOf(K, view.surface.units())) from.refuse();
   return view;
@@ -138,7 +138,7 @@ PoseTracker::Memory getTracker(ByteReader& from) {
   tracker.last_view.T_color_depth = getPose(from);
   if (!isOf(tracker.last_view.K, tracker.last_view.image)) from.refuse();
   const auto places = from.get<std::uint64_t>();
-  for (std::uint64_t i = 0; i < places && from.ok(); ++i) tracker.places.push_back(getPlace(from));
+  for (std::uint64_t i = 0; i < places && from.ok(); ++i) tracker.places.push_back(getKeyFrame(from));
   const auto surfaces = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < surfaces && from.ok(); ++i) tracker.surfaces.push_back(getView(from));
   return tracker;
@@ -169,16 +169,16 @@ FreeSpace::Memory getFreeSpace(ByteReader& from) {
   return free_space;
 }
 
-void put(ByteWriter& to, const Arrivals::Memory& arrivals) {
-  to.put(arrivals.frame);
-  to.putList(std::span<const Arrivals::Cell>(arrivals.cells));
+void put(ByteWriter& to, const AppearedObjects::Memory& appeared_objects) {
+  to.put(appeared_objects.frame);
+  to.putList(std::span<const AppearedObjects::Cell>(appeared_objects.cells));
 }
 
-Arrivals::Memory getArrivals(ByteReader& from) {
-  Arrivals::Memory arrivals;
-  arrivals.frame = from.get<int>();
-  arrivals.cells = from.getList<Arrivals::Cell>();
-  return arrivals;
+AppearedObjects::Memory getAppearedObjects(ByteReader& from) {
+  AppearedObjects::Memory appeared_objects;
+  appeared_objects.frame = from.get<int>();
+  appeared_objects.cells = from.getList<AppearedObjects::Cell>();
+  return appeared_objects;
 }
 
 }  // namespace
@@ -189,7 +189,7 @@ std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
   put(to, memory.tracker.has_value());
   if (memory.tracker) put(to, *memory.tracker);
   put(to, memory.free_space);
-  put(to, memory.arrivals);
+  put(to, memory.appeared_objects);
   to.put(memory.color_turns);
   to.put(memory.K);
   put(to, memory.T_world_camera);
@@ -204,17 +204,17 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   CameraMemory memory;
   if (getFlag(from)) memory.tracker = getTracker(from);
   memory.free_space = getFreeSpace(from);
-  memory.arrivals = getArrivals(from);
+  memory.appeared_objects = getAppearedObjects(from);
   memory.color_turns = from.get<ColorIntegrator::Turns>();
   memory.K = getCamera(from);
   memory.T_world_camera = getPose(from);
   for (auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
     *maps = from.getList<cl_float4>();
   const auto pixels = static_cast<std::size_t>(memory.K.width) * static_cast<std::size_t>(memory.K.height);
-  const bool is_whole = from.isAtEnd() && memory.vertices_world.size() == pixels &&
-                        memory.normals_world.size() == pixels &&
-                        (!memory.tracker || memory.followed_normals_world.size() == pixels);
-  return is_whole ? std::optional(std::move(memory)) : std::nullopt;
+  const bool is_complete = from.isAtEnd() && memory.vertices_world.size() == pixels &&
+                           memory.normals_world.size() == pixels &&
+                           (!memory.tracker || memory.followed_normals_world.size() == pixels);
+  return is_complete ? std::optional(std::move(memory)) : std::nullopt;
 }
 
 }  // namespace scantrove

@@ -7,7 +7,7 @@
 
 #include "core/capture/intrinsics.h"
 #include "core/compute/opencl.h"
-#include "core/fusion/arrivals.h"
+#include "core/fusion/appeared_objects.h"
 #include "core/fusion/color_integrator.h"
 #include "core/fusion/free_space.h"
 #include "core/tracking/pose_tracker.h"
@@ -20,7 +20,7 @@ namespace scantrove {
 struct CameraMemory {
   std::optional<PoseTracker::Memory> tracker;  ///< none: poses are given
   FreeSpace::Memory free_space;
-  Arrivals::Memory arrivals;
+  AppearedObjects::Memory appeared_objects;
   ColorIntegrator::Turns color_turns;
   /// SurfaceMaps of the last usable frame, on the host.
   Intrinsics K;

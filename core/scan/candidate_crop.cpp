@@ -95,8 +95,8 @@ cv::Mat visiblePart(const SurfaceInColor& in_color, const Candidate& candidate) 
 }  // namespace
 
 Eigen::Vector3f directionOf(const Candidate& candidate, const Eigen::Isometry3d& T_world_camera) {
-  const Eigen::Vector3f camera_centre = T_world_camera.translation().cast<float>();
-  return (camera_centre - candidate.centroid_world).normalized();
+  const Eigen::Vector3f camera_center = T_world_camera.translation().cast<float>();
+  return (camera_center - candidate.centroid_world).normalized();
 }
 
 cv::Rect2f boxInColor(const SurfaceInColor& in_color, const Candidate& candidate) {
@@ -106,8 +106,8 @@ cv::Rect2f boxInColor(const SurfaceInColor& in_color, const Candidate& candidate
                 in_color.places.size());
 }
 
-std::optional<ObjectView> cutView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
-                                  const SurfaceInColor& in_color, const Candidate& candidate) {
+std::optional<ObjectView> cropView(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                   const SurfaceInColor& in_color, const Candidate& candidate) {
   const cv::Size working = in_color.places.size();
   const cv::Size color = frame.color.size();
   cv::Mat visible = visiblePart(in_color, candidate);
@@ -143,7 +143,7 @@ std::optional<ObjectView> cutView(const RgbdFrame& frame, const Eigen::Isometry3
   depth_pixels -= cv::Scalar(0.5, 0.5);
   cv::Mat depth;
   cv::remap(frame.depth, depth, depth_pixels, {}, cv::INTER_NEAREST, cv::BORDER_CONSTANT, 0);
-  depth.convertTo(view.depth_mm, CV_16U, static_cast<double>(frame.metres_per_unit) * 1000.0);
+  depth.convertTo(view.depth_mm, CV_16U, static_cast<double>(frame.meters_per_unit) * 1000.0);
   return view;
 }
 

@@ -20,8 +20,8 @@ namespace scantrove {
 /// millimetres (as the depth camera measured it, laid over colour), pose, direction (thesis 5.1.1). What
 /// something else hides from the colour camera is no part of it. None: the colour image does not show the
 /// candidate at all. `in_color`: of the frame, for the image that the candidate was seen in.
-[[nodiscard]] std::optional<ObjectView> cutView(const RgbdFrame& frame,
-                                                const Eigen::Isometry3d& T_world_camera,
-                                                const SurfaceInColor& in_color, const Candidate& candidate);
+[[nodiscard]] std::optional<ObjectView> cropView(const RgbdFrame& frame,
+                                                 const Eigen::Isometry3d& T_world_camera,
+                                                 const SurfaceInColor& in_color, const Candidate& candidate);
 
 }  // namespace scantrove

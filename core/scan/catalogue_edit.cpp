@@ -17,7 +17,7 @@ namespace {
 using OutcomeJson = nlohmann::ordered_json;
 
 /// Directions from which a new object has views.
-constexpr std::size_t kMostDirections = 6;
+constexpr std::size_t kMaxDirections = 6;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::string CatalogueOutcome::toJson() const {
   OutcomeJson json{{"facts", OutcomeJson::object()},
                    {"objects", OutcomeJson::array()},
                    {"refusals", OutcomeJson::array()}};
-  for (const auto& [name, value] : facts) json["facts"][name] = value;
+  for (const auto& [name, value] : metadata) json["facts"][name] = value;
   for (const auto& [region, object] : objects) json["objects"].push_back({region.value, object.value});
   for (const Error& refusal : refusals) json["refusals"].push_back({refusal.what, refusal.advice});
   return json.dump(-1, ' ', false, OutcomeJson::error_handler_t::replace);
@@ -35,7 +35,8 @@ Result<CatalogueOutcome> CatalogueOutcome::fromJson(const std::string& text) {
   try {
     const OutcomeJson json = OutcomeJson::parse(text);
     CatalogueOutcome outcome;
-    for (const auto& [name, value] : json.at("facts").items()) outcome.facts[name] = value.get<std::string>();
+    for (const auto& [name, value] : json.at("facts").items())
+      outcome.metadata[name] = value.get<std::string>();
     for (const OutcomeJson& one : json.at("objects"))
       outcome.objects[RegionId{one.at(0).get<std::uint32_t>()}] = ObjectId{one.at(1).get<std::uint32_t>()};
     for (const OutcomeJson& one : json.at("refusals"))
@@ -54,7 +55,7 @@ Result<CatalogueOutcome> CatalogueEdit::carryOut(const PendingEdit& edit) {
     if (done) return CatalogueOutcome::fromJson(*done);
     if (!without_views_) return fail(done.error());
     const RegionId region = without_views_;
-    SCANTROVE_TRY(moveInto(views_[region], viewsOfRegion(session_, region, kMostDirections)));
+    SCANTROVE_TRY(moveInto(views_[region], viewsOfRegion(session_, region, kMaxDirections)));
   }
 }
 
@@ -67,7 +68,7 @@ Result<std::string> CatalogueEdit::run(const PendingEdit& edit) {
 Result<void> CatalogueEdit::runStep(const CatalogueStep& step) {
   switch (step.kind) {
     case CatalogueStep::Kind::name:
-      keep(undoneNamingsFactOf(step.region), {});
+      keep(undoneNamingsKeyOf(step.region), {});
       return name(step);
     case CatalogueStep::Kind::name_again:
       return nameAgain(step);
@@ -87,28 +88,28 @@ Result<void> CatalogueEdit::name(const CatalogueStep& step) {
     outcome_.refusals.push_back(checked.error());
     return {};
   }
-  Result<std::optional<KeptNaming>> naming = nameObjectOf(step.region, *checked);
+  Result<std::optional<StoredNaming>> naming = nameObjectOf(step.region, *checked);
   if (!naming) return fail(naming.error());
   if (!*naming) return {};
-  std::vector<KeptNaming> namings = kept(namingsFactOf(step.region));
+  std::vector<StoredNaming> namings = kept(namingsKeyOf(step.region));
   namings.push_back(**naming);
-  keep(namingsFactOf(step.region), namings);
+  keep(namingsKeyOf(step.region), namings);
   setObject(step.region, (*naming)->naming.object);
   return {};
 }
 
 Result<void> CatalogueEdit::nameAgain(const CatalogueStep& step) {
-  const std::string fact_name = undoneNamingsFactOf(step.region);
-  std::vector<KeptNaming> undone = kept(fact_name);
+  const std::string key = undoneNamingsKeyOf(step.region);
+  std::vector<StoredNaming> undone = kept(key);
   if (!undone.empty()) {
-    const KeptNaming newest = undone.back();
+    const StoredNaming newest = undone.back();
     undone.pop_back();
-    keep(fact_name, undone);
+    keep(key, undone);
     // What others had said of the object since was left alone by the undo, and is so now.
     if (newest.is_overruled && trimmed(step.name) == newest.naming.name) {
-      std::vector<KeptNaming> namings = kept(namingsFactOf(step.region));
+      std::vector<StoredNaming> namings = kept(namingsKeyOf(step.region));
       namings.push_back(newest);
-      keep(namingsFactOf(step.region), namings);
+      keep(namingsKeyOf(step.region), namings);
       setObject(step.region, newest.naming.object);
       return {};
     }
@@ -120,9 +121,9 @@ Result<void> CatalogueEdit::takeName(const CatalogueStep& step) {
   std::string removed = step.name;
   if (removed.empty()) {
     // The name that the newest naming gave and nobody took back.
-    const std::vector<KeptNaming> namings = kept(namingsFactOf(step.region));
+    const std::vector<StoredNaming> namings = kept(namingsKeyOf(step.region));
     const auto newest = std::find_if(namings.rbegin(), namings.rend(),
-                                     [](const KeptNaming& one) { return !one.naming.name.empty(); });
+                                     [](const StoredNaming& one) { return !one.naming.name.empty(); });
     if (newest == namings.rend()) return {};
     removed = newest->naming.name;
   }
@@ -136,30 +137,30 @@ Result<void> CatalogueEdit::takeName(const CatalogueStep& step) {
 
 Result<void> CatalogueEdit::add(RegionId region) {
   if (presentObjectOf(region)) return {};
-  KeptNaming added;
+  StoredNaming added;
   SCANTROVE_TRY(moveInto(added.made, objectFor(region)));
   if (!added.made) return {};
   added.naming.object = added.made;
-  std::vector<KeptNaming> namings = kept(namingsFactOf(region));
+  std::vector<StoredNaming> namings = kept(namingsKeyOf(region));
   namings.push_back(added);
-  keep(namingsFactOf(region), namings);
+  keep(namingsKeyOf(region), namings);
   setObject(region, added.made);
   return {};
 }
 
 Result<bool> CatalogueEdit::takeBack(RegionId region, const std::string& name) {
-  std::vector<KeptNaming> namings = kept(namingsFactOf(region));
+  std::vector<StoredNaming> namings = kept(namingsKeyOf(region));
   const auto found = std::find_if(namings.rbegin(), namings.rend(),
-                                  [&](const KeptNaming& one) { return one.naming.name == name; });
+                                  [&](const StoredNaming& one) { return one.naming.name == name; });
   if (found == namings.rend()) return false;
-  KeptNaming newest = *found;
+  StoredNaming newest = *found;
   bool is_as_said = true;
   if (!name.empty()) SCANTROVE_TRY(moveInto(is_as_said, database_.takeNameBack(newest.naming)));
   ObjectId object = newest.earlier;
   if (newest.made && is_as_said) {
     const Result<bool> is_removed = database_.withdraw(newest.made);
     if (!is_removed) return fail(is_removed.error());
-    if (*is_removed) outcome_.facts[goneObjectFactOf(region)] = std::to_string(newest.made.value);
+    if (*is_removed) outcome_.metadata[removedObjectKeyOf(region)] = std::to_string(newest.made.value);
     if (!*is_removed) object = newest.made;
   } else if (!object && !newest.made) {
     object = newest.naming.object;
@@ -168,19 +169,19 @@ Result<bool> CatalogueEdit::takeBack(RegionId region, const std::string& name) {
     refuse("The catalogue keeps what it calls the object: others have changed it since.",
            "'scantrove objects' shows and changes it.");
   namings.erase(std::next(found).base());
-  keep(namingsFactOf(region), namings);
+  keep(namingsKeyOf(region), namings);
   newest.is_overruled = !is_as_said;
   if (!name.empty()) {
-    std::vector<KeptNaming> undone = kept(undoneNamingsFactOf(region));
+    std::vector<StoredNaming> undone = kept(undoneNamingsKeyOf(region));
     undone.push_back(newest);
-    keep(undoneNamingsFactOf(region), undone);
+    keep(undoneNamingsKeyOf(region), undone);
   }
   setObject(region, object);
   return true;
 }
 
-Result<std::optional<KeptNaming>> CatalogueEdit::nameObjectOf(RegionId region, const std::string& name) {
-  KeptNaming kept;
+Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region, const std::string& name) {
+  StoredNaming kept;
   kept.earlier = presentObjectOf(region);
   if (kept.earlier && !isNamedByAnother(region, kept.earlier, name)) {
     SCANTROVE_TRY(moveInto(kept.naming, database_.nameByPerson(kept.earlier, name)));
@@ -194,9 +195,9 @@ Result<std::optional<KeptNaming>> CatalogueEdit::nameObjectOf(RegionId region, c
 }
 
 Result<ObjectId> CatalogueEdit::objectFor(RegionId region) {
-  const std::string fact_name = goneObjectFactOf(region);
-  const ObjectId gone{static_cast<std::uint32_t>(parseFrameNumber(fact(fact_name)).value_or(0))};
-  outcome_.facts[fact_name] = "";
+  const std::string key = removedObjectKeyOf(region);
+  const ObjectId gone{static_cast<std::uint32_t>(parseFrameNumber(fact(key)).value_or(0))};
+  outcome_.metadata[key] = "";
   if (gone && database_.restore(std::array{gone}) && database_.resolve(gone).value_or(ObjectId{}) == gone)
     return gone;
   return makeFromKeyFrames(region);
@@ -250,8 +251,8 @@ ObjectId CatalogueEdit::objectOf(RegionId region) const {
 }
 
 std::string CatalogueEdit::fact(const std::string& name) const {
-  const auto changed = outcome_.facts.find(name);
-  return changed == outcome_.facts.end() ? session_.fact(name) : changed->second;
+  const auto changed = outcome_.metadata.find(name);
+  return changed == outcome_.metadata.end() ? session_.fact(name) : changed->second;
 }
 
 }  // namespace scantrove

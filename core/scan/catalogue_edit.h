@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalogue/kept_namings.h"
 #include "core/catalogue/object_database.h"
+#include "core/catalogue/stored_namings.h"
 #include "core/scan/open_session.h"
 #include "core/scan/pending_edits.h"
 
@@ -14,7 +14,7 @@ namespace scantrove {
 
 /// What the catalogue did for one edit, as the session is to keep it.
 struct CatalogueOutcome {
-  SavedFacts facts;
+  SessionMetadata metadata;
   std::map<RegionId, ObjectId> objects;  ///< none: the region is none any more
   std::vector<Error> refusals;           ///< what cannot be done, now or later
 
@@ -44,7 +44,7 @@ class CatalogueEdit {
   [[nodiscard]] Result<bool> takeBack(RegionId region, const std::string& name);
 
   /// Names the region's object, or one that is made for it.
-  [[nodiscard]] Result<std::optional<KeptNaming>> nameObjectOf(RegionId region, const std::string& name);
+  [[nodiscard]] Result<std::optional<StoredNaming>> nameObjectOf(RegionId region, const std::string& name);
   /// A new object for the region; one that was made for it, and went with an undo, comes back. None: refused.
   [[nodiscard]] Result<ObjectId> objectFor(RegionId region);
   [[nodiscard]] Result<ObjectId> makeFromKeyFrames(RegionId region);
@@ -57,11 +57,11 @@ class CatalogueEdit {
   [[nodiscard]] ObjectId objectOf(RegionId region) const;
   void setObject(RegionId region, ObjectId object) { outcome_.objects[region] = object; }
   [[nodiscard]] std::string fact(const std::string& name) const;
-  [[nodiscard]] std::vector<KeptNaming> kept(const std::string& fact_name) const {
-    return namingsFromJson(fact(fact_name));
+  [[nodiscard]] std::vector<StoredNaming> kept(const std::string& key) const {
+    return namingsFromJson(fact(key));
   }
-  void keep(const std::string& fact_name, const std::vector<KeptNaming>& namings) {
-    outcome_.facts[fact_name] = namingsToJson(namings);
+  void keep(const std::string& key, const std::vector<StoredNaming>& namings) {
+    outcome_.metadata[key] = namingsToJson(namings);
   }
   void refuse(std::string what, std::string advice) {
     outcome_.refusals.push_back({std::move(what), std::move(advice)});

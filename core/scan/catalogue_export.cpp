@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// So often it is begun again because somebody began to write into the catalogue.
-constexpr int kMostExports = 3;
+constexpr int kMaxExports = 3;
 
 ExportJson toJson(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -195,7 +195,7 @@ Result<CatalogueExportSummary> exportCatalogue(const std::string& database, cons
                                                const ExportProgressCallback& progress,
                                                const std::stop_token& cancel) {
   return guarded("exporting the catalogue", [&]() -> Result<CatalogueExportSummary> {
-    for (int i = 0; i < kMostExports; ++i) {
+    for (int i = 0; i < kMaxExports; ++i) {
       auto summary = exportOnce(database, folder, progress, cancel);
       if (!summary) return fail(summary.error());
       if (*summary) return std::move(**summary);

@@ -12,21 +12,21 @@ namespace {
 using NumbersJson = nlohmann::ordered_json;
 
 /// Facts that name objects by their numbers begin so.
-constexpr std::array<std::string_view, 6> kFactsWithNumbers{
+constexpr std::array<std::string_view, 6> kKeysWithNumbers{
     "namings ", "undone namings ", "gone object ", "join ", "pending edits", "refinement memory"};
 /// Begun when an older version kept the session.
-constexpr const char* kBegunFact = "begun";
+constexpr const char* kBegunKey = "begun";
 
 bool hasNumbers(const std::string& fact) {
-  return std::ranges::any_of(kFactsWithNumbers,
+  return std::ranges::any_of(kKeysWithNumbers,
                              [&](std::string_view beginning) { return fact.starts_with(beginning); });
 }
 
-std::string asideFactOf(const std::string& uuid) { return "numbers of " + uuid; }
+std::string setAsideKeyOf(const std::string& uuid) { return "numbers of " + uuid; }
 
-std::string factOf(const SavedFacts& facts, const std::string& name) {
-  const auto found = facts.find(name);
-  return found == facts.end() ? std::string() : found->second;
+std::string metadataOf(const SessionMetadata& metadata, const std::string& name) {
+  const auto found = metadata.find(name);
+  return found == metadata.end() ? std::string() : found->second;
 }
 
 /// Moves all numbers into one text; empty: there were none.
@@ -35,7 +35,7 @@ std::string takeAll(CatalogueNumbers& numbers) {
   for (const auto& [region, object] : std::exchange(numbers.objects, {})) {
     if (object) json["objects"][std::to_string(region.value)] = object.value;
   }
-  for (auto& [name, value] : numbers.facts) {
+  for (auto& [name, value] : numbers.metadata) {
     if (hasNumbers(name) && !value.empty()) json["facts"][name] = std::exchange(value, {});
   }
   if (json["objects"].empty() && json["facts"].empty()) return {};
@@ -52,10 +52,10 @@ void putBack(CatalogueNumbers& numbers, const std::string& text) {
       read.objects[id] = ObjectId{object.get<std::uint32_t>()};
     }
     for (const auto& [name, value] : json.at("facts").items()) {
-      if (hasNumbers(name)) read.facts[name] = value.get<std::string>();
+      if (hasNumbers(name)) read.metadata[name] = value.get<std::string>();
     }
     numbers.objects.insert(read.objects.begin(), read.objects.end());
-    for (auto& [name, value] : read.facts) numbers.facts[name] = std::move(value);
+    for (auto& [name, value] : read.metadata) numbers.metadata[name] = std::move(value);
   } catch (const std::exception&) {
     return;  // a damaged fact: the objects are not known, as in a foreign catalogue
   }
@@ -64,26 +64,26 @@ void putBack(CatalogueNumbers& numbers, const std::string& text) {
 }  // namespace
 
 bool turnTo(CatalogueNumbers& numbers, const CatalogueIdentity& catalogue) {
-  const std::string own = factOf(numbers.facts, kCatalogueFact);
+  const std::string own = metadataOf(numbers.metadata, kCatalogueKey);
   const bool is_own = own.empty() ? catalogue.has_session : own == catalogue.uuid;
-  if (own != catalogue.uuid) numbers.facts[kCatalogueFact] = catalogue.uuid;
+  if (own != catalogue.uuid) numbers.metadata[kCatalogueKey] = catalogue.uuid;
   if (is_own) return false;
   std::string aside = takeAll(numbers);
   const bool is_any = !aside.empty();
-  if (is_any) numbers.facts[asideFactOf(own)] = std::move(aside);
+  if (is_any) numbers.metadata[setAsideKeyOf(own)] = std::move(aside);
   for (const std::string& uuid : {catalogue.uuid, std::string()}) {
     if (uuid.empty() && !catalogue.has_session) continue;
-    const auto earlier = numbers.facts.find(asideFactOf(uuid));
-    if (earlier != numbers.facts.end()) putBack(numbers, std::exchange(earlier->second, {}));
+    const auto earlier = numbers.metadata.find(setAsideKeyOf(uuid));
+    if (earlier != numbers.metadata.end()) putBack(numbers, std::exchange(earlier->second, {}));
   }
   return is_any;
 }
 
 bool turnTo(SavedScan& scan, const CatalogueIdentity& catalogue) {
-  CatalogueNumbers numbers{std::move(scan.facts), {}};
+  CatalogueNumbers numbers{std::move(scan.metadata), {}};
   for (SavedRegion& region : scan.regions) numbers.objects[region.region] = std::exchange(region.object, {});
   const bool is_other = turnTo(numbers, catalogue);
-  scan.facts = std::move(numbers.facts);
+  scan.metadata = std::move(numbers.metadata);
   for (SavedRegion& region : scan.regions) {
     if (const auto object = numbers.objects.extract(region.region)) region.object = object.mapped();
   }
@@ -92,10 +92,10 @@ bool turnTo(SavedScan& scan, const CatalogueIdentity& catalogue) {
   return is_other;
 }
 
-Result<CatalogueIdentity> identityOf(ObjectDatabase& database, const SavedFacts& facts) {
+Result<CatalogueIdentity> identityOf(ObjectDatabase& database, const SessionMetadata& metadata) {
   CatalogueIdentity identity;
   SCANTROVE_TRY(moveInto(identity.uuid, database.identity()));
-  SCANTROVE_TRY(moveInto(identity.has_session, database.hasScanOf(factOf(facts, kBegunFact))));
+  SCANTROVE_TRY(moveInto(identity.has_session, database.hasScanOf(metadataOf(metadata, kBegunKey))));
   return identity;
 }
 

@@ -17,12 +17,12 @@ struct CatalogueIdentity {
 
 /// The numbers of a catalogue's objects that a session keeps. They mean nothing in another catalogue.
 struct CatalogueNumbers {
-  SavedFacts facts;  ///< of the session; empty value: there is none
+  SessionMetadata metadata;  ///< of the session; empty value: there is none
   std::map<RegionId, ObjectId> objects;
 };
 
 /// The fact that names the catalogue of all numbers (schema/004_identity.sql).
-inline constexpr const char* kCatalogueFact = "catalogue";
+inline constexpr const char* kCatalogueKey = "catalogue";
 
 /// Makes the numbers those of `catalogue`. Numbers of another one are set aside in a fact, and come back when
 /// the session meets that catalogue again. Whether any were set aside.
@@ -31,7 +31,7 @@ bool turnTo(CatalogueNumbers& numbers, const CatalogueIdentity& catalogue);
 bool turnTo(SavedScan& scan, const CatalogueIdentity& catalogue);
 
 /// Of an open catalogue, for the session with these facts.
-[[nodiscard]] Result<CatalogueIdentity> identityOf(ObjectDatabase& database, const SavedFacts& facts);
+[[nodiscard]] Result<CatalogueIdentity> identityOf(ObjectDatabase& database, const SessionMetadata& metadata);
 
 /// Says that the numbers of the session in `folder` were set aside.
 [[nodiscard]] Error isAnotherCatalogue(const std::filesystem::path& folder, const std::string& database);

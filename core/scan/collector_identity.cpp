@@ -28,7 +28,7 @@ bool ObjectCollector::isAlike(const ObjectRecord& known, const Candidate& candid
   float known_m = known.size_m.norm(), cosine = -1;
   bool has_view = false, has_outdated = false;
   for (const KeptView& view : kept_views_) {
-    if (catalogue_.holderOf(view.object) != known.id) continue;
+    if (catalogue_.mergeRootOf(view.object) != known.id) continue;
     if (view.is_outdated) {
       has_outdated = true;
     } else if (!has_view || view.direction.dot(direction) > cosine) {
@@ -54,7 +54,7 @@ bool ObjectCollector::isOfOtherSize(const ObjectRecord& known, const Candidate& 
     return std::min(size_m, known_m) >= kAsLargeFromElsewhere * std::max(size_m, known_m);
   };
   return !isAsLarge(known.size_m.norm()) && std::ranges::none_of(kept_views_, [&](const KeptView& view) {
-    return catalogue_.holderOf(view.object) == known.id && isAsLarge(view.diagonal_m);
+    return catalogue_.mergeRootOf(view.object) == known.id && isAsLarge(view.diagonal_m);
   });
 }
 
@@ -62,15 +62,14 @@ void ObjectCollector::doubt(const Candidate& candidate, ObjectId object) {
   Doubt& doubt = doubts_[candidate.regions];
   if (doubt.object != object) doubt = {object, 0, 0};
   doubt.last_frame = frame_;
-  if (++doubt.looks == kLooksToDoubt) met_.unbind(candidate.regions, object);
+  if (++doubt.observations == kLooksToDoubt) met_.unbind(candidate.regions, object);
 }
 
 void ObjectCollector::takePlaceOf(ObjectId doubted, ObjectId object) {
   side_by_side_.insert(std::minmax(doubted, object));
-  if (came_.contains(doubted)) came_.try_emplace(object);
-  const ObjectRecord* holder = recordOf(catalogue_.holderOf(doubted));
-  if (holder == nullptr || isSettled(*holder) || by_person_.contains(doubted) || met_.hasRegions(doubted))
-    return;
+  if (appeared_.contains(doubted)) appeared_.try_emplace(object);
+  const ObjectRecord* root = recordOf(catalogue_.mergeRootOf(doubted));
+  if (root == nullptr || isSettled(*root) || by_person_.contains(doubted) || met_.hasRegions(doubted)) return;
   const ObjectId last_doubted = successorOf(doubted), last = successorOf(object);
   if (last_doubted != last) successor_[last_doubted] = last;
 }
@@ -83,8 +82,8 @@ ObjectId ObjectCollector::successorOf(ObjectId object) const {
 
 bool ObjectCollector::isDoubted(const RegionSet& regions, ObjectId object) const {
   const auto found = doubts_.find(regions);
-  return found != doubts_.end() && found->second.looks >= kLooksToDoubt && object &&
-         catalogue_.holderOf(found->second.object) == catalogue_.holderOf(object);
+  return found != doubts_.end() && found->second.observations >= kLooksToDoubt && object &&
+         catalogue_.mergeRootOf(found->second.object) == catalogue_.mergeRootOf(object);
 }
 
 /// Two objects at one place are one, the second was met under other regions; those that were ever seen side
@@ -106,7 +105,7 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
       if (!in_view.contains(other) && met_.isAt(other, *candidate) &&
           !isInViewBeside(other, candidate->regions) && !areSideBySide(object, other) &&
           !isOfAnotherWhole(other, candidate->regions) &&
-          shouldMerge(catalogue_.holderOf(other), catalogue_.holderOf(object)))
+          shouldMerge(catalogue_.mergeRootOf(other), catalogue_.mergeRootOf(object)))
         there.push_back(other);
     }
     // What stands where two do is neither.
@@ -119,11 +118,11 @@ void ObjectCollector::joinDoubles(const std::vector<const Candidate*>& chosen) {
 }
 
 bool ObjectCollector::areSideBySide(ObjectId a, ObjectId b) const {
-  const ObjectId holder_a = catalogue_.holderOf(a), holder_b = catalogue_.holderOf(b);
-  if (holder_a == holder_b) return false;
+  const ObjectId root_a = catalogue_.mergeRootOf(a), root_b = catalogue_.mergeRootOf(b);
+  if (root_a == root_b) return false;
   return std::ranges::any_of(side_by_side_, [&](const auto& pair) {
-    const ObjectId first = catalogue_.holderOf(pair.first), second = catalogue_.holderOf(pair.second);
-    return (first == holder_a && second == holder_b) || (first == holder_b && second == holder_a);
+    const ObjectId first = catalogue_.mergeRootOf(pair.first), second = catalogue_.mergeRootOf(pair.second);
+    return (first == root_a && second == root_b) || (first == root_b && second == root_a);
   });
 }
 
@@ -138,7 +137,7 @@ void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
   // A rest of what was taken away says nothing of what it is counted to now. What is there is known again by
   // its place.
   const ObjectId object = met_.objectOf(from);
-  const ObjectRecord* known = recordOf(catalogue_.holderOf(object));
+  const ObjectRecord* known = recordOf(catalogue_.mergeRootOf(object));
   const bool is_by_person = known != nullptr && (isSettled(*known) || by_person_.contains(object));
   if (by == JoinedBy::frames && known != nullptr && !is_by_person && !met_.objectOf(into)) {
     met_.unbind({from}, object);
@@ -146,7 +145,7 @@ void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
   }
   const auto [kept, gone] = met_.regionsJoined(into, from);
   if (!kept) return;
-  if (!catalogue_.holderOf(kept)) {
+  if (!catalogue_.mergeRootOf(kept)) {
     met_.bind({into}, gone);  // a deleted one gives way
   } else {
     joined_.push_back({kept, gone, by == JoinedBy::frames ? into : RegionId{}, frame_});
@@ -156,7 +155,7 @@ void ObjectCollector::regionsJoined(RegionId into, RegionId from, JoinedBy by) {
 void ObjectCollector::regionsParted(RegionId from, RegionId part) {
   std::erase_if(joined_, [from](const Joined& joined) { return joined.region && joined.region == from; });
   const ObjectId object = met_.objectOf(from);
-  if (object && !catalogue_.holderOf(object)) met_.bind({part}, object);
+  if (object && !catalogue_.mergeRootOf(object)) met_.bind({part}, object);
 }
 
 bool ObjectCollector::shouldMerge(ObjectId a, ObjectId b) const {
@@ -173,16 +172,16 @@ void ObjectCollector::mergeJoined(Which which) {
   const auto due = std::stable_partition(joined_.begin(), joined_.end(), std::not_fn(isDue));
   for (auto joined = joined_.end(); joined != due;) {
     --joined;  // the newest first
-    const ObjectId a = catalogue_.holderOf(joined->kept);
-    const ObjectId b = catalogue_.holderOf(joined->gone);
+    const ObjectId a = catalogue_.mergeRootOf(joined->kept);
+    const ObjectId b = catalogue_.mergeRootOf(joined->gone);
     // What moved is not what stayed; and of what has other regions only a part was joined to something.
     const bool are_one = !joined->region || (hasMoved(a) == hasMoved(b) && !met_.hasRegions(joined->gone));
     if (!are_one || !shouldMerge(a, b)) continue;
     const bool is_known_again = isMet(a) != isMet(b);  // what was met is what had not been
     catalogue_.merge(a, b);
     writer_->merge(a, b);
-    const ObjectId holder = catalogue_.holderOf(a);
-    if (is_known_again && !CatalogueMirror::isOfThisScan(holder)) known_again_.push_back(*recordOf(holder));
+    const ObjectId root = catalogue_.mergeRootOf(a);
+    if (is_known_again && !CatalogueMirror::isOfThisScan(root)) known_again_.push_back(*recordOf(root));
   }
   joined_.erase(due, joined_.end());
 }

@@ -50,7 +50,7 @@ void write(ByteWriter& to, const KeptView& view) {
   write(to, view.direction);
   write(to, view.diagonal_m);
   write(to, view.is_outdated);
-  write(to, view.is_of_what_left);
+  write(to, view.shows_removed_object);
 }
 
 template <class A, class B>
@@ -160,9 +160,9 @@ struct Read<std::set<T>> {
 };
 
 cv::Mat readImage(ByteReader& from, int type, const cv::Size& most) {
-  const int rows = from.get<int>(), cols = from.get<int>(), kept_type = from.get<int>();
+  const int rows = from.get<int>(), cols = from.get<int>(), stored_type = from.get<int>();
   const bool is_image = rows > 0 && cols > 0 && rows <= most.height && cols <= most.width &&
-                        kept_type == type &&
+                        stored_type == type &&
                         static_cast<std::size_t>(rows) <= from.bytesLeft() / static_cast<std::size_t>(cols);
   if (!is_image) {
     from.refuse();
@@ -195,7 +195,7 @@ struct Read<KeptView> {
     view.direction = read<Eigen::Vector3f>(from);
     view.diagonal_m = read<float>(from);
     view.is_outdated = read<bool>(from);
-    view.is_of_what_left = read<bool>(from);
+    view.shows_removed_object = read<bool>(from);
     return view;
   }
 };
@@ -244,12 +244,12 @@ std::vector<std::uint32_t> CollectorMemory::of(const ObjectCollector& collector)
   to.put(static_cast<std::uint64_t>(collector.recognition_.tallies_.size()));
   for (const auto& [regions, tally] : collector.recognition_.tallies_) {
     write(to, regions);
-    write(to, tally.looks);
+    write(to, tally.observations);
     write(to, tally.last_frame);
     to.put(static_cast<std::uint64_t>(tally.votes.size()));
     for (const auto& [object, votes] : tally.votes) {
       write(to, object);
-      write(to, votes.looks);
+      write(to, votes.observations);
       write(to, votes.sure);
     }
   }
@@ -259,7 +259,7 @@ std::vector<std::uint32_t> CollectorMemory::of(const ObjectCollector& collector)
   for (const auto& [regions, doubt] : collector.doubts_) {
     write(to, regions);
     write(to, doubt.object);
-    write(to, doubt.looks);
+    write(to, doubt.observations);
     write(to, doubt.last_frame);
   }
   writeEach(to, collector.successor_);
@@ -267,7 +267,7 @@ std::vector<std::uint32_t> CollectorMemory::of(const ObjectCollector& collector)
   writeEach(to, collector.kept_views_);
   for (const auto* objects : {&collector.by_person_, &collector.back_, &collector.moved_})
     writeEach(to, *objects);
-  writeEach(to, collector.came_);
+  writeEach(to, collector.appeared_);
   writeEach(to, collector.wholes_);
   writeEach(to, collector.looks_back_);
   write(to, collector.is_looking_again_);
@@ -293,23 +293,23 @@ std::optional<CollectorMemory::Catalogue> CollectorMemory::restore(std::span<con
   const auto tally_count = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < tally_count && from.ok(); ++i) {
     auto& tally = tallies[read<RegionSet>(from)];
-    tally.looks = read<int>(from);
+    tally.observations = read<int>(from);
     tally.last_frame = read<int>(from);
     const auto vote_count = from.get<std::uint64_t>();
     for (std::uint64_t j = 0; j < vote_count && from.ok(); ++j) {
       auto& votes = tally.votes[read<ObjectId>(from)];
-      votes.looks = read<int>(from);
+      votes.observations = read<int>(from);
       votes.sure = read<bool>(from);
     }
   }
-  auto wanted = read<std::map<RegionId, std::string>>(from);
+  auto requested = read<std::map<RegionId, std::string>>(from);
   auto not_these = read<std::map<RegionId, ObjectId>>(from);
   decltype(ObjectCollector::doubts_) doubts;
   const auto doubt_count = from.get<std::uint64_t>();
   for (std::uint64_t i = 0; i < doubt_count && from.ok(); ++i) {
     auto& doubt = doubts[read<RegionSet>(from)];
     doubt.object = read<ObjectId>(from);
-    doubt.looks = read<int>(from);
+    doubt.observations = read<int>(from);
     doubt.last_frame = read<int>(from);
   }
   auto successor = read<std::map<ObjectId, ObjectId>>(from);
@@ -318,7 +318,7 @@ std::optional<CollectorMemory::Catalogue> CollectorMemory::restore(std::span<con
   auto by_person = read<std::set<ObjectId>>(from);
   auto back = read<std::set<ObjectId>>(from);
   auto moved = read<std::set<ObjectId>>(from);
-  auto came = read<std::map<ObjectId, std::map<ObjectId, int>>>(from);
+  auto appeared = read<std::map<ObjectId, std::map<ObjectId, int>>>(from);
   auto wholes = read<std::map<RegionSet, int>>(from);
   auto looks_back = read<std::map<ObjectId, int>>(from);
   const bool is_looking_again = read<bool>(from);
@@ -333,7 +333,7 @@ std::optional<CollectorMemory::Catalogue> CollectorMemory::restore(std::span<con
   collector.met_.met_ = std::move(met);
   collector.met_.object_of_region_ = {object_of_region.begin(), object_of_region.end()};
   collector.recognition_.tallies_ = std::move(tallies);
-  collector.wanted_ = std::move(wanted);
+  collector.wanted_ = std::move(requested);
   collector.not_these_ = std::move(not_these);
   collector.doubts_ = std::move(doubts);
   collector.successor_ = std::move(successor);
@@ -342,7 +342,7 @@ std::optional<CollectorMemory::Catalogue> CollectorMemory::restore(std::span<con
   collector.by_person_ = std::move(by_person);
   collector.back_ = std::move(back);
   collector.moved_ = std::move(moved);
-  collector.came_ = std::move(came);
+  collector.appeared_ = std::move(appeared);
   collector.wholes_ = std::move(wholes);
   collector.looks_back_ = std::move(looks_back);
   collector.is_looking_again_ = is_looking_again;

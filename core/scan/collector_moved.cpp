@@ -33,52 +33,54 @@ DetectionMatch ObjectCollector::orBack(DetectionMatch match, std::size_t missing
   return match;
 }
 
-bool ObjectCollector::isHeldWith(ObjectId holder, const std::set<ObjectId>& objects) const {
-  return std::ranges::any_of(objects, [&](ObjectId object) { return catalogue_.holderOf(object) == holder; });
+bool ObjectCollector::isHeldWith(ObjectId root, const std::set<ObjectId>& objects) const {
+  return std::ranges::any_of(objects,
+                             [&](ObjectId object) { return catalogue_.mergeRootOf(object) == root; });
 }
 
 bool ObjectCollector::hasMoved(ObjectId object) const {
-  const ObjectId holder = catalogue_.holderOf(object);
-  return isHeldWith(holder, moved_) || std::ranges::any_of(met_.all(), [&](const auto& met) {
-           return MetObjects::hasLeft(met.second) && catalogue_.holderOf(met.first) == holder;
+  const ObjectId root = catalogue_.mergeRootOf(object);
+  return isHeldWith(root, moved_) || std::ranges::any_of(met_.all(), [&](const auto& met) {
+           return MetObjects::wasRemoved(met.second) && catalogue_.mergeRootOf(met.first) == root;
          });
 }
 
 /// That a thing was taken away may be seen only after it was put elsewhere, and became another object there.
 void ObjectCollector::lookAmongThoseThatCame(const std::vector<Candidate>& candidates, const Look& look) {
-  if (came_.empty() || look.frame.color.empty()) return;
+  if (appeared_.empty() || look.frame.color.empty()) return;
   const std::vector<ObjectId> missing = missingObjects();
   std::vector<DetectionQuery> queries;
-  std::vector<ObjectId> came;
+  std::vector<ObjectId> appeared;
   for (const Candidate& candidate : candidates) {
-    const auto entry = came_.find(met_.objectOf(candidate.regions));
-    if (entry == came_.end() || !isClear(candidate, kForObject)) continue;
+    const auto entry = appeared_.find(met_.objectOf(candidate.regions));
+    if (entry == appeared_.end() || !isClear(candidate, kForObject)) continue;
     std::vector<ObjectId> to_compare;
     for (const ObjectId object : missing) {
-      if (object != catalogue_.holderOf(entry->first) && entry->second[object]++ < kLooksAtWhatCame)
+      if (object != catalogue_.mergeRootOf(entry->first) && entry->second[object]++ < kLooksAtWhatCame)
         to_compare.push_back(object);
     }
     if (to_compare.empty()) continue;
-    const std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+    const std::optional<ObjectView> view =
+        cropView(look.frame, look.T_world_camera, look.in_color, candidate);
     if (!view) continue;
     queries.push_back({view->color, view->mask, candidate.size_m, std::move(to_compare)});
-    came.push_back(entry->first);
+    appeared.push_back(entry->first);
   }
   if (queries.empty()) return;
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!isBack(matches[i], missing.size())) continue;
-    joined_.push_back({matches[i].guess, came[i], {}, frame_});
+    joined_.push_back({matches[i].guess, appeared[i], {}, frame_});
     back_.insert(matches[i].guess);
-    came_.erase(came[i]);
+    appeared_.erase(appeared[i]);
   }
 }
 
 std::vector<ObjectId> ObjectCollector::missingObjects() const {
   std::set<ObjectId> missing;
   for (const auto& [object, met] : met_.all()) {
-    const ObjectId holder = catalogue_.holderOf(object);
-    if (holder && MetObjects::hasLeft(met)) missing.insert(holder);
+    const ObjectId root = catalogue_.mergeRootOf(object);
+    if (root && MetObjects::wasRemoved(met)) missing.insert(root);
   }
   return {missing.begin(), missing.end()};
 }

@@ -12,13 +12,13 @@ constexpr float kAsLarge = 0.7F;
 }  // namespace
 
 void ObjectCollector::alignWithEarlierScans() {
-  std::vector<KnownPlaces::Standing> recognised;
+  std::vector<KnownLayouts::ObjectPosition> recognized;
   for (const auto& [object, met] : met_.all()) {
-    const ObjectId holder = catalogue_.holderOf(object);
-    if (holder && !CatalogueMirror::isOfThisScan(holder) && !MetObjects::hasLeft(met))
-      recognised.push_back({holder, met.centroid_world});
+    const ObjectId root = catalogue_.mergeRootOf(object);
+    if (root && !CatalogueMirror::isOfThisScan(root) && !MetObjects::wasRemoved(met))
+      recognized.push_back({root, met.centroid_world});
   }
-  catalogue_.places().align(recognised, [this](ObjectId object) { return catalogue_.holderOf(object); });
+  catalogue_.places().align(recognized, [this](ObjectId object) { return catalogue_.mergeRootOf(object); });
 }
 
 std::vector<ObjectId> ObjectCollector::expectedAt(const Candidate& candidate) const {

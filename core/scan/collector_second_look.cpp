@@ -12,9 +12,9 @@ namespace scantrove {
 namespace {
 
 /// Of mask and region together both must be this part, or the view is of what the region was once.
-constexpr float kLeastFit = 0.7F;
+constexpr float kMinFit = 0.7F;
 /// The same of a whole of several regions, whose views may be of one of them.
-constexpr float kLeastFitOfWhole = 0.6F;
+constexpr float kMinFitOfWhole = 0.6F;
 /// So many looks at what the scan took for new are held against what earlier scans know.
 constexpr int kLooksBack = 4;
 
@@ -23,7 +23,7 @@ cv::Mat readingsAt(const RgbdFrame& frame, const cv::Rect& box_px, const cv::Mat
                    const cv::Size& image_px) {
   cv::Mat depth, z_m;
   cv::resize(frame.depth, depth, image_px, 0, 0, cv::INTER_NEAREST);
-  depth(box_px).convertTo(z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
+  depth(box_px).convertTo(z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
   z_m.setTo(0, mask == 0);
   return z_m;
 }
@@ -104,21 +104,21 @@ void ObjectCollector::beginLookingAgain() {
   are_last_looks_ = false;
   wholes_.clear();
   looks_back_.clear();
-  for (KeptView& view : kept_views_) view.is_outdated = view.is_of_what_left = false;
+  for (KeptView& view : kept_views_) view.is_outdated = view.shows_removed_object = false;
 }
 
 bool ObjectCollector::isByPerson(ObjectId object) const {
-  const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
-  return holder == nullptr || isSettled(*holder) || by_person_.contains(object) ||
-         catalogue_.isRegrouped(holder->id);
+  const ObjectRecord* root = recordOf(catalogue_.mergeRootOf(object));
+  return root == nullptr || isSettled(*root) || by_person_.contains(object) ||
+         catalogue_.isRegrouped(root->id);
 }
 
 bool ObjectCollector::staysAsItIs(ObjectId object) const {
-  return isByPerson(object) || !CatalogueMirror::isOfThisScan(catalogue_.holderOf(object));
+  return isByPerson(object) || !CatalogueMirror::isOfThisScan(catalogue_.mergeRootOf(object));
 }
 
 void ObjectCollector::bindComplete(std::span<const CompleteSet> complete) {
-  std::set<ObjectId> taken_holders;
+  std::set<ObjectId> taken_roots;
   for (const auto& [regions, best_frame] : complete) {
     std::vector<ObjectId> objects;  // that its regions were taken for
     for (const RegionId region : regions) {
@@ -126,7 +126,7 @@ void ObjectCollector::bindComplete(std::span<const CompleteSet> complete) {
       if (object && !std::ranges::count(objects, object)) objects.push_back(object);
     }
     // What a person deleted stays so.
-    if (!std::ranges::all_of(objects, [this](ObjectId object) { return !!catalogue_.holderOf(object); }))
+    if (!std::ranges::all_of(objects, [this](ObjectId object) { return !!catalogue_.mergeRootOf(object); }))
       continue;
     // What a person spoke of comes first, and stays apart.
     std::stable_partition(objects.begin(), objects.end(),
@@ -136,7 +136,7 @@ void ObjectCollector::bindComplete(std::span<const CompleteSet> complete) {
     for (const ObjectId object : objects) met_.unbind(regions, object);
     // Two wholes are one object only where a person said so.
     std::erase_if(objects, [&](ObjectId object) {
-      return !staysAsItIs(object) && taken_holders.contains(catalogue_.holderOf(object));
+      return !staysAsItIs(object) && taken_roots.contains(catalogue_.mergeRootOf(object));
     });
     if (objects.empty()) continue;
     // What is a whole was not replaced by what is another.
@@ -145,7 +145,7 @@ void ObjectCollector::bindComplete(std::span<const CompleteSet> complete) {
     });
     if (!is_with_successor) successor_.erase(objects.front());
     met_.bind(regions, objects.front());
-    taken_holders.insert(catalogue_.holderOf(objects.front()));
+    taken_roots.insert(catalogue_.mergeRootOf(objects.front()));
   }
 }
 
@@ -199,7 +199,7 @@ void ObjectCollector::lookAmongThoseOfBefore(const std::vector<const Candidate*>
     if (!object || staysAsItIs(object) || !isClear(*candidate, kForView) || looks_back_[object] >= kLooksBack)
       continue;
     const std::optional<ObjectView> view =
-        cutView(look.frame, look.T_world_camera, look.in_color, *candidate);
+        cropView(look.frame, look.T_world_camera, look.in_color, *candidate);
     if (!view) continue;
     ++looks_back_[object];
     queries.push_back({view->color, view->mask, candidate->size_m, unmet});
@@ -231,17 +231,18 @@ std::vector<int> ObjectCollector::beginLastLooks() {
 bool ObjectCollector::hasView(ObjectId object) const {
   if (!object) return false;
   if (staysAsItIs(object)) return true;
-  const ObjectId holder = catalogue_.holderOf(object);
-  return holder && std::ranges::any_of(kept_views_, [&](const KeptView& view) {
-           return !view.is_outdated && !view.is_of_what_left && catalogue_.holderOf(view.object) == holder;
+  const ObjectId root = catalogue_.mergeRootOf(object);
+  return root && std::ranges::any_of(kept_views_, [&](const KeptView& view) {
+           return !view.is_outdated && !view.shows_removed_object &&
+                  catalogue_.mergeRootOf(view.object) == root;
          });
 }
 
 bool ObjectCollector::isOfAnotherWhole(ObjectId object, const RegionSet& regions) const {
-  const ObjectId holder = catalogue_.holderOf(object);
-  if (!holder || staysAsItIs(object)) return false;
+  const ObjectId root = catalogue_.mergeRootOf(object);
+  if (!root || staysAsItIs(object)) return false;
   return std::ranges::any_of(wholes_, [&](const auto& whole) {
-    return whole.first != regions && catalogue_.holderOf(met_.objectOf(whole.first)) == holder;
+    return whole.first != regions && catalogue_.mergeRootOf(met_.objectOf(whole.first)) == root;
   });
 }
 
@@ -259,7 +260,7 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
     if (!isOutdated(view, now)) continue;
     const bool is_doubted = successorOf(view.object) != view.object;
     if (!is_doubted && wasTakenAway(view, surface, depth_noise_m)) {
-      view.is_of_what_left = true;
+      view.shows_removed_object = true;
       continue;
     }
     view.is_outdated = true;
@@ -273,8 +274,8 @@ void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const 
 }
 
 bool ObjectCollector::haveOneSuccessor(ObjectId a, ObjectId b) const {
-  const ObjectId holder = catalogue_.holderOf(successorOf(a));
-  return holder && holder == catalogue_.holderOf(successorOf(b));
+  const ObjectId root = catalogue_.mergeRootOf(successorOf(a));
+  return root && root == catalogue_.mergeRootOf(successorOf(b));
 }
 
 bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
@@ -287,21 +288,21 @@ bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) con
     if (pixels.all > largest.all) largest = pixels;
     together += pixels;
   }
-  if (std::max(overlap.fit(largest), overlap.fit(together)) < kLeastFit) return true;
+  if (std::max(overlap.fit(largest), overlap.fit(together)) < kMinFit) return true;
   bool is_known_whole = false, fits_whole = false;
   for (const auto& [whole, frame_index] : wholes_) {
     if (!haveOneSuccessor(met_.objectOf(whole), view.object)) continue;
     is_known_whole = true;
-    fits_whole = fits_whole || overlap.fit(overlap.of(whole)) >= kLeastFitOfWhole;
+    fits_whole = fits_whole || overlap.fit(overlap.of(whole)) >= kMinFitOfWhole;
   }
   return is_known_whole && !fits_whole;
 }
 
 void ObjectCollector::mergeSuccessors() {
   for (const KeptView& view : kept_views_) {
-    if (view.is_outdated || view.is_of_what_left) continue;
-    const ObjectId object = catalogue_.holderOf(view.object);
-    const ObjectId last = catalogue_.holderOf(successorOf(view.object));
+    if (view.is_outdated || view.shows_removed_object) continue;
+    const ObjectId object = catalogue_.mergeRootOf(view.object);
+    const ObjectId last = catalogue_.mergeRootOf(successorOf(view.object));
     if (!shouldMerge(last, object)) continue;
     catalogue_.merge(last, object);
     writer_->merge(last, object);
@@ -315,19 +316,19 @@ void ObjectCollector::endLookingAgain() {
   mergeSuccessors();
   std::set<ObjectId> are_there;
   for (const KeptView& view : kept_views_) {
-    if (!view.is_outdated && !view.is_of_what_left && !hasMoved(view.object))
-      are_there.insert(catalogue_.holderOf(view.object));
+    if (!view.is_outdated && !view.shows_removed_object && !hasMoved(view.object))
+      are_there.insert(catalogue_.mergeRootOf(view.object));
   }
   // What is there as its other views show it did not leave: something else did, that this one shows with it.
   for (KeptView& view : kept_views_) {
-    view.is_outdated =
-        view.is_outdated || (view.is_of_what_left && are_there.contains(catalogue_.holderOf(view.object)));
+    view.is_outdated = view.is_outdated ||
+                       (view.shows_removed_object && are_there.contains(catalogue_.mergeRootOf(view.object)));
   }
   std::map<ObjectId, std::vector<int>> outdated;
   for (const KeptView& view : kept_views_) {
     if (view.is_outdated) outdated[view.object].push_back(view.frame_index);
   }
-  for (auto& [object, frames] : outdated) writer_->leaveBehind(object, std::move(frames));
+  for (auto& [object, frames] : outdated) writer_->discardViews(object, std::move(frames));
   std::erase_if(kept_views_, &KeptView::is_outdated);
 }
 

@@ -7,13 +7,13 @@ namespace scantrove {
 
 ObjectId ObjectCollector::boundTo(RegionId region) const {
   const ObjectId object = met_.objectOf(region);
-  return object && recordOf(catalogue_.holderOf(object)) != nullptr ? object : ObjectId{};
+  return object && recordOf(catalogue_.mergeRootOf(object)) != nullptr ? object : ObjectId{};
 }
 
 bool ObjectCollector::areOneObject(const RegionSet& regions) const {
-  const ObjectId first = catalogue_.holderOf(boundTo(*regions.begin()));
+  const ObjectId first = catalogue_.mergeRootOf(boundTo(*regions.begin()));
   return first && std::ranges::all_of(regions, [&](RegionId region) {
-           return catalogue_.holderOf(boundTo(region)) == first;
+           return catalogue_.mergeRootOf(boundTo(region)) == first;
          });
 }
 
@@ -34,9 +34,9 @@ void ObjectCollector::followWanted(RegionId into, RegionId from) {
 }
 
 bool ObjectCollector::isWanted(const RegionSet& regions) const {
-  return std::ranges::any_of(wanted_, [&](const auto& wanted) {
+  return std::ranges::any_of(wanted_, [&](const auto& requested) {
     // A name is that of the region alone.
-    return regions.contains(wanted.first) && (wanted.second.empty() || regions.size() == 1);
+    return regions.contains(requested.first) && (requested.second.empty() || regions.size() == 1);
   });
 }
 
@@ -47,14 +47,14 @@ const std::string* ObjectCollector::wantedName(const Candidate& candidate) const
 }
 
 bool ObjectCollector::isCalledOtherwise(RegionId region, const std::string& name) const {
-  const ObjectId holder = catalogue_.holderOf(boundTo(region));
+  const ObjectId root = catalogue_.mergeRootOf(boundTo(region));
   std::map<RegionId, std::string> names;  // by now
   for (const Naming& naming : namings_) {
     if (!naming.name.empty()) names[naming.region] = naming.name;
   }
   return std::ranges::any_of(names, [&](const auto& named) {
     return named.first != region && named.second != name &&
-           catalogue_.holderOf(boundTo(named.first)) == holder;
+           catalogue_.mergeRootOf(boundTo(named.first)) == root;
   });
 }
 
@@ -82,7 +82,7 @@ void ObjectCollector::nameByPerson(RegionId region, const std::string& name, int
   }
   const ObjectId object = boundTo(region);
   if (!object) return;
-  const ObjectRecord* record = recordOf(catalogue_.holderOf(object));
+  const ObjectRecord* record = recordOf(catalogue_.mergeRootOf(object));
   const ObjectRecord* called_so = catalogue_.named(*checked);
   const bool is_other = called_so != nullptr && called_so->id != record->id;
   if (isCalledOtherwise(region, *checked) || (is_other && isSettled(*record))) {
@@ -115,8 +115,8 @@ void ObjectCollector::noteStored(const news::NameStored& news) {
   if (found != namings_.end()) found->stored = news.naming;
 }
 
-std::map<RegionId, std::vector<KeptNaming>> ObjectCollector::keptNamings() const {
-  std::map<RegionId, std::vector<KeptNaming>> kept;
+std::map<RegionId, std::vector<StoredNaming>> ObjectCollector::storedNamings() const {
+  std::map<RegionId, std::vector<StoredNaming>> kept;
   for (const Naming& naming : namings_) {
     // One that was there, and has the name now, is what the region was before.
     const bool was_there = !naming.earlier && !naming.made && !naming.is_of_before;
@@ -129,8 +129,8 @@ std::map<RegionId, std::vector<KeptNaming>> ObjectCollector::keptNamings() const
   return kept;
 }
 
-void ObjectCollector::restoreNamings(RegionId region, const std::vector<KeptNaming>& kept) {
-  for (const KeptNaming& one : kept) {
+void ObjectCollector::restoreNamings(RegionId region, const std::vector<StoredNaming>& kept) {
+  for (const StoredNaming& one : kept) {
     const bool is_of_catalogue =
         catalogue_.hasHad(one.naming.object) &&
         (!one.naming.merge || std::ranges::all_of(one.naming.merge->from,

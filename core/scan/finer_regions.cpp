@@ -15,7 +15,7 @@ using Fragments = std::vector<FragmentId>;
 /// Where they touch.
 void keepApart(const Fragments& one, const Fragments& other, RegionMerger& merger) {
   for (const FragmentId a : one) {
-    for (const FragmentId b : merger.neighboursOf(a)) {
+    for (const FragmentId b : merger.neighborsOf(a)) {
       if (std::ranges::binary_search(other, b)) merger.mustBeApart(a, b);
     }
   }
@@ -28,7 +28,7 @@ FinerRegions::FinerRegions(const RegionTable& table, const RegionMerger& merger,
     : table_(table) {
   const std::set<RegionId> regions(table.regions().begin() + 1, table.regions().end());
   for (const RegionId region : regions) {
-    if (!region || table.isKnown(region) || table.said(region) != RegionSaid::nothing || stays(region))
+    if (!region || table.isKnown(region) || table.said(region) != UserLabel::nothing || stays(region))
       continue;
     const std::vector<Fragments> parts = merger.partsOf(region, kLess, table, voxels, params);
     if (parts.size() < 2) continue;

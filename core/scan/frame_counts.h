@@ -7,7 +7,7 @@ struct FrameCounts {
   int read = 0;     ///< reached the pipeline
   int tracked = 0;  ///< of those read
   int lost = 0;     ///< of those read
-  int relocalised = 0;
+  int relocalized = 0;
   int dropped = 0;  ///< live camera only
   int skipped = 0;  ///< unreadable frames of the recording
 

@@ -32,7 +32,7 @@ FrameLabelWriter::~FrameLabelWriter() { close(); }
 
 Result<void> FrameLabelWriter::add(Frame frame) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return waiting_.size() < kMostWaiting || !outcome_; });
+  changed_.wait(lock, [this] { return waiting_.size() < kMaxWaiting || !outcome_; });
   SCANTROVE_TRY(outcome_);
   waiting_.push_back(std::move(frame));
   changed_.notify_all();
@@ -49,7 +49,7 @@ void FrameLabelWriter::close() {
 }
 
 void FrameLabelWriter::run() {
-  giveWay(Niceness::label_writer);
+  lowerThreadPriority(Niceness::label_writer);
   std::unique_lock lock(mutex_);
   while (outcome_) {
     changed_.wait(lock, [this] { return !waiting_.empty() || is_closed_; });
@@ -71,7 +71,7 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   const DepthGuide guide{size.width,
                          size.height,
                          {frame.depth.ptr<std::uint16_t>(), frame.depth.total()},
-                         frame.metres_per_unit};
+                         frame.meters_per_unit};
   const DepthUpsampler upsampler(segments.depths_m, segments.width, segments.height, guide);
   const std::string name = fileName(frame.index);
   SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, upsampler.apply(segments.ids), size));
@@ -80,11 +80,11 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
   // A part's name: when this process is killed, the next scan into the folder removes the file.
   const std::filesystem::path depth_file = makePartName(folder_ / "labels-final" / name);
   SCANTROVE_TRY(writeFileAtomically(depth_file, encodePng(frame.depth), Durability::process));
-  written_.push_back({name, depth_file, frame.T_world_camera, frame.metres_per_unit});
+  written_.push_back({name, depth_file, frame.T_world_camera, frame.meters_per_unit});
   return {};
 }
 
-Result<void> FrameLabelWriter::finish(const LookAtMap& look) {
+Result<void> FrameLabelWriter::finish(const RenderView& look) {
   close();
   std::future<Result<void>> writing;  // of the frame before: encoded while the map is looked at for the next
   FirstError outcome;
@@ -128,7 +128,7 @@ Result<void> FrameLabelWriter::writeFinal(const Written& frame, const FinalView&
   const Result<cv::Mat> depth = readLabelImage(frame.depth_file);
   if (!depth) return fail(depth.error());
   const DepthGuide guide{
-      depth->cols, depth->rows, {depth->ptr<std::uint16_t>(), depth->total()}, frame.metres_per_unit};
+      depth->cols, depth->rows, {depth->ptr<std::uint16_t>(), depth->total()}, frame.meters_per_unit};
   const DepthUpsampler upsampler(view.depths_m, view.width, view.height, guide);
   return writeLabelImage(folder_ / "labels-final" / frame.name,
                          numbers_.numbersOf(upsampler.apply(view.regions)), depth->size());

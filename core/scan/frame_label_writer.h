@@ -17,16 +17,16 @@ namespace scantrove {
 
 /// Writes the label images of a scan (segments/, labels/, labels-final/) beside it, on a thread of its own:
 /// brings each frame's labels to the input's resolution, gives the regions their numbers in the order of the
-/// frames, encodes and writes. At most kMostWaiting frames wait (about 1.5 MB each); with more, add() waits.
+/// frames, encodes and writes. At most kMaxWaiting frames wait (about 1.5 MB each); with more, add() waits.
 /// Every frame that add() took is written, or finish() says why not. All functions for one thread.
 class FrameLabelWriter {
  public:
-  static constexpr std::size_t kMostWaiting = 8;
+  static constexpr std::size_t kMaxWaiting = 8;
 
   struct Frame {
     int index = 0;
     cv::Mat depth;  ///< of the input: its resolution is the images'
-    float metres_per_unit = 0.001F;
+    float meters_per_unit = 0.001F;
     SegmentMap segments;
     std::vector<RegionId> regions;  ///< as RegionMap::regions, of the segments' size
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
@@ -39,7 +39,7 @@ class FrameLabelWriter {
     std::vector<RegionId> regions;
     std::vector<float> depths_m;  ///< z in the camera, 0 = no surface
   };
-  using LookAtMap = std::function<Result<FinalView>(const Eigen::Isometry3d& T_world_camera)>;
+  using RenderView = std::function<Result<FinalView>(const Eigen::Isometry3d& T_world_camera)>;
 
   /// The three folders exist in `folder`; `numbers` are this writer's alone until finish() has returned.
   FrameLabelWriter(std::filesystem::path folder, RegionNumbers& numbers);
@@ -53,7 +53,7 @@ class FrameLabelWriter {
   /// Waits for all frames, then writes what the map shows of each by now: regions have joined and parted, and
   /// voxels changed, since it came. `look` is called from this thread. No add() afterwards. Error: the first
   /// file that could not be written.
-  [[nodiscard]] Result<void> finish(const LookAtMap& look);
+  [[nodiscard]] Result<void> finish(const RenderView& look);
 
   /// Waits for all frames, then removes the images that were written. No add() afterwards.
   void discard();
@@ -65,7 +65,7 @@ class FrameLabelWriter {
     std::string name;                  ///< of the files
     std::filesystem::path depth_file;  ///< where the frame's depth waits for the end
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-    float metres_per_unit = 0.001F;
+    float meters_per_unit = 0.001F;
   };
   [[nodiscard]] Result<void> writeFinal(const Written& frame, const FinalView& view);
   void close();

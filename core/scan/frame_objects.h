@@ -18,7 +18,7 @@ struct NamedObject {
 /// What one frame gave for the catalogue, and what of this and earlier ones was stored by now.
 struct FrameObjects {
   std::vector<SeenObject> seen;
-  std::vector<ObjectRecord> recognised;  ///< first time in this scan
+  std::vector<ObjectRecord> recognized;  ///< first time in this scan
 
   bool has_news = false;            ///< of the catalogue, be it that somebody else changed it
   std::vector<ObjectRecord> added;  ///< stored

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The bytes of a JPEG or PNG but for its orientation; empty: of none such.
-std::string bytesKept(const fs::path& file) {
+std::string readStored(const fs::path& file) {
   if (file.empty()) return {};
   Result<std::string> bytes = readFile(file);
   if (!bytes) return {};
@@ -36,7 +36,7 @@ std::string stemOf(int number) { return fmt::format("{:06}", number); }
 
 Result<void> writeColor(SessionStore& session, const RgbdFrame& frame, SavedKeyFrame& key) {
   if (frame.color.empty()) return {};
-  std::string bytes = bytesKept(frame.color_file);
+  std::string bytes = readStored(frame.color_file);
   if (bytes.empty()) bytes = encodePng(frame.color);
   const std::string extension = bytes.starts_with('\xFF') ? ".jpg" : ".png";
   key.color_checksum = crcOf(bytes);
@@ -72,7 +72,7 @@ Result<cv::Mat> orLeftOut(Result<cv::Mat> image, const fs::path& file) {
 Result<SavedKeyFrame> writeKeyFrame(SessionStore& session, int number, const RgbdFrame& frame) {
   SavedKeyFrame key;
   key.frame = number;
-  key.metres_per_unit = frame.metres_per_unit;
+  key.meters_per_unit = frame.meters_per_unit;
   key.color_camera = frame.color_camera;
   key.color_width = frame.color.cols;
   key.color_height = frame.color.rows;
@@ -86,11 +86,11 @@ Result<RgbdFrame> readKeyFrame(const fs::path& session_folder, const SavedKeyFra
   RgbdFrame read;
   read.index = frame.source_index;
   read.timestamp_s = frame.time_s;
-  read.metres_per_unit = key_frame.metres_per_unit;
+  read.meters_per_unit = key_frame.meters_per_unit;
   read.color_camera = key_frame.color_camera;
   const fs::path depth_file = session_folder / key_frame.depth_file;
   SCANTROVE_TRY(checkFile(depth_file, key_frame.depth_checksum));
-  SCANTROVE_TRY(moveInto(read.depth, orLeftOut(readGreyImage(depth_file), depth_file)));
+  SCANTROVE_TRY(moveInto(read.depth, orLeftOut(readGrayImage(depth_file), depth_file)));
   if (read.depth.type() != CV_16UC1) {
     return fail("The key frame image " + depth_file.string() + " is no 16-bit depth image.",
                 "That frame is left out; the rest can be used.");

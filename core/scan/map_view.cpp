@@ -8,7 +8,7 @@ namespace scantrove {
 
 Result<MapView> viewMap(ScanPipeline& pipeline, const Intrinsics& K,
                         const Eigen::Isometry3d& T_world_camera) {
-  auto seen = pipeline.lookAtMap(T_world_camera, K);
+  auto seen = pipeline.renderView(T_world_camera, K);
   if (!seen) return fail(seen.error());
   MapView view;
   view.K = K;

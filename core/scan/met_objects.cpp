@@ -19,7 +19,7 @@ constexpr int kAroundMiddle_px = 2;
 
 /// Between the centroids, where both are at one place.
 std::optional<float> distanceAtOnePlace(const MetObjects::Met& met, const Candidate& candidate) {
-  if (MetObjects::hasLeft(met)) return std::nullopt;
+  if (MetObjects::wasRemoved(met)) return std::nullopt;
   const float diagonal = std::max(met.size_m.norm(), candidate.size_m.norm());
   if (std::min(met.size_m.norm(), candidate.size_m.norm()) < kAsLargeFraction * diagonal) return std::nullopt;
   const float distance_m = (met.centroid_world - candidate.centroid_world).norm();

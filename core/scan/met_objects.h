@@ -48,7 +48,7 @@ class MetObjects {
   /// when the readings around the object's middle lie behind it. `depth_noise_m`: FusionParams.
   void lookAtPlaces(const DepthView& now, float depth_noise_m, int frame);
   /// Its place was seen empty several times: it has been taken away.
-  [[nodiscard]] static bool hasLeft(const Met& met) { return met.times_empty >= kTimesEmpty; }
+  [[nodiscard]] static bool wasRemoved(const Met& met) { return met.times_empty >= kTimesEmpty; }
   [[nodiscard]] Met& met(ObjectId object) { return met_[object]; }
   [[nodiscard]] const std::map<ObjectId, Met>& all() const { return met_; }
 

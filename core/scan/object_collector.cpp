@@ -26,13 +26,13 @@ struct Announced {
   FrameObjects& objects;
 
   void operator()(const news::ObjectStored& e) const { objects.added.push_back(e.record); }
-  void operator()(const news::ViewStored& e) const { objects.new_views.push_back(e.holder); }
+  void operator()(const news::ViewStored& e) const { objects.new_views.push_back(e.root); }
   void operator()(const news::MergeStored& e) const { objects.merged.push_back(e.merge); }
   void operator()(const news::NameStored& e) const {
     objects.named.push_back({e.naming.object, e.naming.name});
     if (e.naming.merge) objects.merged.push_back(*e.naming.merge);
   }
-  void operator()(const news::ViewsLeft& e) const {
+  void operator()(const news::ViewsDiscarded& e) const {
     if (e.is_removed) objects.left.push_back(e.object);
   }
   void operator()(const news::NameDropped& e) const {
@@ -79,7 +79,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const PoseEstimate
                                       const SurfaceInColor& in_color, std::vector<Candidate> candidates) {
   FrameObjects objects;
   std::erase_if(candidates, [this](const Candidate& candidate) {
-    return candidate.wholeness && !mayBeObject(candidate.regions);
+    return candidate.objectness && !mayBeObject(candidate.regions);
   });
   if (frame_ == 1) catalogue_.detector().warmUp();  // the first has been shown by then
   frame_ += is_looking_again_ ? RecognitionHistory::kFramesApart : 1;
@@ -119,7 +119,7 @@ void ObjectCollector::takeNews(FrameObjects& objects) {
     objects.has_news = true;
   }
   if (!known_again_.empty()) {
-    std::ranges::move(known_again_, std::back_inserter(objects.recognised));
+    std::ranges::move(known_again_, std::back_inserter(objects.recognized));
     known_again_.clear();
     objects.has_news = true;
   }
@@ -147,13 +147,13 @@ void ObjectCollector::lookUpDue(const std::vector<Candidate>& candidates, const 
   std::vector<const Candidate*> due;
   for (const Candidate& candidate : candidates) {
     if (!met_.objectOf(candidate.regions) && !nearby(candidate) &&
-        recognition_.isLookDue(candidate.regions, frame_))
+        recognition_.isAttemptDue(candidate.regions, frame_))
       due.push_back(&candidate);
   }
   std::ranges::stable_sort(due, {}, [this](const Candidate* candidate) {
-    return std::pair(!candidate->is_whole, recognition_.looks(candidate->regions));
+    return std::pair(!candidate->is_complete, recognition_.observations(candidate->regions));
   });
-  due.resize(std::min(due.size(), kMostLooks));
+  due.resize(std::min(due.size(), kMaxObservations));
   lookUp(due, look);
 }
 
@@ -163,15 +163,16 @@ void ObjectCollector::lookUp(const std::vector<const Candidate*>& candidates, co
   std::vector<DetectionQuery> queries(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& candidate = *candidates[i];
-    const std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+    const std::optional<ObjectView> view =
+        cropView(look.frame, look.T_world_camera, look.in_color, candidate);
     if (!view) continue;
     queries[i] = {view->color, view->mask, candidate.size_m};
-    queries[i].guesses = candidate.has_come ? missing : expectedAt(candidate);
+    queries[i].guesses = candidate.has_appeared ? missing : expectedAt(candidate);
   }
   const std::vector<DetectionMatch> matches = catalogue_.detector().find(queries);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const DetectionMatch match =
-        candidates[i]->has_come ? orBack(matches[i], missing.size()) : orExpected(matches[i]);
+        candidates[i]->has_appeared ? orBack(matches[i], missing.size()) : orExpected(matches[i]);
     recognition_.add(candidates[i]->regions, match, params_.max_distance, frame_);
   }
 }
@@ -185,18 +186,19 @@ ObjectId ObjectCollector::identityOf(const Candidate& candidate) const {
     // What a person deleted is not added again, but by a person.
     if (wanted_name == nullptr) return object;
     const auto other = not_these_.find(*candidate.regions.begin());
-    if (catalogue_.holderOf(object) && (other == not_these_.end() || other->second != object)) return object;
+    if (catalogue_.mergeRootOf(object) && (other == not_these_.end() || other->second != object))
+      return object;
   }
   if (wanted_name != nullptr && !wanted_name->empty()) return {};  // what it looks like counts for less
   const std::optional<ObjectId> verdict = recognition_.verdict(candidate.regions);
-  const ObjectRecord* known = verdict ? recordOf(catalogue_.holderOf(*verdict)) : nullptr;
+  const ObjectRecord* known = verdict ? recordOf(catalogue_.mergeRootOf(*verdict)) : nullptr;
   if (known == nullptr || isDoubted(candidate.regions, known->id) ||
       isOfAnotherWhole(known->id, candidate.regions))
     return {};
   // One of this look that was seen elsewhere a moment ago is another of the kind.
   for (const auto& [met_object, met] : met_.all()) {
-    if (catalogue_.holderOf(met_object) == known->id &&
-        (is_looking_again_ || frame_ - met.last_frame < kFramesToMove) && !MetObjects::hasLeft(met) &&
+    if (catalogue_.mergeRootOf(met_object) == known->id &&
+        (is_looking_again_ || frame_ - met.last_frame < kFramesToMove) && !MetObjects::wasRemoved(met) &&
         !met_.isAt(met_object, candidate))
       return {};
   }
@@ -221,8 +223,8 @@ std::vector<std::size_t> ObjectCollector::choose(const std::vector<Candidate>& c
   std::vector<float> known;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const ObjectId object = identities[i];
-    const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
-    const bool is_confirmed = holder != nullptr && holder->confirmed;
+    const ObjectRecord* root = recordOf(catalogue_.mergeRootOf(object));
+    const bool is_confirmed = root != nullptr && root->confirmed;
     known.push_back(!object ? 0 : (is_confirmed ? kConfirmed : kKnown));
     const std::string* wanted_name = wantedName(candidates[i]);
     if (wanted_name != nullptr && !wanted_name->empty()) known.back() = kWanted;
@@ -240,14 +242,14 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
       addToCatalogue(candidate, look, is_found ? MadeFor::itself : MadeFor::wish);
     return;
   }
-  const ObjectRecord* known = recordOf(catalogue_.holderOf(identity));
+  const ObjectRecord* known = recordOf(catalogue_.mergeRootOf(identity));
   const bool is_alike = known == nullptr || isAlike(*known, candidate, look);
   // A set that is much larger than the object holds more than it: its other regions stay free. Of what came,
   // a part may not be on the map yet.
-  const bool is_wanted = wantedName(candidate) != nullptr;
-  const bool has_come = candidate.has_come && candidate.regions.size() == 1;
+  const bool is_requested = wantedName(candidate) != nullptr;
+  const bool has_appeared = candidate.has_appeared && candidate.regions.size() == 1;
   const bool is_needed = isLastLook(candidate, look) && !hasView(identity);
-  if (!is_alike && !is_wanted && !has_come && !is_needed) {
+  if (!is_alike && !is_requested && !has_appeared && !is_needed) {
     // Of what was put elsewhere that says more than its size.
     if (!isSettled(*known) && !isHeldWith(known->id, back_) && isClear(candidate, kForObject) &&
         isOfOtherSize(*known, candidate))
@@ -256,15 +258,15 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   }
   doubts_.erase(candidate.regions);
   if (known != nullptr && !isMet(known->id) && !CatalogueMirror::isOfThisScan(known->id))
-    look.objects.recognised.push_back(*known);
+    look.objects.recognized.push_back(*known);
   if (met_.objectOf(candidate.regions) != identity && met_.all().contains(identity) &&
       !met_.isAt(identity, candidate))
     moved_.insert(identity);
   met_.bind(candidate.regions, identity);
   met_.meet(identity, candidate, frame_);
-  if (is_wanted || is_needed || (is_alike && isClear(candidate, kForView)))
+  if (is_requested || is_needed || (is_alike && isClear(candidate, kForView)))
     keepNewDirection(identity, candidate, look);
-  if (is_wanted) fulfil(candidate, identity, MadeFor::itself);
+  if (is_requested) fulfil(candidate, identity, MadeFor::itself);
 }
 
 void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& look, MadeFor made) {
@@ -277,7 +279,7 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
   catalogue_.add(*view);
   if (const auto doubt = doubts_.find(candidate.regions); doubt != doubts_.end())
     takePlaceOf(doubt->second.object, object);
-  if (candidate.has_come) came_.try_emplace(object);
+  if (candidate.has_appeared) appeared_.try_emplace(object);
   met_.bind(candidate.regions, object);
   met_.meet(object, candidate, frame_);
   met_.met(object).views.keep(view->direction);
@@ -286,11 +288,11 @@ void ObjectCollector::addToCatalogue(const Candidate& candidate, const Look& loo
 }
 
 void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look) {
-  const ObjectRecord* holder = recordOf(catalogue_.holderOf(object));
-  if (holder == nullptr || holder->views >= params_.max_views || look.frame.color.empty()) return;
+  const ObjectRecord* root = recordOf(catalogue_.mergeRootOf(object));
+  if (root == nullptr || root->views >= params_.max_views || look.frame.color.empty()) return;
   const Eigen::Vector3f direction = directionOf(candidate, look.T_world_camera);
   const bool is_new = std::ranges::all_of(met_.all(), [&](const auto& met) {
-    return catalogue_.holderOf(met.first) != holder->id ||
+    return catalogue_.mergeRootOf(met.first) != root->id ||
            met.second.views.isNew(direction, params_.new_view_angle_deg);
   });
   if (!is_new || !writer_->hasRoomForView(object)) return;
@@ -304,36 +306,36 @@ void ObjectCollector::keepNewDirection(ObjectId object, const Candidate& candida
 }
 
 std::optional<ObjectView> ObjectCollector::viewToKeep(const Candidate& candidate, const Look& look) {
-  std::optional<ObjectView> view = cutView(look.frame, look.T_world_camera, look.in_color, candidate);
+  std::optional<ObjectView> view = cropView(look.frame, look.T_world_camera, look.in_color, candidate);
   if (view) view->descriptor = makeThumbnail(view->color, view->mask);
   return view;
 }
 
-bool ObjectCollector::isMet(ObjectId holder) const {
+bool ObjectCollector::isMet(ObjectId root) const {
   return std::ranges::any_of(met_.all(),
-                             [&](const auto& met) { return catalogue_.holderOf(met.first) == holder; });
+                             [&](const auto& met) { return catalogue_.mergeRootOf(met.first) == root; });
 }
 
 void ObjectCollector::describeObject(SeenObject& seen) const {
-  const ObjectRecord* known = recordOf(catalogue_.holderOf(met_.objectOf(seen.regions)));
+  const ObjectRecord* known = recordOf(catalogue_.mergeRootOf(met_.objectOf(seen.regions)));
   const bool is_known = known != nullptr;
   seen.object = is_known ? catalogue_.idOf(known->id) : ObjectId{};
   seen.name = is_known ? known->name : std::string();
   seen.confirmed = is_known && known->confirmed;
-  seen.recognised = is_known && !CatalogueMirror::isOfThisScan(known->id);
+  seen.recognized = is_known && !CatalogueMirror::isOfThisScan(known->id);
 }
 
 ObjectId ObjectCollector::objectOf(RegionId region) const {
-  return catalogue_.idOf(catalogue_.holderOf(met_.objectOf(region)));
+  return catalogue_.idOf(catalogue_.mergeRootOf(met_.objectOf(region)));
 }
 
 RegionObject ObjectCollector::describeRegion(RegionId region) const {
-  const ObjectId object = met_.objectOf(region), holder = catalogue_.holderOf(object);
-  const ObjectRecord* known = recordOf(holder);
+  const ObjectId object = met_.objectOf(region), root = catalogue_.mergeRootOf(object);
+  const ObjectRecord* known = recordOf(root);
   if (known == nullptr) return {.state = object ? RegionObject::State::deleted : RegionObject::State::none};
   const ObjectId id = catalogue_.idOf(known->id);
   if (!id) return {};  // not stored yet
-  return {RegionObject::State::known, id, known->name, known->named_by, known->confirmed, holder != object};
+  return {RegionObject::State::known, id, known->name, known->named_by, known->confirmed, root != object};
 }
 
 std::optional<ObjectRecord> ObjectCollector::record(ObjectId object) const {
@@ -347,7 +349,7 @@ std::optional<ObjectRecord> ObjectCollector::record(ObjectId object) const {
 std::vector<ScanReport::Object> ObjectCollector::metObjects() const {
   std::map<ObjectId, ScanReport::Object> objects;
   for (const auto& [object, met] : met_.all()) {
-    const ObjectRecord* known = recordOf(catalogue_.holderOf(object));
+    const ObjectRecord* known = recordOf(catalogue_.mergeRootOf(object));
     const ObjectId id = known != nullptr ? catalogue_.idOf(known->id) : ObjectId{};
     if (!id) continue;
     objects[id] = {id, known->name, known->confirmed, known->views,

@@ -15,8 +15,8 @@
 #include "core/capture/rgbd_frame.h"
 #include "core/catalogue/catalogue_mirror.h"
 #include "core/catalogue/catalogue_writer.h"
-#include "core/catalogue/kept_namings.h"
 #include "core/catalogue/object_database.h"
+#include "core/catalogue/stored_namings.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
 #include "core/labeling/region_map.h"
@@ -40,12 +40,12 @@ namespace scantrove {
 /// thread stores it, and a later call says so.
 ///
 /// Regions are remembered with the object that they were taken for. Who holds that object now, after merges
-/// and deletions, is asked anew each time (CatalogueMirror::holderOf), so that whatever is undone is undone
-/// here too.
+/// and deletions, is asked anew each time (CatalogueMirror::mergeRootOf), so that whatever is undone is
+/// undone here too.
 class ObjectCollector {
  public:
   /// Candidates that are looked up in one frame at most: bounds what it takes.
-  static constexpr std::size_t kMostLooks = 4;
+  static constexpr std::size_t kMaxObservations = 4;
 
   /// Loads all views of `database`, which is needed no longer than that, into the detector, and starts to
   /// write into the catalogue of `writer`, which is the same one.
@@ -89,7 +89,7 @@ class ObjectCollector {
   /// A person says that it is none, or has nothing more to say of it.
   void wantNoMore(RegionId region);
   /// Regions that are waited for.
-  [[nodiscard]] const std::map<RegionId, std::string>& wanted() const { return wanted_; }
+  [[nodiscard]] const std::map<RegionId, std::string>& requested() const { return wanted_; }
 
   /// A person calls the region so: its object gets the name, and is confirmed; where the catalogue has one of
   /// that name, the two are one from then on. Where it is no object, want() makes it one.
@@ -102,11 +102,11 @@ class ObjectCollector {
   /// A person takes back that the region is an object: one that was made for that goes.
   void takeObjectBack(RegionId region);
   /// What namings of earlier scans of this session did, so that they can be taken back here.
-  void restoreNamings(RegionId region, const std::vector<KeptNaming>& kept);
+  void restoreNamings(RegionId region, const std::vector<StoredNaming>& kept);
   /// Whether this scan named the region so, and has not taken it back.
   [[nodiscard]] bool hasNamed(RegionId region, const std::string& name) const;
   /// What namings of regions did, here and in earlier scans, as far as it is stored and not taken back.
-  [[nodiscard]] std::map<RegionId, std::vector<KeptNaming>> keptNamings() const;
+  [[nodiscard]] std::map<RegionId, std::vector<StoredNaming>> storedNamings() const;
   /// All of these are one object.
   [[nodiscard]] bool areOneObject(const RegionSet& regions) const;
 
@@ -204,7 +204,7 @@ class ObjectCollector {
   /// Objects of the catalogue that were taken away from where they stood.
   [[nodiscard]] std::vector<ObjectId> missingObjects() const;
   /// One of the `objects` has this holder.
-  [[nodiscard]] bool isHeldWith(ObjectId holder, const std::set<ObjectId>& objects) const;
+  [[nodiscard]] bool isHeldWith(ObjectId root, const std::set<ObjectId>& objects) const;
   /// It does not stand any more where it did when the scan began to see it.
   [[nodiscard]] bool hasMoved(ObjectId object) const;
   /// The match of a look at something that came, of `missing` objects perhaps one.
@@ -276,10 +276,10 @@ class ObjectCollector {
   /// That, or it is not of this scan alone.
   [[nodiscard]] bool staysAsItIs(ObjectId object) const;
   void keepNewDirection(ObjectId object, const Candidate& candidate, const Look& look);
-  [[nodiscard]] const ObjectRecord* recordOf(ObjectId holder) const { return catalogue_.record(holder); }
+  [[nodiscard]] const ObjectRecord* recordOf(ObjectId root) const { return catalogue_.record(root); }
   /// None: the colour image does not show it.
   [[nodiscard]] static std::optional<ObjectView> viewToKeep(const Candidate& candidate, const Look& look);
-  [[nodiscard]] bool isMet(ObjectId holder) const;
+  [[nodiscard]] bool isMet(ObjectId root) const;
   /// `image_px`: of the image that the candidate was seen in.
   void noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
                 const cv::Size& image_px);
@@ -327,7 +327,7 @@ class ObjectCollector {
   /// What the regions were taken for, and looks since then that show that they are not.
   struct Doubt {
     ObjectId object;
-    int looks = 0;
+    int observations = 0;
     int last_frame = 0;
   };
   std::map<RegionSet, Doubt> doubts_;
@@ -338,7 +338,7 @@ class ObjectCollector {
   std::set<ObjectId> back_;       // that something which came was recognised as
   std::set<ObjectId> moved_;      // that were met elsewhere than before
   /// New ones that came into the scene; how often each missing one was held against them.
-  std::map<ObjectId, std::map<ObjectId, int>> came_;
+  std::map<ObjectId, std::map<ObjectId, int>> appeared_;
   bool is_looking_again_ = false;
   std::map<RegionSet, int> wholes_;     // and the frames (RgbdFrame::index) that show them best
   std::map<ObjectId, int> looks_back_;  // by object: looks that were held against those of before

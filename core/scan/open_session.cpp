@@ -41,23 +41,23 @@ const RegionNote& OpenSession::noteOf(RegionId region) const {
 
 ObjectId OpenSession::objectOf(RegionId region) const { return recorder_->objectOf(region); }
 
-Result<void> OpenSession::saveFacts() {
+Result<void> OpenSession::saveMetadata() {
   rememberObjects();
   return recorder_->save(*pipeline_);
 }
 
 std::string OpenSession::fact(const std::string& name) const {
-  const auto found = scan_.facts.find(name);
-  return found == scan_.facts.end() ? std::string() : found->second;
+  const auto found = scan_.metadata.find(name);
+  return found == scan_.metadata.end() ? std::string() : found->second;
 }
 
 Result<bool> OpenSession::useCatalogue(ObjectDatabase& database) {
-  const Result<CatalogueIdentity> identity = identityOf(database, scan_.facts);
+  const Result<CatalogueIdentity> identity = identityOf(database, scan_.metadata);
   if (!identity) return fail(identity.error());
-  CatalogueNumbers numbers{scan_.facts, recorder_->objects()};
+  CatalogueNumbers numbers{scan_.metadata, recorder_->objects()};
   const bool is_other = turnTo(numbers, *identity);
-  for (const auto& [name, value] : numbers.facts) {
-    if (fact(name) != value) setFact(name, value);
+  for (const auto& [name, value] : numbers.metadata) {
+    if (fact(name) != value) setMetadata(name, value);
   }
   recorder_->setObjects(std::move(numbers.objects));
   return is_other;
@@ -83,13 +83,13 @@ void OpenSession::readCatalogue() {
   std::set<RegionId> regions;
   for (const auto& [region, note] : pipeline_->editor().notes().all()) regions.insert(region);
   for (const auto& [region, object] : recorder_->objects()) regions.insert(region);
-  const RememberedObjects remembered = rememberedFrom(fact(kObjectsFact));
+  const RememberedObjects remembered = rememberedFrom(fact(kObjectsKey));
   for (const auto& [region, object] : remembered) regions.insert(region);
   for (const RegionId region : regions) {
     if (pipeline_->regionTable().fragmentsOf(region).empty()) continue;
     region_objects_[region] = regionObjectOf(region, remembered);
     labels_[region] = scantrove::labelOf(noteOf(region), region_objects_[region],
-                                         fact(sessionOnlyFactOf(region)) == noteOf(region).name);
+                                         fact(sessionOnlyKeyOf(region)) == noteOf(region).name);
   }
   shareClasses(labels_, region_objects_);
   const bool is_any = std::ranges::any_of(labels_, [](const auto& one) { return bool(one.second.object); });
@@ -106,7 +106,7 @@ RegionObject OpenSession::regionObjectOf(RegionId region, const RememberedObject
   const auto kept = remembered.find(region);
   if (!object) {
     // Of another catalogue: what it was called there is known, and no number.
-    if (kept == remembered.end() || kept->second.catalogue == fact(kCatalogueFact)) return {};
+    if (kept == remembered.end() || kept->second.catalogue == fact(kCatalogueKey)) return {};
     RegionObject known = kept->second.object;
     known.object = {};
     return known;
@@ -129,33 +129,34 @@ void OpenSession::rememberObjects() {
     if (object && found != region_objects_.end()) now[region] = found->second;
   }
   const std::string text =
-      rememberedToText(remember(rememberedFrom(fact(kObjectsFact)), now, fact(kCatalogueFact)));
-  if (text != fact(kObjectsFact)) setFact(kObjectsFact, text);
+      rememberedToText(remember(rememberedFrom(fact(kObjectsKey)), now, fact(kCatalogueKey)));
+  if (text != fact(kObjectsKey)) setMetadata(kObjectsKey, text);
 }
 
 std::optional<bool> OpenSession::areResultsCurrent() const {
-  const std::string results = fact(kResultsFact);
+  const std::string results = fact(kResultsKey);
   return results.empty() ? std::nullopt : std::optional(results == kResultsCurrent);
 }
 
-void OpenSession::setFact(const std::string& name, const std::string& value) {
-  scan_.facts[name] = value;
-  recorder_->setFact(name, value);
+void OpenSession::setMetadata(const std::string& name, const std::string& value) {
+  scan_.metadata[name] = value;
+  recorder_->setMetadata(name, value);
 }
 
-bool OpenSession::canBeRefined() const { return scantrove::canBeRefined(scan_.facts); }
+bool OpenSession::canBeRefined() const { return scantrove::canBeRefined(scan_.metadata); }
 
 std::vector<PendingEdit> OpenSession::pendingEdits() const {
-  return pendingEditsFromJson(fact(kPendingEditsFact));
+  return pendingEditsFromJson(fact(kPendingEditsKey));
 }
 
-Result<void> OpenSession::completeEdit(const SavedFacts& facts, const std::map<RegionId, ObjectId>& objects) {
+Result<void> OpenSession::completeEdit(const SessionMetadata& metadata,
+                                       const std::map<RegionId, ObjectId>& objects) {
   std::vector<PendingEdit> pending = pendingEdits();
   if (!pending.empty()) pending.erase(pending.begin());
-  setFact(kPendingEditsFact, pendingEditsToJson(pending));
-  for (const auto& [name, value] : facts) setFact(name, value);
+  setMetadata(kPendingEditsKey, pendingEditsToJson(pending));
+  for (const auto& [name, value] : metadata) setMetadata(name, value);
   for (const auto& [region, object] : objects) recorder_->setObject(region, object);
-  return saveFacts();
+  return saveMetadata();
 }
 
 int OpenSession::brickCount() const { return pipeline_->bricks().brickCount(); }
@@ -166,7 +167,7 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
   std::unique_ptr<SessionWriter> writer;
   SCANTROVE_TRY(moveInto(writer, SessionWriter::start(folder, SessionWriter::Way::open)));
   SCANTROVE_TRY(moveInto(session->scan_, loadScan(*writer, session->damages_)));
-  SCANTROVE_TRY(moveInto(session->setup_, setupFrom(session->scan_.facts)));
+  SCANTROVE_TRY(moveInto(session->setup_, setupFrom(session->scan_.metadata)));
   SCANTROVE_TRY(moveInto(session->compute_, ComputeContext::create({.device = device})));
   SCANTROVE_TRY(moveInto(
       session->pipeline_,
@@ -239,7 +240,7 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
                     std::to_string(K.width) + " x " + std::to_string(K.height) + " pixels of a frame.",
                 "Count from 0,0 at the top left.");
   }
-  const auto view = pipeline_->lookAtMap(saved->T_world_camera);
+  const auto view = pipeline_->renderView(saved->T_world_camera);
   if (!view) return fail(view.error());
   const auto column = static_cast<std::size_t>(x * view->width / K.width);
   const auto row = static_cast<std::size_t>(y * view->height / K.height);
@@ -274,14 +275,14 @@ int OpenSession::lastOperation(SaidHow how) const {
 void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, SaidHow how) {
   std::map<RegionId, ObjectId> objects = recorder_->objects();
   JoinedObjects joined = scantrove::joinObjects(outcome.events, objects);
-  const std::string name = joinFactOf(lastOperation(how));
+  const std::string name = joinKeyOf(lastOperation(how));
   if (how == SaidHow::undone) {
     joined = joinedFrom(fact(name));
     for (const auto& [region, object] : joined.before) objects[region] = object;
     joined.state = JoinedObjects::State::to_part;
     if (joined.merges.empty()) joined = {};
   }
-  if (const std::string text = joinedToText(joined); text != fact(name)) setFact(name, text);
+  if (const std::string text = joinedToText(joined); text != fact(name)) setMetadata(name, text);
   recorder_->setObjects(std::move(objects));
 }
 
@@ -289,8 +290,8 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
   if (!outcome) return outcome;
   joinObjects(*outcome, how);
   if (isNaming(outcome->operation.kind))
-    setFact(kObjectsFact, withoutRegions(fact(kObjectsFact), outcome->operation.regions));
-  if (areResultsCurrent()) setFact(kResultsFact, kResultsEdited);
+    setMetadata(kObjectsKey, withoutRegions(fact(kObjectsKey), outcome->operation.regions));
+  if (areResultsCurrent()) setMetadata(kResultsKey, kResultsEdited);
   std::vector<CatalogueStep> steps;
   if (has_catalogue_ && !setup_.database.empty())
     steps = catalogueStepsOf(outcome->operation, how,
@@ -298,9 +299,9 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
   if (!steps.empty()) {
     std::vector<PendingEdit> pending = pendingEdits();
     pending.push_back(pendingEditOf(std::move(steps)));
-    setFact(kPendingEditsFact, pendingEditsToJson(pending));
+    setMetadata(kPendingEditsKey, pendingEditsToJson(pending));
   }
-  SCANTROVE_TRY(saveFacts());
+  SCANTROVE_TRY(saveMetadata());
   return outcome;
 }
 

@@ -92,16 +92,16 @@ class OpenSession {
   [[nodiscard]] Result<bool> useCatalogue(ObjectDatabase& database);
   /// A note for this program itself, by name; empty: there is none.
   [[nodiscard]] std::string fact(const std::string& name) const;
-  void setFact(const std::string& name, const std::string& value);
+  void setMetadata(const std::string& name, const std::string& value);
   /// Writes them. Error: they could not be written.
-  [[nodiscard]] Result<void> saveFacts();
+  [[nodiscard]] Result<void> saveMetadata();
   /// Operations are not for the catalogue from now on.
-  void leaveOutCatalogue() { has_catalogue_ = false; }
+  void omitCatalogue() { has_catalogue_ = false; }
   /// What operations have still to do in the catalogue, oldest first.
   [[nodiscard]] std::vector<PendingEdit> pendingEdits() const;
   /// The catalogue has carried out the oldest: that, and what it said, is written in one piece. Error: it
   /// could not be written.
-  [[nodiscard]] Result<void> completeEdit(const SavedFacts& facts,
+  [[nodiscard]] Result<void> completeEdit(const SessionMetadata& metadata,
                                           const std::map<RegionId, ObjectId>& objects);
   /// Of the map.
   [[nodiscard]] int brickCount() const;

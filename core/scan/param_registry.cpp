@@ -48,7 +48,7 @@ ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member
 }
 
 /// 4 or 8, as words: nothing in between is meaningful.
-ParamInfo neighbours() {
+ParamInfo neighbors() {
   ParamInfo info{"segmentation.neighbours",
                  "",
                  0,
@@ -58,8 +58,8 @@ ParamInfo neighbours() {
                  {"4", "8"},
                  {},
                  {}};
-  info.get = [](const ScanParams& params) { return params.segmentation.neighbours == 4 ? 0.0 : 1.0; };
-  info.set = [](ScanParams& params, double index) { params.segmentation.neighbours = index < 0.5 ? 4 : 8; };
+  info.get = [](const ScanParams& params) { return params.segmentation.neighbors == 4 ? 0.0 : 1.0; };
+  info.set = [](ScanParams& params, double index) { params.segmentation.neighbors = index < 0.5 ? 4 : 8; };
   return info;
 }
 
@@ -91,7 +91,7 @@ std::vector<ParamInfo> makeRegistry() {
       number("fusion.working_width", f, &F::working_width, "px", 40, 1920,
              "width of V_t and N_t: tracking and segmentation run at this size"),
       number("segmentation.k", s, &S::k, "", 1e-6, 10, "larger k, larger segments (eq. 3.4)"),
-      neighbours(),
+      neighbors(),
       number("segmentation.max_distance_factor", s, &S::max_distance_factor, "", 0.5, 50,
              "neighbours farther apart than factor * z / f never join"),
       number("segmentation.min_max_distance_m", s, &S::min_max_distance_m, "m", 0, 1, "least such distance"),
@@ -142,13 +142,13 @@ std::vector<ParamInfo> makeRegistry() {
              "things hide what lies so much deeper (from 1.5 m on in proportion to the depth)"),
       number("discovery.max_strip_fraction", d, &D::max_strip_fraction, "", 0, 0.25,
              "widest blind strip at the image's edges, of its width or height"),
-      number("discovery.whole_looks", d, &D::whole_looks, "frames", 1, 1000,
+      number("discovery.whole_looks", d, &D::complete_observations, "frames", 1, 1000,
              "looks after which a candidate may become an object"),
-      number("discovery.whole_outline", d, &D::whole_outline, "", 0, 1,
+      number("discovery.whole_outline", d, &D::complete_outline, "", 0, 1,
              "part of an object's outline that must be its own edge"),
-      number("discovery.whole_hidden", d, &D::whole_hidden, "", 0, 1,
+      number("discovery.whole_hidden", d, &D::complete_hidden, "", 0, 1,
              "part of an object's outline that nearer things may hide"),
-      number("discovery.whole_angle_deg", d, &D::whole_angle_deg, "degrees", 0, 180,
+      number("discovery.whole_angle_deg", d, &D::complete_angle_deg, "degrees", 0, 180,
              "between two of the directions from which an object was seen"),
       number("discovery.still_frames", d, &D::still_frames, "frames", 1, 100000,
              "that count as much as two directions, where the camera stands still"),
@@ -222,7 +222,7 @@ Result<void> setNumber(ScanParams& params, const ParamInfo& info, double value) 
     return fail("The value " + plain(value) + " of '" + info.key + "' is out of range.",
                 "It must lie between " + plain(info.minimum) + " and " + plain(info.maximum) + ".");
   }
-  if (info.is_whole && value != std::floor(value)) {
+  if (info.is_complete && value != std::floor(value)) {
     return fail("The value " + plain(value) + " of '" + info.key + "' is not a whole number.",
                 "Give one from " + plain(info.minimum) + " to " + plain(info.maximum) + ".");
   }
@@ -273,14 +273,14 @@ std::string inAscii(std::string text) {
 /// Whether a line joins more key parts by dots than the parser, which recurses over them, should be given.
 /// A comment counts as part of the line where quotes stand before it.
 bool hasDeepKey(std::string_view text) {
-  constexpr std::ptrdiff_t kMostDots = 100;
+  constexpr std::ptrdiff_t kMaxDots = 100;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t comment = line.find_first_of("#\"'");
     if (comment != std::string_view::npos && line[comment] == '#') line = line.substr(0, comment);
-    if (std::ranges::count(line, '.') > kMostDots) return true;
+    if (std::ranges::count(line, '.') > kMaxDots) return true;
   }
   return false;
 }

@@ -15,7 +15,7 @@ struct ParamInfo {
   std::string unit;  ///< "m", "px", ...; empty = a pure number
   double minimum = 0;
   double maximum = 0;
-  bool is_whole = false;                         ///< only whole numbers
+  bool is_complete = false;                      ///< only whole numbers
   std::string help;                              ///< one line
   std::vector<std::string> choices;              ///< non-empty: the value is one of these words
   std::function<double(const ScanParams&)> get;  ///< choices: the index of the word

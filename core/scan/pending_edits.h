@@ -38,7 +38,7 @@ struct PendingEdit {
 };
 
 /// The session's fact that keeps them, oldest first.
-inline constexpr const char* kPendingEditsFact = "pending edits";
+inline constexpr const char* kPendingEditsKey = "pending edits";
 
 /// Of an operation that was done, undone or done again; none: it does not concern the catalogue. `note_of`:
 /// what is said of a region now.

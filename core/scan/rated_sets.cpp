@@ -17,34 +17,36 @@ constexpr float kLessOfLarge = 2;  // for each e times as large
 }  // namespace
 
 bool RatedSets::Look::isBetterThan(const Look& other) const {
-  return is_cut_off != other.is_cut_off ? other.is_cut_off : wholeness > other.wholeness;
+  return is_cut_off != other.is_cut_off ? other.is_cut_off : objectness > other.objectness;
 }
 
-float RatedSets::Looks::together() const {
+float RatedSets::Observations::together() const {
   const float less = kLessOfLarge * std::log(std::max(longest_m / kLargeFrom_m, 1.0F));
   return std::accumulate(best.begin(), best.end(), 0.0F) / static_cast<float>(best.size() + 1) - less;
 }
 
 void RatedSets::add(int frame_index, std::span<const Candidate> candidates) {
   for (const Candidate& candidate : candidates) {
-    if (!candidate.wholeness) continue;
-    Looks& looks = looks_[candidate.regions];
-    const Look look{candidate.is_cut_off, *candidate.wholeness, frame_index};
-    if (!looks.to_show || look.isBetterThan(*looks.to_show)) looks.to_show = look;
-    looks.best.insert(std::ranges::lower_bound(looks.best, *candidate.wholeness, std::greater<>()),
-                      *candidate.wholeness);
-    if (looks.best.size() > kLooks) looks.best.pop_back();
-    looks.longest_m = std::max(looks.longest_m, candidate.size_m[0]);
+    if (!candidate.objectness) continue;
+    Observations& observations = observations_[candidate.regions];
+    const Look look{candidate.is_cut_off, *candidate.objectness, frame_index};
+    if (!observations.to_show || look.isBetterThan(*observations.to_show)) observations.to_show = look;
+    observations.best.insert(
+        std::ranges::lower_bound(observations.best, *candidate.objectness, std::greater<>()),
+        *candidate.objectness);
+    if (observations.best.size() > kLooks) observations.best.pop_back();
+    observations.longest_m = std::max(observations.longest_m, candidate.size_m[0]);
   }
 }
 
-std::vector<RatedSets::Rated> RatedSets::disjoint(float least_wholeness) const {
+std::vector<RatedSets::Rated> RatedSets::disjoint(float least_objectness) const {
   std::vector<Rated> likely;
-  for (const auto& [regions, looks] : looks_) {
-    const float wholeness = looks.together();
-    if (wholeness >= least_wholeness) likely.push_back({regions, wholeness, looks.to_show->frame_index});
+  for (const auto& [regions, observations] : observations_) {
+    const float objectness = observations.together();
+    if (objectness >= least_objectness)
+      likely.push_back({regions, objectness, observations.to_show->frame_index});
   }
-  std::ranges::stable_sort(likely, std::greater<>(), &Rated::wholeness);
+  std::ranges::stable_sort(likely, std::greater<>(), &Rated::objectness);
   std::vector<Rated> chosen;
   for (Rated& rated : likely) {
     if (std::ranges::none_of(chosen,
@@ -55,16 +57,17 @@ std::vector<RatedSets::Rated> RatedSets::disjoint(float least_wholeness) const {
 }
 
 void RatedSets::rename(const Rename& rename) {
-  std::map<RegionSet, Looks> renamed;
-  for (auto& [regions, looks] : looks_) {
-    if (const std::optional<RegionSet> now = rename(regions)) renamed.emplace(*now, std::move(looks));
+  std::map<RegionSet, Observations> renamed;
+  for (auto& [regions, observations] : observations_) {
+    if (const std::optional<RegionSet> now = rename(regions)) renamed.emplace(*now, std::move(observations));
   }
-  looks_ = std::move(renamed);
+  observations_ = std::move(renamed);
 }
 
-bool RatedSets::isUnlikely(RegionId region, float least_wholeness) const {
-  return looks_.contains(RegionSet{region}) && std::ranges::none_of(looks_, [&](const auto& entry) {
-           return entry.second.together() >= least_wholeness && entry.first.contains(region);
+bool RatedSets::isUnlikely(RegionId region, float least_objectness) const {
+  return observations_.contains(RegionSet{region}) &&
+         std::ranges::none_of(observations_, [&](const auto& entry) {
+           return entry.second.together() >= least_objectness && entry.first.contains(region);
          });
 }
 

@@ -7,22 +7,22 @@ namespace scantrove {
 void RecognitionHistory::add(const RegionSet& regions, const DetectionMatch& match, float max_distance,
                              int frame) {
   Tally& tally = tallies_[regions];
-  ++tally.looks;
+  ++tally.observations;
   tally.last_frame = frame;
   if (!match.object) return;
   Votes& votes = tally.votes[match.object];
-  ++votes.looks;
+  ++votes.observations;
   votes.sure = votes.sure || match.distance < kSurePart * max_distance;
 }
 
-bool RecognitionHistory::isLookDue(const RegionSet& regions, int frame) const {
+bool RecognitionHistory::isAttemptDue(const RegionSet& regions, int frame) const {
   const auto found = tallies_.find(regions);
   return found == tallies_.end() || frame - found->second.last_frame >= kFramesApart;
 }
 
-int RecognitionHistory::looks(const RegionSet& regions) const {
+int RecognitionHistory::observations(const RegionSet& regions) const {
   const auto found = tallies_.find(regions);
-  return found == tallies_.end() ? 0 : found->second.looks;
+  return found == tallies_.end() ? 0 : found->second.observations;
 }
 
 std::optional<ObjectId> RecognitionHistory::verdict(const RegionSet& regions) const {
@@ -30,13 +30,13 @@ std::optional<ObjectId> RecognitionHistory::verdict(const RegionSet& regions) co
   if (found == tallies_.end()) return std::nullopt;
   const Tally& tally = found->second;
   const auto best = std::ranges::max_element(tally.votes, {}, [](const auto& entry) {
-    return entry.second.looks + (entry.second.sure ? kLooksToKnow : 0);
+    return entry.second.observations + (entry.second.sure ? kAttemptsToKnow : 0);
   });
-  if (best != tally.votes.end() && (best->second.sure || best->second.looks >= kLooksToKnow))
+  if (best != tally.votes.end() && (best->second.sure || best->second.observations >= kAttemptsToKnow))
     return best->first;
   // A single vote among many looks was chance.
-  const int needed = tally.votes.empty() ? kLooksToGiveUp : 2 * kLooksToGiveUp;
-  if (tally.looks < needed) return std::nullopt;
+  const int needed = tally.votes.empty() ? kAttemptsToGiveUp : 2 * kAttemptsToGiveUp;
+  if (tally.observations < needed) return std::nullopt;
   return ObjectId{};
 }
 

@@ -11,17 +11,17 @@ namespace scantrove {
 /// wrong, and one from a new side says little against an object.
 class RecognitionHistory {
  public:
-  static constexpr int kLooksToKnow = 2;    ///< that name the same object
-  static constexpr int kLooksToGiveUp = 4;  ///< that name none
-  static constexpr int kFramesApart = 4;    ///< between two looks
-  static constexpr int kMemory = 900;       ///< frames
+  static constexpr int kAttemptsToKnow = 2;    ///< that name the same object
+  static constexpr int kAttemptsToGiveUp = 4;  ///< that name none
+  static constexpr int kFramesApart = 4;       ///< between two looks
+  static constexpr int kMemory = 900;          ///< frames
   /// One look is enough where the distance is below this part of the greatest that counts.
   static constexpr float kSurePart = 0.5F;
 
   /// The regions were looked up in frame `frame`.
   void add(const RegionSet& regions, const DetectionMatch& match, float max_distance, int frame);
-  [[nodiscard]] bool isLookDue(const RegionSet& regions, int frame) const;
-  [[nodiscard]] int looks(const RegionSet& regions) const;
+  [[nodiscard]] bool isAttemptDue(const RegionSet& regions, int frame) const;
+  [[nodiscard]] int observations(const RegionSet& regions) const;
 
   /// The object that they are; none: no object that is known. Empty: more looks are needed.
   [[nodiscard]] std::optional<ObjectId> verdict(const RegionSet& regions) const;
@@ -33,11 +33,11 @@ class RecognitionHistory {
  private:
   friend class CollectorMemory;
   struct Votes {
-    int looks = 0;
+    int observations = 0;
     bool sure = false;
   };
   struct Tally {
-    int looks = 0;
+    int observations = 0;
     int last_frame = 0;
     std::map<ObjectId, Votes> votes;
   };

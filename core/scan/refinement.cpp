@@ -33,7 +33,7 @@ Refinement::Refinement(ScanPipeline& pipeline, std::filesystem::path folder, Key
                        Callbacks callbacks)
     : pipeline_(pipeline),
       folder_(std::move(folder)),
-      key_frames_(evenly(std::move(key_frames), kMostKeyFrames)),
+      key_frames_(evenly(std::move(key_frames), kMaxKeyFrames)),
       callbacks_(std::move(callbacks)) {}
 
 Result<void> Refinement::run(RefinementPosition begin) {
@@ -41,12 +41,12 @@ Result<void> Refinement::run(RefinementPosition begin) {
   // Ratings are not kept: they count together.
   if (position_.pass == Pass::rate) position_.frames = 0;
   for (bool is_first = true; position_.pass != Pass::done; is_first = false) {
-    if (!callbacks_.goes_on()) return {};  // a pass may begin by reading the whole map
+    if (!callbacks_.may_continue()) return {};  // a pass may begin by reading the whole map
     const Result<std::vector<Task>> tasks = beginPass(is_first);
     if (!tasks) return fail(tasks.error());
     for (std::size_t i = static_cast<std::size_t>(position_.frames); i < tasks->size(); ++i) {
-      if (!callbacks_.goes_on()) return {};
-      tellProgress(tasks->size());
+      if (!callbacks_.may_continue()) return {};
+      reportProgress(tasks->size());
       SCANTROVE_TRY(doTask((*tasks)[i]));
       ++position_.frames;
     }
@@ -75,7 +75,7 @@ Result<std::vector<Refinement::Task>> Refinement::beginPass(bool is_first) {
 
 std::vector<Refinement::Task> Refinement::allKeyFrames() const {
   std::vector<Task> tasks;
-  for (const SessionRecorder::KeptFrame& key : key_frames_) tasks.push_back({key.frame.source_index, &key});
+  for (const SessionRecorder::StoredFrame& key : key_frames_) tasks.push_back({key.frame.source_index, &key});
   return tasks;
 }
 
@@ -104,7 +104,7 @@ int Refinement::stepsOf(Pass pass) const {
 }
 
 /// The number of tasks in a pass is known when it begins, its part of all steps before.
-void Refinement::tellProgress(std::size_t tasks) const {
+void Refinement::reportProgress(std::size_t tasks) const {
   int done = 0, all = 0;
   for (const Pass pass : kPasses) {
     all += stepsOf(pass);

@@ -25,20 +25,20 @@ struct RefinementPosition {
 /// be stopped at any frame and continued from there later. One thread, the worker's.
 class Refinement {
  public:
-  using KeyFrames = std::vector<SessionRecorder::KeptFrame>;
+  using KeyFrames = std::vector<SessionRecorder::StoredFrame>;
   struct Callbacks {
-    std::function<bool()> goes_on;  ///< asked before each frame
+    std::function<bool()> may_continue;  ///< asked before each frame
     std::function<void(int done, int steps)> progress;
     std::function<void(const FrameObjects&)> collected;
   };
 
   /// Of more key frames only so many are used, evenly spread. One takes as long as six frames of the scan.
-  static constexpr std::size_t kMostKeyFrames = 180;
+  static constexpr std::size_t kMaxKeyFrames = 180;
 
   /// `folder`: of the session. `pipeline` outlives the refinement.
   Refinement(ScanPipeline& pipeline, std::filesystem::path folder, KeyFrames key_frames, Callbacks callbacks);
 
-  /// Refines from `begin` to the end, or until `goes_on` says false. Error: the device failed.
+  /// Refines from `begin` to the end, or until `may_continue` says false. Error: the device failed.
   [[nodiscard]] Result<void> run(RefinementPosition begin);
   /// Where run() stopped.
   [[nodiscard]] RefinementPosition position() const { return position_; }
@@ -48,8 +48,8 @@ class Refinement {
   using Pass = RefinementPosition::Pass;
   /// One frame of a pass.
   struct Task {
-    int frame_index = 0;                              ///< RgbdFrame::index
-    const SessionRecorder::KeptFrame* key = nullptr;  ///< null: its images are not needed
+    int frame_index = 0;                                ///< RgbdFrame::index
+    const SessionRecorder::StoredFrame* key = nullptr;  ///< null: its images are not needed
   };
 
   [[nodiscard]] Result<std::vector<Task>> beginPass(bool is_first);
@@ -58,7 +58,7 @@ class Refinement {
   [[nodiscard]] std::vector<Task> allKeyFrames() const;
   /// Of the progress.
   [[nodiscard]] int stepsOf(Pass pass) const;
-  void tellProgress(std::size_t tasks) const;
+  void reportProgress(std::size_t tasks) const;
 
   ScanPipeline& pipeline_;
   std::filesystem::path folder_;

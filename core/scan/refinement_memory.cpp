@@ -10,14 +10,14 @@ namespace scantrove {
 namespace {
 
 constexpr std::uint32_t kRefinementVersion = 1;
-constexpr const char* kStateFact = "refinement";
-constexpr const char* kMemoryFact = "refinement memory";
+constexpr const char* kStateKey = "refinement";
+constexpr const char* kMemoryKey = "refinement memory";
 constexpr const char* kDone = "done";
 constexpr const char* kPending = "pending";
 
-std::string factIn(const SavedFacts& facts, const char* name) {
-  const auto found = facts.find(name);
-  return found == facts.end() ? std::string() : found->second;
+std::string metadataIn(const SessionMetadata& metadata, const char* name) {
+  const auto found = metadata.find(name);
+  return found == metadata.end() ? std::string() : found->second;
 }
 
 /// How many operations there are, and how many of them are done.
@@ -28,11 +28,12 @@ std::pair<int, int> countsOf(std::span<const OperationLog::Entry> operations) {
 
 }  // namespace
 
-SavedFacts refinementFacts(bool is_done) {
-  return {{kStateFact, is_done ? kDone : kPending}, {kMemoryFact, ""}};
+SessionMetadata refinementMetadata(bool is_done) {
+  return {{kStateKey, is_done ? kDone : kPending}, {kMemoryKey, ""}};
 }
 
-SavedFacts refinementFacts(const RefinementMemory& memory, std::span<const OperationLog::Entry> operations) {
+SessionMetadata refinementMetadata(const RefinementMemory& memory,
+                                   std::span<const OperationLog::Entry> operations) {
   ByteWriter to;
   to.put(kRefinementVersion);
   to.put(memory.position);
@@ -41,18 +42,18 @@ SavedFacts refinementFacts(const RefinementMemory& memory, std::span<const Opera
   to.put(done);
   to.putList(std::span<const std::uint32_t>(memory.collector));
   to.putList(std::span<const RegionId>(memory.known));
-  return {{kStateFact, kPending}, {kMemoryFact, packedText(to.take())}};
+  return {{kStateKey, kPending}, {kMemoryKey, packedText(to.take())}};
 }
 
-bool canBeRefined(const SavedFacts& facts) {
-  const std::string state = factIn(facts, kStateFact);
+bool canBeRefined(const SessionMetadata& metadata) {
+  const std::string state = metadataIn(metadata, kStateKey);
   // Earlier versions kept nothing, and refined every scan that came to its end.
-  return state.empty() ? factIn(facts, "ended").empty() : state != kDone;
+  return state.empty() ? metadataIn(metadata, "ended").empty() : state != kDone;
 }
 
-std::optional<RefinementMemory> refinementMemoryFrom(const SavedFacts& facts,
+std::optional<RefinementMemory> refinementMemoryFrom(const SessionMetadata& metadata,
                                                      std::span<const OperationLog::Entry> operations) {
-  const auto words = wordsFromText(factIn(facts, kMemoryFact));
+  const auto words = wordsFromText(metadataIn(metadata, kMemoryKey));
   if (!words) return std::nullopt;
   ByteReader from(*words);
   if (from.get<std::uint32_t>() != kRefinementVersion) return std::nullopt;

@@ -20,14 +20,14 @@ struct RefinementMemory {
 };
 
 /// Of one that is done, or of which nothing is kept yet.
-[[nodiscard]] SavedFacts refinementFacts(bool is_done);
+[[nodiscard]] SessionMetadata refinementMetadata(bool is_done);
 /// `operations`: what persons did to the regions by then.
-[[nodiscard]] SavedFacts refinementFacts(const RefinementMemory& memory,
-                                         std::span<const OperationLog::Entry> operations);
+[[nodiscard]] SessionMetadata refinementMetadata(const RefinementMemory& memory,
+                                                 std::span<const OperationLog::Entry> operations);
 
 /// None: nothing is kept. When persons have done something to the regions since, what was rated is rated
 /// again.
 [[nodiscard]] std::optional<RefinementMemory> refinementMemoryFrom(
-    const SavedFacts& facts, std::span<const OperationLog::Entry> operations);
+    const SessionMetadata& metadata, std::span<const OperationLog::Entry> operations);
 
 }  // namespace scantrove

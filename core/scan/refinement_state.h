@@ -4,6 +4,6 @@
 namespace scantrove {
 
 /// Whether the session's scan can be refined still: that was skipped, or the scan broke off.
-[[nodiscard]] bool canBeRefined(const SavedFacts& facts);
+[[nodiscard]] bool canBeRefined(const SessionMetadata& metadata);
 
 }  // namespace scantrove

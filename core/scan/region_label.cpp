@@ -54,9 +54,9 @@ void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<Region
 
 Result<CatalogueObjects> CatalogueObjects::read(ObjectDatabase& database) {
   CatalogueObjects objects;
-  const auto holders = database.holders();
-  if (!holders) return fail(holders.error());
-  for (const ObjectHolder& entry : *holders) objects.holders_[entry.object] = entry.holder;
+  const auto merge_roots = database.merge_roots();
+  if (!merge_roots) return fail(merge_roots.error());
+  for (const MergeRoot& entry : *merge_roots) objects.merge_roots_[entry.object] = entry.root;
   auto records = database.objects();
   if (!records) return fail(records.error());
   for (ObjectRecord& record : *records) objects.records_.emplace(record.id, std::move(record));
@@ -64,9 +64,9 @@ Result<CatalogueObjects> CatalogueObjects::read(ObjectDatabase& database) {
 }
 
 RegionObject CatalogueObjects::of(ObjectId id) const {
-  const auto holder = holders_.find(id);
-  if (!id || holder == holders_.end()) return {};
-  const auto record = records_.find(holder->second);
+  const auto root = merge_roots_.find(id);
+  if (!id || root == merge_roots_.end()) return {};
+  const auto record = records_.find(root->second);
   if (record == records_.end()) return {.state = State::deleted};
   const ObjectRecord& known = record->second;
   return {State::known, known.id, known.name, known.named_by, known.confirmed, known.id != id};

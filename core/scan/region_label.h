@@ -50,7 +50,7 @@ class CatalogueObjects {
   [[nodiscard]] RegionObject of(ObjectId id) const;
 
  private:
-  std::map<ObjectId, ObjectId> holders_;  // none: deleted
+  std::map<ObjectId, ObjectId> merge_roots_;  // none: deleted
   std::map<ObjectId, ObjectRecord> records_;
 };
 
@@ -63,11 +63,11 @@ struct RememberedObject {
 using RememberedObjects = std::map<RegionId, RememberedObject>;
 
 /// The fact that keeps the name that a region got in its session alone.
-[[nodiscard]] inline std::string sessionOnlyFactOf(RegionId region) {
+[[nodiscard]] inline std::string sessionOnlyKeyOf(RegionId region) {
   return "session only " + std::to_string(region.value);
 }
 /// The fact that keeps them.
-inline constexpr const char* kObjectsFact = "objects";
+inline constexpr const char* kObjectsKey = "objects";
 [[nodiscard]] std::string rememberedToText(const RememberedObjects& objects);
 /// None for what was not written so.
 [[nodiscard]] RememberedObjects rememberedFrom(const std::string& text);

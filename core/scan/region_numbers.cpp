@@ -19,13 +19,13 @@ std::uint32_t RegionNumbers::numberOf(RegionId region) {
 }
 
 std::size_t RegionNumbers::freeNumberFor(RegionId region) {
-  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();
+  constexpr std::size_t kMax = std::numeric_limits<std::uint16_t>::max();
   const std::size_t own = region.value;
-  if (own <= kMost) {
+  if (own <= kMax) {
     if (entries_.size() <= own) entries_.resize(own + 1);
     if (!entries_[own].region) return own;
   }
-  entries_.resize(kMost + 1);
+  entries_.resize(kMax + 1);
   const auto oldest = std::ranges::min_element(entries_.begin() + 1, entries_.end(), {}, &Entry::last_use);
   return static_cast<std::size_t>(oldest - entries_.begin());
 }

@@ -20,11 +20,11 @@ namespace scantrove {
 namespace {
 
 /// All key frames are looked at in images of this width; so few pixels of a region are not worth a view.
-constexpr int kSmallWidth_px = 160, kLeastPixels = 8;
+constexpr int kSmallWidth_px = 160, kMinPixels = 8;
 /// What is cut off by the image's border counts for so much.
-constexpr float kOfCut = 0.4F;
+constexpr float kCropFraction = 0.4F;
 /// A view shows at least so much of the region as this part of the best one.
-constexpr float kLeastOfBest = 0.2F;
+constexpr float kMinOfBest = 0.2F;
 constexpr float kBetweenViews_deg = 20;
 
 /// A key frame that shows the region.
@@ -53,10 +53,10 @@ Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId regio
     if (!choice.takes(T_world_camera)) continue;
     const Result<MapView> view = viewMap(session.pipeline(), small, T_world_camera);
     if (!view) return fail(view.error());
-    const std::optional<Candidate> seen = candidateOf(region, view->input(), kLeastPixels);
+    const std::optional<Candidate> seen = candidateOf(region, view->input(), kMinPixels);
     if (!seen) continue;
     const auto pixels = static_cast<float>(seen->pixels);
-    showing.push_back({&key, found->second, isCutOff(seen->box_px, small) ? kOfCut * pixels : pixels,
+    showing.push_back({&key, found->second, isCutOff(seen->box_px, small) ? kCropFraction * pixels : pixels,
                        directionOf(*seen, T_world_camera)});
   }
   std::ranges::stable_sort(showing, std::greater<>(), &Showing::worth);
@@ -64,17 +64,17 @@ Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId regio
 }
 
 /// None: its images cannot be read, or do not show the region.
-Result<std::optional<ObjectView>> cutFrom(OpenSession& session, const Showing& showing, RegionId region) {
+Result<std::optional<ObjectView>> cropFrom(OpenSession& session, const Showing& showing, RegionId region) {
   const Result<RgbdFrame> frame = readKeyFrame(session.folder(), *showing.images, *showing.frame);
   if (!frame || frame->color.empty()) return std::nullopt;
   const Intrinsics& K = session.pipeline().workingIntrinsics();
   const Result<MapView> view = viewMap(session.pipeline(), K, showing.frame->T_world_camera);
   if (!view) return fail(view.error());
-  const std::optional<Candidate> seen = candidateOf(region, view->input(), kLeastPixels);
+  const std::optional<Candidate> seen = candidateOf(region, view->input(), kMinPixels);
   if (!seen) return std::nullopt;
   const SurfaceInColor in_color =
       locateInColor(frame->color_camera, K, view->T_world_camera, view->vertices_world);
-  std::optional<ObjectView> cut = cutView(*frame, view->T_world_camera, in_color, *seen);
+  std::optional<ObjectView> cut = cropView(*frame, view->T_world_camera, in_color, *seen);
   if (cut) cut->descriptor = makeThumbnail(cut->color, cut->mask);
   return cut;
 }
@@ -88,9 +88,9 @@ Result<std::vector<ObjectView>> viewsOfRegion(OpenSession& session, RegionId reg
   ViewSphere directions;
   float best = 0;
   for (const Showing& one : *showing) {
-    if (views.size() >= most || one.worth < kLeastOfBest * best) break;
+    if (views.size() >= most || one.worth < kMinOfBest * best) break;
     if (!directions.isNew(one.direction, kBetweenViews_deg)) continue;
-    Result<std::optional<ObjectView>> view = cutFrom(session, one, region);
+    Result<std::optional<ObjectView>> view = cropFrom(session, one, region);
     if (!view) return fail(view.error());
     if (!*view) continue;
     best = std::max(best, one.worth);

@@ -31,12 +31,12 @@ Json stagesToJson(const std::vector<ScanReport::Stage>& stages) {
 Json objectsToJson(const std::vector<ScanReport::Object>& objects) {
   Json json = Json::array();
   for (const ScanReport::Object& object : objects) {
-    const bool is_new = object.recognised_from.empty();
+    const bool is_new = object.recognized_from.empty();
     json.push_back({{"id", object.id.value},
                     {"name", object.name},
                     {"confirmed", object.confirmed},
                     {"views", object.views},
-                    {"recognised_from", is_new ? Json(nullptr) : Json(object.recognised_from)}});
+                    {"recognised_from", is_new ? Json(nullptr) : Json(object.recognized_from)}});
   }
   return json;
 }
@@ -52,14 +52,14 @@ Json reportToJson(const ScanReport& report) {
            {{"read", frames.read},
             {"tracked", frames.tracked},
             {"lost", frames.lost},
-            {"relocalised", frames.relocalised},
+            {"relocalised", frames.relocalized},
             {"dropped", frames.dropped},
             {"skipped", frames.skipped}}},
           {"lost_frames", report.lost_frames},
           {"drift",
            {{"corrected_frames", report.drift.corrected_frames},
             {"most_corrected_m", report.drift.most_corrected_m},
-            {"places_seen_again", report.drift.places_seen_again},
+            {"places_seen_again", report.drift.revisited_key_frames},
             {"most_m", report.drift.most_m}}},
           {"advice", report.advice},
           {"origin_m", {report.origin_m.x(), report.origin_m.y(), report.origin_m.z()}},
@@ -72,7 +72,7 @@ Json reportToJson(const ScanReport& report) {
             {"megabytes", report.map_megabytes},
             {"disk_megabytes", report.map_disk_megabytes}}},
           {"regions", report.regions},
-          {"slivers", report.slivers},
+          {"slivers", report.small_fragments},
           {"refinement",
            {{"seconds", report.refinement.seconds},
             {"key_frames", report.refinement.key_frames},

@@ -9,11 +9,11 @@ namespace scantrove {
 namespace {
 
 /// Of the image.
-constexpr double kMost = 0.5;
+constexpr double kMax = 0.5;
 /// Frames after which it is settled whether most of them show what is too far away.
 constexpr int kFramesToJudge = 20;
 
-std::string metres(double value) {
+std::string meters(double value) {
   std::ostringstream text;
   text.precision(3);
   text << value << " m";
@@ -23,7 +23,7 @@ std::string metres(double value) {
 /// Pixels with readings beyond `depth_m`, as a share of the image.
 double shareBeyond(const RgbdFrame& frame, double depth_m) {
   if (frame.depth.empty()) return 0;
-  const cv::Mat beyond = frame.depth > depth_m / static_cast<double>(frame.metres_per_unit);
+  const cv::Mat beyond = frame.depth > depth_m / static_cast<double>(frame.meters_per_unit);
   return static_cast<double>(cv::countNonZero(beyond)) / static_cast<double>(frame.depth.total());
 }
 
@@ -39,12 +39,12 @@ std::optional<Error> ScanAdvisor::adviceOnDepth(const RgbdFrame& frame) {
   if (looked_at_ >= kFramesToJudge) return std::nullopt;
   ++looked_at_;
   const double share = shareBeyond(frame, static_cast<double>(max_depth_m_));
-  far_ += share > kMost ? 1 : 0;
-  far_share_ += share > kMost ? share : 0;
+  far_ += share > kMax ? 1 : 0;
+  far_share_ += share > kMax ? share : 0;
   if (looked_at_ < kFramesToJudge || far_ <= kFramesToJudge / 2) return std::nullopt;
   const long percent = std::lround(100 * far_share_ / far_);
   return Error{"Of most images about " + std::to_string(percent) + " % is farther away than " +
-                   metres(static_cast<double>(max_depth_m_)) + " and is left out.",
+                   meters(static_cast<double>(max_depth_m_)) + " and is left out.",
                "Go nearer, or set fusion.max_depth_m higher (--set fusion.max_depth_m=...); if nothing is "
                "that far away, the depth scale is wrong (--depth-scale)."};
 }

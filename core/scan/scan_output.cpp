@@ -52,7 +52,7 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
   for (const LateFrame& late : result.late)
     trajectory_.push_back({late.timestamp_s, late.pose.T_world_camera});
   if (!label_images_) return {};
-  return label_images_->add({frame.index, frame.depth, frame.metres_per_unit, result.segments,
+  return label_images_->add({frame.index, frame.depth, frame.meters_per_unit, result.segments,
                              result.regions.regions, result.pose.T_world_camera});
 }
 
@@ -73,7 +73,7 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
   if (label_images_) {
     attempt("writing the label images", [&] {
-      return label_images_->finish([&](const Eigen::Isometry3d& T) { return pipeline.lookAtMap(T); });
+      return label_images_->finish([&](const Eigen::Isometry3d& T) { return pipeline.renderView(T); });
     });
   }
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline); });

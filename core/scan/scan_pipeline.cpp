@@ -60,7 +60,7 @@ ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame,
                                                 std::span<const Eigen::Vector4f> vertices_world) const {
   Readings readings;
   readings.view = {K.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
-  frame.depth.convertTo(readings.view.z_m, CV_32F, static_cast<double>(frame.metres_per_unit));
+  frame.depth.convertTo(readings.view.z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
   readings.contradicted = contradictedSurface(readings.view, K, vertices_world, params_.fusion.depth_noise_m);
   return readings;
 }
@@ -105,12 +105,12 @@ Error ScanPipeline::outOfMemory(int frame_index) const {
 }
 
 std::pair<const DepthPyramid&, PoseEstimate> ScanPipeline::findPose(const RgbdFrame& frame) {
-  if (next_look_.valid()) {
+  if (next_attempt_.valid()) {
     // What is waited for here began beside the frame before.
-    PoseTracker::FirstLook look = stage("track", [&] { return next_look_.get(); });
+    PoseTracker::TrackingAttempt attempt = stage("track", [&] { return next_attempt_.get(); });
     const DepthPyramid& depth = preprocessor_->pyramid();
-    if (look.frame.index == frame.index && look.frame.depth.data == frame.depth.data)
-      return {depth, stage("track", [&] { return tracker_->track(std::move(look), depth, followed_); })};
+    if (attempt.frame.index == frame.index && attempt.frame.depth.data == frame.depth.data)
+      return {depth, stage("track", [&] { return tracker_->track(std::move(attempt), depth, followed_); })};
   }
   const auto prepare = [&]() -> const DepthPyramid& { return preprocessor_->process(frame); };
   const DepthPyramid& depth = stage("filter", prepare);
@@ -123,9 +123,9 @@ void ScanPipeline::beginNext(const NextFrame& next) {
   if (!next || !tracker_ || tracker_->hasUncertain() || compute_.isProfiling()) return;
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;
-  next_look_ = std::async(std::launch::async, [this, look = tracker_->lookAt(*frame)]() mutable {
-    tracker_->registerToModel(look, preprocessor_->process(look.frame), followed_);
-    return std::move(look);
+  next_attempt_ = std::async(std::launch::async, [this, attempt = tracker_->beginAttempt(*frame)]() mutable {
+    tracker_->registerToModel(attempt, preprocessor_->process(attempt.frame), followed_);
+    return std::move(attempt);
   });
 }
 
@@ -149,7 +149,7 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
     if (tracker_) followed_ = motion_->settled(surface_, map_->bricks());
   });
   if (tracker_) {
-    stage("track", [&] { result.is_place = tracker_->learn(frame, depth, surface_); });
+    stage("track", [&] { result.is_tracking_key_frame = tracker_->addKeyFrame(frame, depth, surface_); });
     result.returned = tracker_->takeReturned();
   }
 
@@ -177,16 +177,18 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   const FrameClues clues = stage("color", [&] { return looked.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
     return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, clues.lab,
-                           working_K_, T_world_camera, cloud_->voxelsOfFragments(), cameWith()},
+                           working_K_, T_world_camera, cloud_->voxelsOfFragments(), appearedRegions()},
                           table_, params_.labeling);
   });
   touched_ = stage("update", [&] { return label(surface_, merged); });
   result.regions = std::move(merged.map);
-  stage("discover", [&] { looks_.record(result.regions, result.vertices_world, T_world_camera, table_); });
+  stage("discover",
+        [&] { observations_.record(result.regions, result.vertices_world, T_world_camera, table_); });
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
-  const std::vector<Candidate> candidates = stage(
-      "discover", [&] { return findCandidates(*finder_, result, working_K_, clues, table_, cameWith()); });
+  const std::vector<Candidate> candidates = stage("discover", [&] {
+    return findCandidates(*finder_, result, working_K_, clues, table_, appearedRegions());
+  });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
@@ -199,10 +201,10 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   return result;
 }
 
-std::span<const std::uint8_t> ScanPipeline::cameWith() {
-  if (motion_->came().empty()) return {};
-  cv::resize(motion_->came(), came_, {working_K_.width, working_K_.height}, 0, 0, cv::INTER_NEAREST);
-  return {came_.ptr<std::uint8_t>(), came_.total()};
+std::span<const std::uint8_t> ScanPipeline::appearedRegions() {
+  if (motion_->appeared().empty()) return {};
+  cv::resize(motion_->appeared(), appeared_, {working_K_.width, working_K_.height}, 0, 0, cv::INTER_NEAREST);
+  return {appeared_.ptr<std::uint8_t>(), appeared_.total()};
 }
 
 std::vector<LateFrame> ScanPipeline::integrateLate() {
@@ -224,7 +226,7 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
 std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const FrameResult& result,
                                                     const Intrinsics& K, const FrameClues& clues,
                                                     const RegionTable& table,
-                                                    std::span<const std::uint8_t> came) {
+                                                    std::span<const std::uint8_t> appeared) {
   const auto joiningOdds = [&](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
     return merger_->joiningOdds(a, b, table, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
@@ -240,12 +242,12 @@ std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, con
                              K,
                              clues.readings.view.T_world_camera,
                              joiningOdds,
-                             came,
+                             appeared,
                              clues.lab};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
-    constexpr double kLeastPart = 0.0005;  // of the image: less may be a rest of something
-    collector_->setRegionsInView(finder.census().regionsOfSize(kLeastPart * static_cast<double>(K.pixels())));
+    constexpr double kMinPart = 0.0005;  // of the image: less may be a rest of something
+    collector_->setRegionsInView(finder.census().regionsOfSize(kMinPart * static_cast<double>(K.pixels())));
   }
   leaveOutSaid(candidates);
   addWanted(input, candidates);
@@ -266,7 +268,7 @@ void ScanPipeline::tellOf(const RegionEvents& events, ObjectCollector::JoinedBy 
 void ScanPipeline::keepKnown(const FrameObjects& objects) {
   for (const SeenObject& seen : objects.seen) {
     for (const RegionId region : seen.regions) {
-      table_.setKnown(region, seen.confirmed || seen.recognised);
+      table_.setKnown(region, seen.confirmed || seen.recognized);
       // What a person confirmed is one thing, of however many regions it was found.
       if (seen.confirmed) merger_->mustBeOne(*seen.regions.begin(), region, table_);
     }
@@ -311,10 +313,10 @@ std::vector<Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame, con
 
 std::span<const Eigen::Vector3i> ScanPipeline::label(const SurfaceMaps& surface,
                                                      const RegionMerger::Outcome& merged) {
-  for (std::size_t i = 0; i < merged.carved.size(); ++i)
-    editor_->cutOut(merged.carved[i], merged.carved_from[i]);
+  for (std::size_t i = 0; i < merged.split_off.size(); ++i)
+    editor_->splitOff(merged.split_off[i], merged.split_from[i]);
   const std::span<const Eigen::Vector3i> touched =
-      cloud_->update(surface, merged.map, merged.carved, params_.labeling, map_->bricks());
+      cloud_->update(surface, merged.map, merged.split_off, params_.labeling, map_->bricks());
   forgetFragments();
   return touched;
 }

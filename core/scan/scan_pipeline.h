@@ -20,7 +20,7 @@
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/motion_filter.h"
 #include "core/labeling/label_cloud.h"
-#include "core/labeling/look_recorder.h"
+#include "core/labeling/observation_recorder.h"
 #include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
@@ -54,9 +54,10 @@ struct FrameResult {
   std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
   std::vector<Eigen::Vector4f> normals_world;   ///< N_t likewise
   FrameObjects objects;
-  std::vector<LateFrame> late;            ///< earlier ones that were understood with this one
-  bool is_place = false;                  ///< the camera finds its way by this frame from now on
-  std::optional<ReturnedPlace> returned;  ///< a place that the frame before, or one before it, came back to
+  std::vector<LateFrame> late;         ///< earlier ones that were understood with this one
+  bool is_tracking_key_frame = false;  ///< the camera finds its way by this frame from now on
+  std::optional<RevisitedKeyFrame>
+      returned;  ///< a place that the frame before, or one before it, came back to
 };
 
 /// One frame through every stage of the thesis. Owns map, label cloud and region table; cost per frame does
@@ -112,15 +113,15 @@ class ScanPipeline {
   /// May throw cl::Error.
   [[nodiscard]] std::optional<CameraMemory> cameraMemory();
   /// The map's last frame was that one's. False: it does not tell enough. May throw cl::Error.
-  [[nodiscard]] bool goOnFrom(CameraMemory memory);
+  [[nodiscard]] bool restoreState(CameraMemory memory);
 
   /// Of a scan that broke off, frame by frame: the camera of this map was there; those that are not lost, in
-  /// order. Whether it found its way by that frame: then recallPlace() wants it.
+  /// order. Whether it found its way by that frame: then relocalizeNear() wants it.
   [[nodiscard]] bool recallPose(const Eigen::Isometry3d& T_world_camera) {
     return tracker_ && tracker_->passBy(T_world_camera);
   }
   /// An earlier frame of this map, taken from there: by it a camera finds its way back. May throw cl::Error.
-  void recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  void relocalizeNear(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   /// The camera is somewhere on the map, perhaps there. May throw cl::Error.
   void resumeAt(const Eigen::Isometry3d& T_world_camera);
   /// The region is that object of the catalogue.
@@ -128,7 +129,7 @@ class ScanPipeline {
     if (collector_) collector_->bind(region, object);
   }
   /// What namings of the region did in earlier scans of this map can be taken back.
-  void restoreNamings(RegionId region, const std::vector<KeptNaming>& namings) {
+  void restoreNamings(RegionId region, const std::vector<StoredNaming>& namings) {
     if (collector_) collector_->restoreNamings(region, namings);
   }
 
@@ -214,19 +215,19 @@ class ScanPipeline {
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
   /// What the map shows from `T_world_camera`, with the regions as they are now. Error: the device failed.
-  [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera) {
-    return lookAtMap(T_world_camera, working_K_);
+  [[nodiscard]] Result<FrameLabelWriter::FinalView> renderView(const Eigen::Isometry3d& T_world_camera) {
+    return renderView(T_world_camera, working_K_);
   }
-  [[nodiscard]] Result<FrameLabelWriter::FinalView> lookAtMap(const Eigen::Isometry3d& T_world_camera,
-                                                              const Intrinsics& K);
+  [[nodiscard]] Result<FrameLabelWriter::FinalView> renderView(const Eigen::Isometry3d& T_world_camera,
+                                                               const Intrinsics& K);
   /// S_t of the last frame anew, by the present parameters; of a frame without a pose: empty. Of what the map
   /// shows from somewhere. Neither changes map or labels. Error: the device failed.
   [[nodiscard]] Result<SegmentMap> segmentAgain();
   [[nodiscard]] Result<SegmentMap> segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
                                                   const SegmentationParams& params);
   struct RegionCount {
-    int regions = 0;  ///< of at least kSliverVoxels voxels
-    int slivers = 0;  ///< smaller ones
+    int regions = 0;          ///< of at least kSmallFragmentVoxels voxels
+    int small_fragments = 0;  ///< smaller ones
   };
   /// Regions of the whole map that have a surface: of what was taken away, voxels may keep labels.
   [[nodiscard]] RegionCount regionCount();
@@ -239,9 +240,9 @@ class ScanPipeline {
   [[nodiscard]] std::vector<Eigen::Vector3i> allBricks() const;
   /// The same of the whole map, point by point, in an order that only depends on where they are.
   [[nodiscard]] Result<void> forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit);
-  /// The surface of the whole map; see core/meshing/mesh_extractor.h. Nothing: `goes_on` said false. Error:
-  /// the device failed, or memory ran out.
-  [[nodiscard]] Result<std::optional<SurfaceMesh>> extractMesh(const MeshProgress& goes_on = {});
+  /// The surface of the whole map; see core/meshing/mesh_extractor.h. Nothing: `may_continue` said false.
+  /// Error: the device failed, or memory ran out.
+  [[nodiscard]] Result<std::optional<SurfaceMesh>> extractMesh(const MeshProgress& may_continue = {});
 
  private:
   ScanPipeline(ComputeContext& compute, const Setup& setup)
@@ -269,7 +270,7 @@ class ScanPipeline {
   [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const FrameResult& result,
                                                       const Intrinsics& K, const FrameClues& clues,
                                                       const RegionTable& table,
-                                                      std::span<const std::uint8_t> came = {});
+                                                      std::span<const std::uint8_t> appeared = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
   /// A person said that these are none, or that a part of them is a thing of its own.
@@ -293,7 +294,7 @@ class ScanPipeline {
   /// Earlier frames whose poses were uncertain, and are certain now, go into the map.
   [[nodiscard]] std::vector<LateFrame> integrateLate();
   /// MergeInput::came of the frame that went through the motion filter last; valid until the next one.
-  [[nodiscard]] std::span<const std::uint8_t> cameWith();
+  [[nodiscard]] std::span<const std::uint8_t> appearedRegions();
   /// The voxels along `surface` take the fragments that it was merged with; the bricks that this touched.
   std::span<const Eigen::Vector3i> label(const SurfaceMaps& surface, const RegionMerger::Outcome& merged);
   /// Fragments that no voxel holds any more go; their numbers are used again.
@@ -320,7 +321,7 @@ class ScanPipeline {
   std::unique_ptr<LabelCloud> cloud_;
   RegionTable table_;
   std::unique_ptr<RegionMerger> merger_;
-  LookRecorder looks_;
+  ObservationRecorder observations_;
   std::optional<EditableCloud> editable_;
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
@@ -336,7 +337,7 @@ class ScanPipeline {
   bool has_pose_ = false;  // the last frame: surface_ is of it
   SurfaceMaps followed_;   // what of it the camera is followed by
   std::span<const Eigen::Vector3i> touched_;
-  cv::Mat came_;
+  cv::Mat appeared_;
   int frames_ = 0;  // given to processFrame
 
   struct Seen {
@@ -345,7 +346,7 @@ class ScanPipeline {
   };
   std::optional<Seen> last_seen_;  // the last usable frame, where objects are collected
 
-  std::future<PoseTracker::FirstLook> next_look_;  // uses what is above: goes first
+  std::future<PoseTracker::TrackingAttempt> next_attempt_;  // uses what is above: goes first
 };
 
 }  // namespace scantrove

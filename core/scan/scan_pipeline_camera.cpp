@@ -7,11 +7,11 @@ namespace scantrove {
 
 std::optional<CameraMemory> ScanPipeline::cameraMemory() {
   if (surface_.vertices_world.size() == 0) return std::nullopt;
-  if (next_look_.valid()) next_look_.wait();  // at a frame that will not come
+  if (next_attempt_.valid()) next_attempt_.wait();  // at a frame that will not come
   CameraMemory memory;
   if (tracker_) memory.tracker = tracker_->memory();
   memory.free_space = motion_->freeSpace().memory();
-  memory.arrivals = motion_->arrivals().memory();
+  memory.appeared_objects = motion_->appeared_objects().memory();
   memory.color_turns = color_integrator_->turns();
   memory.K = surface_.K;
   memory.T_world_camera = surface_.T_world_camera;
@@ -21,7 +21,7 @@ std::optional<CameraMemory> ScanPipeline::cameraMemory() {
   return memory;
 }
 
-bool ScanPipeline::goOnFrom(CameraMemory memory) {
+bool ScanPipeline::restoreState(CameraMemory memory) {
   if (tracker_ && !memory.tracker) return false;
   const auto sent = [&](const std::vector<cl_float4>& values) {
     Buffer<cl_float4> buffer(compute_.context(), values.size());
@@ -31,23 +31,23 @@ bool ScanPipeline::goOnFrom(CameraMemory memory) {
   working_K_ = memory.K;
   surface_ = {memory.K, memory.T_world_camera, sent(memory.vertices_world), sent(memory.normals_world)};
   known_ = KnownSurface(compute_, surface_);
-  motion_->freeSpace().goOnFrom(std::move(memory.free_space));
-  motion_->arrivals().goOnFrom(std::move(memory.arrivals));
-  color_integrator_->goOnFrom(memory.color_turns);
+  motion_->freeSpace().restoreState(std::move(memory.free_space));
+  motion_->appeared_objects().restoreState(std::move(memory.appeared_objects));
+  color_integrator_->restoreState(memory.color_turns);
   if (!tracker_) return true;
   followed_ = surface_;
   followed_.normals_world = sent(memory.followed_normals_world);
-  tracker_->goOnFrom(std::move(*memory.tracker));
+  tracker_->restoreState(std::move(*memory.tracker));
   return true;
 }
 
-void ScanPipeline::recallPlace(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+void ScanPipeline::relocalizeNear(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
   if (!tracker_) return;
   const DepthPyramid& depth = preprocessor_->process(frame);
   working_K_ = depth.levels.front().K;
   map_->raycast(T_world_camera, working_K_, surface_);
   known_ = KnownSurface(compute_, surface_);
-  tracker_->learn(frame, depth, surface_);
+  tracker_->addKeyFrame(frame, depth, surface_);
 }
 
 void ScanPipeline::resumeAt(const Eigen::Isometry3d& T_world_camera) {

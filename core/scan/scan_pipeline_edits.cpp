@@ -25,7 +25,7 @@ void ScanPipeline::addWanted(const DiscoveryInput& input, std::vector<Candidate>
   if (!collector_) return;
   const double scale = static_cast<double>(input.K.pixels()) / (640.0 * 480.0);
   const auto least_points = static_cast<int>(params_.discovery.min_points * scale);
-  for (const auto& [region, name] : collector_->wanted()) {
+  for (const auto& [region, name] : collector_->requested()) {
     // What is named is the region alone; else what a person has clicked may be a part of a set.
     const bool is_found =
         std::ranges::any_of(candidates, [one = region, is_any = name.empty()](const Candidate& other) {
@@ -114,7 +114,7 @@ void ScanPipeline::wantAsSaid() {
 }
 
 Result<void> ScanPipeline::addWantedAtEnd(const std::function<void(const FrameObjects&)>& announce) {
-  if (!last_seen_ || collector_->wanted().empty()) return {};
+  if (!last_seen_ || collector_->requested().empty()) return {};
   const Result<MapView> view = viewMap(*this, working_K_, last_seen_->T_world_camera);
   if (!view) return fail(view.error());
   std::vector<Candidate> candidates;

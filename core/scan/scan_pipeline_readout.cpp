@@ -17,8 +17,8 @@ constexpr std::size_t kBricksAtATime = 1024;
 
 }  // namespace
 
-Result<FrameLabelWriter::FinalView> ScanPipeline::lookAtMap(const Eigen::Isometry3d& T_world_camera,
-                                                            const Intrinsics& K) {
+Result<FrameLabelWriter::FinalView> ScanPipeline::renderView(const Eigen::Isometry3d& T_world_camera,
+                                                             const Intrinsics& K) {
   return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
     FrameLabelWriter::FinalView view;
     view.width = K.width;
@@ -66,7 +66,7 @@ ScanPipeline::RegionCount ScanPipeline::regionCount() {
   RegionCount count;
   for (const auto& [region, of_region] : voxels) {
     if (read && !with_surface.contains(region)) continue;  // without a device the voxels are all there is
-    ++(of_region < kSliverVoxels ? count.slivers : count.regions);
+    ++(of_region < kSmallFragmentVoxels ? count.small_fragments : count.regions);
   }
   return count;
 }
@@ -102,9 +102,9 @@ Result<void> ScanPipeline::forEachCloudPoint(const std::function<void(const Labe
   return visitBatch();
 }
 
-Result<std::optional<SurfaceMesh>> ScanPipeline::extractMesh(const MeshProgress& goes_on) {
+Result<std::optional<SurfaceMesh>> ScanPipeline::extractMesh(const MeshProgress& may_continue) {
   return guarded("making a mesh of the map", [&]() -> Result<std::optional<SurfaceMesh>> {
-    return scantrove::extractMesh(map_->bricks(), goes_on);
+    return scantrove::extractMesh(map_->bricks(), may_continue);
   });
 }
 

@@ -16,7 +16,7 @@ struct MapDrift {
   int corrected_frames = 0;
   double most_corrected_m = 0;
   /// Times that such a place was known again by its landmarks, and how far apart they lay at most.
-  int places_seen_again = 0;
+  int revisited_key_frames = 0;
   double most_m = 0;
 };
 
@@ -49,14 +49,14 @@ struct ScanReport {
   int map_bricks = 0;
   double map_megabytes = 0;       ///< device memory, MiB
   double map_disk_megabytes = 0;  ///< of the part that is on disk, compressed, MiB
-  int regions = 0;                ///< of at least kSliverVoxels voxels
-  int slivers = 0;                ///< smaller ones
+  int regions = 0;                ///< of at least kSmallFragmentVoxels voxels
+  int small_fragments = 0;        ///< smaller ones
   struct Object {
     ObjectId id;
     std::string name;
     bool confirmed = false;
     int views = 0;
-    std::string recognised_from;  ///< session that first added it; empty: added in this scan
+    std::string recognized_from;  ///< session that first added it; empty: added in this scan
   };
   std::vector<Object> objects;  ///< met in this scan
   struct Refinement {

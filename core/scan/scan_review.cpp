@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kVersionsOfScan = std::uint64_t{1} << 40U;
 
 /// What fills less of an image may be a rest of something.
-constexpr double kLeastPart = 0.001;
+constexpr double kMinPart = 0.001;
 
 /// What a frame would have given that shows the map as it is now.
 FrameResult resultOf(const FrameLabelWriter::FinalView& view, const Intrinsics& K, const SavedFrame& frame) {
@@ -92,7 +92,7 @@ Result<void> ScanReview::lookAgain() {
   ScanPipeline& pipeline = session_->pipeline();
   const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(shown_)];
   const SavedFrame& saved = *session_->frameOf(key);
-  const auto view = pipeline.lookAtMap(saved.T_world_camera);
+  const auto view = pipeline.renderView(saved.T_world_camera);
   if (!view) return fail(view.error());
   Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
   // Its labels can be seen without its pictures.
@@ -116,7 +116,7 @@ std::vector<SeenObject> ScanReview::objectsIn(const FrameResult& result, const R
       locateInColor(frame.color_camera, K, result.pose.T_world_camera, result.vertices_world);
   std::vector<SeenObject> seen = objectsInView(
       result.regions, in_color, [this](RegionId region) { return session_->labelOf(region).object; },
-      static_cast<int>(kLeastPart * static_cast<double>(K.pixels())));
+      static_cast<int>(kMinPart * static_cast<double>(K.pixels())));
   for (SeenObject& one : seen) {
     const RegionLabel label = session_->labelOf(*one.regions.begin());
     one.name = label.name;

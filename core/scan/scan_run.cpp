@@ -45,7 +45,7 @@ bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
 }
 
 /// Landmarks tell where they are to a few centimetres.
-constexpr double kDriftToTell_m = 0.10;
+constexpr double kReportedDrift_m = 0.10;
 constexpr double kClearlyWorse = 1.5;
 
 Error hasDrifted(double drift_m, int frame_index) {
@@ -65,7 +65,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanS
                                                LatestValue<ScanSnapshot>& mailbox,
                                                std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));
-  if (!request.pictures) run->snapshots_.leaveOutPictures();
+  if (!request.pictures) run->snapshots_.omitPictures();
   SCANTROVE_TRY(run->checkFolder());
   SCANTROVE_TRY(run->openFrames());
   const SourceInfo& info = run->source_->info();
@@ -101,7 +101,7 @@ Result<void> ScanRun::openSessionToRefine() {
   std::vector<std::string> damages;
   SCANTROVE_TRY(loadEarlier(damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
-  const Result<SessionSetup> setup = setupFrom(earlier_->facts);
+  const Result<SessionSetup> setup = setupFrom(earlier_->metadata);
   if (!setup) return fail(setup.error());
   request_.source = setup->source;
   request_.params = setup->params;
@@ -125,7 +125,7 @@ Result<void> ScanRun::openSessionToRefine() {
   info.frame_count = frames_.read;
   info.has_poses = true;
   source_ = std::make_unique<NoFrames>(std::move(info));
-  if (auto memory = refinementMemoryFrom(earlier_->facts, earlier_->operations))
+  if (auto memory = refinementMemoryFrom(earlier_->metadata, earlier_->operations))
     refinement_memory_ = std::move(*memory);
   return {};
 }
@@ -143,8 +143,8 @@ Result<void> ScanRun::makePipeline() {
 }
 
 bool ScanRun::isOfAnotherCatalogue() const {
-  const auto own = earlier_->facts.find(kCatalogueFact);
-  return own != earlier_->facts.end() && !own->second.empty() && own->second != catalogue_;
+  const auto own = earlier_->metadata.find(kCatalogueKey);
+  return own != earlier_->metadata.end() && !own->second.empty() && own->second != catalogue_;
 }
 
 Result<void> ScanRun::checkFolder() const {
@@ -183,9 +183,9 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
   SCANTROVE_TRY(
       moveInto(session_, SessionWriter::start(*request_.output_folder, SessionWriter::Way::create)));
   SessionRecorder::Setup setup{.all_frames = request_.record_all};
-  setup.facts = factsOf({request_.source, info.intrinsics, request_.params,
-                         databaseAsKept(request_.database, *request_.output_folder)});
-  setup.facts.merge(refinementFacts(false));
+  setup.metadata = metadataOf({request_.source, info.intrinsics, request_.params,
+                               storedDatabaseName(request_.database, *request_.output_folder)});
+  setup.metadata.merge(refinementMetadata(false));
   recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
   if (!catalogue_.empty()) recorder_->setCatalogue(catalogue_);
   return {};
@@ -194,7 +194,7 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
 Result<void> ScanRun::readSession(const SourceInfo& info) {
   std::vector<std::string> damages;
   SCANTROVE_TRY(loadEarlier(damages));
-  const Result<SessionSetup> setup = setupFrom(earlier_->facts);
+  const Result<SessionSetup> setup = setupFrom(earlier_->metadata);
   if (!setup) return fail(setup.error());
   if (!isSameCamera(setup->K, info.intrinsics)) {
     return fail("The session " + request_.output_folder->string() +
@@ -216,8 +216,8 @@ Result<void> ScanRun::readSession(const SourceInfo& info) {
 
 Result<void> ScanRun::loadEarlier(std::vector<std::string>& damages) {
   SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
-  const auto pending = earlier_->facts.find(kPendingEditsFact);
-  if (pending == earlier_->facts.end() || pending->second.empty()) return {};
+  const auto pending = earlier_->metadata.find(kPendingEditsKey);
+  if (pending == earlier_->metadata.end() || pending->second.empty()) return {};
   const std::filesystem::path folder = session_->folder();
   session_.reset();  // for one at a time
   // Opening it does that. What cannot be done by now waits on.
@@ -265,7 +265,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   frame_ms_.push_back(millisecondsSince(start));
   if (frame_ms_.size() == kFramesUntilBuilt) {
     releaseProgramPages();
-    returnFreeHeap();
+    trimHeap();
   }
   count(*result, frame.index);
   if (result->pose.usable()) keeps_earlier_scan_ = false;
@@ -304,7 +304,7 @@ void ScanRun::count(const FrameResult& result, int frame_index) {
   }
   ++frames_.tracked;
   if (first_usable_.size() < ScanAdvisor::kRememberedFrames) first_usable_.push_back(frame_index);
-  if (result.pose.state == TrackingState::relocalised) ++frames_.relocalised;
+  if (result.pose.state == TrackingState::relocalized) ++frames_.relocalized;
   measureDrift(result, frame_index);
 }
 
@@ -314,17 +314,17 @@ void ScanRun::measureDrift(const FrameResult& result, int frame_index) {
     drift_.most_corrected_m = std::max(drift_.most_corrected_m, *result.pose.drift_m);
   }
   if (!result.returned) return;
-  ++drift_.places_seen_again;
+  ++drift_.revisited_key_frames;
   // Told once, and again when it has become clearly worse.
   const double drift_m = result.returned->drift_m;
-  if (drift_m > kDriftToTell_m && drift_m > kClearlyWorse * drift_.most_m)
+  if (drift_m > kReportedDrift_m && drift_m > kClearlyWorse * drift_.most_m)
     listener_(MapDrifted{hasDrifted(drift_m, frame_index)});
   drift_.most_m = std::max(drift_.most_m, drift_m);
 }
 
 void ScanRun::announce(const FrameObjects& objects) {
   for (const ObjectRecord& added : objects.added) listener_(ObjectAdded{added.id, added.name});
-  for (const ObjectRecord& known : objects.recognised) listener_(ObjectRecognised{known.id, known.name});
+  for (const ObjectRecord& known : objects.recognized) listener_(ObjectRecognized{known.id, known.name});
   for (const ObjectId object : objects.new_views) listener_(ViewAdded{object});
   for (const NamedObject& named : objects.named) listener_(ObjectNamed{named.object, named.name});
   for (const ObjectMerge& merge : objects.merged) listener_(ObjectsMerged{merge.into, merge.from});
@@ -406,7 +406,7 @@ Result<void> ScanRun::runRefinement(const Ending& ending) {
   if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
   refinement_.skipped = true;  // until it is done
   SCANTROVE_TRY(recorder_->save(*pipeline_));
-  Result<Refinement::KeyFrames> key_frames = recorder_->keptFrames();
+  Result<Refinement::KeyFrames> key_frames = recorder_->storedFrames();
   if (!key_frames) return fail(key_frames.error());
   refinement_.skipped = !key_frames->empty();
   if (key_frames->empty()) return {};
@@ -425,16 +425,16 @@ Result<void> ScanRun::runRefinement(const Ending& ending) {
 }
 
 void ScanRun::keepRefinement() {
-  SavedFacts facts = refinementFacts(true);
+  SessionMetadata metadata = refinementMetadata(true);
   if (refinement_.skipped) {
     refinement_memory_.collector = CollectorMemory::of(*pipeline_->collector());
     const RegionTable& table = pipeline_->regionTable();
     std::set<RegionId> known(table.regions().begin(), table.regions().end());
     std::erase_if(known, [&table](RegionId region) { return !table.isKnown(region); });
     refinement_memory_.known.assign(known.begin(), known.end());
-    facts = refinementFacts(refinement_memory_, pipeline_->editor().log().entries());
+    metadata = refinementMetadata(refinement_memory_, pipeline_->editor().log().entries());
   }
-  for (const auto& [name, value] : facts) recorder_->setFact(name, value);
+  for (const auto& [name, value] : metadata) recorder_->setMetadata(name, value);
 }
 
 Result<ScanReport> ScanRun::finish(const Ending& ending) {
@@ -455,7 +455,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
   if (recorder_) {
     outcome.note(guarded("keeping the scan", [&] {
       keepRefinement();
-      if (output_) recorder_->setFact(kResultsFact, kResultsCurrent);
+      if (output_) recorder_->setMetadata(kResultsKey, kResultsCurrent);
       return recorder_->finish(*pipeline_);
     }));
   }
@@ -476,11 +476,11 @@ void ScanRun::fillReport(ScanReport& report) {
   report.advice = advice_;
   report.origin_m = origin_world_;
   report.fps = elapsed_s_ > 0 ? frames_.read / elapsed_s_ : 0;
-  const DurationSummary frame_time = summarise(frame_ms_);
+  const DurationSummary frame_time = summarize(frame_ms_);
   report.frame_median_ms = frame_time.median_ms;
   report.frame_p95_ms = frame_time.p95_ms;
   for (const StageTimer::Stage& stage : pipeline_->timer().stages()) {
-    const DurationSummary time = summarise(stage.all_ms);
+    const DurationSummary time = summarize(stage.all_ms);
     report.stages.push_back({stage.name, time.median_ms, time.p95_ms});
   }
   constexpr std::size_t kSlowest = 8;
@@ -496,7 +496,7 @@ void ScanRun::fillReport(ScanReport& report) {
   report.map_disk_megabytes = static_cast<double>(pipeline_->bricks().storedBytes()) / (1 << 20);
   const ScanPipeline::RegionCount regions = pipeline_->regionCount();
   report.regions = regions.regions;
-  report.slivers = regions.slivers;
+  report.small_fragments = regions.small_fragments;
   report.refinement = refinement_;
   report.is_of_refinement = request_.refine_session;
   report.objects = pipeline_->collector()->metObjects();

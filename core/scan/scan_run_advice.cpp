@@ -31,7 +31,7 @@ Result<void> ScanRun::beginAnew(int frame_index) {
   snapshots_.beginAnew(*pipeline_);
   pipeline_ = std::move(fresh);
   frames_.lost += std::exchange(frames_.tracked, 0);
-  frames_.relocalised = 0;
+  frames_.relocalized = 0;
   drift_ = {};
   const std::vector<int> dropped = std::exchange(first_usable_, {});
   lost_frames_.insert(lost_frames_.end(), dropped.begin(), dropped.end());

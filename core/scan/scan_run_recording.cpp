@@ -13,7 +13,7 @@ namespace scantrove {
 
 Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
   if (!earlier_) return {};
-  const Result<CatalogueIdentity> identity = identityOf(database, earlier_->facts);
+  const Result<CatalogueIdentity> identity = identityOf(database, earlier_->metadata);
   if (!identity) return fail(identity.error());
   const SavedScan on_disk = *earlier_;
   if (turnTo(*earlier_, *identity))
@@ -23,16 +23,16 @@ Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
   SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, for_camera, damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
-  recorder_->rewriteFrom(on_disk, earlier_->facts);
+  recorder_->rewriteFrom(on_disk, earlier_->metadata);
   if (request_.refine_session) {
     for (const RegionId region : refinement_memory_.known) pipeline_->kept().table.setKnown(region, true);
     snapshots_.addBricks(pipeline_->allBricks());
   } else {
-    recorder_->setFact("ended", "");  // not this time, yet
-    for (const auto& [name, value] : refinementFacts(false)) recorder_->setFact(name, value);
+    recorder_->setMetadata("ended", "");  // not this time, yet
+    for (const auto& [name, value] : refinementMetadata(false)) recorder_->setMetadata(name, value);
     continueNumbers(earlier_->frames);
   }
-  recorder_->setFact("database", databaseAsKept(request_.database, *request_.output_folder));
+  recorder_->setMetadata("database", storedDatabaseName(request_.database, *request_.output_folder));
   if (output_) output_->begin(*earlier_);
   earlier_.reset();
   return {};
@@ -64,7 +64,7 @@ void ScanRun::keepFrame(const RgbdFrame& frame, const FrameResult& result) {
   if (!std::exchange(is_recording_noted_, true)) {
     recorder_->beginRecording(request_.source,
                               continued_ != nullptr ? continued_->shift() : ContinuedSource::Shift{});
-    recorder_->setFact(kOriginFact, originToText(origin_world_));
+    recorder_->setMetadata(kOriginKey, originToText(origin_world_));
   }
   recorder_->addFrame(frame, result);
   recorder_->saveWhenDue(*pipeline_);

@@ -17,7 +17,7 @@ class ScanSession::Worker {
  public:
   Worker(Listener listener, Niceness niceness)
       : listener_(std::move(listener)), thread_([this, niceness](const std::stop_token& token) {
-          giveWay(niceness);
+          lowerThreadPriority(niceness);
           loop(token);
         }) {}
 

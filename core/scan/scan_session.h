@@ -72,7 +72,7 @@ struct ObjectAdded {
   ObjectId object;
   std::string name;
 };  ///< a new row of the catalogue; it is committed
-struct ObjectRecognised {
+struct ObjectRecognized {
   ObjectId object;
   std::string name;
 };  ///< first time in this scan
@@ -145,7 +145,7 @@ struct ScanFinished {
   ScanReport report;
 };
 using ScanEvent =
-    std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognised, ViewAdded,
+    std::variant<StateChanged, RefinementStepped, PreparingDevice, ObjectAdded, ObjectRecognized, ViewAdded,
                  ObjectsMerged, ObjectLeft, ObjectNamed, CatalogueFailed, MapFailed, MapDrifted, ScanAdvice,
                  Edited, EditFailed, ReviewOpened, ExportPreviewed, ExportSampled, ExportStepped,
                  ExportFinished, ExportFailed, FrameSkipped, ScanFailed, ScanFinished>;

@@ -32,7 +32,7 @@ struct SeenObject {
   ObjectId object;  ///< none while the candidate is still being watched
   RegionSet regions;
   std::string name;         ///< empty while `object` is none
-  bool recognised = false;  ///< known from the catalogue before this scan, or met again
+  bool recognized = false;  ///< known from the catalogue before this scan, or met again
   bool confirmed = false;   ///< by a person
   cv::Rect2f box;           ///< in fractions of the colour image's width and height
 };
@@ -48,10 +48,10 @@ struct CloudBrick {
     PackedNormal normal{};  ///< out of the surface
 
     static constexpr float kHeightSteps = 100;
-    [[nodiscard]] Eigen::Vector3f centre() const { return {x, y, z}; }
+    [[nodiscard]] Eigen::Vector3f center() const { return {x, y, z}; }
     /// Where the surface is.
     [[nodiscard]] Eigen::Vector3f onSurface(float voxel_size_m) const {
-      return centre() - voxel_size_m * static_cast<float>(height) / kHeightSteps * normal.unpacked();
+      return center() - voxel_size_m * static_cast<float>(height) / kHeightSteps * normal.unpacked();
     }
   };
   Eigen::Vector3i position;  ///< in units of bricks

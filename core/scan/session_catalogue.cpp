@@ -45,7 +45,7 @@ Result<void> followInCatalogue(OpenSession& session) {
     for (const PendingEdit& edit : session.pendingEdits()) {
       const Result<CatalogueOutcome> outcome = CatalogueEdit(session, **database).carryOut(edit);
       if (!outcome) return fail(outcome.error());
-      SCANTROVE_TRY(session.completeEdit(outcome->facts, outcome->objects));
+      SCANTROVE_TRY(session.completeEdit(outcome->metadata, outcome->objects));
       for (const Error& refusal : outcome->refusals) first.note(fail(refusal));
     }
     return first.result();

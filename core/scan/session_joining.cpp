@@ -50,13 +50,13 @@ Result<std::unique_ptr<ObjectDatabase>> openCatalogue(OpenSession& session) {
 
 /// The merge that made one of the two; none: they are two, or one was deleted.
 Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a, ObjectId b) {
-  std::array<ObjectId, 2> holders;
-  SCANTROVE_TRY(moveInto(holders[0], database.resolve(a)));
-  SCANTROVE_TRY(moveInto(holders[1], database.resolve(b)));
-  if (!holders[0] || !holders[1]) return std::nullopt;
-  if (holders[0] == holders[1])  // an interruption left it so
-    return ObjectMerge{holders[0], {holders[0] == a ? b : a}, false};
-  const auto first = database.object(holders[0]), second = database.object(holders[1]);
+  std::array<ObjectId, 2> merge_roots;
+  SCANTROVE_TRY(moveInto(merge_roots[0], database.resolve(a)));
+  SCANTROVE_TRY(moveInto(merge_roots[1], database.resolve(b)));
+  if (!merge_roots[0] || !merge_roots[1]) return std::nullopt;
+  if (merge_roots[0] == merge_roots[1])  // an interruption left it so
+    return ObjectMerge{merge_roots[0], {merge_roots[0] == a ? b : a}, false};
+  const auto first = database.object(merge_roots[0]), second = database.object(merge_roots[1]);
   if (!first) return fail(first.error());
   if (!second) return fail(second.error());
   if (isSettled(*first) && isSettled(*second)) {
@@ -64,7 +64,7 @@ Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a
                     " stay two in the catalogue, for a person said what each is.",
                 "'scantrove objects merge' makes one of them.");
   }
-  const Result<ObjectMerge> merge = database.merge(holders);
+  const Result<ObjectMerge> merge = database.merge(merge_roots);
   if (!merge) return fail(merge.error());
   return *merge;
 }
@@ -84,9 +84,9 @@ Result<void> carryOut(ObjectDatabase& database, JoinedObjects& joined) {
     joined.state = JoinedObjects::State::done;
   } else {
     for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge) {
-      const Result<ObjectId> holder = database.resolve(merge->from.front());
+      const Result<ObjectId> root = database.resolve(merge->from.front());
       // Others may have parted them, or deleted them, since.
-      if (holder && *holder == merge->into) first.note(database.unmerge(*merge));
+      if (root && *root == merge->into) first.note(database.unmerge(*merge));
     }
     joined = {};
   }
@@ -95,7 +95,7 @@ Result<void> carryOut(ObjectDatabase& database, JoinedObjects& joined) {
 
 }  // namespace
 
-std::string joinFactOf(int operation) { return "join " + std::to_string(operation); }
+std::string joinKeyOf(int operation) { return "join " + std::to_string(operation); }
 
 std::string joinedToText(const JoinedObjects& joined) {
   if (joined.before.empty()) return {};
@@ -160,15 +160,15 @@ JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectI
 Result<void> mergeJoinedObjects(OpenSession& session) {
   FirstError first;
   for (const OperationLog::Entry& entry : session.history().entries()) {
-    const std::string name = joinFactOf(entry.number);
+    const std::string name = joinKeyOf(entry.number);
     if (joinedFrom(session.fact(name)).state == JoinedObjects::State::done) continue;
     const auto database = openCatalogue(session);
     if (!database) return fail(database.error());
     JoinedObjects joined = joinedFrom(session.fact(name));  // none, where the catalogue is another one
     if (joined.state == JoinedObjects::State::done) continue;
     first.note(carryOut(**database, joined));
-    session.setFact(name, joinedToText(joined));
-    SCANTROVE_TRY(session.saveFacts());
+    session.setMetadata(name, joinedToText(joined));
+    SCANTROVE_TRY(session.saveMetadata());
   }
   return first.result();
 }

@@ -22,7 +22,7 @@ struct JoinedObjects {
 };
 
 /// The session's fact that keeps those of the operation with that number.
-[[nodiscard]] std::string joinFactOf(int operation);
+[[nodiscard]] std::string joinKeyOf(int operation);
 [[nodiscard]] std::string joinedToText(const JoinedObjects& joined);
 /// An empty one for what was not written so.
 [[nodiscard]] JoinedObjects joinedFrom(const std::string& text);

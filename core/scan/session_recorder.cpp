@@ -21,16 +21,16 @@ constexpr std::size_t kRememberedFrames = 200;
 constexpr double kBricksPerSecond = 10'000;
 constexpr std::size_t kBricksAtOnce = 1024;
 /// So often before they are on disk.
-constexpr std::size_t kMostWaitingPages = 2;
+constexpr std::size_t kMaxWaitingPages = 2;
 
 }  // namespace
 
 SessionRecorder::SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup)
     : writer_(std::move(writer)), setup_(std::move(setup)), last_save_(std::chrono::steady_clock::now()) {
   // Before the first frame: so the folder is a session whatever happens then.
-  if (setup_.facts.empty()) return;
+  if (setup_.metadata.empty()) return;
   SavedDelta beginning;
-  beginning.facts = std::exchange(setup_.facts, {});
+  beginning.metadata = std::exchange(setup_.metadata, {});
   hand(std::move(beginning));
 }
 
@@ -53,13 +53,13 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   for (const SavedRegion& region : scan.regions) {
     recorder->regions_[region.region] = region;
     recorder->objects_[region.region] = region.object;
-    const auto namings = scan.facts.find(namingsFactOf(region.region));
-    if (namings == scan.facts.end()) continue;
+    const auto namings = scan.metadata.find(namingsKeyOf(region.region));
+    if (namings == scan.metadata.end()) continue;
     recorder->namings_[region.region] = namings->second;
   }
-  if (const auto objects = scan.facts.find(kObjectsFact); objects != scan.facts.end())
+  if (const auto objects = scan.metadata.find(kObjectsKey); objects != scan.metadata.end())
     recorder->remembered_ = rememberedFrom(objects->second);
-  if (const auto catalogue = scan.facts.find(kCatalogueFact); catalogue != scan.facts.end())
+  if (const auto catalogue = scan.metadata.find(kCatalogueKey); catalogue != scan.metadata.end())
     recorder->catalogue_ = catalogue->second;
   recorder->view_ = pipeline.kept().bricks.view();
   return recorder;
@@ -67,15 +67,15 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
 
 void SessionRecorder::setCatalogue(const std::string& identity) {
   catalogue_ = identity;
-  setFact(kCatalogueFact, identity);
+  setMetadata(kCatalogueKey, identity);
 }
 
-void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SavedFacts& now) {
+void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SessionMetadata& now) {
   regions_.clear();
   for (const SavedRegion& region : on_disk.regions) regions_[region.region] = region;
   for (const auto& [name, value] : now) {
-    const auto before = on_disk.facts.find(name);
-    if (before == on_disk.facts.end() || before->second != value) setFact(name, value);
+    const auto before = on_disk.metadata.find(name);
+    if (before == on_disk.metadata.end() || before->second != value) setMetadata(name, value);
   }
 }
 
@@ -116,7 +116,7 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
   if (writer_->isFailing()) return;
   const bool is_new = result.pose.usable() && setup_.key_frames.takes(result.pose.T_world_camera);
   // A camera that goes on later finds its way by the same frames as if it had never stopped.
-  if (!is_new && !result.is_place && !setup_.all_frames) return;
+  if (!is_new && !result.is_tracking_key_frame && !setup_.all_frames) return;
   const SavedFrame saved{number, frame.index, frame.timestamp_s, result.pose.state,
                          result.pose.T_world_camera};
   writer_->post([frame, number, saved](SessionStore& store) -> Result<void> {
@@ -131,11 +131,11 @@ void SessionRecorder::keepFirst(const SavedFrame& frame) {
     first_usable_.push_back(frame);
 }
 
-Result<std::vector<SessionRecorder::KeptFrame>> SessionRecorder::keptFrames() {
+Result<std::vector<SessionRecorder::StoredFrame>> SessionRecorder::storedFrames() {
   std::vector<std::string> damages;
   const Result<SavedScan> scan = loadScan(*writer_, damages);
   if (!scan) return fail(scan.error());
-  std::vector<KeptFrame> kept;
+  std::vector<StoredFrame> kept;
   for (const SavedKeyFrame& images : scan->key_frames) {
     const auto frame = std::ranges::find(scan->frames, images.frame, &SavedFrame::number);
     if (frame != scan->frames.end() && frame->isUsable()) kept.push_back({images, *frame});
@@ -195,14 +195,14 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) 
 }
 
 void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelta& delta) {
-  auto namings = collector.keptNamings();
+  auto namings = collector.storedNamings();
   for (const auto& [region, text] : namings_) namings.try_emplace(region);
   for (const auto& [region, kept] : namings) {
     std::string text = namingsToJson(kept);
     std::string& before = namings_[region];
     if (text == before) continue;
     before = std::move(text);
-    delta.facts[namingsFactOf(region)] = before;
+    delta.metadata[namingsKeyOf(region)] = before;
   }
 }
 
@@ -216,7 +216,7 @@ void SessionRecorder::collectObjects(const ScanPipeline& pipeline, SavedDelta& d
   RememberedObjects all = remember(remembered_, now, catalogue_);
   if (all == remembered_) return;
   remembered_ = std::move(all);
-  delta.facts[kObjectsFact] = rememberedToText(remembered_);
+  delta.metadata[kObjectsKey] = rememberedToText(remembered_);
 }
 
 void SessionRecorder::beginPages(const BrickMap& bricks) {
@@ -254,13 +254,13 @@ void SessionRecorder::endPages(ScanPipeline& pipeline) {
 
 bool SessionRecorder::arePagesWaiting() {
   std::erase_if(handed_pages_, [](const auto& pages) { return pages.expired(); });
-  return handed_pages_.size() >= kMostWaitingPages;
+  return handed_pages_.size() >= kMaxWaitingPages;
 }
 
 SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
   SavedDelta delta;
-  delta.facts = std::exchange(setup_.facts, {});  // how it ended
-  delta.facts["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
+  delta.metadata = std::exchange(setup_.metadata, {});  // how it ended
+  delta.metadata["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   delta.recordings = std::exchange(recordings_, {});
   collectRegions(pipeline, delta);
@@ -316,7 +316,7 @@ Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
 }
 
 Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
-  setFact("ended", "yes");
+  setMetadata("ended", "yes");
   const std::optional<CameraMemory> memory = pipeline.cameraMemory();
   SCANTROVE_TRY(save(pipeline));
   // By itself: where the disk has no room for it, the rest is kept all the same.

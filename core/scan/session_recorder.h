@@ -27,14 +27,14 @@ class SessionRecorder {
   /// A killed program loses no more than this, and what the disk was slower.
   static constexpr std::chrono::milliseconds kBetweenSaves{4000};
 
-  struct KeptFrame {
+  struct StoredFrame {
     SavedKeyFrame images;
     SavedFrame frame;
   };
 
   struct Setup {
     bool all_frames = false;         ///< keep the images of every frame, not of key frames only
-    SavedFacts facts = {};           ///< of a new scan
+    SessionMetadata metadata = {};   ///< of a new scan
     int frames = 0;                  ///< that the session has already
     KeyFrameChoice key_frames = {};  ///< that it has
   };
@@ -61,7 +61,7 @@ class SessionRecorder {
   [[nodiscard]] Result<void> findDisturbance();
   /// The frames whose images the session has, in order, and how they are kept. Waits until they are on disk.
   /// Error: they cannot be read.
-  [[nodiscard]] Result<std::vector<KeptFrame>> keptFrames();
+  [[nodiscard]] Result<std::vector<StoredFrame>> storedFrames();
   [[nodiscard]] std::filesystem::path folder() const { return writer_->folder(); }
   /// Without a catalogue that says it: which object a region is from now on. None: it is none.
   void setObject(RegionId region, ObjectId object) { objects_[region] = object; }
@@ -69,9 +69,9 @@ class SessionRecorder {
   [[nodiscard]] const std::map<RegionId, ObjectId>& objects() const { return objects_; }
   void setObjects(std::map<RegionId, ObjectId> objects) { objects_ = std::move(objects); }
   /// On disk the session is as `scan` has it, whatever resume() was given.
-  void rewriteFrom(const SavedScan& on_disk, const SavedFacts& now);
+  void rewriteFrom(const SavedScan& on_disk, const SessionMetadata& now);
   /// What is to be kept of the whole scan with the next save.
-  void setFact(const std::string& name, const std::string& value) { setup_.facts[name] = value; }
+  void setMetadata(const std::string& name, const std::string& value) { setup_.metadata[name] = value; }
   /// Whose the objects are that this scan finds.
   void setCatalogue(const std::string& identity);
   /// Why the session could not be written, once each time that this begins.

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/catalogue/kept_namings.h"
+#include "core/catalogue/stored_namings.h"
 #include "core/compute/guarded.h"
 #include "core/labeling/evidence_graph.h"
 #include "core/labeling/kernels/label_voxel.h"
@@ -49,7 +49,7 @@ void keepLabels(StoredPage& page, Fragments& fragments) {
 
 void restoreRegions(ScanPipeline::Kept& kept, const SavedScan& scan, Fragments fragments) {
   RegionId last;
-  if (const auto found = scan.facts.find("last_region"); found != scan.facts.end())
+  if (const auto found = scan.metadata.find("last_region"); found != scan.metadata.end())
     last.value = static_cast<std::uint32_t>(std::strtoul(found->second.c_str(), nullptr, 10));
   kept.table.restore(std::move(fragments.regions), last);
   for (const SavedFragment& one : scan.fragments) kept.table.restoreSeen(one.fragment, one.seen_from);
@@ -97,8 +97,8 @@ Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedSca
 }
 
 /// The camera's way is gone once more: so the same frames become its places, and it has left the same ones.
-void restorePlaces(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
-                   std::vector<std::string>& damages) {
+void restoreKeyFrames(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
+                      std::vector<std::string>& damages) {
   std::map<int, const SavedKeyFrame*> images;
   for (const SavedKeyFrame& key : scan.key_frames) images[key.frame] = &key;
   for (const SavedFrame& frame : scan.frames) {
@@ -107,7 +107,7 @@ void restorePlaces(ScanPipeline& pipeline, SessionWriter& session, const SavedSc
     if (key == images.end()) continue;
     const Result<RgbdFrame> seen = readKeyFrame(session.folder(), *key->second, frame);
     if (seen) {
-      pipeline.recallPlace(*seen, frame.T_world_camera);
+      pipeline.relocalizeNear(*seen, frame.T_world_camera);
     } else {
       damages.push_back(seen.error().message());
     }
@@ -127,8 +127,8 @@ Result<void> restoreCamera(ScanPipeline& pipeline, SessionWriter& session, const
                            std::vector<std::string>& damages) {
   std::optional<CameraMemory> memory;
   SCANTROVE_TRY(moveInto(memory, loadCamera(session, scan)));
-  if (memory && pipeline.goOnFrom(std::move(*memory))) return {};
-  restorePlaces(pipeline, session, scan, damages);
+  if (memory && pipeline.restoreState(std::move(*memory))) return {};
+  restoreKeyFrames(pipeline, session, scan, damages);
   const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),
                                  [](const SavedFrame& frame) { return frame.isUsable(); });
   if (last != scan.frames.rend()) pipeline.resumeAt(last->T_world_camera);
@@ -167,7 +167,8 @@ Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const S
     for (const SavedRegion& region : scan.regions) {
       if (pipeline.objectOf(region.region) != region.object)
         pipeline.bindObject(region.region, region.object);
-      if (const auto namings = scan.facts.find(namingsFactOf(region.region)); namings != scan.facts.end())
+      if (const auto namings = scan.metadata.find(namingsKeyOf(region.region));
+          namings != scan.metadata.end())
         pipeline.restoreNamings(region.region, namingsFromJson(namings->second));
     }
     pipeline.wantAsSaid();

@@ -18,12 +18,12 @@ SessionScan::SessionScan(OpenSession& session) : session_(session) {
   for (const SavedKeyFrame& key : session.keyFrames()) {
     const auto found = frames.find(key.frame);
     if (found == frames.end() || !found->second->isUsable()) continue;
-    kept_.push_back({found->second->source_index, &key, found->second});
+    stored_.push_back({found->second->source_index, &key, found->second});
     source_indices.insert(found->second->source_index);
   }
-  if (source_indices.size() == kept_.size()) return;
+  if (source_indices.size() == stored_.size()) return;
   // Of several recordings, frames may have one number: then they are counted through.
-  for (KeptFrame& kept : kept_) kept.index = kept.frame->number;
+  for (StoredFrame& kept : stored_) kept.index = kept.frame->number;
 }
 
 std::string SessionScan::name() const {
@@ -32,12 +32,12 @@ std::string SessionScan::name() const {
   return name.empty() ? "scan" : name;
 }
 
-Result<std::vector<LabelledRegion>> SessionScan::regions() {
+Result<std::vector<LabeledRegion>> SessionScan::regions() {
   const auto summaries = session_.regions();
   if (!summaries) return fail(summaries.error());
-  std::vector<LabelledRegion> regions;
+  std::vector<LabeledRegion> regions;
   for (const RegionSummary& summary : *summaries) {
-    LabelledRegion region;
+    LabeledRegion region;
     region.id = summary.region.value;
     region.name = summary.label.name;
     region.category = summary.label.category;
@@ -56,14 +56,14 @@ Result<std::vector<LabelledRegion>> SessionScan::regions() {
 Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
   std::vector<KeyFrameInfo> list;
   KeyFrameChoice choice;
-  for (const KeptFrame& kept : kept_) {
+  for (const StoredFrame& kept : stored_) {
     if (!choice.takes(kept.frame->T_world_camera) && !all_frames) continue;
     KeyFrameInfo info;
     info.index = kept.index;
     info.timestamp_s = kept.frame->time_s;
     info.T_world_depth = kept.frame->T_world_camera;
     info.K_depth = session_.setup().K;
-    info.metres_per_unit = kept.images->metres_per_unit;
+    info.meters_per_unit = kept.images->meters_per_unit;
     info.K_color = info.K_depth;
     if (kept.images->color_camera) {
       info.K_color = kept.images->color_camera->K;
@@ -78,8 +78,8 @@ Result<std::vector<KeyFrameInfo>> SessionScan::keyFrames(bool all_frames) {
 }
 
 Result<RgbdFrame> SessionScan::read(int index) const {
-  const auto found = std::ranges::find(kept_, index, &KeptFrame::index);
-  if (found == kept_.end())
+  const auto found = std::ranges::find(stored_, index, &StoredFrame::index);
+  if (found == stored_.end())
     return fail(
         "No images of frame " + std::to_string(index) + " were kept in " + session_.folder().string() + ".",
         "");
@@ -99,7 +99,7 @@ Result<cv::Mat> SessionScan::depth(int index) {
 }
 
 Result<ViewOfMap> SessionScan::look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
-  const auto seen = session_.pipeline().lookAtMap(T_world_camera, K);
+  const auto seen = session_.pipeline().renderView(T_world_camera, K);
   if (!seen) return fail(seen.error());
   ViewOfMap view{cv::Mat(K.height, K.width, CV_32SC1), cv::Mat(K.height, K.width, CV_32FC1)};
   std::ranges::transform(seen->regions, view.regions.begin<int>(),
@@ -113,10 +113,10 @@ std::uint32_t SessionScan::regionOf(std::uint32_t fragment) const {
   return fragment < regions.size() ? regions[fragment].value : 0;
 }
 
-Result<LabelledMesh> SessionScan::mesh() {
+Result<LabeledMesh> SessionScan::mesh() {
   auto surface = session_.pipeline().extractMesh();
   if (!surface) return fail(surface.error());
-  LabelledMesh mesh;
+  LabeledMesh mesh;
   if (!*surface) return mesh;
   for (const SurfaceMesh::Vertex& vertex : (*surface)->vertices)
     mesh.vertices.push_back({vertex.position, vertex.normal, vertex.color, regionOf(vertex.fragment.value)});

@@ -9,24 +9,24 @@
 namespace scantrove {
 
 /// A session as data sets are made from it. The thread of the session, which outlives this.
-class SessionScan final : public LabelledScan {
+class SessionScan final : public LabeledScan {
  public:
   explicit SessionScan(OpenSession& session);
 
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] Eigen::Vector3d origin() const override { return session_.setup().origin_m; }
-  [[nodiscard]] Result<std::vector<LabelledRegion>> regions() override;
+  [[nodiscard]] Result<std::vector<LabeledRegion>> regions() override;
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override;
   [[nodiscard]] Result<cv::Mat> color(int index) override;
   [[nodiscard]] Result<cv::Mat> depth(int index) override;
   [[nodiscard]] Result<ViewOfMap> look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) override;
-  [[nodiscard]] Result<LabelledMesh> mesh() override;
+  [[nodiscard]] Result<LabeledMesh> mesh() override;
   [[nodiscard]] Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) override;
   [[nodiscard]] Result<Trajectory> trajectory() override;
 
  private:
   /// A frame whose images were kept, by the number that it is known by outside.
-  struct KeptFrame {
+  struct StoredFrame {
     int index;
     const SavedKeyFrame* images;
     const SavedFrame* frame;
@@ -35,7 +35,7 @@ class SessionScan final : public LabelledScan {
   [[nodiscard]] std::uint32_t regionOf(std::uint32_t fragment) const;
 
   OpenSession& session_;
-  std::vector<KeptFrame> kept_;  // with a pose, in order
+  std::vector<StoredFrame> stored_;  // with a pose, in order
 };
 
 }  // namespace scantrove

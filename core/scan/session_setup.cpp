@@ -13,7 +13,7 @@ namespace scantrove {
 
 namespace fs = std::filesystem;
 
-std::string databaseAsKept(const std::string& database, const fs::path& folder) {
+std::string storedDatabaseName(const std::string& database, const fs::path& folder) {
   if (database.empty() || database.find("://") != std::string::npos) return database;
   const fs::path file = fs::absolute(database).lexically_normal();
   const fs::path from_folder = file.lexically_relative(fs::absolute(folder).lexically_normal());
@@ -38,7 +38,7 @@ std::string originToText(const Eigen::Vector3d& origin_m) {
   return text;
 }
 
-SavedFacts factsOf(const SessionSetup& setup) {
+SessionMetadata metadataOf(const SessionSetup& setup) {
   std::string params;
   for (const ParamInfo& info : paramRegistry()) params += info.key + "=" + info.text(setup.params) + "\n";
   const Intrinsics& K = setup.K;
@@ -46,13 +46,13 @@ SavedFacts factsOf(const SessionSetup& setup) {
           {"camera", nlohmann::json{{"K", {K.fx, K.fy, K.cx, K.cy}}, {"size", {K.width, K.height}}}.dump()},
           {"params", params},
           {"database", setup.database},
-          {kOriginFact, originToText(setup.origin_m)}};
+          {kOriginKey, originToText(setup.origin_m)}};
 }
 
-Result<SessionSetup> setupFrom(const SavedFacts& facts) {
+Result<SessionSetup> setupFrom(const SessionMetadata& metadata) {
   const auto fact = [&](const char* name) {
-    const auto found = facts.find(name);
-    return found == facts.end() ? std::string() : found->second;
+    const auto found = metadata.find(name);
+    return found == metadata.end() ? std::string() : found->second;
   };
   SessionSetup setup;
   setup.source = fact("source");
@@ -74,7 +74,7 @@ Result<SessionSetup> setupFrom(const SavedFacts& facts) {
     return fail("The session is damaged: no camera can have the intrinsics and the image size that it names.",
                 "Restore session.sqlite from a copy if there is one.");
   }
-  if (const auto origin = parseNumbers(fact(kOriginFact)); origin && origin->size() == 3)
+  if (const auto origin = parseNumbers(fact(kOriginKey)); origin && origin->size() == 3)
     setup.origin_m = Eigen::Vector3d(origin->data());
   std::istringstream lines(fact("params"));
   for (std::string line; std::getline(lines, line);) {

@@ -21,21 +21,22 @@ struct SessionSetup {
 
 /// How a session in `folder` keeps the name of its catalogue: relative to the folder where it lies in it,
 /// else absolute.
-[[nodiscard]] std::string databaseAsKept(const std::string& database, const std::filesystem::path& folder);
+[[nodiscard]] std::string storedDatabaseName(const std::string& database,
+                                             const std::filesystem::path& folder);
 /// The catalogue's file, from what a session in `folder` keeps.
 [[nodiscard]] std::filesystem::path databaseFileOf(const SessionSetup& setup,
                                                    const std::filesystem::path& folder);
 
 /// The fact that tells SessionSetup::origin_m.
-inline constexpr const char* kOriginFact = "origin_m";
+inline constexpr const char* kOriginKey = "origin_m";
 [[nodiscard]] std::string originToText(const Eigen::Vector3d& origin_m);
 /// The fact that says whether the files beside the session (cloud, label map and images) show its regions as
 /// they are now; without it there are none, or it is not known.
-inline constexpr const char *kResultsFact = "results", *kResultsCurrent = "current",
+inline constexpr const char *kResultsKey = "results", *kResultsCurrent = "current",
                             *kResultsEdited = "edited since";
 
 /// As facts, and back. Error: they are not those of a session.
-[[nodiscard]] SavedFacts factsOf(const SessionSetup& setup);
-[[nodiscard]] Result<SessionSetup> setupFrom(const SavedFacts& facts);
+[[nodiscard]] SessionMetadata metadataOf(const SessionSetup& setup);
+[[nodiscard]] Result<SessionSetup> setupFrom(const SessionMetadata& metadata);
 
 }  // namespace scantrove

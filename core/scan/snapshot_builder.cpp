@@ -12,7 +12,7 @@
 
 namespace scantrove {
 namespace {
-constexpr auto kLeastInterval = std::chrono::milliseconds(80);
+constexpr auto kMinInterval = std::chrono::milliseconds(80);
 /// Voxels at most so far from the surface, in voxels, show it: any less, and a slanting one has holes; any
 /// more, and it is drawn in several layers.
 constexpr float kHalfSheet = 0.6F;
@@ -33,7 +33,7 @@ cv::Mat rawDepth(const RgbdFrame& frame, const Intrinsics& K) {
   if (frame.depth.empty()) return {};
   cv::Mat small;
   cv::resize(frame.depth, small, {K.width, K.height}, 0, 0, cv::INTER_NEAREST);
-  small.convertTo(small, CV_32F, static_cast<double>(frame.metres_per_unit));
+  small.convertTo(small, CV_32F, static_cast<double>(frame.meters_per_unit));
   return small;
 }
 
@@ -122,7 +122,7 @@ void SnapshotBuilder::endEdit(ScanPipeline& pipeline) {
 }
 
 Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
-  if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kLeastInterval) return {};
+  if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kMinInterval) return {};
   return post(pipeline, progress, Bricks::due);
 }
 
@@ -160,8 +160,8 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
 void SnapshotBuilder::addPictures(const ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
   snapshot.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
   snapshot.color = frame_.color;
-  const bool goes_on = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
-  if (goes_on && !result_.pose.usable()) snapshot.last_seen = last_seen_;
+  const bool may_continue = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
+  if (may_continue && !result_.pose.usable()) snapshot.last_seen = last_seen_;
   snapshot.depth_raw_m = rawDepth(frame_, snapshot.K);
   snapshot.depth_fused_m = fusedDepth(result_, snapshot.K);
   snapshot.segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
@@ -246,9 +246,9 @@ Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, Bricks wh
   std::vector<CloudBrick> changed;
   std::vector<WaitingBricks::Brick> bricks;
   do {
-    bricks = which == Bricks::all ? waiting_.takeAny(kMostBricks) : waiting_.takeDue(kMostBricks);
+    bricks = which == Bricks::all ? waiting_.takeAny(kMaxBricks) : waiting_.takeDue(kMaxBricks);
     SCANTROVE_TRY(readBricks(pipeline, bricks, changed));
-  } while (which == Bricks::all && bricks.size() == kMostBricks);
+  } while (which == Bricks::all && bricks.size() == kMaxBricks);
   // What a snapshot that was never collected held goes with this one.
   if (const auto uncollected = mailbox_.collect()) {
     snapshot.changed_bricks = uncollected->changed_bricks;

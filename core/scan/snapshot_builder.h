@@ -28,7 +28,7 @@ class SnapshotBuilder {
  public:
   /// In one snapshot while scanning, and read out at a time at its end: bounds what it takes from a frame,
   /// and of memory.
-  static constexpr std::size_t kMostBricks = 1500;
+  static constexpr std::size_t kMaxBricks = 1500;
 
   /// `first_version`: above that of all bricks that the window has already.
   explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox, std::uint64_t first_version = 0)
@@ -44,7 +44,7 @@ class SnapshotBuilder {
   void beginAnew(const ScanPipeline& given_up);
 
   /// Snapshots hold numbers alone from now on: no images, no regions, no bricks.
-  void leaveOutPictures() { has_pictures_ = false; }
+  void omitPictures() { has_pictures_ = false; }
   /// Around something that a person does to the regions: what that changes is sent before all else, and
   /// marked.
   void beginEdit(ScanPipeline& pipeline) { keepRegionChanges(pipeline, false); }

@@ -31,7 +31,7 @@ void EdgeWeigher::weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& nor
   const float focal_px = std::min(surface.K.fx, surface.K.fy);
   const Lanes& lanes = compute_->lanes();
   kernel_.launch(lanes.overRows(surface.K.width, surface.K.height), lanes.rowGroup(), surface.vertices_world,
-                 normals, keys_, depths_, surface.K.width, surface.K.height, params.neighbours,
+                 normals, keys_, depths_, surface.K.width, surface.K.height, params.neighbors,
                  toKernel(row[0], row[1], row[2], row[3]), params.max_distance_factor / focal_px,
                  params.min_max_distance_m);
   keys_.read(compute_->queue(), std::span<cl_ushort4>(edges.keys));

@@ -71,7 +71,7 @@ std::int32_t DepthUpsampler::closest(int u, int v, const Usable& is_usable) cons
   const float y_exact = (static_cast<float>(v) + 0.5F) * per_y - 0.5F;
   const std::size_t pixel =
       static_cast<std::size_t>(v) * static_cast<std::size_t>(guide_.width) + static_cast<std::size_t>(u);
-  const float z = static_cast<float>(guide_.depth[pixel]) * guide_.metres_per_unit;
+  const float z = static_cast<float>(guide_.depth[pixel]) * guide_.meters_per_unit;
   const float grow = std::max(1.0F, z * z);
   const bool is_inside =
       x0 >= kSearch_px && y0 >= kSearch_px && x0 < width_ - kSearch_px && y0 < height_ - kSearch_px;

@@ -10,7 +10,7 @@ struct DepthGuide {
   int width = 0;
   int height = 0;
   std::span<const std::uint16_t> depth;  ///< width * height, row by row; 0 = no reading
-  float metres_per_unit = 0.001F;
+  float meters_per_unit = 0.001F;
 };
 
 /// Brings images of ids (segments, or regions of the same frame) to the resolution of a depth image. A pixel

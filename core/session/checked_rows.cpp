@@ -36,8 +36,8 @@ std::uint32_t checkOf(std::string_view name, const QVariant& value) {
     case QMetaType::Float: {
       const double number = value.toDouble();
       if (std::isnan(number) || number == 0) return 0;  // SQLite keeps a NaN as NULL
-      const bool is_whole = std::abs(number) < kWholeNumbers && std::trunc(number) == number;
-      return is_whole ? crcOf(crc, 'i', static_cast<std::int64_t>(number)) : crcOf(crc, 'd', number);
+      const bool is_complete = std::abs(number) < kWholeNumbers && std::trunc(number) == number;
+      return is_complete ? crcOf(crc, 'i', static_cast<std::int64_t>(number)) : crcOf(crc, 'd', number);
     }
     case QMetaType::QByteArray: {
       const QByteArray bytes = value.toByteArray();

@@ -43,11 +43,11 @@ Result<void> MapFiles::read(DatabaseConnection& database, std::vector<std::strin
   rows::RowAudit audit(*rows);
   int bad = 0;
   while (rows->next()) {
-    const bool is_place = audit.take(*rows) && rows::areIntegers(*rows, 0, 2, kPositions) &&
-                          rows::integerAt(*rows, 3, kFiles) && rows::integerAt(*rows, 4, kOffsets) &&
-                          rows::integerAt(*rows, 5, kPacked_bytes) &&
-                          rows::integerAt(*rows, 6, kUnpacked_bytes);
-    if (!is_place) {
+    const bool is_tracking_key_frame =
+        audit.take(*rows) && rows::areIntegers(*rows, 0, 2, kPositions) &&
+        rows::integerAt(*rows, 3, kFiles) && rows::integerAt(*rows, 4, kOffsets) &&
+        rows::integerAt(*rows, 5, kPacked_bytes) && rows::integerAt(*rows, 6, kUnpacked_bytes);
+    if (!is_tracking_key_frame) {
       ++bad;
       continue;
     }
@@ -109,18 +109,18 @@ Result<RecordFile*> MapFiles::fileToAppend(DatabaseConnection& database) {
   }
 }
 
-Result<MapFiles::PagePlace> MapFiles::append(DatabaseConnection& database, const PackedWords& packed) {
+Result<MapFiles::PageLocation> MapFiles::append(DatabaseConnection& database, const PackedWords& packed) {
   const Result<RecordFile*> to = fileToAppend(database);
   if (!to) return fail(to.error());
   const Result<std::uint64_t> offset = (*to)->append(packed);
   if (!offset) return fail(offset.error());
   unflushed_.insert(*appended_);
-  return PagePlace{*appended_, *offset, static_cast<std::uint32_t>(packed.bytes.size()),
-                   packed.unpacked_bytes, packed.checksum};
+  return PageLocation{*appended_, *offset, static_cast<std::uint32_t>(packed.bytes.size()),
+                      packed.unpacked_bytes, packed.checksum};
 }
 
 Result<void> MapFiles::add(DatabaseConnection& database, const SavedPage& page) {
-  const Result<PagePlace> place = append(database, packWords(page.words));
+  const Result<PageLocation> place = append(database, packWords(page.words));
   if (!place) return fail(place.error());
   added_[page.position] = *place;
   return {};
@@ -138,11 +138,11 @@ Result<void> MapFiles::flush() {
   return {};
 }
 
-Result<void> MapFiles::writePlaces(DatabaseConnection& database) const {
-  return writePlaces(database, added_);
+Result<void> MapFiles::writeLocations(DatabaseConnection& database) const {
+  return writeLocations(database, added_);
 }
 
-Result<void> MapFiles::writePlaces(DatabaseConnection& database, const Pages& pages) const {
+Result<void> MapFiles::writeLocations(DatabaseConnection& database, const Pages& pages) const {
   std::set<std::string> names;
   for (const auto& [position, place] : pages) {
     names.insert(nameOf(place.file));
@@ -176,7 +176,7 @@ Result<std::vector<std::uint32_t>> MapFiles::load(const Eigen::Vector3i& positio
   if (found == pages_.end())
     return fail("A part of the map of " + folder_.string() + " has no place in its files.",
                 "It is left out.");
-  const PagePlace& place = found->second;
+  const PageLocation& place = found->second;
   const Result<RecordFile*> from = fileToRead(place.file);
   if (!from) return fail(from.error());
   Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
@@ -235,7 +235,8 @@ Result<MapFiles::Pages> MapFiles::copyPages(DatabaseConnection& database, const 
     if (!from) continue;
     Result<std::vector<char>> bytes = (*from)->read(place.offset, place.bytes);
     if (!bytes) continue;  // its place stays, and says that it is damaged
-    const Result<PagePlace> to = append(database, {std::move(*bytes), place.unpacked_bytes, place.checksum});
+    const Result<PageLocation> to =
+        append(database, {std::move(*bytes), place.unpacked_bytes, place.checksum});
     if (!to) return fail(to.error());
     copied[position] = *to;
   }
@@ -254,7 +255,7 @@ Result<void> MapFiles::movePages(DatabaseConnection& database, const std::set<st
   std::vector<std::string> names;
   for (const std::int64_t number : unused) names.push_back(nameOf(number));
   const auto write = [&]() -> Result<void> {
-    SCANTROVE_TRY(writePlaces(database, *moved));
+    SCANTROVE_TRY(writeLocations(database, *moved));
     return own_files::outdate(database, names);
   };
   SCANTROVE_TRY(inTransaction(database, write));
@@ -262,14 +263,14 @@ Result<void> MapFiles::movePages(DatabaseConnection& database, const std::set<st
   return {};
 }
 
-bool MapFiles::areInPlace() const {
-  return std::ranges::all_of(files_, [](const auto& file) { return file.second.isInPlace(); });
+bool MapFiles::areStillThere() const {
+  return std::ranges::all_of(files_, [](const auto& file) { return file.second.isStillThere(); });
 }
 
 Result<void> MapFiles::writeLostAnew(DatabaseConnection& database) {
   std::set<std::int64_t> lost;
   for (const auto& [number, file] : files_) {
-    if (!file.isInPlace()) lost.insert(number);
+    if (!file.isStillThere()) lost.insert(number);
   }
   if (lost.empty()) return {};
   if (appended_ && lost.contains(*appended_)) appended_.reset();
@@ -284,7 +285,7 @@ Result<void> MapFiles::writeLostAnew(DatabaseConnection& database) {
   const Result<Pages> added = copyPages(database, of(added_));
   if (!added) return fail(added.error());
   const auto write = [&]() -> Result<void> {
-    SCANTROVE_TRY(writePlaces(database, *pages));
+    SCANTROVE_TRY(writeLocations(database, *pages));
     // Another file may have the name by now, which is not ours to remove.
     for (const std::int64_t number : lost) SCANTROVE_TRY(own_files::disown(database, nameOf(number)));
     return {};

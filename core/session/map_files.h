@@ -33,7 +33,7 @@ class MapFiles {
   /// Brings what was added to the disk: a place must not be there before its record.
   [[nodiscard]] Result<void> flush();
   /// In a transaction: the places of what was added.
-  [[nodiscard]] Result<void> writePlaces(DatabaseConnection& database) const;
+  [[nodiscard]] Result<void> writeLocations(DatabaseConnection& database) const;
   /// The transaction succeeded.
   void commit();
 
@@ -45,14 +45,14 @@ class MapFiles {
   [[nodiscard]] Result<void> compact(DatabaseConnection& database);
 
   /// All files that are open are found under their names.
-  [[nodiscard]] bool areInPlace() const;
+  [[nodiscard]] bool areStillThere() const;
   /// Writes the pages of files that are not into new files. Error: the disk failed, or a file is damaged.
   [[nodiscard]] Result<void> writeLostAnew(DatabaseConnection& database);
   /// The folder was moved.
   void follow(const std::filesystem::path& folder);
 
  private:
-  struct PagePlace {
+  struct PageLocation {
     std::int64_t file = 0;
     std::uint64_t offset = 0;
     std::uint32_t bytes = 0, unpacked_bytes = 0;
@@ -63,13 +63,13 @@ class MapFiles {
       return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
     }
   };
-  using Pages = std::map<Eigen::Vector3i, PagePlace, ByPosition>;
+  using Pages = std::map<Eigen::Vector3i, PageLocation, ByPosition>;
 
   [[nodiscard]] std::filesystem::path pathOf(std::int64_t number) const;
   [[nodiscard]] Result<RecordFile*> fileToRead(std::int64_t number);
   [[nodiscard]] Result<RecordFile*> fileToAppend(DatabaseConnection& database);
-  [[nodiscard]] Result<PagePlace> append(DatabaseConnection& database, const PackedWords& packed);
-  [[nodiscard]] Result<void> writePlaces(DatabaseConnection& database, const Pages& pages) const;
+  [[nodiscard]] Result<PageLocation> append(DatabaseConnection& database, const PackedWords& packed);
+  [[nodiscard]] Result<void> writeLocations(DatabaseConnection& database, const Pages& pages) const;
   /// Moves pages to the file that is appended to. Those that cannot be read keep their places.
   [[nodiscard]] Result<Pages> copyPages(DatabaseConnection& database, const Pages& pages);
   /// Moves all pages to new files. Error: the disk failed; the old files still hold the pages.

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTable = "files";
 constexpr const char* kNew = "new";
-constexpr const char* kKept = "kept";
+constexpr const char* kStored = "kept";
 constexpr const char* kOld = "old";
 constexpr std::size_t kFewestDigits = 6;
 constexpr std::string_view kDigits = "0123456789";
@@ -37,7 +37,7 @@ Result<std::vector<std::string>> namesIn(DatabaseConnection& database, const cha
   if (!rows) return fail(rows.error());
   rows::RowAudit audit(*rows);
   std::vector<std::string> names;
-  const bool needs_check = std::string_view(state) != kKept;
+  const bool needs_check = std::string_view(state) != kStored;
   while (rows->next()) {
     if (audit.take(*rows) && !(needs_check && rows->value(2).isNull()))
       names.push_back(rows->value(0).toString().toStdString());
@@ -105,7 +105,7 @@ Result<bool> claim(DatabaseConnection& database, const fs::path& folder, const s
 }
 
 Result<void> keep(DatabaseConnection& database, std::span<const std::string> names) {
-  return enterAll(database, names, kKept);
+  return enterAll(database, names, kStored);
 }
 
 Result<void> outdate(DatabaseConnection& database, std::span<const std::string> names) {
@@ -117,7 +117,7 @@ Result<void> disown(DatabaseConnection& database, const std::string& name) {
   return {};
 }
 
-Result<std::vector<std::string>> kept(DatabaseConnection& database) { return namesIn(database, kKept); }
+Result<std::vector<std::string>> kept(DatabaseConnection& database) { return namesIn(database, kStored); }
 
 Result<void> removeUnused(DatabaseConnection& database, const fs::path& folder, Which which) {
   SCANTROVE_TRY(removeAll(database, folder, kOld));

@@ -15,12 +15,12 @@ std::string packedText(std::span<const std::uint32_t> words) {
 }
 
 std::optional<std::vector<std::uint32_t>> wordsFromText(const std::string& text) {
-  constexpr std::uint32_t kMostBytes = 1U << 30U;
+  constexpr std::uint32_t kMaxBytes = 1U << 30U;
   std::istringstream stream(text);
   PackedWords packed;
   std::string base64;
   if (!(stream >> packed.unpacked_bytes >> packed.checksum >> base64)) return std::nullopt;
-  if (packed.unpacked_bytes == 0 || packed.unpacked_bytes >= kMostBytes) return std::nullopt;
+  if (packed.unpacked_bytes == 0 || packed.unpacked_bytes >= kMaxBytes) return std::nullopt;
   const auto bytes = QByteArray::fromBase64Encoding(QByteArray::fromStdString(base64),
                                                     QByteArray::AbortOnBase64DecodingErrors);
   if (!bytes) return std::nullopt;

@@ -43,7 +43,7 @@ Result<RecordFile> RecordFile::openWith(const std::filesystem::path& path, int f
   return opened;
 }
 
-bool RecordFile::isInPlace() const { return isNameOf(path_, file_); }
+bool RecordFile::isStillThere() const { return isNameOf(path_, file_); }
 
 RecordFile::RecordFile(RecordFile&& other) noexcept
     : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), end_(other.end_) {}

@@ -30,7 +30,7 @@ class RecordFile {
   [[nodiscard]] std::uint64_t size() const { return end_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Whether the file is still found under its name; it can be read anyway.
-  [[nodiscard]] bool isInPlace() const;
+  [[nodiscard]] bool isStillThere() const;
 
  private:
   RecordFile(std::filesystem::path path, int file) : path_(std::move(path)), file_(file) {}

@@ -6,7 +6,7 @@
 
 namespace scantrove {
 
-Result<void> checkIsUnlabelled(DatabaseConnection& database, const std::filesystem::path& folder) {
+Result<void> checkIsUnlabeled(DatabaseConnection& database, const std::filesystem::path& folder) {
   Result<QSqlQuery> count = database.execute("SELECT count(*) FROM operations");
   if (!count) return fail(count.error());
   if (!count->next() || count->value(0).toInt() == 0) return {};

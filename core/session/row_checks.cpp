@@ -79,7 +79,7 @@ bool isPlausible(const Intrinsics& K) {
 }
 
 bool isPlausible(const SavedKeyFrame& key) {
-  const bool is_unit = key.metres_per_unit > 0 && key.metres_per_unit <= kLargestUnit_m;
+  const bool is_unit = key.meters_per_unit > 0 && key.meters_per_unit <= kLargestUnit_m;
   const auto isSide = [](int side) { return side >= 0 && side <= kLargestSide_px; };
   if (!is_unit || !isSide(key.color_width) || !isSide(key.color_height)) return false;
   return !key.color_camera || (isPlausible(key.color_camera->K) && isRigid(key.color_camera->T_color_depth));
@@ -92,10 +92,10 @@ bool isPlausible(const BorderEvidence& e) {
       (isSmall(e.colors->difference) && isSmall(e.colors->chroma_difference) && isSmall(e.colors->shared) &&
        isSmall(e.colors->shared_chroma) && isSmall(e.colors->elsewhere) && isSmall(e.colors->variety));
   return are_colors_small && isSmall(e.color_shift.value_or(0)) &&
-         std::ranges::all_of(
-             std::to_array({e.looks, e.bridged, e.shared, e.bends, e.concavity_rad, e.folded, e.ridged,
-                            e.length_m, e.came_together, e.came_apart, e.attached, e.unattached, e.step_m}),
-             isSmall);
+         std::ranges::all_of(std::to_array({e.observations, e.bridged, e.shared, e.bends, e.concavity_rad,
+                                            e.folded, e.ridged, e.length_m, e.appeared_together,
+                                            e.appeared_apart, e.attached, e.unattached, e.step_m}),
+                             isSmall);
 }
 
 bool isPlausible(const Operation& operation) {
@@ -109,7 +109,7 @@ bool isPlausible(const OperationEffect& effect) {
                                return isFragment(move.fragment) && isRegion(move.before) &&
                                       isRegion(move.after);
                              }) &&
-         std::ranges::all_of(effect.sayings,
+         std::ranges::all_of(effect.constraints,
                              [](const auto& saying) {
                                return isFragment(saying.a) && isFragment(saying.b) && saying.a != saying.b;
                              }) &&

@@ -27,7 +27,7 @@ struct SavedFrame {
 
   /// The pose may be trusted.
   [[nodiscard]] bool isUsable() const {
-    return state == TrackingState::tracking || state == TrackingState::relocalised;
+    return state == TrackingState::tracking || state == TrackingState::relocalized;
   }
 };
 
@@ -43,7 +43,7 @@ struct SavedRecording {
 struct SavedKeyFrame {
   int frame = 0;                                 ///< SavedFrame::number
   std::filesystem::path color_file, depth_file;  ///< in the session's folder; no colour: empty
-  float metres_per_unit = 0.001F;
+  float meters_per_unit = 0.001F;
   int color_width = 0, color_height = 0;
   std::optional<ColorCamera> color_camera;  ///< RgbdFrame::color_camera
   /// CRC-32 of the files. None: of a session of an earlier version.
@@ -82,12 +82,12 @@ struct SavedCamera {
 };
 
 /// What holds for the whole scan, by name.
-using SavedFacts = std::map<std::string, std::string>;
+using SessionMetadata = std::map<std::string, std::string>;
 
 /// All but the pages of the map that changed since the delta before: one moment of the scan, between two
 /// frames.
 struct SavedDelta {
-  SavedFacts facts;
+  SessionMetadata metadata;
   std::vector<SavedFrame> frames;  ///< new ones, or understood late
   std::vector<SavedRecording> recordings;
   std::vector<SavedKeyFrame> key_frames;
@@ -100,7 +100,7 @@ struct SavedDelta {
 
 /// A scan as it was read back, but for its map, which is read page by page, and what is known of its camera.
 struct SavedScan {
-  SavedFacts facts;
+  SessionMetadata metadata;
   std::vector<SavedFrame> frames;          ///< by number
   std::vector<SavedRecording> recordings;  ///< in order; of an older session, those that are known
   std::vector<SavedKeyFrame> key_frames;

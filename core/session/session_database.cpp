@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Place = HeldFile::Place;
 
-constexpr int kMostNames = 1000;
+constexpr int kMaxNames = 1000;
 /// What SQLite has beside a database.
 constexpr std::array kBeside{"-wal", "-shm"};
 
@@ -30,7 +30,7 @@ bool isThere(const fs::path& path) {
 /// `session.rescued.sqlite`, `session.rescued-2.sqlite`, ...: the first that is free.
 fs::path freeNameBeside(const fs::path& file, const std::string& word) {
   fs::path name;
-  for (int i = 1; i <= kMostNames; ++i) {
+  for (int i = 1; i <= kMaxNames; ++i) {
     name = file;
     name.replace_filename(file.stem().string() + "." + word + (i > 1 ? "-" + std::to_string(i) : "") +
                           file.extension().string());
@@ -82,7 +82,7 @@ Result<void> SessionDatabase::connect() {
   return fail("The file " + file_.string() + " was removed while it was opened.", "Put it back.");
 }
 
-bool SessionDatabase::isInPlace() const {
+bool SessionDatabase::isStillThere() const {
   const auto is_same = [](const HeldFile& held) { return held.place() == Place::same; };
   return main_ && is_same(*main_) && std::ranges::all_of(beside_, is_same);
 }

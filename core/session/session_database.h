@@ -26,7 +26,7 @@ class SessionDatabase {
   /// False: a failure of follow() or writeAnew() left it closed.
   [[nodiscard]] bool isOpen() const { return connection_ != nullptr && main_; }
   /// The file and those that SQLite has beside it are found under their names.
-  [[nodiscard]] bool isInPlace() const;
+  [[nodiscard]] bool isStillThere() const;
   /// Where the folder is that the file was moved with; empty: it was not moved with its folder.
   [[nodiscard]] std::filesystem::path folderItWasMovedWith() const;
   /// Opens the same file in its new folder. Error: it cannot be opened.

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// By one of a writer who begins while it is read, a reading is torn: so often it is begun again.
-constexpr int kMostTries = 3;
+constexpr int kMaxTries = 3;
 
 double megabytesIn(const fs::path& folder) {
   std::uintmax_t bytes = 0;
@@ -72,15 +72,15 @@ std::string nameInLocks(const fs::path& file) {
 /// Reports whether any process has locked the file. Reads the kernel's list: a trial lock would refuse
 /// others.
 bool isLocked(const fs::path& file) {
-  const std::string wanted = nameInLocks(file);
-  if (wanted.empty()) return false;
+  const std::string requested = nameInLocks(file);
+  if (requested.empty()) return false;
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
     // "1: FLOCK  ADVISORY  WRITE 1234 08:01:5678 0 EOF"
     std::istringstream words(line);
     std::string number, kind, way, access, process, place;
     words >> number >> kind >> way >> access >> process >> place;
-    if (kind == "FLOCK" && place == wanted) return true;
+    if (kind == "FLOCK" && place == requested) return true;
   }
   return false;
 }
@@ -169,7 +169,7 @@ Result<void> readTables(DatabaseConnection& database, SessionSummary& summary) {
   SCANTROVE_TRY(readCount(database,
                           QString("SELECT count(*) FROM (SELECT region FROM fragments WHERE region > 0"
                                   " GROUP BY region HAVING sum(voxels) >= %1)")
-                              .arg(kSliverVoxels),
+                              .arg(kSmallFragmentVoxels),
                           summary.regions));
   SCANTROVE_TRY(readCount(database,
                           "SELECT count(DISTINCT object) FROM regions WHERE object > 0"
@@ -185,7 +185,7 @@ Result<void> readSession(const fs::path& file, SessionSummary& summary) {
     const auto database = DatabaseConnection::openToRead(file.string());
     if (!database) return fail(database.error());
     Result<void> read = readTables(**database, summary);
-    if ((*database)->isStill() || i == kMostTries) return read;
+    if ((*database)->isStill() || i == kMaxTries) return read;
   }
 }
 

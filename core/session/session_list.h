@@ -15,7 +15,7 @@ struct SessionSummary {
   std::string started;            ///< ISO 8601, UTC; empty: not known
   std::filesystem::path picture;  ///< colour image of the key frame in the middle; empty: there is none
   int frames = 0, tracked = 0, key_frames = 0;
-  int regions = 0;                 ///< of at least kSliverVoxels voxels
+  int regions = 0;                 ///< of at least kSmallFragmentVoxels voxels
   int objects = 0;                 ///< of the catalogue, that regions are
   std::vector<std::string> names;  ///< of regions, by the alphabet, each once
   bool ended = false;              ///< the scan came to its end

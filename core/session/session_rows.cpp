@@ -36,7 +36,7 @@ static_assert(std::endian::native == std::endian::little);
 QByteArray toBytes(const BorderEvidence& e) {
   const ColorComparison unseen{kUnseen, kUnseen};
   const ColorComparison& colors = e.colors ? *e.colors : unseen;
-  const std::array<float, kEvidenceFloats> values{e.looks,
+  const std::array<float, kEvidenceFloats> values{e.observations,
                                                   e.bridged,
                                                   e.shared,
                                                   e.bends,
@@ -46,8 +46,8 @@ QByteArray toBytes(const BorderEvidence& e) {
                                                   e.ridged,
                                                   e.color_shift.value_or(kUnseen),
                                                   e.length_m,
-                                                  e.came_together,
-                                                  e.came_apart,
+                                                  e.appeared_together,
+                                                  e.appeared_apart,
                                                   e.attached,
                                                   e.unattached,
                                                   colors.difference,
@@ -78,7 +78,7 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
     if (!std::isfinite(values[i]) && std::ranges::find(kColors, i) == kColors.end()) return std::nullopt;
   }
   BorderEvidence e;
-  e.looks = values[0];
+  e.observations = values[0];
   e.bridged = values[1];
   e.shared = values[2];
   e.bends = values[3];
@@ -87,8 +87,8 @@ std::optional<BorderEvidence> evidenceFrom(const QByteArray& bytes) {
   e.ridged = values[7];
   if (std::isfinite(values[8])) e.color_shift = values[8];
   e.length_m = values[9];
-  e.came_together = values[10];
-  e.came_apart = values[11];
+  e.appeared_together = values[10];
+  e.appeared_apart = values[11];
   e.attached = values[12];
   e.unattached = values[13];
   if (std::isfinite(values[14] + values[15]))
@@ -150,7 +150,7 @@ bool readColor(const std::string& written, SavedKeyFrame& key) {
 }
 
 constexpr std::array kStates{TrackingState::tracking, TrackingState::uncertain, TrackingState::lost,
-                             TrackingState::relocalised};
+                             TrackingState::relocalized};
 
 std::optional<TrackingState> stateFrom(const std::string& word) {
   for (const TrackingState state : kStates) {
@@ -204,7 +204,7 @@ Result<void> writeFrames(DatabaseConnection& database, const SavedDelta& delta) 
                       {{"number", key.frame},
                        {"color_file", text(key.color_file.generic_string())},
                        {"depth_file", text(key.depth_file.generic_string())},
-                       {"metres_per_unit", static_cast<double>(key.metres_per_unit)},
+                       {"metres_per_unit", static_cast<double>(key.meters_per_unit)},
                        {"color", text(colorToJson(key))},
                        {"color_checksum", orNull(key.color_checksum)},
                        {"depth_checksum", orNull(key.depth_checksum)}}));
@@ -289,10 +289,10 @@ Result<void> writeCamera(DatabaseConnection& database, const SavedCamera& camera
   return seal(database, "camera");
 }
 
-Result<void> writeFacts(DatabaseConnection& database, const SavedFacts& facts) {
-  if (facts.empty()) return {};
+Result<void> writeMetadata(DatabaseConnection& database, const SessionMetadata& metadata) {
+  if (metadata.empty()) return {};
   for (const char* table : {"facts", "fact_copies"}) {
-    for (const auto& [name, value] : facts)
+    for (const auto& [name, value] : metadata)
       SCANTROVE_TRY(put(database, table, {{"name", text(name)}, {"value", text(value)}}));
     SCANTROVE_TRY(seal(database, table));
   }
@@ -350,7 +350,7 @@ std::optional<SavedKeyFrame> keyFrameFrom(const QSqlQuery& row) {
   key.frame = row.value(0).toInt();
   key.color_file = text(row, 1);
   key.depth_file = text(row, 2);
-  key.metres_per_unit = row.value(3).toFloat();
+  key.meters_per_unit = row.value(3).toFloat();
   key.color_checksum = checksumAt(row, "color_checksum");
   key.depth_checksum = checksumAt(row, "depth_checksum");
   if (!integerAt(row, 0, kCounts) || !readColor(text(row, 4), key) || !isPlausible(key)) return std::nullopt;
@@ -415,7 +415,7 @@ bool isOrigin(const std::string& value) {
          std::ranges::all_of(*numbers, [](double number) { return std::abs(number) <= kFarthest_m; });
 }
 
-bool isFact(const std::string& name, const std::string& value) {
+bool isMetadataEntry(const std::string& name, const std::string& value) {
   if (name == "origin_m") return isOrigin(value);
   if (name != "last_region") return true;  // new regions are counted on from this one
   const bool is_number = !value.empty() && value.size() < 11 &&
@@ -424,33 +424,33 @@ bool isFact(const std::string& name, const std::string& value) {
 }
 
 /// Facts and their copies: a fact that is damaged or gone is taken from its copy.
-Result<SavedFacts> readFacts(DatabaseConnection& database, std::vector<std::string>& damages) {
-  SavedFacts facts, copies;
-  const auto addTo = [](SavedFacts& list) {
+Result<SessionMetadata> readMetadata(DatabaseConnection& database, std::vector<std::string>& damages) {
+  SessionMetadata metadata, copies;
+  const auto addTo = [](SessionMetadata& list) {
     return [&list](const QSqlQuery& row) {
-      if (!isFact(text(row, 0), text(row, 1))) return false;
+      if (!isMetadataEntry(text(row, 0), text(row, 1))) return false;
       list[text(row, 0)] = text(row, 1);
       return true;
     };
   };
-  std::vector<std::string> of_facts, of_copies;
-  SCANTROVE_TRY(readRows(database, {"facts", "SELECT * FROM facts", "facts"}, of_facts, addTo(facts)));
+  std::vector<std::string> of_metadata, of_copies;
+  SCANTROVE_TRY(readRows(database, {"facts", "SELECT * FROM facts", "facts"}, of_metadata, addTo(metadata)));
   SCANTROVE_TRY(readRows(database, {"fact_copies", "SELECT * FROM fact_copies", "copies of facts"}, of_copies,
                          addTo(copies)));
-  const std::size_t sound = facts.size();
-  facts.insert(copies.begin(), copies.end());
-  if (facts.size() > sound)
-    of_facts = {std::to_string(facts.size() - sound) + " facts of the session in " + database.file() +
-                " are damaged and were taken from their copies."};
-  damages.insert(damages.end(), of_facts.begin(), of_facts.end());
+  const std::size_t sound = metadata.size();
+  metadata.insert(copies.begin(), copies.end());
+  if (metadata.size() > sound)
+    of_metadata = {std::to_string(metadata.size() - sound) + " facts of the session in " + database.file() +
+                   " are damaged and were taken from their copies."};
+  damages.insert(damages.end(), of_metadata.begin(), of_metadata.end());
   damages.insert(damages.end(), of_copies.begin(), of_copies.end());
-  return facts;
+  return metadata;
 }
 
 }  // namespace
 
 Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
-  SCANTROVE_TRY(writeFacts(database, delta.facts));
+  SCANTROVE_TRY(writeMetadata(database, delta.metadata));
   SCANTROVE_TRY(writeRecordings(database, delta.recordings));
   SCANTROVE_TRY(writeFrames(database, delta));
   SCANTROVE_TRY(writeFragments(database, delta.fragments));
@@ -462,7 +462,7 @@ Result<void> write(DatabaseConnection& database, const SavedDelta& delta) {
 
 Result<SavedScan> read(DatabaseConnection& database, std::vector<std::string>& damages) {
   SavedScan scan;
-  SCANTROVE_TRY(moveInto(scan.facts, readFacts(database, damages)));
+  SCANTROVE_TRY(moveInto(scan.metadata, readMetadata(database, damages)));
   SCANTROVE_TRY(moveInto(scan.recordings, readRecordings(database, damages)));
   const auto readTable = [&](const Reading& reading, auto& list, auto from) {
     return readRows(database, reading, damages, addTo(list, from));

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kDatabase = "session.sqlite";
 constexpr const char* kLock = "session.lock";
 /// Names of one image that are tried.
-constexpr int kMostImageNames = 1000;
+constexpr int kMaxImageNames = 1000;
 
 Result<FileLock> lockOf(const fs::path& folder) {
   return FileLock::take(folder / kLock, {"The session " + folder.string() + " is in use by another program.",
@@ -70,7 +70,7 @@ Result<std::unique_ptr<SessionStore>> SessionStore::openLocked(const fs::path& f
 }
 
 Result<void> SessionStore::beginReplacing() {
-  SCANTROVE_TRY(checkIsUnlabelled(**database_, folder_));
+  SCANTROVE_TRY(checkIsUnlabeled(**database_, folder_));
   replaces_ = true;
   map_.beginAnew();
   lost_before_ = 0;
@@ -153,11 +153,11 @@ Result<void> SessionStore::writeRows(const SavedDelta& delta, bool with_pages) {
     if (!key.color_file.empty()) images.push_back(key.color_file.generic_string());
   }
   SCANTROVE_TRY(own_files::keep(database, images));
-  return with_pages ? map_.writePlaces(database) : Result<void>();
+  return with_pages ? map_.writeLocations(database) : Result<void>();
 }
 
 Result<fs::path> SessionStore::claimImage(const std::string& stem, const std::string& ending) {
-  for (int i = 1; i <= kMostImageNames; ++i) {
+  for (int i = 1; i <= kMaxImageNames; ++i) {
     const std::string name = "keyframes/" + stem + (i > 1 ? "-" + std::to_string(i) : "") + ending;
     const Result<bool> is_free = own_files::claim(**database_, folder_, name);
     if (!is_free) return fail(is_free.error());
@@ -205,7 +205,7 @@ Result<std::optional<Error>> SessionStore::keepInPlace() {
     return fail(
         "The session in " + folder_.string() + " could not be opened again after other programs changed it.",
         "Open it anew.");
-  if (database_->isInPlace() && map_.areInPlace()) {
+  if (database_->isStillThere() && map_.areStillThere()) {
     if (!isLocked()) SCANTROVE_TRY(takeLock());
     return std::optional<Error>();
   }
@@ -233,7 +233,7 @@ Result<Error> SessionStore::writeAnew() {
   };
   Result<void> made = makeSessionFolders(folder_);
   if (made && !isLocked()) made = takeLock();
-  if (made && !database_->isInPlace()) made = database_->writeAnew();
+  if (made && !database_->isStillThere()) made = database_->writeAnew();
   if (made) made = map_.writeLostAnew(**database_);
   if (!made) return cannot(made.error());
   const bool is_elsewhere = database_->file() != folder_ / kDatabase;

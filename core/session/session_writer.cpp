@@ -43,7 +43,7 @@ bool SessionWriter::open(Way way, std::unique_ptr<SessionStore>& store) {
 }
 
 void SessionWriter::run(Way way) {
-  giveWay(Niceness::session_writer);
+  lowerThreadPriority(Niceness::session_writer);
   std::unique_ptr<SessionStore> store;  // its database is this thread's
   if (!open(way, store)) return;
   std::unique_lock lock(mutex_);
@@ -81,7 +81,7 @@ Result<void> SessionWriter::doJob(const Job& job, SessionStore& store) {
 
 void SessionWriter::post(Job job) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return jobs_.size() < kMostWaiting || failure_; });
+  changed_.wait(lock, [this] { return jobs_.size() < kMaxWaiting || failure_; });
   jobs_.push_back(std::move(job));
   try_again_ = true;
   changed_.notify_all();

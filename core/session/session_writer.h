@@ -14,13 +14,13 @@
 namespace scantrove {
 
 /// Keeps a session on disk beside a scan, on a thread of its own, so that no frame waits for the disk. At
-/// most kMostWaiting jobs wait; with more, post() waits. All functions for one thread.
+/// most kMaxWaiting jobs wait; with more, post() waits. All functions for one thread.
 ///
 /// A job that fails (the disk is full) is tried again with the next one and at the end; meanwhile isFailing()
 /// says that it is better not to hand over more.
 class SessionWriter {
  public:
-  static constexpr std::size_t kMostWaiting = 16;
+  static constexpr std::size_t kMaxWaiting = 16;
   using Job = std::function<Result<void>(SessionStore&)>;
 
   enum class Way { create, open };

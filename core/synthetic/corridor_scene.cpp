@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string>
 
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/hash_random.h"
 #include "core/synthetic/objects.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -31,16 +31,16 @@ struct Bay {
   [[nodiscard]] std::string name(const std::string& thing) const {
     return thing + " " + std::to_string(number) + (side < 0 ? ", right" : ", left");
   }
-  [[nodiscard]] std::uint32_t colour(std::uint32_t what) const {
-    constexpr std::uint32_t kColours[] = {0xa23b3b, 0x2b4c7e, 0x3f7f5f, 0xd9902f,
-                                          0x6b4c8c, 0x3a7ca5, 0x8a5a35};
-    return kColours[static_cast<std::size_t>(draw(what) * 6.99)];
+  [[nodiscard]] std::uint32_t color(std::uint32_t what) const {
+    constexpr std::uint32_t kColors[] = {0xa23b3b, 0x2b4c7e, 0x3f7f5f, 0xd9902f,
+                                         0x6b4c8c, 0x3a7ca5, 0x8a5a35};
+    return kColors[static_cast<std::size_t>(draw(what) * 6.99)];
   }
 };
 
 void addDoor(const Bay& bay) {
   const auto door = bay.scene.addInstance(bay.name("door"), false);
-  const Material wood{Pattern::wood, rgb(bay.colour(1)), {}, {}, 0.03F};
+  const Material wood{Pattern::wood, rgb(bay.color(1)), {}, {}, 0.03F};
   addBox(bay.scene, door, {bay.along, bay.into(0.02), 0}, {0.9, 0.04, 2.02}, 0.002, wood);
   const Material frame{Pattern::plain, rgb(0xf1eee6)};
   for (const double edge : {-0.5, 0.5}) {
@@ -52,7 +52,7 @@ void addPicture(const Bay& bay) {
   const Vec3 size{0.4 + 0.5 * bay.draw(1), 0.03, 0.3 + 0.4 * bay.draw(2)};
   addBox(bay.scene, bay.scene.addInstance(bay.name("picture"), false),
          {bay.along, bay.into(0.015), 1.1 + 0.3 * bay.draw(3), bay.side > 0 ? 0.0 : 180.0}, size, 0.004,
-         {Pattern::picture, rgb(bay.colour(4)), rgb(0x6f9a8d), rgb(bay.colour(5)), 0.03F, 0, true, bay.seed});
+         {Pattern::picture, rgb(bay.color(4)), rgb(0x6f9a8d), rgb(bay.color(5)), 0.03F, 0, true, bay.seed});
 }
 
 void addPillar(const Bay& bay) {
@@ -64,9 +64,9 @@ void addPillar(const Bay& bay) {
 void addCupboard(const Bay& bay) {
   const Vec3 size{0.5 + 0.5 * bay.draw(1), 0.3, 0.6 + 0.4 * bay.draw(2)};
   addBox(bay.scene, bay.scene.addInstance(bay.name("cupboard"), false), {bay.along, bay.into(0.16), 0}, size,
-         0.006, {Pattern::wood, rgb(bay.colour(3)), {}, {}, 0.03F, 0, true, bay.seed});
+         0.006, {Pattern::wood, rgb(bay.color(3)), {}, {}, 0.03F, 0, true, bay.seed});
   const Place top{bay.along + 0.1, bay.into(0.17), size.z(), 40 * bay.draw(4)};
-  const Material glaze{Pattern::speckle, rgb(bay.colour(5)), rgb(0xdfe9ee), {}, 0.012F, 0.3F, true, bay.seed};
+  const Material glaze{Pattern::speckle, rgb(bay.color(5)), rgb(0xdfe9ee), {}, 0.012F, 0.3F, true, bay.seed};
   if (bay.draw(6) < 0.5) {
     addVase(bay.scene, bay.name("vase"), top, glaze);
   } else {
@@ -77,7 +77,7 @@ void addCupboard(const Bay& bay) {
 void addParcel(const Bay& bay) {
   const Vec3 size{0.3 + 0.2 * bay.draw(1), 0.25, 0.2 + 0.3 * bay.draw(2)};
   addCarton(bay.scene, bay.name("parcel"), {bay.along, bay.into(0.28), 0, 30 * bay.draw(3)}, size,
-            {Pattern::boxLabel, rgb(bay.colour(4)), rgb(0xa57c52), rgb(0xf3ead8), 0.03F, 0, true, bay.seed});
+            {Pattern::boxLabel, rgb(bay.color(4)), rgb(0xa57c52), rgb(0xf3ead8), 0.03F, 0, true, bay.seed});
 }
 
 SyntheticScene makeCorridor() {
@@ -114,12 +114,12 @@ Gaze alongCorridor(double t) {
 
 }  // namespace
 
-FilmSet makeCorridorSet() {
+SceneRecipe makeCorridorSet() {
   return {.name = "corridor",
           .scene = makeCorridor(),
           .path = alongCorridor,
           .frames = static_cast<int>(kWay_m / kPace * 30),
-          .lit_centre = {kWay_m / 2, 0, 0.5},
+          .lit_center = {kWay_m / 2, 0, 0.5},
           .lit_radius_m = kWay_m / 2 + kOverhang_m};
 }
 

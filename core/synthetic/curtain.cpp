@@ -14,17 +14,17 @@ Curtain::Curtain(const Vec3& size, double thickness, double folds)
     : half_(size / 2),
       half_thickness_(thickness / 2),
       amplitude_((half_.y() - half_thickness_) / (1 + kSecondWave)),
-      per_metre_(2 * std::numbers::pi * folds / size.x()),
-      steepest_(lengthOf(1.0, amplitude_ * per_metre_ * (1 + kSecondWave / kSecondLength))) {}
+      per_meter_(2 * std::numbers::pi * folds / size.x()),
+      steepest_(lengthOf(1.0, amplitude_ * per_meter_ * (1 + kSecondWave / kSecondLength))) {}
 
 double Curtain::wave(double x) const {
-  const double angle = per_metre_ * x;
+  const double angle = per_meter_ * x;
   return amplitude_ * (std::sin(angle) + kSecondWave * std::sin(angle / kSecondLength + 1));
 }
 
 double Curtain::slope(double x) const {
-  const double angle = per_metre_ * x;
-  return amplitude_ * per_metre_ *
+  const double angle = per_meter_ * x;
+  return amplitude_ * per_meter_ *
          (std::cos(angle) + kSecondWave / kSecondLength * std::cos(angle / kSecondLength + 1));
 }
 

@@ -19,7 +19,7 @@ class Curtain final : public Shape {
   Vec3 half_;
   double half_thickness_;
   double amplitude_;
-  double per_metre_;  // radians
+  double per_meter_;  // radians
   double steepest_;   // length of the normal (slope, 1) at most
 };
 

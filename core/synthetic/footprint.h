@@ -5,7 +5,7 @@ namespace scantrove::synthetic {
 
 /// A rectangle on the floor, grown by `round` on all sides: what a thing covers from above. Metres.
 struct Footprint {
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d half = Eigen::Vector2d::Zero();  ///< along its own x and y
   double yaw_deg = 0;
   double round = 0;

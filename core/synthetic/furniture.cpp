@@ -16,8 +16,8 @@ void addLeg(SyntheticScene& scene, std::uint16_t id, const Place& place, const V
 }  // namespace
 
 void addWall(SyntheticScene& scene, const std::string& name, const Place& place, double length,
-             std::uint32_t colour) {
-  Material paint{Pattern::plaster, rgb(colour)};
+             std::uint32_t color) {
+  Material paint{Pattern::plaster, rgb(color)};
   paint.casts_shadow = false;
   paint.seed = static_cast<std::uint32_t>(scene.parts().size());
   addBox(scene, scene.addInstance(name, false), place, {length, 0.1, 2.5}, 0, paint);

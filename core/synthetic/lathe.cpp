@@ -142,12 +142,12 @@ double Lathe::reach(const Vec3& direction) const {
   return reach;
 }
 
-void appendArc(Lathe::Profile& profile, Eigen::Vector2d centre, double radius, double from_deg, double to_deg,
+void appendArc(Lathe::Profile& profile, Eigen::Vector2d center, double radius, double from_deg, double to_deg,
                int steps) {
   for (int i = 0; i <= steps; ++i) {
     const double angle = (from_deg + (to_deg - from_deg) * i / steps) / 180.0 * std::numbers::pi;
-    profile.emplace_back(std::max(0.0, centre.x() + radius * std::cos(angle)),
-                         centre.y() + radius * std::sin(angle));
+    profile.emplace_back(std::max(0.0, center.x() + radius * std::cos(angle)),
+                         center.y() + radius * std::sin(angle));
   }
 }
 

@@ -34,7 +34,7 @@ class Lathe final : public Shape {
 
 /// Appends an arc of `steps` chords to a profile: centre (radius, z), angles in degrees from the +radius axis
 /// towards +z.
-void appendArc(Lathe::Profile& profile, Eigen::Vector2d centre, double radius, double from_deg, double to_deg,
+void appendArc(Lathe::Profile& profile, Eigen::Vector2d center, double radius, double from_deg, double to_deg,
                int steps);
 
 /// A closed can from z = 0 to `height` with its rims rounded.

@@ -68,7 +68,7 @@ bool Layout::put(Thing& thing, double x, double y, double z, double yaw_deg, std
     for (const double side : {-1.0, 1.0}) {
       const double yaw = body.base.yaw_deg + side * 90;
       const Footprint foot = Footprint{{side * body.base.half.x(), 0}}.placedAt(0, 0, body.base.yaw_deg);
-      faces_.push_back({body.base.centre + foot.centre, yaw, 2 * body.base.half.y(), z, body.z_high - z,
+      faces_.push_back({body.base.center + foot.center, yaw, 2 * body.base.half.y(), z, body.z_high - z,
                         thing.side_round_m, id});
     }
   }
@@ -78,17 +78,16 @@ bool Layout::put(Thing& thing, double x, double y, double z, double yaw_deg, std
 Eigen::Vector2d Layout::slideUpTo(HashStream& random, const Stand& stand, const Thing& thing,
                                   const Eigen::Vector2d& from, double yaw_deg) const {
   constexpr double kFarthest_m = 0.8;
-  std::vector<Eigen::Vector2d> neighbours;
+  std::vector<Eigen::Vector2d> neighbors;
   for (const Filled& other : filled_) {
     const bool beside = other.volume.z_low < stand.z + 0.02 && other.volume.z_high > stand.z + 0.02;
-    if (beside && (other.volume.base.centre - from).norm() < kFarthest_m) {
-      neighbours.push_back(other.volume.base.centre);
+    if (beside && (other.volume.base.center - from).norm() < kFarthest_m) {
+      neighbors.push_back(other.volume.base.center);
     }
   }
-  if (neighbours.empty()) return from;
-  const auto count = static_cast<int>(neighbours.size());
-  const Eigen::Vector2d step =
-      (neighbours[static_cast<std::size_t>(random.below(count))] - from).normalized();
+  if (neighbors.empty()) return from;
+  const auto count = static_cast<int>(neighbors.size());
+  const Eigen::Vector2d step = (neighbors[static_cast<std::size_t>(random.below(count))] - from).normalized();
   for (double moved = 0; moved < kFarthest_m;) {
     Eigen::Vector2d there = from + moved * step;
     const double room = clearance(placedAt(thing.volumes, there.x(), there.y(), stand.z, yaw_deg), 0);
@@ -108,8 +107,8 @@ bool Layout::placeOn(HashStream& random, const Stand& stand, Thing& thing) {
                                                                 : random.pick({0.0, 90.0, 180.0, 270.0}) +
                                                                       random.uniform(-12, 12));
     Eigen::Vector2d at = Footprint{{along, across}}
-                             .placedAt(stand.area.centre.x(), stand.area.centre.y(), stand.area.yaw_deg)
-                             .centre;
+                             .placedAt(stand.area.center.x(), stand.area.center.y(), stand.area.yaw_deg)
+                             .center;
     if (clearance(placedAt(thing.volumes, at.x(), at.y(), stand.z, yaw), 0) < 0.004) continue;
     if (random.chance(0.6)) at = slideUpTo(random, stand, thing, at, yaw);
     if (rests(stand, placedAt(thing.volumes, at.x(), at.y(), stand.z, yaw)) &&
@@ -126,7 +125,7 @@ bool Layout::lean(HashStream& random, const Face& face) {
   if (room < 0) return false;
   const Footprint foot =
       Footprint{{random.uniform(-room, room), 0}}.placedAt(face.at.x(), face.at.y(), face.yaw_deg);
-  return put(board, foot.centre.x(), foot.centre.y(), face.z, face.yaw_deg, face.instance);
+  return put(board, foot.center.x(), foot.center.y(), face.z, face.yaw_deg, face.instance);
 }
 
 void Layout::fillWithBooks(HashStream& random, const Stand& stand, int count) {
@@ -140,8 +139,8 @@ void Layout::fillWithBooks(HashStream& random, const Stand& stand, int count) {
       return;
     }
     const Footprint at = Footprint{{x + thickness / 2, stand.area.half.y() - depth}}.placedAt(
-        stand.area.centre.x(), stand.area.centre.y(), stand.area.yaw_deg);
-    put(book, at.centre.x(), at.centre.y(), stand.z, stand.area.yaw_deg);
+        stand.area.center.x(), stand.area.center.y(), stand.area.yaw_deg);
+    put(book, at.center.x(), at.center.y(), stand.z, stand.area.yaw_deg);
     x += thickness + 1e-6;
   }
 }

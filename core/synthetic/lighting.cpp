@@ -17,11 +17,11 @@ constexpr float kFar = 1e6F;
 constexpr double kMapHeight_m = 6;  // the maps look from this far
 }  // namespace
 
-Lighting::Lighting(const SyntheticScene& scene, const Vec3& centre, double radius)
+Lighting::Lighting(const SyntheticScene& scene, const Vec3& center, double radius)
     : to_light_(Vec3(-0.50, -0.42, 0.86).normalized()),
-      from_light_(bake(scene, centre, to_light_, radius, 768)),
-      from_above_(bake(scene, centre, Vec3::UnitZ(), radius, 384)),
-      first_lit_(highestWithin(from_light_, 2.5 / from_light_.texels_per_metre)),
+      from_light_(bake(scene, center, to_light_, radius, 768)),
+      from_above_(bake(scene, center, Vec3::UnitZ(), radius, 384)),
+      first_lit_(highestWithin(from_light_, 2.5 / from_light_.texels_per_meter)),
       tops_(highestWithin(from_above_, kOuterRing_m + 0.01)) {}
 
 float Lighting::DepthMap::at(int x, int y) const {
@@ -31,7 +31,7 @@ float Lighting::DepthMap::at(int x, int y) const {
              : kFar;
 }
 
-Lighting::DepthMap Lighting::bake(const SyntheticScene& scene, const Vec3& centre, const Vec3& to_light,
+Lighting::DepthMap Lighting::bake(const SyntheticScene& scene, const Vec3& center, const Vec3& to_light,
                                   double radius, int size) {
   View view;
   view.parallel = true;
@@ -42,7 +42,7 @@ Lighting::DepthMap Lighting::bake(const SyntheticScene& scene, const Vec3& centr
   const Vec3 z_axis = -to_light;
   const Vec3 x_axis = z_axis.cross(Vec3::UnitY()).normalized();
   view.T_world_view.linear() << x_axis, z_axis.cross(x_axis), z_axis;
-  view.T_world_view.translation() = centre + to_light * kMapHeight_m;
+  view.T_world_view.translation() = center + to_light * kMapHeight_m;
   const ViewCaster caster(scene, view);
   DepthMap map{view.T_world_view.inverse(), view.fx, size, {}};
   map.z.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
@@ -56,7 +56,7 @@ Lighting::DepthMap Lighting::bake(const SyntheticScene& scene, const Vec3& centr
 }
 
 Lighting::DepthMap Lighting::highestWithin(const DepthMap& map, double radius) {
-  const int reach = static_cast<int>(std::ceil(radius * map.texels_per_metre));
+  const int reach = static_cast<int>(std::ceil(radius * map.texels_per_meter));
   DepthMap result = map;
   for (const bool along_x : {true, false}) {  // a square window, one axis after the other
     const DepthMap source = result;
@@ -77,8 +77,8 @@ Lighting::DepthMap Lighting::highestWithin(const DepthMap& map, double radius) {
 float Lighting::sunlit(const Vec3& point) const {
   const Vec3 p = from_light_.T_map_world * point;
   const double half = (from_light_.size - 1) / 2.0;
-  const double x = p.x() * from_light_.texels_per_metre + half;
-  const double y = p.y() * from_light_.texels_per_metre + half;
+  const double x = p.x() * from_light_.texels_per_meter + half;
+  const double y = p.y() * from_light_.texels_per_meter + half;
   const int x0 = floorInt(static_cast<float>(x));
   const int y0 = floorInt(static_cast<float>(y));
   if (x0 < 1 || y0 < 1 || x0 + 2 >= from_light_.size || y0 + 2 >= from_light_.size) {
@@ -120,7 +120,7 @@ float Lighting::openness(const Vec3& point, const Vec3& normal) const {
     return taps;
   }();
   const Vec3 p = from_above_.T_map_world * Vec3(point + kLift_m * normal);
-  const auto scale = static_cast<float>(from_above_.texels_per_metre);
+  const auto scale = static_cast<float>(from_above_.texels_per_meter);
   const float middle = 0.5F * static_cast<float>(from_above_.size - 1) + 0.5F;
   const float x = static_cast<float>(p.x()) * scale + middle;
   const float y = static_cast<float>(p.y()) * scale + middle;

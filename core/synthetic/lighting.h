@@ -10,7 +10,7 @@ namespace scantrove::synthetic {
 class Lighting {
  public:
   /// Shadows reach `radius` metres around `centre`; beyond, everything is lit.
-  Lighting(const SyntheticScene& scene, const Vec3& centre, double radius);
+  Lighting(const SyntheticScene& scene, const Vec3& center, double radius);
 
   /// How much of the room's light arrives at a surface point, 0..1: little in corners and under things.
   /// Changes slowly along a surface.
@@ -25,12 +25,12 @@ class Lighting {
   /// A square depth image seen from above or from the light.
   struct DepthMap {
     Eigen::Isometry3d T_map_world;
-    double texels_per_metre = 1;
+    double texels_per_meter = 1;
     int size = 0;
     std::vector<float> z;
     [[nodiscard]] float at(int x, int y) const;  // far away outside
   };
-  static DepthMap bake(const SyntheticScene& scene, const Vec3& centre, const Vec3& to_light, double radius,
+  static DepthMap bake(const SyntheticScene& scene, const Vec3& center, const Vec3& to_light, double radius,
                        int size);
   static DepthMap highestWithin(const DepthMap& map, double radius);
   [[nodiscard]] float sunlit(const Vec3& point) const;

@@ -90,11 +90,11 @@ Rgb planks(const Material& m, float u, float v, float footprint) {
   Material one = m;
   one.seed = id;
   one.main = m.main * (0.84F + 0.32F * hashUniform(id));
-  Rgb colour = wood(one, u, v, footprint);
+  Rgb color = wood(one, u, v, footprint);
   const float blur = footprint / m.scale;
   const float fade = detail(0.02F, footprint);
   const float gap = std::max(joint(board, 0.012F, blur), joint(along, 0.0012F, footprint / length));
-  return colour * (1 - 0.6F * gap * fade);
+  return color * (1 - 0.6F * gap * fade);
 }
 
 Rgb bookCover(const Material& m, const SurfacePoint& s, float footprint) {

@@ -3,11 +3,11 @@
 #include <numbers>
 #include <utility>
 
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
 #include "core/synthetic/palette.h"
+#include "core/synthetic/person.h"
 #include "core/synthetic/random_walls.h"
-#include "core/synthetic/walker.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -64,7 +64,7 @@ bool buildStage(HashStream& random, Stage& stage) {
   const Stand top = layout.newStands().front();
 
   // The mug goes along the table's front edge, from the arm's side towards the middle.
-  const double front = top.area.centre.y() - top.area.half.y() + 0.08;
+  const double front = top.area.center.y() - top.area.half.y() + 0.08;
   const double first = -stage.side * (top.area.half.x() - 0.1);
   const double second = first + stage.side * random.uniform(0.35, 0.5);
   stage.mug_from = {first, front + random.uniform(0, 0.04), top.z};
@@ -95,14 +95,14 @@ bool buildStage(HashStream& random, Stage& stage) {
   return true;
 }
 
-void setInMotion(HashStream& random, const Stage& stage, FilmSet& set) {
+void setInMotion(HashStream& random, const Stage& stage, SceneRecipe& set) {
   // Past the table, and later back again.
   const double speed = random.uniform(0.6, 0.75);
   const double way_s = 2 * kOutOfSight_m / speed;
   const double first_s = random.uniform(0.8, 1.4);
   const double back_s = std::max(first_s + way_s, 14 - way_s - random.uniform(1.2, 1.6));
   const Vec3 here(-stage.side * kOutOfSight_m, 0, 0);
-  addWalker(random, set, kLane_m,
+  addPerson(random, set, kLane_m,
             {{first_s, here}, {first_s + way_s, -here}, {back_s, -here}, {back_s + way_s, here}});
 
   const double take_s = random.uniform(5.0, 5.8);
@@ -131,8 +131,8 @@ void setInMotion(HashStream& random, const Stage& stage, FilmSet& set) {
     return
         [way](double time_s) { return Eigen::Isometry3d(Eigen::Translation3d(alongWaypoints(way, time_s))); };
   };
-  set.movers.push_back({stage.mug, stage.mug_parts, goes(mug_way)});
-  set.movers.push_back({stage.chair, stage.chair_parts, goes(chair_way)});
+  set.animated_parts.push_back({stage.mug, stage.mug_parts, goes(mug_way)});
+  set.animated_parts.push_back({stage.chair, stage.chair_parts, goes(chair_way)});
 }
 
 /// Before the walker's lane, looking over the table: from the chair to the other side and back.
@@ -152,8 +152,8 @@ CameraPath makePathOverTable(HashStream& random, double side) {
 
 }  // namespace
 
-FilmSet makeRandomMovingSet(std::uint32_t seed) {
-  FilmSet set{.name = "moving " + std::to_string(seed), .scene = {}, .path = {}, .frames = kMovingFrames};
+SceneRecipe makeRandomMovingSet(std::uint32_t seed) {
+  SceneRecipe set{.name = "moving " + std::to_string(seed), .scene = {}, .path = {}, .frames = kMovingFrames};
   for (std::uint32_t room = 0; room < kRoomsToTry; ++room) {
     HashStream random(seed, 3000 + room);
     Stage stage;
@@ -163,7 +163,7 @@ FilmSet makeRandomMovingSet(std::uint32_t seed) {
     set.path = makePathOverTable(random, stage.side);
     break;
   }
-  set.lit_centre = {0, 0.3, 0.4};
+  set.lit_center = {0, 0.3, 0.4};
   set.lit_radius_m = 2.6;
   return set;
 }

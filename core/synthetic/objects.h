@@ -56,7 +56,7 @@ std::uint16_t addLamp(SyntheticScene& scene, const std::string& name, const Plac
 // Furniture.
 /// A wall 2.5 m high that lets light through.
 void addWall(SyntheticScene& scene, const std::string& name, const Place& place, double length,
-             std::uint32_t colour);
+             std::uint32_t color);
 /// A table's foot is the floor; `size` is length (x), depth (y) and height.
 std::uint16_t addTable(SyntheticScene& scene, const Place& place, const Vec3& size, const Material& material);
 /// Seat front towards -y of the chair's own frame; seat at 0.45 m, back up to 0.88 m.

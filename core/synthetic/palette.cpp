@@ -26,7 +26,7 @@ Rgb hsv(HashStream& random, double s_low, double s_high, double v_low, double v_
 
 }  // namespace
 
-Rgb randomColour(HashStream& random) {
+Rgb randomColor(HashStream& random) {
   return random.chance(0.25) ? hsv(random, 0.0, 0.2, 0.25, 0.95) : hsv(random, 0.3, 0.85, 0.4, 0.95);
 }
 
@@ -43,7 +43,7 @@ Material randomWood(HashStream& random) {
 
 Material randomPaintwork(HashStream& random) {
   if (random.chance(0.55)) return randomWood(random);
-  Material paint{Pattern::plain, random.chance(0.7) ? randomPaint(random) : randomColour(random)};
+  Material paint{Pattern::plain, random.chance(0.7) ? randomPaint(random) : randomColor(random)};
   paint.second = paint.main * 0.7F;
   paint.seed = random.bits();
   return paint;
@@ -51,9 +51,9 @@ Material randomPaintwork(HashStream& random) {
 
 Material randomFabric(HashStream& random) {
   Material cloth{random.pick({Pattern::weave, Pattern::weave, Pattern::plain, Pattern::stripes})};
-  cloth.main = randomColour(random);
+  cloth.main = randomColor(random);
   cloth.second = cloth.main * 0.75F;
-  cloth.third = randomColour(random) * 0.4F + cloth.main * 0.6F;
+  cloth.third = randomColor(random) * 0.4F + cloth.main * 0.6F;
   cloth.scale = static_cast<float>(random.uniform(0.015, 0.08));
   cloth.seed = random.bits();
   return cloth;
@@ -62,8 +62,8 @@ Material randomFabric(HashStream& random) {
 Material randomGlaze(HashStream& random) {
   Material glaze{random.pick(
       {Pattern::plain, Pattern::plain, Pattern::bands, Pattern::stripes, Pattern::dots, Pattern::speckle})};
-  glaze.main = randomColour(random);
-  glaze.second = randomColour(random);
+  glaze.main = randomColor(random);
+  glaze.second = randomColor(random);
   glaze.scale = static_cast<float>(random.uniform(0.012, 0.045));
   glaze.gloss = static_cast<float>(random.uniform(0, 0.5));
   glaze.seed = random.bits();
@@ -72,8 +72,8 @@ Material randomGlaze(HashStream& random) {
 
 Material randomPrint(HashStream& random, Pattern pattern) {
   Material print{pattern};
-  print.main = randomColour(random);
-  print.second = randomColour(random);
+  print.main = randomColor(random);
+  print.second = randomColor(random);
   print.third = hsv(random, 0.0, 0.3, 0.8, 1.0);
   print.gloss = static_cast<float>(random.uniform(0, 0.25));
   print.seed = random.bits();

@@ -5,8 +5,8 @@
 namespace scantrove::synthetic {
 
 // Random colours and skins for what makes up a random scene.
-[[nodiscard]] Rgb randomColour(HashStream& random);  ///< of things: any hue, from pale to strong
-[[nodiscard]] Rgb randomPaint(HashStream& random);   ///< of walls and furniture: pale
+[[nodiscard]] Rgb randomColor(HashStream& random);  ///< of things: any hue, from pale to strong
+[[nodiscard]] Rgb randomPaint(HashStream& random);  ///< of walls and furniture: pale
 [[nodiscard]] Material randomWood(HashStream& random);
 [[nodiscard]] Material randomPaintwork(HashStream& random);  ///< wood or paint, of furniture
 [[nodiscard]] Material randomFabric(HashStream& random);

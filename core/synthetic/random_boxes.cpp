@@ -144,7 +144,7 @@ Thing makeLeaning(HashStream& random, double wall_height_m, double edge_m) {
     yc = edge_m - (b + edge_m + rise * std::sin(t)) / std::cos(t);
   }
   Material skin = random.chance(0.4) ? randomWood(random) : randomPrint(random, Pattern::picture);
-  if (!pole && skin.pattern == Pattern::picture) skin.second = randomColour(random);
+  if (!pole && skin.pattern == Pattern::picture) skin.second = randomColor(random);
   addPart(scene, scene.addInstance(pole ? "pole" : "board", true), {},
           std::make_unique<RoundedBox>(Vec3(a, b, c), r), skin, {0, yc, zc},
           turned(-t * 180 / std::numbers::pi, Vec3::UnitX()));

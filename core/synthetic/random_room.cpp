@@ -2,9 +2,9 @@
 #include <numbers>
 
 #include "core/synthetic/camera_work.h"
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
 #include "core/synthetic/random_walls.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -121,8 +121,8 @@ Shell buildRoom(HashStream& random, Layout& layout) {
 
 }  // namespace
 
-FilmSet makeRandomRoomSet(std::uint32_t seed) {
-  FilmSet best{.name = "room " + std::to_string(seed), .scene = {}, .path = {}, .frames = 300};
+SceneRecipe makeRandomRoomSet(std::uint32_t seed) {
+  SceneRecipe best{.name = "room " + std::to_string(seed), .scene = {}, .path = {}, .frames = 300};
   int fewest_bad = 1000;
   for (std::uint32_t room = 0; room < kRooms && fewest_bad > 0; ++room) {
     HashStream random(seed, 1000 + room);
@@ -144,13 +144,13 @@ FilmSet makeRandomRoomSet(std::uint32_t seed) {
       best.path = std::move(path);
     }
   }
-  best.lit_centre = {0, 0, 0.4};
+  best.lit_center = {0, 0, 0.4};
   best.lit_radius_m = 2.6;
   return best;
 }
 
-FilmSet makeRandomSweepSet(std::uint32_t seed) {
-  FilmSet set{.name = "sweep " + std::to_string(seed), .scene = {}, .path = {}, .frames = kSweepFrames};
+SceneRecipe makeRandomSweepSet(std::uint32_t seed) {
+  SceneRecipe set{.name = "sweep " + std::to_string(seed), .scene = {}, .path = {}, .frames = kSweepFrames};
   for (std::uint32_t room = 0; !set.path; ++room) {
     HashStream random(seed, 2000 + room);
     Layout layout;
@@ -161,7 +161,7 @@ FilmSet makeRandomSweepSet(std::uint32_t seed) {
     }
     if (set.path) set.scene = std::move(layout.scene);
   }
-  set.lit_centre = {0, 0, 0.4};
+  set.lit_center = {0, 0, 0.4};
   set.lit_radius_m = 2.6;
   return set;
 }

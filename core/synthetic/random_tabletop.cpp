@@ -2,9 +2,9 @@
 #include <numbers>
 
 #include "core/synthetic/camera_work.h"
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
 #include "core/synthetic/random_walls.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -26,7 +26,7 @@ CameraPath makePath(HashStream& random, const Stand& top) {
     const double away = radius + random.uniform(-0.1, 0.1);
     const double above = rise + random.uniform(-0.1, 0.1);
     const Vec3 aside{random.uniform(-0.1, 0.1), random.uniform(-0.08, 0.08), random.uniform(0.0, 0.1)};
-    const Vec3 middle(top.area.centre.x(), top.area.centre.y(), top.z);
+    const Vec3 middle(top.area.center.x(), top.area.center.y(), top.z);
     points.push_back({middle + Vec3(away * std::cos(angle), away * std::sin(angle), above), middle + aside});
   }
   return alongAtHandsPace(std::move(points));
@@ -43,7 +43,7 @@ Stand buildTable(HashStream& random, Layout& layout) {
   const double half_y = table.stands.front().area.half.y() + 0.03;
   const double back = random.chance(0.4) ? shell.wallLength((first + 1) % 4) / 2 - half_y - kSkirting_m : 0.0;
   const Place wall = shell.wallPlace(first);
-  const Eigen::Vector2d at = Footprint{{random.uniform(-0.4, 0.4), back}}.placedAt(0, 0, wall.yaw_deg).centre;
+  const Eigen::Vector2d at = Footprint{{random.uniform(-0.4, 0.4), back}}.placedAt(0, 0, wall.yaw_deg).center;
   layout.put(table, at.x(), at.y(), 0, wall.yaw_deg);
   Stand top = layout.newStands().front();
   Stand used = top;
@@ -65,8 +65,8 @@ Stand buildTable(HashStream& random, Layout& layout) {
 
 }  // namespace
 
-FilmSet makeRandomTabletopSet(std::uint32_t seed) {
-  FilmSet best{.name = "tabletop " + std::to_string(seed), .scene = {}, .path = {}, .frames = 240};
+SceneRecipe makeRandomTabletopSet(std::uint32_t seed) {
+  SceneRecipe best{.name = "tabletop " + std::to_string(seed), .scene = {}, .path = {}, .frames = 240};
   int fewest_bad = 1000;
   for (std::uint32_t table = 0; table < kTables && fewest_bad > 0; ++table) {
     HashStream random(seed, 2000 + table);
@@ -84,7 +84,7 @@ FilmSet makeRandomTabletopSet(std::uint32_t seed) {
     }
     if (fewest_here < fewest_bad) {
       fewest_bad = fewest_here;
-      best.lit_centre = {top.area.centre.x(), top.area.centre.y(), 0.4};
+      best.lit_center = {top.area.center.x(), top.area.center.y(), 0.4};
       best.scene = std::move(layout.scene);
       best.path = std::move(path);
     }

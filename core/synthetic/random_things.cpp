@@ -26,7 +26,7 @@ Thing cactus() {
 Thing bear(HashStream& random) {
   SyntheticScene scene;
   const auto id = scene.addInstance("bear", true, true);
-  Material fur{Pattern::speckle, randomColour(random)};
+  Material fur{Pattern::speckle, randomColor(random)};
   fur.second = fur.main * 0.8F;
   fur.scale = 0.01F;
   const double r = random.uniform(0.05, 0.09);
@@ -47,7 +47,7 @@ Thing bear(HashStream& random) {
 Thing car(HashStream& random) {
   SyntheticScene scene;
   const auto id = scene.addInstance("toy car", true, true);
-  const Material body{Pattern::plain, randomColour(random), {}, {}, 0.03F, 0.4F};
+  const Material body{Pattern::plain, randomColor(random), {}, {}, 0.03F, 0.4F};
   const Material tyre{Pattern::plain, rgb(0x2b2b2e)};
   const double length = random.uniform(0.14, 0.28);
   const double width = length * 0.45;
@@ -79,7 +79,7 @@ Thing chair(HashStream& random) {
   const Footprint all = chair.volumes.front().base;
   Footprint back = all;
   back.half.y() = 0.07;
-  back.centre.y() = all.centre.y() + all.half.y() - 0.07;
+  back.center.y() = all.center.y() + all.half.y() - 0.07;
   chair.volumes = {{all, 0, 0.485}, {back, 0.485, 0.90}};
   chair.stands = {{{{0, -0.04}, {0.16, 0.14}}, 0.485}};
   return chair;

@@ -13,7 +13,7 @@ constexpr double kWallHeight_m = 2.5;
 
 /// A point of a wall's frame in the room.
 Eigen::Vector2d inRoom(const Place& wall, double along, double into) {
-  return Footprint{{along, into}}.placedAt(wall.x, wall.y, wall.yaw_deg).centre;
+  return Footprint{{along, into}}.placedAt(wall.x, wall.y, wall.yaw_deg).center;
 }
 
 Thing makeWallPiece(HashStream& random) {
@@ -145,7 +145,7 @@ void furnishWall(HashStream& random, Layout& layout, const Shell& shell, int wal
     const std::string kind = piece.who.name;
     double half = 0;
     for (const Volume& volume : piece.volumes) {
-      half = std::max(half, std::abs(volume.base.centre.x()) + volume.base.half.x());
+      half = std::max(half, std::abs(volume.base.center.x()) + volume.base.half.x());
     }
     const double back = kind == "pillar" ? 0 : -kSkirting_m;
     const Eigen::Vector2d at = inRoom(place, along + half, back);

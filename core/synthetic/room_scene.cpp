@@ -1,12 +1,12 @@
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/lathe.h"
 #include "core/synthetic/objects.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
 
 Gaze throughRoom(double t) {
-  static const Gaze kWay[] = {
+  static const Gaze kPath[] = {
       {{0.62, -0.92, 1.18}, {0.50, 0.30, 0.55}},  {{0.40, -1.12, 1.30}, {0.42, 0.22, 0.46}},
       {{0.02, -1.25, 1.40}, {0.30, 0.12, 0.36}},  {{-0.42, -1.05, 1.44}, {0.16, 0.22, 0.36}},
       {{-0.80, -0.68, 1.44}, {0.02, 0.48, 0.48}}, {{-1.02, -0.22, 1.42}, {-0.16, 0.85, 0.66}},
@@ -14,7 +14,7 @@ Gaze throughRoom(double t) {
       {{-0.26, 0.44, 1.33}, {-0.22, 1.38, 0.80}}, {{0.16, 0.44, 1.36}, {-0.12, 1.38, 0.80}},
       {{0.52, 0.50, 1.38}, {-0.06, 1.36, 0.80}},
   };
-  return alongSpline(kWay, 1.33, t);
+  return alongSpline(kPath, 1.33, t);
 }
 
 /// Two mugs and three books that nothing but their places tells apart: who names one is offered the others.
@@ -97,12 +97,12 @@ SyntheticScene makeRoom() {
 
 }  // namespace
 
-FilmSet makeRoomSet() {
+SceneRecipe makeRoomSet() {
   return {.name = "room",
           .scene = makeRoom(),
           .path = throughRoom,
           .frames = 400,
-          .lit_centre = {0, 0.8, 0.4},
+          .lit_center = {0, 0.8, 0.4},
           .lit_radius_m = 2};
 }
 

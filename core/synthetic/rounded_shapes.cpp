@@ -113,8 +113,8 @@ SurfacePoint Torus::describe(const Vec3& point, int /*part*/) const {
   SurfacePoint surface;
   surface.point = point;
   const double ring = lengthOf(point.x(), point.y());
-  const Vec3 centre(point.x() / ring * ring_radius_, point.y() / ring * ring_radius_, 0);
-  surface.normal = (point - centre).normalized();
+  const Vec3 center(point.x() / ring * ring_radius_, point.y() / ring * ring_radius_, 0);
+  surface.normal = (point - center).normalized();
   if (keep_above_ - point.y() > tubeDistance(point)) {
     surface.normal = -Vec3::UnitY();  // the flat cut
   }

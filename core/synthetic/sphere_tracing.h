@@ -9,14 +9,14 @@ template <class Distance>
   constexpr double kSurface_m = 1e-6;  // it stops this close
   constexpr double kGrazing_m = 3e-5;  // a ray that ran out of steps this close still counts as a hit
   constexpr int kMaxSteps = 96;
-  const double per_metre = 1.0 / ray.direction.norm();
+  const double per_meter = 1.0 / ray.direction.norm();
   double d = 0;
   for (int step = 0; step < kMaxSteps; ++step) {
     d = distance(ray.at(t));
     if (d < kSurface_m) {
       return t;
     }
-    t += d * per_metre;
+    t += d * per_meter;
     if (!(t < leave)) {
       return kNoHit;
     }

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/synthetic/drab_colours.h"
+#include "core/synthetic/bumpy_shape.h"
 #include "core/synthetic/kinect_noise.h"
 #include "core/synthetic/lighting.h"
+#include "core/synthetic/low_contrast_colors.h"
 #include "core/synthetic/renderer.h"
-#include "core/synthetic/uneven_shape.h"
 
 namespace scantrove {
 namespace {
@@ -22,8 +22,8 @@ constexpr double kColorNoise = 1.8;  // grey levels
 
 struct Demo {
   const char* name;
-  synthetic::FilmSet (*set)();
-  synthetic::FilmSet (*random_set)(std::uint32_t seed);
+  synthetic::SceneRecipe (*set)();
+  synthetic::SceneRecipe (*random_set)(std::uint32_t seed);
 };
 constexpr Demo kDemos[] = {
     {"tabletop", synthetic::makeTabletopSet, synthetic::makeRandomTabletopSet},
@@ -34,13 +34,13 @@ constexpr Demo kDemos[] = {
     {"moving", [] { return synthetic::makeRandomMovingSet(1); }, synthetic::makeRandomMovingSet}};
 
 /// Metres to 16-bit units; 0 where there is no reading or it does not fit.
-cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
+cv::Mat toUnits(const cv::Mat& z_m, float meters_per_unit) {
   cv::Mat depth(z_m.size(), CV_16UC1);
   for (int v = 0; v < z_m.rows; ++v) {
     const float* z = z_m.ptr<float>(v);
     std::uint16_t* out = depth.ptr<std::uint16_t>(v);
     for (int u = 0; u < z_m.cols; ++u) {
-      const float units = z[u] / metres_per_unit + 0.5F;
+      const float units = z[u] / meters_per_unit + 0.5F;
       out[u] = units < 65535.0F ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
     }
   }
@@ -49,7 +49,7 @@ cv::Mat toUnits(const cv::Mat& z_m, float metres_per_unit) {
 
 class RenderedSource final : public SyntheticSource {
  public:
-  RenderedSource(const SyntheticOptions& options, synthetic::FilmSet set)
+  RenderedSource(const SyntheticOptions& options, synthetic::SceneRecipe set)
       : options_(options), set_(std::move(set)), trajectory_(set_.path, options.tremor, options.seed) {
     info_.name = set_.name;
     info_.kind = "synthetic";
@@ -74,13 +74,13 @@ class RenderedSource final : public SyntheticSource {
     }
     const int index = options_.start + given_++ * options_.stride;
     if (options_.color && !lighting_) {
-      lighting_ = std::make_unique<synthetic::Lighting>(set_.scene, set_.lit_centre, set_.lit_radius_m);
+      lighting_ = std::make_unique<synthetic::Lighting>(set_.scene, set_.lit_center, set_.lit_radius_m);
     }
     moveTo(index / kFramesPerSecond);
     RgbdFrame& frame = read.frame;
     frame.index = index;
     frame.timestamp_s = index / kFramesPerSecond;
-    frame.metres_per_unit = options_.metres_per_unit;
+    frame.meters_per_unit = options_.meters_per_unit;
     frame.T_world_camera = pose(index);
     const bool is_registered = !options_.color_camera;
     synthetic::RenderedFrame image = synthetic::renderFrame(
@@ -97,7 +97,7 @@ class RenderedSource final : public SyntheticSource {
       image.z_m = synthetic::measureDepth(image.z_m, image.incidence, options_.K, {}, options_.seed, number);
       synthetic::addColorNoise(image.color, kColorNoise, options_.seed, number);
     }
-    frame.depth = toUnits(image.z_m, options_.metres_per_unit);
+    frame.depth = toUnits(image.z_m, options_.meters_per_unit);
     frame.color = image.color;
     frame.instances = image.instances;
     read.status = FrameRead::Status::frame;
@@ -106,15 +106,15 @@ class RenderedSource final : public SyntheticSource {
 
  private:
   void moveTo(double time_s) {
-    for (const synthetic::Mover& mover : set_.movers) {
-      const Eigen::Isometry3d motion = mover.motion(time_s);
-      for (std::size_t part = mover.first_part; part < mover.first_part + mover.part_count; ++part)
+    for (const synthetic::AnimatedPart& animated : set_.animated_parts) {
+      const Eigen::Isometry3d motion = animated.motion(time_s);
+      for (std::size_t part = animated.first_part; part < animated.first_part + animated.part_count; ++part)
         set_.scene.setPose(part, motion * T_world_rest_[part]);
     }
   }
 
   SyntheticOptions options_;
-  synthetic::FilmSet set_;
+  synthetic::SceneRecipe set_;
   std::vector<Eigen::Isometry3d> T_world_rest_;  // of the parts before anything moved
   synthetic::Trajectory trajectory_;
   std::unique_ptr<synthetic::Lighting> lighting_;  // baked when the first colour image is asked for
@@ -131,9 +131,9 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
     if (mode == "exact") {
       options.noise = false;
     } else if (mode == "uneven") {
-      options.uneven = true;
+      options.bumpy = true;
     } else if (mode == "drab") {
-      options.drab = true;
+      options.low_contrast = true;
     } else {
       const char* end = mode.data() + mode.size();
       const auto [stop, failure] = std::from_chars(mode.data(), end, options.seed);
@@ -148,9 +148,9 @@ bool applyModes(SyntheticOptions& options, const Demo& demo, std::string_view mo
 
 Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOptions& given) {
   SyntheticOptions options = given;
-  synthetic::FilmSet set = options.set();
-  if (options.uneven) set.scene = synthetic::makeUneven(std::move(set.scene), options.seed);
-  if (options.drab) set.scene = synthetic::makeDrab(std::move(set.scene), options.seed);
+  synthetic::SceneRecipe set = options.set();
+  if (options.bumpy) set.scene = synthetic::makeBumpy(std::move(set.scene), options.seed);
+  if (options.low_contrast) set.scene = synthetic::makeLowContrast(std::move(set.scene), options.seed);
   if (options.frames <= 0) {
     options.frames = set.frames;
   }
@@ -169,8 +169,8 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const SyntheticOpti
                             set.name, options.frames, options.start, options.stride),
                 "Start earlier, with a step of 1 or more.");
   }
-  if (!(options.metres_per_unit > 0)) {
-    return fail(fmt::format("A depth unit of {} m is none.", options.metres_per_unit),
+  if (!(options.meters_per_unit > 0)) {
+    return fail(fmt::format("A depth unit of {} m is none.", options.meters_per_unit),
                 "Give a positive depth scale.");
   }
   return std::make_unique<RenderedSource>(options, std::move(set));
@@ -209,7 +209,7 @@ Result<std::unique_ptr<SyntheticSource>> makeSyntheticSource(const std::string& 
     options.color_camera->K.height = options.K.height;
   }
   if (given.depth_scale) {
-    options.metres_per_unit = static_cast<float>(1.0 / *given.depth_scale);
+    options.meters_per_unit = static_cast<float>(1.0 / *given.depth_scale);
   }
   return makeSyntheticSource(options);
 }

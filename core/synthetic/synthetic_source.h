@@ -7,13 +7,13 @@
 
 #include "core/base/result.h"
 #include "core/capture/frame_source.h"
-#include "core/synthetic/film_set.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove {
 
 /// How to film a synthetic scene. World frame: metres, z up, floor at z = 0.
 struct SyntheticOptions {
-  std::function<synthetic::FilmSet()> set = synthetic::makeTabletopSet;  ///< makes what is filmed
+  std::function<synthetic::SceneRecipe()> set = synthetic::makeTabletopSet;  ///< makes what is filmed
   Intrinsics K{525.0F, 525.0F, 319.5F, 239.5F, 640, 480};
   std::optional<ColorCamera> color_camera;  ///< none: colour is registered, of the depth images' size
   int frames = 0;  ///< length of the recording; 0 = the set's own; the camera goes on as long as asked
@@ -21,12 +21,12 @@ struct SyntheticOptions {
   int stride = 1;  ///< ... and then every stride-th
   std::optional<int> at_most;  ///< so many of them
   bool noise = true;  ///< Kinect model on depth and sensor noise on colour; false: exact, rounded to the unit
-  bool uneven = false;     ///< surfaces with bumps of 2 - 5 mm
-  bool drab = false;       ///< walls, furniture and things share three tints
-  bool color = true;       ///< false: no colour images (a good third faster)
-  bool tremor = true;      ///< the small shaking of a hand
-  std::uint32_t seed = 1;  ///< of noise, tremor, bumps and tints; what is filmed is up to `set`
-  float metres_per_unit = 0.001F;
+  bool bumpy = false;         ///< surfaces with bumps of 2 - 5 mm
+  bool low_contrast = false;  ///< walls, furniture and things share three tints
+  bool color = true;          ///< false: no colour images (a good third faster)
+  bool tremor = true;         ///< the small shaking of a hand
+  std::uint32_t seed = 1;     ///< of noise, tremor, bumps and tints; what is filmed is up to `set`
+  float meters_per_unit = 0.001F;
 };
 
 /// A rendered recording at 30 frames a second (`timestamp_s` = index / 30) with exact poses and instance

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/lathe.h"
 #include "core/synthetic/objects.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -67,12 +67,12 @@ SyntheticScene makeTabletop() {
 
 }  // namespace
 
-FilmSet makeTabletopSet() {
+SceneRecipe makeTabletopSet() {
   return {.name = "tabletop",
           .scene = makeTabletop(),
           .path = aroundTable,
           .frames = 300,
-          .lit_centre = {0, 0, 0.4},
+          .lit_center = {0, 0, 0.4},
           .lit_radius_m = 1.5};
 }
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -41,12 +41,12 @@ Gaze alongWall(double t) {
 
 }  // namespace
 
-FilmSet makeWallSet() {
+SceneRecipe makeWallSet() {
   return {.name = "wall",
           .scene = makeWall(),
           .path = alongWall,
           .frames = 300,
-          .lit_centre = {0, kWallY, 1.2},
+          .lit_center = {0, kWallY, 1.2},
           .lit_radius_m = 2};
 }
 

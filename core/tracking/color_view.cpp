@@ -9,8 +9,8 @@ namespace scantrove {
 namespace {
 
 constexpr int kWidest_px = 640;  // images are made smaller than this before features are looked for
-constexpr int kMostFeatures = 1000;
-constexpr int kLeastContrast = 8;  // grey levels, of a corner
+constexpr int kMaxFeatures = 1000;
+constexpr int kMinContrast = 8;  // grey levels, of a corner
 // Surface is looked up in cells of so many pixels: as fine as the working resolution.
 constexpr int kCell_px = 2;
 // A feature whose surroundings differ in depth by more sits on an outline: what is seen there is not known.
@@ -82,8 +82,7 @@ ColorView FeatureFinder::find(const GrayView& gray) {
   if (gray.image.empty()) return view;
   view.K = gray.K;
   view.T_color_depth = gray.T_color_depth;
-  if (!orb_)
-    orb_ = cv::ORB::create(kMostFeatures, 1.2F, 8, 31, 0, 2, cv::ORB::HARRIS_SCORE, 31, kLeastContrast);
+  if (!orb_) orb_ = cv::ORB::create(kMaxFeatures, 1.2F, 8, 31, 0, 2, cv::ORB::HARRIS_SCORE, 31, kMinContrast);
   std::vector<cv::KeyPoint> points;
   orb_->detectAndCompute(gray.image, cv::noArray(), points, view.descriptors);
   cv::KeyPoint::convert(points, view.pixels);

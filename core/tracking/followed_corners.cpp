@@ -10,10 +10,10 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kMostCorners = 300;
+constexpr std::size_t kMaxCorners = 300;
 constexpr std::size_t kEnoughCorners = 150;
-constexpr int kLeastStep = 10;          // grey levels, of FAST
-constexpr double kLeastQuality = 0.01;  // of the best corner's
+constexpr int kMinStep = 10;          // grey levels, of FAST
+constexpr double kMinQuality = 0.01;  // of the best corner's
 constexpr int kApart_px = 12;
 const cv::Size kWindow(21, 21);
 constexpr int kLevels = 3;
@@ -26,7 +26,7 @@ std::vector<cv::Point2f> spreadOut(std::vector<cv::KeyPoint> points, const cv::S
   cv::Mat taken(cells.size(), CV_32FC2, cv::Scalar::all(-kApart_px));  // the point in each, or one outside
   std::vector<cv::Point2f> corners;
   for (const cv::KeyPoint& point : points) {
-    if (corners.size() == kMostCorners) break;
+    if (corners.size() == kMaxCorners) break;
     const int column = static_cast<int>(point.pt.x) / kApart_px;
     const int row = static_cast<int>(point.pt.y) / kApart_px;
     const cv::Mat around = taken(cv::Rect(column - 1, row - 1, 3, 3) & cells);
@@ -44,10 +44,10 @@ std::vector<cv::Point2f> spreadOut(std::vector<cv::KeyPoint> points, const cv::S
 /// eigenvalues, which find the faintest.
 std::vector<cv::Point2f> cornersOf(const cv::Mat& image) {
   std::vector<cv::KeyPoint> points;
-  cv::FAST(image, points, kLeastStep);
+  cv::FAST(image, points, kMinStep);
   std::vector<cv::Point2f> corners = spreadOut(std::move(points), image.size());
   if (corners.size() < kEnoughCorners)
-    cv::goodFeaturesToTrack(image, corners, kMostCorners, kLeastQuality, kApart_px);
+    cv::goodFeaturesToTrack(image, corners, kMaxCorners, kMinQuality, kApart_px);
   return corners;
 }
 

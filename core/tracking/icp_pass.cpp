@@ -55,8 +55,8 @@ IcpSystem IcpPass::run(const DepthPyramid::Level& level, const SurfaceMaps& mode
   if (sums_.size() < groups * ICP_SUMS) sums_ = Buffer<cl_float>(compute_->context(), groups * ICP_SUMS);
   host_sums_.resize(groups * ICP_SUMS);
 
-  const Eigen::Vector3d centre = T_world_frame.translation();
-  const Eigen::Vector3f c = centre.cast<float>();
+  const Eigen::Vector3d center = T_world_frame.translation();
+  const Eigen::Vector3f c = center.cast<float>();
   const cl_float8 gate{{gates.distance_m, gates.distance_per_z2, gates.normal_cosine, gates.huber_m,
                         gates.noise_per_z2, gates.fit_huber_m, gates.fit_noise_per_z2, 0}};
   const auto group = static_cast<std::size_t>(group_);

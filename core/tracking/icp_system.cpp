@@ -34,7 +34,7 @@ Eigen::Matrix3d exponential(const Eigen::Vector3d& w) {
 
 }  // namespace
 
-IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d& kernel_centre) {
+IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d& kernel_center) {
   SCANTROVE_CHECK(sums.size() % ICP_SUMS == 0);
   std::array<double, ICP_SUMS> total{};
   for (std::size_t i = 0; i < sums.size(); ++i) total[i % ICP_SUMS] += static_cast<double>(sums[i]);
@@ -48,7 +48,7 @@ IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d
   system.squared_error = total[ICP_ERROR];
   if (total[ICP_FIT_WEIGHT] > 0)
     system.fit_residual_m = std::sqrt(total[ICP_FIT_ERROR] / total[ICP_FIT_WEIGHT]);
-  system.centre = kernel_centre;
+  system.center = kernel_center;
   if (system.inliers == 0) return system;
 
   Matrix6 JtJ;
@@ -68,17 +68,17 @@ IcpSystem IcpSystem::fromSums(std::span<const float> sums, const Eigen::Vector3d
   B.bottomLeftCorner<3, 3>() = skew(shift);
   system.JtJ = B.transpose() * JtJ * B;
   system.Jtr = B.transpose() * Jtr;
-  system.centre = kernel_centre + shift;
+  system.center = kernel_center + shift;
   system.radius_m = std::sqrt(std::max(0.0, total[ICP_POINT_2] / count - shift.squaredNorm()));
   system.weight = JtJ.bottomRightCorner<3, 3>().trace();
   return system;
 }
 
-IcpStep IcpStep::part(double share, const Eigen::Vector3d& centre) const {
+IcpStep IcpStep::part(double share, const Eigen::Vector3d& center) const {
   IcpStep result = *this;
   const Eigen::Quaterniond turn(motion.linear());
   result.motion.linear() = Eigen::Quaterniond::Identity().slerp(share, turn).toRotationMatrix();
-  result.motion.translation() = centre + share * (motion * centre - centre) - result.motion.linear() * centre;
+  result.motion.translation() = center + share * (motion * center - center) - result.motion.linear() * center;
   result.rotation_rad *= share;
   result.translation_m *= share;
   return result;
@@ -120,7 +120,7 @@ IcpStep solveIcp(const IcpSystem& system, double smallest_eigenvalue, const Land
   if (!x.allFinite()) return step;
   const Eigen::Matrix3d R = exponential(x.head<3>());
   step.motion.linear() = R;
-  step.motion.translation() = system.centre + x.tail<3>() - R * system.centre;
+  step.motion.translation() = system.center + x.tail<3>() - R * system.center;
   step.rotation_rad = x.head<3>().norm();
   step.translation_m = x.tail<3>().norm();
   step.finite = true;

@@ -16,7 +16,7 @@ struct IcpSystem {
 
   Matrix6 JtJ = Matrix6::Zero();
   Vector6 Jtr = Vector6::Zero();
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< world; the mean of the associated points
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< world; the mean of the associated points
   double radius_m = 0;  ///< root mean square distance of the associated points from `centre`
   double weight = 0;    ///< trace of the translational part of JtJ = sum of the weights
   double fit_residual_m =
@@ -29,8 +29,8 @@ struct IcpSystem {
   int readings = 0;          ///< pixels with depth
 
   /// Adds the groups' sums (ICP_SUMS floats each, icp_layout.h) in double and in order, and moves the
-  /// equations from `kernel_centre` to the mean of the points.
-  [[nodiscard]] static IcpSystem fromSums(std::span<const float> sums, const Eigen::Vector3d& kernel_centre);
+  /// equations from `kernel_center` to the mean of the points.
+  [[nodiscard]] static IcpSystem fromSums(std::span<const float> sums, const Eigen::Vector3d& kernel_center);
 };
 
 /// The least-squares motion of an IcpSystem.
@@ -45,7 +45,7 @@ struct IcpStep {
       false;  ///< false: nothing was associated or the sums are not finite; `motion` is the identity
 
   /// `share` (0..1) of this step, which moved `centre`.
-  [[nodiscard]] IcpStep part(double share, const Eigen::Vector3d& centre) const;
+  [[nodiscard]] IcpStep part(double share, const Eigen::Vector3d& center) const;
 };
 
 /// Solves by eigen-decomposition of JtJ / weight with rotations measured in units of radius_m: along

@@ -9,7 +9,7 @@
 namespace scantrove {
 namespace {
 
-constexpr ViewReach kNewPlace{.angle_rad = 0.22, .distance_m = 0.20};
+constexpr ViewReach kNewKeyFrame{.angle_rad = 0.22, .distance_m = 0.20};
 constexpr double kNear = 3;  ///< times that: near enough to have much in common
 const cv::Size kThumbnail(40, 30);
 constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
@@ -33,7 +33,7 @@ cv::Mat thumbnailOf(const RgbdFrame& frame) {
     small.convertTo(small, CV_32F);
   } else {
     cv::resize(frame.depth, small, kThumbnail, 0, 0, cv::INTER_NEAREST);
-    small.convertTo(small, CV_32F, static_cast<double>(frame.metres_per_unit));
+    small.convertTo(small, CV_32F, static_cast<double>(frame.meters_per_unit));
     const cv::Mat none = small < 0.1F;
     small = 1 / cv::max(small, 0.1F);
     small.setTo(0, none);
@@ -47,7 +47,7 @@ cv::Mat thumbnailOf(const RgbdFrame& frame) {
 
 bool KeyFrames::isDue(const Eigen::Isometry3d& T_world_camera) const {
   return std::ranges::none_of(key_frames_, [&](const KeyFrame& key_frame) {
-    return viewDistance(key_frame.T_world_camera, T_world_camera, kNewPlace) < 1;
+    return viewDistance(key_frame.T_world_camera, T_world_camera, kNewKeyFrame) < 1;
   });
 }
 
@@ -55,7 +55,7 @@ const KeyFrame* KeyFrames::nearest(const Eigen::Isometry3d& T_world_camera) cons
   const KeyFrame* best = nullptr;
   double least = kNear;
   for (const KeyFrame& key_frame : key_frames_) {
-    const double distance = viewDistance(key_frame.T_world_camera, T_world_camera, kNewPlace);
+    const double distance = viewDistance(key_frame.T_world_camera, T_world_camera, kNewKeyFrame);
     if (distance >= least) continue;
     least = distance;
     best = &key_frame;
@@ -88,7 +88,7 @@ std::vector<const KeyFrame*> KeyFrames::alike(const cv::Mat& thumbnail, const Co
   return result;
 }
 
-double KeyFrames::waySince(const KeyFrame& key_frame) const {
+double KeyFrames::distanceSince(const KeyFrame& key_frame) const {
   double way = 0;
   for (std::size_t i = key_frames_.size(); i-- > 1 && &key_frames_[i] != &key_frame;) {
     const Eigen::Isometry3d step =

@@ -42,7 +42,7 @@ class KeyFrames {
 
   /// How far the camera has come since the key frame, which is one of these, as far as the later ones tell:
   /// metres, and as many for each radian that it turned.
-  [[nodiscard]] double waySince(const KeyFrame& key_frame) const;
+  [[nodiscard]] double distanceSince(const KeyFrame& key_frame) const;
 
  private:
   std::deque<KeyFrame> key_frames_;

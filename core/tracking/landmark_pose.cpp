@@ -10,7 +10,7 @@ namespace {
 constexpr float kReprojection_px = 3.0F;
 constexpr int kTries = 300;
 constexpr double kConfidence = 0.999;
-constexpr int kLeastInliers = 12;
+constexpr int kMinInliers = 12;
 
 Eigen::Isometry3d toIsometry(const cv::Mat& rotation, const cv::Mat& translation) {
   const Eigen::Vector3d turn(rotation.at<double>(0), rotation.at<double>(1), rotation.at<double>(2));
@@ -24,8 +24,8 @@ Eigen::Isometry3d toIsometry(const cv::Mat& rotation, const cv::Mat& translation
 
 std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landmarks,
                                    const std::optional<Eigen::Isometry3d>& about) {
-  if (static_cast<int>(view.pixels.size()) < kLeastInliers ||
-      static_cast<int>(landmarks.points_world.size()) < kLeastInliers)
+  if (static_cast<int>(view.pixels.size()) < kMinInliers ||
+      static_cast<int>(landmarks.points_world.size()) < kMinInliers)
     return std::nullopt;
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
@@ -34,7 +34,7 @@ std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landm
     points.push_back(landmarks.points_world[static_cast<std::size_t>(match.landmark)]);
     pixels.push_back(view.pixels[static_cast<std::size_t>(match.feature)]);
   }
-  if (static_cast<int>(points.size()) < kLeastInliers) return std::nullopt;
+  if (static_cast<int>(points.size()) < kMinInliers) return std::nullopt;
 
   const cv::Matx33d K(static_cast<double>(view.K.fx), 0, static_cast<double>(view.K.cx), 0,
                       static_cast<double>(view.K.fy), static_cast<double>(view.K.cy), 0, 0, 1);
@@ -42,7 +42,7 @@ std::optional<LandmarkPose> locate(const ColorView& view, const Landmarks& landm
   std::vector<int> inliers;
   if (!cv::solvePnPRansac(points, pixels, K, cv::noArray(), rotation, translation, false, kTries,
                           kReprojection_px, kConfidence, inliers, cv::SOLVEPNP_AP3P) ||
-      static_cast<int>(inliers.size()) < kLeastInliers)
+      static_cast<int>(inliers.size()) < kMinInliers)
     return std::nullopt;
   std::vector<cv::Point3f> good_points;
   std::vector<cv::Point2f> good_pixels;

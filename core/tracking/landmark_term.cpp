@@ -44,7 +44,7 @@ double SeenLandmarks::errorPx(const Eigen::Isometry3d& T_world_depth) const {
 }
 
 LandmarkTerm LandmarkTerm::of(const SeenLandmarks& seen, const Eigen::Isometry3d& T_world_depth,
-                              const Eigen::Vector3d& centre) {
+                              const Eigen::Vector3d& center) {
   LandmarkTerm term;
   const Eigen::Isometry3d T_color_world = seen.T_color_depth * T_world_depth.inverse();
   const auto fx = static_cast<double>(seen.K.fx);
@@ -64,7 +64,7 @@ LandmarkTerm LandmarkTerm::of(const SeenLandmarks& seen, const Eigen::Isometry3d
     Eigen::Matrix<double, 2, 3> flatten;
     flatten << 1, 0, -q.x() / q.z(), 0, 1, -q.y() / q.z();
     const Eigen::Matrix<double, 2, 3> across = columns.asDiagonal() * (flatten * T_color_world.linear());
-    const Eigen::Vector3d arm = seen.points_world[i] - centre;
+    const Eigen::Vector3d arm = seen.points_world[i] - center;
     Eigen::Matrix<double, 2, 6> J;
     for (int row = 0; row < 2; ++row) {
       const Eigen::Vector3d a = across.row(row).transpose();

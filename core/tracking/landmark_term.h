@@ -31,7 +31,7 @@ struct LandmarkTerm {
 
   /// About `centre` (world), for a depth camera at `T_world_depth`.
   [[nodiscard]] static LandmarkTerm of(const SeenLandmarks& seen, const Eigen::Isometry3d& T_world_depth,
-                                       const Eigen::Vector3d& centre);
+                                       const Eigen::Vector3d& center);
 };
 
 }  // namespace scantrove

@@ -5,7 +5,7 @@
 namespace scantrove {
 
 /// Whether the pose of a frame may be trusted. Only `tracking` and `relocalised` frames touch map and labels.
-enum class TrackingState { tracking, uncertain, lost, relocalised };
+enum class TrackingState { tracking, uncertain, lost, relocalized };
 
 [[nodiscard]] constexpr const char* toString(TrackingState state) {
   switch (state) {
@@ -15,7 +15,7 @@ enum class TrackingState { tracking, uncertain, lost, relocalised };
       return "uncertain";
     case TrackingState::lost:
       return "lost";
-    case TrackingState::relocalised:
+    case TrackingState::relocalized:
       return "relocalised";
   }
   return "";
@@ -33,7 +33,7 @@ struct PoseEstimate {
   int free_directions = 0;  ///< directions of motion that the geometry does not determine (0 = well posed)
 
   [[nodiscard]] bool usable() const {
-    return state == TrackingState::tracking || state == TrackingState::relocalised;
+    return state == TrackingState::tracking || state == TrackingState::relocalized;
   }
 };
 

@@ -35,16 +35,16 @@ constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
 constexpr Evidence kOnLittle{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAtLandmarks{.inlier_fraction = 0.40, .residual = 20};
-constexpr Evidence kAtPlace{.inlier_fraction = 0.70, .residual = 6.0};
+constexpr Evidence kAtKeyFrame{.inlier_fraction = 0.70, .residual = 6.0};
 // Landmarks that are seen so near to where the pose has them agree with it.
 constexpr double kLandmarksAgree_px = 3;
 constexpr double kFar_rad = 0.07;
 constexpr double kFar_m = 0.08;
 
-const Evidence& wantedEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {
+const Evidence& requiredEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {
   if (origin == PoseOrigin::search) return kAfterSearch;
   if (origin == PoseOrigin::landmarks) return kAtLandmarks;
-  if (origin == PoseOrigin::place) return kAtPlace;
+  if (origin == PoseOrigin::place) return kAtKeyFrame;
   if (on_little) return kOnLittle;
   return angle_rad > kFar_rad || distance_m > kFar_m ? kAfterFarMotion : kAfterSmallMotion;
 }
@@ -56,10 +56,10 @@ double overlapOf(const IcpSystem& system, PoseOrigin origin) {
 }
 
 // The same view again.
-constexpr double kSeenAgain = 0.5;       // part of the readings that meets what was seen then
-constexpr double kFitsAgain = 0.75;      // and of these, part that fits
-constexpr double kMostDrift_rad = 0.05;  // a map's, over a loop in a room
-constexpr double kMostDrift_m = 0.10;
+constexpr double kSeenAgain = 0.5;      // part of the readings that meets what was seen then
+constexpr double kFitsAgain = 0.75;     // and of these, part that fits
+constexpr double kMaxDrift_rad = 0.05;  // a map's, over a loop in a room
+constexpr double kMaxDrift_m = 0.10;
 
 bool isAtRest(const IcpStep& step) { return step.rotation_rad < kRest_rad && step.translation_m < kRest_m; }
 
@@ -70,8 +70,8 @@ bool isSeenAgain(const IcpOutcome& outcome, const Eigen::Isometry3d& by_map) {
   const Eigen::Isometry3d drift = by_map.inverse() * outcome.T_world_camera;
   return outcome.step.finite && outcome.step.is_firm && isAtRest(outcome.step) &&
          system.overlap >= kSeenAgain * system.readings && system.inliers >= kFitsAgain * system.overlap &&
-         Eigen::AngleAxisd(drift.linear()).angle() < kMostDrift_rad &&
-         drift.translation().norm() < kMostDrift_m;
+         Eigen::AngleAxisd(drift.linear()).angle() < kMaxDrift_rad &&
+         drift.translation().norm() < kMaxDrift_m;
 }
 
 PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin, PoseOrigin origin,
@@ -94,12 +94,12 @@ PoseEstimate judgePose(const IcpOutcome& outcome, const Eigen::Isometry3d& begin
   const double angle_rad = Eigen::AngleAxisd(motion.linear()).angle();
   const double distance_m = motion.translation().norm();
   const bool by_landmarks = origin == PoseOrigin::landmarks || origin == PoseOrigin::place;
-  const Evidence& wanted = wantedEvidence(origin, on_little, angle_rad, distance_m);
+  const Evidence& requested = requiredEvidence(origin, on_little, angle_rad, distance_m);
   const bool within_reach = by_landmarks ? outcome.landmark_error_px <= kLandmarksAgree_px
                                          : angle_rad < kReach_rad && distance_m < kReach_m;
   const bool trusted = (pose.free_directions == 0 || by_landmarks) && isAtRest(outcome.step) &&
-                       within_reach && system.fit_residual_m <= wanted.residual * depth_noise_m &&
-                       pose.inlier_fraction >= wanted.inlier_fraction && overlap >= kTrustedOverlap &&
+                       within_reach && system.fit_residual_m <= requested.residual * depth_noise_m &&
+                       pose.inlier_fraction >= requested.inlier_fraction && overlap >= kTrustedOverlap &&
                        (!on_little || outcome.step.is_firm);
   pose.state = trusted ? TrackingState::tracking : TrackingState::uncertain;
   return pose;

@@ -12,12 +12,12 @@ namespace scantrove {
 namespace {
 
 /// A map is begun with a frame that has depth in at least this part of its pixels.
-constexpr double kLeastDepthToBegin = 0.05;
+constexpr double kMinDepthToBegin = 0.05;
 /// An uncertain pose with so many inliers is worth a start for the next frame.
 constexpr double kWorthFollowing = 0.4;
 /// Uncertain frames that are kept, the newest; so many of them are looked at again with each usable frame,
 /// each so often.
-constexpr std::size_t kMostUncertain = 10;
+constexpr std::size_t kMaxUncertain = 10;
 constexpr std::ptrdiff_t kUncertainAtATime = 2;
 constexpr int kChances = 10;
 
@@ -37,35 +37,38 @@ Result<std::unique_ptr<PoseTracker>> PoseTracker::create(ComputeContext& compute
 }
 
 PoseEstimate PoseTracker::track(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
-  FirstLook look = lookAt(frame);
-  registerToModel(look, depth, model);
-  return track(std::move(look), depth, model);
+  TrackingAttempt attempt = beginAttempt(frame);
+  registerToModel(attempt, depth, model);
+  return track(std::move(attempt), depth, model);
 }
 
-PoseTracker::FirstLook PoseTracker::lookAt(const RgbdFrame& frame) {
-  FirstLook look{.frame = frame, .by_surface = {}, .clues = {}};
-  if (last_ && !was_firm_) beginView(look);
-  return look;
+PoseTracker::TrackingAttempt PoseTracker::beginAttempt(const RgbdFrame& frame) {
+  TrackingAttempt attempt{.frame = frame, .by_surface = {}, .clues = {}};
+  if (last_ && !was_firm_) beginView(attempt);
+  return attempt;
 }
 
-void PoseTracker::registerToModel(FirstLook& look, const DepthPyramid& depth, const SurfaceMaps& model) {
+void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& depth,
+                                  const SurfaceMaps& model) {
   if (!last_) return;
   const std::vector<Eigen::Isometry3d> guesses = predict(model);
   const IcpOutcome outcome = aligner_->align(depth, model, guesses);
-  look.by_surface = judge(outcome, model.T_world_camera, PoseOrigin::prediction);
-  look.is_firm = outcome.step.is_firm;
-  if (look.by_surface.state == TrackingState::lost) look.by_surface.T_world_camera = guesses.front();
-  const bool is_enough = look.by_surface.usable() && look.is_firm;
-  Clues& clues = look.clues;
+  attempt.by_surface = judge(outcome, model.T_world_camera, PoseOrigin::prediction);
+  attempt.is_firm = outcome.step.is_firm;
+  if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guesses.front();
+  const bool is_enough = attempt.by_surface.usable() && attempt.is_firm;
+  Clues& clues = attempt.clues;
   if (is_enough || is_lost_ || has_gone_on_ || !clues.gray) return;
-  clues.coming_corners = beginCorners(*clues.last_gray, *clues.gray, model, look.by_surface.T_world_camera);
-  Search search{look.frame, depth, model, clues};
-  seekLandmarks(search, look.by_surface);
+  clues.coming_corners =
+      beginCorners(*clues.last_gray, *clues.gray, model, attempt.by_surface.T_world_camera);
+  Search search{attempt.frame, depth, model, clues};
+  seekLandmarks(search, attempt.by_surface);
   if (clues.landmarks && isInView(model, clues.landmarks->T_world_camera))
     clues.verified = verify(search, clues.landmarks->T_world_camera, &clues.landmarks->seen);
 }
 
-PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model) {
+PoseEstimate PoseTracker::track(TrackingAttempt attempt, const DepthPyramid& depth,
+                                const SurfaceMaps& model) {
   K_depth_ = depth.K;
   PoseEstimate pose;
   tracked_gray_.reset();
@@ -73,17 +76,17 @@ PoseEstimate PoseTracker::track(FirstLook look, const DepthPyramid& depth, const
   if (!last_) {
     pose = begin(depth);
   } else {
-    Clues& clues = look.clues;
-    Search search{look.frame, depth, model, clues};
-    pose = look.by_surface;
-    if (!pose.usable() || !look.is_firm) pose = recover(search, pose);
+    Clues& clues = attempt.clues;
+    Search search{attempt.frame, depth, model, clues};
+    pose = attempt.by_surface;
+    if (!pose.usable() || !attempt.is_firm) pose = recover(search, pose);
     if (pose.usable()) pose = withoutDrift(depth, pose);
-    was_firm_ = look.is_firm;
+    was_firm_ = attempt.is_firm;
     if (clues.coming_view.valid()) clues.view = clues.coming_view.get();
     tracked_gray_ = std::move(clues.gray);
     tracked_view_ = std::move(clues.view);
   }
-  remember(look.frame, pose);
+  remember(attempt.frame, pose);
   return pose;
 }
 
@@ -93,7 +96,7 @@ PoseEstimate PoseTracker::begin(const DepthPyramid& depth) const {
   depth.levels.front().vertices_camera.read(compute_.queue(), std::span(vertices));
   const auto readings = std::ranges::count_if(vertices, [](const cl_float4& v) { return v.s[3] > 0; });
   PoseEstimate pose;
-  if (static_cast<double>(readings) >= kLeastDepthToBegin * pixels) {
+  if (static_cast<double>(readings) >= kMinDepthToBegin * pixels) {
     pose.state = TrackingState::tracking;
     pose.inlier_fraction = 1;
   }
@@ -120,7 +123,7 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
   const auto by_landmarks = followLandmarks(search, by_surface);
   if (by_landmarks && !(has_gone_on_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
-    if (is_lost_) found.state = TrackingState::relocalised;
+    if (is_lost_) found.state = TrackingState::relocalized;
     return found;
   }
   if (!is_lost_) {
@@ -134,7 +137,7 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
   }
   is_lost_ = is_lost_ || has_gone_on_;
   if (is_lost_) {
-    if (const auto found = relocalise(search)) return *found;
+    if (const auto found = relocalize(search)) return *found;
   }
   return by_surface;
 }
@@ -177,7 +180,7 @@ void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
     last_uncertain_ = pose.T_world_camera;
   if (!last_uncertain_) return;
   uncertain_.push_back({frame, pose.T_world_camera, kChances});
-  if (uncertain_.size() > kMostUncertain) uncertain_.pop_front();
+  if (uncertain_.size() > kMaxUncertain) uncertain_.pop_front();
 }
 
 std::vector<PoseTracker::UncertainFrame> PoseTracker::takeUncertain() {
@@ -204,7 +207,7 @@ std::optional<PoseTracker::Memory> PoseTracker::memory() {
   return Memory{*last_, before_last_, is_lost_, lastGray(), key_frames_.all(), seen_.all()};
 }
 
-void PoseTracker::goOnFrom(Memory memory) {
+void PoseTracker::restoreState(Memory memory) {
   resumeAt(memory.last);
   before_last_ = memory.before_last;
   is_lost_ = memory.is_lost;
@@ -229,7 +232,7 @@ void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
 
 bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
   finishLearning();
-  seen_.leaveAllBut(T_world_camera);
+  seen_.leaveAllExcept(T_world_camera);
   return key_frames_.isDue(T_world_camera);
 }
 

@@ -18,7 +18,7 @@
 #include "core/tracking/key_frames.h"
 #include "core/tracking/landmark_pose.h"
 #include "core/tracking/pose_estimate.h"
-#include "core/tracking/returned_place.h"
+#include "core/tracking/revisited_key_frame.h"
 #include "core/tracking/seen_surfaces.h"
 #include "core/tracking/surface_aligner.h"
 
@@ -51,30 +51,33 @@ class PoseTracker {
   };
   /// What is found out of a frame first: where the surface alone has it, and, where landmarks are likely to
   /// be needed, where these have it.
-  struct FirstLook {
+  struct TrackingAttempt {
     RgbdFrame frame;
     PoseEstimate by_surface;
     bool is_firm = false;  ///< the surface determines the pose well
     Clues clues;
   };
   /// Of the frame after the one that track() and learn() were told of last.
-  [[nodiscard]] FirstLook lookAt(const RgbdFrame& frame);
+  [[nodiscard]] TrackingAttempt beginAttempt(const RgbdFrame& frame);
   /// Looks at no more of the map than `model`, as given to learn() last: while hasUncertain() says no, this
   /// may run on another thread while this one goes on with the frame before and asks nothing of the tracker.
-  void registerToModel(FirstLook& look, const DepthPyramid& depth, const SurfaceMaps& model);
+  void registerToModel(TrackingAttempt& attempt, const DepthPyramid& depth, const SurfaceMaps& model);
   /// The pose of that frame. `depth` and `model` as above.
-  [[nodiscard]] PoseEstimate track(FirstLook look, const DepthPyramid& depth, const SurfaceMaps& model);
+  [[nodiscard]] PoseEstimate track(TrackingAttempt attempt, const DepthPyramid& depth,
+                                   const SurfaceMaps& model);
 
   /// All of this in turn. `model`: as given to learn() last; of the first frame it is not read.
   [[nodiscard]] PoseEstimate track(const RgbdFrame& frame, const DepthPyramid& depth,
                                    const SurfaceMaps& model);
   /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
   /// Whether the frame became a place: one that the camera finds its way by from now on.
-  bool learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
+  bool addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
 
   /// A place that the camera was found to have come back to since the last call, by learn() of some frame
   /// before.
-  [[nodiscard]] std::optional<ReturnedPlace> takeReturned() { return std::exchange(returned_, std::nullopt); }
+  [[nodiscard]] std::optional<RevisitedKeyFrame> takeReturned() {
+    return std::exchange(returned_, std::nullopt);
+  }
 
   /// What the next frame's pose is found by, beside the map.
   struct Memory {
@@ -89,7 +92,7 @@ class PoseTracker {
   [[nodiscard]] std::optional<Memory> memory();
   /// Goes on where a tracker of the same map stopped: a camera that went on, too, is followed as if nothing
   /// had been; one that is elsewhere is looked for at once.
-  void goOnFrom(Memory memory);
+  void restoreState(Memory memory);
 
   /// The camera is somewhere on a map that was made earlier, perhaps there. The places of that time are those
   /// that passBy() and learn() were told of, in the order of their frames.
@@ -127,7 +130,7 @@ class PoseTracker {
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
   [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
   /// The colour image's features, which recover() asks for in many frames in a row.
-  void beginView(FirstLook& look);
+  void beginView(TrackingAttempt& attempt);
   /// What cornersOf() is asked for soon. Not valid: there is no colour.
   [[nodiscard]] std::future<SeenLandmarks> beginCorners(const GrayView& last, const GrayView& now,
                                                         const SurfaceMaps& model,
@@ -139,7 +142,7 @@ class PoseTracker {
   /// Where these have the camera, into the clues.
   void seekLandmarks(Search& search, const PoseEstimate& by_surface);
   [[nodiscard]] std::optional<LandmarkPose> locateByLandmarks(Search& search, const PoseEstimate& by_surface);
-  [[nodiscard]] std::optional<PoseEstimate> relocalise(Search& search);
+  [[nodiscard]] std::optional<PoseEstimate> relocalize(Search& search);
   /// `guess` sees the surface of `model`.
   [[nodiscard]] bool isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const;
   /// Registers against the map as seen from `guess`, or near there, with the landmarks, if any, that led
@@ -180,7 +183,7 @@ class PoseTracker {
       last_uncertain_;        // of the frame before, when it was neither trusted nor lost
   bool is_lost_ = false;      // the frame before was not usable
   bool was_firm_ = true;      // the surface determined its pose well
-  bool has_gone_on_ = false;  // the next frame is the first after goOnFrom()
+  bool has_gone_on_ = false;  // the next frame is the first after restoreState()
 
   RgbdFrame last_frame_;                     // the last usable one
   Intrinsics K_depth_;                       // of its depth images
@@ -195,15 +198,15 @@ class PoseTracker {
   SurfaceMaps seen_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
   const KeyFrame* asked_ = nullptr;       // the place that was last asked whether the camera is back at it
-  std::optional<ReturnedPlace> returned_;
-  struct Learnt {
+  std::optional<RevisitedKeyFrame> returned_;
+  struct AddedKeyFrame {
     std::optional<KeyFrame> place;  // a new one
-    std::optional<ReturnedPlace> returned;
+    std::optional<RevisitedKeyFrame> returned;
   };
-  bool learns_place_ = false;  // it is that of the last usable frame
+  bool adds_key_frame_ = false;  // it is that of the last usable frame
   std::shared_future<void>
-      coming_landmarks_;          // last_view_ and last_landmarks_; uses what is above: goes first
-  std::future<Learnt> learning_;  // likewise
+      coming_landmarks_;                 // last_view_ and last_landmarks_; uses what is above: goes first
+  std::future<AddedKeyFrame> learning_;  // likewise
 };
 
 }  // namespace scantrove

@@ -8,9 +8,9 @@ namespace scantrove {
 namespace {
 
 /// Key frames that a lost camera is compared with at a time.
-constexpr std::size_t kPlacesToTry = 3;
+constexpr std::size_t kKeyFramesToTry = 3;
 /// Level of the pyramid that is kept of what was seen.
-constexpr std::size_t kKeptLevel = 1;
+constexpr std::size_t kStoredLevel = 1;
 
 constexpr std::size_t kManyLandmarks = 100;
 /// Landmarks by which a pose may be believed, if the map agrees.
@@ -24,11 +24,11 @@ constexpr int kFewestCells = 4;
 
 }  // namespace
 
-void PoseTracker::beginView(FirstLook& look) {
-  look.clues.gray = grayViewOf(look.frame, K_depth_);
-  look.clues.last_gray = lastGray();
-  look.clues.coming_view =
-      std::async(std::launch::async, [this, before = coming_landmarks_, gray = *look.clues.gray] {
+void PoseTracker::beginView(TrackingAttempt& attempt) {
+  attempt.clues.gray = grayViewOf(attempt.frame, K_depth_);
+  attempt.clues.last_gray = lastGray();
+  attempt.clues.coming_view =
+      std::async(std::launch::async, [this, before = coming_landmarks_, gray = *attempt.clues.gray] {
         if (before.valid()) before.wait();  // one finder for all
         return finder_.find(gray);
       });
@@ -85,15 +85,15 @@ std::optional<LandmarkPose> PoseTracker::locateByLandmarks(Search& search, const
 }
 
 const Landmarks* PoseTracker::nearestLandmarks() const {
-  if (learning_.valid() && learns_place_) return &*last_landmarks_;
+  if (learning_.valid() && adds_key_frame_) return &*last_landmarks_;
   const KeyFrame* near = key_frames_.nearest(*last_);
   return near != nullptr ? &near->landmarks : nullptr;
 }
 
-std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
+std::optional<PoseEstimate> PoseTracker::relocalize(Search& search) {
   finishLearning();
   const ColorView& view = viewOf(search);
-  for (const KeyFrame* place : key_frames_.alike(thumbnailOf(search.frame), view, kPlacesToTry)) {
+  for (const KeyFrame* place : key_frames_.alike(thumbnailOf(search.frame), view, kKeyFramesToTry)) {
     PoseEstimate pose;
     if (view.pixels.empty()) {
       pose = verify(search, place->T_world_camera, nullptr);
@@ -101,25 +101,25 @@ std::optional<PoseEstimate> PoseTracker::relocalise(Search& search) {
       pose = verify(search, seen->T_world_camera, &seen->seen);
     }
     if (!pose.usable()) continue;
-    pose.state = TrackingState::relocalised;
+    pose.state = TrackingState::relocalized;
     return pose;
   }
   return std::nullopt;
 }
 
-bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
+bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
   finishLearning();
   last_frame_ = frame;
   K_depth_ = depth.K;
   last_gray_ = std::exchange(tracked_gray_, std::nullopt);
   last_view_ = std::exchange(tracked_view_, std::nullopt);
   last_landmarks_.reset();
-  const bool is_new_place = passBy(model.T_world_camera);
+  const bool is_new_key_frame = passBy(model.T_world_camera);
   if (seen_.isDue(model.T_world_camera)) {
-    const DepthPyramid::Level& level = depth.levels[std::min(kKeptLevel, depth.levels.size() - 1)];
-    seen_.add(model.T_world_camera, KeptSurface(level.K, level.vertices_camera.read(compute_.queue())));
+    const DepthPyramid::Level& level = depth.levels[std::min(kStoredLevel, depth.levels.size() - 1)];
+    seen_.add(model.T_world_camera, StoredSurface(level.K, level.vertices_camera.read(compute_.queue())));
   }
-  if (!is_new_place && !isBack(model.T_world_camera)) return false;
+  if (!is_new_key_frame && !isBack(model.T_world_camera)) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
   if (thumbnail.empty()) return false;
   // Nobody asks for a place's features before the next frame, nor before the one after whether the camera was
@@ -128,20 +128,20 @@ bool PoseTracker::learn(const RgbdFrame& frame, const DepthPyramid& depth, const
   const auto vertices =
       std::make_shared<const std::vector<cl_float4>>(model.vertices_world.read(compute_.queue()));
   const Eigen::Isometry3d& T_world_camera = model.T_world_camera;
-  learns_place_ = is_new_place;
+  adds_key_frame_ = is_new_key_frame;
   coming_landmarks_ = std::async(std::launch::async, [this, T_world_camera, vertices] {
     last_landmarks_ = landmarksOf(lastView(), T_world_camera, *vertices);
   });
   learning_ = std::async(std::launch::async, [this, before = coming_landmarks_, T_world_camera, vertices,
-                                              thumbnail, is_new_place] {
+                                              thumbnail, is_new_key_frame] {
     before.get();
     const ColorView& view = *last_view_;
     const SurfaceInView surface(view.K, T_world_camera * view.T_color_depth.inverse(), *vertices);
-    Learnt learnt{.place = {}, .returned = returnedTo(key_frames_, thumbnail, view, surface)};
-    if (is_new_place) learnt.place = KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
-    return learnt;
+    AddedKeyFrame added{.place = {}, .returned = returnedTo(key_frames_, thumbnail, view, surface)};
+    if (is_new_key_frame) added.place = KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
+    return added;
   });
-  return is_new_place;
+  return is_new_key_frame;
 }
 
 bool PoseTracker::isBack(const Eigen::Isometry3d& T_world_camera) {
@@ -153,9 +153,9 @@ bool PoseTracker::isBack(const Eigen::Isometry3d& T_world_camera) {
 void PoseTracker::finishLearning() {
   if (!learning_.valid()) return;
   coming_landmarks_ = {};
-  Learnt learnt = learning_.get();
-  if (learnt.place) key_frames_.add(std::move(*learnt.place));
-  if (learnt.returned) returned_ = learnt.returned;
+  AddedKeyFrame added = learning_.get();
+  if (added.place) key_frames_.add(std::move(*added.place));
+  if (added.returned) returned_ = added.returned;
 }
 
 void PoseTracker::awaitLandmarks() {

@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <deque>
 
-#include "core/tracking/kept_surface.h"
+#include "core/tracking/stored_surface.h"
 
 namespace scantrove {
 
@@ -14,7 +14,7 @@ class SeenSurfaces {
  public:
   struct View {
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-    KeptSurface surface;
+    StoredSurface surface;
     bool is_left = false;  ///< the camera has been away from there since
   };
 
@@ -24,11 +24,11 @@ class SeenSurfaces {
   /// Whether nothing was kept from near there.
   [[nodiscard]] bool isDue(const Eigen::Isometry3d& T_world_camera) const;
   /// Those that are there stay where they are.
-  void add(const Eigen::Isometry3d& T_world_camera, KeptSurface surface) {
+  void add(const Eigen::Isometry3d& T_world_camera, StoredSurface surface) {
     views_.push_back({T_world_camera, std::move(surface)});
   }
   /// The camera is there now: views that it is away from are left.
-  void leaveAllBut(const Eigen::Isometry3d& T_world_camera);
+  void leaveAllExcept(const Eigen::Isometry3d& T_world_camera);
   [[nodiscard]] const std::deque<View>& all() const { return views_; }
 
   /// The nearest of those that the camera has come back to, or null.

@@ -109,13 +109,13 @@ IcpOutcome SurfaceAligner::descend(const DepthPyramid& frame, const SurfaceMaps&
     outcome.system = pass_.run(frame.levels[level], model, outcome.T_world_camera, gates);
     LandmarkTerm term;
     if (landmarks != nullptr)
-      term = LandmarkTerm::of(*landmarks, outcome.T_world_camera, outcome.system.centre);
+      term = LandmarkTerm::of(*landmarks, outcome.T_world_camera, outcome.system.center);
     outcome.step = solveIcp(outcome.system, kSmallestEigenvalue, landmarks != nullptr ? &term : nullptr);
     if (!outcome.step.finite) break;
     const double step = std::max(outcome.step.rotation_rad, outcome.step.translation_m);
     if (step > kShrinking * last_step) share = std::max(share / 2, kSmallestShare);
     last_step = step;
-    if (share < 1) outcome.step = outcome.step.part(share, outcome.system.centre);
+    if (share < 1) outcome.step = outcome.step.part(share, outcome.system.center);
     outcome.T_world_camera = outcome.step.motion * outcome.T_world_camera;
     if (share * step < kSmallStep[level]) break;
   }

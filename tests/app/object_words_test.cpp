@@ -124,7 +124,7 @@ TEST_F(ObjectWords, MergedInTheCatalogueIsTheOneThatHoldsBoth) {
   EXPECT_EQ(region(other)["confirmed"], true);
 }
 
-TEST_F(ObjectWords, AnotherScanCallsWhatItRecognisesByName) {
+TEST_F(ObjectWords, AnotherScanCallsWhatItRecognizesByName) {
   const auto all = regions();
   const auto found = std::ranges::find_if(all, [](const Json& one) { return !one["object"].is_null(); });
   ASSERT_NE(found, all.end()) << "the demo gives an object in so many frames";

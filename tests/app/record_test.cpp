@@ -79,7 +79,7 @@ TEST(Record, AScanReadsItBack) {
 }
 
 // 585 585 320 240 means the data set's own Kinect, whose colour is not registered; what was recorded is.
-TEST(Record, ColourStaysWhereItWasRegisteredTo) {
+TEST(Record, ColorStaysWhereItWasRegisteredTo) {
   const TemporaryFolder folder;
   ASSERT_EQ(scantrove({"record", "demo:room:exact", "--intrinsics", "585,585,320,240", "--frames", "1",
                        "--out", folder / "room"})
@@ -92,7 +92,7 @@ TEST(Record, ColourStaysWhereItWasRegisteredTo) {
   EXPECT_EQ(cv::norm(color("room"), color("again"), cv::NORM_INF), 0);
 }
 
-TEST(Record, ColourOfACameraOfItsOwnKeepsIt) {
+TEST(Record, ColorOfACameraOfItsOwnKeepsIt) {
   const TemporaryFolder folder;
   ASSERT_EQ(
       scantrove({"record", "demo:tabletop:exact", "--color-registration",

@@ -228,7 +228,7 @@ TEST(ScanFails, BeforeItStartsWhenAResultsPlaceIsTaken) {
 }
 
 // The ball before the corner, filmed in colour by a finer camera 25 mm beside the one for depth.
-TEST(Scan, ViewsAreAsFineAsTheColourImages) {
+TEST(Scan, ViewsAreAsFineAsTheColorImages) {
   const TemporaryFolder folder;
   writeRecording(folder / "recording", 30);
   const cv::Mat color(1024, 1280, CV_8UC3, cv::Scalar(90, 120, 150));

@@ -1,7 +1,7 @@
 // A scripted person labels in the real window: how many clicks, keys and seconds a task takes. Mouse and
 // keyboard are the display's own (xdotool must be installed), so that what is under the pointer gets them.
 // Needs a display.
-//   labelling_benchmark SOURCE --script FILE [--pictures DIR] [--data DIR]
+//   labeling_benchmark SOURCE --script FILE [--pictures DIR] [--data DIR]
 // A script has one command a line; # begins a comment:
 //   pause N       hold the scan a little before frame N, then go there frame by frame
 //   review        wait until the scan has ended and is open
@@ -135,10 +135,10 @@ class Person {
     for (std::size_t step = 0; step < 2 * shown_->key_frames->size(); ++step) {
       const std::vector<int>& key_frames = *shown_->key_frames;
       const auto after = std::ranges::upper_bound(key_frames, frame);
-      const int wanted = std::max(0, static_cast<int>(after - key_frames.begin()) - 1);
+      const int requested = std::max(0, static_cast<int>(after - key_frames.begin()) - 1);
       const int now = shown_->shown_key_frame;
-      if (now == wanted) return wait(200);
-      if (!press({"key", now > wanted ? "Prior" : "Next"}, 1)) return false;
+      if (now == requested) return wait(200);
+      if (!press({"key", now > requested ? "Prior" : "Next"}, 1)) return false;
       if (!waitFor([&] { return shown_->shown_key_frame != now; })) return false;
     }
     return false;
@@ -212,7 +212,7 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
   QApplication::setApplicationName(QStringLiteral("scantrove"));
-  scantrove::initialiseResources();
+  scantrove::initializeResources();
   return scantrove::run(source, QString::fromStdString(script), QString::fromStdString(pictures), home,
                         light);
 }

@@ -45,11 +45,11 @@ double millisecondsSince(Clock::time_point start) {
 class EventListener : public QObject {
  public:
   EventListener(QWidget* widget, QEvent::Type type) : type_(type) { widget->installEventFilter(this); }
-  bool has_come = false;
+  bool has_appeared = false;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == type_) has_come = true;
+    if (event->type() == type_) has_appeared = true;
     return QObject::eventFilter(watched, event);
   }
 
@@ -73,10 +73,10 @@ std::optional<double> timeOfLighting(MainWindow& window, QWidget& view, QWidget&
   while (millisecondsSince(start) < 1000) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
     const RegionId now = window.regions().selection().hovered();
-    if (now != before && now && paint.has_come) return millisecondsSince(start);
+    if (now != before && now && paint.has_appeared) return millisecondsSince(start);
     if (now != before && now) continue;
-    if (move.has_come) return std::nullopt;
-    paint.has_come = false;
+    if (move.has_appeared) return std::nullopt;
+    paint.has_appeared = false;
   }
   return std::nullopt;
 }
@@ -306,7 +306,7 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
   QApplication::setApplicationName(QStringLiteral("scantrove-benchmark"));
-  scantrove::initialiseResources();
+  scantrove::initializeResources();
   scantrove::Theme::instance().choose(scantrove::ThemeChoice::dark);
   return scantrove::run(source, moves, places, still);
 }

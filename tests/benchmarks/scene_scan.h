@@ -18,7 +18,7 @@ namespace scantrove::benchmarks {
 struct SceneOptions {
   std::string cache;
   std::vector<std::string> rooms, tables;  ///< "1-3", "7", "5:uneven"
-  bool uneven = false;
+  bool bumpy = false;
   std::vector<std::string> settings;
   std::string poses = "tracked";
   int every = 5;
@@ -29,7 +29,7 @@ struct SceneOptions {
     app.add_option("--cache", cache, "folder that keeps the rendered scenes")->required();
     app.add_option("--rooms", rooms, "seeds of demo:room, such as 1-5,9,7:uneven")->delimiter(',');
     app.add_option("--tables", tables, "seeds of demo:tabletop")->delimiter(',');
-    app.add_flag("--uneven", uneven, "surfaces with bumps, in all scenes");
+    app.add_flag("--uneven", bumpy, "surfaces with bumps, in all scenes");
     app.add_option("--set", settings, "parameters, key=value");
     app.add_option("--poses", poses, "tracked or given")->check(CLI::IsMember({"tracked", "given"}));
     app.add_option("--every", every, "compare every N-th frame with the truth")->check(CLI::PositiveNumber);
@@ -45,7 +45,7 @@ struct SceneOptions {
       const std::size_t dash = std::min(range.find('-'), colon);
       const int first = std::stoi(range);
       const int last = dash < colon ? std::stoi(range.substr(dash + 1)) : first;
-      const std::string surface = uneven ? ":uneven" : range.substr(colon);
+      const std::string surface = bumpy ? ":uneven" : range.substr(colon);
       for (int seed = first; seed <= last; ++seed)
         scenes.push_back(fmt::format("{}:{}{}", kind, seed, surface));
     }

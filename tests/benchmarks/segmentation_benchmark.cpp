@@ -61,7 +61,7 @@ class LabelImages {
                    {frame.depth.cols,
                     frame.depth.rows,
                     {frame.depth.ptr<std::uint16_t>(), frame.depth.total()},
-                    frame.metres_per_unit}) {}
+                    frame.meters_per_unit}) {}
 
   template <class Ids>
   [[nodiscard]] cv::Mat of(const Ids& ids) const {

@@ -152,7 +152,7 @@ void reportWayBack(const std::vector<Shown>& shown, bool verbose) {
 
 void report(const std::string& name, const std::vector<Shown>& shown, const std::vector<double>& track_ms,
             const Options& options) {
-  int with_truth = 0, usable = 0, relocalised = 0, wrong = 0;
+  int with_truth = 0, usable = 0, relocalized = 0, wrong = 0;
   double ate_m = 0, farthest_m = 0;
   const std::vector<double> errors_m = errorsOf(shown, ate_m);
   std::string lost;
@@ -160,7 +160,7 @@ void report(const std::string& name, const std::vector<Shown>& shown, const std:
     if (shown[i].frame.depth.empty() || !shown[i].frame.T_world_camera) continue;
     ++with_truth;
     usable += shown[i].pose.usable() ? 1 : 0;
-    relocalised += shown[i].pose.state == TrackingState::relocalised ? 1 : 0;
+    relocalized += shown[i].pose.state == TrackingState::relocalized ? 1 : 0;
     wrong += errors_m[i] > kWrong_m ? 1 : 0;
     farthest_m = std::max(farthest_m, errors_m[i]);
     if (!shown[i].pose.usable()) lost += fmt::format(" {}", shown[i].frame.index);
@@ -170,11 +170,11 @@ void report(const std::string& name, const std::vector<Shown>& shown, const std:
                                shown[i].pose.inlier_fraction, shown[i].pose.free_directions,
                                1000 * shown[i].pose.rmse_m, 1000 * errors_m[i], track_ms[i]);
   }
-  const DurationSummary time = summarise(track_ms);
+  const DurationSummary time = summarize(track_ms);
   std::cout << fmt::format(
       "{}: tracked {} of {} ({:.1f} %), relocalised {}, ATE {:.1f} mm, at most {:.1f}, wrong {}; track "
       "{:.1f} ms, p95 {:.1f}\n",
-      name, usable, with_truth, 100.0 * usable / std::max(with_truth, 1), relocalised, 1000 * ate_m,
+      name, usable, with_truth, 100.0 * usable / std::max(with_truth, 1), relocalized, 1000 * ate_m,
       1000 * farthest_m, wrong, time.median_ms, time.p95_ms);
   if (!lost.empty()) std::cout << "  lost:" << lost << '\n';
   if (options.kidnap > 0) reportKidnappings(shown, options.kidnap);

@@ -267,7 +267,7 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
   QApplication::setApplicationName(QStringLiteral("scantrove-benchmark"));
-  scantrove::initialiseResources();
+  scantrove::initializeResources();
   scantrove::Theme::instance().choose(scantrove::ThemeChoice::dark);
   return scantrove::run(application, wishes);
 }

@@ -25,7 +25,7 @@ CameraMemory someMemory(bool with_tracker) {
     memory.tracker->last_view = {cv::Mat(3, 4, CV_8UC1, cv::Scalar(9)), K, Eigen::Isometry3d::Identity()};
     memory.tracker->places = {somePlace()};
     memory.tracker->surfaces = {
-        {Eigen::Isometry3d::Identity(), KeptSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
+        {Eigen::Isometry3d::Identity(), StoredSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
     memory.followed_normals_world.assign(12, {{0, 0, 1, 1}});
   }
   memory.free_space.witnesses.push_back(

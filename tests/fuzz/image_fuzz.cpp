@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::require(depth ? depth->type() == CV_16UC1 : depth.error().what.starts_with("input "),
                 "a depth image has its type, an error names the file");
   for (const auto& image : {color, depth}) {
-    test::require(!image || image->total() <= kMostImagePixels, "no image is larger than what is read");
+    test::require(!image || image->total() <= kMaxImagePixels, "no image is larger than what is read");
   }
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   const std::string upright = withoutOrientation(bytes);

@@ -25,7 +25,7 @@ StoredPage somePage() {
   page.cells.fill(PAGE_EMPTY_CUBE(0));
   page.cells[3] = 0;
   page.bricks[3] = true;
-  page.bricks[9] = page.dormant[9] = true;
+  page.bricks[9] = page.inactive[9] = true;
   page.contents = BrickContents(2);
   for (std::size_t i = 0; i < page.contents.voxels(); i += 7) {
     page.contents.weights[i] = 9;

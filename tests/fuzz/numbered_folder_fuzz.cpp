@@ -9,7 +9,7 @@
 namespace scantrove::test {
 namespace {
 
-constexpr std::size_t kMostFiles = 12, kLongestName = 80;
+constexpr std::size_t kMaxFiles = 12, kLongestName = 80;
 
 const std::string& png(int type) {
   static const auto encode = [](int of_type) {
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::filesystem::remove_all(place, ignored);
   std::filesystem::create_directories(place / "depth");
   std::string_view lines(reinterpret_cast<const char*>(data), size);
-  for (std::size_t i = 0; i < test::kMostFiles && !lines.empty(); ++i) {
+  for (std::size_t i = 0; i < test::kMaxFiles && !lines.empty(); ++i) {
     const std::string_view line = lines.substr(0, lines.find('\n'));
     lines.remove_prefix(std::min(lines.size(), line.size() + 1));
     const std::string path = test::safePath(line);

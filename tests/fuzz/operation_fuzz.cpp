@@ -14,7 +14,7 @@ std::vector<std::string> seeds() {
                        .here_world = {{1, 2, 3}},
                        .there_world = {{4, 5, 6}},
                        .frame = 12}),
-      effectToJson({.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}})};
+      effectToJson({.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .constraints = {}, .notes = {}})};
 }
 
 }  // namespace scantrove::test

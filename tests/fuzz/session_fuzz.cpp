@@ -29,8 +29,8 @@ const TemporaryFolder& folder() {
 
 SavedDelta someDelta() {
   SavedDelta delta;
-  delta.facts =
-      factsOf({"demo", Intrinsics{525, 525, 319.5F, 239.5F, 640, 480}, ScanParams{}, "catalogue.sqlite"});
+  delta.metadata =
+      metadataOf({"demo", Intrinsics{525, 525, 319.5F, 239.5F, 640, 480}, ScanParams{}, "catalogue.sqlite"});
   for (int number = 1; number < 3; ++number) {
     SavedFrame frame;
     frame.number = number;
@@ -45,7 +45,7 @@ SavedDelta someDelta() {
   delta.operations.push_back(
       {1,
        {.kind = OperationKind::name, .regions = {RegionId{3}}, .name = "red cup"},
-       {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}},
+       {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .constraints = {}, .notes = {}},
        OperationLog::State::done});
   return delta;
 }
@@ -114,7 +114,7 @@ void readWhole(SessionStore& store) {
   require(scan || !scan.error().what.empty(), "an error has words");
   if (const auto camera = store.loadCamera(); camera && *camera) (void)cameraMemoryFrom((*camera)->words);
   if (!scan) return;
-  const auto setup = setupFrom(scan->facts);
+  const auto setup = setupFrom(scan->metadata);
   require(!setup || (setup->K.fx > 0 && setup->K.width > 0), "a camera that is accepted can be used");
   for (const SavedFrame& frame : scan->frames)
     require(frame.T_world_camera.matrix().allFinite(), "poses are finite");

@@ -15,9 +15,9 @@ std::string labelPng(int type) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string plainName(const std::string& wanted) {
+std::string plainName(const std::string& requested) {
   std::string name;
-  for (const char c : wanted.substr(0, 60)) {
+  for (const char c : requested.substr(0, 60)) {
     if (c != '/' && c != '\0') name += c;
   }
   return name.empty() || name == "." || name == ".." ? "x" : name;

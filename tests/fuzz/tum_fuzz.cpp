@@ -21,8 +21,8 @@ const TemporaryFolder& folder() {
 }
 
 void readAll(FrameSource& source) {
-  constexpr int kMostFrames = 100;  // a mutation may name the images many times
-  for (int i = 0; i < kMostFrames; ++i) {
+  constexpr int kMaxFrames = 100;  // a mutation may name the images many times
+  for (int i = 0; i < kMaxFrames; ++i) {
     const FrameRead read = source.next();
     if (read.status == FrameRead::Status::end || read.status == FrameRead::Status::failed) return;
     const bool is_frame = read.status == FrameRead::Status::frame;

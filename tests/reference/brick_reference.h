@@ -44,8 +44,8 @@ class TiledDepth {
 
   /// The readings that the centres of a brick's voxels meet, one by one; none outside of the image.
   /// `T_camera_window`: voxels to metres.
-  [[nodiscard]] DepthExtent metBy(const Eigen::Vector3i& brick,
-                                  const Eigen::Affine3d& T_camera_window) const {
+  [[nodiscard]] DepthExtent touchedBy(const Eigen::Vector3i& brick,
+                                      const Eigen::Affine3d& T_camera_window) const {
     DepthExtent extent;
     for (int i = 0; i < 512; ++i) {
       const Eigen::Vector3i voxel = 8 * brick + Eigen::Vector3i(i % 8, i / 8 % 8, i / 64);
@@ -63,7 +63,7 @@ class TiledDepth {
     bool decided = true;  ///< false: rounding decides which tiles count
   };
 
-  /// Bounds of metBy, from the tiles that the image of the brick's corners spans.
+  /// Bounds of touchedBy, from the tiles that the image of the brick's corners spans.
   [[nodiscard]] Bounds boundsOf(const Eigen::Vector3i& brick, const Eigen::Affine3d& T_camera_window) const {
     constexpr double kNear_m = 0.01;
     Eigen::AlignedBox2d box;

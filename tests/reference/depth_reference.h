@@ -22,8 +22,8 @@ struct DepthImage {
 inline double depthJump(double z) { return 0.01 + 0.01 * z * z; }
 
 /// Metres of a reading in units of the camera; 0 where it lies outside [min_m, max_m].
-inline float convertDepth(std::uint16_t units, float metres_per_unit, float min_m, float max_m) {
-  const float z = static_cast<float>(units) * metres_per_unit;
+inline float convertDepth(std::uint16_t units, float meters_per_unit, float min_m, float max_m) {
+  const float z = static_cast<float>(units) * meters_per_unit;
   return z >= min_m && z <= max_m ? z : 0.0F;
 }
 

@@ -8,8 +8,8 @@
 namespace scantrove::reference {
 
 /// By its definition, a flood fill for each piece.
-[[nodiscard]] inline std::vector<FragmentId> withoutSpecks(std::span<const FragmentId> image, int width,
-                                                           int least_px) {
+[[nodiscard]] inline std::vector<FragmentId> withoutSmallPieces(std::span<const FragmentId> image, int width,
+                                                                int least_px) {
   const int pixels = static_cast<int>(image.size());
   const auto at = [&](int pixel) { return image[static_cast<std::size_t>(pixel)]; };
   std::vector<std::vector<int>> pieces;

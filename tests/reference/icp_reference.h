@@ -27,7 +27,7 @@ inline IcpSums accumulateIcp(const std::vector<Eigen::Vector4d>& vertices,
                              const std::vector<Eigen::Vector4d>& model_vertices,
                              const std::vector<Eigen::Vector4d>& model_normals,
                              const Eigen::Isometry3d& T_world_model, const Intrinsics& K,
-                             const Eigen::Vector3d& centre, const IcpSettings& settings) {
+                             const Eigen::Vector3d& center, const IcpSettings& settings) {
   IcpSums sums;
   const double fx = K.fx, fy = K.fy, cx = K.cx, cy = K.cy;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -52,7 +52,7 @@ inline IcpSums accumulateIcp(const std::vector<Eigen::Vector4d>& vertices,
     const double r = n.dot(e), noise = 1 + settings.noise_per_z2 * z2, delta = settings.huber_m * noise;
     const double w = (std::abs(r) <= delta ? 1.0 : delta / std::abs(r)) / (noise * noise);
     Eigen::Matrix<double, 6, 1> J;
-    J << (p - centre).cross(n), n;
+    J << (p - center).cross(n), n;
     sums.JtJ += w * J * J.transpose();
     sums.Jtr += w * J * r;
     const double fit_noise = 1 + settings.fit_noise_per_z2 * z2;

@@ -31,7 +31,7 @@ using Voxel = std::array<int, 3>;
 
 /// One voxel with a fragment near the surface.
 struct SurfacePoint {
-  Eigen::Vector3d centre_m;  ///< world
+  Eigen::Vector3d center_m;  ///< world
   std::uint32_t fragment = 0;
   Eigen::Vector3d normal;  ///< zero where no neighbour says
 };

@@ -68,13 +68,13 @@ class NormalReference {
     const Eigen::Vector3d m(
         abc[0] * K_.fx, abc[1] * K_.fy,
         abc[2] + abc[0] * (K_.cx - static_cast<float>(x)) + abc[1] * (K_.cy - static_cast<float>(y)));
-    const double to_metres = at(x, y) / m.norm();
-    const Eigen::VectorXd centred = r.array() - r.mean();
-    const double spread = centred.squaredNorm();
+    const double to_meters = at(x, y) / m.norm();
+    const Eigen::VectorXd centered = r.array() - r.mean();
+    const double spread = centered.squaredNorm();
     result.fits = true;
     result.normal = -m.normalized();
-    result.rms_m = std::sqrt(residuals.squaredNorm() / static_cast<double>(n)) * to_metres;
-    result.concavity_m = spread > 0 ? centred.dot(residuals) / spread * radius_ * radius_ * to_metres : 0;
+    result.rms_m = std::sqrt(residuals.squaredNorm() / static_cast<double>(n)) * to_meters;
+    result.concavity_m = spread > 0 ? centered.dot(residuals) / spread * radius_ * radius_ * to_meters : 0;
     return result;
   }
 

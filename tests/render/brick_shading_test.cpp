@@ -14,8 +14,8 @@ constexpr float kSide_m = 0.005F;
 constexpr FragmentId kMug{3}, kBoard{4};
 
 CloudBrick::Point pointAt(int x, int y, int z) {
-  const auto centre = [](int voxel) { return (static_cast<float>(voxel) + 0.5F) * kSide_m; };
-  CloudBrick::Point point{centre(x), centre(y), centre(z), kBoard};
+  const auto center = [](int voxel) { return (static_cast<float>(voxel) + 0.5F) * kSide_m; };
+  CloudBrick::Point point{center(x), center(y), center(z), kBoard};
   point.color = PackedColor::of(120, 100, 80);
   point.normal = PackedNormal::of(Eigen::Vector3f::UnitZ());
   return point;
@@ -35,46 +35,46 @@ std::vector<CloudBrick::Point> plane() {
   return points;
 }
 
-TEST(BrickShading, WhatIsTheSameLooksTheSame) { EXPECT_TRUE(looksTheSame(plane(), plane(), kSide_m)); }
+TEST(BrickShading, WhatIsTheSameLooksTheSame) { EXPECT_TRUE(hasSameAppearance(plane(), plane(), kSide_m)); }
 
 TEST(BrickShading, InAnyOrder) {
   std::vector<CloudBrick::Point> turned = plane();
   std::ranges::reverse(turned);
-  EXPECT_TRUE(looksTheSame(plane(), turned, kSide_m));
+  EXPECT_TRUE(hasSameAppearance(plane(), turned, kSide_m));
 }
 
 TEST(BrickShading, OneVoxelOfAnotherFragmentIsSeen) {
-  std::vector<CloudBrick::Point> relabelled = plane();
-  relabelled[20].fragment = kMug;
-  EXPECT_FALSE(looksTheSame(plane(), relabelled, kSide_m));
+  std::vector<CloudBrick::Point> relabeled = plane();
+  relabeled[20].fragment = kMug;
+  EXPECT_FALSE(hasSameAppearance(plane(), relabeled, kSide_m));
 }
 
 TEST(BrickShading, WhatCameOrWentIsSeenUnlessItIsOnTheFringe) {
   std::vector<CloudBrick::Point> fewer = plane();
   fewer.erase(fewer.begin() + 10);
-  EXPECT_FALSE(looksTheSame(plane(), fewer, kSide_m)) << "a hole";
-  EXPECT_FALSE(looksTheSame(fewer, plane(), kSide_m)) << "a hole that was closed";
+  EXPECT_FALSE(hasSameAppearance(plane(), fewer, kSide_m)) << "a hole";
+  EXPECT_FALSE(hasSameAppearance(fewer, plane(), kSide_m)) << "a hole that was closed";
   std::vector<CloudBrick::Point> without_fringe = plane();
   without_fringe.resize(64);
-  EXPECT_TRUE(looksTheSame(plane(), without_fringe, kSide_m));
-  EXPECT_TRUE(looksTheSame(without_fringe, plane(), kSide_m));
-  EXPECT_FALSE(looksTheSame({}, plane(), kSide_m));
+  EXPECT_TRUE(hasSameAppearance(plane(), without_fringe, kSide_m));
+  EXPECT_TRUE(hasSameAppearance(without_fringe, plane(), kSide_m));
+  EXPECT_FALSE(hasSameAppearance({}, plane(), kSide_m));
 }
 
 TEST(BrickShading, ASurfaceBetweenTwoLayersOfVoxelsIsNoFringe) {
   std::vector<CloudBrick::Point> between = plane();
   for (CloudBrick::Point& point : between) point.height = 50;
-  EXPECT_FALSE(looksTheSame({}, between, kSide_m));
+  EXPECT_FALSE(hasSameAppearance({}, between, kSide_m));
   std::vector<CloudBrick::Point> fewer = between;
   fewer.pop_back();
-  EXPECT_FALSE(looksTheSame(fewer, between, kSide_m));
+  EXPECT_FALSE(hasSameAppearance(fewer, between, kSide_m));
 }
 
 TEST(BrickShading, ColorsAndHeightsAreSeenWhereManyChanged) {
   const auto changed = [](std::size_t count, auto&& change) {
     std::vector<CloudBrick::Point> points = plane();
     for (std::size_t i = 0; i < count; ++i) change(points[i]);
-    return !looksTheSame(plane(), points, kSide_m);
+    return !hasSameAppearance(plane(), points, kSide_m);
   };
   const auto redden = [](CloudBrick::Point& point) { point.color.rgb[0] += 40; };
   const auto redden_a_little = [](CloudBrick::Point& point) { point.color.rgb[0] += 5; };

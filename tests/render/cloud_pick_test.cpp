@@ -55,11 +55,11 @@ TEST_F(CloudPickTest, MeetsNothingBesideAndBehind) {
 TEST_F(CloudPickTest, GoesThroughWhatIsHidden) {
   show(wallBehind(2, 40), {{0}, {7}, {9}});
   show(wall(64, 1, 1), {{0}, {7}, {9}});
-  scene_.setBackground({RegionId{7}}, BackgroundLook::hidden);
+  scene_.setBackground({RegionId{7}}, BackgroundStyle::hidden);
   const auto picked = scene_.cloud().pick({0, 0, 0}, {0, 0, 1}, kPixel_rad);
   ASSERT_TRUE(picked);
   EXPECT_NEAR(picked->z(), kWall_m + 40 * kVoxel_m, 1e-4);
-  scene_.setBackground({RegionId{7}}, BackgroundLook::dimmed);
+  scene_.setBackground({RegionId{7}}, BackgroundStyle::dimmed);
   EXPECT_NEAR(scene_.cloud().pick({0, 0, 0}, {0, 0, 1}, kPixel_rad)->z(), kWall_m, 1e-4);
 }
 
@@ -75,8 +75,8 @@ TEST_F(CloudPickTest, FindsThePlaceOfAPixelAndGoesThroughWhatIsCutAway) {
   const auto picked = scene_.pick(place->x(), place->y(), test::kSize, test::kSize);
   ASSERT_TRUE(picked);
   EXPECT_LT((*picked - point).norm(), 1.5F * kVoxel_m);
-  scene_.setCut(0.1F);
-  EXPECT_NEAR(scene_.cutDistance().value(), 1.1F, 1e-4);
+  scene_.setClipDistance(0.1F);
+  EXPECT_NEAR(scene_.clipDistance().value(), 1.1F, 1e-4);
   const auto behind = scene_.pick(place->x(), place->y(), test::kSize, test::kSize);
   ASSERT_TRUE(behind);
   EXPECT_NEAR(behind->z(), kWall_m + 40 * kVoxel_m, 1e-4);

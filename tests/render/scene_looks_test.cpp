@@ -23,7 +23,7 @@ class SceneLooksTest : public SceneTest {
   }
 };
 
-TEST_F(SceneLooksTest, ColouringShowsAtOnce) {
+TEST_F(SceneLooksTest, ColoringShowsAtOnce) {
   show(seenWall(1, 2), {{0}, {7}, {9}});
   render();
   EXPECT_TRUE(hasHueOf(pixel(100, 120), regionColor(RegionId{7})));
@@ -53,7 +53,7 @@ TEST_F(SceneLooksTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
   }
 }
 
-TEST_F(SceneLooksTest, AnOutlineNotSeenInColourTakesTheColourBesideIt) {
+TEST_F(SceneLooksTest, AnOutlineNotSeenInColorTakesTheColorBesideIt) {
   std::vector<CloudBrick> bricks = seenWall(1, 1);
   for (CloudBrick& brick : bricks) {
     for (std::size_t i = 0; i < brick.points.size(); i += 3) brick.points[i].color = {};
@@ -68,31 +68,31 @@ TEST_F(SceneLooksTest, BackgroundIsDimmedOrHiddenAndComesBack) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   const Rgb usual = pixel(100, 120);
-  scene_.setBackground({RegionId{7}}, BackgroundLook::dimmed);
+  scene_.setBackground({RegionId{7}}, BackgroundStyle::dimmed);
   render();
   EXPECT_FALSE(hasHueOf(pixel(100, 120), regionColor(RegionId{7})));
   EXPECT_TRUE(hasHueOf(pixel(140, 120), regionColor(RegionId{9})));
   const Rgb dimmed = pixel(100, 120);
-  scene_.setBackground({RegionId{7}}, BackgroundLook::hidden);
+  scene_.setBackground({RegionId{7}}, BackgroundStyle::hidden);
   render();
   EXPECT_NE(pixel(100, 120), dimmed);
   EXPECT_FALSE(hasHueOf(pixel(100, 120), regionColor(RegionId{7})));
   EXPECT_TRUE(hasHueOf(pixel(140, 120), regionColor(RegionId{9})));
-  scene_.setBackground({}, BackgroundLook::hidden);
+  scene_.setBackground({}, BackgroundStyle::hidden);
   render();
   EXPECT_EQ(pixel(100, 120), usual);
 }
 
 TEST_F(SceneLooksTest, WhatIsNearerThanTheCutIsNotSeen) {
   show(wall(64, 1, 1), {{0}, {7}});
-  scene_.setCut(0.05F);
+  scene_.setClipDistance(0.05F);
   render();
   EXPECT_FALSE(hasHueOf(pixel(120, 120), regionColor(RegionId{7})));
-  scene_.setCut(-0.05F);
+  scene_.setClipDistance(-0.05F);
   render();
   EXPECT_TRUE(hasHueOf(pixel(120, 120), regionColor(RegionId{7})));
-  scene_.setCut(std::nullopt);
-  EXPECT_FALSE(scene_.cutDistance());
+  scene_.setClipDistance(std::nullopt);
+  EXPECT_FALSE(scene_.clipDistance());
 }
 
 TEST_F(SceneLooksTest, PointsLieOnTheSurfaceBesideTheirVoxels) {

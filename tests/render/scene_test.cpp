@@ -7,7 +7,7 @@ namespace {
 
 using test::SceneTest;
 
-TEST_F(SceneTest, PointsHaveTheirRegionsColoursAndCloseTheSurface) {
+TEST_F(SceneTest, PointsHaveTheirRegionsColorsAndCloseTheSurface) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   EXPECT_EQ(scene_.cloud().pointCount(), 64U * 64U);
@@ -20,7 +20,7 @@ TEST_F(SceneTest, PointsHaveTheirRegionsColoursAndCloseTheSurface) {
   }
 }
 
-TEST_F(SceneTest, MergedRegionsAreRecoloured) {
+TEST_F(SceneTest, MergedRegionsAreRecolored) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   show({}, {{0}, {7}, {7}});

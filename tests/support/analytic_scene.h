@@ -32,8 +32,8 @@ class AnalyticScene {
     return *this;
   }
 
-  AnalyticScene& sphere(const Eigen::Vector3d& centre, double radius) {
-    return quadric(Eigen::Matrix3d::Identity(), centre, radius);
+  AnalyticScene& sphere(const Eigen::Vector3d& center, double radius) {
+    return quadric(Eigen::Matrix3d::Identity(), center, radius);
   }
 
   AnalyticScene& cylinder(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius) {
@@ -95,9 +95,9 @@ class AnalyticScene {
 
  private:
   /// |A (x - centre)| = radius for a projection A; seen from both sides.
-  AnalyticScene& quadric(const Eigen::Matrix3d& A, const Eigen::Vector3d& centre, double radius) {
+  AnalyticScene& quadric(const Eigen::Matrix3d& A, const Eigen::Vector3d& center, double radius) {
     surfaces_.push_back([=](const Eigen::Vector3d& o, const Eigen::Vector3d& d) -> std::optional<Hit> {
-      const Eigen::Vector3d p = A * (o - centre), q = A * d;
+      const Eigen::Vector3d p = A * (o - center), q = A * d;
       const double a = q.squaredNorm(), b = p.dot(q), c = p.squaredNorm() - radius * radius;
       const double root = b * b - a * c;
       if (!(root >= 0) || !(a > 0)) return std::nullopt;

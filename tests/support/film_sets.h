@@ -4,15 +4,15 @@
 #include <numbers>
 #include <utility>
 
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
+#include "core/synthetic/scene_recipe.h"
 
 namespace scantrove::test {
 
 /// An L-shaped block ("L block") in the middle of a table, with other things at a distance. In the first
 /// frames it is seen straight from the front: a foot and an upright that only meet in a concave edge. Later
 /// frames show the L-shaped side, which joins both over rounded convex edges.
-inline synthetic::FilmSet makeLBlockSet() {
+inline synthetic::SceneRecipe makeLBlockSet() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -42,13 +42,13 @@ inline synthetic::FilmSet makeLBlockSet() {
           .scene = std::move(scene),
           .path = path,
           .frames = 150,
-          .lit_centre = {0, 0, 0.4},
+          .lit_center = {0, 0, 0.4},
           .lit_radius_m = 1.5};
 }
 
 /// Floor, walls, a parcel, a basket, and a chair ("chair") that cuts the floor in the first frames; later
 /// frames show the floor around it in one piece.
-inline synthetic::FilmSet makeChairFloorSet() {
+inline synthetic::SceneRecipe makeChairFloorSet() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -73,13 +73,13 @@ inline synthetic::FilmSet makeChairFloorSet() {
           .scene = std::move(scene),
           .path = path,
           .frames = 150,
-          .lit_centre = {0, 0.8, 0.4},
+          .lit_center = {0, 0.8, 0.4},
           .lit_radius_m = 2};
 }
 
 /// Seven books ("book 0" ... "book 6") in a row on a table, 2.5 to 4.5 cm thick, spines towards the camera,
 /// which walks along them a metre away.
-inline synthetic::FilmSet makeBookRowSet() {
+inline synthetic::SceneRecipe makeBookRowSet() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -111,7 +111,7 @@ inline synthetic::FilmSet makeBookRowSet() {
           .scene = std::move(scene),
           .path = path,
           .frames = 90,
-          .lit_centre = {0, 0, 0.7},
+          .lit_center = {0, 0, 0.7},
           .lit_radius_m = 1.5};
 }
 

@@ -10,7 +10,7 @@
 namespace scantrove::test {
 
 /// A camera of 320 x 240 pixels that films the synthetic table top, without noise.
-inline SyntheticOptions smallFilm() {
+inline SyntheticOptions smallRecording() {
   SyntheticOptions options;
   options.K = {262.5F, 262.5F, 159.5F, 119.5F, 320, 240};
   options.noise = false;

@@ -9,7 +9,7 @@
 
 #include "core/evaluation/trajectory_metrics.h"
 #include "core/scan/scan_pipeline.h"
-#include "core/synthetic/film_set.h"
+#include "core/synthetic/scene_recipe.h"
 #include "core/synthetic/synthetic_source.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/true_surface.h"

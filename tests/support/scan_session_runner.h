@@ -16,7 +16,7 @@ struct ScanEnding {
   std::string error;
   std::vector<FrameSkipped> skipped;
   std::vector<std::string> added;       ///< names
-  std::vector<std::string> recognised;  ///< names
+  std::vector<std::string> recognized;  ///< names
   std::vector<ObjectId> merged;         ///< objects that became part of others
   std::vector<RefinementStepped> refinement;
   std::vector<ObjectId> left;  ///< that turned out not to be what their views show
@@ -31,7 +31,7 @@ inline ScanEnding runScan(ScanRequest request) {
     if (const auto* failed = std::get_if<ScanFailed>(&event)) ending.error = failed->error.message();
     if (const auto* skipped = std::get_if<FrameSkipped>(&event)) ending.skipped.push_back(*skipped);
     if (const auto* added = std::get_if<ObjectAdded>(&event)) ending.added.push_back(added->name);
-    if (const auto* known = std::get_if<ObjectRecognised>(&event)) ending.recognised.push_back(known->name);
+    if (const auto* known = std::get_if<ObjectRecognized>(&event)) ending.recognized.push_back(known->name);
     if (const auto* step = std::get_if<RefinementStepped>(&event)) ending.refinement.push_back(*step);
     if (const auto* left = std::get_if<ObjectLeft>(&event)) ending.left.push_back(left->object);
     if (const auto* merged = std::get_if<ObjectsMerged>(&event))

@@ -69,7 +69,7 @@ class SyntheticScan {
 
   /// What the map shows of a frame by now, as labels-final/ has it: surface without label takes the nearest.
   [[nodiscard]] cv::Mat finalRegions(const Frame& frame) const {
-    const auto view = pipeline_->lookAtMap(frame.pose.T_world_camera);
+    const auto view = pipeline_->renderView(frame.pose.T_world_camera);
     EXPECT_TRUE(view) << view.error().message();
     std::vector<std::uint16_t> depth_mm;
     for (const float z : view->depths_m)

@@ -39,7 +39,7 @@ class TrackingRig {
     map_->raycast(pose.T_world_camera, working_K_, model_);
     motion_->apply(depth, map_->bricks(), model_);
     followed_ = motion_->settled(model_, map_->bricks());
-    tracker_->learn(frame, depth, model_);
+    tracker_->addKeyFrame(frame, depth, model_);
     return pose;
   }
 

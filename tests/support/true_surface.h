@@ -18,7 +18,7 @@ class TrueSurface {
       for (int u = 0; u < frame.depth.cols; ++u) {
         const std::uint16_t units = frame.depth.at<std::uint16_t>(v, u);
         if (units == 0 || !counts(frame.instances.at<std::uint16_t>(v, u))) continue;
-        const float z = static_cast<float>(units) * frame.metres_per_unit;
+        const float z = static_cast<float>(units) * frame.meters_per_unit;
         const Eigen::Vector3f p = K.backProject(static_cast<float>(u), static_cast<float>(v), z);
         cells_.insert(keyOf(cellOf(*frame.T_world_camera * p.cast<double>())));
       }

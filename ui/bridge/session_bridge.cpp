@@ -59,8 +59,8 @@ void SessionBridge::announce(const ScanEvent& event) {
           [this](const RefinementStepped& e) { emit refinementStepped(e); },
           [this](const PreparingDevice&) { emit preparingDevice(); },
           [this](const ObjectAdded& e) { emit objectAdded(e.object, QString::fromStdString(e.name)); },
-          [this](const ObjectRecognised& e) {
-            emit objectRecognised(e.object, QString::fromStdString(e.name));
+          [this](const ObjectRecognized& e) {
+            emit objectRecognized(e.object, QString::fromStdString(e.name));
           },
           [this](const ViewAdded& e) { emit viewAdded(e.object); },
           [this](const ObjectsMerged& e) { emit objectsMerged(e.into); },

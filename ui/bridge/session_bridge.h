@@ -49,7 +49,7 @@ class SessionBridge : public QObject {
   void refinementStepped(const scantrove::RefinementStepped& progress);
   void preparingDevice();  ///< kernels are compiled: the first frame takes long
   void objectAdded(scantrove::ObjectId object, const QString& name);
-  void objectRecognised(scantrove::ObjectId object, const QString& name);
+  void objectRecognized(scantrove::ObjectId object, const QString& name);
   void viewAdded(scantrove::ObjectId object);
   void objectsMerged(scantrove::ObjectId into);
   void objectNamed(scantrove::ObjectId object);  ///< by a person who named a region

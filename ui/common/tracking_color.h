@@ -13,7 +13,7 @@ namespace scantrove {
       return {232, 163, 23};
     case TrackingState::lost:
       return {229, 72, 77};
-    case TrackingState::relocalised:
+    case TrackingState::relocalized:
       return {62, 146, 230};
   }
   return {128, 128, 128};

@@ -52,9 +52,10 @@ void CoverageGuide::beginScan() {
 }
 
 void CoverageGuide::showSnapshot(const ScanSnapshot& snapshot) {
-  const bool goes_on = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
+  const bool is_scanning = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
   camera_.reset();
-  if (goes_on && snapshot.pose.usable()) camera_ = snapshot.pose.T_world_camera.translation().cast<float>();
+  if (is_scanning && snapshot.pose.usable())
+    camera_ = snapshot.pose.T_world_camera.translation().cast<float>();
   showObjects();
   update();
 }

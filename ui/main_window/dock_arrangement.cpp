@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kLayoutVersion = 2;
 /// In less room docks share a place, one shown at a time.
-constexpr int kLeastWidthForColumns = 1000;
-constexpr int kLeastHeightToStack = 640;
+constexpr int kMinWidthForColumns = 1000;
+constexpr int kMinHeightToStack = 640;
 const QString kLayoutKey = QStringLiteral("window/docks");
 
 QString widthKey(const QDockWidget* dock) { return QStringLiteral("window/width/") + dock->objectName(); }
@@ -54,7 +54,7 @@ QDockWidget* DockArrangement::add(const Dock& dock, QWidget* content) {
   window_.addDockWidget(dock.area, widget);
   docks_ << widget;
   usual_.emplace(widget, dock);
-  wanted_widths_[widget] = dock.usual_width;
+  preferred_widths_[widget] = dock.usual_width;
   return widget;
 }
 
@@ -62,7 +62,7 @@ void DockArrangement::restore() {
   arrangeAsUsual();
   const QSettings settings;
   for (QDockWidget* dock : docks_) {
-    wanted_widths_[dock] = settings.value(widthKey(dock), wanted_widths_[dock]).toInt();
+    preferred_widths_[dock] = settings.value(widthKey(dock), preferred_widths_[dock]).toInt();
   }
   window_.restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
   applyWidthsSoon();
@@ -70,7 +70,7 @@ void DockArrangement::restore() {
 
 void DockArrangement::save() {
   QSettings settings;
-  for (QDockWidget* dock : docks_) settings.setValue(widthKey(dock), wanted_widths_[dock]);
+  for (QDockWidget* dock : docks_) settings.setValue(widthKey(dock), preferred_widths_[dock]);
   for (QDockWidget* dock : waiting_for_scan_) dock->show();
   settings.setValue(kLayoutKey, window_.saveState(kLayoutVersion));
 }
@@ -78,8 +78,8 @@ void DockArrangement::save() {
 void DockArrangement::arrangeAsUsual() { arrangeFor(window_.screen()->availableSize()); }
 
 void DockArrangement::arrangeFor(const QSize& room) {
-  const bool has_columns = room.width() >= kLeastWidthForColumns;
-  const bool is_folded = !has_columns || room.height() < kLeastHeightToStack;
+  const bool has_columns = room.width() >= kMinWidthForColumns;
+  const bool is_folded = !has_columns || room.height() < kMinHeightToStack;
   std::map<Qt::DockWidgetArea, QDockWidget*> above;
   for (QDockWidget* dock : docks_) {
     const Qt::DockWidgetArea area = has_columns ? usual_.at(dock).area : Qt::LeftDockWidgetArea;
@@ -92,7 +92,7 @@ void DockArrangement::arrangeFor(const QSize& room) {
     } else {
       window_.splitDockWidget(std::exchange(above[area], dock), dock, Qt::Vertical);
     }
-    wanted_widths_[dock] = std::min(usual_.at(dock).usual_width, room.width() / 2);
+    preferred_widths_[dock] = std::min(usual_.at(dock).usual_width, room.width() / 2);
   }
   if (is_folded) {
     for (const auto& [area, dock] : above) dock->raise();
@@ -131,7 +131,7 @@ void DockArrangement::applyWidths() {
   for (QDockWidget* dock : docks_) {
     if (dock->isHidden()) continue;
     shown << dock;
-    widths << wanted_widths_[dock];
+    widths << preferred_widths_[dock];
   }
   window_.resizeDocks(shown, widths, Qt::Horizontal);
   // Qt only notes them down for the next layout.
@@ -141,17 +141,18 @@ void DockArrangement::applyWidths() {
 
 void DockArrangement::applyWidthsSoon() { QTimer::singleShot(0, this, &DockArrangement::applyWidths); }
 
-void DockArrangement::learnWidths() {
+void DockArrangement::recordWidths() {
   for (const auto& [dock, width] : presentWidths()) {
     const auto before = widths_at_press_.find(dock);
-    if (before != widths_at_press_.end() && before->second != width) wanted_widths_[dock] = width;
+    if (before != widths_at_press_.end() && before->second != width) preferred_widths_[dock] = width;
   }
 }
 
 bool DockArrangement::eventFilter(QObject* watched, QEvent* event) {
   // The lines between the docks are no widgets: the window itself gets the mouse that drags them.
   if (event->type() == QEvent::MouseButtonPress) widths_at_press_ = presentWidths();
-  if (event->type() == QEvent::MouseButtonRelease) QTimer::singleShot(0, this, &DockArrangement::learnWidths);
+  if (event->type() == QEvent::MouseButtonRelease)
+    QTimer::singleShot(0, this, &DockArrangement::recordWidths);
   if (event->type() == QEvent::Resize) applyWidthsSoon();
   return QObject::eventFilter(watched, event);
 }

@@ -44,12 +44,12 @@ class DockArrangement : public QObject {
   [[nodiscard]] std::map<QDockWidget*, int> presentWidths() const;
   void applyWidths();
   void applyWidthsSoon();  ///< after Qt has laid the docks out
-  void learnWidths();
+  void recordWidths();
 
   QMainWindow& window_;
   QList<QDockWidget*> docks_;
   std::map<QDockWidget*, Dock> usual_;
-  std::map<QDockWidget*, int> wanted_widths_;
+  std::map<QDockWidget*, int> preferred_widths_;
   std::map<QDockWidget*, int> widths_at_press_;
   QList<QDockWidget*> waiting_for_scan_;  ///< hidden until then
   bool is_scan_shown_ = true;

@@ -13,11 +13,11 @@
 #include "ui/main_window/catalogue_choice.h"
 #include "ui/main_window/coverage_guide.h"
 #include "ui/main_window/dock_arrangement.h"
-#include "ui/main_window/kept_scan_list.h"
 #include "ui/main_window/main_actions.h"
 #include "ui/main_window/presentation.h"
 #include "ui/main_window/recent_sources.h"
 #include "ui/main_window/region_controller.h"
+#include "ui/main_window/saved_scan_list.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/main_window/scene_pane.h"
 #include "ui/main_window/window_placement.h"
@@ -54,7 +54,7 @@ MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& optio
   setWindowTitle(QStringLiteral("Scantrove"));
   setWindowIcon(icon(QStringLiteral("scantrove")));
   setAcceptDrops(true);
-  makeCentre();
+  makeCenter();
   makeDocks(options.params);
   regions_ = new RegionController(controller_->bridge(), *scene_, *frames_, history_, *this);
   guide_ = new CoverageGuide(regions_->selection(), *scene_, model_, this);
@@ -90,19 +90,19 @@ MainWindow::~MainWindow() {
   delete controller_;
 }
 
-void MainWindow::makeCentre() {
+void MainWindow::makeCenter() {
   auto* column = new QWidget;
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   messages_ = new MessageBar(column);
-  centre_ = new QStackedWidget;
+  center_ = new QStackedWidget;
   start_ = new StartPage;
   scene_ = new ScenePane;
-  centre_->addWidget(start_);
-  centre_->addWidget(scene_);
+  center_->addWidget(start_);
+  center_->addWidget(scene_);
   layout->addWidget(messages_);
-  layout->addWidget(centre_, 1);
+  layout->addWidget(center_, 1);
   time_line_ = new TimeLine;
   layout->addWidget(time_line_);
   setCentralWidget(column);
@@ -116,7 +116,7 @@ void MainWindow::makeDocks(const ScanParams& params) {
     const ObjectRecord* const record = model_.record(object);
     return record != nullptr ? QString::fromStdString(record->name) : QString();
   });
-  frames_->colorPanel()->setIsRecognised([this](ObjectId object) { return model_.isRecognised(object); });
+  frames_->colorPanel()->setIsRecognized([this](ObjectId object) { return model_.isRecognized(object); });
   params_ = new ParamsPanel(params);
   docks_->add({tr("Objects"), "objectsDock", tr("Ctrl+1"), Qt::LeftDockWidgetArea, kObjectsWidth, false},
               objects_);
@@ -126,14 +126,14 @@ void MainWindow::makeDocks(const ScanParams& params) {
               frames_);
 }
 
-bool MainWindow::onStartPage() const { return centre_->currentWidget() == start_; }
+bool MainWindow::onStartPage() const { return center_->currentWidget() == start_; }
 
 void MainWindow::showStartPage() {
   catalogue_->showChosen();
   regions_->beginScan();  // questions, steps and selections end with their scan
   start_->setRecent(recentSources());
-  showKeptScans();
-  centre_->setCurrentWidget(start_);
+  showSavedScans();
+  center_->setCurrentWidget(start_);
   docks_->setScanShown(false);
   progress_->clear();
   time_line_->clear();
@@ -155,13 +155,13 @@ void MainWindow::closeScan() {
   showStartPage();
 }
 
-void MainWindow::showKeptScans() {
-  start_->keptScans()->setScans(keptScansIn(ScanController::sessionsFolder()));
+void MainWindow::showSavedScans() {
+  start_->savedScans()->setScans(savedScansIn(ScanController::sessionsFolder()));
 }
 
 void MainWindow::showScene() {
   if (!onStartPage()) return;
-  centre_->setCurrentWidget(scene_);
+  center_->setCurrentWidget(scene_);
   docks_->setScanShown(true);
 }
 
@@ -203,8 +203,8 @@ void MainWindow::connectSession() {
   connect(&bridge, &SessionBridge::mapDrifted, this, warn);
   connect(&bridge, &SessionBridge::scanAdvised, this, warn);
   connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
-  connect(&bridge, &SessionBridge::objectRecognised, this,
-          [this](ObjectId object) { model_.markRecognised(object); });
+  connect(&bridge, &SessionBridge::objectRecognized, this,
+          [this](ObjectId object) { model_.markRecognized(object); });
 }
 
 void MainWindow::connectRegions() {
@@ -230,13 +230,13 @@ void MainWindow::connectRegions() {
     actions_->enableRefinement(can_refine);
     has_snapshot_ = true;
   });
-  connect(start_->keptScans(), &KeptScans::chosen, this, &MainWindow::openSession);
-  connect(start_->keptScans(), &KeptScans::deleteWanted, this, [this](const QString& folder) {
+  connect(start_->savedScans(), &SavedScansPanel::chosen, this, &MainWindow::openSession);
+  connect(start_->savedScans(), &SavedScansPanel::deleteRequested, this, [this](const QString& folder) {
     const auto fail = [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); };
     history_.push(start_, std::make_shared<DeleteScan>(
-                              folder, [this] { showKeptScans(); }, fail));
+                              folder, [this] { showSavedScans(); }, fail));
   });
-  connect(time_line_, &TimeLine::wanted, &bridge, &SessionBridge::showKeyFrame);
+  connect(time_line_, &TimeLine::requested, &bridge, &SessionBridge::showKeyFrame);
 }
 
 void MainWindow::connectCatalogue() {

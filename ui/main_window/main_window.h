@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void makeCentre();
+  void makeCenter();
   void makeDocks(const ScanParams& params);
   void makeMenus();
   void makeToolBar();
@@ -99,7 +99,7 @@ class MainWindow : public QMainWindow {
   void showState(ScanState state);
   void scanFailed(const QString& message);
   void showStartPage();
-  void showKeptScans();
+  void showSavedScans();
   void showScene();
   void followCatalogue();
   void chooseTheme(ThemeChoice choice);
@@ -110,7 +110,7 @@ class MainWindow : public QMainWindow {
   ScanController* controller_;
   CatalogueChoice* catalogue_;
   MainActions* actions_;
-  QStackedWidget* centre_ = nullptr;
+  QStackedWidget* center_ = nullptr;
   StartPage* start_ = nullptr;
   ScenePane* scene_ = nullptr;
   TimeLine* time_line_ = nullptr;

@@ -162,9 +162,9 @@ void MainWindow::connectActions() {
        : (theme == ThemeChoice::light ? actions_->theme_light : actions_->theme_system))
       ->setChecked(true);
 
-  connect(start_, &StartPage::folderWanted, this, &MainWindow::openFolder);
-  connect(start_, &StartPage::recordingWanted, this, &MainWindow::openRecording);
-  connect(start_, &StartPage::cameraWanted, this, &MainWindow::openCamera);
+  connect(start_, &StartPage::folderRequested, this, &MainWindow::openFolder);
+  connect(start_, &StartPage::recordingRequested, this, &MainWindow::openRecording);
+  connect(start_, &StartPage::cameraRequested, this, &MainWindow::openCamera);
   connect(start_, &StartPage::sourceChosen, this, &MainWindow::open);
   connect(params_, &ParamsPanel::changed, controller_, &ScanController::setParams);
 }
@@ -225,11 +225,11 @@ void MainWindow::showExport() {
   delete export_;
   export_ = new ExportDialog(QFileInfo(controller_->sessionFolder()).fileName(), this);
   SessionBridge& bridge = controller_->bridge();
-  connect(export_, &ExportDialog::previewWanted, &bridge, &SessionBridge::previewExport);
-  connect(export_, &ExportDialog::sampleWanted, &bridge, &SessionBridge::sampleExport);
+  connect(export_, &ExportDialog::previewRequested, &bridge, &SessionBridge::previewExport);
+  connect(export_, &ExportDialog::sampleRequested, &bridge, &SessionBridge::sampleExport);
   connect(&bridge, &SessionBridge::exportSampled, export_, &ExportDialog::showSample);
-  connect(export_, &ExportDialog::exportWanted, &bridge, &SessionBridge::exportDataset);
-  connect(export_, &ExportDialog::cancelWanted, &bridge, &SessionBridge::cancelExport);
+  connect(export_, &ExportDialog::exportRequested, &bridge, &SessionBridge::exportDataset);
+  connect(export_, &ExportDialog::cancelRequested, &bridge, &SessionBridge::cancelExport);
   connect(&bridge, &SessionBridge::exportPreviewed, export_, &ExportDialog::showPreview);
   connect(&bridge, &SessionBridge::exportStepped, export_, &ExportDialog::showProgress);
   connect(&bridge, &SessionBridge::exportFinished, export_, &ExportDialog::showDone);

@@ -37,8 +37,8 @@ Presentation::Presentation(MainWindow& window)
   caption_->hide();
   turning_.setInterval(kTurnEach_ms);
   connect(&turning_, &QTimer::timeout, this, &Presentation::turn);
-  caption_goes_.setSingleShot(true);
-  connect(&caption_goes_, &QTimer::timeout, caption_, &QWidget::hide);
+  caption_timer_.setSingleShot(true);
+  connect(&caption_timer_, &QTimer::timeout, caption_, &QWidget::hide);
   again_.setSingleShot(true);
   connect(&again_, &QTimer::timeout, this, [this] {
     if (is_on_) window_.controller().start();
@@ -46,7 +46,7 @@ Presentation::Presentation(MainWindow& window)
   SessionBridge& bridge = window_.controller().bridge();
   connect(&bridge, &SessionBridge::objectAdded, this,
           [this](ObjectId, const QString& name) { say(tr("Object found: %1").arg(name)); });
-  connect(&bridge, &SessionBridge::objectRecognised, this,
+  connect(&bridge, &SessionBridge::objectRecognized, this,
           [this](ObjectId, const QString& name) { say(tr("Recognised: %1").arg(name)); });
   connect(&bridge, &SessionBridge::preparingDevice, this,
           [this] { say(tr("Preparing the processor (once)")); });
@@ -112,7 +112,7 @@ void Presentation::say(const QString& text) {
   placeCaption();
   caption_->show();
   caption_->raise();
-  caption_goes_.start(kCaption_ms);
+  caption_timer_.start(kCaption_ms);
 }
 
 void Presentation::placeCaption() {

@@ -42,7 +42,7 @@ class Presentation : public QObject {
 
   MainWindow& window_;
   QLabel* caption_;
-  QTimer turning_, caption_goes_, again_;
+  QTimer turning_, caption_timer_, again_;
   QElapsedTimer untouched_;
   QList<QWidget*> hidden_;  ///< for the time of it
   /// While it shows scans of its own: their catalogue. A person's is not filled with the demo's things.

@@ -6,7 +6,7 @@
 namespace scantrove {
 namespace {
 const QString kKey = QStringLiteral("recent_sources");
-constexpr int kMost = 8;
+constexpr int kMax = 8;
 
 bool stillThere(const QString& source) {
   return source == QLatin1String("demo") || source.startsWith(QLatin1String("demo:")) ||
@@ -28,7 +28,7 @@ void rememberSource(const QString& source) {
   QStringList sources = recentSources();
   sources.removeAll(source);
   sources.prepend(source);
-  QSettings().setValue(kKey, QStringList(sources.mid(0, kMost)));
+  QSettings().setValue(kKey, QStringList(sources.mid(0, kMax)));
 }
 
 void forgetRecentSources() { QSettings().remove(kKey); }

@@ -26,7 +26,7 @@ RegionActions::RegionActions(QObject* parent) : QObject(parent) {
   previous = make("", tr("Pre&vious region"), {QKeySequence(Qt::SHIFT | Qt::Key_Tab)},
                   tr("Select the next larger region"));
   fit = make("fit", tr("&Show it"), {Qt::Key_Period}, tr("Look at what is selected in 3D"));
-  let_go = make("", tr("&Let go"), {Qt::Key_Escape}, tr("Select nothing"));
+  deselect = make("", tr("&Let go"), {Qt::Key_Escape}, tr("Select nothing"));
   for (int i = 1; i <= 9; ++i) recent << make("", {}, {QKeySequence(Qt::Key_0 + i)}, tr("Give it this name"));
   setRecentNames({});
   enableFor(0, false, false);
@@ -49,7 +49,7 @@ QAction* RegionActions::make(const char* picture, const QString& text, const QLi
 }
 
 QList<QAction*> RegionActions::onSelection() const {
-  return {name, object, join, cut, finer, coarser, background, reject, fit, let_go};
+  return {name, object, join, cut, finer, coarser, background, reject, fit, deselect};
 }
 
 QList<QAction*> RegionActions::all() const {
@@ -57,7 +57,7 @@ QList<QAction*> RegionActions::all() const {
 }
 
 void RegionActions::enableFor(std::size_t count, bool is_background, bool is_rejected) {
-  for (QAction* action : {name, finer, coarser, background, object, reject, fit, let_go})
+  for (QAction* action : {name, finer, coarser, background, object, reject, fit, deselect})
     action->setEnabled(count > 0);
   join->setEnabled(count > 1);
   background->setChecked(count > 0 && is_background);

@@ -27,7 +27,7 @@ class RegionActions : public QObject {
   QAction* next;
   QAction* previous;
   QAction* fit;
-  QAction* let_go;
+  QAction* deselect;
   QList<QAction*> recent;  ///< names on 1 to 9
 
   /// All that are about the selection, in the order of a menu.

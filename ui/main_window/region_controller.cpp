@@ -34,7 +34,7 @@ RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, Fram
       frames_(frames),
       actions_(this),
       history_(history),
-      cutter_(new RegionCutter(scene, frames, selection_, this)),
+      cutter_(new RegionSplitter(scene, frames, selection_, this)),
       name_editor_(new RegionNameEditor(&window)) {
   connectFrames();
   connectScene();
@@ -75,11 +75,11 @@ void RegionController::connectFrames() {
   connect(&frames_, &FramePanels::clicked, this, &RegionController::click);
   connect(&frames_, &FramePanels::doubleClicked, this,
           [this](const RegionPoint& at, const QPoint& on_screen) {
-            if (!at.region || cutter_->wantsStroke()) return;
+            if (!at.region || cutter_->expectsStroke()) return;
             selection_.select(at.region);
             editName(on_screen);
           });
-  connect(&frames_, &FramePanels::menuWanted, this, &RegionController::openMenu);
+  connect(&frames_, &FramePanels::menuRequested, this, &RegionController::openMenu);
   connect(
       &frames_, &FramePanels::bandDrawn, this,
       [this](const std::vector<RegionId>& regions, Qt::KeyboardModifiers) { selection_.select(regions); });
@@ -104,7 +104,7 @@ void RegionController::connectScene() {
             click(view->at(place), modifiers);
           });
   connect(view, &SceneView::doubleClicked, this, [this, view](const QPointF& place) {
-    if (cutter_->wantsStroke()) return;
+    if (cutter_->expectsStroke()) return;
     const RegionPoint at = view->at(place);
     if (!at.region) {
       view->fitAll();
@@ -113,7 +113,7 @@ void RegionController::connectScene() {
     selection_.select(at.region);
     editName(view->mapToGlobal(place.toPoint()));
   });
-  connect(view, &SceneView::menuWanted, this, [this, view](const QPointF& place, const QPoint& on_screen) {
+  connect(view, &SceneView::menuRequested, this, [this, view](const QPointF& place, const QPoint& on_screen) {
     openMenu(view->at(place), on_screen);
   });
   connect(view, &SceneView::bandChanged, this, [this, view] { scene_.overlay()->setBand(view->band()); });
@@ -156,7 +156,7 @@ void RegionController::connectActions() {
     const std::vector<RegionId>& selected = selection_.selected();
     scene_.view()->fit(scene_.view()->scene().cloud().boundsOf({selected.begin(), selected.end()}));
   });
-  on(actions_.let_go, [this] { letGo(); });
+  on(actions_.deselect, [this] { deselect(); });
   for (QAction* action : actions_.recent)
     on(action, [this, action] { giveName(action->data().toString(), {}); });
 }
@@ -180,7 +180,7 @@ void RegionController::beginScan() {
 void RegionController::showSnapshot(const ScanSnapshot& snapshot) {
   selection_.follow(snapshot);
   if (snapshot.operations != nullptr && !std::exchange(knows_history_, true))
-    learnHistory(*snapshot.operations);
+    updateHistory(*snapshot.operations);
 }
 
 void RegionController::finishEditing() {
@@ -190,7 +190,7 @@ void RegionController::finishEditing() {
 void RegionController::point(const RegionPoint& at) { selection_.hover(at.region); }
 
 void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
-  if (cutter_->wantsStroke()) return cutter_->click(at, modifiers);
+  if (cutter_->expectsStroke()) return cutter_->click(at, modifiers);
   cutter_->end();
   last_place_ = QCursor::pos();
   const bool also = modifiers.testFlag(Qt::ControlModifier);
@@ -274,19 +274,20 @@ void RegionController::rememberName(const QString& name) {
 }
 
 void RegionController::connectCutter() {
-  connect(cutter_, &RegionCutter::changed, this, [this] {
+  connect(cutter_, &RegionSplitter::changed, this, [this] {
     updateActions();
     // Beside a pointer that rests, too.
     const QStringList tag = tagOf(selection_.hovered());
     frames_.setTag(tag);
     if (pointer_in_scene_) scene_.overlay()->setTag(*pointer_in_scene_, tag);
   });
-  connect(cutter_, &RegionCutter::regionChosen, this, [this](RegionId region) { selection_.select(region); });
-  connect(cutter_, &RegionCutter::cutWanted, this, [this](const Operation& cut) { perform(cut); });
-  connect(cutter_, &RegionCutter::failed, this, &RegionController::failed);
+  connect(cutter_, &RegionSplitter::regionChosen, this,
+          [this](RegionId region) { selection_.select(region); });
+  connect(cutter_, &RegionSplitter::splitRequested, this, [this](const Operation& cut) { perform(cut); });
+  connect(cutter_, &RegionSplitter::failed, this, &RegionController::failed);
 }
 
-void RegionController::letGo() {
+void RegionController::deselect() {
   if (cutter_->isActive()) {
     if (cutter_->isShown()) history_.undoNewest(this);
     return cutter_->end();
@@ -333,7 +334,7 @@ void RegionController::updateActions() {
                      first != nullptr && first->note.rejected);
   actions_.cut->setEnabled(!selection_.infos().empty());
   if (!cutter_->isActive()) return;
-  actions_.let_go->setEnabled(true);
+  actions_.deselect->setEnabled(true);
   actions_.name->setEnabled(true);  // Return is the cut's
 }
 
@@ -357,14 +358,14 @@ QStringList RegionController::tagOf(RegionId region) {
   const RegionInfo* const info = selection_.info(region);
   if (info == nullptr) return {};
   QStringList lines{selection_.title(region)};
-  QStringList facts;
-  if (!info->category().empty()) facts << QString::fromStdString(info->category());
-  if (const QString size = sizeOf(region); !size.isEmpty()) facts << size;
-  facts << tr("%1 voxels").arg(QLocale().toString(static_cast<qlonglong>(info->voxels)));
-  if (info->note.background) facts << tr("background");
-  if (info->note.rejected) facts << tr("rejected");
-  if (info->object) facts << tr("object");
-  lines << facts.join(QStringLiteral(" · "));
+  QStringList metadata;
+  if (!info->category().empty()) metadata << QString::fromStdString(info->category());
+  if (const QString size = sizeOf(region); !size.isEmpty()) metadata << size;
+  metadata << tr("%1 voxels").arg(QLocale().toString(static_cast<qlonglong>(info->voxels)));
+  if (info->note.background) metadata << tr("background");
+  if (info->note.rejected) metadata << tr("rejected");
+  if (info->object) metadata << tr("object");
+  lines << metadata.join(QStringLiteral(" · "));
   if (const QString next = cutter_->nextInWords(); !next.isEmpty()) lines << next;
   return lines;
 }

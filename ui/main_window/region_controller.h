@@ -10,7 +10,7 @@
 #include "ui/bridge/session_bridge.h"
 #include "ui/common/region_point.h"
 #include "ui/main_window/region_actions.h"
-#include "ui/main_window/region_cutter.h"
+#include "ui/main_window/region_splitter.h"
 #include "ui/models/region_proposals.h"
 #include "ui/models/region_selection.h"
 #include "ui/models/undo_history.h"
@@ -66,7 +66,7 @@ class RegionController : public QObject {
   void nameRegions(const std::vector<RegionId>& regions, const QString& name, const QString& category);
 
   void connectCutter();
-  void letGo();
+  void deselect();
 
   /// One operation on all that is selected, or one for each.
   void doOnAll(OperationKind kind, bool on = true);
@@ -78,7 +78,7 @@ class RegionController : public QObject {
   [[nodiscard]] std::vector<RegionId> backgroundAmong(const std::vector<RegionId>& regions) const;
   void perform(Operation operation);
   /// Operations that a session has from before, so that they can be taken back.
-  void learnHistory(const std::vector<DoneOperation>& operations);
+  void updateHistory(const std::vector<DoneOperation>& operations);
   void edited(const ScanEdit& edit, const std::vector<RegionId>& regions);
   void editFailed(const ScanEdit& edit, const QString& message);
   [[nodiscard]] QString inWords(const Operation& operation) const;
@@ -105,7 +105,7 @@ class RegionController : public QObject {
   RegionActions actions_;
   UndoHistory& history_;
   std::vector<std::shared_ptr<Command>> performed_;  ///< in this scan
-  RegionCutter* cutter_;
+  RegionSplitter* cutter_;
   RegionNameEditor* name_editor_;
   QPointer<QWidget> focus_before_name_;
   QPointer<QMessageBox> question_;

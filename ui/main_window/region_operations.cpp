@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::size_t kVoxelsToPropose = 150;  ///< smaller ones have no look
 
-RegionProposals::Looks looksOf(const std::map<RegionId, std::vector<LookPoint>>& points) {
-  RegionProposals::Looks looks;
-  for (const auto& [region, of_region] : points) looks[region] = lookOf(of_region);
+RegionProposals::Appearances looksOf(const std::map<RegionId, std::vector<AppearancePoint>>& points) {
+  RegionProposals::Appearances looks;
+  for (const auto& [region, of_region] : points) looks[region] = appearanceOf(of_region);
   return looks;
 }
 
@@ -116,7 +116,7 @@ void RegionController::perform(Operation operation) {
   history_.push(this, performed_.back());
 }
 
-void RegionController::learnHistory(const std::vector<DoneOperation>& operations) {
+void RegionController::updateHistory(const std::vector<DoneOperation>& operations) {
   std::vector<UndoHistory::Step> steps;
   std::size_t done = 0;
   for (const DoneOperation& operation : operations) {
@@ -205,14 +205,14 @@ void RegionController::proposeLike(const Operation& naming) {
            (!is_named && (info->note.background || info->note.rejected || !info->note.name.empty()));
   });
   // In a large scan that takes a while, and nobody waits for it.
-  const auto promise = std::make_shared<QPromise<RegionProposals::Looks>>();
+  const auto promise = std::make_shared<QPromise<RegionProposals::Appearances>>();
   promise->start();
   QThreadPool::globalInstance()->start([promise, of_region = std::move(points)] {
     promise->addResult(looksOf(of_region));
     promise->finish();
   });
   const int number = ++proposal_number_;
-  promise->future().then(this, [this, naming, number](const RegionProposals::Looks& looks) {
+  promise->future().then(this, [this, naming, number](const RegionProposals::Appearances& looks) {
     if (number != proposal_number_) return;  // something else was named meanwhile, or another scan begun
     proposals_.propose(naming.regions.front(), QString::fromStdString(naming.name),
                        QString::fromStdString(naming.category), looks);

@@ -95,7 +95,7 @@ void ScanController::start() {
   }
 }
 
-bool ScanController::isUnderWay() const {
+bool ScanController::isRunning() const {
   return bridge_.state() == ScanState::scanning || bridge_.state() == ScanState::paused;
 }
 
@@ -106,11 +106,11 @@ void ScanController::setPaused(bool paused) {
 }
 
 void ScanController::togglePause() {
-  if (isUnderWay()) setPaused(!paused_);
+  if (isRunning()) setPaused(!paused_);
 }
 
 void ScanController::step() {
-  if (!isUnderWay()) return;
+  if (!isRunning()) return;
   setPaused(true);
   bridge_.step();
 }

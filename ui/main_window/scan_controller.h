@@ -49,7 +49,7 @@ class ScanController : public QObject {
   void failed(const QString& message);
 
  private:
-  [[nodiscard]] bool isUnderWay() const;
+  [[nodiscard]] bool isRunning() const;
   void begin();
   void setPaused(bool paused);
 

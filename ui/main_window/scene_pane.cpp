@@ -41,7 +41,7 @@ ScenePane::ScenePane(QWidget* parent)
   row->setContentsMargins(4, 4, 4, 4);
   row->setSpacing(2);
   row->addWidget(view_actions_->makeColoringButton());
-  for (QAction* action : {view_actions_->backgroundAction(), view_actions_->cutAction(),
+  for (QAction* action : {view_actions_->backgroundAction(), view_actions_->clipAction(),
                           view_actions_->measureAction(), follow_, fit_, grid_}) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "ui/theme/icon.h"
-#include "ui/view/cut_tool.h"
+#include "ui/view/clip_tool.h"
 #include "ui/view/measure_tool.h"
 #include "ui/view/scene_view.h"
 
@@ -19,7 +19,7 @@ namespace {
 const QString kColoringKey = QStringLiteral("view/coloring");
 const QString kBackgroundKey = QStringLiteral("view/background");
 
-/// As the settings know them, in the order of Coloring and of BackgroundLook.
+/// As the settings know them, in the order of Coloring and of BackgroundStyle.
 const std::array kColoringWords{"scene", "regions", "blended", "normals", "height"};
 const std::array kBackgroundWords{"shown", "dimmed", "hidden"};
 
@@ -41,30 +41,30 @@ void giveKey(QAction* action, const QKeySequence& key, const QString& help) {
 ViewActions::ViewActions(SceneView* view, QObject* parent)
     : QObject(parent),
       view_(view),
-      cut_(new CutTool(view)),
+      cut_(new ClipTool(view)),
       measure_(new MeasureTool(view)),
       colorings_(new QActionGroup(this)),
       next_coloring_(new QAction(tr("&Next colouring"), this)),
       background_action_(new QAction(icon(QStringLiteral("backdrop")), {}, this)),
-      cut_action_(new QAction(icon(QStringLiteral("cut")), tr("Cut &open"), this)),
+      clip_action_(new QAction(icon(QStringLiteral("cut")), tr("Cut &open"), this)),
       measure_action_(new QAction(icon(QStringLiteral("ruler")), tr("&Measure"), this)) {
   makeColorings();
   makeStandardViews();
   giveKey(background_action_, tr("Shift+B"), tr("Background as all else, dimmed, or hidden"));
   background_action_->setCheckable(true);
   connect(background_action_, &QAction::triggered, this, [this] {
-    lookAtBackground(static_cast<BackgroundLook>((static_cast<int>(background_look_) + 1) %
-                                                 static_cast<int>(kBackgroundWords.size())));
+    setBackgroundStyle(static_cast<BackgroundStyle>((static_cast<int>(background_style_) + 1) %
+                                                    static_cast<int>(kBackgroundWords.size())));
   });
-  cut_action_->setCheckable(true);
-  giveKey(cut_action_, tr("X"), tr("Look inside: leave out what is near"));
-  connect(cut_action_, &QAction::toggled, cut_, &CutTool::setActive);
+  clip_action_->setCheckable(true);
+  giveKey(clip_action_, tr("X"), tr("Look inside: leave out what is near"));
+  connect(clip_action_, &QAction::toggled, cut_, &ClipTool::setActive);
   measure_action_->setCheckable(true);
   giveKey(measure_action_, tr("T"), tr("Measure between two points of the surface"));
   connect(measure_action_, &QAction::toggled, measure_, &MeasureTool::setActive);
   connect(measure_, &MeasureTool::ended, this, [this] { measure_action_->setChecked(false); });
   color(static_cast<Coloring>(remembered(kColoringKey, kColoringWords, 1)));
-  lookAtBackground(static_cast<BackgroundLook>(remembered(kBackgroundKey, kBackgroundWords, 0)));
+  setBackgroundStyle(static_cast<BackgroundStyle>(remembered(kBackgroundKey, kBackgroundWords, 0)));
 }
 
 void ViewActions::makeColorings() {
@@ -98,7 +98,7 @@ void ViewActions::addTo(QMenu* menu) {
   colorings->addSeparator();
   colorings->addAction(next_coloring_);
   menu->addMenu(tr("&Look from"))->addActions(standard_views_);
-  menu->addActions({background_action_, cut_action_, measure_action_});
+  menu->addActions({background_action_, clip_action_, measure_action_});
 }
 
 QToolButton* ViewActions::makeColoringButton() {
@@ -117,7 +117,7 @@ QList<QAction*> ViewActions::coloringActions() const { return colorings_->action
 
 void ViewActions::setBackground(const std::set<RegionId>& regions) {
   background_ = regions;
-  view_->setBackground(background_, background_look_);
+  view_->setBackground(background_, background_style_);
 }
 
 void ViewActions::color(Coloring coloring) {
@@ -128,14 +128,14 @@ void ViewActions::color(Coloring coloring) {
   view_->setColoring(coloring);
 }
 
-void ViewActions::lookAtBackground(BackgroundLook look) {
-  background_look_ = look;
+void ViewActions::setBackgroundStyle(BackgroundStyle style) {
+  background_style_ = style;
   const std::array names{tr("Background: &shown"), tr("Background: &dimmed"), tr("Background: &hidden")};
-  const auto place = static_cast<std::size_t>(look);
+  const auto place = static_cast<std::size_t>(style);
   background_action_->setText(names.at(place));
-  background_action_->setChecked(look != BackgroundLook::as_others);
+  background_action_->setChecked(style != BackgroundStyle::as_others);
   QSettings().setValue(kBackgroundKey, QString::fromLatin1(kBackgroundWords.at(place)));
-  view_->setBackground(background_, look);
+  view_->setBackground(background_, style);
 }
 
 }  // namespace scantrove

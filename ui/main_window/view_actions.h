@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/base/ids.h"
-#include "ui/scene/cloud_look.h"
+#include "ui/scene/cloud_style.h"
 
 class QAction;
 class QActionGroup;
@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace scantrove {
 
-class CutTool;
+class ClipTool;
 class MeasureTool;
 class SceneView;
 
@@ -30,13 +30,13 @@ class ViewActions : public QObject {
 
   /// These regions are background.
   void setBackground(const std::set<RegionId>& regions);
-  [[nodiscard]] BackgroundLook backgroundLook() const { return background_look_; }
+  [[nodiscard]] BackgroundStyle backgroundStyle() const { return background_style_; }
   [[nodiscard]] Coloring coloring() const { return coloring_; }
 
   /// One of each Coloring, in their order.
   [[nodiscard]] QList<QAction*> coloringActions() const;
   [[nodiscard]] QAction* backgroundAction() const { return background_action_; }
-  [[nodiscard]] QAction* cutAction() const { return cut_action_; }
+  [[nodiscard]] QAction* clipAction() const { return clip_action_; }
   [[nodiscard]] QAction* measureAction() const { return measure_action_; }
   [[nodiscard]] MeasureTool* measureTool() const { return measure_; }
 
@@ -44,19 +44,19 @@ class ViewActions : public QObject {
   void makeColorings();
   void makeStandardViews();
   void color(Coloring coloring);
-  void lookAtBackground(BackgroundLook look);
+  void setBackgroundStyle(BackgroundStyle style);
 
   SceneView* view_;
-  CutTool* cut_;
+  ClipTool* cut_;
   MeasureTool* measure_;
   QActionGroup* colorings_;
   QAction* next_coloring_;
   QList<QAction*> standard_views_;
   QAction* background_action_;
-  QAction* cut_action_;
+  QAction* clip_action_;
   QAction* measure_action_;
   std::set<RegionId> background_;
-  BackgroundLook background_look_ = BackgroundLook::as_others;
+  BackgroundStyle background_style_ = BackgroundStyle::as_others;
   Coloring coloring_ = Coloring::regions;
 };
 

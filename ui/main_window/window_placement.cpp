@@ -7,10 +7,10 @@
 
 namespace scantrove {
 
-QRect fittedTo(const QRect& wanted, const QRect& room) {
-  const QSize size = wanted.size().boundedTo(room.size());
-  const int x = std::clamp(wanted.x(), room.x(), room.x() + room.width() - size.width());
-  const int y = std::clamp(wanted.y(), room.y(), room.y() + room.height() - size.height());
+QRect fittedTo(const QRect& requested, const QRect& room) {
+  const QSize size = requested.size().boundedTo(room.size());
+  const int x = std::clamp(requested.x(), room.x(), room.x() + room.width() - size.width());
+  const int y = std::clamp(requested.y(), room.y(), room.y() + room.height() - size.height());
   return {QPoint(x, y), size};
 }
 

@@ -84,7 +84,7 @@ std::vector<ObjectRecord> CatalogueEditor::objects() {
   return isOpen() ? valueOr(database_->objects(), {}) : std::vector<ObjectRecord>();
 }
 
-Result<std::optional<ObjectRecord>> CatalogueEditor::holderOf(ObjectId object) {
+Result<std::optional<ObjectRecord>> CatalogueEditor::mergeRootOf(ObjectId object) {
   std::optional<ObjectRecord> record;
   if (!isOpen()) return record;
   const Result<ObjectId> holder = database_->resolve(object);
@@ -94,7 +94,7 @@ Result<std::optional<ObjectRecord>> CatalogueEditor::holderOf(ObjectId object) {
 }
 
 Result<std::optional<ObjectRecord>> CatalogueEditor::object(ObjectId object) {
-  Result<std::optional<ObjectRecord>> record = holderOf(object);
+  Result<std::optional<ObjectRecord>> record = mergeRootOf(object);
   if (record && *record && (*record)->id != object) record->reset();
   return record;
 }
@@ -140,7 +140,7 @@ bool CatalogueEditor::perform(const QString& text, const Action& action, const A
 }
 
 bool CatalogueEditor::rename(ObjectId object, const QString& name) {
-  const Result<std::optional<ObjectRecord>> before = holderOf(object);
+  const Result<std::optional<ObjectRecord>> before = mergeRootOf(object);
   if (!before) {
     announce(before.error());
     return false;

@@ -66,7 +66,7 @@ class CatalogueEditor : public QObject {
   bool perform(const QString& text, const Action& action, const Action& inverse);
   /// False when it failed, which was announced.
   bool run(const Action& action);
-  [[nodiscard]] Result<std::optional<ObjectRecord>> holderOf(ObjectId object);
+  [[nodiscard]] Result<std::optional<ObjectRecord>> mergeRootOf(ObjectId object);
   template <class T>
   T valueOr(Result<T> result, T fallback);
 

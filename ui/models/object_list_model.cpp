@@ -25,7 +25,7 @@ std::vector<ObjectId> objectsOf(const CatalogueChange& change) {
 }
 
 QString sizeText(const ObjectRecord& record) {
-  const auto cm = [](float metres) { return QString::number(std::lround(100 * metres)); };
+  const auto cm = [](float meters) { return QString::number(std::lround(100 * meters)); };
   return ObjectListModel::tr("%1×%2×%3 cm")
       .arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
 }
@@ -77,8 +77,8 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
       return sizeText(record);
     case InViewRole:
       return in_view_.contains(record.id);
-    case RecognisedRole:
-      return isRecognised(record.id);
+    case RecognizedRole:
+      return isRecognized(record.id);
     case AddedNowRole:
       return added_.contains(record.id);
     case SeenSidesRole: {
@@ -172,12 +172,12 @@ void ObjectListModel::take(ObjectId object) {
 
 void ObjectListModel::beginScan() {
   added_.clear();
-  recognised_.clear();
+  recognized_.clear();
   in_view_.clear();
   seen_sides_.clear();
   if (!rows_.empty()) {
     emit dataChanged(index(0), index(rowCount() - 1),
-                     {InViewRole, RecognisedRole, AddedNowRole, SeenSidesRole});
+                     {InViewRole, RecognizedRole, AddedNowRole, SeenSidesRole});
   }
 }
 
@@ -186,9 +186,9 @@ void ObjectListModel::markAdded(ObjectId object) {
   emitRow(object, {AddedNowRole});
 }
 
-void ObjectListModel::markRecognised(ObjectId object) {
-  recognised_.insert(object);
-  emitRow(object, {RecognisedRole});
+void ObjectListModel::markRecognized(ObjectId object) {
+  recognized_.insert(object);
+  emitRow(object, {RecognizedRole});
 }
 
 void ObjectListModel::setInView(const std::vector<SeenObject>& seen) {
@@ -221,7 +221,7 @@ ObjectId ObjectListModel::objectAt(const QModelIndex& index) const {
 
 ObjectListModel::Rows::const_iterator ObjectListModel::placeOf(ObjectId object) const {
   return std::lower_bound(rows_.begin(), rows_.end(), object,
-                          [](const ObjectRecord& row, ObjectId wanted) { return row.id < wanted; });
+                          [](const ObjectRecord& row, ObjectId requested) { return row.id < requested; });
 }
 
 QModelIndex ObjectListModel::indexOf(ObjectId object) const {

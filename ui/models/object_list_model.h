@@ -25,7 +25,7 @@ class ObjectListModel : public QAbstractListModel {
     ViewCountRole,
     SizeTextRole,    ///< "12×9×8 cm"
     InViewRole,      ///< seen in the frame shown now
-    RecognisedRole,  ///< known before this scan and met in it
+    RecognizedRole,  ///< known before this scan and met in it
     AddedNowRole,    ///< added by this scan
     SeenSidesRole,   ///< SeenSides, in this scan; invalid: it is not in it
   };
@@ -37,7 +37,7 @@ class ObjectListModel : public QAbstractListModel {
 
   void beginScan();
   void markAdded(ObjectId object);
-  void markRecognised(ObjectId object);
+  void markRecognized(ObjectId object);
   void setInView(const std::vector<SeenObject>& seen);
   /// Of the objects that this scan has.
   void setSeenSides(std::map<ObjectId, SeenSides> sides);
@@ -46,7 +46,7 @@ class ObjectListModel : public QAbstractListModel {
   [[nodiscard]] QModelIndex indexOf(ObjectId object) const;
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
   /// Known before this scan and met in it.
-  [[nodiscard]] bool isRecognised(ObjectId object) const { return recognised_.contains(object); }
+  [[nodiscard]] bool isRecognized(ObjectId object) const { return recognized_.contains(object); }
   /// How many rows after that one this scan has added.
   [[nodiscard]] int addedAfter(ObjectId object) const;
   [[nodiscard]] int confirmedCount() const { return confirmed_count_; }
@@ -75,7 +75,7 @@ class ObjectListModel : public QAbstractListModel {
   mutable QCache<std::uint32_t, QImage> pictures_;  ///< cost in bytes
   std::set<ObjectId> in_view_;
   std::set<ObjectId> added_;
-  std::set<ObjectId> recognised_;
+  std::set<ObjectId> recognized_;
   std::map<ObjectId, SeenSides> seen_sides_;
 };
 

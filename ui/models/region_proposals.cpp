@@ -10,21 +10,21 @@ namespace scantrove {
 namespace {
 
 constexpr float kLikeEnough = 0.45F;
-constexpr std::size_t kMostProposals = 12;
-constexpr std::size_t kMostRejections = 200;
-constexpr float kSameLook = 0.75F;
+constexpr std::size_t kMaxProposals = 12;
+constexpr std::size_t kMaxRejections = 200;
+constexpr float kSameAppearance = 0.75F;
 constexpr float kClearlyMore = 0.03F;
 const QString kRejectionsKey = QStringLiteral("proposals/rejected");
 
-QByteArray bytesOf(const RegionLook& look) {
+QByteArray bytesOf(const RegionAppearance& look) {
   QByteArray bytes(reinterpret_cast<const char*>(look.size_m.data()), 3 * sizeof(float));
   const ColorHistogram::Shares colors = look.colors.shares();
   bytes.append(reinterpret_cast<const char*>(colors.data()), sizeof(colors));
   return bytes;
 }
 
-std::optional<RegionLook> lookOf(const QByteArray& bytes) {
-  RegionLook look;
+std::optional<RegionAppearance> appearanceOf(const QByteArray& bytes) {
+  RegionAppearance look;
   ColorHistogram::Shares colors{};
   constexpr std::size_t kOfSize = 3 * sizeof(float);
   if (static_cast<std::size_t>(bytes.size()) != kOfSize + sizeof(colors)) return std::nullopt;
@@ -39,36 +39,36 @@ std::optional<RegionLook> lookOf(const QByteArray& bytes) {
 RegionProposals::RegionProposals(QObject* parent) : QObject(parent) { load(); }
 
 void RegionProposals::propose(RegionId named, const QString& name, const QString& category,
-                              const Looks& looks) {
+                              const Appearances& looks) {
   const auto model = looks.find(named);
   open_.clear();
-  looks_.clear();
+  observations_.clear();
   if (model != looks.end() && !name.isEmpty()) {
     for (const auto& [region, look] : looks) {
       const float alike = likeness(model->second, look);
       if (region == named || alike < kLikeEnough || isRejected(name, region, look, alike)) continue;
       open_.push_back({region, name, category, alike, look.size_m});
-      looks_[region] = look;
+      observations_[region] = look;
     }
   }
   std::ranges::stable_sort(open_, std::ranges::greater{}, &Proposal::likeness);
-  if (open_.size() > kMostProposals) open_.resize(kMostProposals);
+  if (open_.size() > kMaxProposals) open_.resize(kMaxProposals);
   emit changed();
 }
 
-bool RegionProposals::isRejected(const QString& name, RegionId region, const RegionLook& look,
+bool RegionProposals::isRejected(const QString& name, RegionId region, const RegionAppearance& look,
                                  float likeness_to_named) const {
   if (rejected_.contains({region, name})) return true;
   return std::ranges::any_of(rejections_, [&](const Rejection& rejection) {
     if (rejection.name != name) return false;
     const float alike = likeness(rejection.look, look);
-    return alike > kSameLook && alike > likeness_to_named + kClearlyMore;
+    return alike > kSameAppearance && alike > likeness_to_named + kClearlyMore;
   });
 }
 
 void RegionProposals::withdraw() {
   open_.clear();
-  looks_.clear();
+  observations_.clear();
   emit changed();
 }
 
@@ -95,8 +95,8 @@ void RegionProposals::rejectFirst() {
   if (open_.empty()) return;
   const Proposal first = open_.front();
   rejected_.insert({first.region, first.name});
-  rejections_.push_back({first.name, looks_[first.region]});
-  if (rejections_.size() > kMostRejections) rejections_.erase(rejections_.begin());
+  rejections_.push_back({first.name, observations_[first.region]});
+  if (rejections_.size() > kMaxRejections) rejections_.erase(rejections_.begin());
   save();
   open_.erase(open_.begin());
   emit changed();
@@ -111,7 +111,8 @@ void RegionProposals::load() {
   for (const QVariant& entry : QSettings().value(kRejectionsKey).toList()) {
     const QVariantList pair = entry.toList();
     if (pair.size() != 2) continue;
-    if (const auto look = lookOf(pair[1].toByteArray())) rejections_.push_back({pair[0].toString(), *look});
+    if (const auto look = appearanceOf(pair[1].toByteArray()))
+      rejections_.push_back({pair[0].toString(), *look});
   }
 }
 

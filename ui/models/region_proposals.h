@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/discovery/region_look.h"
+#include "core/discovery/region_appearance.h"
 
 namespace scantrove {
 
@@ -26,12 +26,12 @@ class RegionProposals : public QObject {
   Q_OBJECT
 
  public:
-  using Looks = std::map<RegionId, RegionLook>;
+  using Appearances = std::map<RegionId, RegionAppearance>;
 
   explicit RegionProposals(QObject* parent = nullptr);
 
   /// `named` got a name; `looks`: of all that may get it too, and of `named`.
-  void propose(RegionId named, const QString& name, const QString& category, const Looks& looks);
+  void propose(RegionId named, const QString& name, const QString& category, const Appearances& looks);
   /// Nothing is asked any more; what was rejected stays rejected.
   void withdraw();
   /// Another scan begins: withdraws, and forgets what was rejected for regions of this one.
@@ -52,15 +52,15 @@ class RegionProposals : public QObject {
  private:
   struct Rejection {
     QString name;
-    RegionLook look;
+    RegionAppearance look;
   };
-  [[nodiscard]] bool isRejected(const QString& name, RegionId region, const RegionLook& look,
+  [[nodiscard]] bool isRejected(const QString& name, RegionId region, const RegionAppearance& look,
                                 float likeness_to_named) const;
   void load();
   void save() const;
 
   std::vector<Proposal> open_;
-  Looks looks_;                                      // of open_
+  Appearances observations_;                         // of open_
   std::set<std::pair<RegionId, QString>> rejected_;  // in this scan
   std::vector<Rejection> rejections_;                // for ever, oldest first
 };

@@ -60,9 +60,9 @@ void RegionSelection::hover(RegionId region) {
 }
 
 void RegionSelection::select(RegionId region, bool also) {
-  std::vector<RegionId> wanted = also ? selected_ : std::vector<RegionId>{};
-  if (region && std::erase(wanted, region) == 0) wanted.push_back(region);
-  select(wanted);
+  std::vector<RegionId> requested = also ? selected_ : std::vector<RegionId>{};
+  if (region && std::erase(requested, region) == 0) requested.push_back(region);
+  select(requested);
 }
 
 void RegionSelection::select(const std::vector<RegionId>& regions) {

@@ -10,7 +10,7 @@ namespace scantrove {
 namespace {
 
 const QColor kFound(255, 255, 255);
-const QColor kRecognised(0, 255, 255);
+const QColor kRecognized(0, 255, 255);
 const QColor kSelected(255, 208, 0);
 constexpr double kGhostOpacity = 0.55;
 
@@ -86,8 +86,8 @@ QString ColorPanel::nameOf(const SeenObject& object) const {
 
 bool ColorPanel::isSelected(const SeenObject& object) const { return selected_.contains(object.object); }
 
-bool ColorPanel::isRecognised(const SeenObject& object) const {
-  return object.recognised || (is_recognised_ && is_recognised_(object.object));
+bool ColorPanel::isRecognized(const SeenObject& object) const {
+  return object.recognized || (is_recognized_ && is_recognized_(object.object));
 }
 
 void ColorPanel::paintGhost(QPainter& painter, const QRectF& rect) const {
@@ -133,7 +133,7 @@ void ColorPanel::paintOverlay(QPainter& painter, const QRectF& rect) {
       placeLabels(requests, rect.adjusted(0, 0, 0, -chipSize(painter, title()).height() - 8));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const SeenObject& object = *named[i];
-    const QColor color = isSelected(object) ? kSelected : (isRecognised(object) ? kRecognised : kFound);
+    const QColor color = isSelected(object) ? kSelected : (isRecognized(object) ? kRecognized : kFound);
     paintChip(painter, places[i].topLeft(), names[i], color);
   }
 }

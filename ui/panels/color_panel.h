@@ -22,8 +22,8 @@ class ColorPanel : public ImagePanel {
   void setNameOf(NameOf name_of) { name_of_ = std::move(name_of); }
   /// Whether the scan knew it from the catalogue, also where a frame does not say so: of a scan that has
   /// ended.
-  using IsRecognised = std::function<bool(ObjectId)>;
-  void setIsRecognised(IsRecognised is_recognised) { is_recognised_ = std::move(is_recognised); }
+  using IsRecognized = std::function<bool(ObjectId)>;
+  void setIsRecognized(IsRecognized is_recognized) { is_recognized_ = std::move(is_recognized); }
 
   void setFrame(const QImage& picture, const std::vector<SeenObject>& objects);
   /// While the camera is lost: a view that it would be found by, drawn over the picture like a ghost; null:
@@ -41,7 +41,7 @@ class ColorPanel : public ImagePanel {
  private:
   [[nodiscard]] QString nameOf(const SeenObject& object) const;
   [[nodiscard]] bool isSelected(const SeenObject& object) const;
-  [[nodiscard]] bool isRecognised(const SeenObject& object) const;
+  [[nodiscard]] bool isRecognized(const SeenObject& object) const;
   void sortObjects();
   void paintGhost(QPainter& painter, const QRectF& rect) const;
 
@@ -49,7 +49,7 @@ class ColorPanel : public ImagePanel {
   std::set<ObjectId> selected_;
   QImage ghost_;
   NameOf name_of_;
-  IsRecognised is_recognised_;
+  IsRecognized is_recognized_;
 };
 
 }  // namespace scantrove

@@ -68,7 +68,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
       all_frames_(new QCheckBox(tr("All frames that were &kept, not only key frames"))),
       background_(new QCheckBox(tr("Also &background and what was rejected"))),
       sample_(new ExportSampleView),
-      said_(new QLabel),
+      message_(new QLabel),
       bar_(new QProgressBar),
       export_(new QPushButton(tr("&Export"))),
       cancel_(new QPushButton(tr("Close"))),
@@ -82,8 +82,8 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   about_->setWordWrap(true);
   about_->setProperty("muted", true);
   folder_->setAccessibleName(tr("Folder"));
-  said_->setWordWrap(true);
-  said_->setObjectName(QStringLiteral("exportSaid"));
+  message_->setWordWrap(true);
+  message_->setObjectName(QStringLiteral("exportSaid"));
   bar_->setVisible(false);
   show_folder_->setVisible(false);
   export_->setDefault(true);
@@ -122,7 +122,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   column->setContentsMargins(16, 16, 16, 14);
   column->setSpacing(12);
   column->addWidget(scroll_, 1);
-  column->addWidget(said_);
+  column->addWidget(message_);
   column->addWidget(bar_);
   column->addLayout(buttons);
 
@@ -130,11 +130,11 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   ask_.setInterval(kAskAfter_ms);
   connect(&ask_, &QTimer::timeout, this, [this] {
     if (is_working_) return;
-    emit previewWanted(options());
-    emit sampleWanted(options(), sample_->place());
+    emit previewRequested(options());
+    emit sampleRequested(options(), sample_->place());
   });
-  connect(sample_, &ExportSampleView::placeWanted, this, [this](int place) {
-    if (!is_working_) emit sampleWanted(options(), place);
+  connect(sample_, &ExportSampleView::rowRequested, this, [this](int place) {
+    if (!is_working_) emit sampleRequested(options(), place);
   });
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
   connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
@@ -175,7 +175,7 @@ QString ExportDialog::proposedFolder() const {
 
 void ExportDialog::setFolder(const QString& folder) { folder_->setText(folder); }
 
-QString ExportDialog::said() const { return said_->text(); }
+QString ExportDialog::said() const { return message_->text(); }
 
 void ExportDialog::choose() {
   const QString parent =
@@ -195,13 +195,14 @@ void ExportDialog::askSoon() { ask_.start(); }
 
 void ExportDialog::showPreview(const ExportPreview& preview) {
   if (is_working_ || !done_folder_.isEmpty()) return;
-  said_->setText(preview.regions == 0
-                     ? tr("No region has a name or is an object yet, so there is nothing to export but the "
-                          "background. Name some first.")
-                     : tr("%1 images, %2 objects, about %3 MB")
-                           .arg(preview.images)
-                           .arg(preview.regions)
-                           .arg(std::max(1L, std::lround(preview.megabytes))));
+  message_->setText(
+      preview.regions == 0
+          ? tr("No region has a name or is an object yet, so there is nothing to export but the "
+               "background. Name some first.")
+          : tr("%1 images, %2 objects, about %3 MB")
+                .arg(preview.images)
+                .arg(preview.regions)
+                .arg(std::max(1L, std::lround(preview.megabytes))));
 }
 
 void ExportDialog::showSample(const ExportSample& sample) {
@@ -213,14 +214,14 @@ void ExportDialog::begin() {
   QSettings().setValue(kFormatKey, format_->currentIndex());
   QDir().mkpath(QFileInfo(folder_->text()).path());
   setWorking(true);
-  said_->setText(tr("Working…"));
-  emit exportWanted(options());
+  message_->setText(tr("Working…"));
+  emit exportRequested(options());
 }
 
 void ExportDialog::showProgress(const ExportProgress& progress) {
   bar_->setMaximum(std::max(1, progress.total));
   bar_->setValue(progress.done);
-  said_->setText(QString::fromStdString(progress.what));
+  message_->setText(QString::fromStdString(progress.what));
 }
 
 void ExportDialog::showDone(const ExportSummary& summary) {
@@ -237,13 +238,13 @@ void ExportDialog::showDone(const ExportSummary& summary) {
     text += tr("\n%1 frames were left out: %2")
                 .arg(summary.skipped.size())
                 .arg(QString::fromStdString(summary.skipped.front()));
-  said_->setText(text);
+  message_->setText(text);
   show_folder_->setVisible(true);
 }
 
 void ExportDialog::showFailure(const QString& message) {
   setWorking(false);
-  said_->setText(message);
+  message_->setText(message);
 }
 
 void ExportDialog::setWorking(bool working) {
@@ -259,7 +260,7 @@ void ExportDialog::setWorking(bool working) {
 
 void ExportDialog::reject() {
   if (is_working_) {
-    emit cancelWanted();
+    emit cancelRequested();
     return;
   }
   QDialog::reject();

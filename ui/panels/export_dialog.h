@@ -45,10 +45,10 @@ class ExportDialog : public QDialog {
   void begin();
 
  signals:
-  void previewWanted(const scantrove::ExportOptions& options);
-  void sampleWanted(const scantrove::ExportOptions& options, std::optional<int> place);
-  void exportWanted(const scantrove::ExportOptions& options);
-  void cancelWanted();
+  void previewRequested(const scantrove::ExportOptions& options);
+  void sampleRequested(const scantrove::ExportOptions& options, std::optional<int> place);
+  void exportRequested(const scantrove::ExportOptions& options);
+  void cancelRequested();
 
  public:
   void reject() override;
@@ -69,7 +69,7 @@ class ExportDialog : public QDialog {
   QCheckBox* all_frames_;
   QCheckBox* background_;
   ExportSampleView* sample_;
-  QLabel* said_;
+  QLabel* message_;
   QProgressBar* bar_;
   QPushButton* export_;
   QPushButton* cancel_;

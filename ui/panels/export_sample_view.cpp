@@ -78,11 +78,11 @@ bool ExportSampleView::hasPicture() const { return !picture_->pixmap().isNull();
 
 void ExportSampleView::step(int by) {
   if (!place_ || !isEnabled()) return;
-  const int wanted = std::clamp(*place_ + by, 0, count_ - 1);
-  if (wanted == *place_) return;
-  place_ = wanted;  // several quick steps add up
+  const int requested = std::clamp(*place_ + by, 0, count_ - 1);
+  if (requested == *place_) return;
+  place_ = requested;  // several quick steps add up
   updateButtons();
-  emit placeWanted(wanted);
+  emit rowRequested(requested);
 }
 
 void ExportSampleView::updateButtons() {

@@ -24,7 +24,7 @@ class ExportSampleView : public QWidget {
   [[nodiscard]] bool hasPicture() const;
 
  signals:
-  void placeWanted(int place);
+  void rowRequested(int place);
 
  private:
   void step(int by);

@@ -67,9 +67,10 @@ void FramePanels::connectPointing(ImagePanel* panel) {
   connect(panel, &ImagePanel::doubleClicked, this, [this, panel, at](const QPointF& fraction) {
     emit doubleClicked(at(fraction), panel->mapToGlobal(panel->placeOf(fraction).toPoint()));
   });
-  connect(panel, &ImagePanel::menuWanted, this, [this, at](const QPointF& fraction, const QPoint& on_screen) {
-    emit menuWanted(at(fraction), on_screen);
-  });
+  connect(panel, &ImagePanel::menuRequested, this,
+          [this, at](const QPointF& fraction, const QPoint& on_screen) {
+            emit menuRequested(at(fraction), on_screen);
+          });
   connect(panel, &ImagePanel::strokeAt, this,
           [this, at](const QPointF& fraction) { emit strokeAt(at(fraction)); });
   connect(panel, &ImagePanel::strokeEnded, this, &FramePanels::strokeEnded);

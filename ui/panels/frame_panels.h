@@ -53,7 +53,7 @@ class FramePanels : public QWidget {
   void pointerLeft();
   void clicked(const scantrove::RegionPoint& point, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const scantrove::RegionPoint& point, const QPoint& on_screen);
-  void menuWanted(const scantrove::RegionPoint& point, const QPoint& on_screen);
+  void menuRequested(const scantrove::RegionPoint& point, const QPoint& on_screen);
   void strokeAt(const scantrove::RegionPoint& point);
   void strokeEnded(Qt::KeyboardModifiers modifiers);
   void bandDrawn(const std::vector<scantrove::RegionId>& regions, Qt::KeyboardModifiers modifiers);

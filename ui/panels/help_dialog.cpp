@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-constexpr double kMostOfScreen = 0.9;  ///< of its height
+constexpr double kMaxOfScreen = 0.9;  ///< of its height
 
 }  // namespace
 
@@ -101,7 +101,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   const int bar = scroll->verticalScrollBar()->sizeHint().width();
   scroll->setMinimumWidth(keys_and_meanings->sizeHint().width() + bar);
   const QSize others = sizeHint() - scroll->sizeHint();
-  const int most = static_cast<int>(kMostOfScreen * screen()->availableSize().height());
+  const int most = static_cast<int>(kMaxOfScreen * screen()->availableSize().height());
   resize(sizeHint().width(), std::min(keys_and_meanings->sizeHint().height() + others.height() + 2, most));
 }
 

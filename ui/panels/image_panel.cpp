@@ -259,7 +259,7 @@ void ImagePanel::mouseDoubleClickEvent(QMouseEvent* event) {
 void ImagePanel::contextMenuEvent(QContextMenuEvent* event) {
   const bool by_key = event->reason() == QContextMenuEvent::Keyboard;
   const QPointF place = by_key ? QPointF(rect().center()) : QPointF(event->pos());
-  if (const auto fraction = fractionAt(place)) emit menuWanted(*fraction, mapToGlobal(place.toPoint()));
+  if (const auto fraction = fractionAt(place)) emit menuRequested(*fraction, mapToGlobal(place.toPoint()));
 }
 
 void ImagePanel::leaveEvent(QEvent* /*event*/) {

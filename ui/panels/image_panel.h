@@ -55,7 +55,7 @@ class ImagePanel : public QWidget {
   void pointerLeft();
   void clicked(const QPointF& fraction, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const QPointF& fraction);
-  void menuWanted(const QPointF& fraction, const QPoint& on_screen);
+  void menuRequested(const QPointF& fraction, const QPoint& on_screen);
   void bandDrawn(const QRectF& fractions, Qt::KeyboardModifiers modifiers);
   void strokeAt(const QPointF& fraction);
   void strokeEnded(Qt::KeyboardModifiers modifiers);

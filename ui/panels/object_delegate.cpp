@@ -13,7 +13,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kRowHeight = 70;
-constexpr int kLeastWidth = 120;
+constexpr int kMinWidth = 120;
 constexpr int kPicture = 54;
 constexpr int kPadding = 8;
 constexpr int kConfirmedWidth = 26;  ///< of the tick beside the name
@@ -76,8 +76,8 @@ void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem
   QFont tag_font = option.font;
   tag_font.setPointSizeF(option.font.pointSizeF() * 0.78);
   tag_font.setWeight(QFont::DemiBold);
-  const bool recognised = index.data(ObjectListModel::RecognisedRole).toBool();
-  const bool tagged = recognised || index.data(ObjectListModel::AddedNowRole).toBool();
+  const bool recognized = index.data(ObjectListModel::RecognizedRole).toBool();
+  const bool tagged = recognized || index.data(ObjectListModel::AddedNowRole).toBool();
   const int tag_height = tagged ? QFontMetrics(tag_font).height() + 4 : 0;
   const int all = QFontMetrics(bold).height() + kLineGap + QFontMetrics(small).height() + tag_height;
 
@@ -91,15 +91,15 @@ void paintTexts(QPainter* painter, const QRect& room, const QStyleOptionViewItem
   rest.setTop(paintLine(painter, rest, small, details).bottom() + 3);
   if (tagged) {
     paintTag(painter, rest.topLeft(), tag_font,
-             recognised ? ObjectDelegate::tr("known") : ObjectDelegate::tr("new"),
-             recognised ? colors.info : colors.warning);
+             recognized ? ObjectDelegate::tr("known") : ObjectDelegate::tr("new"),
+             recognized ? colors.info : colors.warning);
   }
 }
 
 }  // namespace
 
 QSize ObjectDelegate::sizeHint(const QStyleOptionViewItem& /*option*/, const QModelIndex& /*index*/) const {
-  return {kLeastWidth, kRowHeight};
+  return {kMinWidth, kRowHeight};
 }
 
 void ObjectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

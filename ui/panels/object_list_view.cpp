@@ -12,7 +12,7 @@
 
 namespace scantrove {
 namespace {
-constexpr int kLeastHeight_px = 60;
+constexpr int kMinHeight_px = 60;
 }
 
 ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, QWidget* parent)
@@ -24,7 +24,7 @@ ObjectListView::ObjectListView(CatalogueEditor& editor, ObjectListModel& model, 
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setUniformItemSizes(true);
-  setMinimumHeight(kLeastHeight_px);
+  setMinimumHeight(kMinHeight_px);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMouseTracking(true);
   setAccessibleName(tr("Objects"));

@@ -50,10 +50,10 @@ void RegionNameEditor::begin(const QPoint& on_screen, const QString& text, const
   field_->setText(text);
   field_->selectAll();
   adjustSize();
-  const QPoint wanted = parentWidget()->mapFromGlobal(on_screen) + QPoint(12, 10);
+  const QPoint requested = parentWidget()->mapFromGlobal(on_screen) + QPoint(12, 10);
   const QSize room = parentWidget()->size();
-  move(std::clamp(wanted.x(), 0, std::max(0, room.width() - width())),
-       std::clamp(wanted.y(), 0, std::max(0, room.height() - height())));
+  move(std::clamp(requested.x(), 0, std::max(0, room.width() - width())),
+       std::clamp(requested.y(), 0, std::max(0, room.height() - height())));
   show();
   raise();
   field_->setFocus(Qt::OtherFocusReason);

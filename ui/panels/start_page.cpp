@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/panels/kept_scans.h"
+#include "ui/panels/saved_scans_panel.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/theme.h"
 
@@ -113,18 +113,18 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     return card;
   };
   connect(add(0, 0, "folder", tr("Open a folder…"), tr("7-Scenes, TUM, numbered images")),
-          &QToolButton::clicked, this, &StartPage::folderWanted);
+          &QToolButton::clicked, this, &StartPage::folderRequested);
   connect(add(0, 1, "recording", tr("Open a recording…"), tr("An OpenNI file (.oni)")), &QToolButton::clicked,
-          this, &StartPage::recordingWanted);
+          this, &StartPage::recordingRequested);
   connect(add(1, 0, "camera", tr("Camera…"), tr("A depth camera on this computer")), &QToolButton::clicked,
-          this, &StartPage::cameraWanted);
+          this, &StartPage::cameraRequested);
   connect(add(1, 1, "table", tr("Demo: tabletop"), tr("A built-in scene; nothing needed")),
           &QToolButton::clicked, this, [this] { emit sourceChosen(QStringLiteral("demo")); });
   cards->setColumnStretch(0, 1);
   cards->setColumnStretch(1, 1);
   layout->addLayout(cards);
 
-  kept_ = new KeptScans;
+  kept_ = new SavedScansPanel;
   layout->addWidget(kept_);
   recent_box_ = new QWidget;
   auto* recent_column = new QVBoxLayout(recent_box_);
@@ -147,11 +147,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   layout->addStretch(3);
 
   auto* page = new QWidget;
-  auto* centred = new QHBoxLayout(page);
-  centred->setContentsMargins(0, 0, 0, 0);
-  centred->addStretch(1);
-  centred->addWidget(column, 100);
-  centred->addStretch(1);
+  auto* centered = new QHBoxLayout(page);
+  centered->setContentsMargins(0, 0, 0, 0);
+  centered->addStretch(1);
+  centered->addWidget(column, 100);
+  centered->addStretch(1);
   auto* scroll = new QScrollArea;  // a small window stays small
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidgetResizable(true);

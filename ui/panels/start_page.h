@@ -6,7 +6,7 @@ class QVBoxLayout;
 
 namespace scantrove {
 
-class KeptScans;
+class SavedScansPanel;
 
 /// What the window shows before anything is open: what this is, and the ways to begin.
 class StartPage : public QWidget {
@@ -15,16 +15,16 @@ class StartPage : public QWidget {
  public:
   explicit StartPage(QWidget* parent = nullptr);
   void setRecent(const QStringList& sources);
-  [[nodiscard]] KeptScans* keptScans() const { return kept_; }
+  [[nodiscard]] SavedScansPanel* savedScans() const { return kept_; }
 
  signals:
-  void folderWanted();
-  void recordingWanted();
-  void cameraWanted();
+  void folderRequested();
+  void recordingRequested();
+  void cameraRequested();
   void sourceChosen(const QString& source);
 
  private:
-  KeptScans* kept_;
+  SavedScansPanel* kept_;
   QVBoxLayout* recent_;
   QWidget* recent_box_;
 };

@@ -23,7 +23,7 @@ QString trackingInWords(TrackingState state) {
       return StatusStrip::tr("Uncertain");
     case TrackingState::lost:
       return StatusStrip::tr("Lost: point it at something it has seen");
-    case TrackingState::relocalised:
+    case TrackingState::relocalized:
       return StatusStrip::tr("Found again");
   }
   return {};
@@ -135,8 +135,8 @@ void StatusStrip::clearSpeed() {
 }
 
 QString StatusStrip::stateText() const {
-  const bool under_way = state_ == ScanState::starting || state_ == ScanState::scanning;
-  if (under_way && is_preparing_) return tr("Preparing the processor (once)");
+  const bool is_running = state_ == ScanState::starting || state_ == ScanState::scanning;
+  if (is_running && is_preparing_) return tr("Preparing the processor (once)");
   if (state_ == ScanState::scanning && has_pose_) return trackingInWords(tracking_);
   if (state_ == ScanState::refining && !refinement_.isEmpty()) return refinement_;
   return stateInWords(state_);

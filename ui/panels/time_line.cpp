@@ -25,7 +25,7 @@ TimeLine::TimeLine(QWidget* parent)
   slider_->setPageStep(1);
   connect(slider_, &QSlider::valueChanged, this, [this](int place) {
     showText(place);
-    emit wanted(place);
+    emit requested(place);
   });
   hide();
 }

@@ -26,7 +26,7 @@ class TimeLine : public QWidget {
   void step(int places);
 
  signals:
-  void wanted(int place);  ///< of ScanSnapshot::key_frames
+  void requested(int place);  ///< of ScanSnapshot::key_frames
 
  private:
   void showText(int place);

@@ -11,18 +11,18 @@
 namespace scantrove {
 namespace {
 constexpr int kPictureGap = 6;
-constexpr int kMostHeight = 84, kLeastHeight = 40;  ///< of the pictures: less where the window is low
+constexpr int kMaxHeight = 84, kMinHeight = 40;  ///< of the pictures: less where the window is low
 constexpr int kMargin = 2;
 constexpr int kKeyStep = 90;
 
 int widthOf(const QImage& picture, int height) {
-  return std::clamp(picture.width() * height / std::max(1, picture.height()), kLeastHeight, 160);
+  return std::clamp(picture.width() * height / std::max(1, picture.height()), kMinHeight, 160);
 }
 }  // namespace
 
 ViewsStrip::ViewsStrip(QWidget* parent) : QWidget(parent) {
-  setMinimumHeight(kLeastHeight + 2 * kMargin);
-  setMaximumHeight(kMostHeight + 2 * kMargin);
+  setMinimumHeight(kMinHeight + 2 * kMargin);
+  setMaximumHeight(kMaxHeight + 2 * kMargin);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Views of the selected object"));
   setToolTip(tr("Views of the selected object, newest first. Scroll with the wheel or the arrow keys."));

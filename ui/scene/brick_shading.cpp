@@ -26,7 +26,7 @@ constexpr int kAlikeHeight = 12;
 constexpr int kAlikeColor = 10;          ///< of 255
 constexpr std::size_t kOneInSoMany = 8;  ///< points may be unlike what is shown
 
-Eigen::Vector3f cellCentre(std::size_t cell) {
+Eigen::Vector3f cellCenter(std::size_t cell) {
   return {(cell & 1U) != 0 ? 0.75F : 0.25F, (cell & 2U) != 0 ? 0.75F : 0.25F,
           (cell & 4U) != 0 ? 0.75F : 0.25F};
 }
@@ -52,7 +52,7 @@ struct Moments {
 };
 
 /// The normal of a cell at (x, y, z) counted in cells from the middle brick's corner, -2 <= x < 4.
-Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
+Eigen::Vector3f normalAt(const Neighborhood& bricks, int x, int y, int z) {
   const auto brick_of = [](int cell) { return static_cast<std::size_t>((cell + 2) / 2); };
   const CellNormals* cells = bricks[brick_of(x) + 3 * brick_of(y) + 9 * brick_of(z)];
   if (cells == nullptr) return Eigen::Vector3f::Zero();
@@ -62,7 +62,7 @@ Eigen::Vector3f normalAt(const Neighbourhood& bricks, int x, int y, int z) {
 
 /// The voxel of a point in its brick: x + 8 y + 64 z. Right for points at voxel centres and at their corners.
 int voxelOf(const CloudBrick::Point& point, float voxel_size_m) {
-  const Eigen::Vector3i voxel = (point.centre().array() / voxel_size_m + 0.25F).floor().cast<int>();
+  const Eigen::Vector3i voxel = (point.center().array() / voxel_size_m + 0.25F).floor().cast<int>();
   return (voxel.x() & 7) + 8 * ((voxel.y() & 7) + 8 * (voxel.z() & 7));
 }
 
@@ -83,10 +83,10 @@ bool meanNormals(const CloudBrick& brick, float brick_m, CellNormals& normals) {
   for (const CloudBrick::Point& point : brick.points) {
     if (!point.normal.known()) continue;
     ++known;
-    const Eigen::Vector3f p = point.centre() / brick_m - brick.position.cast<float>();
+    const Eigen::Vector3f p = point.center() / brick_m - brick.position.cast<float>();
     const Eigen::Vector3f normal = point.normal.unpacked();
     for (std::size_t cell = 0; cell < normals.size(); ++cell) {
-      const float weight = 1 - (p - cellCentre(cell)).squaredNorm() / (4 * kReach);
+      const float weight = 1 - (p - cellCenter(cell)).squaredNorm() / (4 * kReach);
       if (weight <= 0) continue;
       // Of a thin thing the other side counts as this one.
       normals[cell] += normals[cell].dot(normal) >= 0 ? Eigen::Vector3f(weight * normal)
@@ -120,7 +120,7 @@ void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m) {
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
       float count = 0;
       for (const CloudBrick::Point& other : before) {
-        if (!other.color.known() || (other.centre() - point.centre()).squaredNorm() > near_m * near_m)
+        if (!other.color.known() || (other.center() - point.center()).squaredNorm() > near_m * near_m)
           continue;
         sum += Eigen::Vector3f(other.color.rgb[0], other.color.rgb[1], other.color.rgb[2]);
         ++count;
@@ -177,7 +177,7 @@ CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m) {
     const Eigen::Vector3f p =
         Eigen::Vector3f(point.x, point.y, point.z) / brick_m - brick.position.cast<float>();
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-      cells[cell].add(p, std::exp(-(p - cellCentre(cell)).squaredNorm() / kReach));
+      cells[cell].add(p, std::exp(-(p - cellCenter(cell)).squaredNorm() / kReach));
     }
   }
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -186,7 +186,7 @@ CellNormals cellNormals(const CloudBrick& brick, float voxel_size_m) {
   return normals;
 }
 
-CellLight cellLight(const Neighbourhood& bricks) {
+CellLight cellLight(const Neighborhood& bricks) {
   CellLight light{};
   for (int cell = 0; cell < 8; ++cell) {
     const int cx = cell & 1;
@@ -220,8 +220,8 @@ float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick) {
   return value;
 }
 
-bool looksTheSame(const std::vector<CloudBrick::Point>& shown, const std::vector<CloudBrick::Point>& now,
-                  float voxel_size_m) {
+bool hasSameAppearance(const std::vector<CloudBrick::Point>& shown, const std::vector<CloudBrick::Point>& now,
+                       float voxel_size_m) {
   std::array<const CloudBrick::Point*, BRICK_VOXELS> before{};
   const auto at = [&](const CloudBrick::Point& point) -> const CloudBrick::Point*& {
     const int voxel = voxelOf(point, voxel_size_m);

@@ -14,7 +14,7 @@ using CellNormals = std::array<Eigen::Vector3f, 8>;
 /// Brightness 0..1 at the same places.
 using CellLight = std::array<float, 8>;
 /// The 27 bricks around one, index (dx+1) + 3 (dy+1) + 9 (dz+1); null where there is none.
-using Neighbourhood = std::array<const CellNormals*, 27>;
+using Neighborhood = std::array<const CellNormals*, 27>;
 
 /// The mean of the normals of the points around each cell's centre; where points have none, from the points
 /// themselves (principal components, Gaussian weights).
@@ -22,7 +22,7 @@ using Neighbourhood = std::array<const CellNormals*, 27>;
 
 /// Light on the cells of the middle brick. Normals are averaged with those of the cells around that lie on
 /// the same surface, so that no brick stands out and edges stay sharp; lit on both sides.
-[[nodiscard]] CellLight cellLight(const Neighbourhood& bricks);
+[[nodiscard]] CellLight cellLight(const Neighborhood& bricks);
 
 /// Between the cell centres; `in_brick` in 0..1 along each axis.
 [[nodiscard]] float lightAt(const CellLight& light, const Eigen::Vector3f& in_brick);
@@ -42,8 +42,8 @@ void spreadColors(std::vector<CloudBrick::Point>& points, float voxel_size_m);
 /// Whether nobody would tell `now` from `shown`, the colours of which are spread: the same fragments in the
 /// same voxels, but for some on the fringe of the surface, and nearly all of them as high and of a like
 /// colour.
-[[nodiscard]] bool looksTheSame(const std::vector<CloudBrick::Point>& shown,
-                                const std::vector<CloudBrick::Point>& now, float voxel_size_m);
+[[nodiscard]] bool hasSameAppearance(const std::vector<CloudBrick::Point>& shown,
+                                     const std::vector<CloudBrick::Point>& now, float voxel_size_m);
 
 /// Sum of a brick's cell normals, aligned with each other: its main surface.
 [[nodiscard]] Eigen::Vector3f mainNormal(const CellNormals& cells);

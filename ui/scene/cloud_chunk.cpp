@@ -23,10 +23,10 @@ constexpr float kOwnLight = 0.6F;  ///< share of the light that falls by the poi
 /// The coarsest level that shows the point. The points of level n are a lattice of every kLevelStride[n]-th
 /// voxel, x + 7 y + 11 z divisible by it: each lies within the finer one, and all lie nearly evenly on
 /// surfaces across any axis.
-std::size_t coarsestLevel(const CloudBrick::Point& p, float per_metre) {
+std::size_t coarsestLevel(const CloudBrick::Point& p, float per_meter) {
   // Right for points at voxel centres and at their corners.
-  const auto voxel = [per_metre](float metres) {
-    return static_cast<unsigned>(static_cast<int>(std::floor(metres * per_metre + 0.25F)));
+  const auto voxel = [per_meter](float meters) {
+    return static_cast<unsigned>(static_cast<int>(std::floor(meters * per_meter + 0.25F)));
   };
   const unsigned place = voxel(p.x) + 7 * voxel(p.y) + 11 * voxel(p.z);
   std::size_t level = kLevelStride.size() - 1;
@@ -35,13 +35,13 @@ std::size_t coarsestLevel(const CloudBrick::Point& p, float per_metre) {
 }
 
 /// The points, those of coarser levels first; `count` becomes how many each level shows.
-std::vector<CloudBrick::Point> inOrderOfLevels(const std::vector<CloudBrick::Point>& points, float per_metre,
+std::vector<CloudBrick::Point> inOrderOfLevels(const std::vector<CloudBrick::Point>& points, float per_meter,
                                                LevelCounts& count) {
   std::vector<std::size_t> levels;
   levels.reserve(points.size());
   count.fill(0);
   for (const CloudBrick::Point& p : points) {
-    levels.push_back(coarsestLevel(p, per_metre));
+    levels.push_back(coarsestLevel(p, per_meter));
     for (std::size_t level = 0; level <= levels.back(); ++level) ++count[level];
   }
   std::vector<CloudBrick::Point> ordered(points.size());
@@ -110,7 +110,7 @@ std::ptrdiff_t CloudChunk::setBrick(const CloudBrick& brick, float voxel_size_m)
   const auto growth =
       static_cast<std::ptrdiff_t>(brick.points.size()) - static_cast<std::ptrdiff_t>(mine.points.size());
   mine.version = brick.version;
-  if (looksTheSame(mine.points, brick.points, voxel_size_m)) return 0;
+  if (hasSameAppearance(mine.points, brick.points, voxel_size_m)) return 0;
   for (std::size_t level = 0; level < kLevelStride.size(); ++level) count_[level] -= mine.count[level];
   mine.points = inOrderOfLevels(brick.points, 1 / voxel_size_m, mine.count);
   mine.fragments = fragmentsOf(mine.points);
@@ -155,16 +155,16 @@ bool CloudChunk::hasSelected(const std::set<RegionId>& selected, const RegionOfF
   return *has_selected_;
 }
 
-void CloudChunk::setLevel(std::size_t level) { wanted_level_ = level; }
+void CloudChunk::setLevel(std::size_t level) { target_level_ = level; }
 
 void CloudChunk::show(bool visible) {
   in_view_ = visible;
   actor_->SetVisibility(visible && shown());
 }
 
-void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const CloudLook& look,
+void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const CloudStyle& style,
                          float voxel_size_m) {
-  const std::size_t most = pointCount(wanted_level_);
+  const std::size_t most = pointCount(target_level_);
   std::vector<float> positions, directions;
   std::vector<unsigned char> rgb;
   positions.reserve(3 * most);
@@ -172,15 +172,15 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
   rgb.reserve(3 * most);
   const float brick_m = 8 * voxel_size_m;
   for (auto& [key, brick] : bricks_) {
-    if (brick.count[wanted_level_] == 0) continue;
+    if (brick.count[target_level_] == 0) continue;
     if (!brick.light) brick.light = lightOf(key);
-    const std::size_t drawn = brick.count[wanted_level_];
+    const std::size_t drawn = brick.count[target_level_];
     if (brick.smooth.size() < drawn) brick.smooth = smoothNormals(brick.points, drawn, voxel_size_m);
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
     for (std::size_t i = 0; i < drawn; ++i) {
       const CloudBrick::Point p = brick.shown(i);
       const RegionId region = regionOf(p, region_of_fragment);
-      if (look.hides(region)) continue;
+      if (style.hides(region)) continue;
       const Eigen::Vector3f normal = p.normal.unpacked();
       const Eigen::Vector3f place = p.onSurface(voxel_size_m);
       // The brick's light is smooth, the normal's tells small shapes.
@@ -188,7 +188,7 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
       if (p.normal.known()) light += kOwnLight * (lightOn(normal) - light);
       positions.insert(positions.end(), place.data(), place.data() + 3);
       directions.insert(directions.end(), normal.data(), normal.data() + 3);
-      const Rgb color = pointColor(look, p, region, light);
+      const Rgb color = pointColor(style, p, region, light);
       rgb.insert(rgb.end(), color.begin(), color.end());
     }
   }
@@ -219,7 +219,7 @@ void CloudChunk::rebuild(const RegionOfFragment& region_of_fragment, const Cloud
   data->GetPointData()->SetScalars(color_array);
   data->GetPointData()->SetNormals(normal_array);
   mapper_->SetInputData(data);
-  built_level_ = wanted_level_;
+  built_level_ = target_level_;
   dirty_ = false;
   urgent_ = false;
 }
@@ -232,7 +232,7 @@ void CloudChunk::relightAround(const BrickKey& key) {
 }
 
 CellLight CloudChunk::lightOf(const BrickKey& key) const {
-  Neighbourhood around{};
+  Neighborhood around{};
   for (int i = 0; i < 27; ++i) {
     const auto found = bricks_.find({key.x + i % 3 - 1, key.y + i / 3 % 3 - 1, key.z + i / 9 - 1});
     if (found != bricks_.end()) around[static_cast<std::size_t>(i)] = &found->second.normals;
@@ -255,7 +255,7 @@ void CloudChunk::setView(const SplatView& view, SplatOverlap overlap, float voxe
   setSplats(actor_, view, diameter_m, least_px);
 }
 
-void CloudChunk::addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudLook& look,
+void CloudChunk::addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudStyle& style,
                        float voxel_size_m, IdDetail detail) const {
   if (!in_view_ || !shown() || !ids.maySee(bounds_)) return;
   const std::size_t level = detail == IdDetail::drawn ? built_level_ : 0;
@@ -267,26 +267,26 @@ void CloudChunk::addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment
     if (!ids.maySee({corner, corner.array() + brick_m})) continue;
     for (std::size_t i = 0; i < brick.count[level]; ++i) {
       const CloudBrick::Point p = brick.shown(i);
-      if (!look.hides(regionOf(p, region_of_fragment)))
+      if (!style.hides(regionOf(p, region_of_fragment)))
         ids.add(p.onSurface(voxel_size_m), p.normal.unpacked(), p.fragment);
     }
   }
 }
 
 void CloudChunk::collectNear(const PickRay& ray, const RegionOfFragment& region_of_fragment,
-                             const CloudLook& look, float voxel_size_m,
+                             const CloudStyle& style, float voxel_size_m,
                              std::vector<PickedPoint>& found) const {
-  if (!ray.mayMeet(bounds_)) return;
+  if (!ray.mayIntersect(bounds_)) return;
   for (const auto& [key, brick] : bricks_) {
     if (brick.points.empty()) continue;
     const Eigen::Vector3f corner = Eigen::Vector3i(key.x, key.y, key.z).cast<float>();
     const float brick_m = 8 * voxel_size_m;
-    if (!ray.mayMeet({corner * brick_m, (corner.array() + 1).matrix() * brick_m})) continue;
+    if (!ray.mayIntersect({corner * brick_m, (corner.array() + 1).matrix() * brick_m})) continue;
     for (std::size_t i = 0; i < brick.points.size(); ++i) {
       const CloudBrick::Point p = brick.shown(i);
       const Eigen::Vector3f place = p.onSurface(voxel_size_m);
       const std::optional<PickedPoint> picked = ray.meet(place);
-      if (picked && !look.hides(regionOf(p, region_of_fragment))) found.push_back(*picked);
+      if (picked && !style.hides(regionOf(p, region_of_fragment))) found.push_back(*picked);
     }
   }
 }
@@ -308,7 +308,7 @@ void CloudChunk::collectNormals(std::vector<Eigen::Vector3f>& normals) const {
   }
 }
 
-void CloudChunk::collectPoints(std::vector<std::vector<LookPoint>>& of_fragment) const {
+void CloudChunk::collectPoints(std::vector<std::vector<AppearancePoint>>& of_fragment) const {
   for (const auto& [key, brick] : bricks_) {
     for (const CloudBrick::Point& p : brick.points) {
       if (p.fragment.value < of_fragment.size())

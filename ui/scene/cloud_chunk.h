@@ -13,12 +13,12 @@
 #include <set>
 #include <vector>
 
-#include "core/discovery/region_look.h"
+#include "core/discovery/region_appearance.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/brick_shading.h"
 #include "ui/scene/cloud_ids.h"
-#include "ui/scene/cloud_look.h"
 #include "ui/scene/cloud_pick.h"
+#include "ui/scene/cloud_style.h"
 #include "ui/scene/splats.h"
 
 class vtkRenderer;
@@ -61,8 +61,8 @@ class CloudChunk {
   void forgetSelected() { has_selected_.reset(); }
 
   void setLevel(std::size_t level);
-  [[nodiscard]] std::size_t level() const { return wanted_level_; }
-  [[nodiscard]] bool dirty() const { return dirty_ || built_level_ != wanted_level_; }
+  [[nodiscard]] std::size_t level() const { return target_level_; }
+  [[nodiscard]] bool dirty() const { return dirty_ || built_level_ != target_level_; }
   [[nodiscard]] bool shown() const { return built_level_ < kLevelStride.size(); }
   /// In view or not; chunks out of view are neither drawn nor rebuilt.
   void show(bool visible);
@@ -74,20 +74,20 @@ class CloudChunk {
   void markAll() { dirty_ = true; }
 
   /// Sends points and colours of the wanted level to VTK.
-  void rebuild(const RegionOfFragment& region_of_fragment, const CloudLook& look, float voxel_size_m);
+  void rebuild(const RegionOfFragment& region_of_fragment, const CloudStyle& style, float voxel_size_m);
 
   /// Sets from where the points are seen; their size goes with the level that is shown.
   void setView(const SplatView& view, SplatOverlap overlap, float voxel_size_m);
 
   /// Gives the points near the ray that are not hidden, in any order.
-  void collectNear(const PickRay& ray, const RegionOfFragment& region_of_fragment, const CloudLook& look,
+  void collectNear(const PickRay& ray, const RegionOfFragment& region_of_fragment, const CloudStyle& style,
                    float voxel_size_m, std::vector<PickedPoint>& found) const;
   /// Extends `box` by the points of these regions.
   void extendByRegions(const std::set<RegionId>& regions, const RegionOfFragment& region_of_fragment,
                        float voxel_size_m, Eigen::AlignedBox3f& box) const;
 
   /// What is shown of it, into `ids`.
-  void addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudLook& look,
+  void addTo(CloudIds& ids, const RegionOfFragment& region_of_fragment, const CloudStyle& style,
              float voxel_size_m, IdDetail detail) const;
 
   [[nodiscard]] std::size_t pointCount() const { return count_[0]; }
@@ -96,7 +96,7 @@ class CloudChunk {
   [[nodiscard]] const Eigen::AlignedBox3f& bounds() const { return bounds_; }
   void collectNormals(std::vector<Eigen::Vector3f>& normals) const;
   /// Appends the points of each fragment that `of_fragment` has room for.
-  void collectPoints(std::vector<std::vector<LookPoint>>& of_fragment) const;
+  void collectPoints(std::vector<std::vector<AppearancePoint>>& of_fragment) const;
   /// Appends one height along `up` for each brick.
   void collectHeights(const Eigen::Vector3f& up, std::vector<float>& heights) const;
 
@@ -136,7 +136,7 @@ class CloudChunk {
   std::map<BrickKey, Brick> bricks_;
   Eigen::AlignedBox3f bounds_;
   LevelCounts count_{};
-  std::size_t wanted_level_ = 0;
+  std::size_t target_level_ = 0;
   std::size_t built_level_ = kLevelStride.size();  ///< none yet
   bool dirty_ = true;
   bool urgent_ = false;

@@ -12,11 +12,11 @@
 namespace scantrove {
 namespace {
 
-constexpr float kMiddle = 0.4F;           ///< of the view: so far from its centre, in half heights
-constexpr float kMostVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
-constexpr float kSmallBlock_px = 6;       ///< what is as small is none
-constexpr float kMostOfBudget = 0.6F;     ///< for what is selected; more is drawn as coarsely as the rest
-constexpr std::size_t kUrgentTimes = 2;   ///< the usual budget, for what a person waits for
+constexpr float kMiddle = 0.4F;          ///< of the view: so far from its centre, in half heights
+constexpr float kMaxVoxelsInMiddle = 3;  ///< edge of the blocks that are bearable there
+constexpr float kSmallBlock_px = 6;      ///< what is as small is none
+constexpr float kMaxOfBudget = 0.6F;     ///< for what is selected; more is drawn as coarsely as the rest
+constexpr std::size_t kUrgentTimes = 2;  ///< the usual budget, for what a person waits for
 
 std::size_t coarsestWithin(float voxels) {
   std::size_t level = 0;
@@ -33,7 +33,7 @@ float fromMiddle(const SplatView& view, const Eigen::AlignedBox3f& box, int heig
   const float radius = 0.5F * box.diagonal().norm();
   if (ahead <= radius) return way.norm() <= radius ? 0.0F : 1.0F;
   const float aside = Eigen::Vector2f(way.dot(view.right), way.dot(view.up)).norm();
-  const float half_height = static_cast<float>(height_px) / (2 * view.pixels_per_metre_at_1m);
+  const float half_height = static_cast<float>(height_px) / (2 * view.pixels_per_meter_at_1m);
   return std::max(0.0F, aside - radius) / (ahead * half_height);
 }
 
@@ -113,7 +113,7 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
     std::size_t coarsest;  ///< that it may be drawn at
     bool is_selected;
   };
-  const std::size_t fine = coarsestWithin(kMostVoxelsInMiddle);
+  const std::size_t fine = coarsestWithin(kMaxVoxelsInMiddle);
   std::vector<Candidate> visible;
   std::size_t selected_points = 0;
   for (auto& [key, chunk] : chunks_) {
@@ -122,9 +122,9 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
     if (!inside) continue;
     const float distance =
         std::max(0.2F, std::sqrt(chunk->bounds().squaredExteriorDistance(view.eye)) + 0.3F);
-    const float spacing_px = view.pixels_per_metre_at_1m * voxel_size_m_ / distance;
+    const float spacing_px = view.pixels_per_meter_at_1m * voxel_size_m_ / distance;
     const float from_middle = fromMiddle(view, chunk->bounds(), height_px);
-    const bool blocks = from_middle < kMiddle && kMostVoxelsInMiddle * spacing_px > kSmallBlock_px;
+    const bool blocks = from_middle < kMiddle && kMaxVoxelsInMiddle * spacing_px > kSmallBlock_px;
     const bool is_selected = chunk->hasSelected(selected_, region_of_fragment_);
     selected_points += is_selected ? chunk->pointCount(fine) : 0;
     visible.push_back(
@@ -134,7 +134,7 @@ void CloudChunks::chooseLevels(vtkCamera* camera, int width_px, int height_px, s
   // The smallest gap in pixels between drawn points for which the whole fits the budget. In the middle of the
   // view, where one looks, half of that; and there no blocks, unless nothing else fits.
   const bool spares_selected =
-      selected_points <= static_cast<std::size_t>(kMostOfBudget * static_cast<float>(point_budget));
+      selected_points <= static_cast<std::size_t>(kMaxOfBudget * static_cast<float>(point_budget));
   constexpr std::array<float, 9> kTargets_px{1.6F, 2.4F, 3.4F, 4.8F, 7, 10, 16, 1e9F, 2e9F};
   for (const float target : kTargets_px) {
     drawn_point_count_ = 0;
@@ -175,7 +175,7 @@ bool CloudChunks::prepare(vtkCamera* camera, int width_px, int height_px, std::s
   for (CloudChunk* chunk : dirty) {
     const std::size_t budget = (chunk->urgent() ? kUrgentTimes : 1) * rebuild_budget;
     if (spent > 0 && spent + chunk->pointCount(chunk->level()) > budget) return false;
-    chunk->rebuild(region_of_fragment_, look_, voxel_size_m_);
+    chunk->rebuild(region_of_fragment_, style_, voxel_size_m_);
     chunk->waiting_rounds = 0;
     spent += chunk->pointCount(chunk->level());
   }
@@ -202,20 +202,20 @@ std::map<vtkProp*, std::size_t> CloudChunks::divide(std::size_t points) const {
 
 void CloudChunks::addTo(CloudIds& ids, IdDetail detail) const {
   for (const auto& [key, chunk] : chunks_)
-    chunk->addTo(ids, region_of_fragment_, look_, voxel_size_m_, detail);
+    chunk->addTo(ids, region_of_fragment_, style_, voxel_size_m_, detail);
 }
 
 RegionId CloudChunks::regionOf(FragmentId fragment) const {
   return fragment.value < region_of_fragment_.size() ? region_of_fragment_[fragment.value] : RegionId{};
 }
 
-std::map<RegionId, std::vector<LookPoint>> CloudChunks::pointsOfRegions(std::size_t least) const {
-  std::vector<std::vector<LookPoint>> of_fragment(region_of_fragment_.size());
+std::map<RegionId, std::vector<AppearancePoint>> CloudChunks::pointsOfRegions(std::size_t least) const {
+  std::vector<std::vector<AppearancePoint>> of_fragment(region_of_fragment_.size());
   for (const auto& [key, chunk] : chunks_) chunk->collectPoints(of_fragment);
-  std::map<RegionId, std::vector<LookPoint>> of_region;
+  std::map<RegionId, std::vector<AppearancePoint>> of_region;
   for (std::size_t fragment = 1; fragment < of_fragment.size(); ++fragment) {
     if (!region_of_fragment_[fragment] || of_fragment[fragment].empty()) continue;
-    std::vector<LookPoint>& points = of_region[region_of_fragment_[fragment]];
+    std::vector<AppearancePoint>& points = of_region[region_of_fragment_[fragment]];
     points.insert(points.end(), of_fragment[fragment].begin(), of_fragment[fragment].end());
   }
   std::erase_if(of_region, [least](const auto& entry) { return entry.second.size() < least; });
@@ -249,7 +249,7 @@ std::optional<Eigen::Vector3f> CloudChunks::pick(const Eigen::Vector3f& origin,
   std::vector<PickedPoint> found;
   const PickRay ray(origin, direction, voxel_size_m_, radians_per_pixel);
   for (const auto& [key, chunk] : chunks_)
-    chunk->collectNear(ray, region_of_fragment_, look_, voxel_size_m_, found);
+    chunk->collectNear(ray, region_of_fragment_, style_, voxel_size_m_, found);
   return foremost(found, 2 * voxel_size_m_);
 }
 
@@ -261,8 +261,8 @@ Eigen::AlignedBox3f CloudChunks::boundsOf(const std::set<RegionId>& regions) con
 }
 
 void CloudChunks::setColoring(Coloring coloring) {
-  if (coloring == look_.coloring) return;
-  look_.coloring = coloring;
+  if (coloring == style_.coloring) return;
+  style_.coloring = coloring;
   recolorAll();
 }
 
@@ -272,28 +272,28 @@ void CloudChunks::setSelected(const std::set<RegionId>& regions) {
   for (auto& [key, chunk] : chunks_) chunk->forgetSelected();
 }
 
-void CloudChunks::setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
-  const std::set<RegionId> before = std::exchange(look_.background, regions);
-  const BackgroundLook look_before = std::exchange(look_.background_look, look);
-  if (look != look_before) {
+void CloudChunks::setBackground(const std::set<RegionId>& regions, BackgroundStyle style) {
+  const std::set<RegionId> before = std::exchange(style_.background, regions);
+  const BackgroundStyle style_before = std::exchange(style_.background_style, style);
+  if (style != style_before) {
     recolorRegions([&](RegionId region) { return before.contains(region) || regions.contains(region); });
-  } else if (before != regions && look != BackgroundLook::as_others) {
+  } else if (before != regions && style != BackgroundStyle::as_others) {
     recolorRegions([&](RegionId region) { return before.contains(region) != regions.contains(region); });
   }
 }
 
 void CloudChunks::setBackdrop(const Rgb& color) {
-  if (color == look_.backdrop) return;
-  look_.backdrop = color;
-  if (look_.background_look == BackgroundLook::dimmed)
-    recolorRegions([&](RegionId region) { return look_.isBackground(region); });
+  if (color == style_.backdrop) return;
+  style_.backdrop = color;
+  if (style_.background_style == BackgroundStyle::dimmed)
+    recolorRegions([&](RegionId region) { return style_.isBackground(region); });
 }
 
 void CloudChunks::setHeights(const Eigen::Vector3f& up, float low_m, float high_m) {
-  look_.up = up;
-  look_.low_m = low_m;
-  look_.high_m = high_m;
-  if (look_.coloring == Coloring::height || look_.coloring == Coloring::normals) recolorAll();
+  style_.up = up;
+  style_.low_m = low_m;
+  style_.high_m = high_m;
+  if (style_.coloring == Coloring::height || style_.coloring == Coloring::normals) recolorAll();
 }
 
 void CloudChunks::recolorAll() {

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "core/discovery/region_look.h"
+#include "core/discovery/region_appearance.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunk.h"
-#include "ui/scene/cloud_look.h"
+#include "ui/scene/cloud_style.h"
 
 class vtkRenderer;
 class vtkCamera;
@@ -34,7 +34,7 @@ class CloudChunks {
   void clear();
 
   /// Edge of a voxel in metres: the distance of neighbouring points, for closing gaps between them.
-  void setVoxelSize(float metres) { voxel_size_m_ = metres; }
+  void setVoxelSize(float meters) { voxel_size_m_ = meters; }
 
   /// Takes over the changed bricks (older versions than the stored are ignored) and the fragments that are of
   /// other regions now; marks what must be rebuilt or recoloured. Cheap; nothing is drawn.
@@ -42,7 +42,7 @@ class CloudChunks {
 
   void setColoring(Coloring coloring);
   /// These regions are background, and look like that from now on.
-  void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  void setBackground(const std::set<RegionId>& regions, BackgroundStyle style);
   /// These regions are selected: as long as they are small, what is drawn of them is never coarser than
   /// blocks of 3 voxels.
   void setSelected(const std::set<RegionId>& regions);
@@ -51,7 +51,7 @@ class CloudChunks {
   /// Up (unit), and between which heights along it the scene's colours by height run.
   void setHeights(const Eigen::Vector3f& up, float low_m, float high_m);
   void setOverlap(SplatOverlap overlap) { overlap_ = overlap; }
-  [[nodiscard]] const CloudLook& look() const { return look_; }
+  [[nodiscard]] const CloudStyle& style() const { return style_; }
 
   /// Chooses each chunk's level of detail so that about `point_budget` points are drawn from `camera` in a
   /// viewport of `height_px`, and rebuilds about `rebuild_budget` points of chunks that changed: first, and a
@@ -68,7 +68,7 @@ class CloudChunks {
   [[nodiscard]] RegionId regionOf(FragmentId fragment) const;
 
   /// The points of each region that has at least so many.
-  [[nodiscard]] std::map<RegionId, std::vector<LookPoint>> pointsOfRegions(std::size_t least) const;
+  [[nodiscard]] std::map<RegionId, std::vector<AppearancePoint>> pointsOfRegions(std::size_t least) const;
 
   [[nodiscard]] std::size_t pointCount() const { return point_count_; }
   [[nodiscard]] std::size_t drawnPointCount() const { return drawn_point_count_; }
@@ -107,7 +107,7 @@ class CloudChunks {
   vtkRenderer* renderer_;
   std::map<ChunkKey, std::unique_ptr<CloudChunk>> chunks_;
   std::vector<RegionId> region_of_fragment_;
-  CloudLook look_;
+  CloudStyle style_;
   std::set<RegionId> selected_;
   SplatOverlap overlap_ = SplatOverlap::exact;
   Eigen::AlignedBox3f bounds_;

@@ -14,7 +14,7 @@ namespace {
 
 // As in the shaders.
 constexpr float kLargestPoint_px = 64;
-constexpr float kLeastFacing = 0.3F;
+constexpr float kMinFacing = 0.3F;
 constexpr float kSmall_px = 3.5F;
 
 constexpr float kNear_m = 0.05F;  ///< what is nearer may be seen anywhere
@@ -69,7 +69,7 @@ bool CloudIds::maySee(const Eigen::AlignedBox3f& box) const {
   if (clip.w() + radius_m < nearest_m_) return false;
   if (nearest_m < kNear_m) return true;
   const float around_px =
-      scale_ * (view_.pixels_per_metre_at_1m * radius_m / nearest_m + kLargestPoint_px / 2);
+      scale_ * (view_.pixels_per_meter_at_1m * radius_m / nearest_m + kLargestPoint_px / 2);
   const Eigen::Vector2f middle = pixelOf(clip);
   return middle.x() > -around_px && middle.x() < static_cast<float>(width_) + around_px &&
          middle.y() > -around_px && middle.y() < static_cast<float>(height_) + around_px;
@@ -82,7 +82,7 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
   const Eigen::Vector2f pixel_place = pixelOf(clip);
   const float x = pixel_place.x(), y = pixel_place.y();
   const float drawn_px =
-      std::clamp(view_.pixels_per_metre_at_1m * diameter_m_ / distance, least_px_, kLargestPoint_px);
+      std::clamp(view_.pixels_per_meter_at_1m * diameter_m_ / distance, least_px_, kLargestPoint_px);
   const float half = 0.5F * scale_ * drawn_px;
   if (!(x > -half && x < static_cast<float>(width_) + half && y > -half &&
         y < static_cast<float>(height_) + half))
@@ -90,10 +90,10 @@ void CloudIds::add(const Eigen::Vector3f& point_world, const Eigen::Vector3f& no
   // The disc's plane, as in the vertex shader.
   const Eigen::Vector3f to_eye = view_.eye - point_world;
   float facing = normal.dot(to_eye) / std::max(1e-6F, view_.back.dot(to_eye));
-  facing = facing < 0 ? std::min(facing, -kLeastFacing) : std::max(facing, kLeastFacing);
+  facing = facing < 0 ? std::min(facing, -kMinFacing) : std::max(facing, kMinFacing);
   const float right = -normal.dot(view_.right) / facing, down = normal.dot(view_.up) / facing;
   const float end = drawn_px < kSmall_px ? 8.0F : 1.0F;
-  const float radius_m = 0.5F * drawn_px * distance / view_.pixels_per_metre_at_1m;
+  const float radius_m = 0.5F * drawn_px * distance / view_.pixels_per_meter_at_1m;
   // Pixels whose centres it may cover, and the one that it lies in.
   const int own_x = static_cast<int>(x), own_y = static_cast<int>(y);
   const int first_x = std::max(0, static_cast<int>(std::ceil(x - half - 0.5F)));

@@ -13,7 +13,7 @@ std::optional<PickedPoint> PickRay::meet(const Eigen::Vector3f& point) const {
   return PickedPoint{point, along, beside};
 }
 
-bool PickRay::mayMeet(const Eigen::AlignedBox3f& box) const {
+bool PickRay::mayIntersect(const Eigen::AlignedBox3f& box) const {
   if (box.isEmpty()) return false;
   // The ray meets the ball around the box.
   const float ball_m = 0.5F * box.diagonal().norm();

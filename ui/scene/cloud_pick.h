@@ -23,7 +23,7 @@ class PickRay {
   /// None when the point is farther from the ray than that, or behind its origin.
   [[nodiscard]] std::optional<PickedPoint> meet(const Eigen::Vector3f& point) const;
   /// False only when no point of the box is met.
-  [[nodiscard]] bool mayMeet(const Eigen::AlignedBox3f& box) const;
+  [[nodiscard]] bool mayIntersect(const Eigen::AlignedBox3f& box) const;
 
  private:
   Eigen::Vector3f origin_, direction_;

@@ -27,7 +27,7 @@ GroundGrid::GroundGrid(vtkRenderer* renderer)
   place({0, 1, 1.5F}, -Eigen::Vector3f::UnitY(), 2);
 }
 
-void GroundGrid::place(const Eigen::Vector3f& centre, const Eigen::Vector3f& up, float radius_m) {
+void GroundGrid::place(const Eigen::Vector3f& center, const Eigen::Vector3f& up, float radius_m) {
   const int steps = std::clamp(static_cast<int>(std::ceil(radius_m / kStep_m)), 2, kMaxSteps);
   const Eigen::Vector3f side = up.cross(Eigen::Vector3f::UnitZ()).norm() > 0.1F
                                    ? Eigen::Vector3f(up.cross(Eigen::Vector3f::UnitZ()).normalized())
@@ -43,8 +43,8 @@ void GroundGrid::place(const Eigen::Vector3f& centre, const Eigen::Vector3f& up,
   };
   for (int i = -steps; i <= steps; ++i) {
     const float offset = static_cast<float>(i) * kStep_m;
-    line(centre + offset * side - reach * ahead, centre + offset * side + reach * ahead);
-    line(centre + offset * ahead - reach * side, centre + offset * ahead + reach * side);
+    line(center + offset * side - reach * ahead, center + offset * side + reach * ahead);
+    line(center + offset * ahead - reach * side, center + offset * ahead + reach * side);
   }
   data_->SetPoints(points);
   data_->SetLines(lines);

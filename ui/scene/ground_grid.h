@@ -18,7 +18,7 @@ class GroundGrid {
   explicit GroundGrid(vtkRenderer* renderer);
 
   /// Lays the grid through `centre` (world, metres), across `up`, at least `radius_m` around.
-  void place(const Eigen::Vector3f& centre, const Eigen::Vector3f& up, float radius_m);
+  void place(const Eigen::Vector3f& center, const Eigen::Vector3f& up, float radius_m);
   void setColor(const Rgb& color);
   void setVisible(bool visible);
 

@@ -95,11 +95,11 @@ void LabelCloudScene::updateAllButBricks(const ScanSnapshot& snapshot) {
   }
   if (following_ && snapshot.pose.usable()) {
     // From behind and above the sensor's shoulder, at what lies in front of it.
-    const Eigen::Vector3f centre = T_world_camera.translation();
+    const Eigen::Vector3f center = T_world_camera.translation();
     const Eigen::Vector3f ahead = T_world_camera.linear().col(2);
     const Eigen::Vector3f side = T_world_camera.linear().col(0);
-    const Eigen::Vector3f eye = centre - 1.1F * ahead + 0.55F * viewpoint_.up() + 0.35F * side;
-    viewpoint_.approach(eye, centre + 1.5F * ahead, has_pose_ ? 0.12F : 1.0F);
+    const Eigen::Vector3f eye = center - 1.1F * ahead + 0.55F * viewpoint_.up() + 0.35F * side;
+    viewpoint_.approach(eye, center + 1.5F * ahead, has_pose_ ? 0.12F : 1.0F);
   }
   has_pose_ = true;
 }
@@ -109,9 +109,9 @@ void LabelCloudScene::levelOut() {
   up_ = findUp(cloud_.brickNormals(), R_world_camera_);
   if (following_) viewpoint_.setUp(up_);
   const Eigen::AlignedBox3f& box = cloud_.bounds();
-  const Eigen::Vector3f centre = box.center();
+  const Eigen::Vector3f center = box.center();
   cloud_.setHeights(up_, cloud_.floorHeight(up_), cloud_.heightAbove(up_, 0.98F));
-  grid_.place(centre + (cloud_.floorHeight(up_) - centre.dot(up_)) * up_, up_, 0.6F * box.diagonal().norm());
+  grid_.place(center + (cloud_.floorHeight(up_) - center.dot(up_)) * up_, up_, 0.6F * box.diagonal().norm());
 }
 
 void LabelCloudScene::setFollowing(bool following) {
@@ -158,17 +158,17 @@ void LabelCloudScene::lookFrom(StandardView from) {
   }
 }
 
-std::optional<float> LabelCloudScene::cutDistance() const {
-  if (!cut_behind_target_m_) return std::nullopt;
-  return std::max(0.0F, viewpoint_.distance() + *cut_behind_target_m_);
+std::optional<float> LabelCloudScene::clipDistance() const {
+  if (!clip_behind_target_m_) return std::nullopt;
+  return std::max(0.0F, viewpoint_.distance() + *clip_behind_target_m_);
 }
 
 std::optional<Eigen::Vector3f> LabelCloudScene::pick(float x, float y, int width_px, int height_px) const {
   const float aspect = static_cast<float>(width_px) / static_cast<float>(std::max(1, height_px));
   const Eigen::Vector3f direction = viewpoint_.rayAt(x, y, aspect);
   // A plane across the view is farther away along slanting rays.
-  const float cut_m = cutDistance().value_or(0) / direction.dot(viewpoint_.forward());
-  return cloud_.pick(viewpoint_.eye() + cut_m * direction, direction,
+  const float clip_m = clipDistance().value_or(0) / direction.dot(viewpoint_.forward());
+  return cloud_.pick(viewpoint_.eye() + clip_m * direction, direction,
                      OrbitCamera::radiansPerPixel(height_px));
 }
 
@@ -180,9 +180,9 @@ bool LabelCloudScene::prepare(int width_px, int height_px, std::size_t point_bud
   all.extend(arrow_.bounds());
   vtkCamera* camera = renderer_->GetActiveCamera();
   viewpoint_.applyTo(camera, all);
-  if (const std::optional<float> cut_m = cutDistance()) {
+  if (const std::optional<float> clip_m = clipDistance()) {
     const double* range = camera->GetClippingRange();
-    const double nearest = std::max(range[0], static_cast<double>(*cut_m));
+    const double nearest = std::max(range[0], static_cast<double>(*clip_m));
     camera->SetClippingRange(nearest, std::max(range[1], nearest + 1));
   }
   return cloud_.prepare(camera, width_px, height_px, point_budget, rebuild_budget);

@@ -38,7 +38,7 @@ class LabelCloudScene {
 
   [[nodiscard]] vtkRenderer* renderer() { return renderer_; }
   void clear();
-  void setVoxelSize(float metres) { cloud_.setVoxelSize(metres); }
+  void setVoxelSize(float meters) { cloud_.setVoxelSize(meters); }
   void setColors(const Colors& colors);
   void setGridVisible(bool visible) { grid_.setVisible(visible); }
 
@@ -67,15 +67,15 @@ class LabelCloudScene {
   void setColoring(Coloring coloring) { cloud_.setColoring(coloring); }
   /// See CloudChunks.
   void setSelected(const std::set<RegionId>& regions) { cloud_.setSelected(regions); }
-  void setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
-    cloud_.setBackground(regions, look);
+  void setBackground(const std::set<RegionId>& regions, BackgroundStyle style) {
+    cloud_.setBackground(regions, style);
   }
 
   /// Leaves out what is nearer to the viewer than a plane through the viewpoint's target, or so far behind
   /// it (before it, if negative); none: shows all.
-  void setCut(std::optional<float> behind_target_m) { cut_behind_target_m_ = behind_target_m; }
+  void setClipDistance(std::optional<float> behind_target_m) { clip_behind_target_m_ = behind_target_m; }
   /// How far from the eye the plane is; none: there is no cut.
-  [[nodiscard]] std::optional<float> cutDistance() const;
+  [[nodiscard]] std::optional<float> clipDistance() const;
 
   /// The point of the surface that is seen at a place of the picture, x to the right and y up, each -1..1
   /// from edge to edge. None where there is nothing; what is hidden or cut away is not there.
@@ -84,8 +84,8 @@ class LabelCloudScene {
   void showMeasure(const std::vector<Eigen::Vector3f>& points) { measure_.show(points); }
 
   /// An arrow around `centre`; see MoveArrow::show.
-  void showArrow(const Eigen::Vector3f& centre, const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
-    arrow_.show(centre, up_, from, to);
+  void showArrow(const Eigen::Vector3f& center, const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+    arrow_.show(center, up_, from, to);
   }
   void hideArrow() { arrow_.hide(); }
   /// Up, and the side of things from which the sensor saw them first.
@@ -130,7 +130,7 @@ class LabelCloudScene {
   Eigen::Matrix3f R_world_camera_ = Eigen::Matrix3f::Identity();  ///< of the first frame
   Eigen::Vector3f up_ = -Eigen::Vector3f::UnitY();  ///< of the scene; the viewpoint's only when it may turn
   std::size_t points_at_leveling_ = 0;
-  std::optional<float> cut_behind_target_m_;
+  std::optional<float> clip_behind_target_m_;
 };
 
 }  // namespace scantrove

@@ -19,7 +19,7 @@ constexpr int kHeadSides = 16;     // of the cone
 constexpr float kHeadPart = 0.1F;  // its length, of the distance to the centre
 
 /// Points on the way, the first at `from`, the last at `to`; see MoveArrow::show.
-std::vector<Eigen::Vector3f> arc(const Eigen::Vector3f& centre, const Eigen::Vector3f& up,
+std::vector<Eigen::Vector3f> arc(const Eigen::Vector3f& center, const Eigen::Vector3f& up,
                                  const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
   const auto level = [&](const Eigen::Vector3f& v) -> Eigen::Vector3f { return v - v.dot(up) * up; };
   const Eigen::Vector3f ahead = level(from).normalized();
@@ -29,7 +29,7 @@ std::vector<Eigen::Vector3f> arc(const Eigen::Vector3f& centre, const Eigen::Vec
     const float t = static_cast<float>(i) / kSteps;
     const float around = std::lerp(level(from).norm(), level(to).norm(), t);
     const float height = std::lerp(from.dot(up), to.dot(up), t);
-    points.emplace_back(centre + around * (Eigen::AngleAxisf(t * turn, up) * ahead) + height * up);
+    points.emplace_back(center + around * (Eigen::AngleAxisf(t * turn, up) * ahead) + height * up);
   }
   return points;
 }
@@ -49,9 +49,9 @@ MoveArrow::MoveArrow(vtkRenderer* renderer)
   setColor({255, 176, 32});
 }
 
-void MoveArrow::show(const Eigen::Vector3f& centre, const Eigen::Vector3f& up, const Eigen::Vector3f& from,
+void MoveArrow::show(const Eigen::Vector3f& center, const Eigen::Vector3f& up, const Eigen::Vector3f& from,
                      const Eigen::Vector3f& to) {
-  const std::vector<Eigen::Vector3f> way = arc(centre, up, from, to);
+  const std::vector<Eigen::Vector3f> way = arc(center, up, from, to);
   const auto shaft_points = vtkSmartPointer<vtkPoints>::New();
   const auto shaft = vtkSmartPointer<vtkCellArray>::New();
   shaft->InsertNextCell(static_cast<int>(way.size()));

@@ -20,7 +20,7 @@ class MoveArrow {
 
   /// Level around `up` from the direction `from` to the direction `to` (both from `centre`, of any length,
   /// neither along `up`), the short way, at a distance that changes from that of `from` to that of `to`.
-  void show(const Eigen::Vector3f& centre, const Eigen::Vector3f& up, const Eigen::Vector3f& from,
+  void show(const Eigen::Vector3f& center, const Eigen::Vector3f& up, const Eigen::Vector3f& from,
             const Eigen::Vector3f& to);
   void hide();
   void setColor(const Rgb& color);

@@ -26,12 +26,12 @@ void OrbitCamera::setUp(const Eigen::Vector3f& up) {
 void OrbitCamera::orbit(float yaw, float pitch) {
   const float elevation = std::asin(std::clamp(-forward_.dot(up_), -1.0F, 1.0F));
   const float limit = std::numbers::pi_v<float> / 2 - kPoleMargin_rad;
-  const float wanted = std::clamp(elevation + pitch, -limit, limit);
+  const float requested = std::clamp(elevation + pitch, -limit, limit);
   Eigen::Vector3f level = forward_ - forward_.dot(up_) * up_;
   level = level.squaredNorm() > 1e-8F ? Eigen::Vector3f(level.normalized())
                                       : Eigen::Vector3f(up_.unitOrthogonal());
   level = Eigen::AngleAxisf(yaw, up_) * level;
-  forward_ = std::cos(wanted) * level - std::sin(wanted) * up_;
+  forward_ = std::cos(requested) * level - std::sin(requested) * up_;
 }
 
 void OrbitCamera::pan(float right, float up) {

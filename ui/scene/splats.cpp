@@ -51,7 +51,7 @@ SplatView::SplatView(vtkCamera* camera, int height_px)
   right = floats(camera->GetViewUp()).cross(back).normalized();
   up = back.cross(right);
   const double half_angle = camera->GetViewAngle() * 3.14159265358979 / 360;
-  pixels_per_metre_at_1m = static_cast<float>(height_px / 2.0 / std::tan(half_angle));
+  pixels_per_meter_at_1m = static_cast<float>(height_px / 2.0 / std::tan(half_angle));
   const double* range = camera->GetClippingRange();
   depth_factor = static_cast<float>(range[0] * range[1] / (range[1] - range[0]));
 }
@@ -68,9 +68,9 @@ void drawAsSplats(vtkActor* actor, SplatOverlap overlap) {
 
 void setSplats(vtkActor* actor, const SplatView& view, float diameter_m, float least_px) {
   vtkUniforms* uniforms = actor->GetShaderProperty()->GetVertexCustomUniforms();
-  uniforms->SetUniformf("splat_px_at_1m", view.pixels_per_metre_at_1m * diameter_m);
+  uniforms->SetUniformf("splat_px_at_1m", view.pixels_per_meter_at_1m * diameter_m);
   uniforms->SetUniformf("splat_least_px", least_px);
-  uniforms->SetUniformf("splat_metre_per_px", 1 / view.pixels_per_metre_at_1m);
+  uniforms->SetUniformf("splat_metre_per_px", 1 / view.pixels_per_meter_at_1m);
   uniforms->SetUniformf("splat_depth_factor", view.depth_factor);
   uniforms->SetUniform3f("splat_eye", view.eye.data());
   uniforms->SetUniform3f("splat_right", view.right.data());

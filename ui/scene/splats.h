@@ -13,7 +13,7 @@ struct SplatView {
 
   Eigen::Vector3f eye = Eigen::Vector3f::Zero(), right = Eigen::Vector3f::UnitX(),
                   up = Eigen::Vector3f::UnitY(), back = Eigen::Vector3f::UnitZ();
-  float pixels_per_metre_at_1m = 1;
+  float pixels_per_meter_at_1m = 1;
   float depth_factor = 0;  ///< window depth of what is `w` in front of the eye: constant - depth_factor / w
 };
 

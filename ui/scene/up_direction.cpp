@@ -10,9 +10,9 @@ namespace {
 constexpr std::size_t kMinNormals = 60;
 // How a sensor is held. A wall ahead of one that looks down would need it to look up: so the two are told
 // apart.
-constexpr int kMostUpward_deg = -4;
-constexpr int kMostDownward_deg = 74;
-constexpr int kMostRoll_deg = 24;
+constexpr int kMaxUpward_deg = -4;
+constexpr int kMaxDownward_deg = 74;
+constexpr int kMaxRoll_deg = 24;
 constexpr int kStep_deg = 6;
 
 float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180; }
@@ -46,8 +46,8 @@ Eigen::Vector3f findUp(const std::vector<Eigen::Vector3f>& normals, const Eigen:
   Eigen::Vector3f best = -R_world_camera.col(1);
   if (normals.size() < kMinNormals) return best;
   float best_weight = 0;
-  for (int pitch = kMostUpward_deg; pitch <= kMostDownward_deg; pitch += kStep_deg) {
-    for (int roll = -kMostRoll_deg; roll <= kMostRoll_deg; roll += kStep_deg) {
+  for (int pitch = kMaxUpward_deg; pitch <= kMaxDownward_deg; pitch += kStep_deg) {
+    for (int roll = -kMaxRoll_deg; roll <= kMaxRoll_deg; roll += kStep_deg) {
       const Eigen::Vector3f axis =
           R_world_camera * upOf(radians(static_cast<float>(pitch)), radians(static_cast<float>(roll)));
       const float weight = votesNear(normals, axis, 8).weight;

@@ -9,7 +9,7 @@
 #include <QSvgRenderer>
 
 // Outside the namespace: the macro declares a function of the global one.
-static void initialiseScantroveResources() { Q_INIT_RESOURCE(scantrove); }
+static void initializeScantroveResources() { Q_INIT_RESOURCE(scantrove); }
 
 namespace scantrove {
 namespace {
@@ -48,7 +48,7 @@ class ThemedIconEngine final : public QIconEngine {
 
 }  // namespace
 
-void initialiseResources() { initialiseScantroveResources(); }
+void initializeResources() { initializeScantroveResources(); }
 
 QIcon icon(const QString& name, const QColor& color) {
   QFile file(QStringLiteral(":/icons/%1.svg").arg(name));

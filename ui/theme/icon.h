@@ -10,6 +10,6 @@ namespace scantrove {
 [[nodiscard]] QIcon icon(const QString& name, const QColor& color = {});
 
 /// Makes the icons available; once, before the first use.
-void initialiseResources();
+void initializeResources();
 
 }  // namespace scantrove

@@ -44,8 +44,8 @@ std::optional<float> MeasureTool::length() const {
   return (ends_[1] - ends_[0]).norm();
 }
 
-QString MeasureTool::lengthText(float metres) {
-  const auto length = static_cast<double>(metres);
+QString MeasureTool::lengthText(float meters) {
+  const auto length = static_cast<double>(meters);
   return length < 1 ? tr("%1 cm").arg(100 * length, 0, 'f', 1) : tr("%1 m").arg(length, 0, 'f', 3);
 }
 

@@ -26,7 +26,7 @@ class MeasureTool : public QObject {
   [[nodiscard]] std::optional<float> length() const;
 
   /// As a person reads it: centimetres below a metre.
-  [[nodiscard]] static QString lengthText(float metres);
+  [[nodiscard]] static QString lengthText(float meters);
 
  signals:
   void ended();

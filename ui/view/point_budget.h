@@ -10,9 +10,9 @@ namespace scantrove {
 /// points that others hide are quick, and say nothing about those that are seen.
 class PointBudget {
  public:
-  static constexpr double kMost = 4e6;
+  static constexpr double kMax = 4e6;
 
-  PointBudget(double target_ms, double fewest, double first, double most = kMost)
+  PointBudget(double target_ms, double fewest, double first, double most = kMax)
       : target_ms_(target_ms), fewest_(fewest), most_(most), points_(first) {}
 
   [[nodiscard]] std::size_t points() const { return static_cast<std::size_t>(points_); }

@@ -103,7 +103,7 @@ void SceneView::setColoring(Coloring coloring) {
   schedule();
 }
 
-void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundLook look) {
+void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundStyle look) {
   scene_.setBackground(regions, look);
   schedule();
 }

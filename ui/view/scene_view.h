@@ -67,7 +67,7 @@ class SceneView : public QWidget {
   [[nodiscard]] QRectF band() const;
   void setColoring(Coloring coloring);
   /// These regions are background and look like that from now on.
-  void setBackground(const std::set<RegionId>& regions, BackgroundLook look);
+  void setBackground(const std::set<RegionId>& regions, BackgroundStyle look);
   /// These are selected: as long as they are small they are drawn finely, whatever arrives.
   void setSelected(const std::set<RegionId>& regions);
   void lookFrom(StandardView from);
@@ -92,7 +92,7 @@ class SceneView : public QWidget {
   void pointerLeft();
   void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const QPointF& place);
-  void menuWanted(const QPointF& place, const QPoint& on_screen);
+  void menuRequested(const QPointF& place, const QPoint& on_screen);
   void bandChanged();
   void bandDrawn(const QRectF& band);
   void strokeAt(const scantrove::RegionPoint& point);

@@ -16,7 +16,7 @@ constexpr int kLongestInterval_ms = 2000;
 constexpr int kPointing_ms = 150;
 constexpr std::size_t kRebuildAtATimePoints = 150'000;
 constexpr std::size_t kRebuildInAStepPoints = 50'000;  ///< where steps may follow at once
-constexpr int kMostSteps = 3;                          ///< before a picture of what comes in
+constexpr int kMaxSteps = 3;                           ///< before a picture of what comes in
 constexpr std::size_t kRebuildAllPoints = 10'000'000;
 
 double millisecondsOf(const QElapsedTimer& timer) { return static_cast<double>(timer.nsecsElapsed()) * 1e-6; }
@@ -74,7 +74,7 @@ void SceneView::drawArriving() {
   const QSize pixels = size() * devicePixelRatioF();
   if (in_parts_ != InParts::arriving && !is_prepared_) {
     prepareHastily(pixels, kRebuildInAStepPoints);
-    is_prepared_ = is_complete_ || ++preparing_steps_ == kMostSteps;
+    is_prepared_ = is_complete_ || ++preparing_steps_ == kMaxSteps;
     draw_timer_.start(0);
     return;
   }
@@ -133,10 +133,10 @@ bool SceneView::drawPart(const QSize& pixels) {
   window_->draw(pixels);
   const double took_ms = millisecondsOf(timer);
   parts_ms_ += took_ms;
-  const bool goes_on = scene_.nextPart();
+  const bool has_more = scene_.nextPart();
   // The last part holds what is left, however little: that it was quick says nothing.
-  partBudget().learn(goes_on ? partBudget().points() : 0, took_ms);
-  if (goes_on) {
+  partBudget().learn(has_more ? partBudget().points() : 0, took_ms);
+  if (has_more) {
     draw_timer_.start(0);
     return true;
   }
@@ -185,7 +185,7 @@ void SceneView::drawNow(const QSize& pixels) {
   if (full_detail_) {
     arrivals_.takeOver(1e9);
     scene_.setOverlap(SplatOverlap::exact);
-    constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMost);
+    constexpr auto kAll = static_cast<std::size_t>(PointBudget::kMax);
     is_complete_ = scene_.prepare(pixels.width(), pixels.height(), kAll, kRebuildAllPoints);
   } else {
     const bool is_arriving = scanning_ || !arrivals_.isEmpty();

@@ -105,7 +105,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   } else if (was_pressed && !is_dragged_ && event->button() == Qt::LeftButton) {
     emit clicked(event->position(), event->modifiers());
   } else if (was_pressed && !is_dragged_ && event->button() == Qt::RightButton) {
-    emit menuWanted(event->position(), event->globalPosition().toPoint());
+    emit menuRequested(event->position(), event->globalPosition().toPoint());
   }
   is_dragged_ = false;
 }

@@ -24,10 +24,10 @@ struct ObjectnessEvidence {
   float known_bulge = 0;     ///< of all that is known
   float known_flatness = 0;  ///< OrientedBox::thickness_ratio of all that is known
   Eigen::Vector3f known_size_m = Eigen::Vector3f::Zero();  ///< longest first
-  bool is_torn = false;                                    ///< RegionHypothesis::is_torn
+  bool is_inconsistent = false;                            ///< RegionHypothesis::is_inconsistent
   float largest_part = 1;                                  ///< of the pixels, those of the region with most
   float odds = 0;                                          ///< RegionHypothesis::odds, of several regions
-  float outward_odds = OutwardOdds::kLeast;                ///< OutwardOdds::most
+  float outward_odds = OutwardOdds::kMin;                  ///< OutwardOdds::most
   float joined_part = 0;                                   ///< OutwardOdds
   OutlineBounds bounds;
   // None: the image has no colour.

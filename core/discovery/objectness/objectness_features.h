@@ -35,14 +35,14 @@ inline constexpr auto kObjectnessFeatures = std::to_array<Feature<ObjectnessEvid
      [](const ObjectnessEvidence& e) { return e.known_size_m[2] / objectness::longestSide_m(e); }},
     {"known_flatness", [](const ObjectnessEvidence& e) { return e.known_flatness; }},
     {"fill", [](const ObjectnessEvidence& e) { return e.fill; }},
-    {"outline_inconsistent", [](const ObjectnessEvidence& e) { return e.is_torn ? 1.0F : 0.0F; }},
+    {"outline_inconsistent", [](const ObjectnessEvidence& e) { return e.is_inconsistent ? 1.0F : 0.0F; }},
     {"largest_region_part", [](const ObjectnessEvidence& e) { return e.largest_part; }},
     {"joining_log_odds",
      [](const ObjectnessEvidence& e) {
        return e.largest_part < 1 ? std::min(e.odds, objectness::kCertain) : objectness::kCertain;
      }},
     {"neighbor_likeness",
-     [](const ObjectnessEvidence& e) { return e.likeness ? e.likeness->neighbour : kUnknownFeature; }},
+     [](const ObjectnessEvidence& e) { return e.likeness ? e.likeness->neighbor : kUnknownFeature; }},
     {"touching_likeness",
      [](const ObjectnessEvidence& e) { return e.likeness ? e.likeness->touching : kUnknownFeature; }},
     {"cut_off", [](const ObjectnessEvidence& e) { return e.cut; }},

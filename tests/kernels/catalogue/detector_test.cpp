@@ -48,7 +48,7 @@ class DetectorTest : public testing::Test {
     const Look look(seed, {90, 70}, 0);
     const ObjectId object{static_cast<std::uint32_t>(seed + 1)};
     detector_->add({seed + 1, object, kSize, makeThumbnail(look.color, look.mask).value()});
-    detector_->setHolder({object, object});
+    detector_->setMergeRoot({object, object});
   }
   std::uint32_t find(const DetectionQuery& query) { return detector_->find({query})[0].object.value; }
 
@@ -62,7 +62,7 @@ TEST_F(DetectorTest, AnEmptyCatalogueKnowsNothing) {
   EXPECT_TRUE(detector_->find({}).empty());
 }
 
-TEST_F(DetectorTest, RecognisesAtAnotherSizeBeforeAnotherBackground) {
+TEST_F(DetectorTest, RecognizesAtAnotherSizeBeforeAnotherBackground) {
   for (int seed = 0; seed < 20; ++seed) addObject(seed);
   std::vector<DetectionQuery> queries;
   for (int seed = 0; seed < 20; ++seed) queries.push_back(Look(seed, {61, 50}, seed + 1).query());
@@ -108,15 +108,15 @@ TEST_F(DetectorTest, WhatIsAddedIsFoundAtOnce) {
 TEST_F(DetectorTest, AMatchIsWhoHoldsTheViewNow) {
   for (int seed = 0; seed < 5; ++seed) addObject(seed);
   const DetectionQuery query = Look(4, {90, 70}, 1).query();
-  detector_->setHolder({ObjectId{5}, ObjectId{2}});
+  detector_->setMergeRoot({ObjectId{5}, ObjectId{2}});
   EXPECT_EQ(find(query), 2U);
-  EXPECT_EQ(detector_->holderOf(ObjectId{5}), ObjectId{2});
-  detector_->setHolder({ObjectId{5}, {}});
+  EXPECT_EQ(detector_->mergeRootOf(ObjectId{5}), ObjectId{2});
+  detector_->setMergeRoot({ObjectId{5}, {}});
   EXPECT_EQ(find(query), 0U);
   EXPECT_EQ(find(Look(0, {90, 70}, 1).query()), 1U);
-  detector_->setHolder({ObjectId{5}, ObjectId{5}});
+  detector_->setMergeRoot({ObjectId{5}, ObjectId{5}});
   EXPECT_EQ(find(query), 5U);
-  EXPECT_FALSE(detector_->holderOf(ObjectId{99}));
+  EXPECT_FALSE(detector_->mergeRootOf(ObjectId{99}));
   EXPECT_EQ(detector_->viewCount(), 5);
 }
 
@@ -127,7 +127,7 @@ TEST_F(DetectorTest, AnotherSizeIsAnotherObject) {
   EXPECT_EQ(find(Look(0, {90, 70}, 1).query(Eigen::Vector3f::Zero())), 1U);  // unknown size
 }
 
-TEST_F(DetectorTest, AnotherColourIsAnotherObject) {
+TEST_F(DetectorTest, AnotherColorIsAnotherObject) {
   addObject(0);
   Look painted(0, {90, 70}, 1);
   painted.color += cv::Scalar(0, 0, 90);
@@ -159,7 +159,7 @@ TEST_F(DetectorTest, WhatMayBeMissingIsComparedThoughOnlyHalfOfItIsKnown) {
   EXPECT_FALSE(detector_->find({half})[0].guess) << "larger than the whole";
 }
 
-TEST_F(DetectorTest, WhatIsMissingChangesNothingOfWhatIsRecognised) {
+TEST_F(DetectorTest, WhatIsMissingChangesNothingOfWhatIsRecognized) {
   for (int seed = 0; seed < 3; ++seed) addObject(seed);
   DetectionQuery query = Look(1, {90, 70}, 1).query();
   query.guesses = {ObjectId{1}};
@@ -168,7 +168,7 @@ TEST_F(DetectorTest, WhatIsMissingChangesNothingOfWhatIsRecognised) {
   EXPECT_EQ(match.nearest, ObjectId{2});
 }
 
-TEST_F(DetectorTest, WithoutColourOrPixelsNothingIsKnown) {
+TEST_F(DetectorTest, WithoutColorOrPixelsNothingIsKnown) {
   addObject(0);
   Look look(0, {90, 70}, 1);
   EXPECT_EQ(find({cv::Mat(), look.mask, kSize}), 0U);

@@ -74,10 +74,10 @@ TEST_F(DeviceChoice, AsksTheEnvironmentWhenNotTold) {
 }
 
 TEST_F(DeviceChoice, NamesWhatThereIsWhenNoneMatches) {
-  for (const std::string& wanted : {std::string("warp drive"), std::string("99"), std::string("-1")}) {
-    const auto chosen = chooseDevice(wanted);
-    ASSERT_FALSE(chosen) << wanted;
-    EXPECT_THAT(chosen.error().message(), HasSubstr("'" + wanted + "'"));
+  for (const std::string& requested : {std::string("warp drive"), std::string("99"), std::string("-1")}) {
+    const auto chosen = chooseDevice(requested);
+    ASSERT_FALSE(chosen) << requested;
+    EXPECT_THAT(chosen.error().message(), HasSubstr("'" + requested + "'"));
     EXPECT_THAT(chosen.error().message(), HasSubstr(devices_.front().name));
   }
 }

@@ -41,13 +41,13 @@ bool mayUseEveryCore() {
 
 TEST_F(DeviceThreadsTest, AreKeptApartWhereEveryCoreMayBeUsed) {
   if (!mayUseEveryCore()) GTEST_SKIP() << "this program may not use every core";
-  keepDeviceThreadsApart();
+  pinDeviceThreads();
   EXPECT_EQ(affinity(), "1");
 }
 
 TEST_F(DeviceThreadsTest, WhatTheEnvironmentSaysStands) {
   ::setenv(kVariable, "0", 1);
-  keepDeviceThreadsApart();
+  pinDeviceThreads();
   EXPECT_EQ(affinity(), "0");
 }
 
@@ -60,7 +60,7 @@ TEST_F(DeviceThreadsTest, AreLeftAloneWhereSomeCoresMayNotBeUsed) {
     CPU_ZERO(&last);
     CPU_SET(static_cast<std::size_t>(::sysconf(_SC_NPROCESSORS_CONF) - 1), &last);
     ASSERT_EQ(::sched_setaffinity(0, sizeof(last), &last), 0);
-    keepDeviceThreadsApart();
+    pinDeviceThreads();
   }).join();
   EXPECT_EQ(affinity(), std::nullopt);
 }

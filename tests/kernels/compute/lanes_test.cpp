@@ -46,7 +46,8 @@ TEST_F(LanesTest, SuitTheDeviceUnlessTold) {
     EXPECT_THAT(lanes, AnyOf(1, 4, 8, 16));
   else
     EXPECT_EQ(lanes, 1);
-  for (const int wanted : {1, 4, 8, 16}) EXPECT_EQ(Lanes::choose(device_, wanted).value().count(), wanted);
+  for (const int requested : {1, 4, 8, 16})
+    EXPECT_EQ(Lanes::choose(device_, requested).value().count(), requested);
 }
 
 TEST_F(LanesTest, AskTheEnvironmentWhenNotTold) {

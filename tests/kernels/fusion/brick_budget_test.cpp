@@ -14,7 +14,7 @@ TEST(BrickBudget, PoolsOfTwoKilobytesABrickGrowAsLongAsTheyFit) {
   EXPECT_EQ(bricksThatFit({64 * kGiB, kGiB}), 524288);  // 1 GiB in one buffer
   EXPECT_EQ(bricksThatFit({64 * kGiB, kGiB - 1}), 524287);
   EXPECT_EQ(bricksThatFit({kGiB, kGiB}), 149796);  // three pools and the old half of one
-  EXPECT_EQ(bricksThatFit({2000 * kGiB, 1000 * kGiB}), kMostBricks) << "kernels could not count more voxels";
+  EXPECT_EQ(bricksThatFit({2000 * kGiB, 1000 * kGiB}), kMaxBricks) << "kernels could not count more voxels";
 }
 
 TEST(BrickBudget, IsWhatWasAskedForOrAQuarterOfTheMachineAndNoMoreThanTheDeviceHas) {

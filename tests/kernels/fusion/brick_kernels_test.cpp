@@ -98,7 +98,7 @@ TEST(FindBrickReadings, BoundsWhatVoxelsMeetAndMatchesTheFormula) {
     int compared = 0, seen = 0, whole = 0;
     for (std::size_t i = 0; i < bricks.size(); ++i) {
       const Eigen::Vector3i brick(bricks[i].s[0], bricks[i].s[1], bricks[i].s[2]);
-      const DepthExtent met = reference.metBy(brick, T_camera_window);
+      const DepthExtent met = reference.touchedBy(brick, T_camera_window);
       ASSERT_LE(double{actual[i].s[0]}, met.smallest) << brick.transpose();
       ASSERT_GE(double{actual[i].s[1]}, met.largest) << brick.transpose();
       seen += met.largest > 0 ? 1 : 0;

@@ -160,8 +160,8 @@ TEST(BrickMap, FindsEveryBrickInViewOnce) {
       }
       // And little more: nothing farther outside than a brick's sphere.
       for (const cl_int slot : slots) {
-        const Eigen::Vector3d centre = kBrick * (map.positionOf(slot).cast<double>().array() + 0.5);
-        const double z = (T_camera_world * centre).z();
+        const Eigen::Vector3d center = kBrick * (map.positionOf(slot).cast<double>().array() + 0.5);
+        const double z = (T_camera_world * center).z();
         EXPECT_GT(z, 0.3 - kBrick);
         EXPECT_LT(z, max_depth + kBrick);
       }
@@ -185,8 +185,8 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
     ASSERT_THAT(inView(), testing::ElementsAre(0, 1, 2));
     ASSERT_EQ(slotOnDevice({1, 0, 10}), 1);
 
-    map.makeDormant(std::vector<Brick>{{1, 0, 10}});
-    EXPECT_EQ(map.dormantCount(), 1);
+    map.deactivate(std::vector<Brick>{{1, 0, 10}});
+    EXPECT_EQ(map.inactiveCount(), 1);
     EXPECT_THAT(inView(), testing::ElementsAre(0, 2));
     EXPECT_LT(slotOnDevice({1, 0, 10}), 0);
     EXPECT_EQ(slotOnDevice({0, 1, 10}), 2);
@@ -195,7 +195,7 @@ TEST(BrickMap, PassesDormantBricksOverUntilTheyAreCalledFor) {
 
     // Awake again in its old slot, and named in the same place as before.
     EXPECT_EQ(map.allocate(bricks), 1);
-    EXPECT_EQ(map.dormantCount(), 0);
+    EXPECT_EQ(map.inactiveCount(), 0);
     EXPECT_THAT(inView(), testing::ElementsAre(0, 1, 2));
     EXPECT_EQ(slotOnDevice({1, 0, 10}), 1);
     EXPECT_EQ(map.allocate(bricks), 0);

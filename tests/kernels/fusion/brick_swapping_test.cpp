@@ -24,7 +24,7 @@ constexpr std::size_t kVoxels = BRICK_VOXELS;
 
 struct Contents {
   BrickContents held = BrickContents(1);
-  bool dormant = false;
+  bool inactive = false;
 };
 
 struct Before {
@@ -46,32 +46,32 @@ class TwoMaps {
   void lookSomewhere() {
     const auto coordinate = [&] { return static_cast<int>(random_() % 7) - 3; };
     first_page_ = {coordinate(), coordinate(), coordinate()};
-    small.lookAt(inView(small));
-    large.lookAt(inView(large));
+    small.beginFrame(inView(small));
+    large.beginFrame(inView(large));
   }
 
   void change() {
-    std::vector<Brick> wanted;
+    std::vector<Brick> requested;
     for (int i = 0; i < 30; ++i) {
       const auto offset = [&] { return static_cast<int>(random_() % (2 * PAGE_SIDE)); };
-      wanted.push_back(PAGE_SIDE * first_page_ + Brick(offset(), offset(), offset()));
-      if (i % 5 == 0) wanted.push_back(wanted.back());
+      requested.push_back(PAGE_SIDE * first_page_ + Brick(offset(), offset(), offset()));
+      if (i % 5 == 0) requested.push_back(requested.back());
     }
-    ASSERT_EQ(small.allocate(wanted), large.allocate(wanted));
-    for (const Brick& brick : wanted) {
-      model[brick].dormant = false;
+    ASSERT_EQ(small.allocate(requested), large.allocate(requested));
+    for (const Brick& brick : requested) {
+      model[brick].inactive = false;
     }
     std::vector<Brick> aside;
     for (auto& [brick, expected] : model) {
       if (!isInView(brick)) continue;
       if (random_() % 3 == 0) write(brick, expected);
-      if (!expected.dormant && random_() % 6 == 0) {
-        expected.dormant = true;
+      if (!expected.inactive && random_() % 6 == 0) {
+        expected.inactive = true;
         aside.push_back(brick);
       }
     }
-    small.makeDormant(aside);
-    large.makeDormant(aside);
+    small.deactivate(aside);
+    large.deactivate(aside);
   }
 
   /// What lies in view, as kernels find it.
@@ -104,7 +104,7 @@ class TwoMaps {
   /// What there is anywhere.
   void expectAllThere() {
     EXPECT_EQ(small.brickCount(), static_cast<int>(model.size()));
-    EXPECT_EQ(small.dormantCount(), large.dormantCount());
+    EXPECT_EQ(small.inactiveCount(), large.inactiveCount());
     std::size_t found = 0;
     for (const int page : small.pagesByPosition()) {
       const std::vector<Brick> bricks = small.bricksOfPage(page);
@@ -116,14 +116,14 @@ class TwoMaps {
       for (std::size_t i = 0; i < bricks.size(); ++i, ++found) {
         const Contents& expected = model.at(bricks[i]);
         ASSERT_EQ(brickOf(copy->contents, i), expected.held);
-        ASSERT_EQ(copy->dormant[localBrick(bricks[i])], expected.dormant);
+        ASSERT_EQ(copy->inactive[localBrick(bricks[i])], expected.inactive);
         if (!stored) {
           ASSERT_EQ(read(small, small.slotOf(bricks[i])), expected.held);
           continue;
         }
         ASSERT_EQ(small.slotOf(bricks[i]), BRICK_NONE);
         ASSERT_EQ(brickOf(stored->contents, i), expected.held);
-        ASSERT_EQ(stored->dormant[localBrick(bricks[i])], expected.dormant);
+        ASSERT_EQ(stored->inactive[localBrick(bricks[i])], expected.inactive);
       }
     }
     EXPECT_EQ(found, model.size());
@@ -239,7 +239,7 @@ std::vector<Brick> row(int first, int last) {
   return bricks;
 }
 
-void lookAtNothing(BrickMap& map) { map.lookAt({}); }
+void lookAtNothing(BrickMap& map) { map.beginFrame({}); }
 
 TEST(BrickSwapping, WithoutADiskTheMapGoesOnBeyondItsBudgetAndSaysSoOnce) {
   test::onEachDevice([](ComputeContext& compute) {
@@ -312,7 +312,7 @@ TEST(BrickSwapping, AnUnreadablePageIsMissingAndSaysSo) {
     ASSERT_EQ(::pwrite(file, "damaged", 7, 0), 7);
     ::close(file);
 
-    map.lookAt(std::vector<int>{map.pages().pageWith({0, 0, 0})});
+    map.beginFrame(std::vector<int>{map.pages().pageWith({0, 0, 0})});
     const auto failure = map.takeFailure();
     ASSERT_TRUE(failure);
     EXPECT_THAT(failure->message(), HasSubstr("cannot be read back"));

@@ -169,7 +169,7 @@ TEST(ColorIntegrator, EqualsTheFormulaVoxelByVoxel) {
   });
 }
 
-TEST(ColorIntegrator, WhatStandsBehindKeepsItsColour) {
+TEST(ColorIntegrator, WhatStandsBehindKeepsItsColor) {
   test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
@@ -202,7 +202,7 @@ TEST(ColorIntegrator, WhatStandsBehindKeepsItsColour) {
   });
 }
 
-TEST(ColorIntegrator, ColoursNothingWhereThereIsNoReading) {
+TEST(ColorIntegrator, ColorsNothingWhereThereIsNoReading) {
   test::onEachWidth([](ComputeContext& compute) {
     const FusionParams params = colorParams();
     const Intrinsics K = test::oddCamera();
@@ -287,7 +287,7 @@ TEST(ColorIntegrator, NearViewsOutweighFarOnes) {
   });
 }
 
-TEST(ColorIntegrator, DoesNothingWithoutColour) {
+TEST(ColorIntegrator, DoesNothingWithoutColor) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     ColorRig rig(compute, colorParams());
@@ -301,7 +301,7 @@ TEST(ColorIntegrator, DoesNothingWithoutColour) {
   });
 }
 
-TEST(ColorIntegrator, ALargeViewIsColouredInTurns) {
+TEST(ColorIntegrator, ALargeViewIsColoredInTurns) {
   test::onEachWidth([](ComputeContext& compute) {
     const Intrinsics K = test::oddCamera();
     FusionParams params = colorParams();

@@ -210,17 +210,17 @@ TEST(Integrator, LaysAsideWhatIsFreeSpaceAndTakesItUpAgain) {
     };
     see(0.8F, 1);
     const int bricks_of_near_wall = bricks.brickCount();
-    EXPECT_EQ(bricks.dormantCount(), 0);
+    EXPECT_EQ(bricks.inactiveCount(), 0);
     EXPECT_NEAR(depthInTheMiddle(), 0.8, 0.001);
 
     // One reading at -1 and n at +1 average to (n - 1) / (n + 1): half a truncation is passed with the third,
     // and the bricks are laid aside with the frame after. Those that reach out of the image stay.
     see(1.6F, 4);
-    EXPECT_GT(bricks.dormantCount(), bricks_of_near_wall / 2);
+    EXPECT_GT(bricks.inactiveCount(), bricks_of_near_wall / 2);
     EXPECT_NEAR(depthInTheMiddle(), 1.6, 0.001);
 
     see(0.8F, 1);
-    EXPECT_EQ(bricks.dormantCount(), 0);
+    EXPECT_EQ(bricks.inactiveCount(), 0);
     see(0.8F, 20);
     EXPECT_NEAR(depthInTheMiddle(), 0.8, 0.01);
   });

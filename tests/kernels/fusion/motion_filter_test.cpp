@@ -90,62 +90,64 @@ TEST(KnownSurface, SaysHowReadingsStandToTheMap) {
   onEachDevice([](ComputeContext& compute) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     const KnownSurface known(compute, mapsOf(compute, wall(), kSmall, T));
-    const auto count = [&](const DepthView& view, Standing standing) {
-      return cv::countNonZero(known.standings(view, kNoise_m) == static_cast<int>(standing));
+    const auto count = [&](const DepthView& view, DepthConsistency standing) {
+      return cv::countNonZero(known.consistencies(view, kNoise_m) == static_cast<int>(standing));
     };
-    EXPECT_EQ(count(viewOf(wall()), Standing::fits), kSmall.pixels());
+    EXPECT_EQ(count(viewOf(wall()), DepthConsistency::fits), kSmall.pixels());
     const DepthView box = viewOf(wallWithBox());
-    EXPECT_EQ(count(box, Standing::before), cv::countNonZero(box.z_m < 1.5));
-    EXPECT_EQ(count(viewOf(wall(2.5)), Standing::behind), kSmall.pixels());
-    EXPECT_EQ(count(viewOf(AnalyticScene()), Standing::none), kSmall.pixels());
+    EXPECT_EQ(count(box, DepthConsistency::before), cv::countNonZero(box.z_m < 1.5));
+    EXPECT_EQ(count(viewOf(wall(2.5)), DepthConsistency::behind), kSmall.pixels());
+    EXPECT_EQ(count(viewOf(AnalyticScene()), DepthConsistency::none), kSmall.pixels());
     // Turned by as much as half the view, half of it is new.
     const Eigen::Isometry3d aside(Eigen::AngleAxisd(std::atan(79.5 / 146), Eigen::Vector3d::UnitY()));
-    EXPECT_NEAR(count(viewOf(wall(), aside), Standing::unknown), kSmall.pixels() / 2, 0.03 * kSmall.pixels());
-    EXPECT_EQ(
-        cv::countNonZero(KnownSurface().standings(box, kNoise_m) != static_cast<int>(Standing::unknown)), 0);
+    EXPECT_NEAR(count(viewOf(wall(), aside), DepthConsistency::unknown), kSmall.pixels() / 2,
+                0.03 * kSmall.pixels());
+    EXPECT_EQ(cv::countNonZero(KnownSurface().consistencies(box, kNoise_m) !=
+                               static_cast<int>(DepthConsistency::unknown)),
+              0);
   });
 }
 
 /// Images in which somebody stands: a smooth patch of 40 x 60 pixels before a wall.
 struct Somebody {
   cv::Mat z_m = cv::Mat(120, 160, CV_32FC1, cv::Scalar(2.5F));
-  cv::Mat standings = cv::Mat(120, 160, CV_8UC1, cv::Scalar(static_cast<int>(Standing::fits)));
+  cv::Mat consistencies = cv::Mat(120, 160, CV_8UC1, cv::Scalar(static_cast<int>(DepthConsistency::fits)));
   cv::Mat intruding = cv::Mat::zeros(120, 160, CV_8UC1);
   cv::Rect body{60, 40, 40, 60};
   Somebody() {
     z_m(body) = 1.0F;
-    standings(body) = static_cast<int>(Standing::before);
+    consistencies(body) = static_cast<int>(DepthConsistency::before);
   }
 };
 
 TEST(MovingPixels, SomebodyMovesAsAWhole) {
   Somebody one;
   one.intruding(cv::Rect(60, 40, 6, 60)) = 255;  // his front stands where there was nothing
-  const cv::Mat moving = movingPixels(one.intruding, one.standings, one.z_m);
+  const cv::Mat moving = movingPixels(one.intruding, one.consistencies, one.z_m);
   EXPECT_EQ(cv::countNonZero(moving(one.body)), one.body.area());
   EXPECT_EQ(cv::countNonZero(moving), 42 * 62) << "and a pixel around him";
 }
 
 TEST(MovingPixels, SpecksAndWhatIsNewAloneDoNotMove) {
   Somebody one;
-  EXPECT_EQ(cv::countNonZero(movingPixels(one.intruding, one.standings, one.z_m)), 0) << "new, but still";
+  EXPECT_EQ(cv::countNonZero(movingPixels(one.intruding, one.consistencies, one.z_m)), 0) << "new, but still";
   one.intruding.at<std::uint8_t>(70, 80) = 255;
-  EXPECT_EQ(cv::countNonZero(movingPixels(one.intruding, one.standings, one.z_m)), 0);
+  EXPECT_EQ(cv::countNonZero(movingPixels(one.intruding, one.consistencies, one.z_m)), 0);
 }
 
 TEST(MovingPixels, WhatTheMapKnowsStaysInIt) {
   Somebody one;
-  one.standings(one.body) = static_cast<int>(Standing::fits);
+  one.consistencies(one.body) = static_cast<int>(DepthConsistency::fits);
   one.intruding(cv::Rect(60, 40, 6, 60)) = 255;
-  const cv::Mat moving = movingPixels(one.intruding, one.standings, one.z_m);
+  const cv::Mat moving = movingPixels(one.intruding, one.consistencies, one.z_m);
   EXPECT_EQ(cv::countNonZero(moving), 8 * 62);
 }
 
 TEST(MovingPixels, VacatedIsWhatIsSeenThroughButForEdges) {
-  cv::Mat standings(120, 160, CV_8UC1, cv::Scalar(static_cast<int>(Standing::fits)));
-  standings(cv::Rect(30, 30, 20, 10)) = static_cast<int>(Standing::behind);
-  standings(cv::Rect(100, 10, 1, 90)) = static_cast<int>(Standing::behind);  // along an edge
-  const cv::Mat vacated = vacatedPixels(standings);
+  cv::Mat consistencies(120, 160, CV_8UC1, cv::Scalar(static_cast<int>(DepthConsistency::fits)));
+  consistencies(cv::Rect(30, 30, 20, 10)) = static_cast<int>(DepthConsistency::behind);
+  consistencies(cv::Rect(100, 10, 1, 90)) = static_cast<int>(DepthConsistency::behind);  // along an edge
+  const cv::Mat vacated = vacatedPixels(consistencies);
   EXPECT_NEAR(cv::countNonZero(vacated), 18 * 8, 4);
   EXPECT_EQ(cv::countNonZero(vacated(cv::Rect(90, 0, 70, 120))), 0);
 }

@@ -100,7 +100,7 @@ TEST(Raycaster, SeesNothingInAnEmptyMap) {
   });
 }
 
-TEST(Raycaster, PlaneIsWithinAMillimetre) {
+TEST(Raycaster, PlaneIsWithinAMillimeter) {
   test::onEachWidth([](ComputeContext& compute) {
     AnalyticScene scene;
     scene.plane({0, 0, 0.3}, {0.3, -0.2, -1});
@@ -237,7 +237,7 @@ TEST(Raycaster, DoesNotDependOnWhatElseWasScanned) {
   });
 }
 
-TEST(Raycaster, WorksKilometresAway) {
+TEST(Raycaster, WorksKilometersAway) {
   test::onEachWidth([](ComputeContext& compute) {
     const Eigen::Vector3d away(2000, -3000, 1500);
     AnalyticScene scene;

@@ -24,7 +24,7 @@ const Intrinsics kCamera{110, 112, 52.3F, 41.1F, 107, 83};  // odd sizes
 
 /// A sphere in front of a slanted plane, seen from `T`; every 17th pixel has no surface.
 std::vector<Eigen::Vector4f> renderScene(const Eigen::Isometry3d& T) {
-  const Eigen::Vector3f centre(0.02F, 0.01F, 0.12F);
+  const Eigen::Vector3f center(0.02F, 0.01F, 0.12F);
   const float radius = 0.08F;
   const Eigen::Vector3f normal = Eigen::Vector3f(0.1F, -0.2F, -1).normalized();
   const float offset = normal.dot(Eigen::Vector3f(0, 0, 0.3F));
@@ -36,9 +36,9 @@ std::vector<Eigen::Vector4f> renderScene(const Eigen::Isometry3d& T) {
           T.linear().cast<float>() *
           kCamera.backProject(static_cast<float>(u), static_cast<float>(v), 1).normalized();
       float distance = (offset - normal.dot(origin)) / normal.dot(ray);
-      const Eigen::Vector3f to_centre = centre - origin;
-      const float along = to_centre.dot(ray);
-      const float miss = to_centre.squaredNorm() - along * along;
+      const Eigen::Vector3f to_center = center - origin;
+      const float along = to_center.dot(ray);
+      const float miss = to_center.squaredNorm() - along * along;
       if (miss < radius * radius) distance = std::min(distance, along - std::sqrt(radius * radius - miss));
       const bool none = (u + v * kCamera.width) % 17 == 0 || !(distance > 0);
       const Eigen::Vector3f p = origin + distance * ray;
@@ -73,16 +73,16 @@ class LabelCloudTest : public testing::TestWithParam<int> {
   }
 
   /// Label of every voxel of the dense volume; counts labelled voxels anywhere.
-  std::vector<std::uint32_t> denseLabels(const reference::DenseLabelCloud& shape, std::size_t& labelled) {
+  std::vector<std::uint32_t> denseLabels(const reference::DenseLabelCloud& shape, std::size_t& labeled) {
     std::vector<std::uint32_t> dense(shape.labels.size(), 0);
     const std::vector<cl_uint> voxels = test::usedPart(*compute_, *bricks_, bricks_->labels());
-    labelled = 0;
+    labeled = 0;
     for (int slot = 0; slot < bricks_->brickCount(); ++slot) {
       for (int i = 0; i < BRICK_VOXELS; ++i) {
         const auto at = static_cast<std::size_t>(slot) * BRICK_VOXELS + static_cast<std::size_t>(i);
         const std::uint32_t label = LABEL_OF(voxels[at]);
         if (label == 0) continue;
-        ++labelled;
+        ++labeled;
         const Eigen::Vector3i voxel =
             8 * bricks_->positionOf(slot) + Eigen::Vector3i(i % 8, i / 8 % 8, i / 64) - shape.first;
         if ((voxel.array() < 0).any() || (voxel.array() >= shape.side).any()) continue;
@@ -147,8 +147,8 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
       dense.update(vertices, merged.fragments, kCamera, T, reach_vox * kVoxel);
     }
   }
-  std::size_t labelled = 0;
-  const std::vector<std::uint32_t> sparse = denseLabels(dense, labelled);
+  std::size_t labeled = 0;
+  const std::vector<std::uint32_t> sparse = denseLabels(dense, labeled);
   // Kernel and reference round alike but may contract multiply-adds differently: a voxel that projects within
   // an ulp of a pixel's border may take the neighbour. Among 10^5 labelled voxels that is a handful at most.
   std::size_t different = 0;
@@ -159,7 +159,7 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
   }
   EXPECT_GT(expected, 10000U);
   EXPECT_LE(different, expected / 20000);
-  EXPECT_EQ(labelled, expected)
+  EXPECT_EQ(labeled, expected)
       << "a voxel outside of the dense volume was labelled, or the volume is too small";
 }
 
@@ -176,7 +176,7 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
   dense.update(vertices, merged.fragments, kCamera, T, params.update_distance_vox * kVoxel);
   const std::vector<FragmentId> projected = cloud_->project(toSurface(vertices, T), *bricks_);
-  std::size_t labelled = 0;
+  std::size_t labeled = 0;
   std::size_t different = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (vertices[i].w() == 0) {
@@ -186,14 +186,14 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
     const Eigen::Vector3d in_voxels = vertices[i].head<3>().cast<double>() / double{kVoxel};
     const Eigen::Vector3i voxel = in_voxels.array().floor().cast<int>().matrix() - kFirst;
     const std::uint32_t expected = dense.labels[dense.indexOf(voxel.x(), voxel.y(), voxel.z())];
-    labelled += expected != 0 ? 1U : 0U;
+    labeled += expected != 0 ? 1U : 0U;
     different += projected[i].value != expected ? 1U : 0U;
   }
   // The voxel of a vertex may itself be seen through a neighbouring pixel without surface, or lie outside the
   // image: it has no label then.
-  EXPECT_GT(labelled, vertices.size() * 8 / 10);
+  EXPECT_GT(labeled, vertices.size() * 8 / 10);
   // Vertices and centres within an ulp of a border, as above.
-  EXPECT_LE(different, labelled / 1000);
+  EXPECT_LE(different, labeled / 1000);
 }
 
 // Voxels of bricks that there are not yet take their labels in a second run, which writes to no other: with
@@ -240,18 +240,18 @@ TEST_P(LabelCloudTest, WhichBricksExistBeforehandChangesNoVoxel) {
 /// Updates of one view, and the fragments that the cloud then holds.
 class LabelCloudConfidenceTest : public LabelCloudTest {
  protected:
-  void write(FragmentId fragment, int times, std::span<const FragmentId> carved = {}) {
+  void write(FragmentId fragment, int times, std::span<const FragmentId> split_off = {}) {
     const Eigen::Isometry3d T = cameraAt(0, 0, 0);
     const SurfaceMaps surface = toSurface(renderScene(T), T);
     for (int i = 0; i < times; ++i) {
-      (void)cloud_->update(surface, onlyFragment(fragment), carved, params_, *bricks_);
+      (void)cloud_->update(surface, onlyFragment(fragment), split_off, params_, *bricks_);
     }
   }
   std::set<std::uint32_t> held() {
-    std::size_t labelled = 0;
+    std::size_t labeled = 0;
     std::set<std::uint32_t> fragments;
     for (const std::uint32_t fragment :
-         denseLabels(reference::DenseLabelCloud(kFirst, kSide, kVoxel), labelled)) {
+         denseLabels(reference::DenseLabelCloud(kFirst, kSide, kVoxel), labeled)) {
       if (fragment != 0) fragments.insert(fragment);
     }
     return fragments;
@@ -339,10 +339,10 @@ TEST_P(LabelCloudTest, CountsTheVoxelsOfEachFragmentExactly) {
     // Fragments of earlier frames and, in frames that need more room, of much higher numbers.
     const std::uint32_t first = 1 + static_cast<std::uint32_t>(random() % 9) * (frame < 20 ? 3U : 400U);
     params.voxel_confidence = random() % 4 != 0;
-    const std::array carved{FragmentId{first + 2}, FragmentId{first + 5}};
+    const std::array split_off{FragmentId{first + 2}, FragmentId{first + 5}};
     (void)cloud_->update(
         toSurface(renderScene(T), T), randomPatches(static_cast<unsigned>(random()), first, 15),
-        random() % 3 == 0 ? std::span<const FragmentId>(carved) : std::span<const FragmentId>(), params,
+        random() % 3 == 0 ? std::span<const FragmentId>(split_off) : std::span<const FragmentId>(), params,
         *bricks_);
   }
   std::vector<cl_int> counted(cloud_->voxelsOfFragments().size(), 0);

@@ -36,8 +36,8 @@ std::vector<Eigen::Vector3i> bricksAroundOrigin(int reach) {
 }
 
 /// A map with a label of its own in every voxel, more or less sure; `labels` are as projected.
-struct LabelledMap {
-  LabelledMap(ComputeContext& compute, float voxel_size_m) : bricks(compute, voxel_size_m) {
+struct LabeledMap {
+  LabeledMap(ComputeContext& compute, float voxel_size_m) : bricks(compute, voxel_size_m) {
     bricks.allocate(bricksAroundOrigin(2));
     std::vector<cl_uint> values(static_cast<std::size_t>(bricks.slotCapacity()) * BRICK_VOXELS, 0);
     for (int slot = 0; slot < bricks.brickCount(); ++slot) {
@@ -60,7 +60,7 @@ struct LabelledMap {
   Buffer<cl_uint> voxels;
 };
 
-std::vector<std::uint32_t> project(ComputeContext& compute, const LabelledMap& map,
+std::vector<std::uint32_t> project(ComputeContext& compute, const LabeledMap& map,
                                    const std::vector<Eigen::Vector4f>& vertices) {
   auto kernel = compute.kernel(kernels::labeling, "project_labels");
   EXPECT_TRUE(kernel) << kernel.error().message();
@@ -84,7 +84,7 @@ constexpr float kExactVoxel_m = 1.0F / 128;
 
 TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
   onEachWidth([](ComputeContext& compute) {
-    const LabelledMap map(compute, kExactVoxel_m);
+    const LabeledMap map(compute, kExactVoxel_m);
     std::vector<Eigen::Vector4f> vertices;
     std::vector<std::uint32_t> expected;
     // Along each axis in steps of a quarter of a voxel, from beyond the first brick to beyond the last.
@@ -113,7 +113,7 @@ TEST(ProjectLabels, BordersBelongToTheVoxelAbove) {
 TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
   onEachWidth([](ComputeContext& compute) {
     constexpr float kVoxel_m = 0.006F;
-    const LabelledMap map(compute, kVoxel_m);
+    const LabeledMap map(compute, kVoxel_m);
     std::mt19937 random(4);
     std::uniform_real_distribution<float> coordinate(-18 * kVoxel_m,
                                                      18 * kVoxel_m);  // bricks end at 16 voxels
@@ -129,16 +129,16 @@ TEST(ProjectLabels, MatchesTheFormulaAnywhere) {
     for (const auto& vertex : vertices) {
       expected.push_back(reference::projectedLabel(vertex, kVoxel_m, map.labels));
     }
-    const auto labelled = vertices.size() - static_cast<std::size_t>(std::ranges::count(expected, 0U));
-    EXPECT_GT(labelled, vertices.size() / 2);
-    EXPECT_LT(labelled, vertices.size() * 9 / 10) << "some lie beyond the bricks";
+    const auto labeled = vertices.size() - static_cast<std::size_t>(std::ranges::count(expected, 0U));
+    EXPECT_GT(labeled, vertices.size() / 2);
+    EXPECT_LT(labeled, vertices.size() * 9 / 10) << "some lie beyond the bricks";
     EXPECT_EQ(project(compute, map, vertices), expected);
   });
 }
 
 TEST(ProjectLabels, GivesNothingWhereThereIsNoVertex) {
   onEachWidth([](ComputeContext& compute) {
-    const LabelledMap map(compute, kExactVoxel_m);
+    const LabeledMap map(compute, kExactVoxel_m);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THAT(project(compute, map,
                         {{0, 0, 0, 0}, {0, 0, 0, kNan}, {0.001F, 0.001F, 0.001F, -1}, {0, 0, 65.535F, 1}}),
@@ -193,9 +193,9 @@ TEST(ExtractPoints, MatchesTheFormulaBrickByBrick) {
         for (std::size_t i = 0; i < expected.size(); ++i) {
           const LabelPoint& point = extract.points[extract.first[b] + i];
           EXPECT_EQ(point.fragment, expected[i].fragment);
-          EXPECT_FLOAT_EQ(point.x, static_cast<float>(expected[i].centre_m.x()));
-          EXPECT_FLOAT_EQ(point.y, static_cast<float>(expected[i].centre_m.y()));
-          EXPECT_FLOAT_EQ(point.z, static_cast<float>(expected[i].centre_m.z()));
+          EXPECT_FLOAT_EQ(point.x, static_cast<float>(expected[i].center_m.x()));
+          EXPECT_FLOAT_EQ(point.y, static_cast<float>(expected[i].center_m.y()));
+          EXPECT_FLOAT_EQ(point.z, static_cast<float>(expected[i].center_m.z()));
           EXPECT_NEAR(point.normal_x, expected[i].normal.x(), 1e-5);
           EXPECT_NEAR(point.normal_y, expected[i].normal.y(), 1e-5);
           EXPECT_NEAR(point.normal_z, expected[i].normal.z(), 1e-5);
@@ -243,7 +243,7 @@ TEST(ExtractPoints, GivesTheSameOfBricksInTheFile) {
     listed.resize(40);
     const LabelCloud::Extract before = (*cloud)->extract(listed, bricks, 4);
 
-    bricks.lookAt({});
+    bricks.beginFrame({});
     std::vector<Eigen::Vector3i> elsewhere;
     for (int x = 100; x < 120; ++x) elsewhere.emplace_back(x, 0, 0);
     bricks.allocate(elsewhere);  // takes the place of three of the pages

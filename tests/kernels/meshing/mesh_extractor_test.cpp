@@ -36,12 +36,12 @@ PaintedScene twoColored(const test::AnalyticScene& shape) {
 }
 
 /// Cameras all around a place: the corners, edges and faces of a cube as seen from its middle.
-std::vector<Eigen::Isometry3d> around(const Eigen::Vector3d& centre, double distance) {
+std::vector<Eigen::Isometry3d> around(const Eigen::Vector3d& center, double distance) {
   std::vector<Eigen::Isometry3d> poses;
   for (int i = 0; i < 27; ++i) {
     const Eigen::Vector3d direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     if (direction.isZero()) continue;
-    poses.push_back(test::lookAt(centre + distance * direction.normalized(), centre, {0.11, 0.91, 0.23}));
+    poses.push_back(test::lookAt(center + distance * direction.normalized(), center, {0.11, 0.91, 0.23}));
   }
   return poses;
 }
@@ -81,13 +81,13 @@ SurfaceMesh meshOf(BrickMap& map) {
 
 TEST(MeshExtractor, ABallSeenFromAllSidesIsClosedAndWhereItIs) {
   test::onEachDevice([](ComputeContext& compute) {
-    const Eigen::Vector3d centre(0.013, -0.007, 0.021);  // across eight pages
+    const Eigen::Vector3d center(0.013, -0.007, 0.021);  // across eight pages
     const double radius = 0.25;
     test::AnalyticScene ball;
-    ball.sphere(centre, radius);
+    ball.sphere(center, radius);
     const PaintedScene scene = twoColored(ball);
     ColorRig rig(compute, meshParams());
-    for (const Eigen::Isometry3d& T : around(centre, 0.8))
+    for (const Eigen::Isometry3d& T : around(center, 0.8))
       rig.show(scene, kCamera, T, std::nullopt, {634, 466});
     const SurfaceMesh mesh = meshOf(rig.map().bricks());
     test::expectNoFaults(mesh);
@@ -97,9 +97,9 @@ TEST(MeshExtractor, ABallSeenFromAllSidesIsClosedAndWhereItIs) {
     int of_wrong_color = 0;
     int without_color = 0;
     for (const SurfaceMesh::Vertex& vertex : mesh.vertices) {
-      const Eigen::Vector3d from_centre = vertex.position.cast<double>() - centre;
-      farthest = std::max(farthest, std::abs(from_centre.norm() - radius));
-      least_cosine = std::min(least_cosine, vertex.normal.cast<double>().dot(from_centre.normalized()));
+      const Eigen::Vector3d from_center = vertex.position.cast<double>() - center;
+      farthest = std::max(farthest, std::abs(from_center.norm() - radius));
+      least_cosine = std::min(least_cosine, vertex.normal.cast<double>().dot(from_center.normalized()));
       without_color += vertex.has_color ? 0 : 1;
       if (std::abs(vertex.position.x()) < 2 * kVoxel_m) continue;  // where the paint meets
       const Color expected = vertex.position.x() < 0 ? Color{200, 40, 30} : Color{20, 60, 220};
@@ -219,7 +219,7 @@ TEST(MeshExtractor, NothingOfNothing) {
   });
 }
 
-TEST(MeshExtractor, ColourLiesBetweenAndLabelsAreTheNearest) {
+TEST(MeshExtractor, ColorLiesBetweenAndLabelsAreTheNearest) {
   test::onEachDevice([](ComputeContext& compute) {
     BrickMap map(compute, kVoxel_m);
     map.allocate(cubeOfBricks(-1, 1));
@@ -263,13 +263,13 @@ TEST(MeshExtractor, ColourLiesBetweenAndLabelsAreTheNearest) {
 }
 
 /// Balls along x, of which few are in view at a time.
-void filmBalls(ColorRig& rig) {
+void recordBalls(ColorRig& rig) {
   for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d centre(0.9 * i, 0, 0);
+    const Eigen::Vector3d center(0.9 * i, 0, 0);
     test::AnalyticScene ball;
-    ball.sphere(centre, 0.2);
+    ball.sphere(center, 0.2);
     for (const double side : {-0.25, 0.0, 0.25}) {
-      rig.show(twoColored(ball), kCamera, test::lookAt(centre + Eigen::Vector3d(side, 0.1, -0.7), centre),
+      rig.show(twoColored(ball), kCamera, test::lookAt(center + Eigen::Vector3d(side, 0.1, -0.7), center),
                std::nullopt, {317, 233});
     }
   }
@@ -279,8 +279,8 @@ TEST(MeshExtractor, TheMemoryBudgetChangesNothing) {
   test::onEachDevice([](ComputeContext& compute) {
     ColorRig with_all(compute, meshParams());
     ColorRig with_little(compute, meshParams(1));
-    filmBalls(with_all);
-    filmBalls(with_little);
+    recordBalls(with_all);
+    recordBalls(with_little);
     EXPECT_EQ(with_all.map().bricks().storedBytes(), 0U);
     EXPECT_GT(with_little.map().bricks().storedBytes(), 0U);
     const int here = with_little.map().bricks().bricksHere();

@@ -93,9 +93,9 @@ TEST(RefineNormals, EqualsTheFormula) {
           ASSERT_EQ(normals[i].s[3], 0.0F);
           continue;
         }
-        const reference::WindowPlane& centre = reference.plane(x, y);
+        const reference::WindowPlane& center = reference.plane(x, y);
         std::vector<reference::WindowPlane> windows;
-        double margin = centre.margin, best = 1e9;
+        double margin = center.margin, best = 1e9;
         for (int dy = -kRadius_px; dy <= kRadius_px; ++dy) {
           for (int dx = -kRadius_px; dx <= kRadius_px; ++dx) {
             if (!reference.sameSurface(x, y, x + dx, y + dy)) continue;
@@ -108,18 +108,18 @@ TEST(RefineNormals, EqualsTheFormula) {
         ASSERT_EQ(normals[i].s[3] > 0, best < 1e8);
         if (best > 1e8) continue;
         const Eigen::Vector3d normal_camera = T_camera_world.linear() * toEigen(normals[i]);
-        const bool may_keep = centre.fits && centre.concavity_m < params.concave_from_m + 1e-5;
-        const bool may_move = !centre.fits || centre.concavity_m > params.concave_from_m - 1e-5;
+        const bool may_keep = center.fits && center.concavity_m < params.concave_from_m + 1e-5;
+        const bool may_move = !center.fits || center.concavity_m > params.concave_from_m - 1e-5;
         // Float moments of noise of 1 mm are good for 1e-3 of direction; windows equal in rms within 5 um may
         // be exchanged.
-        bool found = may_keep && (normal_camera - centre.normal).norm() < 2e-3;
+        bool found = may_keep && (normal_camera - center.normal).norm() < 2e-3;
         own += found ? 1 : 0;
         for (const reference::WindowPlane& window : windows) {
           if (found || !may_move || !window.fits || window.rms_m > best + 5e-6) continue;
           found = (normal_camera - window.normal).norm() < 2e-3;
           moved += found ? 1 : 0;
         }
-        ASSERT_TRUE(found) << x << ", " << y << " concavity " << centre.concavity_m;
+        ASSERT_TRUE(found) << x << ", " << y << " concavity " << center.concavity_m;
       }
     }
     EXPECT_GT(own, 5000);

@@ -129,9 +129,9 @@ TEST(WeighEdges, EqualsTheFormula) {
   };
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   test::onEachWidth([&](ComputeContext& compute) {
-    for (const int neighbours : {4, 8}) {
+    for (const int neighbors : {4, 8}) {
       SegmentationParams params;
-      params.neighbours = neighbours;
+      params.neighbors = neighbors;
       SurfaceMaps surface = upload(compute, K, vertices, normals);
       surface.T_world_camera = T_world_camera;
       const EdgeKeys edges = weigh(compute, surface, params);
@@ -148,7 +148,7 @@ TEST(WeighEdges, EqualsTheFormula) {
             const std::uint16_t key = edges.keys[i].s[direction];
             const auto j = static_cast<std::size_t>(y_j * K.width + x_j);
             if (x_j < 0 || x_j >= K.width || y_j >= K.height || !present(i) || !present(j) ||
-                (neighbours == 4 && direction >= 2)) {
+                (neighbors == 4 && direction >= 2)) {
               ASSERT_EQ(key, kEdgeNever);
               continue;
             }

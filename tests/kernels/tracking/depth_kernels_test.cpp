@@ -39,16 +39,16 @@ std::size_t indexIn(const DepthPlane& plane, int u, int v) {
 
 DepthPlane planeOf(ComputeContext& compute, const DepthImage& image) {
   DepthPlane plane(compute, image.width, image.height);
-  std::vector<float> all(plane.metres.size(), 0.0F);
+  std::vector<float> all(plane.meters.size(), 0.0F);
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) all[indexIn(plane, u, v)] = image.at(u, v);
   }
-  plane.metres.write(compute.queue(), all);
+  plane.meters.write(compute.queue(), all);
   return plane;
 }
 
 DepthImage read(ComputeContext& compute, const DepthPlane& plane) {
-  const std::vector<float> all = plane.metres.read(compute.queue());
+  const std::vector<float> all = plane.meters.read(compute.queue());
   DepthImage image(plane.width, plane.height);
   double inside = 0, everything = 0;
   for (const float z : all) everything += static_cast<double>(z);
@@ -105,12 +105,12 @@ TEST(HalveDepth, MatchesTheFormula) {
       Buffer<cl_float> image(compute.context(), large.z.size());
       image.write(compute.queue(), large.z);
       kernel.launch(items, group, image, cl_int{width}, cl_int{0}, cl_int{small.width}, cl_int{small.height},
-                    cl_int{small.stride}, small.metres);
+                    cl_int{small.stride}, small.meters);
       expectSame(read(compute, small), expected);
 
       const DepthPlane plane = planeOf(compute, large);
-      kernel.launch(items, group, plane.metres, cl_int{plane.stride}, cl_int{PLANE_PAD}, cl_int{small.width},
-                    cl_int{small.height}, cl_int{small.stride}, small.metres);
+      kernel.launch(items, group, plane.meters, cl_int{plane.stride}, cl_int{PLANE_PAD}, cl_int{small.width},
+                    cl_int{small.height}, cl_int{small.stride}, small.meters);
       expectSame(read(compute, small), expected);
     }
   });
@@ -123,7 +123,7 @@ DepthImage reduced(ComputeContext& compute, const DepthImage& large, int width, 
   Kernel kernel = kernelOf(compute, kernels::reduce_depth, "reduce_depth");
   kernel.launch(cl::NDRange(static_cast<std::size_t>(width), static_cast<std::size_t>(height)), cl::NullRange,
                 image, cl_int{large.width}, cl_int{large.height}, cl_int{width}, cl_int{height},
-                cl_int{small.stride}, small.metres);
+                cl_int{small.stride}, small.meters);
   return read(compute, small);
 }
 
@@ -179,8 +179,8 @@ TEST(FilterDepth, MatchesTheFormula) {
       const DepthImage image = testImage(width, height, 3);
       const DepthPlane input = planeOf(compute, image);
       DepthPlane output(compute, width, height);
-      kernel.launch(compute.lanes().overRows(width, height), compute.lanes().rowGroup(), input.metres,
-                    cl_int{width}, cl_int{height}, cl_int{input.stride}, 0.008F, 0.008F, output.metres);
+      kernel.launch(compute.lanes().overRows(width, height), compute.lanes().rowGroup(), input.meters,
+                    cl_int{width}, cl_int{height}, cl_int{input.stride}, 0.008F, 0.008F, output.meters);
       expectSame(read(compute, output), reference::filterDepth(image, 0.008, 0.008));
     }
   });
@@ -197,7 +197,7 @@ TEST(BuildSurface, MatchesTheFormula) {
       const auto pixels = static_cast<std::size_t>(K.pixels());
       Buffer<cl_float4> vertices(compute.context(), pixels), normals(compute.context(), pixels);
       kernel.launch(cl::NDRange(static_cast<std::size_t>(width), static_cast<std::size_t>(height)),
-                    cl::NullRange, plane.metres, cl_int{width}, cl_int{height}, cl_int{plane.stride},
+                    cl::NullRange, plane.meters, cl_int{width}, cl_int{height}, cl_int{plane.stride},
                     toKernel(K.fx, K.fy, K.cx, K.cy), vertices, normals);
       const auto actual_v = vertices.read(compute.queue());
       const auto actual_n = normals.read(compute.queue());

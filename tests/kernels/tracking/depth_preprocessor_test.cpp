@@ -88,9 +88,9 @@ TEST(DepthPreprocessor, PlaneGivesItsNormalAndLiesWhereItIs) {
 
 TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
   onEachWidth([](ComputeContext& compute) {
-    const Eigen::Vector3d centre(0, 0, 1.4);
+    const Eigen::Vector3d center(0, 0, 1.4);
     AnalyticScene scene;
-    scene.sphere(centre, 0.3).plane({0, 0, 2.5}, {0, 0, -1});
+    scene.sphere(center, 0.3).plane({0, 0, 2.5}, {0, 0, -1});
     const auto preprocessor = make(compute, kKinect);
     const DepthPyramid& pyramid =
         preprocessor->process(frameOf(scene, kKinect, Eigen::Isometry3d::Identity()));
@@ -108,7 +108,7 @@ TEST(DepthPreprocessor, SphereNormalsPointOutwardsAndNotAcrossItsEdge) {
         ASSERT_GT(-n.z(), 0.99);  // a normal across the edge would lean far
       } else {
         ASSERT_LT(p.z(), 1.45);  // nothing floats between ball and wall
-        const Eigen::Vector3d outwards = (p - centre).normalized();
+        const Eigen::Vector3d outwards = (p - center).normalized();
         if (-outwards.dot(p.normalized()) < 0.4) continue;  // grazing
         ++on_ball;
         ASSERT_GT(n.dot(outwards), 0.96);

@@ -10,7 +10,7 @@
 namespace scantrove::test {
 namespace {
 
-std::vector<RgbdFrame> filmed(synthetic::FilmSet (*set)(), int frames, int stride, bool color = true) {
+std::vector<RgbdFrame> filmed(synthetic::SceneRecipe (*set)(), int frames, int stride, bool color = true) {
   SyntheticOptions options;
   options.set = set;
   options.frames = frames;
@@ -51,7 +51,7 @@ TEST(PoseTracker, FollowsAlongABareWallByWhatIsPaintedOnIt) {
   });
 }
 
-TEST(PoseTracker, ABareWallWithoutColourIsNotGuessedAt) {
+TEST(PoseTracker, ABareWallWithoutColorIsNotGuessedAt) {
   const std::vector<RgbdFrame> frames = filmed(synthetic::makeWallSet, 60, 4, false);
   onEachDevice([&](ComputeContext& compute) {
     TrackingRig rig(compute, kCamera);
@@ -88,7 +88,7 @@ TEST(PoseTracker, FindsTheCameraAgainWhereverItHasBeen) {
         PoseEstimate pose;
         std::size_t tries = 0;
         for (; tries < 5 && !pose.usable(); ++tries) pose = rig.show(frames[elsewhere + tries]);
-        ASSERT_EQ(pose.state, TrackingState::relocalised) << elsewhere;
+        ASSERT_EQ(pose.state, TrackingState::relocalized) << elsewhere;
         EXPECT_LT(errorOf_m(pose, frames[elsewhere + tries - 1], frames.front()), 0.010)
             << elsewhere << ": inliers " << pose.inlier_fraction << ", rmse " << pose.rmse_m;
       }

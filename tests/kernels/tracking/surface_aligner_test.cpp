@@ -75,7 +75,7 @@ TEST(IcpPass, SumsMatchTheFormula) {
           widened(level.vertices_camera.read(compute.queue())),
           widened(level.normals_camera.read(compute.queue())), T_frame,
           widened(model.vertices_world.read(compute.queue())),
-          widened(model.normals_world.read(compute.queue())), T_model, kWorking, system.centre,
+          widened(model.normals_world.read(compute.queue())), T_model, kWorking, system.center,
           {static_cast<double>(gates.distance_m), static_cast<double>(gates.distance_per_z2),
            static_cast<double>(gates.normal_cosine), static_cast<double>(gates.huber_m),
            static_cast<double>(gates.noise_per_z2), static_cast<double>(gates.fit_huber_m),

@@ -16,7 +16,7 @@ inline const Intrinsics kKinect{585, 585, 320, 240, 640, 480};
 inline RgbdFrame frameOf(const AnalyticScene& scene, const Intrinsics& K,
                          const Eigen::Isometry3d& T_world_camera) {
   RgbdFrame frame;
-  frame.metres_per_unit = 0.0002F;
+  frame.meters_per_unit = 0.0002F;
   frame.depth = cv::Mat::zeros(K.height, K.width, CV_16UC1);
   const std::vector<float> depth_m = scene.depth(K, T_world_camera);
   for (int i = 0; i < K.pixels(); ++i) {

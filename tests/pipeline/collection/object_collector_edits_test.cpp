@@ -15,7 +15,7 @@ TEST_F(ObjectCollectorEdits, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUn
   const Thing under_a_new_region{mug_.seed, mug_.place, RegionId{77}};
   for (int frame = 0; frame < 20; ++frame) {
     const FrameObjects seen = look({mug_, box_}, 25 * frame);
-    EXPECT_TRUE(seen.added.empty() && seen.recognised.empty());
+    EXPECT_TRUE(seen.added.empty() && seen.recognized.empty());
     EXPECT_FALSE(seen.seen[0].object);
     EXPECT_EQ(seen.seen[0].name, "");
   }
@@ -143,7 +143,7 @@ TEST_F(ObjectCollectorEdits, AJoinedRegionOfADeletedObjectIsTheOtherOne) {
   EXPECT_EQ(collector_->objectOf(mug_.region), first.added.at(1).id);
 }
 
-TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognised) {
+TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognized) {
   static_cast<void>(study({box_}));
   const Candidate candidate = mug_.candidate();
   RgbdFrame frame;
@@ -151,11 +151,11 @@ TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognised) {
   frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
   mug_.paint(frame.color);
   const Result<ObjectRecord> other =
-      person_->addObject(*cutView(frame, Eigen::Isometry3d::Identity(), inColor(), candidate));
+      person_->addObject(*cropView(frame, Eigen::Isometry3d::Identity(), inColor(), candidate));
   ASSERT_TRUE(other);
   const FrameObjects seen = study({mug_});
-  ASSERT_EQ(seen.recognised.size(), 1U);
-  EXPECT_EQ(seen.recognised[0].id, other->id);
+  ASSERT_EQ(seen.recognized.size(), 1U);
+  EXPECT_EQ(seen.recognized[0].id, other->id);
   EXPECT_EQ(objects().size(), 2U);
 }
 

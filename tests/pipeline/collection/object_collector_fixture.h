@@ -30,7 +30,7 @@ struct Thing {
     Candidate candidate;
     candidate.regions = {region};
     candidate.outline = 1;
-    candidate.is_whole = true;
+    candidate.is_complete = true;
     candidate.box_px = box();
     candidate.mask = cv::Mat(box().size(), CV_8UC1, cv::Scalar(0));
     cv::ellipse(candidate.mask, {20, 25}, {19, 24}, 0, 0, 360, 255, cv::FILLED);
@@ -117,7 +117,7 @@ class ObjectCollectorFixture : public testing::Test {
   void addNews(FrameObjects& objects) {
     FrameObjects news = collector_->followCatalogue();
     std::ranges::move(news.added, std::back_inserter(objects.added));
-    std::ranges::move(news.recognised, std::back_inserter(objects.recognised));
+    std::ranges::move(news.recognized, std::back_inserter(objects.recognized));
     std::ranges::move(news.new_views, std::back_inserter(objects.new_views));
     std::ranges::move(news.merged, std::back_inserter(objects.merged));
     if (news.catalogue_failure) objects.catalogue_failure = news.catalogue_failure;
@@ -127,10 +127,10 @@ class ObjectCollectorFixture : public testing::Test {
   /// So many such frames that what is unknown counts as unknown; all that they gave, seen as in the last.
   FrameObjects study(const std::vector<Thing>& things, double degrees = 0) {
     FrameObjects all;
-    for (int i = 0; i <= RecognitionHistory::kLooksToGiveUp * RecognitionHistory::kFramesApart; ++i) {
+    for (int i = 0; i <= RecognitionHistory::kAttemptsToGiveUp * RecognitionHistory::kFramesApart; ++i) {
       FrameObjects one = look(things, degrees);
       std::ranges::move(one.added, std::back_inserter(all.added));
-      std::ranges::move(one.recognised, std::back_inserter(all.recognised));
+      std::ranges::move(one.recognized, std::back_inserter(all.recognized));
       std::ranges::move(one.new_views, std::back_inserter(all.new_views));
       std::ranges::move(one.merged, std::back_inserter(all.merged));
       if (one.catalogue_failure) all.catalogue_failure = one.catalogue_failure;
@@ -153,11 +153,11 @@ class ObjectCollectorFixture : public testing::Test {
     rated_.add(frame_index, candidates);
   }
   void settleComplete() {
-    constexpr float kLeast = -0.2F;
+    constexpr float kMin = -0.2F;
     std::vector<ObjectCollector::CompleteSet> complete;
-    for (const RatedSets::Rated& rated : rated_.disjoint(kLeast))
+    for (const RatedSets::Rated& rated : rated_.disjoint(kMin))
       complete.push_back({rated.regions, rated.frame_index});
-    collector_->settleComplete(complete, [&](RegionId region) { return rated_.isUnlikely(region, kLeast); });
+    collector_->settleComplete(complete, [&](RegionId region) { return rated_.isUnlikely(region, kMin); });
     rated_ = {};
   }
 

@@ -28,7 +28,7 @@ class NamedRegions : public test::ObjectCollectorFixture {
   }
   static Candidate part(const Thing& thing) {
     Candidate candidate = thing.candidate();
-    candidate.is_whole = false;
+    candidate.is_complete = false;
     candidate.outline = 0.2F;
     return candidate;
   }
@@ -92,7 +92,7 @@ TEST_F(NamedRegions, WhatIsNoObjectYetBecomesOneWhenItIsSeenWholeOrNot) {
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].name, "mug");
   EXPECT_TRUE(objects()[0].confirmed);
-  EXPECT_TRUE(collector_->wanted().empty());
+  EXPECT_TRUE(collector_->requested().empty());
   EXPECT_EQ(collector_->objectOf(mug_.region), objects()[0].id);
 }
 
@@ -153,7 +153,7 @@ TEST_F(NamedRegions, AnUndoTakesWhatWasMadeBecauseAPersonCalledItAnObject) {
   collector_->want(mug_.region, "");
   static_cast<void>(lookAt({part(mug_)}, {mug_}));
   ASSERT_EQ(objects().size(), 1U);
-  ASSERT_EQ(collector_->keptNamings().at(mug_.region).at(0).made, objects()[0].id);
+  ASSERT_EQ(collector_->storedNamings().at(mug_.region).at(0).made, objects()[0].id);
   collector_->takeObjectBack(mug_.region);
   static_cast<void>(look({}));
   EXPECT_TRUE(objects().empty());
@@ -167,19 +167,19 @@ TEST_F(NamedRegions, AreTakenBackInALaterScan) {
   ASSERT_EQ(objects().size(), 2U);
   std::map<RegionId, ObjectId> bound;
   for (const Thing& thing : {mug_, box_}) bound[thing.region] = collector_->objectOf(thing.region);
-  const auto kept = collector_->keptNamings();
+  const auto kept = collector_->storedNamings();
   settle();
   beginScan();
   for (const auto& [region, namings] : kept) {
     collector_->bind(region, bound.at(region));
     collector_->restoreNamings(region, namings);
   }
-  EXPECT_EQ(collector_->keptNamings().size(), 2U) << "they stay kept";
+  EXPECT_EQ(collector_->storedNamings().size(), 2U) << "they stay kept";
   unname(mug_, "mug");
   collector_->takeObjectBack(box_.region);
   static_cast<void>(look({}));
   EXPECT_TRUE(objects().empty());
-  EXPECT_TRUE(collector_->keptNamings().empty());
+  EXPECT_TRUE(collector_->storedNamings().empty());
 }
 
 TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
@@ -187,11 +187,11 @@ TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
   name(mug_, "mug");
   settle();
   beginScan();
-  KeptNaming stranger;
+  StoredNaming stranger;
   stranger.naming = {ObjectId{99}, "mug", "Obj_9"};
   stranger.made = ObjectId{99};
   collector_->restoreNamings(mug_.region, {stranger});
-  EXPECT_TRUE(collector_->keptNamings().empty());
+  EXPECT_TRUE(collector_->storedNamings().empty());
   unname(mug_, "mug");
   static_cast<void>(look({}));
   EXPECT_EQ(record(mug).name, "mug");
@@ -304,12 +304,12 @@ TEST_F(NamedRegions, AreKeptForTheSession) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   name(mug_, "mug");
   static_cast<void>(look({mug_}));
-  const auto kept = collector_->keptNamings();
+  const auto kept = collector_->storedNamings();
   ASSERT_EQ(kept.size(), 1U);
-  const KeptNaming& naming = kept.at(mug_.region).at(0);
+  const StoredNaming& naming = kept.at(mug_.region).at(0);
   EXPECT_EQ(naming.naming.object, mug);
   EXPECT_EQ(naming.naming.earlier_name, "Obj_1");
-  const std::vector<KeptNaming> read = namingsFromJson(namingsToJson({naming}));
+  const std::vector<StoredNaming> read = namingsFromJson(namingsToJson({naming}));
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].naming.name, "mug");
   EXPECT_EQ(read[0].earlier, mug);

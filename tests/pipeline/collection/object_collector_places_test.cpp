@@ -38,7 +38,7 @@ class KnownAgainByPlace : public test::ObjectCollectorFixture {
       }
       FrameObjects objects = lookAt(candidates, things);
       std::ranges::move(objects.added, std::back_inserter(all.added));
-      std::ranges::move(objects.recognised, std::back_inserter(all.recognised));
+      std::ranges::move(objects.recognized, std::back_inserter(all.recognized));
     }
     return all;
   }
@@ -59,11 +59,11 @@ class KnownAgainByPlace : public test::ObjectCollectorFixture {
 };
 
 TEST_F(KnownAgainByPlace, WhatStandsWhereItStoodNeedsToBeLessLikeItself) {
-  EXPECT_EQ(studyPlaced(three_, T_now_then_).recognised.size(), 3U);
+  EXPECT_EQ(studyPlaced(three_, T_now_then_).recognized.size(), 3U);
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   EXPECT_TRUE(found.added.empty());
-  ASSERT_EQ(found.recognised.size(), 1U);
-  EXPECT_EQ(found.recognised[0].id, jar_id_);
+  ASSERT_EQ(found.recognized.size(), 1U);
+  EXPECT_EQ(found.recognized[0].id, jar_id_);
 }
 
 TEST_F(KnownAgainByPlace, ElsewhereItIsAnother) {
@@ -99,8 +99,8 @@ TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
   rate(frame_, {jar_.thing.candidate()});
   settleComplete();
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
-  ASSERT_EQ(found.recognised.size(), 1U) << "which is said";
-  EXPECT_EQ(found.recognised[0].id, jar_id_);
+  ASSERT_EQ(found.recognized.size(), 1U) << "which is said";
+  EXPECT_EQ(found.recognized[0].id, jar_id_);
   collector_->endLookingAgain();
   settle();
   static_cast<void>(collector_->followCatalogue());

@@ -14,10 +14,10 @@ using ObjectCollectorTest = test::ObjectCollectorFixture;
 TEST_F(ObjectCollectorTest, AddsTheUnknownOnceAndKeepsNewDirections) {
   FrameObjects first = study({mug_, box_});
   ASSERT_EQ(first.added.size(), 2U);
-  EXPECT_TRUE(first.recognised.empty());
+  EXPECT_TRUE(first.recognized.empty());
   EXPECT_EQ(first.seen[0].object, first.added[0].id);
   EXPECT_EQ(first.seen[0].name, first.added[0].name);
-  EXPECT_FALSE(first.seen[0].recognised);
+  EXPECT_FALSE(first.seen[0].recognized);
   FrameObjects second = look({mug_, box_}, 10);
   EXPECT_TRUE(second.added.empty() && second.new_views.empty());
   EXPECT_EQ(look({mug_}, 25).new_views, std::vector<ObjectId>{first.added[0].id});
@@ -37,19 +37,19 @@ TEST_F(ObjectCollectorTest, AnObjectHasSoManyViewsAndNoMore) {
   EXPECT_EQ(objects().at(0).views, 3);
 }
 
-TEST_F(ObjectCollectorTest, RecognisesWhatAnEarlierScanAddedAndSaysSoOnce) {
+TEST_F(ObjectCollectorTest, RecognizesWhatAnEarlierScanAddedAndSaysSoOnce) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   beginScan();
   const FrameObjects first = study({mug_, box_});
-  ASSERT_EQ(first.recognised.size(), 1U);
-  EXPECT_EQ(first.recognised[0].id, mug);
-  EXPECT_TRUE(first.seen[0].recognised);
+  ASSERT_EQ(first.recognized.size(), 1U);
+  EXPECT_EQ(first.recognized[0].id, mug);
+  EXPECT_TRUE(first.seen[0].recognized);
   EXPECT_EQ(first.added.size(), 1U);
-  EXPECT_TRUE(look({mug_, box_}).recognised.empty());
+  EXPECT_TRUE(look({mug_, box_}).recognized.empty());
   const auto met = collector_->metObjects();
   ASSERT_EQ(met.size(), 2U);
-  EXPECT_EQ(met[0].recognised_from, "table");
-  EXPECT_EQ(met[1].recognised_from, "");
+  EXPECT_EQ(met[0].recognized_from, "table");
+  EXPECT_EQ(met[1].recognized_from, "");
 }
 
 TEST_F(ObjectCollectorTest, TheSameThingUnderANewRegionIsTheSameObject) {
@@ -87,7 +87,7 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayLookALittleOtherwise) {
     return added;
   };
   const ObjectId mug = study({mug_}).added.at(0).id;
-  here.has_come = true;
+  here.has_appeared = true;
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   EXPECT_EQ(timesAdded(), 0U);
   EXPECT_EQ(collector_->objectOf(put.region), mug);
@@ -97,12 +97,12 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
   const Thing put{mug_.seed, 2, RegionId{77}};
   Candidate part = put.candidate();
   part.size_m *= 0.55F;
-  part.has_come = true;
+  part.has_appeared = true;
   const ObjectId mug = study({mug_}).added.at(0).id;
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   for (int i = 0; i < 30; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
   EXPECT_EQ(collector_->objectOf(put.region), mug);
-  part.has_come = false;  // it came long ago: its size raises no doubt
+  part.has_appeared = false;  // it came long ago: its size raises no doubt
   for (int i = 0; i < 60; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
   EXPECT_EQ(collector_->objectOf(put.region), mug);
 }
@@ -110,7 +110,7 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
 TEST_F(ObjectCollectorTest, WhereOneIsMissingWhatComesMayLookQuiteOtherwise) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
-  here.has_come = true;
+  here.has_appeared = true;
   static_cast<void>(study({mug_}));
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
@@ -120,7 +120,7 @@ TEST_F(ObjectCollectorTest, WhereOneIsMissingWhatComesMayLookQuiteOtherwise) {
 TEST_F(ObjectCollectorTest, WhereSeveralAreMissingItMustLookLikeOneOfThem) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
-  here.has_come = true;
+  here.has_appeared = true;
   static_cast<void>(study({mug_, box_}));
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);  // in view is the box's place, too
   for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
@@ -131,7 +131,7 @@ TEST_F(ObjectCollectorTest, WhatIsSeenMissingOnlyLaterIsWhatCameBefore) {
   static_cast<void>(study({mug_}));
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6};
   Candidate here = put.candidate();
-  here.has_come = true;
+  here.has_appeared = true;
   for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
   ASSERT_EQ(objects().size(), 2U) << "its old place is not in view";
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
@@ -189,7 +189,7 @@ TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOr
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6}, later{mug_.seed, 2, RegionId{78}, 0.6};
   const ObjectId mug = study({mug_}).added.at(0).id;
   Candidate here = put.candidate();
-  here.has_come = true;
+  here.has_appeared = true;
   for (int i = 0; i < 30; ++i) static_cast<void>(lookAt({here}, {put}));
   EXPECT_EQ(objects().size(), 2U) << "the mug stands where it was";
   ASSERT_TRUE(person_->remove(std::array{objects()[1].id}));
@@ -282,7 +282,7 @@ TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
 
 TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
   Candidate part = mug_.candidate();
-  part.is_whole = false;
+  part.is_complete = false;
   FrameObjects seen;
   for (int frame = 0; frame < 40; ++frame) {
     seen = lookAt({part}, {mug_});
@@ -300,7 +300,7 @@ TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
 TEST_F(ObjectCollectorTest, SaysUnknownOnlyAfterSeveralLooks) {
   int frames = 0;
   while (look({mug_}).added.empty()) ASSERT_LT(++frames, 100);
-  EXPECT_GE(frames, (RecognitionHistory::kLooksToGiveUp - 1) * RecognitionHistory::kFramesApart);
+  EXPECT_GE(frames, (RecognitionHistory::kAttemptsToGiveUp - 1) * RecognitionHistory::kFramesApart);
 }
 
 TEST_F(ObjectCollectorTest, OfCandidatesThatShareRegionsTheKnownOneIsTaken) {
@@ -330,7 +330,7 @@ TEST_F(ObjectCollectorTest, RegionsOfASetThatWasNotTakenStayFree) {
     static_cast<void>(look({}));         // so long that it may be back under other regions
   Candidate dropped = mug_.candidate();  // where the mug was, and as large
   dropped.regions = {RegionId{77}, box_.region};
-  dropped.is_whole = false;
+  dropped.is_complete = false;
   dropped.outline = 0;
   static_cast<void>(lookAt({dropped, box_.candidate()}, {box_}));
   EXPECT_FALSE(collector_->objectOf(RegionId{77}));

@@ -11,10 +11,10 @@ namespace {
 using test::Thing;
 
 /// The thing, as one of the last looks shows it.
-Candidate judged(const Thing& thing, float wholeness) {
+Candidate judged(const Thing& thing, float objectness) {
   Candidate candidate = thing.candidate();
-  candidate.is_whole = false;
-  candidate.wholeness = wholeness;
+  candidate.is_complete = false;
+  candidate.objectness = objectness;
   return candidate;
 }
 

@@ -47,23 +47,23 @@ TEST(Coverage, IsThatOfTheTrueViewDirections) {
   for (const InstanceName& instance : scan.source().scene().instances()) {
     if (!instance.is_object) continue;
     const int id = static_cast<int>(scan.source().scene().find(instance.name));
-    const Eigen::Vector3d centre = scan.source().scene().boundsOf(static_cast<std::uint16_t>(id)).center();
-    std::vector<Eigen::Vector3f> looks;
+    const Eigen::Vector3d center = scan.source().scene().boundsOf(static_cast<std::uint16_t>(id)).center();
+    std::vector<Eigen::Vector3f> observations;
     for (const SyntheticScan::Frame& frame : scan.frames) {
-      if (cv::countNonZero(frame.instances == id) * LookRecorder::kLeastPart <
+      if (cv::countNonZero(frame.instances == id) * ObservationRecorder::kMinPart <
           static_cast<int>(frame.instances.total()))
         continue;
-      looks.emplace_back((frame.true_pose.translation() - centre).normalized().cast<float>());
+      observations.emplace_back((frame.true_pose.translation() - center).normalized().cast<float>());
     }
     const RegionId region = regionOf(scan, id);
-    if (looks.empty() || !region) continue;
+    if (observations.empty() || !region) continue;
     const ViewCoverage coverage = scan.pipeline().regionTable().seenFrom(region);
     const float least = std::cos(ViewCoverage::kReach_deg * static_cast<float>(M_PI) / 180);
     int is_wrong = 0;
     int is_seen = 0;
     for (const Eigen::Vector3f& direction : sphere) {
       const bool truly = std::ranges::any_of(
-          looks, [&](const Eigen::Vector3f& look) { return look.dot(direction) >= least; });
+          observations, [&](const Eigen::Vector3f& look) { return look.dot(direction) >= least; });
       const Eigen::Vector3f in_scan =
           (T_truth_scan.linear().transpose() * direction.cast<double>()).cast<float>();
       is_seen += truly ? 1 : 0;

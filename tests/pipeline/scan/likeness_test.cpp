@@ -3,10 +3,10 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/discovery/region_look.h"
+#include "core/discovery/region_appearance.h"
 #include "core/fusion/kernels/color_voxel.h"
-#include "core/synthetic/film_set.h"
 #include "core/synthetic/objects.h"
+#include "core/synthetic/scene_recipe.h"
 #include "tests/support/synthetic_scan.h"
 
 namespace scantrove {
@@ -18,7 +18,7 @@ constexpr std::array kMugs{"mug A", "mug B"};
 constexpr std::array kBooks{"book A", "book B", "book C"};
 
 /// Two equal mugs and three equal books among other things on a table.
-synthetic::FilmSet makeEqualsSet() {
+synthetic::SceneRecipe makeEqualsSet() {
   using namespace synthetic;
   SyntheticScene scene;
   const auto floor = scene.addInstance("floor", false);
@@ -47,27 +47,27 @@ synthetic::FilmSet makeEqualsSet() {
           .scene = std::move(scene),
           .path = path,
           .frames = 180,
-          .lit_centre = {0, 0, 0.4},
+          .lit_center = {0, 0, 0.4},
           .lit_radius_m = 1.5};
 }
 
 /// How each region of the map looks.
-std::map<RegionId, RegionLook> looksOf(ScanPipeline& pipeline) {
-  std::map<RegionId, std::vector<LookPoint>> points;
+std::map<RegionId, RegionAppearance> looksOf(ScanPipeline& pipeline) {
+  std::map<RegionId, std::vector<AppearancePoint>> points;
   const RegionTable& table = pipeline.regionTable();
   const auto done = pipeline.forEachCloudPoint([&](const LabelPoint& point) {
-    LookPoint look{{point.x, point.y, point.z}, {}, COLOR_WEIGHT(point.color) > 0};
+    AppearancePoint look{{point.x, point.y, point.z}, {}, COLOR_WEIGHT(point.color) > 0};
     look.rgb = {static_cast<std::uint8_t>(COLOR_RED(point.color)),
                 static_cast<std::uint8_t>(COLOR_GREEN(point.color)),
                 static_cast<std::uint8_t>(COLOR_BLUE(point.color))};
     points[table.regionOf(FragmentId{point.fragment})].push_back(look);
   });
   EXPECT_TRUE(done);
-  std::map<RegionId, RegionLook> looks;
+  std::map<RegionId, RegionAppearance> observations;
   for (const auto& [region, all] : points) {
-    if (region && all.size() >= 200) looks[region] = lookOf(all);
+    if (region && all.size() >= 200) observations[region] = appearanceOf(all);
   }
-  return looks;
+  return observations;
 }
 
 class Equals : public testing::Test {
@@ -78,10 +78,10 @@ class Equals : public testing::Test {
     options.stride = 2;
     scan_ = new SyntheticScan(options, {}, true);
     scan_->run();
-    looks_ = new std::map(looksOf(scan_->pipeline()));
+    observations_ = new std::map(looksOf(scan_->pipeline()));
   }
   static void TearDownTestSuite() {
-    delete looks_;
+    delete observations_;
     delete scan_;
   }
 
@@ -104,8 +104,8 @@ class Equals : public testing::Test {
   /// All other regions, likest first.
   static std::vector<std::pair<float, RegionId>> likeTo(RegionId region) {
     std::vector<std::pair<float, RegionId>> ranked;
-    for (const auto& [other, look] : *looks_) {
-      if (other != region) ranked.emplace_back(likeness(looks_->at(region), look), other);
+    for (const auto& [other, look] : *observations_) {
+      if (other != region) ranked.emplace_back(likeness(observations_->at(region), look), other);
     }
     std::ranges::sort(ranked, std::ranges::greater{}, [](const auto& one) { return one.first; });
     return ranked;
@@ -118,7 +118,7 @@ class Equals : public testing::Test {
     for (const char* name : equals) regions.insert(regionOf(name));
     ASSERT_EQ(regions.size(), count) << "each is a region of its own";
     for (const RegionId region : regions) {
-      ASSERT_TRUE(looks_->contains(region));
+      ASSERT_TRUE(observations_->contains(region));
       const auto ranked = likeTo(region);
       for (std::size_t i = 0; i < ranked.size() && i < count; ++i)
         std::cout << region.value << " ~ " << ranked[i].second.value << ": " << ranked[i].first << '\n';
@@ -130,7 +130,7 @@ class Equals : public testing::Test {
   }
 
   static inline SyntheticScan* scan_ = nullptr;
-  static inline std::map<RegionId, RegionLook>* looks_ = nullptr;
+  static inline std::map<RegionId, RegionAppearance>* observations_ = nullptr;
 };
 
 // In one, as each test is a process of its own.

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/synthetic/film_set.h"
+#include "core/synthetic/scene_recipe.h"
 #include "tests/support/synthetic_scan.h"
 #include "tests/support/temporary_folder.h"
 

@@ -53,7 +53,7 @@ void expectTheSame(const Outcome& a, const Outcome& b) {
     ASSERT_EQ(left.vertices_world, right.vertices_world) << i;
     ASSERT_EQ(left.regions.regions, right.regions.regions) << i;
     ASSERT_EQ(left.late.size(), right.late.size()) << i;
-    ASSERT_EQ(left.is_place, right.is_place) << i;
+    ASSERT_EQ(left.is_tracking_key_frame, right.is_tracking_key_frame) << i;
   }
 }
 

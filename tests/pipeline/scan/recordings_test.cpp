@@ -33,11 +33,11 @@ double trajectoryError(const std::filesystem::path& out, const std::filesystem::
 
 std::size_t newIn(const ScanReport& report) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      report.objects, [](const ScanReport::Object& object) { return object.recognised_from.empty(); }));
+      report.objects, [](const ScanReport::Object& object) { return object.recognized_from.empty(); }));
 }
 
 // Floors: peers reach 28 to 47 mm over the whole recording. The second scan meets the same things again.
-TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognisedTheSecondTime) {
+TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognizedTheSecondTime) {
   SCANTROVE_NEED_RECORDING(recording, "kitchen");
   const test::TemporaryFolder out;
   const ScanEnding first = runScan(scanOf(recording, out.path() / "first"));
@@ -55,15 +55,15 @@ TEST(Kitchen, IsTrackedWholeFillsTheCatalogueAndIsRecognisedTheSecondTime) {
   const ScanEnding second = runScan(std::move(again));
   ASSERT_TRUE(second.report) << second.error;
   std::cout << "kitchen: ATE " << 1000 * ate << " mm, " << first.report->fps << " fps, "
-            << first.report->objects.size() << " objects; second scan: " << second.recognised.size()
+            << first.report->objects.size() << " objects; second scan: " << second.recognized.size()
             << " recognised, " << second.added.size() << " added, " << newIn(*second.report)
             << " of them new to the end\n";
-  EXPECT_GE(2 * second.recognised.size(), first.report->objects.size());
+  EXPECT_GE(2 * second.recognized.size(), first.report->objects.size());
   // Some are known again only when everything was looked at once more.
   EXPECT_LE(5 * newIn(*second.report), first.report->objects.size());
 }
 
-TEST(Redwood, IsTrackedWithinTwentyMillimetres) {
+TEST(Redwood, IsTrackedWithinTwentyMillimeters) {
   SCANTROVE_NEED_RECORDING(recording, "redwood");
   const test::TemporaryFolder out;
   ScanRequest request = scanOf(recording, out.path());

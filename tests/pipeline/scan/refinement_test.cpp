@@ -90,7 +90,7 @@ Made madeIn(const test::TemporaryFolder& folder) {
   const auto session = SessionStore::open(folder / "out");
   if (!session) return made;
   const auto scan = (*session)->load();
-  made.can_be_refined = canBeRefined(scan->facts);
+  made.can_be_refined = canBeRefined(scan->metadata);
   return made;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using test::SyntheticScan;
 
-SyntheticOptions film(synthetic::FilmSet (*set)(), int frames) {
+SyntheticOptions film(synthetic::SceneRecipe (*set)(), int frames) {
   SyntheticOptions options;
   options.set = set;
   options.frames = frames;
@@ -17,7 +17,7 @@ SyntheticOptions film(synthetic::FilmSet (*set)(), int frames) {
 
 // The thesis' central claims on a scene with exact truth: poses are right, and merging over time brings the
 // boundaries nearer to the truth than the same frames alone (table 4.1).
-TEST(SyntheticTabletop, TracksWithinTenMillimetresAndMergingBeatsSingleFrames) {
+TEST(SyntheticTabletop, TracksWithinTenMillimetersAndMergingBeatsSingleFrames) {
   SyntheticScan scan(film(synthetic::makeTabletopSet, 100));
   scan.run();
   ASSERT_EQ(scan.frames.size(), 100U);

@@ -33,7 +33,7 @@ std::vector<std::uint32_t> segmentsOf(ComputeContext& compute, const cv::Mat& de
   const SegmentMap segments = (*segmenter)->segment(surface, {});
   const std::span<const std::uint16_t> readings(depth.ptr<std::uint16_t>(), depth.total());
   return DepthUpsampler(segments.depths_m, segments.width, segments.height,
-                        {depth.cols, depth.rows, readings, frame.metres_per_unit})
+                        {depth.cols, depth.rows, readings, frame.meters_per_unit})
       .apply(segments.ids);
 }
 

@@ -16,10 +16,10 @@ class EditsDuringAScan : public test::ScanSessionTest {
   static constexpr int kFrames = 120;
 
   [[nodiscard]] ScanRequest table(const std::string& database) const {
-    ScanRequest wanted = request(kFrames);
-    wanted.database = (folder_ / database).string();
-    wanted.output_folder = folder_ / ("of-" + database);  // what is kept there is looked at again
-    return wanted;
+    ScanRequest requested = request(kFrames);
+    requested.database = (folder_ / database).string();
+    requested.output_folder = folder_ / ("of-" + database);  // what is kept there is looked at again
+    return requested;
   }
 
   /// Waits until the scan has added so many objects; their ids.
@@ -106,8 +106,8 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
 }
 
 TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
-  ScanRequest wanted = table("paused.sqlite");
-  session_.start(wanted);
+  ScanRequest requested = table("paused.sqlite");
+  session_.start(requested);
   ASSERT_FALSE(awaitObjects(4).empty());
   session_.pause();
   log_.awaitState(ScanState::paused);
@@ -119,7 +119,7 @@ TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
       std::ranges::find_if(paused->objects, [](const SeenObject& seen) { return !!seen.object; });
   ASSERT_NE(shown, paused->objects.end());
   const ObjectId object = shown->object;
-  ASSERT_TRUE(open(wanted)->rename(object, "called while paused"));
+  ASSERT_TRUE(open(requested)->rename(object, "called while paused"));
   session_.catalogueChanged();
   bool is_seen = false;
   while (!is_seen) {

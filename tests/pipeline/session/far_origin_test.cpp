@@ -22,7 +22,7 @@ const Eigen::Vector3d kFar(200'000, -30'000, 12);
 class FarOriginTest : public testing::Test {
  protected:
   ScanEnding scanAt(const Eigen::Vector3d& place, const std::string& name) {
-    writeRecording(folder_ / (name + ".recording"), smallFilm(), kFarFrames,
+    writeRecording(folder_ / (name + ".recording"), smallRecording(), kFarFrames,
                    [&](RgbdFrame& frame) { frame.T_world_camera->translation() += place; });
     ScanRequest request;
     request.source = (folder_ / (name + ".recording")).string();
@@ -50,7 +50,7 @@ TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
   ASSERT_TRUE(scanAt(kFar, "far").report);
   const auto trajectory = readTumTrajectory(folder_ / "far" / "trajectory.txt");
   ASSERT_TRUE(trajectory);
-  const auto source = makeSyntheticSource(smallFilm()).value();
+  const auto source = makeSyntheticSource(smallRecording()).value();
   ASSERT_EQ(trajectory->size(), static_cast<std::size_t>(kFarFrames));
   for (int i = 0; i < kFarFrames; ++i) {
     const Eigen::Vector3d place = (*trajectory)[static_cast<std::size_t>(i)].T_world_camera.translation();
@@ -71,7 +71,7 @@ TEST_F(FarOriginTest, ResultsAreInTheWorldOfTheRecording) {
 
 TEST_F(FarOriginTest, FramesWithImpossiblePosesAreLeftOut) {
   int number = 0;
-  writeRecording(folder_ / "rec", smallFilm(), kFarFrames, [&](RgbdFrame& frame) {
+  writeRecording(folder_ / "rec", smallRecording(), kFarFrames, [&](RgbdFrame& frame) {
     if (++number > 2) frame.T_world_camera->translation().x() = std::pow(10.0, 3 * number);
   });
   ScanRequest request;

@@ -16,12 +16,12 @@ constexpr int kFramesOfReview = 25, kForeignObjects = 40;
 class ForeignCatalogueReview : public test::ScanSessionTest {
  protected:
   ScanRequest reviewed() const {
-    ScanRequest wanted = request(kFramesOfReview);
-    wanted.output_folder = folder_ / "scan";
-    wanted.database = catalogue_;
-    wanted.results = false;
-    wanted.review = true;
-    return wanted;
+    ScanRequest requested = request(kFramesOfReview);
+    requested.output_folder = folder_ / "scan";
+    requested.database = catalogue_;
+    requested.results = false;
+    requested.review = true;
+    return requested;
   }
   static ObjectView anyView() {
     ObjectView view;

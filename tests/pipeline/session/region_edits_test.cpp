@@ -180,9 +180,9 @@ class JoinAndCut : public testing::Test {
 
   void scanAndEdit(int frames) {
     ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
-    ScanRequest wanted = request(0, frames);
-    wanted.start_paused = true;
-    session.start(wanted);
+    ScanRequest requested = request(0, frames);
+    requested.start_paused = true;
+    session.start(requested);
     for (int i = 0; i < kEditedAfter; ++i) session.step();
     const auto snapshot = snapshotAfter(session, kEditedAfter);
     ASSERT_NE(snapshot, nullptr);
@@ -247,9 +247,9 @@ TEST_F(JoinAndCut, HoldToTheEndAndWhenTheScanGoesOn) {
 
 TEST_F(JoinAndCut, AreTakenBackAfterMoreFrames) {
   ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
-  ScanRequest wanted = request(0, 60);
-  wanted.start_paused = true;
-  session.start(wanted);
+  ScanRequest requested = request(0, 60);
+  requested.start_paused = true;
+  session.start(requested);
   for (int i = 0; i < kEditedAfter; ++i) session.step();
   const auto snapshot = snapshotAfter(session, kEditedAfter);
   ASSERT_NE(snapshot, nullptr);

@@ -87,7 +87,7 @@ TEST_P(ResumedPoses, AreToTheLastBitThoseOfAScanThatNeverStopped) {
     const StoredPage& other = parts.pages.at(position);
     const std::string place = testing::PrintToString(position);
     EXPECT_EQ(other.bricks, page.bricks) << place;
-    EXPECT_EQ(other.dormant, page.dormant) << place;
+    EXPECT_EQ(other.inactive, page.inactive) << place;
     EXPECT_TRUE(other.contents.distances == page.contents.distances) << "other distances in page " << place;
     EXPECT_TRUE(other.contents.weights == page.contents.weights) << "other weights in page " << place;
     EXPECT_TRUE(other.contents.colors == page.contents.colors) << "other colours in page " << place;

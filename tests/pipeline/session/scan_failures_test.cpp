@@ -91,9 +91,9 @@ TEST_F(ScanFailures, AFolderThatIsGoneIsSaid) {
 }
 
 TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
-  ScanRequest wanted = request(60);
-  wanted.label_maps = true;
-  scanAndPause(2, wanted);
+  ScanRequest requested = request(60);
+  requested.label_maps = true;
+  scanAndPause(2, requested);
   fs::remove_all(out() / "labels");
   std::ofstream(out() / "labels") << "a file";
   goOn();
@@ -145,11 +145,11 @@ TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
 }
 
 TEST_F(ScanFailures, ACatalogueThatStaysLockedCostsNoOtherResult) {
-  ScanRequest wanted = request(40);
-  wanted.catalogue_patience = std::chrono::seconds(1);
-  scanAndPause(2, wanted);
+  ScanRequest requested = request(40);
+  requested.catalogue_patience = std::chrono::seconds(1);
+  scanAndPause(2, requested);
   {
-    OtherProgram other(wanted.database);
+    OtherProgram other(requested.database);
     other.execute("BEGIN IMMEDIATE");
     goOn();
     other.execute("ROLLBACK");
@@ -175,10 +175,10 @@ TEST_F(ScanFailures, ACatalogueThatIsLockedWhenTheScanStartsIsWrittenLater) {
 }
 
 TEST_F(ScanFailures, ACatalogueThatIsDamagedMeanwhileCostsNoResult) {
-  ScanRequest wanted = request(8);
-  wanted.catalogue_patience = std::chrono::seconds(1);
-  scanAndPause(2, wanted);
-  OtherProgram(wanted.database).execute("DROP TABLE events");
+  ScanRequest requested = request(8);
+  requested.catalogue_patience = std::chrono::seconds(1);
+  scanAndPause(2, requested);
+  OtherProgram(requested.database).execute("DROP TABLE events");
   goOn();
   EXPECT_EQ(session_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("damaged")));
@@ -245,12 +245,12 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
     if (state->state == ScanState::finishing && is_scanning) failing_device::failAfter(calls_that_work);
     is_scanning = state->state == ScanState::scanning;
   });
-  ScanRequest wanted = request(3);
-  wanted.output_folder = out();
-  wanted.label_maps = true;
+  ScanRequest requested = request(3);
+  requested.output_folder = out();
+  requested.label_maps = true;
   const auto scan = [&] {
     fs::remove_all(out());
-    session.start(wanted);
+    session.start(requested);
     session.wait();
     failing_device::heal();
   };
@@ -298,10 +298,10 @@ TEST_F(ScanFailures, RemovedSessionIsWrittenAnewAndSaid) {
 
 TEST_F(ScanFailures, FolderWithFilesOfOthersIsRefused_WhoeverChoosesIt) {
   const fs::path mine = folder_.write("out/trajectory.txt", "mine");
-  ScanRequest wanted = request(2);
-  wanted.output_folder = out();
-  wanted.results = false;  // as the window does it
-  session_.start(wanted);
+  ScanRequest requested = request(2);
+  requested.output_folder = out();
+  requested.results = false;  // as the window does it
+  session_.start(requested);
   session_.wait();
   EXPECT_EQ(session_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr(mine.string()));
@@ -327,9 +327,9 @@ TEST_F(ScanFailures, AFullDiskCostsNothingOfTheCatalogue) {
 }
 
 TEST_F(ScanFailures, ADiskThatFillsUpWithLabelImagesEndsTheScanWithTheRest) {
-  ScanRequest wanted = request(60);
-  wanted.label_maps = true;
-  scanAndPause(2, wanted);
+  ScanRequest requested = request(60);
+  requested.label_maps = true;
+  scanAndPause(2, requested);
   {
     const test::FullDisk full(out() / "labels");
     goOn();

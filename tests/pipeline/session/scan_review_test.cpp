@@ -17,25 +17,25 @@ constexpr int kFrames = 25;
 class ScanReviewTest : public ScanSessionTest {
  protected:
   ScanRequest reviewed() const {
-    ScanRequest wanted = request(kFrames);
-    wanted.output_folder = folder_ / "scan";
-    wanted.results = false;
-    wanted.review = true;
-    return wanted;
+    ScanRequest requested = request(kFrames);
+    requested.output_folder = folder_ / "scan";
+    requested.results = false;
+    requested.review = true;
+    return requested;
   }
 
   ScanRequest reopened() const {
-    ScanRequest wanted = reviewed();
-    wanted.source.clear();
-    return wanted;
+    ScanRequest requested = reviewed();
+    requested.source.clear();
+    return requested;
   }
 
-  /// A snapshot for which `is_wanted` holds; null: none comes.
+  /// A snapshot for which `is_requested` holds; null: none comes.
   template <class Predicate>
-  std::shared_ptr<const ScanSnapshot> awaitShown(const Predicate& is_wanted) {
+  std::shared_ptr<const ScanSnapshot> awaitShown(const Predicate& is_requested) {
     for (int i = 0; i < 1200; ++i) {
       auto snapshot = session_.snapshots().collect();
-      if (snapshot && is_wanted(*snapshot)) return snapshot;
+      if (snapshot && is_requested(*snapshot)) return snapshot;
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     return nullptr;
@@ -179,8 +179,8 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
 
 // The segments of a key frame are those of the view, and follow k at once; nothing else does.
 TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
-  ScanRequest wanted = reviewed();
-  session_.start(wanted);
+  ScanRequest requested = reviewed();
+  session_.start(requested);
   log_.await<ReviewOpened>();
   const auto first = awaitShown([](const ScanSnapshot& s) { return s.key_frames && s.shown_key_frame >= 0; });
   ASSERT_NE(first, nullptr);
@@ -190,8 +190,8 @@ TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
   const int all = cv::countNonZero(is_surface);
   EXPECT_GT(cv::countNonZero(is_surface & is_in_segment), all * 9 / 10);
 
-  wanted.params.segmentation.k /= 20;
-  session_.setParams(wanted.params);
+  requested.params.segmentation.k /= 20;
+  session_.setParams(requested.params);
   const auto finer = awaitShown([&](const ScanSnapshot& s) { return segmentsIn(s) > few; });
   ASSERT_NE(finer, nullptr);
   EXPECT_EQ(cv::norm(finer->regions, first->regions, cv::NORM_INF), 0);
@@ -214,9 +214,9 @@ TEST_F(ScanReviewTest, WhatIsNoSessionIsSaid) {
 }
 
 TEST_F(ScanReviewTest, WhileItScansNoDataSetIsMade) {
-  ScanRequest wanted = reviewed();
-  wanted.start_paused = true;
-  session_.start(wanted);
+  ScanRequest requested = reviewed();
+  requested.start_paused = true;
+  session_.start(requested);
   log_.awaitState(ScanState::paused);
   session_.exportDataset({});
   log_.await<ExportFailed>();

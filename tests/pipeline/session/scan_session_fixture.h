@@ -59,7 +59,7 @@ class EventLog {
     const std::scoped_lock lock(mutex_);
     std::vector<Event> found;
     for (const ScanEvent& event : events_) {
-      if (const auto* wanted = std::get_if<Event>(&event)) found.push_back(*wanted);
+      if (const auto* requested = std::get_if<Event>(&event)) found.push_back(*requested);
     }
     return found;
   }

@@ -185,7 +185,7 @@ TEST_F(ScanSessionTest, GivenPosesAreRefusedWhereThereAreNone) {
 }
 
 // What the window needs to show the scene as it is.
-TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColoursAndWhereItsSurfaceIs) {
+TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColorsAndWhereItsSurfaceIs) {
   session_.start(request(20));
   session_.wait();
   const auto last = session_.snapshots().collect();

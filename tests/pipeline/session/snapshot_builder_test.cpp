@@ -10,7 +10,7 @@
 #include <thread>
 #include <tuple>
 
-#include "core/synthetic/film_set.h"
+#include "core/synthetic/scene_recipe.h"
 #include "core/synthetic/synthetic_source.h"
 
 namespace scantrove {
@@ -80,13 +80,13 @@ class SnapshotBuilderTest : public testing::Test {
 
 TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
   const Bricks changed = addFrame();
-  ASSERT_GT(changed.size(), SnapshotBuilder::kMostBricks);
+  ASSERT_GT(changed.size(), SnapshotBuilder::kMaxBricks);
   Bricks sent;
   while (sent.size() < changed.size()) {
     const auto snapshot = nextWhenDue();
     ASSERT_TRUE(snapshot);
     ASSERT_FALSE(snapshot->changed_bricks.empty());
-    ASSERT_LE(snapshot->changed_bricks.size(), SnapshotBuilder::kMostBricks);
+    ASSERT_LE(snapshot->changed_bricks.size(), SnapshotBuilder::kMaxBricks);
     sent.merge(bricksOf(*snapshot));
   }
   EXPECT_EQ(sent, changed);
@@ -99,7 +99,7 @@ TEST_F(SnapshotBuilderTest, SendsABoundedNumberOfBricksUntilAllWereSent) {
 }
 
 TEST_F(SnapshotBuilderTest, HoldsNumbersAloneWhereNobodyLooks) {
-  builder_.leaveOutPictures();
+  builder_.omitPictures();
   ASSERT_FALSE(addFrame().empty());
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
   const auto snapshot = mailbox_.collect();
@@ -135,14 +135,14 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   for (const CloudBrick& brick : all->changed_bricks) {
     EXPECT_FALSE(brick.by_person);
     for (const CloudBrick::Point& point : brick.points)
-      points[pipeline_->regionTable().regionOf(point.fragment)].push_back(point.centre());
+      points[pipeline_->regionTable().regionOf(point.fragment)].push_back(point.center());
   }
   const auto largest =
       std::ranges::max_element(points, {}, [](const auto& entry) { return entry.second.size(); });
   const auto [left, right] = std::ranges::minmax_element(
       largest->second, {}, [](const Eigen::Vector3f& point) { return point.x(); });
   const Bricks changed = addFrame();
-  ASSERT_GT(changed.size(), SnapshotBuilder::kMostBricks) << "all of these wait";
+  ASSERT_GT(changed.size(), SnapshotBuilder::kMaxBricks) << "all of these wait";
   Operation cut{.kind = OperationKind::cut, .regions = {largest->first}};
   cut.here_world = {*left};
   cut.there_world = {*right};
@@ -211,7 +211,7 @@ TEST_F(SnapshotBuilderTest, AFlushCarriesWhatWasNotCollectedAndAllThatWaits) {
   Bricks changed = addFrame();
   ASSERT_TRUE(builder_.postWhenDue(*pipeline_, progress_));  // skipped by the window
   changed.merge(addFrame());
-  ASSERT_GT(changed.size(), 2 * SnapshotBuilder::kMostBricks);
+  ASSERT_GT(changed.size(), 2 * SnapshotBuilder::kMaxBricks);
   ASSERT_TRUE(builder_.flush(*pipeline_, progress_));
   const auto snapshot = mailbox_.collect();
   ASSERT_TRUE(snapshot);

@@ -19,7 +19,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-constexpr int kFilmFrames = 42, kLost = 1 + ScanAdvisor::kLostFrames;
+constexpr int kRecordedFrames = 42, kLost = 1 + ScanAdvisor::kLostFrames;
 
 /// A ball close to the camera, where all other frames show a table.
 void showBall(RgbdFrame& frame) {
@@ -36,7 +36,7 @@ void showBall(RgbdFrame& frame) {
 class WrongBeginningTest : public testing::Test {
  protected:
   void SetUp() override {
-    writeRecording(folder_ / "rec", smallFilm(), kFilmFrames, [](RgbdFrame& frame) {
+    writeRecording(folder_ / "rec", smallRecording(), kRecordedFrames, [](RgbdFrame& frame) {
       if (frame.index == 0) showBall(frame);
       // What the camera sees is what counts.
       frame.T_world_camera.reset();
@@ -56,7 +56,7 @@ class WrongBeginningTest : public testing::Test {
 TEST_F(WrongBeginningTest, TheMapBeginsAnewAfterASecond) {
   const ScanReport& report = *ending_.report;
   EXPECT_EQ(report.frames.lost, kLost);
-  EXPECT_EQ(report.frames.tracked, kFilmFrames - kLost);
+  EXPECT_EQ(report.frames.tracked, kRecordedFrames - kLost);
   EXPECT_EQ(report.lost_frames.size(), static_cast<std::size_t>(kLost));
   EXPECT_TRUE(std::ranges::is_sorted(report.lost_frames));
   EXPECT_THAT(report.advice, Contains(HasSubstr("the map begins anew after frame 30")));
@@ -66,14 +66,14 @@ TEST_F(WrongBeginningTest, TheMapBeginsAnewAfterASecond) {
 
 TEST_F(WrongBeginningTest, NothingIsKeptOfTheFirstMap) {
   const auto images = std::distance(std::filesystem::directory_iterator(folder_ / "scan" / "labels"), {});
-  EXPECT_EQ(images, kFilmFrames - kLost);
+  EXPECT_EQ(images, kRecordedFrames - kLost);
   const QtMainThread qt;
   const auto store = SessionStore::open(folder_ / "scan");
   ASSERT_TRUE(store) << store.error().message();
   const Result<SavedScan> scan = (*store)->load();
   ASSERT_TRUE(scan);
-  EXPECT_EQ(scan->frames.size(), static_cast<std::size_t>(kFilmFrames));
-  EXPECT_EQ(std::ranges::count_if(scan->frames, &SavedFrame::isUsable), kFilmFrames - kLost);
+  EXPECT_EQ(scan->frames.size(), static_cast<std::size_t>(kRecordedFrames));
+  EXPECT_EQ(std::ranges::count_if(scan->frames, &SavedFrame::isUsable), kRecordedFrames - kLost);
   EXPECT_FALSE(scan->frames.front().isUsable());
   for (const SavedKeyFrame& key : scan->key_frames) EXPECT_GE(key.frame, kLost);
   for (const auto& file : std::filesystem::directory_iterator(folder_ / "scan" / "keyframes"))

@@ -20,7 +20,7 @@ class CatalogueChoiceTest : public test::WindowTest {
     const auto store = SessionStore::create(folder.toStdString());
     EXPECT_TRUE(store) << store.error().message();
     SavedDelta delta;
-    delta.facts["database"] = catalogue.toStdString();
+    delta.metadata["database"] = catalogue.toStdString();
     EXPECT_TRUE((*store)->save(delta));
     return folder;
   }

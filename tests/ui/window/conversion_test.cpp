@@ -10,7 +10,7 @@
 namespace scantrove {
 namespace {
 
-TEST(ImageConversion, ColourKeepsChannelsAndSharesPixels) {
+TEST(ImageConversion, ColorKeepsChannelsAndSharesPixels) {
   QImage picture;
   {
     cv::Mat bgr(3, 5, CV_8UC3, cv::Scalar(10, 20, 30));

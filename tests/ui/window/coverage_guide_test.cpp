@@ -20,7 +20,7 @@ class CoverageGuideTest : public WindowTest {
   void SetUp() override {
     WindowTest::SetUp();
     window_->open(QStringLiteral("demo"));
-    fromInFront_.look({0, 0, -1});
+    fromInFront_.style({0, 0, -1});
   }
 
   ScanSnapshot thingSeen(int frame, const ViewCoverage& from, const RegionNote& note = {}) {
@@ -53,7 +53,7 @@ ViewCoverage fromAllAround() {
   ViewCoverage coverage;
   for (int i = 0; i < 36; ++i) {
     const float angle = static_cast<float>(i) * 0.1745F;
-    coverage.look({std::cos(angle), -0.4F, std::sin(angle)});  // y is down
+    coverage.style({std::cos(angle), -0.4F, std::sin(angle)});  // y is down
   }
   return coverage;
 }
@@ -70,7 +70,7 @@ TEST_F(CoverageGuideTest, AnArrowLeadsToASideThatWasNotSeen) {
   EXPECT_LT(guide().leadsTo()->y(), 0);  // from above the thing, not from under it
 }
 
-TEST_F(CoverageGuideTest, TheArrowIsLabelledWhereItIsInThePicture) {
+TEST_F(CoverageGuideTest, TheArrowIsLabeledWhereItIsInThePicture) {
   show(thingSeen(1, fromInFront_));
   window_->regions().selection().select(kThing);
   window_->scenePane()->view()->scene().viewpoint().lookAt({0, -2, -3}, {0, 0, 1.5F});
@@ -94,7 +94,7 @@ TEST_F(CoverageGuideTest, LooksThatComeWhileItIsSelectedCount) {
   window_->regions().selection().select(kThing);
   const int before = guide().shown()->count();
   ViewCoverage more = fromInFront_;
-  more.look({1, 0, 0});
+  more.style({1, 0, 0});
   show(thingSeen(2, more));
   EXPECT_GT(guide().shown()->count(), before);
 }

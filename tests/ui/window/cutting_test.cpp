@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tests/ui/window/pointing_fixture.h"
-#include "ui/main_window/region_cutter.h"
+#include "ui/main_window/region_splitter.h"
 #include "ui/panels/help_dialog.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/scene_overlay.h"
@@ -38,9 +38,9 @@ class CuttingTest : public PointingTest {
     bool is_drawn = false;
     const auto heard = QObject::connect(view(), &SceneView::drawn, [&] { is_drawn = true; });
     view()->fitAll();
-    const bool came = QTest::qWaitFor([&] { return is_drawn; }, kPatience_ms);
+    const bool appeared = QTest::qWaitFor([&] { return is_drawn; }, kPatience_ms);
     QObject::disconnect(heard);
-    ASSERT_TRUE(came);
+    ASSERT_TRUE(appeared);
     ASSERT_FALSE(placeInScene(RegionId{5}).isNull());
   }
   SceneOverlay* overlay() { return window_->scenePane()->overlay(); }
@@ -87,20 +87,20 @@ TEST_F(CuttingTest, TwoStrokesInAPictureGiveManyPlacesOfEachSide) {
 TEST_F(CuttingTest, TheStrokeIsSeenWhileTheButtonIsDownAndMarksStayInAllViews) {
   window_->framePanels()->feature(panel(4));
   QTest::keyClick(panel(0), Qt::Key_C);
-  const int red_before = pixelsLike(panel(0), RegionCutter::kHereColor);
+  const int red_before = pixelsLike(panel(0), RegionSplitter::kHereColor);
   drawInPicture(0, {0.1, 0.2}, {0.1, 0.8}, {}, false);
   EXPECT_GT(panel(0)->stroke().size(), 10);
-  EXPECT_GT(pixelsLike(panel(0), RegionCutter::kHereColor), red_before + 50);
+  EXPECT_GT(pixelsLike(panel(0), RegionSplitter::kHereColor), red_before + 50);
   QTest::mouseRelease(panel(0), Qt::LeftButton, {}, inPicture(0, 0.1, 0.8));
   EXPECT_TRUE(panel(0)->stroke().isEmpty());
   for (std::size_t i = 0; i < 5; ++i) {
     ASSERT_EQ(panel(i)->marks().size(), 1U) << i;
-    EXPECT_EQ(panel(i)->marks()[0].color, RegionCutter::kHereColor);
+    EXPECT_EQ(panel(i)->marks()[0].color, RegionSplitter::kHereColor);
     for (const QPointF& fraction : panel(i)->marks()[0].fractions) EXPECT_NEAR(fraction.x(), 0.1, 0.02);
   }
-  const int blue_before = pixelsLike(panel(4), RegionCutter::kThereColor);
+  const int blue_before = pixelsLike(panel(4), RegionSplitter::kThereColor);
   drawInPicture(4, {0.4, 0.2}, {0.4, 0.8}, {}, false);
-  EXPECT_GT(pixelsLike(panel(4), RegionCutter::kThereColor), blue_before + 50) << "the second colour";
+  EXPECT_GT(pixelsLike(panel(4), RegionSplitter::kThereColor), blue_before + 50) << "the second colour";
   QTest::mouseRelease(panel(4), Qt::LeftButton, {}, inPicture(4, 0.4, 0.8));
   EXPECT_EQ(panel(2)->marks().size(), 2U);
   QTest::keyClick(panel(0), Qt::Key_Return);
@@ -119,7 +119,7 @@ TEST_F(CuttingTest, StrokesInTheSceneTakeTheSurfaceUnderThem) {
   const Eigen::Vector3f eye = view()->scene().viewpoint().eye();
   draw(view(), middle - reach, middle + reach, {}, false);
   EXPECT_GT(overlay()->stroke().size(), 10);
-  EXPECT_GT(pixelsLike(overlay(), RegionCutter::kHereColor), 50);
+  EXPECT_GT(pixelsLike(overlay(), RegionSplitter::kHereColor), 50);
   QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + reach);
   EXPECT_TRUE(overlay()->stroke().isEmpty());
   EXPECT_EQ(view()->scene().viewpoint().eye(), eye) << "the view is not turned";

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("scantrove"));
   QApplication::setApplicationName(QStringLiteral("scantrove-tests"));
-  scantrove::initialiseResources();
+  scantrove::initializeResources();
   scantrove::Theme::instance().choose(scantrove::ThemeChoice::dark);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

@@ -101,9 +101,9 @@ TEST_F(CatalogueEditorTest, ModelListsNewestLastWithPictures) {
   EXPECT_EQ(model.objectAt(model.index(2)), objects_[2]);
   const auto picture = model.index(2).data(Qt::DecorationRole).value<QImage>();
   ASSERT_FALSE(picture.isNull());
-  const QColor centre = picture.pixelColor(picture.width() / 2, picture.height() / 2);
-  EXPECT_GT(centre.blue(), 200);
-  EXPECT_LT(centre.red(), 60);
+  const QColor center = picture.pixelColor(picture.width() / 2, picture.height() / 2);
+  EXPECT_GT(center.blue(), 200);
+  EXPECT_LT(center.red(), 60);
 }
 
 TEST_F(CatalogueEditorTest, ModelFollowsTheDatabaseRowByRow) {

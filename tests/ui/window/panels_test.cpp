@@ -85,25 +85,25 @@ TEST_F(ColorPanelTest, WhileTheCameraIsLostAGhostShowsWhereToPointIt) {
   EXPECT_EQ(picture().pixelColor(200, 150), QColor(60, 60, 60));
 }
 
-TEST_F(ColorPanelTest, RecognisedNameIsCyanAtTheTopLeftAndANewOneIsWhite) {
+TEST_F(ColorPanelTest, RecognizedNameIsCyanAtTheTopLeftAndANewOneIsWhite) {
   const QColor cyan(0, 255, 255);
   SeenObject object = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
   const QRect label(100, 128, 90, 21);
   EXPECT_EQ(countPixels(paint(object), label, cyan), 0);
-  object.recognised = true;
+  object.recognized = true;
   EXPECT_GT(countPixels(paint(object), label, cyan), 10);
 }
 
 TEST_F(ColorPanelTest, NameStaysInsideThePictureAtItsTopEdge) {
   SeenObject object = seenAt(0.3F, 0, 0.2F, 0.2F);
-  object.recognised = true;
+  object.recognized = true;
   EXPECT_GT(countPixels(paint(object), QRect(120, 0, 90, 24), QColor(0, 255, 255)), 10);
 }
 
 TEST_F(ColorPanelTest, ShowsTheNameThatAnObjectHasNow) {
   const QColor cyan(0, 255, 255);
   SeenObject object = seenAt(0.25F, 0.5F, 0.25F, 0.25F);
-  object.recognised = true;
+  object.recognized = true;
   const QRect beyond_the_old_name(170, 128, 100, 21);
   EXPECT_EQ(countPixels(paint(object), beyond_the_old_name, cyan), 0);
   panel_.setNameOf([](ObjectId) { return QStringLiteral("a name that is longer"); });

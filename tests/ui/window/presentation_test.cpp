@@ -23,7 +23,7 @@ TEST_F(PresentationTest, ShowsTheSceneAloneSaysWhatHappensAndKeepsNothing) {
   EXPECT_FALSE(session_->last_request.output_folder) << "no session";
   EXPECT_NE(session_->last_request.database, file_.toStdString()) << "nor the person's catalogue";
   session_->post(snapshotOf(3));
-  session_->post(ObjectRecognised{ObjectId{3}, "red mug"});
+  session_->post(ObjectRecognized{ObjectId{3}, "red mug"});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->presentation()->caption() == QStringLiteral("Recognised: red mug"); }, 3000));
   EXPECT_FALSE(window_->objectPanel()->isVisible()) << "what comes with a scan stays away";

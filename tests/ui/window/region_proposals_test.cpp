@@ -8,13 +8,13 @@ namespace scantrove {
 namespace {
 
 /// A look of that size, all in one bin of colour.
-RegionLook look(float length_m, std::size_t bin) {
-  RegionLook look;
-  look.size_m = {length_m, 0.08F, 0.08F};
+RegionAppearance style(float length_m, std::size_t bin) {
+  RegionAppearance style;
+  style.size_m = {length_m, 0.08F, 0.08F};
   ColorHistogram::Shares shares{};
   shares[bin] = 1;
-  look.colors = ColorHistogram::ofShares(shares);
-  return look;
+  style.colors = ColorHistogram::ofShares(shares);
+  return style;
 }
 
 class RegionProposalsTest : public testing::Test {
@@ -22,10 +22,10 @@ class RegionProposalsTest : public testing::Test {
   void SetUp() override { QSettings().clear(); }
 
   static RegionProposals::Looks threeBooksAndAMug() {
-    return {{RegionId{1}, look(0.2F, 7)},
-            {RegionId{2}, look(0.25F, 7)},
-            {RegionId{3}, look(0.21F, 7)},
-            {RegionId{4}, look(0.2F, 90)}};
+    return {{RegionId{1}, style(0.2F, 7)},
+            {RegionId{2}, style(0.25F, 7)},
+            {RegionId{3}, style(0.21F, 7)},
+            {RegionId{4}, style(0.2F, 90)}};
   }
   static std::vector<RegionId> regionsOf(const RegionProposals& proposals) {
     std::vector<RegionId> regions;
@@ -63,7 +63,7 @@ TEST_F(RegionProposalsTest, WhatWasRejectedStaysAwayAlsoInTheNextScan) {
   }
   RegionProposals later;
   RegionProposals::Looks looks{
-      {RegionId{11}, look(0.26F, 7)}, {RegionId{12}, look(0.21F, 7)}, {RegionId{13}, look(0.265F, 7)}};
+      {RegionId{11}, style(0.26F, 7)}, {RegionId{12}, style(0.21F, 7)}, {RegionId{13}, style(0.265F, 7)}};
   later.propose(RegionId{11}, QStringLiteral("book"), {}, looks);
   EXPECT_EQ(regionsOf(later), std::vector{RegionId{13}}) << "12 looks like what was no book";
   later.propose(RegionId{11}, QStringLiteral("box"), {}, looks);

@@ -105,7 +105,7 @@ TEST(FramePointing, SaysRegionAndPointOfAPlace) {
   EXPECT_FALSE(pointing.at({0.25, 0.5}, FramePointing::Picture::other).region);
 }
 
-TEST(FramePointing, AColourCameraBesideTheDepthCameraSeesItElsewhere) {
+TEST(FramePointing, AColorCameraBesideTheDepthCameraSeesItElsewhere) {
   ScanSnapshot snapshot = twoHalves();
   // All is seen a quarter of the width further right in colour.
   snapshot.color_places = cv::Mat(48, 64, CV_32FC2);

@@ -17,7 +17,7 @@ constexpr float kVoxel_m = 3.0F / 512.0F;
 class ViewActionsTest : public WindowTest {
  protected:
   ViewActions& view() { return *window_->scenePane()->viewActions(); }
-  const CloudLook& look() { return window_->scenePane()->view()->scene().cloud().look(); }
+  const CloudStyle& style() { return window_->scenePane()->view()->scene().cloud().style(); }
 
   /// A wall before the sensor, half a metre wide and high, 1.17 m away.
   void showWall() {
@@ -27,8 +27,8 @@ class ViewActionsTest : public WindowTest {
       CloudBrick brick{Eigen::Vector3i(b % 11 - 5, b / 11 - 5, 25), 1, {}};
       for (int i = 0; i < 64; ++i) {
         const Eigen::Vector3i voxel = 8 * brick.position + Eigen::Vector3i(i % 8, i / 8, 0);
-        const Eigen::Vector3f centre = kVoxel_m * (voxel.cast<float>().array() + 0.5F);
-        brick.points.push_back({centre.x(), centre.y(), centre.z(), FragmentId{1}});
+        const Eigen::Vector3f center = kVoxel_m * (voxel.cast<float>().array() + 0.5F);
+        brick.points.push_back({center.x(), center.y(), center.z(), FragmentId{1}});
       }
       snapshot.changed_bricks.push_back(brick);
     }
@@ -41,42 +41,42 @@ class ViewActionsTest : public WindowTest {
   }
 };
 
-TEST_F(ViewActionsTest, KeysColourTheSceneAndThatIsRemembered) {
-  EXPECT_EQ(look().coloring, Coloring::regions);
+TEST_F(ViewActionsTest, KeysColorTheSceneAndThatIsRemembered) {
+  EXPECT_EQ(style().coloring, Coloring::regions);
   window_->open(QStringLiteral("demo"));
   QTest::keyClick(window_.get(), Qt::Key_1, Qt::AltModifier);
-  EXPECT_EQ(look().coloring, Coloring::scene);
+  EXPECT_EQ(style().coloring, Coloring::scene);
   EXPECT_TRUE(view().coloringActions().first()->isChecked());
   QTest::keyClick(window_.get(), Qt::Key_5, Qt::AltModifier);
-  EXPECT_EQ(look().coloring, Coloring::height);
+  EXPECT_EQ(style().coloring, Coloring::height);
   QTest::keyClick(window_.get(), Qt::Key_R);
-  EXPECT_EQ(look().coloring, Coloring::scene) << "after the last comes the first";
+  EXPECT_EQ(style().coloring, Coloring::scene) << "after the last comes the first";
   QTest::keyClick(window_.get(), Qt::Key_3, Qt::AltModifier);
   restart();
-  EXPECT_EQ(look().coloring, Coloring::blended);
+  EXPECT_EQ(style().coloring, Coloring::blended);
   EXPECT_TRUE(view().coloringActions()[2]->isChecked());
 }
 
 TEST_F(ViewActionsTest, BackgroundIsShownDimmedHiddenInTurn) {
   view().setBackground({RegionId{5}});
-  EXPECT_EQ(look().background, std::set{RegionId{5}});
-  EXPECT_EQ(look().background_look, BackgroundLook::as_others);
+  EXPECT_EQ(style().background, std::set{RegionId{5}});
+  EXPECT_EQ(style().background_style, BackgroundStyle::as_others);
   window_->open(QStringLiteral("demo"));
-  for (const BackgroundLook next :
-       {BackgroundLook::dimmed, BackgroundLook::hidden, BackgroundLook::as_others}) {
+  for (const BackgroundStyle next :
+       {BackgroundStyle::dimmed, BackgroundStyle::hidden, BackgroundStyle::as_others}) {
     QTest::keyClick(window_.get(), Qt::Key_B, Qt::ShiftModifier);
-    EXPECT_EQ(look().background_look, next);
-    EXPECT_EQ(view().backgroundAction()->isChecked(), next != BackgroundLook::as_others);
+    EXPECT_EQ(style().background_style, next);
+    EXPECT_EQ(view().backgroundAction()->isChecked(), next != BackgroundStyle::as_others);
   }
-  EXPECT_EQ(look().background, std::set{RegionId{5}});
+  EXPECT_EQ(style().background, std::set{RegionId{5}});
 }
 
 TEST_F(ViewActionsTest, TheCutIsMovedByTheWheelAndZoomStaysZoom) {
   showWall();
   SceneView* scene = window_->scenePane()->view();
   QTest::keyClick(window_.get(), Qt::Key_X);
-  ASSERT_TRUE(scene->scene().cutDistance());
-  const float first = *scene->scene().cutDistance();
+  ASSERT_TRUE(scene->scene().clipDistance());
+  const float first = *scene->scene().clipDistance();
   const auto wheel = [&](Qt::KeyboardModifiers modifiers) {
     QWheelEvent event(QPointF(200, 200), scene->mapToGlobal(QPointF(200, 200)), {}, {0, 120}, Qt::NoButton,
                       modifiers, Qt::NoScrollPhase, false);
@@ -84,12 +84,12 @@ TEST_F(ViewActionsTest, TheCutIsMovedByTheWheelAndZoomStaysZoom) {
   };
   const float distance = scene->scene().viewpoint().distance();
   wheel(Qt::ControlModifier);
-  EXPECT_GT(*scene->scene().cutDistance(), first);
+  EXPECT_GT(*scene->scene().clipDistance(), first);
   EXPECT_EQ(scene->scene().viewpoint().distance(), distance);
   wheel({});
   EXPECT_LT(scene->scene().viewpoint().distance(), distance);
   QTest::keyClick(window_.get(), Qt::Key_X);
-  EXPECT_FALSE(scene->scene().cutDistance());
+  EXPECT_FALSE(scene->scene().clipDistance());
 }
 
 TEST_F(ViewActionsTest, TwoClicksMeasureAndEscapeEnds) {

@@ -131,14 +131,14 @@ TEST_F(WindowTest, AFolderOfASavedScan_OpensAsThat) {
 }
 
 TEST_F(WindowTest, AQuestion_EndsWithItsScanAndWithAnUndo) {
-  RegionLook look;
-  look.size_m = {0.2F, 0.1F, 0.1F};
+  RegionAppearance style;
+  style.size_m = {0.2F, 0.1F, 0.1F};
   ColorHistogram::Shares shares{};
   shares[7] = 1;
-  look.colors = ColorHistogram::ofShares(shares);
+  style.colors = ColorHistogram::ofShares(shares);
   RegionProposals& proposals = window_->regions().proposals();
   const auto ask = [&] {
-    proposals.propose(RegionId{1}, QStringLiteral("chair"), {}, {{RegionId{1}, look}, {RegionId{2}, look}});
+    proposals.propose(RegionId{1}, QStringLiteral("chair"), {}, {{RegionId{1}, style}, {RegionId{2}, style}});
     return proposals.first() != nullptr;
   };
   auto* const bar = window_->findChild<ProposalBar*>();

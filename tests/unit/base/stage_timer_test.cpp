@@ -9,13 +9,13 @@ namespace scantrove {
 namespace {
 
 TEST(Summarise, TakesTheNearestRank) {
-  EXPECT_EQ(summarise({}).median_ms, 0);
-  EXPECT_EQ(summarise({7}).median_ms, 7);
-  EXPECT_EQ(summarise({7}).p95_ms, 7);
+  EXPECT_EQ(summarize({}).median_ms, 0);
+  EXPECT_EQ(summarize({7}).median_ms, 7);
+  EXPECT_EQ(summarize({7}).p95_ms, 7);
   std::vector<double> hundred;
   for (int i = 100; i >= 1; --i) hundred.push_back(i);
-  EXPECT_EQ(summarise(hundred).median_ms, 50);
-  EXPECT_EQ(summarise(hundred).p95_ms, 95);
+  EXPECT_EQ(summarize(hundred).median_ms, 50);
+  EXPECT_EQ(summarize(hundred).p95_ms, 95);
 }
 
 TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
@@ -35,7 +35,7 @@ TEST(StageTimer, KeepsStagesInCallOrderAndAddsPiecesOfAFrame) {
 
 TEST(StageTimer, KeepsFewOfALongScanEvenlySpread) {
   StageTimer timer;
-  constexpr std::size_t kFrames = 5 * StageTimer::kMostFrames + 3;
+  constexpr std::size_t kFrames = 5 * StageTimer::kMaxFrames + 3;
   for (std::size_t frame = 0; frame < kFrames; ++frame) {
     timer.add("fuse", static_cast<double>(frame));
     if (frame % 10 == 5) timer.add("keep", 1);
@@ -52,7 +52,7 @@ TEST(StageTimer, KeepsFewOfALongScanEvenlySpread) {
     EXPECT_EQ(fuse.frames[i], 8 * i);
     EXPECT_EQ(fuse.all_ms[i], 8.0 * static_cast<double>(i));
   }
-  EXPECT_NEAR(summarise(fuse.all_ms).p95_ms, 0.95 * kFrames, 8);
+  EXPECT_NEAR(summarize(fuse.all_ms).p95_ms, 0.95 * kFrames, 8);
   EXPECT_EQ(keep.all_ms.size(), kFrames / 10) << "what runs seldom is all there";
 }
 

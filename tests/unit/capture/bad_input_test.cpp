@@ -211,7 +211,7 @@ TEST(BadInput, ImageOfAnotherSizeIsSkippedWithBothSizes) {
   expectOnlySkipped(folder.path(), 8, "is 32x24, the first frame 64x48");
 }
 
-TEST(BadInput, ColourOfAnotherSizeIsSkippedWithBothSizes) {
+TEST(BadInput, ColorOfAnotherSizeIsSkippedWithBothSizes) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 10);
   writeImage(folder / "color/000008.png", tinyColor(1, {32, 24}));
@@ -232,7 +232,7 @@ TEST(BadInput, EightBitDepthIsSkipped) {
   expectOnlySkipped(folder.path(), 6, "8-bit with 1 channel");
 }
 
-TEST(BadInput, FolderOfColourAsDepthIsRefused) {
+TEST(BadInput, FolderOfColorAsDepthIsRefused) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1));
   writeImage(folder / "depth/0.png", tinyColor(1));
@@ -240,7 +240,7 @@ TEST(BadInput, FolderOfColourAsDepthIsRefused) {
               AllOf(HasSubstr("depth/0.png"), HasSubstr("8-bit with 3 channels"), HasSubstr("16-bit")));
 }
 
-TEST(BadInput, ColourOfAnotherShapeIsRefused) {
+TEST(BadInput, ColorOfAnotherShapeIsRefused) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
   writeImage(folder / "depth/0.png", tinyDepth(1000));

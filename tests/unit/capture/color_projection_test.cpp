@@ -34,7 +34,7 @@ cv::Point2f pixelAt(const SurfaceInColor& seen, const cv::Size& size, int u, int
   return {pixel[0], pixel[1]};
 }
 
-TEST(LocateInColor, ProjectsTheSurfaceIntoTheColourCamera) {
+TEST(LocateInColor, ProjectsTheSurfaceIntoTheColorCamera) {
   std::vector<Eigen::Vector4f> vertices(kPixels, Eigen::Vector4f::Zero());
   vertices[320 * 90 + 200] = {0.1F, -0.05F, 2, 1};
   const SurfaceInColor seen = locateInColor(besides(), kDepth, Eigen::Isometry3d::Identity(), vertices);
@@ -64,7 +64,7 @@ TEST(LocateInColor, TurnsAndPosesAreTakenIn) {
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 0, 0).y, 1040 * 0.1 / 2 + 512, 1e-2);
 }
 
-TEST(LocateInColor, RegisteredColourShowsWhatDepthShowsScaled) {
+TEST(LocateInColor, RegisteredColorShowsWhatDepthShowsScaled) {
   const SurfaceInColor seen = locateInColor(std::nullopt, kDepth, Eigen::Isometry3d::Identity(), {});
   EXPECT_NEAR(pixelAt(seen, {640, 480}, 100, 50).x, 200.5, 1e-4);
   EXPECT_NEAR(pixelAt(seen, {640, 480}, 100, 50).y, 100.5, 1e-4);
@@ -85,7 +85,7 @@ TEST(LocateInColor, WhatSomethingNearerCoversIsHidden) {
   }
 }
 
-TEST(LocateInColor, WhatTheColourImageDoesNotReachIsHidden) {
+TEST(LocateInColor, WhatTheColorImageDoesNotReachIsHidden) {
   ColorCamera camera = besides();
   camera.K.cx = -100;  // its left edge at x / z = 100 / 1050
   const SurfaceInColor seen = locateInColor(camera, kDepth, Eigen::Isometry3d::Identity(), halfHidden());

@@ -84,7 +84,7 @@ std::optional<ColorCamera> colorCameraOf(const std::filesystem::path& folder,
   return read.frame.color_camera;
 }
 
-TEST(SevenScenes, ColourIsOfItsOwnKinectOnlyWhereItIs) {
+TEST(SevenScenes, ColorIsOfItsOwnKinectOnlyWhereItIs) {
   const TemporaryFolder folder;
   writeSevenScenes(folder.path(), 0, 1);
   const auto own = colorCameraOf(folder.path());
@@ -125,7 +125,7 @@ TEST(SevenScenes, AFileAndAPersonSayOtherwise) {
   EXPECT_NEAR(colorCameraOf(folder.path(), options)->T_color_depth.translation().x(), -0.025, 1e-9);
 }
 
-TEST(BadInput, AColourCameraInAFileThatIsNone) {
+TEST(BadInput, AColorCameraInAFileThatIsNone) {
   const TemporaryFolder folder;
   writeNumberedFolder(folder.path(), 0, 1);
   const std::string K = R"("intrinsic_matrix": [60, 0, 0, 0, 60, 0, 32, 24, 1])";

@@ -95,8 +95,8 @@ class FakeFreenect {
         .open_device = [](freenect_context*, freenect_device** opened,
                           int index) { return current_->open(opened, index); },
         .open_device_by_camera_serial =
-            [](freenect_context*, freenect_device** opened, const char* wanted) {
-              if (wanted != current_->serial) {
+            [](freenect_context*, freenect_device** opened, const char* requested) {
+              if (requested != current_->serial) {
                 current_->say("Couldn't find a device with that serial\n");
                 return -1;
               }

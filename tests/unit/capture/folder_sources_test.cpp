@@ -35,7 +35,7 @@ TEST(SevenScenes, GivesNumbersTimesPosesAndDefaultCamera) {
     EXPECT_EQ(frame.depth.at<std::uint16_t>(10, 10), 1500 + i);
     EXPECT_EQ(frame.color.at<cv::Vec3b>(10, 10),
               cv::Vec3b(static_cast<uchar>(500 + i > 255 ? 255 : 500 + i), 20, 30));
-    EXPECT_FLOAT_EQ(frame.metres_per_unit, 0.001F);
+    EXPECT_FLOAT_EQ(frame.meters_per_unit, 0.001F);
     ASSERT_TRUE(frame.T_world_camera);
     EXPECT_DOUBLE_EQ(frame.T_world_camera->translation().x(), 0.01 * (500 + i));
   }
@@ -163,7 +163,7 @@ TEST(TumFolder, PairsImagesAndInterpolatesPoses) {
     const cv::Point middle(kTinyWidth / 2, kTinyHeight / 2);
     EXPECT_EQ(frame.depth.at<std::uint16_t>(middle), 5000 + original[i]);
     EXPECT_EQ(frame.color.at<cv::Vec3b>(middle)[0], original[i]);
-    EXPECT_FLOAT_EQ(frame.metres_per_unit, 1.0F / 5000);
+    EXPECT_FLOAT_EQ(frame.meters_per_unit, 1.0F / 5000);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     ASSERT_TRUE(reads[i].frame.T_world_camera) << i;
@@ -257,7 +257,7 @@ TEST(NumberedFolder, GivenValuesOverrideTheDefaultsWithoutAWarning) {
   const auto source = openSource(folder.path().string(), options);
   ASSERT_TRUE(source);
   EXPECT_EQ((*source)->info().intrinsics, (Intrinsics{60, 61, 32, 24, kTinyWidth, kTinyHeight}));
-  EXPECT_FLOAT_EQ((*source)->next().frame.metres_per_unit, 0.002F);
+  EXPECT_FLOAT_EQ((*source)->next().frame.meters_per_unit, 0.002F);
   EXPECT_THAT(log.text(), IsEmpty());
 }
 
@@ -270,10 +270,10 @@ TEST(NumberedFolder, ReadsOpen3dCameraColumnByColumn) {
   const auto source = openSource(folder.path().string(), {});
   ASSERT_TRUE(source);
   EXPECT_EQ((*source)->info().intrinsics, (Intrinsics{60, 61, 31, 23, kTinyWidth, kTinyHeight}));
-  EXPECT_FLOAT_EQ((*source)->next().frame.metres_per_unit, 1.0F / 4000);
+  EXPECT_FLOAT_EQ((*source)->next().frame.meters_per_unit, 1.0F / 4000);
 }
 
-TEST(NumberedFolder, WorksWithoutColour) {
+TEST(NumberedFolder, WorksWithoutColor) {
   const TemporaryFolder folder;
   writeImage(folder / "depth" / "00000.png", tinyDepth(1000));
   const auto source = openSource(folder.path().string(), {});
@@ -283,7 +283,7 @@ TEST(NumberedFolder, WorksWithoutColour) {
   EXPECT_TRUE(read.frame.color.empty());
 }
 
-TEST(NumberedFolder, KeepsColourAtItsOwnSize) {
+TEST(NumberedFolder, KeepsColorAtItsOwnSize) {
   const TemporaryFolder folder;
   writeImage(folder / "depth" / "00000.png", tinyDepth(1000));
   writeImage(folder / "rgb" / "00000.png", tinyColor(7, {2 * kTinyWidth, 2 * kTinyHeight}));
@@ -295,7 +295,7 @@ TEST(NumberedFolder, KeepsColourAtItsOwnSize) {
   EXPECT_FALSE(read.frame.color_camera) << "registered";
 }
 
-TEST(NumberedFolder, TakesColourOfAnotherShapeWithItsCamera) {
+TEST(NumberedFolder, TakesColorOfAnotherShapeWithItsCamera) {
   const TemporaryFolder folder;
   writeImage(folder / "color/0.png", tinyColor(1, {128, 72}));
   writeImage(folder / "depth/0.png", tinyDepth(1000));

@@ -34,7 +34,7 @@ std::string refusal(const std::string& uri = "freenect", const SourceOptions& op
   return source ? "(opened)" : source.error().message();
 }
 
-TEST(Freenect, GivesDepthInMillimetresAndItsColour) {
+TEST(Freenect, GivesDepthInMillimetersAndItsColor) {
   FakeFreenect fake;
   fake.depthAt(7 * kFrame, 1500);
   fake.colorAt(7 * kFrame + 1000, 200, 100, 50);
@@ -53,7 +53,7 @@ TEST(Freenect, GivesDepthInMillimetresAndItsColour) {
   ASSERT_EQ(read.status, Status::frame) << read.error.message();
   EXPECT_EQ(read.frame.index, 0);
   EXPECT_NEAR(read.frame.timestamp_s, 7.0 / 30, 1e-9);
-  EXPECT_FLOAT_EQ(read.frame.metres_per_unit, 0.001F);
+  EXPECT_FLOAT_EQ(read.frame.meters_per_unit, 0.001F);
   ASSERT_EQ(read.frame.depth.size(), cv::Size(640, 480));
   ASSERT_EQ(read.frame.depth.type(), CV_16UC1);
   EXPECT_EQ(read.frame.depth.at<std::uint16_t>(0, 0), 1600);
@@ -63,7 +63,7 @@ TEST(Freenect, GivesDepthInMillimetresAndItsColour) {
   EXPECT_FALSE(read.frame.color_camera);  // registered
 }
 
-TEST(Freenect, EachDepthImageTakesTheColourNearestInTime) {
+TEST(Freenect, EachDepthImageTakesTheColorNearestInTime) {
   FakeFreenect fake;
   for (std::uint32_t i = 0; i < 4; ++i) {
     fake.colorAt(i * kFrame + 100'000, static_cast<std::uint8_t>(10 * i), 0, 0);
@@ -112,7 +112,7 @@ TEST(Freenect, TimeGoesOnForHours) {
   EXPECT_NEAR(last - first, 600 * 30.0, 1e-3);
 }
 
-TEST(Freenect, WithAColourCameraOfItsOwnDepthIsNotRegistered) {
+TEST(Freenect, WithAColorCameraOfItsOwnDepthIsNotRegistered) {
   FakeFreenect fake;
   fake.depthAt(0, 10'000 - 100);  // the first pixel: 10000, too far
   fake.colorAt(0, 1, 2, 3);
@@ -140,7 +140,7 @@ TEST(Freenect, TakesWhatIsSaidOfTheCamera) {
   const auto source = openFake("freenect", options);
   ASSERT_TRUE(source) << source.error().message();
   EXPECT_EQ((*source)->info().intrinsics, (Intrinsics{530, 531, 320, 240, 640, 480}));
-  EXPECT_FLOAT_EQ((*source)->next().frame.metres_per_unit, 1.0F / 5000);
+  EXPECT_FLOAT_EQ((*source)->next().frame.meters_per_unit, 1.0F / 5000);
   options.intrinsics = Intrinsics{3, 3, 320, 240, 0, 0};
   EXPECT_THAT(refusal("freenect", options), HasSubstr("--intrinsics"));
 }
@@ -159,7 +159,7 @@ TEST(Freenect, ASilentCameraIsATimeoutAndGoesOn) {
   EXPECT_EQ((*source)->next().status, Status::frame);
 }
 
-TEST(Freenect, WithoutAnyColourDepthGoesOnAlone) {
+TEST(Freenect, WithoutAnyColorDepthGoesOnAlone) {
   FakeFreenect fake;
   for (std::uint32_t i = 0; i < 60; ++i) fake.depthAt(i * kFrame, static_cast<std::uint16_t>(1000 + i));
   const auto source = openFake();

@@ -54,7 +54,7 @@ Reading readAll(std::deque<Eigen::Vector3d> places, const std::optional<Eigen::V
   return reading;
 }
 
-TEST(LocalPoses, TakesWholeMetresAsOrigin_WhenTheFirstPoseIsFarAway) {
+TEST(LocalPoses, TakesWholeMetersAsOrigin_WhenTheFirstPoseIsFarAway) {
   const Reading reading = readAll({{5600000.25, -3.5, 0.125}, {5600001.5, -3.5, 0.125}});
   EXPECT_EQ(reading.origin, Eigen::Vector3d(5600000, -4, 0));
   EXPECT_THAT(reading.places,

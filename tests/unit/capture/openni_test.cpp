@@ -48,7 +48,7 @@ TEST(VirtualCamera, GivesLiveFrames) {
   EXPECT_GE(last_index, 4);
 }
 
-TEST(VirtualCamera, ItsColourCameraCanBeGiven) {
+TEST(VirtualCamera, ItsColorCameraCanBeGiven) {
   SourceOptions options;
   options.color_registration = ColorRegistration{kinectColorCamera()};
   const auto source = openSource("camera:Dummy", options);
@@ -123,7 +123,7 @@ TEST(OniRecording, IsReadToItsEnd) {
     EXPECT_GT(frame.timestamp_s, last_time);
     EXPECT_EQ(frame.depth.size(), cv::Size(640, 480));
     EXPECT_EQ(frame.color.size(), cv::Size(640, 480));
-    const auto median = medianDepth(frame.depth, frame.metres_per_unit);
+    const auto median = medianDepth(frame.depth, frame.meters_per_unit);
     EXPECT_TRUE(median && *median > 0.3 && *median < 8);
     last_time = frame.timestamp_s;
   }

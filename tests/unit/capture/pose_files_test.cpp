@@ -13,7 +13,7 @@ namespace {
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-TEST(TumTrajectory, IsSortedNormalisedAndLeavesNanOut) {
+TEST(TumTrajectory, IsSortedNormalizedAndLeavesNanOut) {
   const TemporaryFolder folder;
   const auto file = folder.write("t.txt",
                                  "# comment\n\n2.5 1 2 3 0 0 2 2\r\n1.5 0 0 0 0 0 0 1\n"

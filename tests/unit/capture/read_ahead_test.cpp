@@ -68,17 +68,17 @@ TEST(ReadAhead, GivesEveryRecordedFrameInOrderAndThenEnds) {
 
 TEST(ReadAhead, GivesWhatIsReadyWithoutWaiting) {
   std::atomic<int> calls = 0;
-  std::atomic<bool> goes_on = false;
+  std::atomic<bool> may_continue = false;
   ReadAhead reader(std::make_unique<FakeSource>(
       false,
       [&](int call) {
-        if (call == 1) eventually([&] { return goes_on.load(); });
+        if (call == 1) eventually([&] { return may_continue.load(); });
         return call < 2 ? frameNumber(call) : statusOnly(Status::end);
       },
       calls));
   ASSERT_EQ(reader.next().frame.index, 0);
   EXPECT_FALSE(reader.nextIfReady());  // the second is still being read
-  goes_on = true;
+  may_continue = true;
   std::optional<FrameRead> second;
   ASSERT_TRUE(eventually([&] { return second || (second = reader.nextIfReady()); }));
   EXPECT_EQ(second->frame.index, 1);

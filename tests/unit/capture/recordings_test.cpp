@@ -41,7 +41,7 @@ int expectWholeRecording(const std::filesystem::path& path, int frame_count, con
     EXPECT_EQ(read.frame.color.size(), cv::Size(640, 480));
     posed += read.frame.T_world_camera ? 1 : 0;
     if (count % 50 == 0) {
-      const auto median = medianDepth(read.frame.depth, read.frame.metres_per_unit);
+      const auto median = medianDepth(read.frame.depth, read.frame.meters_per_unit);
       EXPECT_TRUE(median && *median > 0.5 && *median < 4) << count;
     }
     ++count;

@@ -45,7 +45,7 @@ TEST(Trajectory, TumLineOfAKnownPose) {
             "# timestamp tx ty tz qx qy qz qw\n0.500000 1 2 3 0 0 0.707106781 0.707106781\n");
 }
 
-TEST(Trajectory, KeepsTenthsOfMicrometresAtUtmCoordinates) {
+TEST(Trajectory, KeepsTenthsOfMicrometersAtUtmCoordinates) {
   const TemporaryFolder folder;
   const Eigen::Vector3d at(691607.1234567, 5334760.7654321, 519.1234567);  // UTM zone 32, metres
   StampedPose pose;

@@ -27,7 +27,7 @@ struct InWords {
   std::string operator()(const change::Restored& c) const { return "restored " + id(c.object); }
   std::string operator()(const change::Merged& c) const { return id(c.from) + " into " + id(c.into); }
   std::string operator()(const change::Unmerged& c) const { return id(c.from) + " out of " + id(c.into); }
-  std::string operator()(const change::ViewsLeft& c) const { return "views left " + id(c.object); }
+  std::string operator()(const change::ViewsDiscarded& c) const { return "views left " + id(c.object); }
 
   static std::string id(ObjectId object) { return std::to_string(object.value); }
 };

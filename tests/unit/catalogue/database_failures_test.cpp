@@ -199,13 +199,13 @@ TEST_F(DatabaseFailures, WhatMayNotBeWritten) {
 
 TEST_F(DatabaseFailures, Locked) {
   const auto database = openOrFail(file());
-  const auto holder = DatabaseConnection::open(file());
-  ASSERT_TRUE(holder);
-  ASSERT_TRUE((*holder)->execute("BEGIN EXCLUSIVE"));
+  const auto root = DatabaseConnection::open(file());
+  ASSERT_TRUE(root);
+  ASSERT_TRUE((*root)->execute("BEGIN EXCLUSIVE"));
   const Result<ObjectRecord> refused = database->addObject(randomView(0));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), AllOf(HasSubstr(file()), HasSubstr("locked")));
-  ASSERT_TRUE((*holder)->execute("ROLLBACK"));
+  ASSERT_TRUE((*root)->execute("ROLLBACK"));
   EXPECT_TRUE(database->addObject(randomView(0)));
 }
 

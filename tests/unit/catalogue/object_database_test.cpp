@@ -136,7 +136,7 @@ TEST_F(ObjectDatabaseTest, AViewNeedNotSayWhereItWasCut) {
             "1");
 }
 
-TEST_F(ObjectDatabaseTest, DepthOnlySourcesHaveNoColour) {
+TEST_F(ObjectDatabaseTest, DepthOnlySourcesHaveNoColor) {
   const auto database = openOrFail(file());
   ObjectView view = randomView(3);
   view.color = cv::Mat();

@@ -79,7 +79,7 @@ TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreLeftBehind) {
   ASSERT_TRUE(database_->addView(view(mug, 3, session, 0.2F)));
   ASSERT_TRUE(database_->addView(view(mug, 1, other, 0.2F)));
   const int one[] = {1};
-  ASSERT_TRUE(database_->leaveBehind(mug, session, one));
+  ASSERT_TRUE(database_->discardViews(mug, session, one));
   EXPECT_EQ(record(mug).views, 3);
   EXPECT_FLOAT_EQ(record(mug).size_m.x(), 0.2F);
   EXPECT_EQ(database_->views(mug)->front().frame_index, 2);
@@ -103,7 +103,7 @@ TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
   ASSERT_TRUE(database_->setConfirmed(Ids{confirmed}, true));
   const int frames[] = {1, 2, 3};
   for (const ObjectId object : {patch, named, confirmed, patch})
-    ASSERT_TRUE(database_->leaveBehind(object, session, frames)) << object.value;
+    ASSERT_TRUE(database_->discardViews(object, session, frames)) << object.value;
   EXPECT_EQ(database_->objects()->size(), 2U);
   EXPECT_FALSE(*database_->resolve(patch));
   ASSERT_TRUE(database_->restore(Ids{patch}));
@@ -115,7 +115,7 @@ TEST_F(ObjectMerging, WhatAMergedObjectLeavesBehindGoesFromItsHolder) {
   const Ids pair{addOf(session, 1), addOf(session, 2)};
   const ObjectMerge merge = *database_->merge(pair);
   const int frames[] = {1, 2};
-  ASSERT_TRUE(database_->leaveBehind(merge.from.front(), session, frames));
+  ASSERT_TRUE(database_->discardViews(merge.from.front(), session, frames));
   EXPECT_EQ(record(merge.into).views, 1) << "only that which was of the merged one";
 }
 
@@ -242,7 +242,7 @@ TEST_F(ObjectMerging, WhatIsPartedFromAPartLeavesItsHolderToo) {
   ASSERT_TRUE(database_->unmerge(*first));
   EXPECT_TRUE(std::ranges::any_of(database_->changesAfter(event)->changes,
                                   [&](const CatalogueChange& change) {
-                                    const auto* left = std::get_if<change::ViewsLeft>(&change);
+                                    const auto* left = std::get_if<change::ViewsDiscarded>(&change);
                                     return left != nullptr && left->object == ids[0];
                                   }))
       << "whoever keeps its record reads it anew";
@@ -287,9 +287,9 @@ TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {
   ASSERT_TRUE(database_->merge(Ids{b, c}));
   ASSERT_TRUE(database_->remove({&d, 1}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-  const auto holders = database_->holders();
-  ASSERT_TRUE(holders);
-  for (const ObjectHolder& entry : *holders) found.emplace_back(entry.object.value, entry.holder.value);
+  const auto merge_roots = database_->merge_roots();
+  ASSERT_TRUE(merge_roots);
+  for (const MergeRoot& entry : *merge_roots) found.emplace_back(entry.object.value, entry.root.value);
   EXPECT_THAT(found, ElementsAre(std::pair(1, 3), std::pair(2, 3), std::pair(3, 3), std::pair(4, 0)));
 }
 
@@ -302,10 +302,10 @@ TEST_F(ObjectMerging, MergesInACircleOrIntoNothingEnd) {
   EXPECT_FALSE(*database_->resolve(ids[0]));
   EXPECT_FALSE(*database_->resolve(ids[2]));
   EXPECT_EQ(*database_->resolve(ids[3]), ids[3]);
-  const auto holders = database_->holders();
-  ASSERT_TRUE(holders);
-  for (const ObjectHolder& entry : *holders) {
-    EXPECT_EQ(entry.holder, entry.object == ids[3] ? ids[3] : ObjectId{}) << entry.object.value;
+  const auto merge_roots = database_->merge_roots();
+  ASSERT_TRUE(merge_roots);
+  for (const MergeRoot& entry : *merge_roots) {
+    EXPECT_EQ(entry.root, entry.object == ids[3] ? ids[3] : ObjectId{}) << entry.object.value;
   }
   ObjectView late = randomView(4);
   late.object = ids[0];

@@ -28,7 +28,7 @@ cv::Mat leftHalf(const cv::Size& size) {
   return mask;
 }
 
-TEST(Thumbnail, IsNormalisedOverTheObjectAndZeroBehindIt) {
+TEST(Thumbnail, IsNormalizedOverTheObjectAndZeroBehindIt) {
   for (const cv::Size size : {cv::Size(32, 32), cv::Size(200, 90), cv::Size(10, 14)}) {
     const std::optional<Thumbnail> thumbnail = makeThumbnail(texture(size), leftHalf(size));
     ASSERT_TRUE(thumbnail);
@@ -56,7 +56,7 @@ TEST(Thumbnail, IgnoresTheBackground) {
   EXPECT_EQ(makeThumbnail(texture(size), leftHalf(size))->fine, makeThumbnail(other, leftHalf(size))->fine);
 }
 
-TEST(Thumbnail, IgnoresContrastAndKeepsTheMeanColour) {
+TEST(Thumbnail, IgnoresContrastAndKeepsTheMeanColor) {
   const cv::Size size(64, 64);
   const cv::Mat mask(size, CV_8UC1, cv::Scalar(255));
   // Grey: CIELAB's L is then a function of one value, nearly linear over a small range.
@@ -80,7 +80,7 @@ TEST(Thumbnail, AUniformObjectIsZero) {
   for (const std::int8_t value : thumbnail.fine) EXPECT_EQ(value, 0);
 }
 
-TEST(Thumbnail, NeedsColourAndPixels) {
+TEST(Thumbnail, NeedsColorAndPixels) {
   const cv::Mat color = texture({20, 20});
   EXPECT_FALSE(makeThumbnail(color, cv::Mat(20, 20, CV_8UC1, cv::Scalar(0))));
   EXPECT_FALSE(makeThumbnail(cv::Mat(), cv::Mat()));
@@ -107,11 +107,11 @@ TEST(PrincipalComponents, FindsTheDirectionsOfMostVariance) {
   ASSERT_EQ(axes.cols(), 19);
   EXPECT_LT((axes.transpose() * axes - Eigen::MatrixXf::Identity(19, 19)).norm(), 1e-4F);
   // The 19 span the large directions: nothing but the noise is lost.
-  const Eigen::MatrixXf centred = rows.rowwise() - rows.colwise().mean();
-  EXPECT_LT((centred - centred * axes * axes.transpose()).norm() / std::sqrt(static_cast<float>(kRows)),
+  const Eigen::MatrixXf centered = rows.rowwise() - rows.colwise().mean();
+  EXPECT_LT((centered - centered * axes * axes.transpose()).norm() / std::sqrt(static_cast<float>(kRows)),
             0.1F * 7);
   // Ordered by variance.
-  Eigen::VectorXf variance = (centred * axes).colwise().squaredNorm();
+  Eigen::VectorXf variance = (centered * axes).colwise().squaredNorm();
   for (int i = 1; i < 19; ++i) EXPECT_LE(variance[i], variance[i - 1] * 1.0001F);
   const float between = (components.project(rows.row(0)) - components.project(rows.row(1))).norm();
   EXPECT_LE(between, (rows.row(0) - rows.row(1)).norm() * 1.0001F);

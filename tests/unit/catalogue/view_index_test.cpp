@@ -37,7 +37,7 @@ class ViewIndexTest : public testing::Test {
   /// View `seed` of object seed / 2 + 1.
   void append(unsigned seed) {
     const ObjectId object{seed / 2 + 1};
-    index_.setHolder({object, object});
+    index_.setMergeRoot({object, object});
     index_.append(object, picture(seed), size(seed));
   }
   std::vector<int> shortlist(unsigned seed) {
@@ -48,10 +48,10 @@ class ViewIndexTest : public testing::Test {
 };
 
 // By the definition: size and colour agree, and somebody holds it.
-TEST_F(ViewIndexTest, FewViewsAreAllComparedThatSizeAndColourAllow) {
+TEST_F(ViewIndexTest, FewViewsAreAllComparedThatSizeAndColorAllow) {
   constexpr unsigned kViews = ViewIndex::kFewViews - 1;
   for (unsigned seed = 0; seed < kViews; ++seed) append(seed);
-  index_.setHolder({ObjectId{4}, {}});
+  index_.setMergeRoot({ObjectId{4}, {}});
   for (unsigned query = 0; query < 40; ++query) {
     std::vector<int> expected;
     for (unsigned view = 0; view < kViews; ++view) {
@@ -125,13 +125,13 @@ TEST_F(ViewIndexTest, HiddenViewsTakeNoPlaceOfTheShortlist) {
   for (unsigned seed = 0; seed < 200; ++seed) append(seed);
   const std::vector<int> before = shortlist(42);
   ASSERT_EQ(before.front(), 42);
-  index_.setHolder({ObjectId{22}, {}});
+  index_.setMergeRoot({ObjectId{22}, {}});
   const std::vector<int> after = shortlist(42);
   EXPECT_EQ(after.size(), before.size());
   EXPECT_EQ(std::ranges::find(after, 42), after.end());
-  index_.setHolder({ObjectId{22}, ObjectId{7}});
+  index_.setMergeRoot({ObjectId{22}, ObjectId{7}});
   EXPECT_EQ(shortlist(42).front(), 42);
-  EXPECT_EQ(index_.holderAt(42), ObjectId{7});
+  EXPECT_EQ(index_.mergeRootAt(42), ObjectId{7});
 }
 
 }  // namespace

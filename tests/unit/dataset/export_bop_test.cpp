@@ -64,7 +64,7 @@ TEST_F(BopExport, TheCameraIsThatOfTheColorImages) {
   EXPECT_EQ(exported().json("camera.json")["width"], 640);
 }
 
-TEST_F(BopExport, ModelsAreInMillimetresUprightAndCentred) {
+TEST_F(BopExport, ModelsAreInMillimetersUprightAndCentered) {
   const Json infos = exported().json("models/models_info.json");
   const PlyFile box(exported().text("models/obj_000012.ply"));
   const Json& info = infos["12"];
@@ -174,7 +174,7 @@ TEST(BopExportOptions, ARegionIsOneInstance_HoweverManyPiecesItHas) {
 TEST(BopExportOptions, DepthKeepsItsUnits) {
   const Exported fine(DatasetFormat::bop, [](test::ScannedScene& scene) {
     scene.frames = 1;
-    scene.metres_per_unit = 0.0002F;
+    scene.meters_per_unit = 0.0002F;
   });
   const Json camera = fine.json("000001/scene_camera.json")["0"];
   EXPECT_EQ(camera["depth_scale"], 0.2);

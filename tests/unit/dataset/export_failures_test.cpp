@@ -112,7 +112,7 @@ TEST(ExportFailure, CancelledAnywhereLeavesNothing) {
 
 TEST(ExportFailure, WithoutRegionsSaysHowToGetSome) {
   SmallScene scene;
-  for (LabelledRegion& region : scene.labels) {
+  for (LabeledRegion& region : scene.labels) {
     region.name.clear();
     region.object.reset();
   }

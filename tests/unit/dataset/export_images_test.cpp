@@ -91,7 +91,7 @@ TEST(ExportedImages, AreRgbOfEightBits) {
   }
 }
 
-TEST(ExportedImages, OfAGreyJpegAreRgb) {
+TEST(ExportedImages, OfAGrayJpegAreRgb) {
   const Exported exported(DatasetFormat::bop, withImage([](const std::string&) {
                             return encoded(".jpg", cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
                           }));

@@ -18,7 +18,7 @@ cv::Mat difference(const cv::Mat& a, const cv::Mat& b) {
   return most > 40;
 }
 
-TEST(ExportSample, ShowsTheMasksThatAreWrittenOverTheColourImage) {
+TEST(ExportSample, ShowsTheMasksThatAreWrittenOverTheColorImage) {
   ScannedScene scene;
   const auto sample = sampleExport(scene, {.format = DatasetFormat::coco, .folder = {}}, 1);
   ASSERT_TRUE(sample) << sample.error().message();
@@ -30,8 +30,8 @@ TEST(ExportSample, ShowsTheMasksThatAreWrittenOverTheColourImage) {
   const cv::Mat plain = *scene.color(10);
   ASSERT_EQ(sample->picture.size(), plain.size());
   const cv::Mat drawn = difference(sample->picture, plain);
-  const cv::Mat wanted = scene.exactMask(10, kBox) | scene.exactMask(10, kBall);
-  EXPECT_GT(iou(drawn, wanted), 0.85);
+  const cv::Mat requested = scene.exactMask(10, kBox) | scene.exactMask(10, kBall);
+  EXPECT_GT(iou(drawn, requested), 0.85);
 }
 
 TEST(ExportSample, FollowsWhatIsAskedFor) {
@@ -52,7 +52,7 @@ TEST(ExportSample, FollowsWhatIsAskedFor) {
   EXPECT_TRUE(mesh->picture.empty());
 }
 
-TEST(ExportSample, WithoutColourShowsDepthAndOnlyWhereTheFormatDoes) {
+TEST(ExportSample, WithoutColorShowsDepthAndOnlyWhereTheFormatDoes) {
   ScannedScene scene;
   scene.without_color = {0, 10, 20};
   const auto masks = sampleExport(scene, {.format = DatasetFormat::masks, .folder = {}}, 0);

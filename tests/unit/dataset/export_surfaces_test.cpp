@@ -22,9 +22,9 @@ using test::kBlock;
 using test::kBox;
 using test::kTable;
 using test::PlyFile;
-using PclLabelled = pcl::PointCloud<pcl::PointXYZRGBL>;
+using PclLabeled = pcl::PointCloud<pcl::PointXYZRGBL>;
 
-void expectSame(const PclLabelled& cloud, const LabelledMesh& truth) {
+void expectSame(const PclLabeled& cloud, const LabeledMesh& truth) {
   ASSERT_EQ(cloud.size(), truth.vertices.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const SurfacePoint& p = truth.vertices[i];
@@ -36,9 +36,9 @@ void expectSame(const PclLabelled& cloud, const LabelledMesh& truth) {
 
 TEST(PlyExport, ReadsBackInPcl) {
   Exported exported(DatasetFormat::ply);
-  PclLabelled cloud;
+  PclLabeled cloud;
   ASSERT_EQ(pcl::io::loadPLYFile(exported.file("cloud.ply").string(), cloud), 0);
-  const LabelledMesh truth = *exported.scene.mesh();
+  const LabeledMesh truth = *exported.scene.mesh();
   expectSame(cloud, truth);
   const PlyFile ply(exported.text("cloud.ply"));
   EXPECT_EQ(ply.values.at("nz").back(), double{truth.vertices.back().normal_world.z()});
@@ -48,7 +48,7 @@ TEST(PlyExport, ReadsBackInPcl) {
 
 TEST(PlyFile, DataDoNotBeginLikeTheEndOfALine) {
   // assimp skips line ends behind the header; what follows was read one byte too early, and refused.
-  LabelledMesh mesh;
+  LabeledMesh mesh;
   mesh.vertices.resize(3);
   mesh.vertices[0].position_world_m = {std::bit_cast<float>(0x3f80000aU), 2, 3};
   mesh.vertices[1].position_world_m = mesh.vertices[0].position_world_m;
@@ -66,7 +66,7 @@ TEST(PlyFile, DataDoNotBeginLikeTheEndOfALine) {
 
 TEST(PcdExport, ReadsBackInPclWithTheFirstCamera) {
   Exported exported(DatasetFormat::pcd);
-  PclLabelled cloud;
+  PclLabeled cloud;
   ASSERT_EQ(pcl::io::loadPCDFile(exported.file("cloud.pcd").string(), cloud), 0);
   expectSame(cloud, *exported.scene.mesh());
   const Eigen::Isometry3d first = exported.scene.poseOf(0);
@@ -92,7 +92,7 @@ TEST_F(MeshExport, IsTheWholeAndOneFileAnObject) {
                                       "objects/000040_ball.glb", "objects/000040_ball.obj",
                                       "objects/000040_ball.ply", "scene.glb", "scene.obj", "scene.ply"}));
   test::ScannedScene scene;
-  const LabelledMesh truth = *scene.mesh();
+  const LabeledMesh truth = *scene.mesh();
   const PlyFile whole(exported().text("scene.ply"));
   EXPECT_EQ(whole.size(), truth.vertices.size());
   EXPECT_EQ(whole.faces.size(), truth.faces.size());
@@ -101,7 +101,7 @@ TEST_F(MeshExport, IsTheWholeAndOneFileAnObject) {
   EXPECT_EQ(ball.faces.size(), 24U * 48U * 2U);
   for (std::size_t i = 0; i < ball.size(); ++i) {
     const Eigen::Vector3d p(ball.values.at("x")[i], ball.values.at("y")[i], ball.values.at("z")[i]);
-    ASSERT_NEAR((p - test::kBallCentre).norm(), test::kBallRadius, 1e-6);
+    ASSERT_NEAR((p - test::kBallCenter).norm(), test::kBallRadius, 1e-6);
     ASSERT_EQ(ball.values.at("label")[i], kBall);
   }
 }
@@ -118,7 +118,7 @@ TEST_F(MeshExport, ObjHasTheSameSurface) {
       Eigen::Vector3f p, c;
       words >> p.x() >> p.y() >> p.z() >> c.x() >> c.y() >> c.z();
       ASSERT_TRUE(words) << line;
-      EXPECT_NEAR((p.cast<double>() - test::kBallCentre).norm(), test::kBallRadius, 1e-5);
+      EXPECT_NEAR((p.cast<double>() - test::kBallCenter).norm(), test::kBallRadius, 1e-5);
       colors += c;
       ++vertices;
     } else if (kind == "vn") {
@@ -234,24 +234,24 @@ Eigen::Vector3d vectorOfJson(const Json& list) {
   return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
 }
 
-TEST(CentredMeshExport, MovesObjectsToTheOriginAndSaysWhereTheyWere) {
+TEST(CenteredMeshExport, MovesObjectsToTheOriginAndSaysWhereTheyWere) {
   test::ScannedScene scene;
   const test::TemporaryFolder home;
   ASSERT_TRUE(exportDataset(scene, {.format = DatasetFormat::mesh, .folder = home / "plain"}));
-  ASSERT_TRUE(exportCentredMesh(scene, {.format = DatasetFormat::mesh, .folder = home / "centred"}));
+  ASSERT_TRUE(exportCenteredMesh(scene, {.format = DatasetFormat::mesh, .folder = home / "centred"}));
   EXPECT_TRUE(test::readText(home / "plain/scene.ply") == test::readText(home / "centred/scene.ply"));
   EXPECT_FALSE(std::filesystem::exists(home / "plain/objects/000040_ball.json"));
   const Json offset = Json::parse(test::readText(home / "centred/objects/000040_ball.json"));
   const Eigen::Vector3d moved_by = vectorOfJson(offset["offset_m"]);
-  EXPECT_LT((moved_by - test::kBallCentre).norm(), 1e-4);
+  EXPECT_LT((moved_by - test::kBallCenter).norm(), 1e-4);
   EXPECT_EQ(offset["region"], kBall);
   EXPECT_EQ(offset["name"], "ball");
   const PlyFile plain(test::readText(home / "plain/objects/000040_ball.ply"));
-  const PlyFile centred(test::readText(home / "centred/objects/000040_ball.ply"));
-  EXPECT_LT(boxOfPly(centred).center().norm(), 1e-6);
-  EXPECT_LT((boxOfPly(centred).center() + moved_by - boxOfPly(plain).center()).norm(), 1e-6);
-  ASSERT_EQ(centred.size(), plain.size());
-  EXPECT_NEAR(centred.values.at("x")[100] + moved_by.x(), plain.values.at("x")[100], 1e-6);
+  const PlyFile centered(test::readText(home / "centred/objects/000040_ball.ply"));
+  EXPECT_LT(boxOfPly(centered).center().norm(), 1e-6);
+  EXPECT_LT((boxOfPly(centered).center() + moved_by - boxOfPly(plain).center()).norm(), 1e-6);
+  ASSERT_EQ(centered.size(), plain.size());
+  EXPECT_NEAR(centered.values.at("x")[100] + moved_by.x(), plain.values.at("x")[100], 1e-6);
 
   const auto lowestCorner = [&](const std::string& place) {
     const auto glb = decodeGlb(test::readText(home / (place + "/objects/000040_ball.glb")), "ball");
@@ -279,7 +279,7 @@ TEST(ScannetExport, HasASegmentARegionAndAGroupAnObject) {
             (std::vector<std::string>{scene + ".aggregation.json", scene + ".txt",
                                       scene + "_vh_clean_2.0.010000.segs.json", scene + "_vh_clean_2.ply"}));
   const PlyFile mesh(exported.text(scene + "_vh_clean_2.ply"));
-  const LabelledMesh truth = *exported.scene.mesh();
+  const LabeledMesh truth = *exported.scene.mesh();
   ASSERT_EQ(mesh.size(), truth.vertices.size());
   EXPECT_EQ(mesh.faces.size(), truth.faces.size());
   EXPECT_NEAR(mesh.values.at("z")[0], 0, 1e-3) << "the table is level";

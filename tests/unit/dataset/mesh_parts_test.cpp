@@ -11,7 +11,7 @@ namespace scantrove {
 namespace {
 
 TEST(MeshParts, AFaceBelongsToTheRegionOfTwoOfItsCorners) {
-  LabelledMesh mesh;
+  LabeledMesh mesh;
   for (const std::uint32_t region : {1U, 1U, 2U, 2U, 3U}) {
     SurfacePoint point;
     point.region = region;
@@ -19,7 +19,7 @@ TEST(MeshParts, AFaceBelongsToTheRegionOfTwoOfItsCorners) {
     mesh.vertices.push_back(point);
   }
   mesh.faces = {{0, 1, 2}, {0, 2, 3}, {3, 4, 0}, {4, 4, 1}};
-  LabelledRegion one, two;
+  LabeledRegion one, two;
   one.id = 1;
   two.id = 2;
   const auto parts = splitByRegion(mesh, std::vector{one, two});
@@ -35,7 +35,7 @@ TEST(MeshParts, TheDiameterIsThatOfAllPairs) {
   std::mt19937 random(1);
   std::normal_distribution<float> normal;
   for (const float flat : {0.01F, 0.5F, 1.0F}) {
-    LabelledMesh mesh;
+    LabeledMesh mesh;
     for (int i = 0; i < 400; ++i) {
       SurfacePoint point;
       point.position_world_m =
@@ -54,7 +54,7 @@ TEST(MeshParts, TheDiameterIsThatOfAllPairs) {
 
 TEST(MeshParts, DamageIsFound) {
   test::ScannedScene scene;
-  LabelledMesh mesh = *scene.mesh();
+  LabeledMesh mesh = *scene.mesh();
   EXPECT_TRUE(checkMesh(mesh));
   mesh.faces[5][1] = static_cast<std::uint32_t>(mesh.vertices.size());
   EXPECT_FALSE(checkMesh(mesh));
@@ -66,7 +66,7 @@ TEST(MeshParts, DamageIsFound) {
 TEST(UpDirection, IsSquareToTheTableHoweverTheWorldLies) {
   test::ScannedScene scene;
   const Eigen::Affine3f turn(Eigen::AngleAxisf(1.1F, Eigen::Vector3f(1, 2, -0.5F).normalized()));
-  const LabelledMesh mesh = transformed(*scene.mesh(), turn);
+  const LabeledMesh mesh = transformed(*scene.mesh(), turn);
   auto frames = *scene.keyFrames(false);
   for (KeyFrameInfo& frame : frames)
     frame.T_world_depth = Eigen::Isometry3d(turn.cast<double>().matrix()) * frame.T_world_depth;

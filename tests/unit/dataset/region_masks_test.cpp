@@ -94,8 +94,8 @@ TEST(RegionMasks, NoiseLeavesNoSpecks) {
   for (const int frame : {0, 20}) {
     const Refined refined(scene, frame);
     for (const std::uint32_t id : {kTable, kBox, kBall, kBlock}) {
-      cv::Mat parts, stats, centres;
-      const int count = cv::connectedComponentsWithStats(refined.of(id), parts, stats, centres, 4);
+      cv::Mat parts, stats, centers;
+      const int count = cv::connectedComponentsWithStats(refined.of(id), parts, stats, centers, 4);
       int specks = 0;
       for (int part = 1; part < count; ++part) specks += stats.at<int>(part, cv::CC_STAT_AREA) < 8 ? 1 : 0;
       RecordProperty("specks_" + std::to_string(frame) + "_" + std::to_string(id), specks);

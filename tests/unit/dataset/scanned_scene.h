@@ -21,7 +21,7 @@ namespace scantrove::test {
 // World: z up, metres. A table, a box and a ball on it, a block that somebody rejected.
 constexpr std::uint32_t kTable = 7, kBox = 12, kBall = 40, kBlock = 55;
 inline const Eigen::Vector3d kBoxLow(-0.22, -0.08, 0), kBoxHigh(-0.04, 0.08, 0.2);
-inline const Eigen::Vector3d kBallCentre(0.12, 0.02, 0.09);
+inline const Eigen::Vector3d kBallCenter(0.12, 0.02, 0.09);
 constexpr double kBallRadius = 0.09;
 inline const Eigen::Vector3d kBlockLow(0.26, -0.1, 0), kBlockHigh(0.34, -0.04, 0.06);
 inline const std::string kBoxName = "Kiste/\"groß\"\n\\ 箱 📦";
@@ -40,7 +40,7 @@ class Shapes {
     const Eigen::Vector3d swell = Eigen::Vector3d::Constant(swollen_m);
     parts_.emplace_back(kTable, AnalyticScene().plane({0, 0, 0}, {0, 0, 1}));
     parts_.emplace_back(kBox, AnalyticScene().box(kBoxLow - swell, kBoxHigh + swell));
-    parts_.emplace_back(kBall, AnalyticScene().sphere(kBallCentre, kBallRadius + swollen_m));
+    parts_.emplace_back(kBall, AnalyticScene().sphere(kBallCenter, kBallRadius + swollen_m));
     parts_.emplace_back(kBlock, AnalyticScene().box(kBlockLow - swell, kBlockHigh + swell));
   }
 
@@ -72,7 +72,7 @@ class Shapes {
     const std::pair<double, std::uint32_t> distances[] = {
         {std::abs(p.z()), kTable},
         {toBox(kBoxLow, kBoxHigh), kBox},
-        {std::abs((p - kBallCentre).norm() - kBallRadius), kBall},
+        {std::abs((p - kBallCenter).norm() - kBallRadius), kBall},
         {toBox(kBlockLow, kBlockHigh), kBlock}};
     return static_cast<int>(std::min_element(std::begin(distances), std::end(distances))->second);
   }
@@ -82,15 +82,15 @@ class Shapes {
 };
 
 /// A scan of the shapes, in memory but for its colour images. Key frames 0, 10, 20, ... around the table.
-class ScannedScene : public LabelledScan {
+class ScannedScene : public LabeledScan {
  public:
   Intrinsics K_depth{262.5F, 262.5F, 159.5F, 119.5F, 320, 240};
   Intrinsics K_color{530, 531, 322, 241, 640, 480};
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d(Eigen::Translation3d(-0.025, 0.001, 0.002));
-  float metres_per_unit = 0.001F;
+  float meters_per_unit = 0.001F;
   int frames = 3;
   std::string scan_name = "kitchen table";
-  std::vector<LabelledRegion> labels = standardLabels();
+  std::vector<LabeledRegion> labels = standardLabels();
   MapFaults faults;
   std::set<int> without_color, with_damaged_color, with_damaged_depth;
   double depth_noise_px = 0.08;
@@ -98,9 +98,9 @@ class ScannedScene : public LabelledScan {
   std::uint32_t parted = 0;  ///< a region of two pieces: a band in its middle is no region
   std::function<void(int)> on_look = [](int) {};
 
-  static std::vector<LabelledRegion> standardLabels() {
+  static std::vector<LabeledRegion> standardLabels() {
     const auto region = [](std::uint32_t id, const char* name, const char* category) {
-      LabelledRegion r;
+      LabeledRegion r;
       r.id = id;
       r.name = name;
       r.category = category;
@@ -108,8 +108,8 @@ class ScannedScene : public LabelledScan {
       r.box_world_m = Eigen::AlignedBox3f(Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones());
       return r;
     };
-    std::vector<LabelledRegion> all{region(kBall, "ball", ""), region(kTable, "", ""),
-                                    region(kBox, "", "box"), region(kBlock, "", ""), region(90, "", "")};
+    std::vector<LabeledRegion> all{region(kBall, "ball", ""), region(kTable, "", ""), region(kBox, "", "box"),
+                                   region(kBlock, "", ""), region(90, "", "")};
     all[1].background = true;
     all[2].name = kBoxName;
     all[2].object = 3;
@@ -124,7 +124,7 @@ class ScannedScene : public LabelledScan {
   }
 
   [[nodiscard]] std::string name() const override { return scan_name; }
-  [[nodiscard]] Result<std::vector<LabelledRegion>> regions() override { return labels; }
+  [[nodiscard]] Result<std::vector<LabeledRegion>> regions() override { return labels; }
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override {
     std::vector<KeyFrameInfo> infos;
     for (int i = 0; i < frames; ++i) {
@@ -134,7 +134,7 @@ class ScannedScene : public LabelledScan {
       info.timestamp_s = info.index / 30.0;
       info.T_world_depth = poseOf(info.index);
       info.K_depth = K_depth;
-      info.metres_per_unit = metres_per_unit;
+      info.meters_per_unit = meters_per_unit;
       info.K_color = K_color;
       info.T_color_depth = T_color_depth;
       if (!without_color.contains(info.index)) info.color_file = colorFile(info);
@@ -152,13 +152,13 @@ class ScannedScene : public LabelledScan {
       addDisparityNoise(z, K_depth, 5U + static_cast<unsigned>(index), 0.15, depth_noise_px);
     cv::Mat units(exact.size(), CV_16UC1);
     std::transform(z.begin(), z.end(), units.begin<std::uint16_t>(), [this](float value) {
-      return static_cast<std::uint16_t>(std::lround(value / metres_per_unit));
+      return static_cast<std::uint16_t>(std::lround(value / meters_per_unit));
     });
     return units;
   }
   [[nodiscard]] Result<ViewOfMap> look(const Intrinsics& K,
                                        const Eigen::Isometry3d& T_world_camera) override {
-    on_look(++looks_);
+    on_look(++observations_);
     if (map_is_damaged) return fail("map/bricks-0001 is damaged.");
     const Eigen::Isometry3d T = Eigen::Translation3d(faults.shift_m) * T_world_camera;
     ViewOfMap view = Shapes(faults.swollen_m).look(K, T);
@@ -185,7 +185,7 @@ class ScannedScene : public LabelledScan {
     pieces.colRange(box.x + box.width * 2 / 5, box.x + box.width * 3 / 5).setTo(0);
     return pieces;
   }
-  [[nodiscard]] Result<LabelledMesh> mesh() override { return surface(); }
+  [[nodiscard]] Result<LabeledMesh> mesh() override { return surface(); }
   [[nodiscard]] Result<void> forEachPoint(const std::function<void(const SurfacePoint&)>& give) override {
     for (const SurfacePoint& point : surface().vertices) give(point);
     return {};
@@ -246,7 +246,7 @@ class ScannedScene : public LabelledScan {
   }
 
   /// A grid over a parallelogram, seen from the side that a x b points to.
-  static void addSheet(LabelledMesh& mesh, std::uint32_t region, const Eigen::Vector3d& corner,
+  static void addSheet(LabeledMesh& mesh, std::uint32_t region, const Eigen::Vector3d& corner,
                        const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::uint32_t cells) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const Eigen::Vector3f normal = a.cross(b).normalized().cast<float>();
@@ -262,7 +262,7 @@ class ScannedScene : public LabelledScan {
       }
     }
   }
-  static void addVertex(LabelledMesh& mesh, std::uint32_t region, const Eigen::Vector3f& p,
+  static void addVertex(LabeledMesh& mesh, std::uint32_t region, const Eigen::Vector3f& p,
                         const Eigen::Vector3f& n) {
     const Eigen::Vector3f rgb = colorOf(region);
     mesh.vertices.push_back({p,
@@ -271,7 +271,7 @@ class ScannedScene : public LabelledScan {
                               static_cast<std::uint8_t>(rgb[2])},
                              region});
   }
-  static void addBox(LabelledMesh& mesh, std::uint32_t region, const Eigen::Vector3d& low,
+  static void addBox(LabeledMesh& mesh, std::uint32_t region, const Eigen::Vector3d& low,
                      const Eigen::Vector3d& high) {
     const Eigen::Vector3d size = high - low;
     const Eigen::Vector3d x = size.x() * Eigen::Vector3d::UnitX(), y = size.y() * Eigen::Vector3d::UnitY(),
@@ -284,8 +284,8 @@ class ScannedScene : public LabelledScan {
     addSheet(mesh, region, low, z, y, kCells);
     addSheet(mesh, region, low + x, y, z, kCells);
   }
-  static LabelledMesh surface() {
-    LabelledMesh mesh;
+  static LabeledMesh surface() {
+    LabeledMesh mesh;
     addSheet(mesh, kTable, {-0.6, -0.6, 0}, {1.2, 0, 0}, {0, 1.2, 0}, 40);
     addBox(mesh, kBox, kBoxLow, kBoxHigh);
     addBox(mesh, kBlock, kBlockLow, kBlockHigh);
@@ -295,7 +295,7 @@ class ScannedScene : public LabelledScan {
       for (std::uint32_t i = 0; i <= kSides; ++i) {
         const double a = std::numbers::pi * j / kRings, b = 2 * std::numbers::pi * i / kSides;
         const Eigen::Vector3d n(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
-        addVertex(mesh, kBall, (kBallCentre + kBallRadius * n).cast<float>(), n.cast<float>());
+        addVertex(mesh, kBall, (kBallCenter + kBallRadius * n).cast<float>(), n.cast<float>());
       }
     }
     for (std::uint32_t j = 0; j < kRings; ++j) {
@@ -309,7 +309,7 @@ class ScannedScene : public LabelledScan {
   }
 
   TemporaryFolder folder_;
-  int looks_ = 0;
+  int observations_ = 0;
 };
 
 /// Intersection over union of what is not 0.

@@ -22,11 +22,11 @@ std::vector<KeyFrameInfo> rolled(std::vector<KeyFrameInfo> frames, int quarter_t
 
 struct Film {
   std::vector<KeyFrameInfo> frames;
-  LabelledMesh mesh;
+  LabeledMesh mesh;
 };
 
 /// What the depth images of a demo scene show, as points with normals.
-Film filmOf(const std::string& scene) {
+Film recordingOf(const std::string& scene) {
   SourceOptions options;
   options.stride = 40;
   options.frames = 8;
@@ -39,7 +39,7 @@ Film filmOf(const std::string& scene) {
     film.frames.push_back(info);
     const auto pointAt = [&](int u, int v) -> Eigen::Vector3f {
       const float z =
-          static_cast<float>(read.frame.depth.at<std::uint16_t>(v, u)) * read.frame.metres_per_unit;
+          static_cast<float>(read.frame.depth.at<std::uint16_t>(v, u)) * read.frame.meters_per_unit;
       return z > 0 && z < 4 ? K.backProject(static_cast<float>(u), static_cast<float>(v), z)
                             : Eigen::Vector3f::Zero();
     };
@@ -64,7 +64,7 @@ Film filmOf(const std::string& scene) {
 class UpDirectionOfRolledCamera : public testing::TestWithParam<const char*> {};
 
 TEST_P(UpDirectionOfRolledCamera, IsThatOfTheSceneHoweverTheCameraIsHeld) {
-  const Film film = filmOf(GetParam());
+  const Film film = recordingOf(GetParam());
   ASSERT_GT(film.mesh.vertices.size(), 10'000U);
   for (int quarter_turns = 0; quarter_turns < 4; ++quarter_turns) {
     const Eigen::Vector3f up = upDirection(rolled(film.frames, quarter_turns), film.mesh);
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Of, UpDirectionOfRolledCamera,
 
 TEST(UpDirection, IsSquareToTheTableHoweverTheCameraIsHeld) {
   ScannedScene scene;
-  const LabelledMesh mesh = *scene.mesh();
+  const LabeledMesh mesh = *scene.mesh();
   for (int quarter_turns = 0; quarter_turns < 4; ++quarter_turns) {
     const Eigen::Vector3f up = upDirection(rolled(*scene.keyFrames(false), quarter_turns), mesh);
     EXPECT_GT(up.z(), 0.9999F) << "turned by " << 90 * quarter_turns << " degrees: " << up.transpose();

@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-using test::kGreyLab;
+using test::kGrayLab;
 using test::kRedLab;
 using test::PaintedScene;
 
@@ -25,15 +25,15 @@ PaintedScene with(const cv::Rect& red) {
   PaintedScene scene;
   scene.paint(7, kBar, [](int, int) { return 1.5F; });
   scene.paint(8, red, [](int, int) { return 1.5F; });
-  scene.color(1, kGreyLab);
-  scene.color(7, kGreyLab);
+  scene.color(1, kGrayLab);
+  scene.color(7, kGrayLab);
   scene.color(8, kRedLab);
   return scene;
 }
 
 const RegionSet kBoth{RegionId{7}, RegionId{8}};
 
-TEST(ColorChanges, OfOneColourAreNone) {
+TEST(ColorChanges, OfOneColorAreNone) {
   const PaintedScene scene = with({0, 0, 1, 1});
   const ColorChanges changes = changesOf(scene, {RegionId{7}});
   EXPECT_EQ(changes.along.contrast, 0);
@@ -82,7 +82,7 @@ TEST(ColorChanges, OfWhatIsTurnedAreAlongItToo) {
       scene.paint(from_middle.dot(longer) > 0 ? 7 : 8, {u, v, 1, 1}, [](int, int) { return 1.5F; });
     }
   }
-  scene.color(7, kGreyLab);
+  scene.color(7, kGrayLab);
   scene.color(8, kRedLab);
   const ColorChanges changes = changesOf(scene, kBoth);
   EXPECT_GT(changes.along.contrast, 0.6F);

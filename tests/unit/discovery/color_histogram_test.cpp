@@ -11,43 +11,43 @@ ColorHistogram of(std::initializer_list<Eigen::Vector3f> colors) {
   return histogram;
 }
 
-const Eigen::Vector3f kMidGreyLab{50, 0, 0}, kOrangeLab{50, 50, 50};
+const Eigen::Vector3f kMidGrayLab{50, 0, 0}, kOrangeLab{50, 50, 50};
 
-TEST(ColorHistogram, EqualColoursHaveAllInCommonHoweverMany) {
-  EXPECT_FLOAT_EQ(of({kMidGreyLab}).intersection(of({kMidGreyLab, kMidGreyLab, kMidGreyLab})), 1);
-  EXPECT_FLOAT_EQ(of({kMidGreyLab}).intersection(of({kOrangeLab})), 0);
+TEST(ColorHistogram, EqualColorsHaveAllInCommonHoweverMany) {
+  EXPECT_FLOAT_EQ(of({kMidGrayLab}).intersection(of({kMidGrayLab, kMidGrayLab, kMidGrayLab})), 1);
+  EXPECT_FLOAT_EQ(of({kMidGrayLab}).intersection(of({kOrangeLab})), 0);
 }
 
 TEST(ColorHistogram, AThirdInCommonIsAThird) {
-  EXPECT_FLOAT_EQ(of({kMidGreyLab, kOrangeLab, kOrangeLab}).intersection(of({kMidGreyLab})), 1.0F / 3);
+  EXPECT_FLOAT_EQ(of({kMidGrayLab, kOrangeLab, kOrangeLab}).intersection(of({kMidGrayLab})), 1.0F / 3);
 }
 
 // Bins are 25 apart in each of L*, a* and b*: a fifth of the way leaves four fifths in the bin.
-TEST(ColorHistogram, LikeColoursHaveAlmostAllInCommon) {
-  EXPECT_NEAR(of({kMidGreyLab}).intersection(of({{55, 0, 0}})), 0.8, 1e-4);
-  EXPECT_NEAR(of({kMidGreyLab}).intersection(of({{55, 0, -5}})), 0.64, 1e-4);
+TEST(ColorHistogram, LikeColorsHaveAlmostAllInCommon) {
+  EXPECT_NEAR(of({kMidGrayLab}).intersection(of({{55, 0, 0}})), 0.8, 1e-4);
+  EXPECT_NEAR(of({kMidGrayLab}).intersection(of({{55, 0, -5}})), 0.64, 1e-4);
 }
 
-TEST(ColorHistogram, ColoursBeyondTheBinsCountInTheLast) {
+TEST(ColorHistogram, ColorsBeyondTheBinsCountInTheLast) {
   EXPECT_NEAR(of({{50, 80, 0}}).intersection(of({{50, 50, 0}})), 1, 1e-3);
 }
 
-TEST(ColorHistogram, SumsAreThoseOfAllColours) {
-  ColorHistogram sum = of({kMidGreyLab});
+TEST(ColorHistogram, SumsAreThoseOfAllColors) {
+  ColorHistogram sum = of({kMidGrayLab});
   sum.add(of({kOrangeLab}));
-  EXPECT_FLOAT_EQ(sum.intersection(of({kMidGreyLab, kOrangeLab})), 1);
+  EXPECT_FLOAT_EQ(sum.intersection(of({kMidGrayLab, kOrangeLab})), 1);
 }
 
 TEST(ColorHistogram, IsTheSameFromItsShares) {
-  const ColorHistogram some = of({kMidGreyLab, kOrangeLab, {70, 3, -8}});
+  const ColorHistogram some = of({kMidGrayLab, kOrangeLab, {70, 3, -8}});
   EXPECT_NEAR(ColorHistogram::ofShares(some.shares()).intersection(some), 1, 1e-6);
   EXPECT_TRUE(ColorHistogram::ofShares(ColorHistogram().shares()).isEmpty());
 }
 
 TEST(ColorHistogram, NoneHasNothingInCommonWithAny) {
   EXPECT_TRUE(ColorHistogram().isEmpty());
-  EXPECT_EQ(ColorHistogram().intersection(of({kMidGreyLab})), 0);
-  EXPECT_EQ(of({kMidGreyLab}).intersection(ColorHistogram()), 0);
+  EXPECT_EQ(ColorHistogram().intersection(of({kMidGrayLab})), 0);
+  EXPECT_EQ(of({kMidGrayLab}).intersection(ColorHistogram()), 0);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(ObjectnessEvidence, ColorFeaturesAreUnknown_WithoutColor) {
   ObjectnessEvidence evidence = mug();
   for (const char* name : kOfColor) EXPECT_TRUE(std::isnan(feature(name, evidence))) << name;
   evidence.likeness =
-      ColorLikeness{.neighbour = 0.9F, .touching = 0.8F, .end_to_end = 0.7F, .side_to_side = 0.6F};
+      ColorLikeness{.neighbor = 0.9F, .touching = 0.8F, .end_to_end = 0.7F, .side_to_side = 0.6F};
   evidence.changes = ColorChanges{.along = {.contrast = 0.5F, .likeness = 0.3F},
                                   .across = {.contrast = 0.4F, .likeness = 0.2F}};
   float expected = 0.9F;
@@ -68,9 +68,9 @@ TEST(ObjectnessEvidence, ColorFeaturesAreUnknown_WithoutColor) {
 TEST(ObjectnessEvidence, IsMoreLikely_WhereColorsAroundDiffer) {
   ObjectnessEvidence evidence = mug();
   evidence.likeness =
-      ColorLikeness{.neighbour = 0.9F, .touching = 0.8F, .end_to_end = 0.7F, .side_to_side = 0.6F};
+      ColorLikeness{.neighbor = 0.9F, .touching = 0.8F, .end_to_end = 0.7F, .side_to_side = 0.6F};
   const float like_all_around = evidence.logOdds();
-  evidence.likeness->neighbour = 0.1F;
+  evidence.likeness->neighbor = 0.1F;
   evidence.likeness->touching = 0.05F;
   EXPECT_GT(evidence.logOdds(), like_all_around);
 }
@@ -97,7 +97,7 @@ TEST(ObjectnessEvidence, IsLessLikely_WhereABooksSpineHasNoBounds) {
 
 TEST(ObjectnessEvidence, OutwardOddsCountUpToWhatIsCertain) {
   ObjectnessEvidence part = mug();
-  EXPECT_EQ(feature("outward_log_odds", part), OutwardOdds::kLeast) << "it touches nothing";
+  EXPECT_EQ(feature("outward_log_odds", part), OutwardOdds::kMin) << "it touches nothing";
   part.outward_odds = 9;
   EXPECT_FLOAT_EQ(feature("outward_log_odds", part), 4);
 }

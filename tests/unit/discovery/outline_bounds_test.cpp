@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-using test::kGreyLab;
+using test::kGrayLab;
 using test::kRedLab;
 using test::PaintedScene;
 
@@ -29,11 +29,11 @@ TEST(OutlineBounds, WhatStandsBeforeAWallIsBoundedAllAround) {
   EXPECT_GT(bounds.least_side, 0.9F);
 }
 
-TEST(OutlineBounds, APatchOfTheWallIsNotAndAPosterIsByItsColour) {
+TEST(OutlineBounds, APatchOfTheWallIsNotAndAPosterIsByItsColor) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 2.0F; });
-  scene.color(1, kGreyLab);
-  scene.color(7, kGreyLab);
+  scene.color(1, kGrayLab);
+  scene.color(7, kGrayLab);
   EXPECT_FLOAT_EQ(boundsOf(scene, {RegionId{7}}).mean, 1.5F / 123);
   scene.color(7, kRedLab);
   EXPECT_FLOAT_EQ(boundsOf(scene, {RegionId{7}}).mean, (120 + 1.5F) / 123);
@@ -44,7 +44,7 @@ TEST(OutlineBounds, HalfOfAThingIsBoundedLeastWhereTheOtherHalfFollows) {
   scene.paint(7, kStanding, [](int, int) { return 1.5F; });
   scene.paint(8, {kStanding.br().x, kStanding.y, kStanding.width, kStanding.height},
               [](int, int) { return 1.5F; });
-  for (const std::uint32_t region : {1U, 7U, 8U}) scene.color(region, kGreyLab);
+  for (const std::uint32_t region : {1U, 7U, 8U}) scene.color(region, kGrayLab);
   const OutlineBounds half = boundsOf(scene, {RegionId{7}});
   EXPECT_NEAR(half.mean, 100.0F / 120, 0.02F);
   EXPECT_LT(half.least_side, 0.2F);
@@ -64,7 +64,7 @@ TEST(OutlineBounds, WhatIsHiddenSaysNothing) {
   EXPECT_FLOAT_EQ(bounds.least_side, 0.5F) << "of that side nothing is known";
 }
 
-TEST(OutlineBounds, WithoutColourWhatGoesOnSaysWhatIsUsual) {
+TEST(OutlineBounds, WithoutColorWhatGoesOnSaysWhatIsUsual) {
   PaintedScene scene;
   scene.paint(7, kStanding, [](int, int) { return 2.0F; });
   const float mean = boundsOf(scene, {RegionId{7}}).mean;

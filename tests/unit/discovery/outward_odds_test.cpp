@@ -31,7 +31,7 @@ TEST(OutwardOdds, OfWhatTouchesNothingAreTheLeast) {
   PaintedScene scene;
   scene.paint(7, {60, 40, 20, 20}, [](int, int) { return 1.0F; });
   scene.joining_odds = [](RegionId, RegionId) { return 3.0F; };
-  EXPECT_EQ(oddsOf(scene, {RegionId{7}}).most, OutwardOdds::kLeast) << "the wall is a metre behind it";
+  EXPECT_EQ(oddsOf(scene, {RegionId{7}}).most, OutwardOdds::kMin) << "the wall is a metre behind it";
   EXPECT_EQ(oddsOf(scene, {RegionId{7}}).joined_part, 0);
 }
 
@@ -59,7 +59,7 @@ TEST(OutwardOdds, WhatWasSaidToBeApartIsAsIfItDidNotTouch) {
   PaintedScene scene = threeInARow();
   scene.joining_odds = [](RegionId, RegionId) { return -std::numeric_limits<float>::infinity(); };
   const OutwardOdds odds = oddsOf(scene, {RegionId{7}});
-  EXPECT_EQ(odds.most, OutwardOdds::kLeast);
+  EXPECT_EQ(odds.most, OutwardOdds::kMin);
   EXPECT_LT(odds.joined_part, 1e-3F);
 }
 

@@ -11,7 +11,7 @@
 namespace scantrove::test {
 
 // CIE L*a*b*, at bins of a ColorHistogram: 25 apart.
-inline const Eigen::Vector3f kGreyLab{50, 0, 0}, kRedLab{50, 50, 25};
+inline const Eigen::Vector3f kGrayLab{50, 0, 0}, kRedLab{50, 50, 25};
 
 /// A camera of 160 x 120 at the origin of a world turned and moved by `T_world_camera`, looking at regions
 /// that are painted as image rectangles with a depth for each pixel.
@@ -22,7 +22,7 @@ struct PaintedScene {
   std::vector<Eigen::Vector4f> vertices;
   mutable std::vector<Eigen::Vector4f> normals;
   std::function<float(RegionId, RegionId)> joining_odds;
-  std::vector<std::uint8_t> came;
+  std::vector<std::uint8_t> appeared;
   std::vector<Eigen::Vector3f> color_lab;
 
   PaintedScene() {
@@ -100,7 +100,7 @@ struct PaintedScene {
         if (normal.norm() > 0) normals[static_cast<std::size_t>(v * K.width + u)] << normal.normalized(), 1;
       }
     }
-    return {map, vertices, normals, K, T_world_camera, joining_odds, came, color_lab};
+    return {map, vertices, normals, K, T_world_camera, joining_odds, appeared, color_lab};
   }
 
  private:

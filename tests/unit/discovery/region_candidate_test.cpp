@@ -21,7 +21,7 @@ TEST(RegionCandidate, IsTheRegionAsItIsSeen) {
   EXPECT_EQ(seen->box_px, box);
   EXPECT_EQ(seen->pixels, box.area());
   EXPECT_EQ(cv::countNonZero(seen->mask), box.area());
-  EXPECT_FALSE(seen->is_whole);
+  EXPECT_FALSE(seen->is_complete);
   EXPECT_NEAR(seen->size_m[0], 30 * 1.2F / 150, 0.05F);
   EXPECT_LT((scene.T_world_camera.cast<float>() * seen->centroid_camera - seen->centroid_world).norm(),
             1e-5F);

@@ -7,7 +7,7 @@
 namespace scantrove {
 namespace {
 
-using test::kGreyLab;
+using test::kGrayLab;
 using test::kRedLab;
 using test::PaintedScene;
 
@@ -21,15 +21,15 @@ ColorLikeness likenessOf(const PaintedScene& scene, const RegionSet& regions) {
 }
 
 /// Something at that distance before a grey wall at 2 m.
-PaintedScene beforeGreyWall(float z_m, const Eigen::Vector3f& color) {
+PaintedScene beforeGrayWall(float z_m, const Eigen::Vector3f& color) {
   PaintedScene scene;
   scene.paint(7, kPlace, [z_m](int, int) { return z_m; });
-  scene.color(1, kGreyLab);
+  scene.color(1, kGrayLab);
   scene.color(7, color);
   return scene;
 }
 
-TEST(RegionColors, OfAnImageWithoutColourNothingIsSaid) {
+TEST(RegionColors, OfAnImageWithoutColorNothingIsSaid) {
   PaintedScene scene;
   scene.paint(7, kPlace, [](int, int) { return 1.0F; });
   const DiscoveryInput input = scene.input();
@@ -37,55 +37,55 @@ TEST(RegionColors, OfAnImageWithoutColourNothingIsSaid) {
 }
 
 TEST(RegionColors, APatchOfTheWallIsLikeTheWall) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(2, kGreyLab), {RegionId{7}});
-  EXPECT_FLOAT_EQ(likeness.neighbour, 1);
+  const ColorLikeness likeness = likenessOf(beforeGrayWall(2, kGrayLab), {RegionId{7}});
+  EXPECT_FLOAT_EQ(likeness.neighbor, 1);
   EXPECT_FLOAT_EQ(likeness.touching, 1);
 }
 
 TEST(RegionColors, ARedThingOnItIsNot) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(2, kRedLab), {RegionId{7}});
-  EXPECT_EQ(likeness.neighbour, 0);
+  const ColorLikeness likeness = likenessOf(beforeGrayWall(2, kRedLab), {RegionId{7}});
+  EXPECT_EQ(likeness.neighbor, 0);
   EXPECT_EQ(likeness.touching, 0);
 }
 
 TEST(RegionColors, WhatLiesFarBehindDoesNotTouchIt) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kGreyLab), {RegionId{7}});
-  EXPECT_FLOAT_EQ(likeness.neighbour, 1) << "but it is its neighbour in the image";
+  const ColorLikeness likeness = likenessOf(beforeGrayWall(1, kGrayLab), {RegionId{7}});
+  EXPECT_FLOAT_EQ(likeness.neighbor, 1) << "but it is its neighbour in the image";
   EXPECT_EQ(likeness.touching, 0);
 }
 
-TEST(RegionColors, TheNeighbourMostLikeItCounts) {
-  PaintedScene scene = beforeGreyWall(2, kRedLab);
+TEST(RegionColors, TheNeighborMostLikeItCounts) {
+  PaintedScene scene = beforeGrayWall(2, kRedLab);
   const cv::Rect beside(kPlace.br().x, kPlace.y, 30, kPlace.height);
   scene.paint(8, beside, [](int, int) { return 2.0F; });
   scene.color(8, kRedLab);
   const ColorLikeness alone = likenessOf(scene, {RegionId{7}});
-  EXPECT_NEAR(alone.neighbour, 1, 1e-4);
+  EXPECT_NEAR(alone.neighbor, 1, 1e-4);
   EXPECT_GT(alone.touching, 0.1F);
   EXPECT_LT(alone.touching, 0.4F) << "one side of four touches it";
   const ColorLikeness both = likenessOf(scene, {RegionId{7}, RegionId{8}});
-  EXPECT_EQ(both.neighbour, 0);
+  EXPECT_EQ(both.neighbor, 0);
   EXPECT_EQ(both.touching, 0);
 }
 
-TEST(RegionColors, AFewPixelsNearItAreNoNeighbour) {
-  PaintedScene scene = beforeGreyWall(2, kRedLab);
+TEST(RegionColors, AFewPixelsNearItAreNoNeighbor) {
+  PaintedScene scene = beforeGrayWall(2, kRedLab);
   scene.paint(8, {kPlace.br().x, kPlace.y, 1, 7}, [](int, int) { return 2.0F; });
   scene.color(8, kRedLab);
-  EXPECT_EQ(likenessOf(scene, {RegionId{7}}).neighbour, 0);
+  EXPECT_EQ(likenessOf(scene, {RegionId{7}}).neighbor, 0);
 }
 
-TEST(RegionColors, OneColourIsAlikeInAllHalves) {
-  const ColorLikeness likeness = likenessOf(beforeGreyWall(1, kRedLab), {RegionId{7}});
+TEST(RegionColors, OneColorIsAlikeInAllHalves) {
+  const ColorLikeness likeness = likenessOf(beforeGrayWall(1, kRedLab), {RegionId{7}});
   EXPECT_NEAR(likeness.end_to_end, 1, 1e-4);
   EXPECT_NEAR(likeness.side_to_side, 1, 1e-4);
 }
 
 TEST(RegionColors, TwoThingsBesideOneAnotherAreNotAlikeEndToEnd) {
-  PaintedScene scene = beforeGreyWall(1, kRedLab);
+  PaintedScene scene = beforeGrayWall(1, kRedLab);
   const cv::Rect beside(kPlace.br().x, kPlace.y, kPlace.width, kPlace.height);
   scene.paint(8, beside, [](int, int) { return 1.0F; });
-  scene.color(8, kGreyLab);
+  scene.color(8, kGrayLab);
   const RegionSet both{RegionId{7}, RegionId{8}};
   const ColorLikeness likeness = likenessOf(scene, both);
   EXPECT_EQ(likeness.end_to_end, 0);
@@ -94,10 +94,10 @@ TEST(RegionColors, TwoThingsBesideOneAnotherAreNotAlikeEndToEnd) {
 
 TEST(RegionColors, NorAreThoseOfASlantedRow) {
   // Steps down to the right, red and then grey: the longer axis is their diagonal.
-  PaintedScene scene = beforeGreyWall(1, kRedLab);
+  PaintedScene scene = beforeGrayWall(1, kRedLab);
   const cv::Rect below(kPlace.br().x, kPlace.br().y, kPlace.width, kPlace.height);
   scene.paint(8, below, [](int, int) { return 1.0F; });
-  scene.color(8, kGreyLab);
+  scene.color(8, kGrayLab);
   const ColorLikeness likeness = likenessOf(scene, {RegionId{7}, RegionId{8}});
   EXPECT_EQ(likeness.end_to_end, 0);
   EXPECT_GT(likeness.side_to_side, 0.8F) << "the axis cuts either into two halves, nearly";
@@ -107,8 +107,8 @@ TEST(RegionColors, AtTheImagesEdgeToo) {
   PaintedScene scene;
   const cv::Rect corner(0, 0, 30, 20);
   scene.paint(7, corner, [](int, int) { return 2.0F; });
-  scene.color(1, kGreyLab);
-  scene.color(7, kGreyLab);
+  scene.color(1, kGrayLab);
+  scene.color(7, kGrayLab);
   EXPECT_FLOAT_EQ(likenessOf(scene, {RegionId{7}}).touching, 1);
 }
 

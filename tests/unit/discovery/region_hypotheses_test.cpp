@@ -30,8 +30,8 @@ std::vector<RegionSet> setsIn(const PaintedScene& scene) {
 TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
   PaintedScene scene;
   const RegionId ball{7}, dent{8}, plane{9};
-  const auto paintBall = [&](RegionId region, int centre_u, float side) {
-    const Eigen::Vector3f middle = scene.K.backProject(static_cast<float>(centre_u), 59.5F, 1.5F);
+  const auto paintBall = [&](RegionId region, int center_u, float side) {
+    const Eigen::Vector3f middle = scene.K.backProject(static_cast<float>(center_u), 59.5F, 1.5F);
     constexpr float kRadius_m = 0.15F;
     for (int v = 0; v < scene.K.height; ++v) {
       for (int u = 0; u < scene.K.width; ++u) {
@@ -58,7 +58,7 @@ TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
   EXPECT_EQ(bulgeOf({RegionId{99}}, all, input), 0);
 }
 
-TEST(RuleBasedFinder, NeighboursThatAreNearToJoiningAreAHypothesisTogether) {
+TEST(RuleBasedFinder, NeighborsThatAreNearToJoiningAreAHypothesisTogether) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 20, 30}, 1.0F);
   scene.paintBump(9, {80, 50, 20, 30}, 1.0F);
@@ -99,7 +99,7 @@ TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
   std::erase_if(regions, [](const RegionExtent& extent) { return extent.region == RegionId{1}; });
   const std::vector<RegionHypothesis> hypotheses = proposeHypotheses(regions, outlines, input, params);
   ASSERT_GE(hypotheses.size(), 2U) << "each by itself";
-  for (const RegionHypothesis& hypothesis : hypotheses) EXPECT_FALSE(hypothesis.is_torn);
+  for (const RegionHypothesis& hypothesis : hypotheses) EXPECT_FALSE(hypothesis.is_inconsistent);
 }
 
 TEST(Candidate, AClearThingMayBeHiddenMore) {
@@ -115,11 +115,11 @@ TEST(Candidate, AClearThingMayBeHiddenMore) {
 }
 
 TEST(ChooseDisjoint, TakesTheBestOfThoseThatShareRegions) {
-  const auto candidate = [](const RegionSet& regions, float outline, bool is_whole, float odds = 0) {
+  const auto candidate = [](const RegionSet& regions, float outline, bool is_complete, float odds = 0) {
     Candidate made;
     made.regions = regions;
     made.outline = outline;
-    made.is_whole = is_whole;
+    made.is_complete = is_complete;
     made.odds = odds;
     return made;
   };

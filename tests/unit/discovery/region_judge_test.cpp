@@ -55,8 +55,8 @@ TEST(RegionJudge, AThingIsMoreLikelyThanAPieceOfTheWall) {
   addKnown(scene, known);
   const std::vector<Candidate> found = RegionJudge(DiscoveryParams{}, std::move(known)).find(scene.input());
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_GT(*found[0].wholeness, 0.7F);
-  EXPECT_LT(*found[1].wholeness, 0);
+  EXPECT_GT(*found[0].objectness, 0.7F);
+  EXPECT_LT(*found[1].objectness, 0);
   EXPECT_EQ(found[0].box_px, cv::Rect(60, 50, 40, 30));
 }
 
@@ -85,7 +85,7 @@ TEST(RegionJudge, WhatIsNotAskedForIsNotJudged) {
   const std::vector<Candidate> asked = judge.find(scene.input());
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_EQ(asked[0].regions, RegionSet{RegionId{8}});
-  EXPECT_EQ(asked[0].wholeness, all[1].wholeness) << "as if all were asked for";
+  EXPECT_EQ(asked[0].objectness, all[1].objectness) << "as if all were asked for";
 }
 
 TEST(RegionJudge, ALookThatHasNoRoomForTheThingSaysNothingOfIt) {

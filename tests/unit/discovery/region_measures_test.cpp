@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/discovery/look_history.h"
+#include "core/discovery/observation_history.h"
 #include "core/discovery/oriented_box.h"
 #include "core/discovery/region_census.h"
 #include "core/discovery/size_history.h"
@@ -53,7 +53,7 @@ TEST(RegionCensus, EccentricityOfARectangle) {
   const RegionCensus census = RegionCounter().count(map);
   ASSERT_EQ(census.extents.size(), 1U);
   EXPECT_NEAR(census.extents[0].eccentricity(), std::sqrt(1 - 0.04), 1e-6);
-  EXPECT_EQ(census.labelled_px, cv::Rect(30, 10, 50, 10));
+  EXPECT_EQ(census.labeled_px, cv::Rect(30, 10, 50, 10));
   EXPECT_EQ(census.regionsOfSize(500), std::vector<RegionId>{RegionId{3}});
   EXPECT_TRUE(census.regionsOfSize(501).empty());
 }
@@ -111,85 +111,86 @@ TEST(SizeHistory, FollowsRegionsThatJoinInEverySet) {
   EXPECT_FALSE(history.isPersistent(both, 1, 0.1F));
 }
 
-DiscoveryParams paramsOfLooks() {
+DiscoveryParams observationParams() {
   DiscoveryParams params;
-  params.whole_looks = 4;
-  params.whole_outline = 0.8F;
-  params.whole_hidden = 0.3F;
-  params.whole_angle_deg = 10;
+  params.complete_observations = 4;
+  params.complete_outline = 0.8F;
+  params.complete_hidden = 0.3F;
+  params.complete_angle_deg = 10;
   params.still_frames = 50;
   return params;
 }
 
-LookHistory::Look lookFrom(float degrees, float outline = 0.9F, float hidden = 0, float size_m = 0.2F) {
+ObservationHistory::Look lookFrom(float degrees, float outline = 0.9F, float hidden = 0,
+                                  float size_m = 0.2F) {
   const float radians = degrees * 3.14159265F / 180;
   return {outline, hidden, Eigen::Vector3f(size_m, 0, 0),
           Eigen::Vector3f(std::sin(radians), 0, std::cos(radians))};
 }
 
-TEST(LookHistory, WholeNeedsLooksDirectionsAndAnOutlineOfItsOwn) {
+TEST(ObservationHistory, WholeNeedsLooksDirectionsAndAnOutlineOfItsOwn) {
   const RegionSet thing{RegionId{5}};
-  const auto is_whole = [&](int looks, float degrees, float outline, float hidden) {
-    LookHistory history;
-    for (int i = 0; i < looks; ++i) {
+  const auto is_complete = [&](int observations, float degrees, float outline, float hidden) {
+    ObservationHistory history;
+    for (int i = 0; i < observations; ++i) {
       history.nextFrame();
       history.add(thing, lookFrom(i == 0 ? 0 : degrees, outline, hidden));
     }
-    return history.isWhole(thing, paramsOfLooks());
+    return history.isComplete(thing, observationParams());
   };
-  EXPECT_TRUE(is_whole(4, 11, 0.9F, 0.1F));
-  EXPECT_FALSE(is_whole(3, 11, 0.9F, 0.1F));
-  EXPECT_FALSE(is_whole(4, 9, 0.9F, 0.1F));
-  EXPECT_TRUE(is_whole(51, 0, 0.9F, 0.1F)) << "two directions, or long enough";
-  EXPECT_FALSE(is_whole(4, 11, 0.7F, 0.1F));
-  EXPECT_FALSE(is_whole(4, 11, 0.9F, 0.4F));
-  EXPECT_FALSE(LookHistory().isWhole(thing, paramsOfLooks()));
+  EXPECT_TRUE(is_complete(4, 11, 0.9F, 0.1F));
+  EXPECT_FALSE(is_complete(3, 11, 0.9F, 0.1F));
+  EXPECT_FALSE(is_complete(4, 9, 0.9F, 0.1F));
+  EXPECT_TRUE(is_complete(51, 0, 0.9F, 0.1F)) << "two directions, or long enough";
+  EXPECT_FALSE(is_complete(4, 11, 0.7F, 0.1F));
+  EXPECT_FALSE(is_complete(4, 11, 0.9F, 0.4F));
+  EXPECT_FALSE(ObservationHistory().isComplete(thing, observationParams()));
 }
 
-TEST(LookHistory, AThingOfAnotherSizeStartsAnew) {
+TEST(ObservationHistory, AThingOfAnotherSizeStartsAnew) {
   const RegionSet thing{RegionId{5}};
-  LookHistory history;
+  ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
     history.nextFrame();
     history.add(thing, lookFrom(4.0F * static_cast<float>(i)));
   }
-  ASSERT_TRUE(history.isWhole(thing, paramsOfLooks()));
-  const auto lookOfAnotherSize = [&] {
+  ASSERT_TRUE(history.isComplete(thing, observationParams()));
+  const auto observationOfAnotherSize = [&] {
     history.nextFrame();
     history.add(thing, lookFrom(20, 0.9F, 0, 0.5F));
   };
-  lookOfAnotherSize();
-  lookOfAnotherSize();
-  EXPECT_TRUE(history.isWhole(thing, paramsOfLooks())) << "something stood before it for a moment";
+  observationOfAnotherSize();
+  observationOfAnotherSize();
+  EXPECT_TRUE(history.isComplete(thing, observationParams())) << "something stood before it for a moment";
   history.nextFrame();
   history.add(thing, lookFrom(20));
-  lookOfAnotherSize();
-  lookOfAnotherSize();
-  EXPECT_TRUE(history.isWhole(thing, paramsOfLooks())) << "not in a row";
-  lookOfAnotherSize();  // it parted, or something joined it
-  EXPECT_FALSE(history.isWhole(thing, paramsOfLooks()));
+  observationOfAnotherSize();
+  observationOfAnotherSize();
+  EXPECT_TRUE(history.isComplete(thing, observationParams())) << "not in a row";
+  observationOfAnotherSize();  // it parted, or something joined it
+  EXPECT_FALSE(history.isComplete(thing, observationParams()));
 }
 
-TEST(LookHistory, ForgetsWhatWasNotSeenForLong) {
-  LookHistory history;
+TEST(ObservationHistory, ForgetsWhatWasNotSeenForLong) {
+  ObservationHistory history;
   history.nextFrame();
   history.add({RegionId{5}}, lookFrom(0));
-  for (int i = 0; i < LookHistory::kMemory; ++i) history.nextFrame();
+  for (int i = 0; i < ObservationHistory::kMemory; ++i) history.nextFrame();
   EXPECT_EQ(history.setCount(), 1U);
   history.nextFrame();
   EXPECT_EQ(history.setCount(), 0U);
 }
 
-TEST(LookHistory, FollowsRegionsThatJoin) {
-  LookHistory history;
+TEST(ObservationHistory, FollowsRegionsThatJoin) {
+  ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
     history.nextFrame();
     history.add({RegionId{5}}, lookFrom(4.0F * static_cast<float>(i)));
     if (i == 0) history.add({RegionId{6}}, lookFrom(0));
   }
   history.follow(RegionId{6}, RegionId{5});
-  EXPECT_FALSE(history.isWhole({RegionId{5}}, paramsOfLooks()));
-  EXPECT_TRUE(history.isWhole({RegionId{6}}, paramsOfLooks())) << "the one with more looks";
+  EXPECT_FALSE(history.isComplete({RegionId{5}}, observationParams()));
+  EXPECT_TRUE(history.isComplete({RegionId{6}}, observationParams())) << "the one with more looks";
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ TEST(RegionOutlines, WhatIsBetweenTheRegionsOfASetIsInside) {
   EXPECT_EQ(outlines.of({a}).ridged, 80);
   EXPECT_EQ(outlines.of({a, b}).ridged, 0);
   EXPECT_EQ(outlines.of({a, b}).known(), 2 * (80 + 80)) << "only the rectangle around both";
-  EXPECT_THAT(outlines.metBy(a, 80), Contains(b));
-  EXPECT_THAT(outlines.metBy(a, 81), Not(Contains(b)));
+  EXPECT_THAT(outlines.touchedBy(a, 80), Contains(b));
+  EXPECT_THAT(outlines.touchedBy(a, 81), Not(Contains(b)));
 }
 
 TEST(RegionOutlines, WhatWasNotSeenSaysNothing) {

@@ -254,29 +254,29 @@ TEST(RuleBasedFinder, RefusesBackgroundSeenThroughAGap) {
 
 TEST(RuleBasedFinder, WholeIsWhatWasSeenFromTwoSidesOrForLong) {
   DiscoveryParams params = testParams();
-  params.whole_looks = 3;
+  params.complete_observations = 3;
   params.still_frames = 20;
-  const auto is_whole_after = [&](int frames, double degrees_a_frame) {
+  const auto is_complete_after = [&](int frames, double degrees_a_frame) {
     const auto finder = makeRuleBasedFinder(params);
     std::vector<Candidate> found;
     for (int i = 0; i < frames; ++i) {
       PaintedScene scene;
       // The camera goes round the thing, which lies 1 m ahead.
-      const Eigen::Vector3d centre = scene.T_world_camera * Eigen::Vector3d(0, 0, 1);
+      const Eigen::Vector3d center = scene.T_world_camera * Eigen::Vector3d(0, 0, 1);
       const double radians = degrees_a_frame * i * 3.14159265 / 180;
-      scene.T_world_camera = Eigen::Translation3d(centre) *
+      scene.T_world_camera = Eigen::Translation3d(center) *
                              Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitY()) *
-                             Eigen::Translation3d(-centre) * scene.T_world_camera;
+                             Eigen::Translation3d(-center) * scene.T_world_camera;
       scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 2.0F; });
       scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
       found = finder->find(scene.input());
     }
-    return !found.empty() && found[0].is_whole;
+    return !found.empty() && found[0].is_complete;
   };
-  EXPECT_FALSE(is_whole_after(10, 0)) << "from one side";
-  EXPECT_TRUE(is_whole_after(26, 0)) << "for long";
-  EXPECT_TRUE(is_whole_after(10, 2)) << "from two sides";
-  EXPECT_FALSE(is_whole_after(6, 10)) << "seldom";
+  EXPECT_FALSE(is_complete_after(10, 0)) << "from one side";
+  EXPECT_TRUE(is_complete_after(26, 0)) << "for long";
+  EXPECT_TRUE(is_complete_after(10, 2)) << "from two sides";
+  EXPECT_FALSE(is_complete_after(6, 10)) << "seldom";
 }
 
 TEST(RuleBasedFinder, APatchOfALargerPlaneIsNeverWhole) {
@@ -289,7 +289,7 @@ TEST(RuleBasedFinder, APatchOfALargerPlaneIsNeverWhole) {
   for (int i = 0; i < 60; ++i) found = finder->find(scene.input());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_LT(found[0].outline, 0.05F);
-  EXPECT_FALSE(found[0].is_whole);
+  EXPECT_FALSE(found[0].is_complete);
 }
 
 TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
@@ -303,16 +303,16 @@ TEST(RuleBasedFinder, WhatCameForTheMostPartHasCome) {
   const cv::Rect box(60, 45, 30, 30);
   scene.paintBump(2, box, 1);
   for (const int rows : {0, 12, 18, 30}) {
-    scene.came.assign(static_cast<std::size_t>(scene.K.pixels()), 0);
+    scene.appeared.assign(static_cast<std::size_t>(scene.K.pixels()), 0);
     for (int v = box.y; v < box.y + rows; ++v) {
       for (int u = box.x; u < box.br().x; ++u)
-        scene.came[static_cast<std::size_t>(v * scene.K.width + u)] = 3;
+        scene.appeared[static_cast<std::size_t>(v * scene.K.width + u)] = 3;
     }
     const auto finder = makeRuleBasedFinder(testParams());
     std::vector<Candidate> candidates;
     for (int i = 0; i < 6; ++i) candidates = finder->find(scene.input());
     ASSERT_EQ(idsOf(candidates), std::vector<std::uint32_t>{2});
-    EXPECT_EQ(candidates[0].has_come, rows > 15) << rows;
+    EXPECT_EQ(candidates[0].has_appeared, rows > 15) << rows;
   }
 }
 

@@ -44,7 +44,7 @@ TEST(Silhouette, WhatLiesOnALevelOrBehindHasNoRelief) {
   EXPECT_EQ(silhouetteOf({RegionId{7}}, kSquare, scene.input()).relief_m, 0) << "through a window";
 }
 
-TEST(Silhouette, AVoidFarBehindCountsAsHalfAMetre) {
+TEST(Silhouette, AVoidFarBehindCountsAsHalfAMeter) {
   PaintedScene scene;
   scene.paint(7, kSquare, [](int, int) { return 0.5F; });
   EXPECT_NEAR(silhouetteOf({RegionId{7}}, kSquare, scene.input()).relief_m, 0.5F, 1e-4);

@@ -257,14 +257,14 @@ TEST_F(RegionEditorTest, WhatWasCutOutOfAJoinedRegionGoesBackToWhereThatCameFrom
 TEST_F(RegionEditorTest, WhatFramesCutOutOfAJoinedRegionGoesBackToWhereThatCameFrom) {
   const RegionId first = regionAt(10), second = regionAt(30);
   ASSERT_TRUE(apply({.kind = OperationKind::join, .regions = {first, second}}));
-  const auto cutOut = [&](FragmentId fragment, int from, int to) {
+  const auto splitOff = [&](FragmentId fragment, int from, int to) {
     const FragmentId part = table_.newFragmentBeside(fragment);
     map_.lay(part, from, to);
-    editor_.cutOut(part, fragment);
+    editor_.splitOff(part, fragment);
     return part;
   };
-  const FragmentId of_first = cutOut(fragments_[0], 0, 5), of_second = cutOut(fragments_[1], 33, 40);
-  const FragmentId of_part = cutOut(of_second, 38, 40);
+  const FragmentId of_first = splitOff(fragments_[0], 0, 5), of_second = splitOff(fragments_[1], 33, 40);
+  const FragmentId of_part = splitOff(of_second, 38, 40);
   ASSERT_TRUE(editor_.undo());
   EXPECT_EQ(table_.regionOf(of_first), first);
   EXPECT_EQ(table_.regionOf(of_second), second) << "as if nothing had been joined";

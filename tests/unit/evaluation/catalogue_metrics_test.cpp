@@ -26,11 +26,11 @@ const std::set<int> kObjects{2, 3};
 
 cv::Mat full(int width, int height) { return {height, width, CV_8UC1, cv::Scalar(255)}; }
 
-ViewJudgement judge(const cv::Rect& box) {
+ViewJudgment judge(const cv::Rect& box) {
   return judgeView(full(box.width, box.height), box, scene(), kObjects);
 }
 
-TEST(ViewJudgement, ByItsOverlap) {
+TEST(ViewJudgment, ByItsOverlap) {
   // 4 x 4 of the mug's 20 pixels: IoU 0.8; 4 x 3: exactly 0.6, which is not more.
   EXPECT_EQ(judge({2, 2, 4, 4}).verdict, whole);
   EXPECT_THAT(judge({2, 2, 4, 4}).instances, ElementsAre(2));
@@ -47,13 +47,13 @@ TEST(ViewJudgement, ByItsOverlap) {
   EXPECT_THAT(judge({2, 5, 4, 3}).instances, ElementsAre(2, 1));
 }
 
-TEST(ViewJudgement, WhatIsNotAnnotatedIsBackground) {
+TEST(ViewJudgment, WhatIsNotAnnotatedIsBackground) {
   EXPECT_EQ(judge({18, 0, 2, 10}).verdict, background);
   EXPECT_THAT(judge({18, 0, 2, 10}).instances, IsEmpty());
   EXPECT_EQ(judgeView({}, {}, scene(), kObjects).verdict, background);
 }
 
-TEST(ViewJudgement, TheMaskLiesAtItsBoxAndIsBroughtToItsSize) {
+TEST(ViewJudgment, TheMaskLiesAtItsBoxAndIsBroughtToItsSize) {
   // A mask at twice the resolution, of which only the left half is set: the mug, cut out together with the
   // bowl.
   cv::Mat mask(10, 16, CV_8UC1, cv::Scalar(0));
@@ -63,29 +63,29 @@ TEST(ViewJudgement, TheMaskLiesAtItsBoxAndIsBroughtToItsSize) {
   EXPECT_EQ(judgeView(full(4, 4), {-2, 2, 4, 4}, scene(), kObjects).verdict, background);
 }
 
-TEST(EntryJudgement, IsWholeInFourOfFiveViews) {
-  const ViewJudgement mug{whole, {2}};
-  const ViewJudgement half{part, {2}};
-  const ViewJudgement both{merger, {3, 2}};
-  const std::vector<ViewJudgement> good{mug, half, mug, mug, mug};
+TEST(EntryJudgment, IsWholeInFourOfFiveViews) {
+  const ViewJudgment mug{whole, {2}};
+  const ViewJudgment half{part, {2}};
+  const ViewJudgment both{merger, {3, 2}};
+  const std::vector<ViewJudgment> good{mug, half, mug, mug, mug};
   EXPECT_EQ(judgeEntry(good).verdict, whole);
   EXPECT_THAT(judgeEntry(good).instances, ElementsAre(2));
   EXPECT_EQ(judgeEntry(good).whole_views, 4);
-  const std::vector<ViewJudgement> poor{mug, mug, half, both, both, both};
+  const std::vector<ViewJudgment> poor{mug, mug, half, both, both, both};
   EXPECT_EQ(judgeEntry(poor).verdict, merger);
   EXPECT_THAT(judgeEntry(poor).instances, ElementsAre(3, 2));
   EXPECT_EQ(judgeEntry(poor).views, 6);
   EXPECT_EQ(judgeEntry(poor).whole_views, 2);
 }
 
-TEST(EntryJudgement, TwoWholeObjectsInOneEntryAreAMerger) {
-  const std::vector<ViewJudgement> views{{whole, {2}}, {whole, {3}}};
+TEST(EntryJudgment, TwoWholeObjectsInOneEntryAreAMerger) {
+  const std::vector<ViewJudgment> views{{whole, {2}}, {whole, {3}}};
   EXPECT_EQ(judgeEntry(views).verdict, merger);
   EXPECT_THAT(judgeEntry(views).instances, ElementsAre(2, 3));
   EXPECT_EQ(judgeEntry({}).verdict, background);
 }
 
-TEST(TrueObjects, AreExpectedFromFiveToSixtyCentimetresInThirtyFrames) {
+TEST(TrueObjects, AreExpectedFromFiveToSixtyCentimetersInThirtyFrames) {
   EXPECT_TRUE(shouldBeFound({30, 0.05}));
   EXPECT_TRUE(shouldBeFound({300, 0.60}));
   EXPECT_FALSE(shouldBeFound({29, 0.2}));
@@ -129,7 +129,7 @@ TEST(TrueObjects, AreEntireAwayFromAllFourBorders) {
 }
 
 TEST(CatalogueMetrics, PurityAndCompletenessByHand) {
-  const std::vector<EntryJudgement> entries{
+  const std::vector<EntryJudgment> entries{
       {whole, {2}, 5, 5}, {whole, {2}, 1, 1}, {part, {3}, 2, 0}, {background, {1}, 1, 0}};
   // 2, 3 and 6 are expected; 4 is too small, 5 was seen too shortly, 6 entirely too shortly.
   const std::map<int, TrueObject> objects{

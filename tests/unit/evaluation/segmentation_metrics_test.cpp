@@ -147,7 +147,7 @@ TEST(SegmentationMetrics, CountsOverAndUnderSegmentation) {
   EXPECT_EQ(evaluateSegmentation(with_leak, leak).over_segmented, 0);
 }
 
-TEST(SegmentationMetrics, UnlabelledIsNeitherInstanceNorSegment) {
+TEST(SegmentationMetrics, UnlabeledIsNeitherInstanceNorSegment) {
   cv::Mat1i truth = cutAt(5);
   truth.setTo(0, truth == 2);
   cv::Mat1i segments = cutAt(5);

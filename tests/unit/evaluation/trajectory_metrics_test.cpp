@@ -42,14 +42,14 @@ Eigen::Isometry3d someMotion() {
 }
 
 TEST(ErrorSummary, OfAKnownSet) {
-  const ErrorSummary summary = summariseErrors({4, 1, 3, 2});
+  const ErrorSummary summary = summarizeErrors({4, 1, 3, 2});
   EXPECT_DOUBLE_EQ(summary.mean, 2.5);
   EXPECT_DOUBLE_EQ(summary.median, 2.5);
   EXPECT_DOUBLE_EQ(summary.max, 4);
   EXPECT_DOUBLE_EQ(summary.rmse, std::sqrt(30.0 / 4));
   EXPECT_EQ(summary.count, 4);
-  EXPECT_EQ(summariseErrors({}).count, 0);
-  EXPECT_DOUBLE_EQ(summariseErrors({5, 1, 9}).median, 5);
+  EXPECT_EQ(summarizeErrors({}).count, 0);
+  EXPECT_DOUBLE_EQ(summarizeErrors({5, 1, 9}).median, 5);
 }
 
 TEST(Associate, TakesTheNearestWithinTheLimit) {

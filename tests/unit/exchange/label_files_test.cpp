@@ -32,22 +32,22 @@ TEST(LabelImage, IsWhatWasWrittenWhateverItsSizeAndPattern) {
   cv::RNG random(5);
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 7), cv::Size(9, 1), cv::Size(53, 37)}) {
     for (const bool is_noise : {false, true}) {
-      cv::Mat_<int> wanted(size);
+      cv::Mat_<int> requested(size);
       if (is_noise) {
-        random.fill(wanted, cv::RNG::UNIFORM, 0, 65536);
+        random.fill(requested, cv::RNG::UNIFORM, 0, 65536);
       } else {
-        wanted = 7;
-        wanted(cv::Rect(size.width / 2, size.height / 2, 1 + size.width / 4, 1 + size.height / 4) &
-               cv::Rect({0, 0}, size)) = 300;
+        requested = 7;
+        requested(cv::Rect(size.width / 2, size.height / 2, 1 + size.width / 4, 1 + size.height / 4) &
+                  cv::Rect({0, 0}, size)) = 300;
       }
-      const std::vector<std::uint32_t> labels(wanted.begin(), wanted.end());
+      const std::vector<std::uint32_t> labels(requested.begin(), requested.end());
       ASSERT_TRUE(writeLabelImage(folder / "a.png", labels, size));
       const auto image = readLabelImage(folder / "a.png");
       ASSERT_TRUE(image) << image.error().message();
       ASSERT_EQ(image->type(), CV_16UC1);
       cv::Mat read;
       image->convertTo(read, CV_32S);
-      EXPECT_EQ(cv::norm(read, wanted, cv::NORM_INF), 0) << size << (is_noise ? " noise" : "");
+      EXPECT_EQ(cv::norm(read, requested, cv::NORM_INF), 0) << size << (is_noise ? " noise" : "");
       const std::string first = test::readText(folder / "a.png");
       ASSERT_TRUE(writeLabelImage(folder / "b.png", labels, size));
       EXPECT_EQ(first, test::readText(folder / "b.png"));
@@ -76,7 +76,7 @@ TEST(LabelImage, ReadingSaysWhatIsWrong) {
   EXPECT_NE(color.error().what.find("color.png"), std::string::npos);
 }
 
-TEST(LabelMap, MapsRegionsToColourObjectAndName) {
+TEST(LabelMap, MapsRegionsToColorObjectAndName) {
   const TemporaryFolder folder;
   const std::vector<LabelMapEntry> entries{{RegionId{3}, {10, 20, 30}, ObjectId{7}, "M\xC3\xBCsli \"box\""},
                                            {RegionId{12}, {1, 2, 3}, {}, "", "", false, 7},
@@ -95,7 +95,7 @@ TEST(LabelMap, MapsRegionsToColourObjectAndName) {
   EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "empty.json")).is_object());
 }
 
-TEST(RegionPalette, GivesNeighbouringRegionsColoursThatDiffer) {
+TEST(RegionPalette, GivesNeighboringRegionsColorsThatDiffer) {
   EXPECT_EQ(regionColor(RegionId{5}), regionColor(RegionId{5}));
   std::set<std::array<std::uint8_t, 3>> colors;
   for (std::uint32_t id = 0; id < 200; ++id) {

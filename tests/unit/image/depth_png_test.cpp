@@ -37,7 +37,7 @@ TEST(DepthPng, GivesThePixelsThatWereWritten) {
                                cv::IMWRITE_PNG_STRATEGY_RLE, cv::IMWRITE_PNG_STRATEGY_FIXED}) {
       const cv::Mat depth = variedDepth(size.width, size.height);
       const std::vector<uchar> bytes = encode(depth, strategy);
-      const auto decoded = decodeGreyPng(bytes, "test");
+      const auto decoded = decodeGrayPng(bytes, "test");
       ASSERT_TRUE(decoded) << decoded.error().message();
       ASSERT_EQ(decoded->type(), CV_16UC1);
       ASSERT_EQ(decoded->size(), size);
@@ -52,9 +52,9 @@ TEST(DepthPng, NoDamageIsTakenForAPicture) {
   for (std::size_t i = 33; i < bytes.size(); ++i) {  // after the header
     std::vector<uchar> damaged = bytes;
     damaged[i] ^= 0x10;
-    const auto decoded = decodeGreyPng(damaged, "test");
+    const auto decoded = decodeGrayPng(damaged, "test");
     EXPECT_TRUE(!decoded || cv::norm(*decoded, depth, cv::NORM_INF) == 0) << "byte " << i;
-    const auto cut = decodeGreyPng({bytes.data(), i}, "test");
+    const auto cut = decodeGrayPng({bytes.data(), i}, "test");
     EXPECT_TRUE(!cut || cv::norm(*cut, depth, cv::NORM_INF) == 0) << "length " << i;
   }
 }

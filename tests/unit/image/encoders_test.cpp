@@ -72,11 +72,11 @@ TEST(OtherFormats, AreRead) {
   for (const char* extension : {".pgm", ".tif"}) {
     std::vector<std::uint8_t> bytes;
     ASSERT_TRUE(cv::imencode(extension, depth, bytes)) << extension;
-    const auto read = decodeGreyImage(bytes, "x");
+    const auto read = decodeGrayImage(bytes, "x");
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(cv::norm(*read, depth, cv::NORM_INF), 0) << extension;
   }
-  const auto nothing = decodeGreyImage(bytesOf("P2 3 3 255 none"), "a page");
+  const auto nothing = decodeGrayImage(bytesOf("P2 3 3 255 none"), "a page");
   ASSERT_FALSE(nothing);
   EXPECT_EQ(nothing.error().what, "a page cannot be decoded: it is damaged or truncated.");
 }

@@ -70,13 +70,13 @@ std::vector<uchar> makePng(int color_type, int bits, bool is_interlaced) {
 
 /// What our decoders give is what OpenCV gives.
 TEST(ImageDecoders, GiveWhatOpenCvGives) {
-  cv::Mat color(45, 61, CV_8UC3), alpha(45, 61, CV_8UC4), deep(45, 61, CV_16UC3), grey(45, 61, CV_8UC1),
+  cv::Mat color(45, 61, CV_8UC3), alpha(45, 61, CV_8UC4), deep(45, 61, CV_16UC3), gray(45, 61, CV_8UC1),
       depth(45, 61, CV_16UC1);
-  for (cv::Mat* image : {&color, &alpha, &deep, &grey, &depth})
+  for (cv::Mat* image : {&color, &alpha, &deep, &gray, &depth})
     cv::randu(*image, 0, image->depth() == CV_8U ? 255 : 65000);
   cv::GaussianBlur(color, color, {9, 9}, 3);
   for (const char* extension : {".png", ".jpg"}) {
-    for (const cv::Mat& image : {color, alpha, deep, grey, depth}) {
+    for (const cv::Mat& image : {color, alpha, deep, gray, depth}) {
       if (std::string(extension) == ".jpg" && (image.depth() != CV_8U || image.channels() == 4)) continue;
       std::vector<uchar> bytes;
       ASSERT_TRUE(cv::imencode(extension, image, bytes));
@@ -101,10 +101,10 @@ TEST(ImageDecoders, ReadEveryKindOfPngAsOpenCvDoes) {
         const auto color = decodeColorImage(png, "x");
         ASSERT_TRUE(color) << color.error().message();
         EXPECT_EQ(cv::norm(*color, cv::imdecode(png, cv::IMREAD_COLOR), cv::NORM_INF), 0);
-        const auto grey = decodeGreyImage(png, "x");
-        ASSERT_EQ(grey.has_value(), color_type == 0);
-        if (!grey) continue;
-        EXPECT_EQ(cv::norm(*grey, cv::imdecode(png, cv::IMREAD_UNCHANGED), cv::NORM_INF), 0);
+        const auto gray = decodeGrayImage(png, "x");
+        ASSERT_EQ(gray.has_value(), color_type == 0);
+        if (!gray) continue;
+        EXPECT_EQ(cv::norm(*gray, cv::imdecode(png, cv::IMREAD_UNCHANGED), cv::NORM_INF), 0);
       }
     }
   }

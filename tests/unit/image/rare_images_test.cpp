@@ -76,7 +76,7 @@ TEST(TextPnm, NeedsNoLineEndAtItsEnd) {
   const auto color = decodeColorImage(asBytes("P3 2 1 255 1 2 3 4 5 66"), "color.ppm");
   ASSERT_TRUE(color) << color.error().message();
   EXPECT_EQ(color->at<cv::Vec3b>(0, 1), cv::Vec3b(66, 5, 4));
-  const auto bits = decodeGreyImage(asBytes("P1 2 2 0 1 1 0"), "mask.pbm");
+  const auto bits = decodeGrayImage(asBytes("P1 2 2 0 1 1 0"), "mask.pbm");
   ASSERT_TRUE(bits) << bits.error().message();
   EXPECT_FALSE(decodeDepthImage(asBytes("P2 3 2 65535 100 200 300 400 500"), "short.pgm"))
       << "a pixel is missing";

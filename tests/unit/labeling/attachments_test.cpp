@@ -25,13 +25,13 @@ struct Hit {
 };
 using Surface = std::function<std::optional<Hit>(const Eigen::Vector3f& ray)>;  // of length 1 along z
 
-Surface ball(const Eigen::Vector3f& centre, float radius, std::uint32_t segment) {
+Surface ball(const Eigen::Vector3f& center, float radius, std::uint32_t segment) {
   return [=](const Eigen::Vector3f& ray) -> std::optional<Hit> {
-    const float a = ray.squaredNorm(), b = ray.dot(centre), c = centre.squaredNorm() - radius * radius;
+    const float a = ray.squaredNorm(), b = ray.dot(center), c = center.squaredNorm() - radius * radius;
     const float inside = b * b - a * c;
     if (inside < 0) return std::nullopt;
     const float z = (b - std::sqrt(inside)) / a;
-    return Hit{z, (z * ray - centre) / radius, segment};
+    return Hit{z, (z * ray - center) / radius, segment};
   };
 }
 

@@ -32,33 +32,33 @@ FragmentContact nearFold(float concavity_rad) {
   return contact;
 }
 
-BorderEvidence after(const FragmentContact& contact, float shared, int looks) {
+BorderEvidence after(const FragmentContact& contact, float shared, int observations) {
   BorderEvidence border;
-  for (int i = 0; i < looks; ++i) border.add(contact, shared);
+  for (int i = 0; i < observations; ++i) border.add(contact, shared);
   return border;
 }
 
 TEST(BorderEvidence, FarAndShortLooksCountForLess) {
   FragmentContact contact = nearLook(1);
-  EXPECT_NEAR(after(contact, 0, 1).looks, 1, 1e-4F);
+  EXPECT_NEAR(after(contact, 0, 1).observations, 1, 1e-4F);
   contact.depth_m = 2.5F;
-  EXPECT_NEAR(after(contact, 0, 1).looks, 0.5F, 1e-4F);
+  EXPECT_NEAR(after(contact, 0, 1).observations, 0.5F, 1e-4F);
   contact.depth_m = 5;
-  EXPECT_NEAR(after(contact, 0, 1).looks, 0.2F, 1e-4F);
+  EXPECT_NEAR(after(contact, 0, 1).observations, 0.2F, 1e-4F);
   contact = nearLook(1);
   contact.length_px = contact.bridged_px = 4;
-  EXPECT_NEAR(after(contact, 0, 1).looks, 0.25F, 1e-4F);
+  EXPECT_NEAR(after(contact, 0, 1).observations, 0.25F, 1e-4F);
   EXPECT_NEAR(after(contact, 0, 1).bridged, 0.25F, 1e-4F);
 }
 
 TEST(BorderEvidence, OlderLooksFadeAsNewerCome) {
   BorderEvidence border = after(nearLook(1), 1, 1000);
-  constexpr float kMost = BorderEvidence::kMostLooks;
-  EXPECT_NEAR(border.looks, kMost, 1e-3F);
-  EXPECT_NEAR(border.bridged, kMost, 1e-3F);
+  constexpr float kMax = BorderEvidence::kMaxObservations;
+  EXPECT_NEAR(border.observations, kMax, 1e-3F);
+  EXPECT_NEAR(border.bridged, kMax, 1e-3F);
   for (int look = 0; look < 40; ++look) border.add(nearLook(0), 0);
-  const float left = kMost * std::pow(kMost / (kMost + 1), 40.0F);
-  EXPECT_NEAR(border.looks, kMost, 1e-3F);
+  const float left = kMax * std::pow(kMax / (kMax + 1), 40.0F);
+  EXPECT_NEAR(border.observations, kMax, 1e-3F);
   EXPECT_NEAR(border.bridged, left, 1e-3F);
   EXPECT_NEAR(border.shared, left, 1e-3F);
 }
@@ -116,9 +116,9 @@ TEST(BorderEvidence, StepsAndColorsOnTheWholeAreMeansOfLooksToo) {
 }
 
 TEST(BorderEvidence, FewLooksJoinNothingButMayPart) {
-  for (const int looks : {0, 1}) {
-    const BorderEvidence border = after(nearLook(1), 1, looks);
-    EXPECT_EQ(border.weight(kVoxels, kVoxels, 100), 0) << looks;
+  for (const int observations : {0, 1}) {
+    const BorderEvidence border = after(nearLook(1), 1, observations);
+    EXPECT_EQ(border.weight(kVoxels, kVoxels, 100), 0) << observations;
   }
   EXPECT_GT(after(nearLook(1), 1, 3).weight(kVoxels, kVoxels, 100), 0);
   EXPECT_LT(after(nearLook(0), 0, 1).weight(kVoxels, kVoxels, -100), 0);
@@ -149,9 +149,9 @@ BorderEvidence anyBorder(std::mt19937& random) {
     return std::uniform_real_distribution<float>(from, to)(random);
   };
   BorderEvidence border;
-  border.looks = between(2, BorderEvidence::kMostLooks);
-  border.shared = border.looks * between(0, 1);
-  border.bridged = border.looks * between(0, 1);
+  border.observations = between(2, BorderEvidence::kMaxObservations);
+  border.shared = border.observations * between(0, 1);
+  border.bridged = border.observations * between(0, 1);
   border.concavity_rad = between(-1.5F, 1.5F);
   border.folded = between(0, 1);
   border.ridged = between(0, 1 - border.folded);
@@ -175,8 +175,8 @@ TEST(BorderEvidence, FramesThatSawOneNeverSpeakAgainstItFoldsAndColorsNeverForIt
     const float odds = border.logOdds(a, b);
     BorderEvidence shared = border, bridged = border, folded = border, edge = border, unlike = border,
                    in_common = border, common = border;
-    shared.shared = (border.shared + border.looks) / 2;
-    bridged.bridged = (border.bridged + border.looks) / 2;
+    shared.shared = (border.shared + border.observations) / 2;
+    bridged.bridged = (border.bridged + border.observations) / 2;
     folded.folded = (border.folded + 1) / 2;
     *edge.color_shift += 10;
     unlike.colors->difference += 10;
@@ -217,12 +217,12 @@ TEST(BorderEvidence, WithoutColorTwoAreTakenNeitherForAlikeNorForUnlike) {
 }
 
 TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
-  for (const int looks : {5, 10, 20}) {
-    const BorderEvidence border = after(nearLook(1), 1, looks);
+  for (const int observations : {5, 10, 20}) {
+    const BorderEvidence border = after(nearLook(1), 1, observations);
     const float odds = border.logOdds(kVoxels, kVoxels);
     ASSERT_GT(odds, 0);
-    const auto counted = static_cast<float>(border.looks);
-    EXPECT_NEAR(border.weight(kVoxels, kVoxels, 0), odds * counted / (counted + 8), 1e-4F) << looks;
+    const auto counted = static_cast<float>(border.observations);
+    EXPECT_NEAR(border.weight(kVoxels, kVoxels, 0), odds * counted / (counted + 8), 1e-4F) << observations;
     EXPECT_FLOAT_EQ(border.weight(kVoxels, kVoxels, -2 * odds), -odds)
         << "what speaks against it does not wait";
   }
@@ -231,7 +231,7 @@ TEST(BorderEvidence, WhatSpeaksForJoiningWeighsMoreWithMoreLooks) {
 TEST(BorderEvidence, TooFewLooksChangeNothing) {
   for (const float bridged : {0.0F, 1.0F}) {
     const BorderEvidence border = after(nearLook(bridged), bridged, 1);
-    ASSERT_LT(border.looks, 2);
+    ASSERT_LT(border.observations, 2);
     for (const float bias : {-10.0F, 10.0F}) {
       EXPECT_LE(border.weight(kVoxels, kVoxels, bias, false), 0) << "what is apart stays so";
       EXPECT_GT(border.weight(kVoxels, kVoxels, bias, true), 0) << "what is one stays so";
@@ -252,8 +252,8 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   ASSERT_LT(folded.weight(kVoxels, kVoxels, 0), 0);
   ASSERT_GT(flat.weight(kVoxels, kVoxels, 0), 0);
   for (int i = 0; i < 8; ++i) {
-    folded.addArrival(true);
-    flat.addArrival(false);
+    folded.addAppearance(true);
+    flat.addAppearance(false);
   }
   EXPECT_GT(folded.weight(kVoxels, kVoxels, 0), 0);
   EXPECT_LT(flat.weight(kVoxels, kVoxels, 0), 0);
@@ -264,11 +264,11 @@ TEST(BorderEvidence, WhatCameTogetherIsOneAndWhatItCameToAnother) {
   BorderEvidence once = after(alike, 1, 20);
   const float before = once.weight(kVoxels, kVoxels, 0);
   ASSERT_GT(before, 0);
-  once.addArrival(false);
+  once.addAppearance(false);
   EXPECT_EQ(once.weight(kVoxels, kVoxels, 0), before);
-  BorderEvidence came_once = after(nearFold(1.2F), 0, 20);
-  came_once.addArrival(true);
-  EXPECT_LT(came_once.weight(kVoxels, kVoxels, 0), 0);
+  BorderEvidence appeared_once = after(nearFold(1.2F), 0, 20);
+  appeared_once.addAppearance(true);
+  EXPECT_LT(appeared_once.weight(kVoxels, kVoxels, 0), 0);
 }
 
 TEST(BorderEvidence, WhatOneIsHeldByIsOneWithItUnlessLooksDenyIt) {

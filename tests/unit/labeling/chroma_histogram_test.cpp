@@ -35,7 +35,7 @@ TEST(ChromaHistogram, ColorsBeyondItCountInTheLastBins) {
   EXPECT_NEAR(histogram.counts().sum(), 3, 1e-5F);
 }
 
-TEST(ChromaHistogram, KnowsHowFarFromGreyEachBinIs) {
+TEST(ChromaHistogram, KnowsHowFarFromGrayEachBinIs) {
   EXPECT_FLOAT_EQ(ChromaHistogram::chromas()[binOf(8, 7)], std::hypot(4.0F, 4.0F));
   EXPECT_FLOAT_EQ(ChromaHistogram::chromas()[binOf(12, 8)], std::hypot(36.0F, 4.0F));
   EXPECT_FLOAT_EQ(ChromaHistogram::chromas()[binOf(0, 15)], std::hypot(60.0F, 60.0F));

@@ -14,12 +14,12 @@ std::vector<std::uint32_t> othersOf(const EvidenceGraph& graph, std::uint32_t fr
 
 TEST(EvidenceGraph, ABorderIsOneFromBothSides) {
   EvidenceGraph graph;
-  graph.between(FragmentId{5}, FragmentId{2}).looks = 7;
-  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{5}).looks, 7);
+  graph.between(FragmentId{5}, FragmentId{2}).observations = 7;
+  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{5}).observations, 7);
   EXPECT_EQ(graph.borderCount(), 1U);
   for (const std::uint32_t fragment : {2U, 5U}) {
     ASSERT_EQ(graph.linksOf(FragmentId{fragment}).size(), 1U);
-    EXPECT_EQ(graph.border(graph.linksOf(FragmentId{fragment}).front().border).looks, 7);
+    EXPECT_EQ(graph.border(graph.linksOf(FragmentId{fragment}).front().border).observations, 7);
   }
 }
 
@@ -32,17 +32,17 @@ TEST(EvidenceGraph, LinksAreInTheOrderOfTheOthers) {
 
 TEST(EvidenceGraph, RemovingAFragmentForgetsItsBordersOnly) {
   EvidenceGraph graph;
-  graph.between(FragmentId{1}, FragmentId{2}).looks = 1;
-  graph.between(FragmentId{2}, FragmentId{3}).looks = 2;
-  graph.between(FragmentId{1}, FragmentId{3}).looks = 3;
+  graph.between(FragmentId{1}, FragmentId{2}).observations = 1;
+  graph.between(FragmentId{2}, FragmentId{3}).observations = 2;
+  graph.between(FragmentId{1}, FragmentId{3}).observations = 3;
   graph.remove(FragmentId{2});
   EXPECT_EQ(graph.borderCount(), 1U);
   EXPECT_THAT(othersOf(graph, 1), testing::ElementsAre(3));
   EXPECT_THAT(othersOf(graph, 2), testing::IsEmpty());
-  EXPECT_EQ(graph.between(FragmentId{3}, FragmentId{1}).looks, 3);
+  EXPECT_EQ(graph.between(FragmentId{3}, FragmentId{1}).observations, 3);
   // The number comes again for another fragment, of which nothing is known.
-  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{3}).looks, 0);
-  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{1}).looks, 0);
+  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{3}).observations, 0);
+  EXPECT_EQ(graph.between(FragmentId{2}, FragmentId{1}).observations, 0);
   EXPECT_EQ(graph.borderCount(), 3U);
   graph.remove(FragmentId{50});
   EXPECT_EQ(graph.borderCount(), 3U);
@@ -75,8 +75,8 @@ TEST(EvidenceGraph, TheProgramNeverReplacesWhatAPersonSaid) {
 TEST(EvidenceGraph, TellsWhichBordersChangedOrWent) {
   using Pairs = std::vector<EvidenceGraph::Pair>;
   EvidenceGraph graph;
-  graph.between(FragmentId{3}, FragmentId{1}).looks = 2;
-  graph.between(FragmentId{3}, FragmentId{4}).looks = 1;
+  graph.between(FragmentId{3}, FragmentId{1}).observations = 2;
+  graph.between(FragmentId{3}, FragmentId{4}).observations = 1;
   EXPECT_EQ(graph.takeChanged(), (Pairs{{FragmentId{1}, FragmentId{3}}, {FragmentId{3}, FragmentId{4}}}));
   EXPECT_TRUE(graph.takeChanged().empty());
   graph.remove(FragmentId{4});
@@ -84,7 +84,7 @@ TEST(EvidenceGraph, TellsWhichBordersChangedOrWent) {
   EXPECT_EQ(graph.find(FragmentId{3}, FragmentId{4}), nullptr);
   EvidenceGraph again;
   again.restore(FragmentId{1}, FragmentId{3}, *graph.find(FragmentId{1}, FragmentId{3}));
-  EXPECT_EQ(again.find(FragmentId{3}, FragmentId{1})->looks, 2);
+  EXPECT_EQ(again.find(FragmentId{3}, FragmentId{1})->observations, 2);
   EXPECT_TRUE(again.takeChanged().empty());
 }
 

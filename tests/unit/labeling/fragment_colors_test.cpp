@@ -67,7 +67,7 @@ TEST(FragmentColors, PixelsWithoutSurfaceDoNotCount) {
 }
 
 // At the centres of bins of ChromaHistogram.
-const Eigen::Vector3f kRed(50, 36, 4), kGreen(50, -36, 4), kGrey(50, 4, 4);
+const Eigen::Vector3f kRed(50, 36, 4), kGreen(50, -36, 4), kGray(50, 4, 4);
 constexpr test::Rectangle kUpperLeft{0, 0, PaintedFrame::kWidth / 2 - 1, PaintedFrame::kHeight / 2 - 1};
 constexpr test::Rectangle kUpperRight{PaintedFrame::kWidth / 2, 0, PaintedFrame::kWidth - 1,
                                       PaintedFrame::kHeight / 2 - 1};
@@ -98,7 +98,7 @@ TEST(FragmentColors, WhatTheyShareMayBeElsewhereToo) {
   constexpr test::Rectangle kRest{0, 0, PaintedFrame::kWidth - 1, 9};
   PaintedFrame::fill(frame.projected, kRest, FragmentId{5});
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 1, 1e-4F);
-  PaintedFrame::fill(frame.color_lab, {0, 0, PaintedFrame::kWidth / 4 - 1, 9}, kGrey);
+  PaintedFrame::fill(frame.color_lab, {0, 0, PaintedFrame::kWidth / 4 - 1, 9}, kGray);
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 0.75F, 1e-4F);
   PaintedFrame::fill(frame.color_lab, kRest, kGreen);
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 0, 1e-4F);
@@ -106,7 +106,7 @@ TEST(FragmentColors, WhatTheyShareMayBeElsewhereToo) {
 
 TEST(FragmentColors, VaryAsThePlainerOfTheTwoDoes) {
   PaintedFrame frame = twoThings();
-  frame.color_lab.assign(PaintedFrame::kPixels, kGrey);
+  frame.color_lab.assign(PaintedFrame::kPixels, kGray);
   PaintedFrame::fill(frame.color_lab, kUpperLeft, kRed);
   EXPECT_NEAR(comparisonIn(frame)->variety, 0, 0.05F) << "the right one is all grey";
   PaintedFrame::fill(frame.color_lab, kUpperRight, Eigen::Vector3f(60, 4, 4));

@@ -112,7 +112,7 @@ TEST(FragmentContacts, TellTheDifferenceOfColorsOnTheWhole) {
   EXPECT_NEAR(contact.colors->chroma_difference, 20, 1e-3F);
 }
 
-TEST(FragmentContacts, NeighboursAcrossAnOcclusionEdgeDoNotTouch) {
+TEST(FragmentContacts, NeighborsAcrossAnOcclusionEdgeDoNotTouch) {
   // d_max one metre ahead is three pixels' width: 3 / 60 m.
   EXPECT_EQ(contactsOf(withTwoParts(PaintedFrame::step(0.03F))).size(), 1U);
   EXPECT_THAT(contactsOf(withTwoParts(PaintedFrame::step(0.06F))), testing::IsEmpty());

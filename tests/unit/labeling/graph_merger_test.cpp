@@ -26,7 +26,7 @@ PaintedFrame fold() { return PaintedFrame::corner(1.5F); }
 
 bool areOne(const PaintedScan& scan) { return scan.regionAt(kX, kY) == scan.regionAt(kOtherX, kY); }
 
-TEST(GraphMerger, ASegmentOnUnlabelledGroundIsANewFragment) {
+TEST(GraphMerger, ASegmentOnUnlabeledGroundIsANewFragment) {
   PaintedScan scan(fold());
   const auto& outcome = scan.look(kClear);
   EXPECT_TRUE(outcome.events.joined.empty());
@@ -35,7 +35,7 @@ TEST(GraphMerger, ASegmentOnUnlabelledGroundIsANewFragment) {
   EXPECT_FALSE(areOne(scan));
 }
 
-TEST(GraphMerger, ASegmentTooSmallForAFragmentLeavesTheGroundUnlabelled) {
+TEST(GraphMerger, ASegmentTooSmallForAFragmentLeavesTheGroundUnlabeled) {
   PaintedScan scan(fold());
   // 120 pixels at 640 x 480 are 1.2 here; the parameter of ten times that: 12.
   scan.params.min_fragment_px = 1200;
@@ -70,7 +70,7 @@ TEST(GraphMerger, WhatCameAsOneIsOneHoweverItIsFolded) {
   PaintedScan scan(fold());
   scan.look(kClear, 20);
   ASSERT_FALSE(areOne(scan));
-  scan.cameAs({PaintedFrame::kAll});
+  scan.appearAs({PaintedFrame::kAll});
   scan.look(kClear, 10);
   EXPECT_TRUE(areOne(scan));
 }
@@ -78,7 +78,7 @@ TEST(GraphMerger, WhatCameAsOneIsOneHoweverItIsFolded) {
 TEST(GraphMerger, WhatCameIsAnotherThingThanWhatItCameTo) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
-  scan.cameAs({PaintedFrame::kRight});
+  scan.appearAs({PaintedFrame::kRight});
   // Every frame sees one smooth surface.
   scan.look(kLeak, 20);
   EXPECT_FALSE(areOne(scan));
@@ -87,7 +87,7 @@ TEST(GraphMerger, WhatCameIsAnotherThingThanWhatItCameTo) {
 TEST(GraphMerger, TwoThatCameEachByItselfAreJudgedByTheirBorder) {
   PaintedScan scan(PaintedFrame::corner(0));
   scan.look(kClear, 2);
-  scan.cameAs({PaintedFrame::kLeft, PaintedFrame::kRight});
+  scan.appearAs({PaintedFrame::kLeft, PaintedFrame::kRight});
   scan.look(kLeak, 20);
   EXPECT_TRUE(areOne(scan));
 }
@@ -150,10 +150,10 @@ TEST(GraphMerger, AFragmentBornOverTwoThingsIsCutAndItsPartsBecomeTwoRegions) {
   const std::vector<Rectangle> smaller_right{PaintedFrame::kLeft,
                                              {kMiddle, 0, 55, PaintedFrame::kHeight - 1}};
   RegionMerger::Outcome outcome;
-  for (int i = 0; i < 30 && outcome.carved.empty(); ++i) outcome = scan.look(smaller_right);
-  ASSERT_EQ(outcome.carved.size(), 1U);
-  EXPECT_EQ(outcome.carved_from, std::vector{born});
-  EXPECT_EQ(scan.fragmentAt(kOtherX, kY), outcome.carved.front()) << "its voxels change at once";
+  for (int i = 0; i < 30 && outcome.split_off.empty(); ++i) outcome = scan.look(smaller_right);
+  ASSERT_EQ(outcome.split_off.size(), 1U);
+  EXPECT_EQ(outcome.split_from, std::vector{born});
+  EXPECT_EQ(scan.fragmentAt(kOtherX, kY), outcome.split_off.front()) << "its voxels change at once";
   EXPECT_THAT(outcome.events.parted, testing::IsEmpty()) << "a cut alone parts nothing";
   EXPECT_EQ(scan.regionAt(kOtherX, kY), whole);
   for (int i = 0; i < 10 && outcome.events.parted.empty(); ++i) outcome = scan.look(smaller_right);
@@ -172,7 +172,7 @@ TEST(GraphMerger, AWallThatSegmentsNowAndThenCutStaysOneRegion) {
                                         {cut + 1, 0, PaintedFrame::kWidth - 1, PaintedFrame::kHeight - 1}};
     // As many looks as cut a fragment, then a few that see the whole.
     for (int i = 0; i < 10; ++i) {
-      const RegionEvents events = scan.look(i < FragmentCutter::kLooks ? in_two : kLeak).events;
+      const RegionEvents events = scan.look(i < FragmentSplitter::kObservations ? in_two : kLeak).events;
       EXPECT_THAT(events.parted, testing::IsEmpty()) << "cut at " << cut << ", look " << i;
       EXPECT_THAT(events.joined, testing::IsEmpty()) << "cut at " << cut << ", look " << i;
     }

@@ -26,9 +26,9 @@ struct PaintedFrame {
   std::vector<Eigen::Vector4f> normals = std::vector<Eigen::Vector4f>(kPixels);
   std::vector<Eigen::Vector3f> color_lab;  ///< empty: no colour
   std::vector<FragmentId> projected = std::vector<FragmentId>(kPixels);
-  std::vector<int> voxels;         ///< by fragment
-  SegmentMap segments;             ///< to be made by segmentsOf()
-  std::vector<std::uint8_t> came;  ///< as in MergeInput; empty: nothing came
+  std::vector<int> voxels;             ///< by fragment
+  SegmentMap segments;                 ///< to be made by segmentsOf()
+  std::vector<std::uint8_t> appeared;  ///< as in MergeInput; empty: nothing came
 
   /// Two upright planes that meet in the middle column, 1 m ahead. `turn_rad`: angle between their normals,
   /// > 0 an inner corner, < 0 an outer one, 0 a wall.
@@ -62,7 +62,7 @@ struct PaintedFrame {
 
   [[nodiscard]] MergeInput input() const {
     return {segments, projected, vertices, normals, color_lab, K, Eigen::Isometry3d::Identity(),
-            voxels,   came};
+            voxels,   appeared};
   }
 
  private:
@@ -97,10 +97,10 @@ class PaintedScan {
     return outcome_;
   }
   /// From now on these came into the scene, each as a thing of its own; the rest was there.
-  void cameAs(const std::vector<Rectangle>& things) {
-    frame_.came.assign(PaintedFrame::kPixels, 0);
+  void appearAs(const std::vector<Rectangle>& things) {
+    frame_.appeared.assign(PaintedFrame::kPixels, 0);
     std::uint8_t thing = 0;
-    for (const Rectangle& rectangle : things) PaintedFrame::fill(frame_.came, rectangle, ++thing);
+    for (const Rectangle& rectangle : things) PaintedFrame::fill(frame_.appeared, rectangle, ++thing);
   }
   [[nodiscard]] RegionId regionAt(int x, int y) const { return table.regionOf(fragmentAt(x, y)); }
   [[nodiscard]] FragmentId fragmentAt(int x, int y) const {
@@ -120,7 +120,7 @@ class PaintedScan {
       int& confidence = confidence_[i];
       const FragmentId seen = outcome_.map.fragments[i];
       if (!seen) continue;
-      const bool at_once = std::ranges::find(outcome_.carved, seen) != outcome_.carved.end();
+      const bool at_once = std::ranges::find(outcome_.split_off, seen) != outcome_.split_off.end();
       if (held == seen) {
         confidence = std::min(confidence + 1, 10);
       } else if (!held || at_once || confidence <= 1) {

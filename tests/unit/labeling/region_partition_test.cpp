@@ -23,8 +23,8 @@ class RegionPartitionTest : public testing::Test {
   /// colours.
   void see(FragmentId a, FragmentId b, bool as_one, float length_m = 0.5F) {
     BorderEvidence& border = graph_.between(a, b);
-    border.looks = border.bends = BorderEvidence::kMostLooks;
-    border.bridged = border.shared = as_one ? border.looks : 0;
+    border.observations = border.bends = BorderEvidence::kMaxObservations;
+    border.bridged = border.shared = as_one ? border.observations : 0;
     border.folded = as_one ? 0.0F : 1.0F;
     border.concavity_rad = as_one ? 0.0F : 1.2F;
     border.color_shift = as_one ? 2.0F : 30.0F;
@@ -103,13 +103,13 @@ TEST_F(RegionPartitionTest, RegionsThatNothingTouchedStay) {
 }
 
 TEST_F(RegionPartitionTest, ASliverGoesWithWhatItTouchesMost) {
-  voxels_[kB.value] = kSliverVoxels - 1;
+  voxels_[kB.value] = kSmallFragmentVoxels - 1;
   see(kA, kB, false, 0.3F);
   see(kB, kC, true, 0.1F);
   update({kA, kB, kC});
   EXPECT_TRUE(areOne(kA, kB)) << "whatever was seen: there is too little of it to judge by";
   EXPECT_FALSE(areOne(kA, kC));
-  voxels_[kB.value] = kSliverVoxels;
+  voxels_[kB.value] = kSmallFragmentVoxels;
   update({kA, kB, kC});
   EXPECT_FALSE(areOne(kA, kB));
   EXPECT_TRUE(areOne(kB, kC));

@@ -249,7 +249,7 @@ TEST(RegionTable, WhatAPersonSaidIsTheStrongestClaimOnAnIdentity) {
   const FragmentId large = table.newFragment(), small = table.newFragment();
   const RegionId said = table.regionOf(small);
   table.setKnown(table.regionOf(large), true);
-  table.say(said, RegionSaid::thing);
+  table.say(said, UserLabel::thing);
   RegionEvents events;
   const std::vector<int> voxels{0, 1000, 10};
   table.divide({{large, small}}, voxels, events);

@@ -28,7 +28,7 @@ class ThesisMergerTest : public testing::Test {
   ThesisMerger merger_;
 };
 
-TEST_F(ThesisMergerTest, ASegmentOnUnlabelledGroundIsANewFragment) {
+TEST_F(ThesisMergerTest, ASegmentOnUnlabeledGroundIsANewFragment) {
   const auto outcome = merge({1, 1, 2, 0}, {0, 0, 0, 0});
   EXPECT_EQ(outcome.map.fragments, idsOf<FragmentId>({1, 1, 2, 0}));
   EXPECT_EQ(outcome.map.regions, idsOf<RegionId>({1, 1, 2, 0}));

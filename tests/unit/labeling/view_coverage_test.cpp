@@ -27,8 +27,8 @@ TEST(ViewCoverage, ALookCoversItsDirectionAndWhatIsNear) {
   std::mt19937 random(7);
   std::normal_distribution<float> normal;
   double shares = 0;
-  constexpr int kLooks = 500;
-  for (int i = 0; i < kLooks; ++i) {
+  constexpr int kObservations = 500;
+  for (int i = 0; i < kObservations; ++i) {
     const Vector3f direction(normal(random), normal(random), normal(random));
     ViewCoverage coverage;
     coverage.look(direction);
@@ -38,7 +38,7 @@ TEST(ViewCoverage, ALookCoversItsDirectionAndWhatIsNear) {
     EXPECT_LE(coverage.share(), 14.0F / ViewCoverage::kCells);
     shares += static_cast<double>(coverage.share());
   }
-  EXPECT_NEAR(shares / kLooks, 0.038, 0.004);
+  EXPECT_NEAR(shares / kObservations, 0.038, 0.004);
 }
 
 TEST(ViewCoverage, LooksFromEverywhereCoverAllOfIt) {

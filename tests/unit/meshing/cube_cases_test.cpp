@@ -77,7 +77,7 @@ TEST(CubeCases, TrianglesFaceOutwards) {
 }
 
 // What makes meshes closed and each of their edges one of two triangles, ambiguous faces included.
-TEST(CubeCases, NeighboursFitTogether) {
+TEST(CubeCases, NeighborsFitTogether) {
   // By axis and the four corners of a face: what the cube below it leaves open there, and that above it.
   std::map<std::pair<int, std::vector<bool>>, std::set<Segment>> below, above;
   for (unsigned outside = 0; outside < 256; ++outside) {

@@ -32,7 +32,7 @@ KeyFrame placeOf(double x) {
 
 SeenSurfaces::View viewOf(double x) {
   const Intrinsics K{50, 51, 3, 2, 7, 5};
-  return {poseOf(x), KeptSurface(K, imageOf(7, 5, CV_16UC1, 9)), x > 1};
+  return {poseOf(x), StoredSurface(K, imageOf(7, 5, CV_16UC1, 9)), x > 1};
 }
 
 CameraMemory memoryOf(bool with_tracker) {
@@ -50,7 +50,7 @@ CameraMemory memoryOf(bool with_tracker) {
   }
   memory.free_space.views = 29;
   memory.free_space.witnesses.push_back({K, poseOf(2), imageOf(4, 3, CV_32FC1, 3)});
-  memory.arrivals = {{{{1, -2, 3}, 5, 8, 4}, {{2, 0, 0}, 6, 9, 3}}, 29};
+  memory.appeared_objects = {{{{1, -2, 3}, 5, 8, 4}, {{2, 0, 0}, 6, 9, 3}}, 29};
   memory.color_turns = {17, 5};
   memory.K = K;
   memory.T_world_camera = poseOf(0.6);

@@ -16,7 +16,7 @@ const Eigen::Isometry3d kOrigin = Eigen::Isometry3d::Identity();
 RgbdFrame frameOf(const cv::Size& color, const cv::Size& depth) {
   RgbdFrame frame;
   frame.index = 42;
-  frame.metres_per_unit = 0.0002F;
+  frame.meters_per_unit = 0.0002F;
   frame.color.create(color, CV_8UC3);
   for (int y = 0; y < color.height; ++y) {
     for (int x = 0; x < color.width; ++x) {
@@ -54,7 +54,7 @@ SurfaceInColor registered() { return locateInColor(std::nullopt, kWorking, kOrig
 
 TEST(CutView, TakesTheBoxOutOfTheFullResolution) {
   const auto view =
-      cutView(frameOf({640, 480}, {640, 480}), kOrigin, registered(), candidateAt({10, 20, 30, 40}));
+      cropView(frameOf({640, 480}, {640, 480}), kOrigin, registered(), candidateAt({10, 20, 30, 40}));
   ASSERT_TRUE(view);
   ASSERT_EQ(view->color.size(), cv::Size(60, 80));
   EXPECT_EQ(placeIn(view->color, 0, 0), cv::Point(20, 40));
@@ -74,9 +74,9 @@ TEST(CutView, TakesTheBoxOutOfTheFullResolution) {
   EXPECT_EQ(view->frame_px, cv::Size(640, 480));
 }
 
-TEST(CutView, FollowsColourAndDepthOfTheirOwnResolutions) {
+TEST(CutView, FollowsColorAndDepthOfTheirOwnResolutions) {
   const auto view =
-      cutView(frameOf({500, 300}, {320, 240}), kOrigin, registered(), candidateAt({7, 9, 11, 13}));
+      cropView(frameOf({500, 300}, {320, 240}), kOrigin, registered(), candidateAt({7, 9, 11, 13}));
   ASSERT_TRUE(view);
   // 7 * 500 / 320 = 10.9 .. 18 * 500 / 320 = 28.1, and 9 * 300 / 240 = 11.25 .. 27.5, rounded outwards.
   ASSERT_EQ(view->color.size(), cv::Size(29 - 10, 28 - 11));
@@ -90,7 +90,7 @@ TEST(CutView, FollowsColourAndDepthOfTheirOwnResolutions) {
 
 TEST(CutView, ABoxAtTheBorderStaysInTheImage) {
   const auto view =
-      cutView(frameOf({641, 479}, {641, 479}), kOrigin, registered(), candidateAt({300, 220, 20, 20}));
+      cropView(frameOf({641, 479}, {641, 479}), kOrigin, registered(), candidateAt({300, 220, 20, 20}));
   ASSERT_TRUE(view);
   EXPECT_EQ(view->color.cols, 641 - 600);
   EXPECT_EQ(view->color.rows, 479 - 439);
@@ -102,7 +102,7 @@ TEST(CutView, LooksFromTheObjectToTheCamera) {
   Eigen::Isometry3d T_world_camera = kOrigin;
   T_world_camera.translation() = Eigen::Vector3d(1, 2, 1);
   const auto view =
-      cutView(frameOf({64, 48}, {64, 48}), T_world_camera, registered(), candidateAt({0, 0, 20, 20}));
+      cropView(frameOf({64, 48}, {64, 48}), T_world_camera, registered(), candidateAt({0, 0, 20, 20}));
   ASSERT_TRUE(view);
   EXPECT_TRUE(view->direction.isApprox(Eigen::Vector3f(0, 0, -1)));
   EXPECT_TRUE(view->T_world_camera.isApprox(T_world_camera));
@@ -193,12 +193,12 @@ double difference(const cv::Mat& mask, const cv::Mat& truth) {
   return static_cast<double>(cv::countNonZero(mask != truth)) / cv::countNonZero(truth);
 }
 
-TEST(CutView, BringsTheRightPixelsOfALargerColourImage) {
+TEST(CutView, BringsTheRightPixelsOfALargerColorImage) {
   const StagedFrame stage;
   RgbdFrame frame = frameOf({1280, 1024}, {640, 480});
   frame.color_camera = besideDepth();
   const Candidate disc = stage.candidate(Stage::disc);
-  const auto view = cutView(frame, kOrigin, stage.inColor(kOrigin), disc);
+  const auto view = cropView(frame, kOrigin, stage.inColor(kOrigin), disc);
   ASSERT_TRUE(view);
   // The disc spans -0.22 .. 0.02 and -0.12 .. 0.12 of the depth camera at 0.8 m; what is drawn of it with
   // pixels of 2.8 mm reaches the border to half a pixel.
@@ -215,13 +215,13 @@ TEST(CutView, BringsTheRightPixelsOfALargerColourImage) {
   EXPECT_EQ(view->frame_px, cv::Size(640, 480));
 }
 
-TEST(CutView, TheMasksOutlineIsThatInTheColourImage) {
+TEST(CutView, TheMasksOutlineIsThatInTheColorImage) {
   const StagedFrame stage;
   Eigen::Isometry3d T_world_camera = kOrigin;
   T_world_camera.translation() << 3, -2, 1;
   T_world_camera.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const auto view =
-      cutView(stage.frame, T_world_camera, stage.inColor(T_world_camera), stage.candidate(Stage::disc));
+      cropView(stage.frame, T_world_camera, stage.inColor(T_world_camera), stage.candidate(Stage::disc));
   ASSERT_TRUE(view);
   std::vector<cv::Mat> channels;
   cv::split(view->color, channels);
@@ -232,10 +232,10 @@ TEST(CutView, TheMasksOutlineIsThatInTheColourImage) {
             0.01 * cv::countNonZero(view->mask));
 }
 
-TEST(CutView, WhatHidesTheObjectFromTheColourCameraIsNotInItsMask) {
+TEST(CutView, WhatHidesTheObjectFromTheColorCameraIsNotInItsMask) {
   const StagedFrame stage;
   const Candidate rectangle = stage.candidate(Stage::rectangle);
-  const auto view = cutView(stage.frame, kOrigin, stage.inColor(kOrigin), rectangle);
+  const auto view = cropView(stage.frame, kOrigin, stage.inColor(kOrigin), rectangle);
   ASSERT_TRUE(view);
   std::vector<cv::Mat> channels;
   cv::split(view->color, channels);
@@ -246,10 +246,10 @@ TEST(CutView, WhatHidesTheObjectFromTheColourCameraIsNotInItsMask) {
   EXPECT_EQ(view->depth_mm.size(), view->color.size());
 }
 
-TEST(CutView, NoViewOfWhatTheColourImageDoesNotShow) {
+TEST(CutView, NoViewOfWhatTheColorImageDoesNotShow) {
   StagedFrame stage;
   stage.frame.color_camera->K.cx = -300;
-  EXPECT_FALSE(cutView(stage.frame, kOrigin, stage.inColor(kOrigin), stage.candidate(Stage::disc)));
+  EXPECT_FALSE(cropView(stage.frame, kOrigin, stage.inColor(kOrigin), stage.candidate(Stage::disc)));
 }
 
 TEST(BoxInColor, SitsOnTheObject) {

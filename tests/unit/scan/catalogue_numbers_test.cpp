@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/catalogue/kept_namings.h"
+#include "core/catalogue/stored_namings.h"
 
 namespace scantrove {
 namespace {
@@ -15,22 +15,22 @@ constexpr RegionId kMugRegion{3}, kBoxRegion{5};
 
 /// Of a session that knows two objects of the catalogue "A", one by a naming.
 CatalogueNumbers numbersOfA() {
-  return {{{kCatalogueFact, "A"},
+  return {{{kCatalogueKey, "A"},
            {"source", "demo"},
-           {namingsFactOf(kMugRegion), "[1]"},
-           {goneObjectFactOf(kBoxRegion), "9"}},
+           {namingsKeyOf(kMugRegion), "[1]"},
+           {removedObjectKeyOf(kBoxRegion), "9"}},
           {{kMugRegion, ObjectId{7}}, {kBoxRegion, ObjectId{8}}, {RegionId{6}, {}}}};
 }
 
 std::string factOf(const CatalogueNumbers& numbers, const std::string& name) {
-  const auto found = numbers.facts.find(name);
-  return found == numbers.facts.end() ? "" : found->second;
+  const auto found = numbers.metadata.find(name);
+  return found == numbers.metadata.end() ? "" : found->second;
 }
 
 TEST(CatalogueNumbers, StayInTheirCatalogue) {
   CatalogueNumbers numbers = numbersOfA();
   EXPECT_FALSE(turnTo(numbers, {"A"}));
-  EXPECT_EQ(numbers.facts, numbersOfA().facts);
+  EXPECT_EQ(numbers.metadata, numbersOfA().metadata);
   EXPECT_EQ(numbers.objects, numbersOfA().objects);
 }
 
@@ -38,10 +38,10 @@ TEST(CatalogueNumbers, MeanNothingInAnother) {
   CatalogueNumbers numbers = numbersOfA();
   EXPECT_TRUE(turnTo(numbers, {"B"}));
   EXPECT_THAT(numbers.objects, IsEmpty());
-  EXPECT_EQ(factOf(numbers, namingsFactOf(kMugRegion)), "");
-  EXPECT_EQ(factOf(numbers, goneObjectFactOf(kBoxRegion)), "");
+  EXPECT_EQ(factOf(numbers, namingsKeyOf(kMugRegion)), "");
+  EXPECT_EQ(factOf(numbers, removedObjectKeyOf(kBoxRegion)), "");
   EXPECT_EQ(factOf(numbers, "source"), "demo");
-  EXPECT_EQ(factOf(numbers, kCatalogueFact), "B");
+  EXPECT_EQ(factOf(numbers, kCatalogueKey), "B");
   EXPECT_FALSE(turnTo(numbers, {"B"})) << "said once";
 }
 
@@ -51,20 +51,20 @@ TEST(CatalogueNumbers, ComeBackWithTheirCatalogue) {
   numbers.objects[kMugRegion] = ObjectId{1};
   EXPECT_TRUE(turnTo(numbers, {"A"}));
   EXPECT_THAT(numbers.objects, ElementsAre(Pair(kMugRegion, ObjectId{7}), Pair(kBoxRegion, ObjectId{8})));
-  EXPECT_EQ(factOf(numbers, namingsFactOf(kMugRegion)), "[1]");
-  EXPECT_EQ(factOf(numbers, goneObjectFactOf(kBoxRegion)), "9");
+  EXPECT_EQ(factOf(numbers, namingsKeyOf(kMugRegion)), "[1]");
+  EXPECT_EQ(factOf(numbers, removedObjectKeyOf(kBoxRegion)), "9");
   EXPECT_TRUE(turnTo(numbers, {"B"}));
   EXPECT_THAT(numbers.objects, ElementsAre(Pair(kMugRegion, ObjectId{1})));
-  EXPECT_EQ(factOf(numbers, namingsFactOf(kMugRegion)), "");
+  EXPECT_EQ(factOf(numbers, namingsKeyOf(kMugRegion)), "");
 }
 
 TEST(CatalogueNumbers, OfAnOlderSessionHold_WhereTheCatalogueHasItsScan) {
   CatalogueNumbers numbers = numbersOfA();
-  numbers.facts.erase(kCatalogueFact);
+  numbers.metadata.erase(kCatalogueKey);
   CatalogueNumbers foreign = numbers;
   EXPECT_FALSE(turnTo(numbers, {"A", true}));
   EXPECT_EQ(numbers.objects, numbersOfA().objects);
-  EXPECT_EQ(factOf(numbers, kCatalogueFact), "A") << "from now on";
+  EXPECT_EQ(factOf(numbers, kCatalogueKey), "A") << "from now on";
   EXPECT_TRUE(turnTo(foreign, {"B", false}));
   EXPECT_THAT(foreign.objects, IsEmpty());
   EXPECT_TRUE(!turnTo(foreign, {"A", true}));
@@ -72,15 +72,15 @@ TEST(CatalogueNumbers, OfAnOlderSessionHold_WhereTheCatalogueHasItsScan) {
 }
 
 TEST(CatalogueNumbers, NothingIsSaid_WhereThereAreNone) {
-  CatalogueNumbers numbers{{{kCatalogueFact, "A"}}, {{kMugRegion, {}}}};
+  CatalogueNumbers numbers{{{kCatalogueKey, "A"}}, {{kMugRegion, {}}}};
   EXPECT_FALSE(turnTo(numbers, {"B"}));
-  EXPECT_EQ(factOf(numbers, kCatalogueFact), "B");
+  EXPECT_EQ(factOf(numbers, kCatalogueKey), "B");
 }
 
 TEST(CatalogueNumbers, OfADamagedFactAreNone) {
   for (const char* text : {"", "{", "[]", R"({"objects": {"x": 1}, "facts": {}})",
                            R"({"objects": {"3": "y"}})", R"({"objects": {}, "facts": {"source": "evil"}})"}) {
-    CatalogueNumbers numbers{{{kCatalogueFact, "B"}, {"numbers of A", text}, {"source", "demo"}}, {}};
+    CatalogueNumbers numbers{{{kCatalogueKey, "B"}, {"numbers of A", text}, {"source", "demo"}}, {}};
     EXPECT_FALSE(turnTo(numbers, {"A"})) << text;
     EXPECT_THAT(numbers.objects, IsEmpty()) << text;
     EXPECT_EQ(factOf(numbers, "source"), "demo") << text;
@@ -89,7 +89,7 @@ TEST(CatalogueNumbers, OfADamagedFactAreNone) {
 
 TEST(CatalogueNumbers, OfASavedScanAreThoseOfItsRegions) {
   SavedScan scan;
-  scan.facts = numbersOfA().facts;
+  scan.metadata = numbersOfA().metadata;
   scan.regions = {{kMugRegion, ObjectId{7}, {"mug", ""}}, {kBoxRegion, ObjectId{8}, {}}};
   const SavedScan before = scan;
   EXPECT_TRUE(turnTo(scan, {"B"}));

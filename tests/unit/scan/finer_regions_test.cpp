@@ -20,7 +20,7 @@ class FinerRegionsTest : public testing::Test {
   FinerRegionsTest() {
     for (int i = 0; i < 4; ++i) static_cast<void>(table_.newFragment());
     BorderEvidence& border = merger_.evidence()->between(kFirst, kSecond);
-    border.looks = border.bends = BorderEvidence::kMostLooks;
+    border.looks = border.bends = BorderEvidence::kMaxObservations;
     border.bridged = border.shared = border.looks;
     border.length_m = 0.2F;
     table_.join(table_.regionOf(kFirst), table_.regionOf(kSecond));
@@ -67,7 +67,7 @@ TEST_F(FinerRegionsTest, WhatSomebodyKnowsOrSpokeOfStaysOne) {
   stays_ = of(kFirst);
   EXPECT_FALSE(finer().areDivided());
   stays_ = {};
-  table_.say(of(kFirst), RegionSaid::background);
+  table_.say(of(kFirst), UserLabel::background);
   EXPECT_FALSE(finer().areDivided());
 }
 

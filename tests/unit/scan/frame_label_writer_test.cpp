@@ -37,7 +37,7 @@ FrameLabelWriter::Frame frameOf(int index, std::uint32_t left, std::uint32_t rig
 }
 
 /// A map that shows `left` and `right` from every place, as frameOf does.
-FrameLabelWriter::LookAtMap mapOf(std::uint32_t left, std::uint32_t right) {
+FrameLabelWriter::RenderView mapOf(std::uint32_t left, std::uint32_t right) {
   return [=](const Eigen::Isometry3d&) -> Result<FrameLabelWriter::FinalView> {
     const FrameLabelWriter::Frame frame = frameOf(0, left, right);
     return FrameLabelWriter::FinalView{kWidth, kHeight, frame.regions, frame.segments.depths_m};
@@ -70,7 +70,7 @@ std::pair<int, int> halves(const std::filesystem::path& file) {
 TEST(FrameLabelWriter, WritesEveryFrameAndKnowsTheRegionsAtTheEnd) {
   const TemporaryFolder folder;
   makeFolders(folder);
-  constexpr int kFrames = 5 * static_cast<int>(FrameLabelWriter::kMostWaiting);
+  constexpr int kFrames = 5 * static_cast<int>(FrameLabelWriter::kMaxWaiting);
   RegionNumbers numbers;
   FrameLabelWriter writer(folder.path(), numbers);
   for (int i = 0; i < kFrames; ++i) {

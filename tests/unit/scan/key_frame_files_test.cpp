@@ -16,7 +16,7 @@ using test::TemporaryFolder;
 
 RgbdFrame frameOf(const std::filesystem::path& color_file) {
   RgbdFrame frame;
-  frame.metres_per_unit = 0.001F;
+  frame.meters_per_unit = 0.001F;
   frame.color = cv::Mat(24, 32, CV_8UC3, cv::Scalar(10, 90, 200));
   frame.depth = cv::Mat(24, 32, CV_16UC1, cv::Scalar(1000));
   frame.color_file = color_file;

@@ -42,7 +42,7 @@ TEST(PackedNormal, NoneStaysNone) {
 TEST(CloudPoint, IsSmallAndKnowsWhereTheSurfaceIs) {
   EXPECT_LE(sizeof(CloudBrick::Point), 24U);
   CloudBrick::Point point{1, 2, 3, FragmentId{4}};
-  EXPECT_EQ(point.onSurface(0.006F), point.centre()) << "no normal, no better place";
+  EXPECT_EQ(point.onSurface(0.006F), point.center()) << "no normal, no better place";
   point.normal = PackedNormal::of(Eigen::Vector3f::UnitX());
   point.height = 50;
   EXPECT_NEAR(point.onSurface(0.006F).x(), 0.997F, 1e-4);

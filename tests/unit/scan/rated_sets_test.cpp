@@ -7,17 +7,17 @@ namespace {
 
 const RegionId kShade{1}, kPole{2}, kBox{3};
 
-Candidate looked(const RegionSet& regions, float wholeness) {
+Candidate looked(const RegionSet& regions, float objectness) {
   Candidate candidate;
   candidate.regions = regions;
-  candidate.wholeness = wholeness;
+  candidate.objectness = objectness;
   return candidate;
 }
 
 TEST(RatedSets, TheBestEightCountTogetherWithOneThatSaysNothing) {
   RatedSets looks;
   looks.add(10, std::vector{looked({kBox}, 1)});
-  EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, 0.5F);
+  EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).objectness, 0.5F);
   looks.add(20, std::vector{looked({kBox}, 3)});
   looks.add(30, std::vector{looked({kBox}, 2)});
   looks.add(40, std::vector{looked({kBox}, -1)});
@@ -26,7 +26,7 @@ TEST(RatedSets, TheBestEightCountTogetherWithOneThatSaysNothing) {
   const auto best = looks.disjoint(0);
   ASSERT_EQ(best.size(), 1U);
   EXPECT_EQ(best[0].regions, RegionSet{kBox});
-  EXPECT_FLOAT_EQ(best[0].wholeness, (3 + 2 + 1 + 0.5F - 4 * 0.5F) / 9.0F) << "the one of -1 is the ninth";
+  EXPECT_FLOAT_EQ(best[0].objectness, (3 + 2 + 1 + 0.5F - 4 * 0.5F) / 9.0F) << "the one of -1 is the ninth";
   EXPECT_EQ(best[0].frame_index, 20);
 }
 
@@ -38,8 +38,8 @@ TEST(RatedSets, WhatIsLargeIsLessLikelyThanItsLooksSay) {
   looks.add(1, std::vector{small, large, upper, looked({kPole}, -2)});
   const auto best = looks.disjoint(0);
   ASSERT_EQ(best.size(), 2U) << "of the lamp the upper part only";
-  EXPECT_FLOAT_EQ(best[0].wholeness, 1);
-  EXPECT_FLOAT_EQ(best[1].wholeness, 1);
+  EXPECT_FLOAT_EQ(best[0].objectness, 1);
+  EXPECT_FLOAT_EQ(best[1].objectness, 1);
   EXPECT_TRUE(looks.isUnlikely(kPole, 0)) << "1.1 - 2 ln 2";
   EXPECT_FALSE(looks.isUnlikely(kPole, -0.3F));
 }
@@ -54,7 +54,8 @@ TEST(RatedSets, ALookThatShowsAThingEntirelyIsBetterThanALikelierOneThatDoesNot)
   looks.add(30, std::vector{cut_off});
   looks.add(40, std::vector{looked({kBox}, 0.5F)});
   EXPECT_EQ(looks.disjoint(0).at(0).frame_index, 20);
-  EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).wholeness, (3 + 3 + 1 + 0.5F) / 5) << "what is likely is up to all";
+  EXPECT_FLOAT_EQ(looks.disjoint(0).at(0).objectness, (3 + 3 + 1 + 0.5F) / 5)
+      << "what is likely is up to all";
 }
 
 TEST(RatedSets, OfSetsThatShareRegionsTheMostLikelyStays) {
@@ -96,7 +97,7 @@ TEST(RatedSets, WhatIsCalledOtherwiseKeepsItsLooks) {
   const auto best = looks.disjoint(0);
   ASSERT_EQ(best.size(), 2U);
   EXPECT_EQ(best[0].regions, RegionSet{upper});
-  EXPECT_FLOAT_EQ(best[0].wholeness, 2);
+  EXPECT_FLOAT_EQ(best[0].objectness, 2);
   EXPECT_EQ(best[0].frame_index, 7);
   EXPECT_EQ(best[1].regions, RegionSet{kBox});
   EXPECT_FALSE(looks.isUnlikely(kPole, 0)) << "nothing is known of it any more";

@@ -6,14 +6,14 @@ namespace scantrove {
 namespace {
 
 const RegionSet kThing{RegionId{3}};
-constexpr float kMost = 0.5F;
+constexpr float kMax = 0.5F;
 
 /// The verdict after looks that named these objects, 0 = none, each at the given distance.
 std::optional<ObjectId> after(const std::vector<std::uint32_t>& named, float distance = 0.4F) {
   RecognitionHistory history;
   int frame = 0;
   for (const std::uint32_t object : named)
-    history.add(kThing, {ObjectId{object}, {}, object == 0 ? 2 : distance}, kMost, frame += 5);
+    history.add(kThing, {ObjectId{object}, {}, object == 0 ? 2 : distance}, kMax, frame += 5);
   return history.verdict(kThing);
 }
 
@@ -39,22 +39,22 @@ TEST(RecognitionHistory, GivesUpAfterSeveralLooksOnly) {
 
 TEST(RecognitionHistory, LooksAgainAfterAFewFrames) {
   RecognitionHistory history;
-  EXPECT_TRUE(history.isLookDue(kThing, 10));
-  history.add(kThing, {}, kMost, 10);
-  EXPECT_FALSE(history.isLookDue(kThing, 10 + RecognitionHistory::kFramesApart - 1));
-  EXPECT_TRUE(history.isLookDue(kThing, 10 + RecognitionHistory::kFramesApart));
+  EXPECT_TRUE(history.isAttemptDue(kThing, 10));
+  history.add(kThing, {}, kMax, 10);
+  EXPECT_FALSE(history.isAttemptDue(kThing, 10 + RecognitionHistory::kFramesApart - 1));
+  EXPECT_TRUE(history.isAttemptDue(kThing, 10 + RecognitionHistory::kFramesApart));
 }
 
 TEST(RecognitionHistory, ForgetsWhatIsNoMore) {
   RecognitionHistory history;
-  history.add(kThing, {}, kMost, 10);
+  history.add(kThing, {}, kMax, 10);
   history.forgetBefore(10);
   EXPECT_EQ(history.looks(kThing), 1);
   history.forgetRegion(RegionId{4});
   EXPECT_EQ(history.looks(kThing), 1);
   history.forgetRegion(RegionId{3});
   EXPECT_EQ(history.looks(kThing), 0);
-  history.add(kThing, {}, kMost, 10);
+  history.add(kThing, {}, kMax, 10);
   history.forgetBefore(11);
   EXPECT_EQ(history.looks(kThing), 0);
 }

@@ -107,7 +107,7 @@ TEST(GraphPartition, IsNotTooFine) {
   }
 }
 
-TEST(GraphPartition, SmallComponentsGoToTheirMostSimilarNeighbour) {
+TEST(GraphPartition, SmallComponentsGoToTheirMostSimilarNeighbor) {
   // 0-1-2-3 | 4 | 5-6-7-8: node 4 is nearer to the right.
   RandomGraph graph{9, {}, {}};
   const auto edge = [&](std::uint32_t a, std::uint32_t b, float weight) {
@@ -124,7 +124,7 @@ TEST(GraphPartition, SmallComponentsGoToTheirMostSimilarNeighbour) {
   EXPECT_EQ(reference::canonical(partition(graph, 0.01F, 5)), std::vector<std::uint32_t>(9, 1));
 }
 
-TEST(GraphPartition, AbsorptionLeavesNoSmallComponentWithANeighbour) {
+TEST(GraphPartition, AbsorptionLeavesNoSmallComponentWithANeighbor) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 50; ++trial) {
     const RandomGraph graph = randomGraph(random, 200, 400, 1000);

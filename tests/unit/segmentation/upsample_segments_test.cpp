@@ -72,7 +72,7 @@ std::vector<std::uint32_t> upsampleByTheDefinition(const std::vector<std::uint32
       const float x_exact = (static_cast<float>(u) + 0.5F) * per_x - 0.5F;
       const float y_exact = (static_cast<float>(v) + 0.5F) * per_y - 0.5F;
       const float z = static_cast<float>(guide.depth[static_cast<std::size_t>(v * guide.width + u)]) *
-                      guide.metres_per_unit;
+                      guide.meters_per_unit;
       std::uint32_t id = z > 0 ? 0 : ids[static_cast<std::size_t>(y0 * width + x0)];
       float best = 1000;
       for (int y = std::max(y0 - 3, 0); z > 0 && y <= std::min(y0 + 3, height - 1); ++y) {
@@ -119,7 +119,7 @@ TEST(DepthUpsampler, IsTheDefinitionOnSurfacesWithStepsHolesAndNoise) {
   }
 }
 
-TEST(DepthUpsampler, EmptyMapsGiveUnlabelledPixels) {
+TEST(DepthUpsampler, EmptyMapsGiveUnlabeledPixels) {
   const std::vector<std::uint16_t> depth(12, 1000);
   EXPECT_EQ(DepthUpsampler({}, 0, 0, {4, 3, depth, 0.001F}).apply(std::vector<std::uint32_t>()),
             std::vector<std::uint32_t>(12, 0));

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 SavedDelta soundDelta() {
   SavedDelta delta;
-  delta.facts = {{"last_region", "9"}, {"source", "demo"}};
+  delta.metadata = {{"last_region", "9"}, {"source", "demo"}};
   SavedFrame frame;
   frame.number = 1;
   frame.state = TrackingState::tracking;
@@ -40,7 +40,7 @@ SavedDelta soundDelta() {
   delta.operations = {{1,
                        {.kind = OperationKind::join, .regions = {RegionId{3}, RegionId{5}}},
                        {.moves = {{FragmentId{9}, RegionId{5}, RegionId{3}}},
-                        .sayings = {{FragmentId{7}, FragmentId{9}}},
+                        .constraints = {{FragmentId{7}, FragmentId{9}}},
                         .notes = {}},
                        OperationLog::State::done}};
   return delta;
@@ -97,7 +97,7 @@ TEST_P(DamagedRowTest, RowIsLeftOutAndNamed_WhenNoScanWritesIt) {
   EXPECT_THAT((*store)->damages(), ElementsAre(HasSubstr(std::string("1 ") + GetParam().left_out)));
   EXPECT_EQ(scan->frames.size() + scan->key_frames.size() + scan->fragments.size() + scan->regions.size() +
                 scan->borders.size() + scan->operations.size() + scan->pages.size() +
-                scan->recordings.size() + scan->facts.size(),
+                scan->recordings.size() + scan->metadata.size(),
             10U);
 }
 
@@ -230,7 +230,7 @@ TEST_F(SavedSession, FactComesFromItsCopy_WhenItIsDamagedOrGone) {
     ASSERT_TRUE(store) << store.error().message();
     const auto scan = (*store)->load();
     ASSERT_TRUE(scan) << scan.error().message();
-    EXPECT_EQ(scan->facts, soundDelta().facts) << sql;
+    EXPECT_EQ(scan->metadata, soundDelta().metadata) << sql;
     EXPECT_THAT((*store)->damages(), ElementsAre(AllOf(HasSubstr("facts"), HasSubstr("copies")))) << sql;
     ASSERT_TRUE((*store)->save(soundDelta()));
   }

@@ -39,7 +39,7 @@ class ReplacedSessionTest : public testing::Test {
         store.writePages(std::vector{SavedPage{{seed, 0, 0}, {1, 2, static_cast<std::uint32_t>(seed)}}}));
     SCANTROVE_TRY(store.saveKeyFrame(frame, key));
     SavedDelta delta;
-    delta.facts["source"] = std::to_string(seed);
+    delta.metadata["source"] = std::to_string(seed);
     delta.regions = {{RegionId{static_cast<std::uint32_t>(seed)}, {}, {}}};
     return store.save(delta);
   }
@@ -53,7 +53,7 @@ class ReplacedSessionTest : public testing::Test {
     EXPECT_TRUE((*store)->damages().empty()) << (*store)->damages().front();
     ASSERT_EQ(scan->frames.size(), 1U);
     EXPECT_EQ(scan->frames[0].source_index, seed);
-    EXPECT_EQ(scan->facts.at("source"), std::to_string(seed));
+    EXPECT_EQ(scan->metadata.at("source"), std::to_string(seed));
     ASSERT_EQ(scan->regions.size(), 1U);
     EXPECT_EQ(scan->regions[0].region.value, static_cast<std::uint32_t>(seed));
     ASSERT_EQ(scan->key_frames.size(), 1U);
@@ -87,15 +87,15 @@ TEST_F(ReplacedSessionTest, EarlierOneStays_UntilThereIsAFrameWithAPose) {
 TEST_F(ReplacedSessionTest, NewOneHasAllItsFrames_WhenOneHasAPose) {
   {
     const auto store = created();
-    SavedDelta facts;
-    facts.facts["params"] = "from before the first frame";
+    SavedDelta metadata;
+    metadata.metadata["params"] = "from before the first frame";
     SavedFrame lost;
     lost.number = 7;
-    facts.frames = {lost};
-    ASSERT_TRUE(store->save(facts));
+    metadata.frames = {lost};
+    ASSERT_TRUE(store->save(metadata));
     ASSERT_TRUE(scan(*store, 2));
     EXPECT_EQ(store->load()->frames.size(), 2U);
-    EXPECT_EQ(store->load()->facts.at("params"), "from before the first frame");
+    EXPECT_EQ(store->load()->metadata.at("params"), "from before the first frame");
   }
   { ASSERT_TRUE(scan(*created(), 3)); }
   expectScan(3);
@@ -147,7 +147,7 @@ TEST_F(ReplacedSessionTest, FilesOfOthersStay_WhateverTheirNames) {
   EXPECT_EQ((*SessionStore::open(path_))->load()->frames.at(0).source_index, 3);
 }
 
-TEST_F(ReplacedSessionTest, LabelledOneIsRefused) {
+TEST_F(ReplacedSessionTest, LabeledOneIsRefused) {
   {
     SavedDelta delta;
     delta.operations = {

@@ -23,7 +23,7 @@ using testing::IsEmpty;
 /// What a short scan keeps: two key frames of three frames, a large and a tiny region.
 SavedDelta shortScan() {
   SavedDelta delta;
-  delta.facts["source"] = "demo";
+  delta.metadata["source"] = "demo";
   for (int number = 0; number < 3; ++number) {
     SavedFrame frame;
     frame.number = number;
@@ -56,7 +56,7 @@ TEST(SessionList, CallsObjectsAsTheirCatalogueDidLast) {
   SavedDelta delta = shortScan();
   delta.regions.push_back({RegionId{4}, ObjectId{3}, {"old cup", "cup", false, false, false}});
   const auto namesWith = [&](const std::string& name, const std::string& objects) {
-    delta.facts["objects"] = objects;
+    delta.metadata["objects"] = objects;
     { static_cast<void>(storeIn(folder / name, delta)); }
     return listSessions(folder / name).at(0).names;
   };
@@ -71,7 +71,7 @@ TEST(SessionList, CallsObjectsAsTheirCatalogueDidLast) {
 TEST(SessionList, SaysWhatThereIs) {
   const TemporaryFolder folder;
   SavedDelta delta = shortScan();
-  delta.facts["ended"] = "yes";
+  delta.metadata["ended"] = "yes";
   { static_cast<void>(storeIn(folder / "one", delta)); }
   fs::create_directories(folder / "no session");
   const std::vector<SessionSummary> sessions = listSessions(folder.path());

@@ -15,12 +15,12 @@ using testing::HasSubstr;
 
 SavedDelta someDelta(int seed) {
   SavedDelta delta;
-  delta.facts["source"] = "demo:\"\xC3\xA4\n";
+  delta.metadata["source"] = "demo:\"\xC3\xA4\n";
   SavedFrame frame;
   frame.number = seed;
   frame.source_index = 500 + seed;
   frame.time_s = 0.5 * seed;
-  frame.state = TrackingState::relocalised;
+  frame.state = TrackingState::relocalized;
   frame.T_world_camera = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY());
   delta.frames.push_back(frame);
   ViewCoverage seen_from;
@@ -30,10 +30,10 @@ SavedDelta someDelta(int seed) {
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   BorderEvidence evidence;
   evidence.looks = 3.25F;
-  evidence.came_together = 2;
+  evidence.appeared_together = 2;
   evidence.attached = 7;
   evidence.unattached = 1.5F;
-  evidence.came_apart = 0.5F;
+  evidence.appeared_apart = 0.5F;
   evidence.color_shift = 12;
   evidence.step_m = 0.02F;
   evidence.colors = {8, 5, 0.75F, 12, 0.25F, 4};
@@ -48,7 +48,7 @@ SavedDelta someDelta(int seed) {
         .here_world = {{1, 2, 3}},
         .there_world = {{4, 5, 6}},
         .frame = 12},
-       {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .sayings = {}, .notes = {}},
+       {.moves = {{FragmentId{7}, RegionId{3}, RegionId{5}}}, .constraints = {}, .notes = {}},
        OperationLog::State::undone});
   return delta;
 }
@@ -81,10 +81,10 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   const Result<SavedScan> scan = (*store)->load();
   ASSERT_TRUE(scan) << scan.error().message();
   const SavedDelta last = someDelta(2);
-  EXPECT_EQ(scan->facts, last.facts);
+  EXPECT_EQ(scan->metadata, last.metadata);
   ASSERT_EQ(scan->frames.size(), 2U);
   EXPECT_EQ(scan->frames[1].source_index, 502);
-  EXPECT_EQ(scan->frames[1].state, TrackingState::relocalised);
+  EXPECT_EQ(scan->frames[1].state, TrackingState::relocalized);
   EXPECT_TRUE(scan->frames[1].T_world_camera.isApprox(last.frames[0].T_world_camera, 1e-12));
   ASSERT_EQ(scan->fragments.size(), 1U);
   EXPECT_EQ(scan->fragments[0].voxels, 102);
@@ -93,8 +93,8 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   EXPECT_EQ(scan->regions[0], last.regions[0]);
   ASSERT_EQ(scan->borders.size(), 1U);
   EXPECT_EQ(scan->borders[0].evidence->looks, 3.25F);
-  EXPECT_EQ(scan->borders[0].evidence->came_together, 2);
-  EXPECT_EQ(scan->borders[0].evidence->came_apart, 0.5F);
+  EXPECT_EQ(scan->borders[0].evidence->appeared_together, 2);
+  EXPECT_EQ(scan->borders[0].evidence->appeared_apart, 0.5F);
   EXPECT_EQ(scan->borders[0].evidence->attached, 7);
   EXPECT_EQ(scan->borders[0].evidence->unattached, 1.5F);
   EXPECT_EQ(scan->borders[0].evidence->color_shift, 12.0F);
@@ -270,8 +270,8 @@ TEST(SessionStore, OneOfTheFirstVersionOpensWithNothingKnownOfWhatWasSeenFromWhe
   EXPECT_EQ(scan->fragments[0].voxels, 101);
   EXPECT_EQ(scan->fragments[0].seen_from, ViewCoverage());
   EXPECT_FALSE((*store)->loadCamera()->has_value());
-  EXPECT_TRUE(scan->facts.contains("begun")) << "by that its catalogue is told";
-  EXPECT_FALSE(scan->facts.contains("catalogue"));
+  EXPECT_TRUE(scan->metadata.contains("begun")) << "by that its catalogue is told";
+  EXPECT_FALSE(scan->metadata.contains("catalogue"));
   ASSERT_TRUE(saveSome(**store, 2));
 }
 

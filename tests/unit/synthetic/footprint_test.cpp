@@ -37,8 +37,8 @@ TEST(Footprint, ContainsWhatLiesWithin) {
 
 TEST(Footprint, IsPlacedWithItsFrame) {
   const Footprint placed = Footprint{{1, 0}, {0.2, 0.1}, 10, 0}.placedAt(5, 5, 90);
-  EXPECT_NEAR(placed.centre.x(), 5, 1e-12);
-  EXPECT_NEAR(placed.centre.y(), 6, 1e-12);
+  EXPECT_NEAR(placed.center.x(), 5, 1e-12);
+  EXPECT_NEAR(placed.center.y(), 6, 1e-12);
   EXPECT_NEAR(placed.yaw_deg, 100, 1e-12);
 }
 

@@ -125,13 +125,13 @@ TEST(KinectNoise, SeedAndFrameDecideEverything) {
 }
 
 TEST(KinectNoise, ColorNoiseHasTheAskedSpread) {
-  cv::Mat grey(480, 640, CV_8UC3, cv::Scalar(120, 120, 120));
-  addColorNoise(grey, 3.0, 1, 0);
+  cv::Mat gray(480, 640, CV_8UC3, cv::Scalar(120, 120, 120));
+  addColorNoise(gray, 3.0, 1, 0);
   double sum = 0;
   double squares = 0;
   for (int v = 0; v < 480; ++v) {
     for (int i = 0; i < 640 * 3; ++i) {
-      const double d = grey.ptr<std::uint8_t>(v)[i] - 120.0;
+      const double d = gray.ptr<std::uint8_t>(v)[i] - 120.0;
       sum += d;
       squares += d * d;
     }

@@ -26,22 +26,22 @@ TEST_P(MovingScene, SomebodyPassesTheMugIsPutElsewhereAndTheChairPushedAway) {
   const Eigen::AlignedBox3d mug_before = scene.boundsOf(mug);
   const Eigen::AlignedBox3d chair_before = scene.boundsOf(chair);
 
-  std::vector<double> walker_part, arm_part, mug_px;
+  std::vector<double> person_part, arm_part, mug_px;
   double highest = mug_before.min().z();
   Eigen::AlignedBox3d mug_late;  // from then on everything stays
   for (FrameRead read = source->next(); read.status == FrameRead::Status::frame; read = source->next()) {
     const double pixels = static_cast<double>(read.frame.instances.total());
     const auto seen = [&](std::uint16_t who) { return cv::countNonZero(read.frame.instances == who); };
-    walker_part.push_back(seen(walker) / pixels);
+    person_part.push_back(seen(walker) / pixels);
     arm_part.push_back(seen(arm) / pixels);
     mug_px.push_back(seen(mug));
     highest = std::max(highest, scene.boundsOf(mug).min().z());
     if (read.frame.index == 345) mug_late = scene.boundsOf(mug);
   }
-  EXPECT_EQ(walker_part.front(), 0);
-  EXPECT_GT(std::ranges::max(walker_part), 0.05);
-  EXPECT_LT(std::ranges::max(walker_part), 0.45);
-  EXPECT_EQ(walker_part.back(), 0);
+  EXPECT_EQ(person_part.front(), 0);
+  EXPECT_GT(std::ranges::max(person_part), 0.05);
+  EXPECT_LT(std::ranges::max(person_part), 0.45);
+  EXPECT_EQ(person_part.back(), 0);
   EXPECT_EQ(arm_part.front(), 0);
   EXPECT_GT(std::ranges::max(arm_part), 0.01);
   EXPECT_EQ(arm_part.back(), 0);

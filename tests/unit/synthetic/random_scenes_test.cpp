@@ -11,15 +11,15 @@ namespace scantrove {
 namespace {
 
 using Eigen::Vector3d;
-using synthetic::FilmSet;
 using synthetic::kNoHit;
 using synthetic::Ray;
+using synthetic::SceneRecipe;
 
 constexpr double kRadiansPerDegree = 3.14159265358979 / 180;
 
 struct Kind {
   const char* name;
-  FilmSet (*make)(std::uint32_t seed);
+  SceneRecipe (*make)(std::uint32_t seed);
   int frames;
 };
 const Kind kRoom{"room", synthetic::makeRandomRoomSet, 300};
@@ -30,7 +30,7 @@ class RandomScene : public testing::TestWithParam<std::tuple<Kind, std::uint32_t
  protected:
   const Kind kind = std::get<0>(GetParam());
   const std::uint32_t seed = std::get<1>(GetParam());
-  const FilmSet set = kind.make(seed);
+  const SceneRecipe set = kind.make(seed);
 };
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScene,
                          testing::Combine(testing::Values(kRoom, kTabletop), testing::Range(1U, 31U)),
@@ -236,12 +236,12 @@ TEST(RandomScenes, WordsAndSeedCombineInAnyOrder) {
   const cv::Mat exact = first("room:7:exact");
   EXPECT_TRUE(same(exact, first("room:exact:7")));
   EXPECT_FALSE(same(exact, first("room:7")));
-  const cv::Mat uneven = first("room:7:uneven:exact");
-  EXPECT_TRUE(same(uneven, first("room:exact:uneven:7")));
+  const cv::Mat bumpy = first("room:7:uneven:exact");
+  EXPECT_TRUE(same(bumpy, first("room:exact:uneven:7")));
   int bumped = 0;
   int far = 0;
   for (int i = 0; i < static_cast<int>(exact.total()); ++i) {
-    const int difference = uneven.ptr<std::uint16_t>()[i] - exact.ptr<std::uint16_t>()[i];
+    const int difference = bumpy.ptr<std::uint16_t>()[i] - exact.ptr<std::uint16_t>()[i];
     bumped += difference >= 1 && difference <= 30 ? 1 : 0;
     far += difference < -1 || difference > 30 ? 1 : 0;
   }

@@ -5,10 +5,10 @@
 #include <memory>
 #include <random>
 
+#include "core/synthetic/bumpy_shape.h"
 #include "core/synthetic/curtain.h"
 #include "core/synthetic/lathe.h"
 #include "core/synthetic/rounded_shapes.h"
-#include "core/synthetic/uneven_shape.h"
 
 namespace scantrove::synthetic {
 namespace {
@@ -27,9 +27,9 @@ void expectExact(const Shape& shape, const Implicit& implicit, double tolerance_
     const Vec3 towards = Vec3(uniform(random), uniform(random), uniform(random)) * 0.15;
     const Ray ray{from, (towards - from) * 0.7};  // not of unit length
     const ShapeHit hit = shape.intersect(ray, kNoHit);
-    const double metres_per_t = ray.direction.norm();
+    const double meters_per_t = ray.direction.norm();
     const double end = std::min(hit.t, 3.0);
-    for (double t = 0; t < end - 2e-4 / metres_per_t; t += 1e-3 / metres_per_t) {
+    for (double t = 0; t < end - 2e-4 / meters_per_t; t += 1e-3 / meters_per_t) {
       ASSERT_GT(implicit(ray.at(t)), -tolerance_m) << "ray " << i << " passes through matter at t = " << t;
     }
     if (hit.t == kNoHit) {
@@ -177,12 +177,12 @@ TEST(SyntheticShape, CurtainHangsInFolds) {
 }
 
 /// Heights of the uneven top of a box at z = 0.1, found from straight above.
-double heightAt(const UnevenShape& shape, double x, double y) {
+double heightAt(const BumpyShape& shape, double x, double y) {
   return 1 - shape.intersect({{x, y, 1}, {0, 0, -1}}, kNoHit).t;
 }
 
-TEST(UnevenShape, HasBumpsOfTheAskedHeightBelowTheSurface) {
-  const UnevenShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
+TEST(BumpyShape, HasBumpsOfTheAskedHeightBelowTheSurface) {
+  const BumpyShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
   double lowest = kNoHit;
   double highest = -kNoHit;
   for (double x = -0.4; x < 0.4; x += 0.007) {
@@ -204,8 +204,8 @@ TEST(UnevenShape, HasBumpsOfTheAskedHeightBelowTheSurface) {
   EXPECT_LT(highest - lowest, 0.0055);
 }
 
-TEST(UnevenShape, IsTheSameFromEveryDirection) {
-  const UnevenShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
+TEST(BumpyShape, IsTheSameFromEveryDirection) {
+  const BumpyShape shape(std::make_unique<RoundedBox>(Vec3(0.5, 0.5, 0.1), 0.0), 0.004, 0.06, 7);
   std::mt19937 random(9);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 2000; ++i) {

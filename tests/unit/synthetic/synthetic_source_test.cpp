@@ -6,14 +6,14 @@
 #include <set>
 
 #include "core/capture/color_projection.h"
+#include "core/synthetic/bumpy_shape.h"
 #include "core/synthetic/synthetic_source.h"
-#include "core/synthetic/uneven_shape.h"
 #include "tests/support/film_sets.h"
 
 namespace scantrove {
 namespace {
 
-using MakeSet = synthetic::FilmSet (*)();
+using MakeSet = synthetic::SceneRecipe (*)();
 constexpr double kDegree = 3.14159265358979 / 180;
 
 SyntheticOptions exactOptions(MakeSet set) {
@@ -38,11 +38,11 @@ RgbdFrame frameAt(SyntheticOptions options, int index) {
   return read.frame;
 }
 
-synthetic::FilmSet makeARoom() { return synthetic::makeRandomRoomSet(4); }
+synthetic::SceneRecipe makeARoom() { return synthetic::makeRandomRoomSet(4); }
 
-synthetic::FilmSet makeAnUnevenRoom() {
-  synthetic::FilmSet set = makeARoom();
-  set.scene = synthetic::makeUneven(std::move(set.scene), 4);
+synthetic::SceneRecipe makeBumpyRoom() {
+  synthetic::SceneRecipe set = makeARoom();
+  set.scene = synthetic::makeBumpy(std::move(set.scene), 4);
   return set;
 }
 
@@ -50,7 +50,7 @@ class EveryScene : public testing::TestWithParam<MakeSet> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
                          testing::Values(&synthetic::makeTabletopSet, &synthetic::makeRoomSet,
                                          &test::makeLBlockSet, &test::makeChairFloorSet, &makeARoom,
-                                         &makeAnUnevenRoom));
+                                         &makeBumpyRoom));
 
 TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
   SyntheticOptions options = exactOptions(GetParam());
@@ -79,7 +79,7 @@ TEST_P(EveryScene, DepthAndInstancesAreThoseOfTheGeometry) {
 TEST_P(EveryScene, FramesAgreeWithEachOtherThroughTheirPoses) {
   SyntheticOptions options = exactOptions(GetParam());
   options.K = options.K.resizedTo(320, 240);
-  options.metres_per_unit = 0.0001F;
+  options.meters_per_unit = 0.0001F;
   const Intrinsics& K = options.K;
   const RgbdFrame a = frameAt(options, 30);
   const RgbdFrame b = frameAt(options, 60);
@@ -89,7 +89,7 @@ TEST_P(EveryScene, FramesAgreeWithEachOtherThroughTheirPoses) {
   int same_instance = 0;
   for (int v = 0; v < K.height; ++v) {
     for (int u = 0; u < K.width; ++u) {
-      const float z = static_cast<float>(a.depth.at<std::uint16_t>(v, u)) * a.metres_per_unit;
+      const float z = static_cast<float>(a.depth.at<std::uint16_t>(v, u)) * a.meters_per_unit;
       const Eigen::Vector3f p = T_b_a * K.backProject(static_cast<float>(u), static_cast<float>(v), z);
       const int bu = static_cast<int>(std::floor(K.fx * p.x() / p.z() + K.cx + 0.5F));
       const int bv = static_cast<int>(std::floor(K.fy * p.y() / p.z() + K.cy + 0.5F));
@@ -100,7 +100,7 @@ TEST_P(EveryScene, FramesAgreeWithEachOtherThroughTheirPoses) {
       double low = 0;
       double high = 0;
       cv::minMaxLoc(b.depth(cv::Rect(bu - 1, bv - 1, 3, 3)), &low, &high);
-      const double scale = double{b.metres_per_unit};
+      const double scale = double{b.meters_per_unit};
       if (p.z() > high * scale + 0.005) {
         continue;  // hidden in b
       }
@@ -132,7 +132,7 @@ TEST_P(EveryScene, CameraMovesLikeAHand) {
 }
 
 TEST_P(EveryScene, NamesAreThoseOfTheMasks) {
-  const synthetic::FilmSet set = GetParam()();
+  const synthetic::SceneRecipe set = GetParam()();
   const std::vector<InstanceName>& names = set.scene.instances();
   ASSERT_FALSE(names.empty());
   EXPECT_EQ(names.front().name, "floor");
@@ -180,8 +180,8 @@ std::vector<double> piecesOf(const RgbdFrame& frame, std::uint16_t instance) {
   const cv::Mat mask = frame.instances == instance;
   cv::Mat labels;
   cv::Mat statistics;
-  cv::Mat centres;
-  const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centres, 8);
+  cv::Mat centers;
+  const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centers, 8);
   std::vector<double> areas;
   for (int i = 1; i < count; ++i) {
     areas.push_back(statistics.at<int>(i, cv::CC_STAT_AREA) / static_cast<double>(mask.total()));
@@ -252,7 +252,7 @@ TEST(SyntheticSource, SameSeedSameFramesOtherSeedOthers) {
 }
 
 // Colour from beside, looked up where the surface is seen in it, is the colour that depth's camera would see.
-TEST(SyntheticSource, ColourOfACameraOfItsOwnIsSeenFromThere) {
+TEST(SyntheticSource, ColorOfACameraOfItsOwnIsSeenFromThere) {
   SyntheticOptions options = exactOptions(&synthetic::makeTabletopSet);
   options.color = true;
   const RgbdFrame straight = frameAt(options, 30);
@@ -267,7 +267,7 @@ TEST(SyntheticSource, ColourOfACameraOfItsOwnIsSeenFromThere) {
   std::vector<Eigen::Vector4f> vertices;
   for (int v = 0; v < options.K.height; ++v) {
     for (int u = 0; u < options.K.width; ++u) {
-      const float z = static_cast<float>(frame.depth.at<std::uint16_t>(v, u)) * frame.metres_per_unit;
+      const float z = static_cast<float>(frame.depth.at<std::uint16_t>(v, u)) * frame.meters_per_unit;
       vertices.emplace_back(Eigen::Vector4f::Zero());
       if (z > 0)
         vertices.back() =
@@ -341,7 +341,7 @@ TEST(SyntheticSource, FramesSayWhatTheyAre) {
   EXPECT_EQ(first.frame.index, 10);
   EXPECT_EQ(second.frame.index, 13);
   EXPECT_NEAR(second.frame.timestamp_s, 13 / 30.0, 1e-9);
-  EXPECT_FLOAT_EQ(first.frame.metres_per_unit, 0.0002F);
+  EXPECT_FLOAT_EQ(first.frame.meters_per_unit, 0.0002F);
   EXPECT_EQ(first.frame.color.type(), CV_8UC3);
   EXPECT_EQ(first.frame.depth.type(), CV_16UC1);
   EXPECT_EQ(first.frame.instances.size(), first.frame.depth.size());

@@ -17,11 +17,11 @@ struct Pair {
 };
 
 /// The sums of the kernel over `pairs` about `centre`, in `groups` groups.
-std::vector<float> sumsOf(const std::vector<Pair>& pairs, const Eigen::Vector3d& centre, std::size_t groups) {
+std::vector<float> sumsOf(const std::vector<Pair>& pairs, const Eigen::Vector3d& center, std::size_t groups) {
   std::vector<double> sums(groups * ICP_SUMS, 0.0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     double* out = sums.data() + (i % groups) * ICP_SUMS;
-    const Eigen::Vector3d arm = pairs[i].point - centre;
+    const Eigen::Vector3d arm = pairs[i].point - center;
     Eigen::Matrix<double, 8, 1> J = Eigen::Matrix<double, 8, 1>::Zero();
     J << arm.cross(pairs[i].normal), pairs[i].normal, pairs[i].residual, 0;
     for (int row = 0; row < 7; ++row) {
@@ -49,12 +49,12 @@ std::vector<Pair> cloud(const Eigen::Isometry3d& motion, bool is_flat) {
   return pairs;
 }
 
-TEST(IcpSystem, SolvesForTheMotionAboutAnyCentre) {
+TEST(IcpSystem, SolvesForTheMotionAboutAnyCenter) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.linear() = Eigen::AngleAxisd(0.001, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   motion.translation() << 0.002, -0.001, 0.003;
-  for (const Eigen::Vector3d& centre : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, -2, 1)}) {
-    const IcpSystem system = IcpSystem::fromSums(sumsOf(cloud(motion, false), centre, 3), centre);
+  for (const Eigen::Vector3d& center : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(3, -2, 1)}) {
+    const IcpSystem system = IcpSystem::fromSums(sumsOf(cloud(motion, false), center, 3), center);
     EXPECT_EQ(system.inliers, 3000);
     EXPECT_NEAR(system.weight, 3000, 0.1);
     EXPECT_NEAR(system.radius_m, 1.0, 0.05);

@@ -45,7 +45,7 @@ TEST(KeyFrames, TheOneThatShowsTheSameComesFirst) {
   EXPECT_TRUE(key_frames.alike({}, ColorView{}, 3).empty());
 }
 
-TEST(KeyFrames, WithoutColourTheDepthIsCompared) {
+TEST(KeyFrames, WithoutColorTheDepthIsCompared) {
   RgbdFrame frame;
   frame.depth = cv::Mat(480, 640, CV_16UC1, cv::Scalar(2000));
   frame.depth.colRange(0, 200) = 800;

@@ -58,7 +58,7 @@ void expectNear(const Eigen::Isometry3d& found, const Eigen::Isometry3d& truth, 
   EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle() / kDegree, far_deg);
 }
 
-TEST(LandmarkPose, IsThatOfTheDepthCameraBesideTheColourCamera) {
+TEST(LandmarkPose, IsThatOfTheDepthCameraBesideTheColorCamera) {
   const Landmarks landmarks = randomLandmarks(300, 1);
   const Eigen::Isometry3d T_color_depth = pose(1, 2, 0, -0.025, 0.002, 0.001);
   for (const Eigen::Isometry3d& truth : {pose(0, 0, 0, 0, 0, 0), pose(10, -20, 15, 0.3, 0.1, -0.2)}) {

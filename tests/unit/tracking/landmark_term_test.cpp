@@ -49,9 +49,9 @@ TEST(LandmarkTerm, LeadsToThePoseThatTheLandmarksWereSeenFrom) {
   const Eigen::Isometry3d truth = pose(5, 10, -3, 0.1, 0.2, -0.3);
   const SeenLandmarks seen = seenFrom(truth);
   Eigen::Isometry3d T = truth * pose(2, -3, 1, 0.05, -0.04, 0.06);
-  const Eigen::Vector3d centre(0.2, -0.1, 1.5);
+  const Eigen::Vector3d center(0.2, -0.1, 1.5);
   for (int i = 0; i < 20; ++i) {
-    const LandmarkTerm term = LandmarkTerm::of(seen, T, centre);
+    const LandmarkTerm term = LandmarkTerm::of(seen, T, center);
     EXPECT_NEAR(term.weight, term.JtJ.diagonal().tail<3>().sum(), 1e-12);
     const Eigen::Matrix<double, 6, 1> x = term.JtJ.ldlt().solve(term.Jtr);
     const Eigen::Vector3d turn = x.head<3>();
@@ -60,7 +60,7 @@ TEST(LandmarkTerm, LeadsToThePoseThatTheLandmarksWereSeenFrom) {
                                   : Eigen::Matrix3d::Identity();
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
     motion.linear() = R;
-    motion.translation() = centre + x.tail<3>() - R * centre;
+    motion.translation() = center + x.tail<3>() - R * center;
     T = motion * T;
   }
   EXPECT_LT((T.matrix() - truth.matrix()).norm(), 1e-6);

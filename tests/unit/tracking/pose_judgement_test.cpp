@@ -38,14 +38,14 @@ IcpOutcome changed(Change change) {
   return outcome;
 }
 
-TEST(PoseJudgement, SaysOnWhatItRests) {
+TEST(PoseJudgment, SaysOnWhatItRests) {
   const PoseEstimate pose = judgePose(goodOutcome(), movedBy(0), PoseOrigin::prediction, kDepthNoise_m);
   EXPECT_EQ(pose.state, tracking);
   EXPECT_NEAR(pose.inlier_fraction, 50.0 / 55.0, 1e-12);
   EXPECT_NEAR(pose.rmse_m, 0.006, 1e-12);
 }
 
-TEST(PoseJudgement, TrustsWhatIsWellFoundedOnly) {
+TEST(PoseJudgment, TrustsWhatIsWellFoundedOnly) {
   constexpr PoseOrigin kOrigin = PoseOrigin::prediction;
   const IcpOutcome noisy = changed([](IcpOutcome& o) { o.system.fit_residual_m = 0.02; });
   EXPECT_EQ(judged(noisy, kOrigin), uncertain);
@@ -57,7 +57,7 @@ TEST(PoseJudgement, TrustsWhatIsWellFoundedOnly) {
   EXPECT_EQ(judged(changed([](IcpOutcome& o) { o.step.finite = false; }), kOrigin), lost);
 }
 
-TEST(PoseJudgement, MoreMustBeShownWhereMoreCouldBeWrong) {
+TEST(PoseJudgment, MoreMustBeShownWhereMoreCouldBeWrong) {
   EXPECT_EQ(judged(goodOutcome(), PoseOrigin::search, 0.1), tracking);
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 34000; });
   EXPECT_EQ(judged(half, PoseOrigin::prediction), tracking);
@@ -66,7 +66,7 @@ TEST(PoseJudgement, MoreMustBeShownWhereMoreCouldBeWrong) {
   EXPECT_EQ(judged(goodOutcome(), PoseOrigin::prediction, 0.5), uncertain) << "out of a hand's reach";
 }
 
-TEST(PoseJudgement, LandmarksDetermineWhatGeometryDoesNot) {
+TEST(PoseJudgment, LandmarksDetermineWhatGeometryDoesNot) {
   const IcpOutcome wall = changed([](IcpOutcome& o) { o.step.free_directions = 3; });
   EXPECT_EQ(judged(wall, PoseOrigin::prediction), uncertain);
   EXPECT_EQ(judged(wall, PoseOrigin::landmarks), tracking);
@@ -75,7 +75,7 @@ TEST(PoseJudgement, LandmarksDetermineWhatGeometryDoesNot) {
 }
 
 // A near thing comes into view: half the image lies before the wall that is known there.
-TEST(PoseJudgement, NewThingsBeforeKnownOnesAreNoContradiction) {
+TEST(PoseJudgment, NewThingsBeforeKnownOnesAreNoContradiction) {
   const auto half = [](int before, int behind) {
     return changed([&](IcpOutcome& o) {
       o.system.inliers = 20000;
@@ -89,7 +89,7 @@ TEST(PoseJudgement, NewThingsBeforeKnownOnesAreNoContradiction) {
   EXPECT_EQ(judged(half(30000, 1000), PoseOrigin::place), uncertain) << "nobody knows that it was followed";
 }
 
-TEST(PoseJudgement, LittleKnownSurfaceIsEnoughWhenItDeterminesThePose) {
+TEST(PoseJudgment, LittleKnownSurfaceIsEnoughWhenItDeterminesThePose) {
   const auto known = [](bool is_firm, int inliers) {
     return changed([&](IcpOutcome& o) {
       o.system.overlap = 9000;
@@ -102,7 +102,7 @@ TEST(PoseJudgement, LittleKnownSurfaceIsEnoughWhenItDeterminesThePose) {
   EXPECT_EQ(judged(known(true, 5500), PoseOrigin::prediction), uncertain) << "little must fit better";
 }
 
-TEST(PoseJudgement, APlaceMustBeRecognisedBetterThanACameraIsFollowed) {
+TEST(PoseJudgment, APlaceMustBeRecognizedBetterThanACameraIsFollowed) {
   const IcpOutcome half = changed([](IcpOutcome& o) { o.system.inliers = 30000; });
   EXPECT_EQ(judged(half, PoseOrigin::landmarks), tracking);
   EXPECT_EQ(judged(half, PoseOrigin::place), uncertain);

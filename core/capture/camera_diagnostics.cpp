@@ -1,0 +1,170 @@
+#include "core/capture/camera_diagnostics.h"
+
+#include <grp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "core/capture/freenect_source.h"
+
+namespace scantrove {
+
+namespace {
+
+using Part = KnownCamera::Part;
+
+bool isServed(CameraDriver driver, bool with_libfreenect) {
+  return driver == CameraDriver::openni2 || (driver == CameraDriver::libfreenect && with_libfreenect);
+}
+
+Error withoutDriver(const KnownCamera& camera) {
+  if (camera.driver == CameraDriver::libfreenect) {
+    return {"This Scantrove was built without libfreenect.",
+            "Install it and build again: `sudo apt-get install libfreenect-dev`"};
+  }
+  return {"Debian 12 has no driver for it.", std::string(camera.advice)};
+}
+
+/// A rule of udev that lets the user at the screen and the group plugdev open such devices, as commands.
+std::string ruleFor(const UsbDevice& device) {
+  const std::string id = device.id();
+  const std::string vendor = id.substr(0, 4);
+  const std::string product = id.substr(5);
+  return "echo 'SUBSYSTEM==\"usb\", ATTR{idVendor}==\"" + vendor + "\", ATTR{idProduct}==\"" + product +
+         "\", MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/60-camera-" +
+         vendor + "-" + product + ".rules && sudo udevadm control --reload && sudo udevadm trigger";
+}
+
+/// The group that may read and write the node where root is its owner; empty if there is none but root's own.
+std::string groupOf(const std::filesystem::path& node) {
+  struct stat status {};
+  constexpr mode_t kBoth = S_IRGRP | S_IWGRP;
+  if (stat(node.c_str(), &status) != 0 || (status.st_mode & kBoth) != kBoth || status.st_gid == 0) {
+    return {};
+  }
+  const group* const entry = getgrgid(status.st_gid);
+  return entry == nullptr ? "" : entry->gr_name;
+}
+
+/// Nothing if the user may read and write `node`, which is called `name`.
+std::optional<Error> lacksPermission(const UsbDevice& device, const std::filesystem::path& node,
+                                     const std::string& name) {
+  if (node.empty()) {
+    return Error{"The kernel does not say where it is (/sys/bus/usb/devices/" + device.port + ").",
+                 "Plug it in again."};
+  }
+  if (access(node.c_str(), R_OK | W_OK) == 0) {
+    return std::nullopt;
+  }
+  if (errno == ENOENT) {
+    return Error{"There is no " + name + ".",
+                 "In a container: give it the devices, for example `docker run --device /dev/bus/usb`."};
+  }
+  const std::string what = "Your user may not open " + name + ": " + std::strerror(errno) + ".";
+  if (const std::string group = groupOf(node); !group.empty()) {
+    return Error{what, "Its group may: `sudo adduser \"$USER\" " + group + "`, then log in again."};
+  }
+  return Error{what, "Allow it, then plug it in again: `" + ruleFor(device) + "`"};
+}
+
+std::string formatted(double speed_mbps) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", speed_mbps);
+  return text;
+}
+
+std::optional<Error> isSlow(const UsbDevice& device, const KnownCamera& camera) {
+  if (device.speed_mbps <= 0 || device.speed_mbps >= camera.needed_mbps) {
+    return std::nullopt;
+  }
+  return Error{"It is connected at " + formatted(device.speed_mbps) + " Mbit/s and needs " +
+                   formatted(camera.needed_mbps) + ".",
+               std::string("Plug it into a ") + (camera.needed_mbps > 480 ? "USB 3" : "USB 2 or 3") +
+                   " port of the computer itself, with another cable."};
+}
+
+/// The video module of the kernel for the Kinect v1 takes every one that is plugged in. libfreenect takes it
+/// back as it opens the camera, where it may.
+std::optional<Error> isHeldByModule(const UsbDevice& device, const KnownCamera& camera) {
+  const auto holds = [&](const char* module) { return std::ranges::count(device.modules, module) > 0; };
+  // Its driver is called "kinect", and that is all that shows where the module is part of the kernel.
+  if (camera.driver != CameraDriver::libfreenect || (!holds("gspca_kinect") && !holds("kinect"))) {
+    return std::nullopt;
+  }
+  return Error{
+      "The kernel module gspca_kinect holds it.",
+      "If it does not open: `sudo modprobe -r gspca_kinect`; for good: `echo 'blacklist gspca_kinect' | "
+      "sudo tee /etc/modprobe.d/blacklist-gspca-kinect.conf`"};
+}
+
+CameraDiagnosis examine(const UsbDevice& device, const KnownCamera& camera, const std::filesystem::path& root,
+                        bool with_libfreenect) {
+  CameraDiagnosis diagnosis{.device = device, .camera = camera, .node = device.node("/")};
+  const auto add = [](std::vector<Error>& to, std::optional<Error> found) {
+    if (found) {
+      to.push_back(std::move(*found));
+    }
+  };
+  diagnosis.is_served = isServed(camera.driver, with_libfreenect);
+  std::optional<Error> permission = lacksPermission(device, device.node(root), diagnosis.node.string());
+  diagnosis.may_be_opened = !permission;
+  if (diagnosis.is_served) {
+    add(diagnosis.problems, std::move(permission));
+  } else {
+    diagnosis.problems.push_back(withoutDriver(camera));
+  }
+  add(diagnosis.problems, isSlow(device, camera));
+  add(diagnosis.remarks, isHeldByModule(device, camera));
+  return diagnosis;
+}
+
+}  // namespace
+
+std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root) {
+  return examineCameras(root, hasFreenect());
+}
+
+std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root, bool with_libfreenect) {
+  std::vector<CameraDiagnosis> diagnoses;
+  int kinects = 0;
+  std::vector<std::pair<UsbDevice, KnownCamera>> motors;
+  for (const UsbDevice& device : readUsbDevices(root)) {
+    const auto camera = findKnownCamera(device.vendor, device.product);
+    if (!camera || camera->part == Part::other) {
+      continue;
+    }
+    if (camera->part == Part::motor) {
+      motors.emplace_back(device, *camera);
+      continue;
+    }
+    kinects += camera->driver == CameraDriver::libfreenect ? 1 : 0;
+    diagnoses.push_back(examine(device, *camera, root, with_libfreenect));
+  }
+  if (kinects == 0) {
+    for (const auto& [device, motor] : motors) {
+      diagnoses.push_back({.device = device, .camera = motor, .node = device.node("/")});
+      diagnoses.back().problems.push_back(
+          {"A Kinect v1 is plugged in, but only its motor answers.",
+           "Connect its power supply: the camera has no power from USB. Then plug it in again."});
+    }
+  }
+  return diagnoses;
+}
+
+std::string driverName(CameraDriver driver) {
+  switch (driver) {
+    case CameraDriver::openni2:
+      return "OpenNI2";
+    case CameraDriver::libfreenect:
+      return "libfreenect";
+    case CameraDriver::none:
+      break;
+  }
+  return "none";
+}
+
+}  // namespace scantrove

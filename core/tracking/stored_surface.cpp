@@ -1,0 +1,73 @@
+#include "core/tracking/stored_surface.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace scantrove {
+namespace {
+
+constexpr float kUnit_m = 0.000125F;
+/// Neighbours farther apart in depth than this part of it are of two surfaces.
+constexpr float kJump = 0.03F;
+
+cl_float4 toFloat4(const Eigen::Vector3f& v) { return {{v.x(), v.y(), v.z(), 1}}; }
+
+}  // namespace
+
+StoredSurface::StoredSurface(const Intrinsics& K, std::span<const cl_float4> vertices_camera)
+    : K_(K), units_(cv::Mat::zeros(K.height, K.width, CV_16UC1)) {
+  for (int i = 0; i < K.pixels(); ++i) {
+    const cl_float4& vertex = vertices_camera[static_cast<std::size_t>(i)];
+    const float units = vertex.s[2] / kUnit_m + 0.5F;
+    if (vertex.s[3] > 0 && units < static_cast<float>(std::numeric_limits<std::uint16_t>::max()))
+      units_.at<std::uint16_t>(i / K.width, i % K.width) = static_cast<std::uint16_t>(units);
+  }
+}
+
+StoredSurface::Points StoredSurface::seenFrom(const Eigen::Isometry3d& T_world_camera) const {
+  const Eigen::Isometry3f T = T_world_camera.cast<float>();
+  const auto depthAt = [&](int u, int v) {
+    const bool inside = u >= 0 && u < K_.width && v >= 0 && v < K_.height;
+    return inside ? kUnit_m * static_cast<float>(units_.at<std::uint16_t>(v, u)) : 0.0F;
+  };
+  const auto vertexAt = [&](int u, int v, float z) {
+    return K_.backProject(static_cast<float>(u), static_cast<float>(v), z);
+  };
+  Points points;
+  points.vertices.resize(static_cast<std::size_t>(K_.pixels()));
+  points.normals.resize(points.vertices.size());
+  for (int v = 0; v < K_.height; ++v) {
+    for (int u = 0; u < K_.width; ++u) {
+      const float z = depthAt(u, v);
+      if (z == 0) continue;
+      const auto i =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(K_.width) + static_cast<std::size_t>(u);
+      points.vertices[i] = toFloat4(T * vertexAt(u, v, z));
+      const float left = depthAt(u - 1, v), right = depthAt(u + 1, v);
+      const float above = depthAt(u, v - 1), below = depthAt(u, v + 1);
+      const auto isNear = [z](float other) { return other > 0 && std::abs(other - z) < kJump * z; };
+      if (!isNear(left) || !isNear(right) || !isNear(above) || !isNear(below)) continue;
+      const Eigen::Vector3f across = vertexAt(u + 1, v, right) - vertexAt(u - 1, v, left);
+      const Eigen::Vector3f down = vertexAt(u, v + 1, below) - vertexAt(u, v - 1, above);
+      // x is right, y down, z forward: down x across looks back at the camera.
+      points.normals[i] = toFloat4(T.linear() * down.cross(across).normalized());
+    }
+  }
+  return points;
+}
+
+void StoredSurface::toDevice(const Eigen::Isometry3d& T_world_camera, ComputeContext& compute,
+                             SurfaceMaps& surface) const {
+  const Points points = seenFrom(T_world_camera);
+  surface.K = K_;
+  surface.T_world_camera = T_world_camera;
+  const auto send = [&](const std::vector<cl_float4>& from, Buffer<cl_float4>& to) {
+    if (to.size() != from.size()) to = Buffer<cl_float4>(compute.context(), from.size());
+    to.write(compute.queue(), from);
+  };
+  send(points.vertices, surface.vertices_world);
+  send(points.normals, surface.normals_world);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,119 @@
+#include "ui/panels/saved_scans_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QUndoStack>
+
+#include "ui/main_window/saved_scan_list.h"
+#include "ui/panels/start_page.h"
+
+namespace scantrove {
+namespace {
+
+TEST(SavedScansPanel, AClickOpensOneAndDelDeletesIt) {
+  SavedScansPanel list;
+  EXPECT_TRUE(list.isHidden()) << "there are none";
+  list.setScans({{QStringLiteral("/a"), QStringLiteral("kitchen"), QStringLiteral("5 frames"), {}},
+                 {QStringLiteral("/b"), QStringLiteral("desk"), {}, {}}});
+  EXPECT_FALSE(list.isHidden());
+  list.show();
+  list.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&list));
+  const QSignalSpy chosen(&list, &SavedScansPanel::chosen), deleted(&list, &SavedScansPanel::deleteRequested);
+  const QList<QToolButton*> cards = list.findChildren<QToolButton*>();
+  ASSERT_EQ(cards.size(), 2);
+  QTest::mouseClick(cards[0], Qt::LeftButton);
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toString(), QStringLiteral("/a"));
+  cards[1]->setFocus();
+  QTest::keyClick(cards[1], Qt::Key_Delete);
+  ASSERT_EQ(deleted.count(), 1);
+  EXPECT_EQ(deleted[0][0].toString(), QStringLiteral("/b"));
+}
+
+/// Labels that show less than their text, or more than their place.
+QStringList cutLabels(const QWidget& page) {
+  QStringList cut;
+  for (const QToolButton* card : page.findChildren<QToolButton*>(QStringLiteral("startCard"))) {
+    const QList<QLabel*> labels = card->findChildren<QLabel*>();
+    for (const QLabel* label : labels) {
+      const QRect place(label->mapTo(card, QPoint()), label->size());
+      const int needed =
+          label->hasHeightForWidth() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+      const int width = label->wordWrap() ? 0 : label->fontMetrics().horizontalAdvance(label->text());
+      if (!card->rect().contains(place) || label->height() < needed || label->width() < width)
+        cut << label->text();
+      for (const QLabel* other : labels) {
+        if (other != label && place.intersects(QRect(other->mapTo(card, QPoint()), other->size())))
+          cut << label->text() + QStringLiteral(" over ") + other->text();
+      }
+    }
+  }
+  return cut;
+}
+
+TEST(StartPage, ItsCardsCutNoText) {
+  StartPage page;
+  const QString long_title = QStringLiteral("a recording of the whole kitchen from the door to the window");
+  const QString details = QStringLiteral(
+      "29 Nov, 01:23 · in use · recovered\n1,300 frames · 112 objects · 1,099 MB\nthe large blue mug, the "
+      "red "
+      "tin, the lunch box, …");
+  page.savedScans()->setScans(
+      {{QStringLiteral("/scans/a"), long_title, details, {}},
+       {QStringLiteral("/scans/b"), QStringLiteral("demo:room:31"), details, {}},
+       {QStringLiteral("/scans/c"),
+        QStringLiteral("damaged"),
+        QStringLiteral("The file /scans/c/session.sqlite is not a database. Give another folder."),
+        {}}});
+  for (const QSize size : {QSize(1366, 660), QSize(683, 330)}) {
+    page.resize(size);
+    page.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
+    QTest::qWait(50);
+    EXPECT_EQ(cutLabels(page).join(QStringLiteral(" | ")).toStdString(), "");
+  }
+  const QString tip = page.savedScans()->findChild<QToolButton*>()->toolTip();
+  EXPECT_TRUE(tip.contains(long_title)) << "all of it is at hand";
+  EXPECT_TRUE(tip.contains(QStringLiteral("the lunch box")));
+  EXPECT_TRUE(tip.contains(QStringLiteral("/scans/a")));
+}
+
+TEST(DeleteScan, GoesToTheTrashAndComesBack) {
+  const QTemporaryDir home(QDir::homePath() + QStringLiteral("/scantrove-test-XXXXXX"));
+  const QString folder = home.filePath(QStringLiteral("scan"));
+  ASSERT_TRUE(QDir().mkpath(folder));
+  QFile file(folder + QStringLiteral("/session.sqlite"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("x");
+  file.close();
+  QString failure;
+  int steps = 0;
+  QUndoStack undo;
+  undo.push(new DeleteScan(
+      folder, [&] { ++steps; }, [&](const QString& message) { failure = message; }));
+  EXPECT_TRUE(failure.isEmpty()) << failure.toStdString();
+  EXPECT_FALSE(QDir(folder).exists());
+  undo.undo();
+  EXPECT_TRUE(QFile::exists(folder + QStringLiteral("/session.sqlite")));
+  EXPECT_EQ(steps, 2);
+}
+
+TEST(DeleteScan, WhatCannotBeDeletedIsSaidAndNoStep) {
+  QString failure;
+  QUndoStack undo;
+  undo.push(new DeleteScan(
+      QStringLiteral("/nowhere/at all"), [] {}, [&](const QString& message) { failure = message; }));
+  EXPECT_TRUE(failure.contains(QStringLiteral("/nowhere/at all")));
+  EXPECT_FALSE(undo.canUndo());
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,81 @@
+#include "core/labeling/observation_recorder.h"
+
+#include <gtest/gtest.h>
+
+namespace scantrove {
+namespace {
+
+/// Two surfaces side by side, the left one facing the origin, and a speck between them.
+struct TwoSurfaces {
+  static constexpr int kWidth = 80, kHeight = 60;
+  RegionTable table;
+  FragmentId left = table.newFragment(), right = table.newFragment(), speck = table.newFragment();
+  RegionMap map{kWidth, kHeight, std::vector<FragmentId>(kWidth* kHeight),
+                std::vector<RegionId>(kWidth* kHeight)};
+  std::vector<Eigen::Vector4f> vertices{kWidth * kHeight, Eigen::Vector4f(0, 0, 0, 0)};
+
+  TwoSurfaces() {
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const auto at = static_cast<std::size_t>(y * kWidth + x);
+        const bool is_left = x < kWidth / 2;
+        map.fragments[at] = is_left ? left : right;
+        vertices[at] = {is_left ? -1.0F : 1.0F, 0, 2, 1};
+      }
+    }
+    map.fragments[0] = map.fragments[1] = speck;
+  }
+  void record(const Eigen::Vector3d& camera) {
+    ObservationRecorder().record(map, vertices, Eigen::Isometry3d(Eigen::Translation3d(camera)), table);
+  }
+};
+
+TEST(ObservationRecorder, DirectionsGoFromTheSurfaceToTheCamera) {
+  TwoSurfaces scene;
+  scene.record({0, 0, 0});
+  EXPECT_TRUE(scene.table.seenFrom(scene.left).covers({1, 0, -2}));
+  EXPECT_TRUE(scene.table.seenFrom(scene.right).covers({-1, 0, -2}));
+  EXPECT_FALSE(scene.table.seenFrom(scene.left).covers({-1, 0, 0}));
+}
+
+TEST(ObservationRecorder, LooksAddUp) {
+  TwoSurfaces scene;
+  scene.record({0, 0, 0});
+  scene.record({4, 0, 2});
+  EXPECT_TRUE(scene.table.seenFrom(scene.left).covers({1, 0, -2}));
+  EXPECT_TRUE(scene.table.seenFrom(scene.left).covers({1, 0, 0}));
+}
+
+TEST(ObservationRecorder, AFewPixelsAreNoLook) {
+  TwoSurfaces scene;
+  scene.record({0, 0, 0});
+  EXPECT_EQ(scene.table.seenFrom(scene.speck), ViewCoverage());
+}
+
+TEST(ObservationRecorder, PixelsWithoutSurfaceAreNoLook) {
+  TwoSurfaces scene;
+  for (auto& vertex : scene.vertices) vertex.w() = 0;
+  scene.record({0, 0, 0});
+  EXPECT_EQ(scene.table.seenFrom(scene.left), ViewCoverage());
+}
+
+TEST(RegionTable, ARegionIsSeenFromWhereItsFragmentsAreAndANumberUsedAgainFromNowhere) {
+  RegionTable table;
+  const FragmentId a = table.newFragment();
+  const FragmentId b = table.newFragment();
+  table.look(a, {1, 0, 0});
+  table.look(b, {0, 0, 1});
+  ASSERT_TRUE(table.join(table.regionOf(a), table.regionOf(b)));
+  const ViewCoverage both = table.seenFrom(table.regionOf(a));
+  EXPECT_TRUE(both.covers({1, 0, 0}));
+  EXPECT_TRUE(both.covers({0, 0, 1}));
+  const FragmentId cut = table.newFragmentBeside(a);
+  EXPECT_EQ(table.seenFrom(cut), table.seenFrom(a));
+  table.free(b);
+  ASSERT_EQ(table.newFragment(), b);
+  EXPECT_EQ(table.seenFrom(b), ViewCoverage());
+  EXPECT_FALSE(table.seenFrom(table.regionOf(a)).covers({0, 0, 1}));
+}
+
+}  // namespace
+}  // namespace scantrove

@@ -1,0 +1,69 @@
+#include "core/tracking/stored_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/poses.h"
+
+namespace scantrove::test {
+namespace {
+
+const Intrinsics kCamera{131, 131, 79.5F, 59.5F, 160, 120};
+
+/// What the camera sees of the plane n . x = d (camera frame).
+std::vector<cl_float4> planeSeen(const Eigen::Vector3f& n, float d) {
+  std::vector<cl_float4> vertices(static_cast<std::size_t>(kCamera.pixels()));
+  for (int i = 0; i < kCamera.pixels(); ++i) {
+    const Eigen::Vector3f ray =
+        kCamera.backProject(static_cast<float>(i % kCamera.width), static_cast<float>(i / kCamera.width), 1);
+    const Eigen::Vector3f v = d / n.dot(ray) * ray;
+    vertices[static_cast<std::size_t>(i)] = {{v.x(), v.y(), v.z(), 1}};
+  }
+  return vertices;
+}
+
+Eigen::Vector3f xyz(const cl_float4& v) { return {v.s[0], v.s[1], v.s[2]}; }
+
+TEST(StoredSurface, APlaneComesBackWithItsNormal) {
+  const Eigen::Vector3f n = Eigen::Vector3f(0.2F, 0.3F, -1).normalized();
+  const std::vector<cl_float4> seen = planeSeen(n, -1.5F);
+  const Eigen::Isometry3d T = pose(10, 20, 30, 0.5, -0.2, 1);
+  const StoredSurface::Points points = StoredSurface(kCamera, seen).seenFrom(T);
+  const Eigen::Vector3f normal = T.linear().cast<float>() * n;
+  int normals = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    // Depth is kept to 0.0625 mm; at the image's corners a ray is 1.3 times as long.
+    EXPECT_LT((xyz(points.vertices[i]) - T.cast<float>() * xyz(seen[i])).norm(), 0.0001F);
+    if (points.normals[i].s[3] == 0) continue;
+    ++normals;
+    // Two steps of 0.0625 mm over two pixels, 23 mm apart.
+    EXPECT_GT(xyz(points.normals[i]).dot(normal), 0.9999F);
+  }
+  EXPECT_EQ(normals, 158 * 118) << "all but the image's rim";
+}
+
+TEST(StoredSurface, NoNormalWhereDepthJumpsAndNoVertexWithoutDepth) {
+  std::vector<cl_float4> seen = planeSeen({0, 0, -1}, -1);
+  const std::vector<cl_float4> behind = planeSeen({0, 0, -1}, -1.2F);
+  for (int i = 0; i < kCamera.pixels(); ++i) {
+    const auto pixel = static_cast<std::size_t>(i);
+    if (i % kCamera.width >= 80) seen[pixel] = behind[pixel];
+    if (i / kCamera.width < 10) seen[pixel] = {};
+  }
+  const StoredSurface::Points points = StoredSurface(kCamera, seen).seenFrom(Eigen::Isometry3d::Identity());
+  const auto at = [](int u, int v) { return static_cast<std::size_t>(v * kCamera.width + u); };
+  EXPECT_EQ(points.vertices[at(40, 5)].s[3], 0);
+  EXPECT_EQ(points.normals[at(79, 60)].s[3], 0);
+  EXPECT_EQ(points.normals[at(80, 60)].s[3], 0);
+  EXPECT_EQ(points.normals[at(78, 60)].s[2], -1);
+  EXPECT_EQ(points.normals[at(40, 10)].s[3], 0) << "its upper neighbour has no depth";
+}
+
+TEST(StoredSurface, WhatIsFartherThanCanBeKeptIsNotThere) {
+  const StoredSurface::Points points =
+      StoredSurface(kCamera, planeSeen({0, 0, -1}, -9)).seenFrom(Eigen::Isometry3d::Identity());
+  for (const cl_float4& vertex : points.vertices) EXPECT_EQ(vertex.s[3], 0);
+  EXPECT_TRUE(StoredSurface().empty());
+}
+
+}  // namespace
+}  // namespace scantrove::test

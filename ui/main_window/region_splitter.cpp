@@ -1,0 +1,148 @@
+#include "ui/main_window/region_splitter.h"
+
+#include <QAction>
+#include <utility>
+
+#include "ui/main_window/scene_pane.h"
+#include "ui/main_window/view_actions.h"
+#include "ui/models/region_selection.h"
+#include "ui/panels/frame_panels.h"
+#include "ui/panels/scene_overlay.h"
+
+namespace scantrove {
+namespace {
+
+/// Of neighbouring places of a stroke: what is cut takes about as much around each.
+constexpr float kPlaceStep_m = 0.01F;
+
+}  // namespace
+
+const QColor RegionSplitter::kHereColor(0xff, 0x4d, 0x6d);
+const QColor RegionSplitter::kThereColor(0x3a, 0xa0, 0xff);
+
+RegionSplitter::RegionSplitter(ScenePane& scene, FramePanels& frames, const RegionSelection& selection,
+                               QObject* parent)
+    : QObject(parent), scene_(scene), frames_(frames), selection_(selection) {
+  SceneView* const view = scene_.view();
+  connect(view, &SceneView::strokeAt, this, &RegionSplitter::addPlace);
+  connect(view, &SceneView::strokeEnded, this, &RegionSplitter::endStroke);
+  connect(view, &SceneView::strokeChanged, this,
+          [this, view] { scene_.overlay()->setStroke(view->stroke(), color()); });
+  // Not while it is being drawn.
+  connect(view, &SceneView::drawn, this, &RegionSplitter::placeMarksInScene, Qt::QueuedConnection);
+  connect(&frames_, &FramePanels::strokeAt, this, &RegionSplitter::addPlace);
+  connect(&frames_, &FramePanels::strokeEnded, this, &RegionSplitter::endStroke);
+}
+
+void RegionSplitter::begin() {
+  split_ = Operation{};
+  split_.kind = OperationKind::cut;
+  has_added_ = false;
+  strayed_ = {};
+  scene_.viewActions()->measureAction()->setChecked(false);  // clicks are ours
+  setStep(Step::here);
+}
+
+void RegionSplitter::end() {
+  if (step_ != Step::no) setStep(Step::no);
+}
+
+bool RegionSplitter::accept() {
+  if (isShown()) {
+    end();
+    return true;
+  }
+  if (expectsStroke() && !side().empty()) advance();
+  return isActive();
+}
+
+void RegionSplitter::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
+  addPlace(at);
+  endStroke(modifiers);
+}
+
+std::vector<Eigen::Vector3f>& RegionSplitter::side() {
+  return step_ == Step::here ? split_.here_world : split_.there_world;
+}
+
+void RegionSplitter::addPlace(const RegionPoint& at) {
+  if (!expectsStroke() || !at.region || !at.point_world) return;
+  if (!split_.regions.empty() && split_.regions.front() != at.region) {
+    strayed_ = at.region;
+    return;
+  }
+  if (split_.regions.empty()) emit regionChosen(at.region);
+  split_.regions = {at.region};
+  std::vector<Eigen::Vector3f>& places = side();
+  if (has_added_ && (places.back() - *at.point_world).norm() < kPlaceStep_m) return;
+  has_added_ = true;
+  places.push_back(*at.point_world);
+}
+
+void RegionSplitter::endStroke(Qt::KeyboardModifiers modifiers) {
+  if (!expectsStroke()) return;
+  const RegionId strayed = std::exchange(strayed_, RegionId{});
+  if (!std::exchange(has_added_, false)) {
+    emit failed(strayed ? tr("These are two regions already: %1 and %2. Draw on one region.")
+                              .arg(selection_.title(split_.regions.front()), selection_.title(strayed))
+                        : tr("The camera measured nothing there. Draw where a region lights up."));
+    return;
+  }
+  showMarks();
+  if (!modifiers.testFlag(Qt::ShiftModifier)) advance();
+}
+
+void RegionSplitter::advance() {
+  if (step_ == Step::here) return setStep(Step::there);
+  emit splitRequested(split_);
+  setStep(Step::shown);
+}
+
+void RegionSplitter::setStep(Step step) {
+  step_ = step;
+  QString hint;
+  if (step == Step::here) {
+    hint =
+        tr("Cut, 1 of 2: draw over the part that comes off, or click on it. Shift: more of it. Escape: no");
+  } else if (step == Step::there) {
+    hint = tr("Cut, 2 of 2: now draw over what stays, or click on it. Shift: more of it. Escape: no");
+  } else if (step == Step::shown) {
+    hint = tr("Cut. Return keeps it, Escape takes it back");
+  }
+  scene_.overlay()->setHint(hint);
+  scene_.view()->setCursor(expectsStroke() ? Qt::CrossCursor : Qt::ArrowCursor);
+  scene_.view()->setDrawsStrokes(expectsStroke());
+  frames_.setStrokeColor(expectsStroke() ? std::optional(color()) : std::nullopt);
+  if (step == Step::no) split_ = Operation{};
+  showMarks();
+  emit changed();
+}
+
+QString RegionSplitter::nextInWords() const {
+  if (step_ == Step::here) return tr("Draw over the part that comes off");
+  return step_ == Step::there ? tr("Draw over what stays") : QString();
+}
+
+void RegionSplitter::showMarks() {
+  std::vector<PlaceMarks> marks;
+  if (!split_.here_world.empty()) marks.push_back({kHereColor, split_.here_world});
+  if (!split_.there_world.empty()) marks.push_back({kThereColor, split_.there_world});
+  frames_.setMarks(std::move(marks));
+  placeMarksInScene();
+}
+
+void RegionSplitter::placeMarksInScene() {
+  std::vector<SceneOverlay::Marks> marks;
+  const auto mark = [&](const QColor& color, const std::vector<Eigen::Vector3f>& places_world) {
+    QPolygonF seen;
+    for (const Eigen::Vector3f& place : places_world) {
+      if (const std::optional<QPointF> at = scene_.view()->placeOf(place)) seen << *at;
+    }
+    if (!seen.isEmpty()) marks.push_back({color, seen});
+  };
+  mark(kHereColor, split_.here_world);
+  mark(kThereColor, split_.there_world);
+  scene_.overlay()->setMarks(std::move(marks));
+}
+
+}  // namespace scantrove

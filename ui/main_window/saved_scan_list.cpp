@@ -1,0 +1,80 @@
+#include "ui/main_window/saved_scan_list.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <cmath>
+
+#include "core/session/session_list.h"
+#include "ui/panels/start_page.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kMaxNamesInList = 3;
+
+QString detailsOf(const SessionSummary& scan) {
+  if (!scan.damage.empty())
+    return SavedScansPanel::tr("damaged") + QLatin1Char('\n') + QString::fromStdString(scan.damage);
+  QStringList words;
+  const QDateTime started =
+      QDateTime::fromString(QString::fromStdString(scan.started), Qt::ISODate).toLocalTime();
+  if (started.isValid()) words << QLocale().toString(started, QStringLiteral("d MMM, HH:mm"));
+  if (scan.in_use) words << SavedScansPanel::tr("in use");
+  if (scan.isRecovered()) words << SavedScansPanel::tr("recovered");
+  QStringList lines{words.join(QStringLiteral(" · "))};
+  words = {SavedScansPanel::tr("%1 frames").arg(scan.frames)};
+  if (scan.objects > 0) words << SavedScansPanel::tr("%1 objects").arg(scan.objects);
+  words << SavedScansPanel::tr("%1 MB").arg(std::max(1L, std::lround(scan.megabytes)));
+  QStringList names;
+  for (const std::string& name : scan.names) {
+    if (static_cast<std::size_t>(names.size()) == kMaxNamesInList) {
+      names << QStringLiteral("…");
+      break;
+    }
+    names << QString::fromStdString(name);
+  }
+  lines << words.join(QStringLiteral(" · "));
+  if (!names.isEmpty()) lines << names.join(QStringLiteral(", "));
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+std::vector<SavedScanEntry> savedScansIn(const QString& folder) {
+  std::vector<SavedScanEntry> scans;
+  for (const SessionSummary& scan : listSessions(folder.toStdString())) {
+    // One that broke off before its first frame is nothing to look at.
+    if (scan.damage.empty() && scan.frames == 0) continue;
+    const QString source = QString::fromStdString(scan.source);
+    scans.push_back({QString::fromStdString(scan.folder.string()),
+                     source.isEmpty() ? QString::fromStdString(scan.name) : sourceTitle(source),
+                     detailsOf(scan), QString::fromStdString(scan.picture.string())});
+  }
+  return scans;
+}
+
+DeleteScan::DeleteScan(const QString& folder, std::function<void()> done, Fail fail)
+    : QUndoCommand(SavedScansPanel::tr("Delete the scan %1").arg(QFileInfo(folder).fileName())),
+      folder_(folder),
+      done_(std::move(done)),
+      fail_(std::move(fail)) {}
+
+void DeleteScan::redo() {
+  if (!QFile::moveToTrash(folder_, &in_trash_)) {
+    setObsolete(true);
+    fail_(SavedScansPanel::tr("%1 cannot be moved to the trash. It is still there.").arg(folder_));
+  }
+  done_();
+}
+
+void DeleteScan::undo() {
+  if (!QDir().rename(in_trash_, folder_)) {
+    fail_(SavedScansPanel::tr("The scan cannot be taken out of the trash: it is in %1.").arg(in_trash_));
+  }
+  done_();
+}
+
+}  // namespace scantrove

@@ -1,0 +1,29 @@
+#pragma once
+#include <QString>
+#include <QUndoCommand>
+#include <functional>
+#include <vector>
+
+#include "ui/panels/saved_scans_panel.h"
+
+namespace scantrove {
+
+/// The scans in a folder of sessions, newest first, in words.
+[[nodiscard]] std::vector<SavedScanEntry> savedScansIn(const QString& folder);
+
+/// Moves a scan to the desktop's trash, and back.
+class DeleteScan : public QUndoCommand {
+ public:
+  using Fail = std::function<void(const QString& message)>;
+  /// `done` is called after each step.
+  DeleteScan(const QString& folder, std::function<void()> done, Fail fail);
+  void redo() override;
+  void undo() override;
+
+ private:
+  QString folder_, in_trash_;
+  std::function<void()> done_;
+  Fail fail_;
+};
+
+}  // namespace scantrove

@@ -1,0 +1,120 @@
+#include "ui/panels/saved_scans_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QMenu>
+#include <QShortcut>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/elided_label.h"
+#include "ui/theme/icon.h"
+
+namespace scantrove {
+namespace {
+
+constexpr std::size_t kMaxSavedScans = 8;
+constexpr int kSavedScanColumns = 2;
+const QSize kScanPicture(96, 72);
+
+QPixmap pictureOf(const QString& file) {
+  QImageReader reader(file);
+  reader.setScaledSize(reader.size().scaled(kScanPicture, Qt::KeepAspectRatioByExpanding));
+  const QImage image = file.isEmpty() ? QImage() : reader.read();
+  if (image.isNull()) return icon(QStringLiteral("clock")).pixmap(32, 32);
+  return QPixmap::fromImage(image.copy(QRect(QPoint(), kScanPicture)));
+}
+
+}  // namespace
+
+SavedScansPanel::SavedScansPanel(QWidget* parent)
+    : QWidget(parent), cards_(new QGridLayout), more_(new QLabel) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 14, 0, 0);
+  column->setSpacing(6);
+  auto* title = new QLabel(tr("Your scans"));
+  QFont bold = title->font();
+  bold.setWeight(QFont::DemiBold);
+  title->setFont(bold);
+  column->addWidget(title);
+  cards_->setSpacing(8);
+  column->addLayout(cards_);
+  more_->setProperty("muted", true);
+  column->addWidget(more_);
+  setScans({});
+}
+
+void SavedScansPanel::setScans(const std::vector<SavedScanEntry>& scans) {
+  while (QLayoutItem* item = cards_->takeAt(0)) {
+    item->widget()->deleteLater();
+    delete item;
+  }
+  const std::size_t shown = std::min(scans.size(), kMaxSavedScans);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const int place = static_cast<int>(i);
+    cards_->addWidget(makeCard(scans[i]), place / kSavedScanColumns, place % kSavedScanColumns);
+  }
+  for (int c = 0; c < kSavedScanColumns; ++c) cards_->setColumnStretch(c, 1);
+  more_->setText(tr("and %1 more: File, Open a scan").arg(scans.size() - shown));
+  more_->setVisible(scans.size() > shown);
+  setVisible(!scans.empty());
+}
+
+QWidget* SavedScansPanel::makeCard(const SavedScanEntry& scan) {
+  auto* card = new QToolButton;
+  card->setObjectName(QStringLiteral("startCard"));
+  card->setAccessibleName(scan.title);
+  card->setAccessibleDescription(scan.details);
+  // Nothing is lost where a line is too long for the card.
+  card->setToolTip(QStringLiteral("<b>%1</b><br>%2<br>%3")
+                       .arg(scan.title.toHtmlEscaped(),
+                            scan.details.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")),
+                            scan.folder.toHtmlEscaped()));
+  card->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  card->setCursor(Qt::PointingHandCursor);
+  auto* row = new QHBoxLayout(card);
+  row->setContentsMargins(8, 8, 8, 8);
+  row->setSpacing(12);
+  auto* picture = new QLabel;
+  picture->setFixedSize(kScanPicture);
+  picture->setAlignment(Qt::AlignCenter);
+  picture->setPixmap(pictureOf(scan.picture));
+  row->addWidget(picture);
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(2);
+  texts->addStretch();
+  const auto addLine = [texts](const QString& text, Qt::TextElideMode mode) {
+    auto* line = new ElidedLabel;
+    line->setElideMode(mode);
+    line->setFullText(text);
+    texts->addWidget(line);
+    return line;
+  };
+  ElidedLabel* heading = addLine(scan.title, Qt::ElideMiddle);
+  QFont bold = heading->font();
+  bold.setWeight(QFont::DemiBold);
+  heading->setFont(bold);
+  for (const QString& details : scan.details.split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+    addLine(details, Qt::ElideRight)->setProperty("muted", true);
+  texts->addStretch();
+  row->addLayout(texts, 1);
+  // As many lines as there are, in the font that there is.
+  card->setFixedHeight(std::max(kScanPicture.height() + 16, row->minimumSize().height()));
+  for (QLabel* label : card->findChildren<QLabel*>()) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  connect(card, &QToolButton::clicked, this, [this, folder = scan.folder] { emit chosen(folder); });
+  const auto remove = [this, folder = scan.folder] { emit deleteRequested(folder); };
+  // As the card's own action it would make a menu of the button.
+  auto* key = new QShortcut(QKeySequence(Qt::Key_Delete), card, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(key, &QShortcut::activated, this, remove);
+  auto* menu = new QMenu(card);
+  menu->addAction(icon(QStringLiteral("delete")), tr("&Delete (can be undone)"), this, remove);
+  card->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(card, &QWidget::customContextMenuRequested, menu,
+          [card, menu](const QPoint& place) { menu->popup(card->mapToGlobal(place)); });
+  return card;
+}
+
+}  // namespace scantrove
