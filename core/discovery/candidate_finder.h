@@ -1,26 +1,24 @@
 #pragma once
-#include <Eigen/Geometry>
+#include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/capture/intrinsics.h"
 #include "core/discovery/candidate.h"
 #include "core/discovery/discovery_params.h"
 #include "core/discovery/region_census.h"
-#include "core/labeling/region_map.h"
+#include "core/fusion/rendered_view.h"
 
 namespace scantrove {
 
 /// What discovery may look at in one frame.
 struct DiscoveryInput {
-  const RegionMap& regions;
-  std::span<const Eigen::Vector4f> vertices_world;  ///< V_t on the host; w = 0 = no surface
-  std::span<const Eigen::Vector4f> normals_world;   ///< N_t on the host, towards the camera; w = 0 = none
-  Intrinsics K;                                     ///< of these images
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  const RenderedView& view;
+  /// By pixel: those of the view, none where the frame contradicts the map.
+  std::span<const RegionId> regions = view.regions;
   /// Log-odds that two regions that touch are one thing; below 0, or they would be. Empty: no sets of
   /// regions.
   std::function<float(RegionId, RegionId)> joining_odds = {};

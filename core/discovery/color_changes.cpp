@@ -64,7 +64,7 @@ class Way {
 ColorChanges colorChangesOf(const SetPixels& pixels, const SetAxes& axes, const DiscoveryInput& input) {
   SCANTROVE_CHECK(!input.color_lab.empty());
   const Eigen::Vector2i reach_px =
-      (axes.longer() * static_cast<float>(colorReach(input.regions.width))).array().round().cast<int>();
+      (axes.longer() * static_cast<float>(colorReach(input.view.K.width))).array().round().cast<int>();
   // Near the outline there is nothing inside to compare.
   const auto contrastAt = [&](int u, int v, int du, int dv) {
     if (!pixels.contains(u + du, v + dv) || !pixels.contains(u - du, v - dv)) return 0.0F;

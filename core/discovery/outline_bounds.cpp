@@ -39,7 +39,7 @@ std::size_t sideOf(const Eigen::Vector2f& place) {
 OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes, const DiscoveryInput& input,
                               const DiscoveryParams& params) {
   const OutlineStepJudge judge(input, params);
-  const int reach_px = colorReach(input.regions.width);
+  const int reach_px = colorReach(input.view.K.width);
   const auto contrastAt = [&](int u, int v, int du, int dv) {
     if (input.color_lab.empty()) return kUsualContrast;
     const std::size_t inside = pixels.contains(u - du, v - dv) ? pixels.at(u - du, v - dv) : pixels.at(u, v);

@@ -63,10 +63,10 @@ OutlineEnd OutlineStepJudge::judgeContact(int u, int v, int du, int dv, float z)
           !isSurface(vertexAt(u + on * du, v + on * dv))))
     --on;
   const std::size_t a = at(u - back * du, v - back * dv), b = at(u + on * du, v + on * dv);
-  const Eigen::Vector4f& n_a = input_.normals_world[a];
-  const Eigen::Vector4f& n_b = input_.normals_world[b];
+  const Eigen::Vector4f& n_a = input_.view.normals_world[a];
+  const Eigen::Vector4f& n_b = input_.view.normals_world[b];
   if (!isSurface(n_a) || !isSurface(n_b)) return &OutlineSteps::unseen;
-  const Eigen::Vector3f across = (input_.vertices_world[b] - input_.vertices_world[a]).head<3>();
+  const Eigen::Vector3f across = (input_.view.vertices_world[b] - input_.view.vertices_world[a]).head<3>();
   const Eigen::Vector3f turn = (n_b - n_a).head<3>();
   const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));
   if (angle > kClearBend_rad) return across.dot(turn) > 0 ? &OutlineSteps::ridged : &OutlineSteps::folded;

@@ -32,7 +32,7 @@ class OutlineStepJudge {
  public:
   /// Both must outlive this.
   OutlineStepJudge(const DiscoveryInput& input, const DiscoveryParams& params)
-      : input_(input), params_(params), depth_(input.T_world_camera) {}
+      : input_(input), params_(params), depth_(input.view.T_world_camera) {}
 
   /// From (u, v) in direction (du, dv), where the next pixel is another region's.
   [[nodiscard]] OutlineEnd judge(int u, int v, int du, int dv) const;
@@ -40,15 +40,15 @@ class OutlineStepJudge {
  private:
   [[nodiscard]] OutlineEnd judgeContact(int u, int v, int du, int dv, float z) const;
   [[nodiscard]] bool isInside(int u, int v) const {
-    return u >= 0 && v >= 0 && u < input_.regions.width && v < input_.regions.height;
+    return u >= 0 && v >= 0 && u < input_.view.K.width && v < input_.view.K.height;
   }
   [[nodiscard]] std::size_t at(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.regions.width) +
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.view.K.width) +
            static_cast<std::size_t>(u);
   }
-  [[nodiscard]] RegionId regionAt(int u, int v) const { return input_.regions.regions[at(u, v)]; }
+  [[nodiscard]] RegionId regionAt(int u, int v) const { return input_.regions[at(u, v)]; }
   [[nodiscard]] const Eigen::Vector4f& vertexAt(int u, int v) const {
-    return input_.vertices_world[at(u, v)];
+    return input_.view.vertices_world[at(u, v)];
   }
 
   const DiscoveryInput& input_;

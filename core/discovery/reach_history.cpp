@@ -74,8 +74,8 @@ FittedSides sidesAlong(const Eigen::Matrix3f& directions, const Widths& widths) 
 class Interior {
  public:
   Interior(const DiscoveryInput& input, const cv::Rect& visible_px)
-      : visible_px_(visible_px), slack_px_m_(kSlack_m * std::max(input.K.fx, input.K.fy)) {
-    const Eigen::Matrix4f T_camera_world = input.T_world_camera.inverse().matrix().cast<float>();
+      : visible_px_(visible_px), slack_px_m_(kSlack_m * std::max(input.view.K.fx, input.view.K.fy)) {
+    const Eigen::Matrix4f T_camera_world = input.view.T_world_camera.inverse().matrix().cast<float>();
     depth_row_ = T_camera_world.row(2);
   }
   [[nodiscard]] bool holds(int u, int v, const Eigen::Vector4f& vertex) const {
@@ -123,13 +123,13 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
   const Interior interior(input, visible_px);
   RegionId last;
   Seen* of_last = nullptr;  // null: nobody wants to know
-  const int step_px = kStep_px * stepOfMeans(input.regions.width);
-  for (int v = 0; v < input.regions.height; v += step_px) {
-    for (int u = 0; u < input.regions.width; u += step_px) {
-      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.regions.width) +
+  const int step_px = kStep_px * stepOfMeans(input.view.K.width);
+  for (int v = 0; v < input.view.K.height; v += step_px) {
+    for (int u = 0; u < input.view.K.width; u += step_px) {
+      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.view.K.width) +
                          static_cast<std::size_t>(u);
-      const RegionId region = input.regions.regions[pixel];
-      if (!region || !isSurface(input.vertices_world[pixel])) continue;
+      const RegionId region = input.regions[pixel];
+      if (!region || !isSurface(input.view.vertices_world[pixel])) continue;
       if (region != last) {
         last = region;
         const auto known = reaches_.find(region);
@@ -137,8 +137,8 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
         of_last = is_requested ? &seen[region] : nullptr;
       }
       if (of_last != nullptr)
-        of_last->add(input.vertices_world[pixel].head<3>(),
-                     interior.holds(u, v, input.vertices_world[pixel]));
+        of_last->add(input.view.vertices_world[pixel].head<3>(),
+                     interior.holds(u, v, input.view.vertices_world[pixel]));
     }
   }
   for (const auto& [region, now] : seen) follow(region, now, max_size_m);

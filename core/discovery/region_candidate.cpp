@@ -11,19 +11,20 @@ namespace scantrove {
 namespace {
 
 /// Pixels of the region, 255, in an image of all.
-cv::Mat pixelsOfRegion(RegionId region, const RegionMap& map) {
-  cv::Mat pixels(map.height, map.width, CV_8UC1);
-  std::ranges::transform(map.regions, pixels.begin<unsigned char>(), [region](RegionId one) {
+cv::Mat pixelsOfRegion(RegionId region, const DiscoveryInput& input) {
+  cv::Mat pixels(input.view.K.height, input.view.K.width, CV_8UC1);
+  std::ranges::transform(input.regions, pixels.begin<unsigned char>(), [region](RegionId one) {
     return static_cast<unsigned char>(one == region ? 255 : 0);
   });
   return pixels;
 }
 
-cv::Mat maskOf(const RegionHypothesis& hypothesis, const RegionMap& map) {
+cv::Mat maskOf(const RegionHypothesis& hypothesis, const DiscoveryInput& input) {
   const cv::Rect& box = hypothesis.extent.box_px;
   cv::Mat mask(box.size(), CV_8UC1);
   for (int y = 0; y < mask.rows; ++y) {
-    const RegionId* regions = map.regions.data() + static_cast<std::ptrdiff_t>(box.y + y) * map.width + box.x;
+    const RegionId* regions =
+        input.regions.data() + static_cast<std::ptrdiff_t>(box.y + y) * input.view.K.width + box.x;
     unsigned char* out = mask.ptr(y);
     for (int x = 0; x < mask.cols; ++x) out[x] = hypothesis.regions.contains(regions[x]) ? 255 : 0;
   }
@@ -37,7 +38,7 @@ bool hasAppeared(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInp
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       if (mask.at<unsigned char>(y, x) == 0) continue;
-      const int at = (box_px.y + y) * input.regions.width + box_px.x + x;
+      const int at = (box_px.y + y) * input.view.K.width + box_px.x + x;
       ++all;
       appeared += input.appeared[static_cast<std::size_t>(at)] != 0 ? 1 : 0;
     }
@@ -48,7 +49,7 @@ bool hasAppeared(const cv::Mat& mask, const cv::Rect& box_px, const DiscoveryInp
 /// Where the box has it.
 void place(const OrientedBox& box, const DiscoveryInput& input, Candidate& candidate) {
   candidate.centroid_world = box.mean;
-  candidate.centroid_camera = (input.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
+  candidate.centroid_camera = (input.view.T_world_camera.inverse() * box.mean.cast<double>()).cast<float>();
   candidate.size_m = box.size_m;
 }
 
@@ -59,7 +60,7 @@ Candidate candidateOf(const RegionHypothesis& hypothesis, const OrientedBox& box
   Candidate candidate;
   candidate.regions = hypothesis.regions;
   candidate.box_px = hypothesis.extent.box_px;
-  candidate.mask = maskOf(hypothesis, input.regions);
+  candidate.mask = maskOf(hypothesis, input);
   dropSmallComponents(candidate.mask, candidate.box_px);
   candidate.has_appeared = hasAppeared(candidate.mask, candidate.box_px, input);
   candidate.bulge = bulgeOf(hypothesis.regions, hypothesis.extent.box_px, input);
@@ -70,7 +71,7 @@ Candidate candidateOf(const RegionHypothesis& hypothesis, const OrientedBox& box
 }
 
 std::optional<Candidate> candidateOf(RegionId region, const DiscoveryInput& input, int least_points) {
-  const cv::Mat pixels = pixelsOfRegion(region, input.regions);
+  const cv::Mat pixels = pixelsOfRegion(region, input);
   const cv::Rect box_px = cv::boundingRect(pixels);
   if (box_px.empty()) return std::nullopt;
   const std::vector<Eigen::Vector4f> points = pointsOf({region}, box_px, input);

@@ -51,16 +51,16 @@ std::vector<RegionId> RegionCensus::regionsOfSize(double least_pixels) const {
   return regions;
 }
 
-RegionCensus RegionCounter::count(const RegionMap& map) {
-  SCANTROVE_CHECK(map.regions.size() ==
-                  static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+RegionCensus RegionCounter::count(std::span<const RegionId> regions, int width) {
+  SCANTROVE_CHECK(width > 0 && regions.size() % static_cast<std::size_t>(width) == 0);
   RegionCensus census;
-  for (int v = 0; v < map.height; ++v) {
-    const RegionId* row = map.regions.data() + static_cast<std::ptrdiff_t>(v) * map.width;
-    for (int begin = 0; begin < map.width;) {
+  const auto height = static_cast<int>(regions.size() / static_cast<std::size_t>(width));
+  for (int v = 0; v < height; ++v) {
+    const RegionId* row = regions.data() + static_cast<std::ptrdiff_t>(v) * width;
+    for (int begin = 0; begin < width;) {
       const RegionId region = row[begin];
       int end = begin + 1;
-      while (end < map.width && row[end] == region) ++end;
+      while (end < width && row[end] == region) ++end;
       if (region) {
         if (region.value >= slot_of_region_.size()) {
           slot_of_region_.resize(region.value + region.value / 2 + 64, 0);

@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
 #include <opencv2/core/types.hpp>
+#include <span>
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/labeling/region_map.h"
 
 namespace scantrove {
 
@@ -35,7 +35,8 @@ struct RegionCensus {
 /// Counts regions run by run. Keeps its tables from frame to frame; cost: one read of the labels.
 class RegionCounter {
  public:
-  [[nodiscard]] RegionCensus count(const RegionMap& map);
+  /// `regions`: an image of that width, row by row.
+  [[nodiscard]] RegionCensus count(std::span<const RegionId> regions, int width);
 
  private:
   std::vector<std::uint32_t> slot_of_region_;  // 1 + index in extents; 0 = not met in this frame

@@ -21,9 +21,9 @@ constexpr float kTouchGrowsFrom_m = 1.5F;
 }  // namespace
 
 RegionColors::RegionColors(const DiscoveryInput& input)
-    : input_(input), reach_px_(std::max(1, kUsualReach_px * input.regions.width / kUsualWidth)) {
+    : input_(input), reach_px_(std::max(1, kUsualReach_px * input.view.K.width / kUsualWidth)) {
   if (input.color_lab.empty()) return;
-  const std::vector<RegionId>& regions = input.regions.regions;
+  const std::span<const RegionId> regions = input.regions;
   SCANTROVE_CHECK(input.color_lab.size() == regions.size());
   RegionId last;
   ColorHistogram* of_last = nullptr;
@@ -45,25 +45,25 @@ ColorHistogram RegionColors::colorsOf(const RegionSet& regions) const {
 }
 
 RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const cv::Rect& box_px) const {
-  const int width = input_.regions.width;
+  const int width = input_.view.K.width;
   const cv::Point reach(reach_px_, reach_px_);
   const cv::Rect around_px =
-      cv::Rect(box_px.tl() - reach, box_px.br() + reach) & cv::Rect(0, 0, width, input_.regions.height);
+      cv::Rect(box_px.tl() - reach, box_px.br() + reach) & cv::Rect(0, 0, width, input_.view.K.height);
   const auto pixelAt = [&](int x, int y) {
     return static_cast<std::size_t>(around_px.y + y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(around_px.x + x);
   };
-  const CameraDepth depth(input_.T_world_camera);
+  const CameraDepth depth(input_.view.T_world_camera);
   cv::Mat1b inside(around_px.size(), 0);
   double sum_m = 0;
   int points = 0;
   for (int y = 0; y < inside.rows; ++y) {
     for (int x = 0; x < inside.cols; ++x) {
       const std::size_t pixel = pixelAt(x, y);
-      if (!regions.contains(input_.regions.regions[pixel])) continue;
+      if (!regions.contains(input_.regions[pixel])) continue;
       inside(y, x) = 255;
-      if (!isSurface(input_.vertices_world[pixel])) continue;
-      sum_m += static_cast<double>(depth(input_.vertices_world[pixel]));
+      if (!isSurface(input_.view.vertices_world[pixel])) continue;
+      sum_m += static_cast<double>(depth(input_.view.vertices_world[pixel]));
       ++points;
     }
   }
@@ -77,8 +77,8 @@ RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const 
     for (int x = 0; x < inside.cols; ++x) {
       if (reached(y, x) == 0 || inside(y, x) != 0) continue;
       const std::size_t pixel = pixelAt(x, y);
-      if (const RegionId region = input_.regions.regions[pixel]) ++surroundings.pixels[region];
-      const Eigen::Vector4f& vertex = input_.vertices_world[pixel];
+      if (const RegionId region = input_.regions[pixel]) ++surroundings.pixels[region];
+      const Eigen::Vector4f& vertex = input_.view.vertices_world[pixel];
       if (isSurface(vertex) && std::abs(depth(vertex) - middle_m) < touches_m)
         surroundings.touching.add(input_.color_lab[pixel]);
     }

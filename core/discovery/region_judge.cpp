@@ -88,9 +88,9 @@ const RegionSamples::Shape& RegionJudge::shapeOf(const RegionSet& regions) {
 }
 
 std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input) {
-  SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
-  census_ = counter_.count(input.regions);
-  const auto scale = static_cast<float>(kUsualPixels / static_cast<double>(input.K.pixels()));
+  SCANTROVE_CHECK(input.view.vertices_world.size() == input.regions.size());
+  census_ = counter_.count(input.regions, input.view.K.width);
+  const auto scale = static_cast<float>(kUsualPixels / static_cast<double>(input.view.K.pixels()));
   const float largest_m = kLargestPart * params_.max_size_m;
   std::vector<RegionExtent> parts;
   std::ranges::copy_if(census_.extents, std::back_inserter(parts), [&](const RegionExtent& extent) {
@@ -100,7 +100,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
   });
   const RegionOutlines outlines(input, params_);
   const RegionColors colors(input);
-  const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
+  const cv::Rect visible = visibleFrame(census_, input.view.K.width, input.view.K.height, params_);
   const auto pixelsOf = [&parts](RegionId region) {
     return std::ranges::find(parts, region, &RegionExtent::region)->pixels;
   };
@@ -110,7 +110,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     float shown = 0, largest = 0;
     for (const RegionId region : hypothesis.regions) {
       const auto of_region = static_cast<float>(pixelsOf(region));
-      shown += of_region * known_.partInView(region, input.K, input.T_world_camera, visible);
+      shown += of_region * known_.partInView(region, input.view.K, input.view.T_world_camera, visible);
       largest = std::max(largest, of_region);
     }
     if (!isInView(outline) || shown < kMinShown * pixels) return std::nullopt;

@@ -17,9 +17,9 @@ void RegionOutlines::forEachBeyond(const RegionSet& regions, const Visit& visit)
 }
 
 RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParams& params) {
-  const int width = input.regions.width, height = input.regions.height;
-  SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
-  SCANTROVE_CHECK(input.normals_world.size() == input.regions.regions.size());
+  const int width = input.view.K.width, height = input.view.K.height;
+  SCANTROVE_CHECK(input.view.vertices_world.size() == input.regions.size());
+  SCANTROVE_CHECK(input.view.normals_world.size() == input.regions.size());
   const OutlineStepJudge judge(input, params);
   RegionId last;
   std::vector<Beyond>* of_last = nullptr;
@@ -32,7 +32,7 @@ RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParam
     if (beyond == outline.end()) beyond = outline.insert(outline.end(), {to, {}});
     ++(beyond->steps.*end);
   };
-  const std::vector<RegionId>& regions = input.regions.regions;
+  const std::span<const RegionId> regions = input.regions;
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
       const std::size_t here =

@@ -50,11 +50,11 @@ template <class Use>
 void forEachPixel(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use,
                   int step = 1) {
   for (int v = box.y; v < box.br().y; v += step) {
-    const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.regions.width);
+    const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.view.K.width);
     for (int u = box.x; u < box.br().x; u += step) {
       const std::size_t pixel = row + static_cast<std::size_t>(u);
-      if (!regions.contains(input.regions.regions[pixel])) continue;
-      if (isSurface(input.vertices_world[pixel])) use(pixel, cv::Point(u, v) - box.tl());
+      if (!regions.contains(input.regions[pixel])) continue;
+      if (isSurface(input.view.vertices_world[pixel])) use(pixel, cv::Point(u, v) - box.tl());
     }
   }
 }
@@ -62,33 +62,33 @@ void forEachPixel(const RegionSet& regions, const cv::Rect& box, const Discovery
 }  // namespace
 
 float visibleArea(const RegionExtent& extent, const DiscoveryInput& input) {
-  const CameraDepth depth(input.T_world_camera);
-  const int step = stepOfMeans(input.regions.width);
+  const CameraDepth depth(input.view.T_world_camera);
+  const int step = stepOfMeans(input.view.K.width);
   double sum = 0;
   const auto add = [&](std::size_t pixel, const cv::Point& /*place*/) {
-    const float z = depth(input.vertices_world[pixel]);
+    const float z = depth(input.view.vertices_world[pixel]);
     sum += static_cast<double>(z * z);
   };
   forEachPixel({extent.region}, extent.box_px, input, add, step);
   return static_cast<float>(sum * step * step /
-                            (static_cast<double>(input.K.fx) * static_cast<double>(input.K.fy)));
+                            (static_cast<double>(input.view.K.fx) * static_cast<double>(input.view.K.fy)));
 }
 
 float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input) {
-  const int step = stepOfMeans(input.regions.width);
+  const int step = stepOfMeans(input.view.K.width);
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   int points = 0;
   const auto add = [&](std::size_t pixel, const cv::Point& /*place*/) {
-    sum += input.vertices_world[pixel].head<3>();
+    sum += input.view.vertices_world[pixel].head<3>();
     ++points;
   };
   forEachPixel(regions, box_px, input, add, step);
   const Eigen::Vector3f middle = sum / static_cast<float>(std::max(points, 1));
   float outwards = 0, away = 0;
   const auto compare = [&](std::size_t pixel, const cv::Point& /*place*/) {
-    if (!isSurface(input.normals_world[pixel])) return;
-    const Eigen::Vector3f from_middle = input.vertices_world[pixel].head<3>() - middle;
-    outwards += from_middle.dot(input.normals_world[pixel].head<3>());
+    if (!isSurface(input.view.normals_world[pixel])) return;
+    const Eigen::Vector3f from_middle = input.view.vertices_world[pixel].head<3>() - middle;
+    outwards += from_middle.dot(input.view.normals_world[pixel].head<3>());
     away += from_middle.norm();
   };
   forEachPixel(regions, box_px, input, compare, step);
@@ -97,17 +97,17 @@ float bulgeOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryI
 
 std::vector<Eigen::Vector4f> pointsOf(const RegionSet& regions, const cv::Rect& box_px,
                                       const DiscoveryInput& input) {
-  const CameraDepth depth(input.T_world_camera);
+  const CameraDepth depth(input.view.T_world_camera);
   cv::Mat1f z_m(box_px.size(), 0.0F);
   cv::Mat1b mask(box_px.size(), 0);
   forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& place) {
-    z_m(place) = depth(input.vertices_world[pixel]);
+    z_m(place) = depth(input.view.vertices_world[pixel]);
     mask(place) = 255;
   });
   const cv::Mat1b body = bodyOf(mask, z_m);
   std::vector<Eigen::Vector4f> points;
   forEachPixel(regions, box_px, input, [&](std::size_t pixel, const cv::Point& place) {
-    if (body(place) != 0) points.push_back(input.vertices_world[pixel]);
+    if (body(place) != 0) points.push_back(input.view.vertices_world[pixel]);
   });
   return points;
 }

@@ -38,10 +38,10 @@ class RuleBasedFinder final : public CandidateFinder {
   void regionParted(RegionId from) override { reaches_.forget(from); }
 
   std::vector<Candidate> find(const DiscoveryInput& input) override {
-    SCANTROVE_CHECK(input.vertices_world.size() == input.regions.regions.size());
-    census_ = counter_.count(input.regions);
+    SCANTROVE_CHECK(input.view.vertices_world.size() == input.regions.size());
+    census_ = counter_.count(input.regions, input.view.K.width);
     const RegionOutlines outlines(input, params_);
-    const cv::Rect visible = visibleFrame(census_, input.regions.width, input.regions.height, params_);
+    const cv::Rect visible = visibleFrame(census_, input.view.K.width, input.view.K.height, params_);
     const std::vector<RegionHypothesis> hypotheses =
         proposeHypotheses(completeRegions(census_, visible, input), outlines, input, params_);
     rememberSizes(hypotheses);
@@ -51,8 +51,8 @@ class RuleBasedFinder final : public CandidateFinder {
     std::vector<Candidate> candidates;
     for (const RegionHypothesis& hypothesis : hypotheses) {
       const RegionExtent& extent = hypothesis.extent;
-      if (hypothesis.is_inconsistent || !hasEnoughPoints(extent, input.K, params_) ||
-          !isCentral(extent, input.K, params_) || !isNotEccentric(extent, params_))
+      if (hypothesis.is_inconsistent || !hasEnoughPoints(extent, input.view.K, params_) ||
+          !isCentral(extent, input.view.K, params_) || !isNotEccentric(extent, params_))
         continue;
       if (!sizes_.isPersistent(hypothesis.regions, params_.persistent_frames, params_.size_tolerance))
         continue;
@@ -89,7 +89,7 @@ class RuleBasedFinder final : public CandidateFinder {
     for (const RegionExtent& extent : census.extents) {
       RegionExtent enlarged = extent;
       enlarged.pixels *= kMinPartOfThing;
-      if (isOffBorder(extent, visible, params_) && hasEnoughPoints(enlarged, input.K, params_))
+      if (isOffBorder(extent, visible, params_) && hasEnoughPoints(enlarged, input.view.K, params_))
         whole.push_back(extent);
     }
     return whole;
@@ -100,7 +100,7 @@ class RuleBasedFinder final : public CandidateFinder {
                                                      const DiscoveryInput& input) const {
     std::vector<RegionExtent> cut;
     for (const RegionExtent& extent : census.extents) {
-      if (!isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.K, params_) &&
+      if (!isOffBorder(extent, visible, params_) && hasEnoughPoints(extent, input.view.K, params_) &&
           reaches_.isSeenToItsEnds(extent.region, params_.persistent_frames) &&
           reaches_.shownPart(extent.region) >= kMaxOfThing)
         cut.push_back(extent);
@@ -128,7 +128,7 @@ class RuleBasedFinder final : public CandidateFinder {
   }
 
   void look(const OutlineSteps& outline, const DiscoveryInput& input, Candidate& candidate) {
-    const Eigen::Vector3f camera_center = input.T_world_camera.translation().cast<float>();
+    const Eigen::Vector3f camera_center = input.view.T_world_camera.translation().cast<float>();
     candidate.outline = outline.own();
     candidate.hidden = outline.hiddenPart();
     observations_.add(candidate.regions,

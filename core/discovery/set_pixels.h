@@ -18,18 +18,19 @@ class SetPixels {
  public:
   /// `box_px` holds all of them. `regions` and `input` must outlive this.
   SetPixels(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input)
-      : regions_(regions), box_px_(box_px), map_(input.regions) {}
+      : regions_(regions), box_px_(box_px), input_(input) {}
 
   [[nodiscard]] bool isInside(int u, int v) const {
-    return u >= 0 && v >= 0 && u < map_.width && v < map_.height;
+    return u >= 0 && v >= 0 && u < input_.view.K.width && v < input_.view.K.height;
   }
   [[nodiscard]] std::size_t at(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(u);
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.view.K.width) +
+           static_cast<std::size_t>(u);
   }
   /// False outside of the image.
   [[nodiscard]] bool contains(int u, int v) const {
     if (!isInside(u, v)) return false;
-    const RegionId region = map_.regions[at(u, v)];
+    const RegionId region = input_.regions[at(u, v)];
     return region && regions_.contains(region);
   }
   /// Each pixel, row by row.
@@ -45,7 +46,7 @@ class SetPixels {
  private:
   const RegionSet& regions_;
   cv::Rect box_px_;
-  const RegionMap& map_;
+  const DiscoveryInput& input_;
 };
 
 /// Pixels as parts of half of what some regions measure along their longer axis (x) and across it (y), from

@@ -25,7 +25,7 @@ double pixelsOfHull(const std::vector<cv::Point>& points) {
 }  // namespace
 
 Silhouette silhouetteOf(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input) {
-  const CameraDepth depth(input.T_world_camera);
+  const CameraDepth depth(input.view.T_world_camera);
   const SetPixels pixels(regions, box_px, input);
   std::vector<cv::Point> outline;
   std::size_t count = 0;
@@ -39,8 +39,8 @@ Silhouette silhouetteOf(const RegionSet& regions, const cv::Rect& box_px, const 
       is_outline = true;
       const int beyond_u = u + kFarBeyond_px * du, beyond_v = v + kFarBeyond_px * dv;
       if (!pixels.isInside(beyond_u, beyond_v) || pixels.contains(beyond_u, beyond_v)) continue;
-      const Eigen::Vector4f &here = input.vertices_world[pixels.at(u, v)],
-                            &there = input.vertices_world[pixels.at(beyond_u, beyond_v)];
+      const Eigen::Vector4f &here = input.view.vertices_world[pixels.at(u, v)],
+                            &there = input.view.vertices_world[pixels.at(beyond_u, beyond_v)];
       if (!isSurface(here) || !isSurface(there)) continue;
       const float step_m = depth(there) - depth(here);
       if (!(step_m > kMinRelief_m)) continue;

@@ -61,7 +61,7 @@ void ColorIntegrator::integrate(BrickMap& map, const Surface& surface, const Rgb
   const Eigen::Isometry3d& T_world_camera = surface.maps.T_world_camera;
   const double voxel_size_m = map.voxelSize();
   const Eigen::Vector3i first = brickAt(T_world_camera.translation(), BRICK_SIDE * voxel_size_m);
-  listBricks(map, surface.vertices_world, K.width, first);
+  listBricks(map, surface.view, first);
   if (host_bricks_.empty()) return;
 
   const cv::Mat image = compact(frame.color);
@@ -116,8 +116,8 @@ void ColorIntegrator::rate(const BrickMap& map, const Surface& surface,
 // Which pixels are asked changes from frame to frame, so that bricks far away, which are smaller than a
 // square, have their turn too. Nothing here may depend on slots: they are others in a map with another
 // budget.
-void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vector4f> vertices_world,
-                                 int width, const Eigen::Vector3i& first) {
+void ColorIntegrator::listBricks(const BrickMap& map, const RenderedView& view,
+                                 const Eigen::Vector3i& first) {
   host_bricks_.clear();
   listed_in_.resize(static_cast<std::size_t>(map.slotEnd()), 0);
   const float voxel_m = map.voxelSize();
@@ -133,16 +133,15 @@ void ColorIntegrator::listBricks(const BrickMap& map, std::span<const Eigen::Vec
   const auto brickOf = [&](const Eigen::Vector3f& p) -> Eigen::Vector3i {
     return (p * bricks_per_meter).array().floor().cast<int>();
   };
-  const auto height = static_cast<int>(vertices_world.size()) / width;
   const unsigned choice = brick_hash(static_cast<int>(turns_.frame), 0, 0);
   const int first_u = static_cast<int>(choice % kSample_px);
   const int first_v = static_cast<int>(choice / kSample_px % kSample_px);
   Eigen::Vector3i last_low = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
   Eigen::Vector3i last_high = last_low;
-  for (int v = first_v; v < height; v += kSample_px) {
-    for (int u = first_u; u < width; u += kSample_px) {
-      const int pixel = v * width + u;
-      const Eigen::Vector4f& vertex = vertices_world[static_cast<std::size_t>(pixel)];
+  for (int v = first_v; v < view.K.height; v += kSample_px) {
+    for (int u = first_u; u < view.K.width; u += kSample_px) {
+      const int pixel = v * view.K.width + u;
+      const Eigen::Vector4f& vertex = view.vertices_world[static_cast<std::size_t>(pixel)];
       if (!(vertex.w() > 0)) continue;
       const Eigen::Vector3f reach = Eigen::Vector3f::Constant(voxel_m);
       const Eigen::Vector3i low = brickOf(vertex.head<3>() - reach);

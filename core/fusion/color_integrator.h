@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
-#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -11,6 +10,7 @@
 #include "core/fusion/brick_map.h"
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/fusion_params.h"
+#include "core/fusion/rendered_view.h"
 #include "core/fusion/surface_maps.h"
 
 namespace scantrove {
@@ -26,8 +26,8 @@ class ColorIntegrator {
 
   /// The frame's surface, after it went into the map, as its depth camera sees it.
   struct Surface {
-    const SurfaceMaps& maps;                          ///< V_t and N_t
-    std::span<const Eigen::Vector4f> vertices_world;  ///< V_t on the host
+    const SurfaceMaps& maps;       ///< V_t and N_t on the device
+    const RenderedView& view;      ///< of the maps
     const DepthPyramid& readings;  ///< of the frame; its first level is of the same pixels as V_t
     const cv::Mat& hidden;         ///< CV_8UC1 of the same pixels, not 0 = not seen by the colour camera
   };
@@ -48,8 +48,7 @@ class ColorIntegrator {
       : compute_(&compute), params_(params) {}
 
   /// Bricks within a voxel of the surface whose turn it is, into host_bricks_, counted from `first`.
-  void listBricks(const BrickMap& map, std::span<const Eigen::Vector4f> vertices_world, int width,
-                  const Eigen::Vector3i& first);
+  void listBricks(const BrickMap& map, const RenderedView& view, const Eigen::Vector3i& first);
   void rate(const BrickMap& map, const Surface& surface, const Eigen::Isometry3d& T_world_color);
   template <class T>
   void fit(Buffer<T>& buffer, std::size_t size) {

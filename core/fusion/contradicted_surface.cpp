@@ -7,9 +7,9 @@
 
 namespace scantrove {
 
-cv::Mat contradictedSurface(const DepthView& now, const Intrinsics& K,
-                            std::span<const Eigen::Vector4f> vertices_world, float depth_noise_m) {
-  SCANTROVE_CHECK(static_cast<int>(vertices_world.size()) == K.pixels());
+cv::Mat contradictedSurface(const DepthView& now, const RenderedView& view, float depth_noise_m) {
+  const Intrinsics& K = view.K;
+  SCANTROVE_CHECK(static_cast<int>(view.vertices_world.size()) == K.pixels());
   SCANTROVE_CHECK(now.z_m.type() == CV_32FC1);
   cv::Mat contradicted = cv::Mat::zeros(K.height, K.width, CV_8UC1);
   const Eigen::Matrix4f T_camera_world = now.T_world_camera.inverse().matrix().cast<float>();
@@ -26,7 +26,7 @@ cv::Mat contradictedSurface(const DepthView& now, const Intrinsics& K,
     for (int u = 0; u < K.width; ++u) {
       const auto i =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(K.width) + static_cast<std::size_t>(u);
-      const Eigen::Vector4f& vertex = vertices_world[i];
+      const Eigen::Vector4f& vertex = view.vertices_world[i];
       if (!(vertex.w() > 0)) continue;
       const float z = depth_of.dot(vertex);
       const float nearest = z - kBefore.at(z, depth_noise_m), farthest = z + kBehind.at(z, depth_noise_m);

@@ -1,37 +1,8 @@
 #include "core/fusion/known_surface.h"
 
-#include <algorithm>
 #include <opencv2/core/utility.hpp>
-#include <span>
-#include <vector>
 
 namespace scantrove {
-namespace {
-
-std::vector<Eigen::Vector4f> verticesOf(ComputeContext& compute, const SurfaceMaps& surface) {
-  std::vector<Eigen::Vector4f> vertices(surface.vertices_world.size());
-  static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
-  surface.vertices_world.read(compute.queue(),
-                              {reinterpret_cast<cl_float4*>(vertices.data()), vertices.size()});
-  return vertices;
-}
-
-}  // namespace
-
-KnownSurface::KnownSurface(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
-                           std::span<const Eigen::Vector4f> vertices_world)
-    : view_{K, T_world_camera, {}} {
-  if (vertices_world.empty()) return;
-  view_.z_m.create(K.height, K.width, CV_32FC1);
-  const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
-  std::ranges::transform(vertices_world, view_.z_m.begin<float>(), [&](const Eigen::Vector4f& v) {
-    return v.w() > 0 ? depth_row.dot(Eigen::Vector4f(v.x(), v.y(), v.z(), 1)) : 0.0F;
-  });
-}
-
-KnownSurface::KnownSurface(ComputeContext& compute, const SurfaceMaps& surface)
-    : KnownSurface(surface.K, surface.T_world_camera, verticesOf(compute, surface)) {}
-
 cv::Mat KnownSurface::consistencies(const DepthView& now, float depth_noise_m) const {
   cv::Mat consistencies(now.z_m.size(), CV_8UC1);
   const Eigen::Affine3f T((view_.T_world_camera.inverse() * now.T_world_camera).cast<float>());

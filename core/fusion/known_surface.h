@@ -1,12 +1,9 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
-#include <span>
 
-#include "core/compute/compute_context.h"
 #include "core/fusion/depth_view.h"
-#include "core/fusion/surface_maps.h"
+#include "core/fusion/rendered_view.h"
 
 namespace scantrove {
 
@@ -24,11 +21,8 @@ class KnownSurface {
  public:
   /// Nothing is known.
   KnownSurface() = default;
-  /// `vertices_world`: K.pixels(), with w = 0 where there is no surface.
-  KnownSurface(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
-               std::span<const Eigen::Vector4f> vertices_world);
-  /// Reads `surface` from the device; one without buffers shows nothing.
-  KnownSurface(ComputeContext& compute, const SurfaceMaps& surface);
+  /// What `view` shows; one without vertices shows nothing.
+  explicit KnownSurface(const RenderedView& view) : view_(view.depth()) {}
 
   /// Standing by pixel, CV_8UC1. `depth_noise_m`: FusionParams.
   [[nodiscard]] cv::Mat consistencies(const DepthView& now, float depth_noise_m) const;

@@ -43,13 +43,13 @@ struct Outline {
 /// step means is as in discovery's RegionOutlines, which knows more kinds of contact.
 class FrameOutlines {
  public:
-  FrameOutlines(const MergeInput& input, const RegionMap& map, const RegionTable& table)
-      : input_(input), map_(map), table_(table) {
-    const Eigen::Matrix4d T_camera_world = input.T_world_camera.inverse().matrix();
+  FrameOutlines(const MergeInput& input, std::span<const RegionId> regions, const RegionTable& table)
+      : input_(input), K_(input.view.K), regions_(regions), table_(table) {
+    const Eigen::Matrix4d T_camera_world = input.view.T_world_camera.inverse().matrix();
     axis_ = T_camera_world.block<1, 3>(2, 0).transpose().cast<float>();
     offset_m_ = static_cast<float>(T_camera_world(2, 3));
-    for (int y = 0; y < map.height; ++y) {
-      for (int x = 0; x < map.width; ++x) {
+    for (int y = 0; y < K_.height; ++y) {
+      for (int x = 0; x < K_.width; ++x) {
         if (isWithin(x, y)) continue;
         look(x, y, 1, 0);
         look(x, y, 0, 1);
@@ -77,9 +77,9 @@ class FrameOutlines {
     const std::size_t each = (pixels.size() + kDirections - 1) / kDirections;
     std::size_t most = 0;
     for (std::size_t i = 0; i < pixels.size(); i += each) {
-      const Eigen::Vector4f& direction = input_.normals_world[pixels[i]];
+      const Eigen::Vector4f& direction = input_.view.normals_world[pixels[i]];
       const auto same = static_cast<std::size_t>(std::ranges::count_if(pixels, [&](std::size_t pixel) {
-        return input_.normals_world[pixel].head<3>().dot(direction.head<3>()) > kSameDirection;
+        return input_.view.normals_world[pixel].head<3>().dot(direction.head<3>()) > kSameDirection;
       }));
       most = std::max(most, same);
     }
@@ -93,10 +93,10 @@ class FrameOutlines {
   };
 
   [[nodiscard]] bool isInside(int x, int y) const {
-    return x >= 0 && y >= 0 && x < map_.width && y < map_.height;
+    return x >= 0 && y >= 0 && x < K_.width && y < K_.height;
   }
   [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(K_.width) + static_cast<std::size_t>(x);
   }
   [[nodiscard]] float depthOf(const Eigen::Vector4f& vertex) const {
     return axis_.dot(vertex.head<3>()) + offset_m_;
@@ -104,12 +104,12 @@ class FrameOutlines {
 
   /// None of a pixel's neighbours is another region's.
   [[nodiscard]] bool isWithin(int x, int y) const {
-    if (x == 0 || y == 0 || x + 1 == map_.width || y + 1 == map_.height) return false;
+    if (x == 0 || y == 0 || x + 1 == K_.width || y + 1 == K_.height) return false;
     const std::size_t here = at(x, y);
-    const auto width = static_cast<std::size_t>(map_.width);
-    const RegionId region = map_.regions[here];
-    return map_.regions[here + 1] == region && map_.regions[here - 1] == region &&
-           map_.regions[here + width] == region && map_.regions[here - width] == region;
+    const auto width = static_cast<std::size_t>(K_.width);
+    const RegionId region = regions_[here];
+    return regions_[here + 1] == region && regions_[here - 1] == region && regions_[here + width] == region &&
+           regions_[here - width] == region;
   }
 
   Known& know(RegionId region) {
@@ -127,10 +127,10 @@ class FrameOutlines {
 
   void look(int x, int y, int dx, int dy) {
     const std::size_t here = at(x, y);
-    const RegionId region = map_.regions[here];
+    const RegionId region = regions_[here];
     if (!region) return;
     const bool is_cut = !isInside(x + dx, y + dy);
-    if (!is_cut && map_.regions[at(x + dx, y + dy)] == region) return;
+    if (!is_cut && regions_[at(x + dx, y + dy)] == region) return;
     Known& known = know(region);
     if (!known.is_thing) return;
     Outline& outline = known.outline;
@@ -141,9 +141,9 @@ class FrameOutlines {
       return;
     }
     const std::size_t there = at(u, v);
-    const RegionId other = map_.regions[there];
-    const Eigen::Vector4f& from = input_.vertices_world[here];
-    const Eigen::Vector4f& to = input_.vertices_world[there];
+    const RegionId other = regions_[there];
+    const Eigen::Vector4f& from = input_.view.vertices_world[here];
+    const Eigen::Vector4f& to = input_.view.vertices_world[there];
     if (other == region || !(from.w() > 0) || !(to.w() > 0)) return;
     ++outline.known;
     const float z = depthOf(from), deeper_m = depthOf(to) - z;
@@ -158,26 +158,26 @@ class FrameOutlines {
   }
 
   void collectNear(const Touch& touch, std::vector<std::size_t>& pixels) const {
-    const Eigen::Vector3f place = input_.vertices_world[touch.there].head<3>();
-    const float z = std::max(0.1F, depthOf(input_.vertices_world[touch.there]));
-    const auto reach =
-        static_cast<int>(std::min(kMaxNear_px, std::ceil(kNear_m * std::max(input_.K.fx, input_.K.fy) / z)));
-    const int x0 = static_cast<int>(touch.there) % map_.width,
-              y0 = static_cast<int>(touch.there) / map_.width;
-    for (int y = std::max(0, y0 - reach); y <= std::min(map_.height - 1, y0 + reach); ++y) {
-      for (int x = std::max(0, x0 - reach); x <= std::min(map_.width - 1, x0 + reach); ++x) {
+    const Eigen::Vector3f place = input_.view.vertices_world[touch.there].head<3>();
+    const float z = std::max(0.1F, depthOf(input_.view.vertices_world[touch.there]));
+    const auto reach = static_cast<int>(
+        std::min(kMaxNear_px, std::ceil(kNear_m * std::max(input_.view.K.fx, input_.view.K.fy) / z)));
+    const int x0 = static_cast<int>(touch.there) % K_.width, y0 = static_cast<int>(touch.there) / K_.width;
+    for (int y = std::max(0, y0 - reach); y <= std::min(K_.height - 1, y0 + reach); ++y) {
+      for (int x = std::max(0, x0 - reach); x <= std::min(K_.width - 1, x0 + reach); ++x) {
         const std::size_t pixel = at(x, y);
-        if (map_.regions[pixel] != touch.to || !(input_.vertices_world[pixel].w() > 0) ||
-            !(input_.normals_world[pixel].w() > 0))
+        if (regions_[pixel] != touch.to || !(input_.view.vertices_world[pixel].w() > 0) ||
+            !(input_.view.normals_world[pixel].w() > 0))
           continue;
-        if ((input_.vertices_world[pixel].head<3>() - place).squaredNorm() < kNear_m * kNear_m)
+        if ((input_.view.vertices_world[pixel].head<3>() - place).squaredNorm() < kNear_m * kNear_m)
           pixels.push_back(pixel);
       }
     }
   }
 
   const MergeInput& input_;
-  const RegionMap& map_;
+  const Intrinsics& K_;
+  std::span<const RegionId> regions_;
   const RegionTable& table_;
   Eigen::Vector3f axis_;
   float offset_m_ = 0;
@@ -189,9 +189,9 @@ class FrameOutlines {
 
 }  // namespace
 
-std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMap& map,
+std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMerger::Outcome& merged,
                                         const RegionTable& table) {
-  const FrameOutlines outlines(input, map, table);
+  const FrameOutlines outlines(input, merged.regions, table);
   const std::span<const Touch> touches = outlines.touches();
   std::map<std::pair<RegionId, RegionId>, Attachment> found;
   for (std::size_t first = 0, next = 0; first < touches.size(); first = next) {
@@ -209,7 +209,7 @@ std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMap
     Attachment& attachment = entry->second;
     attachment.is_attached = attachment.is_attached || *flat <= kMaxCurved;
     for (const Touch& touch : contact) {
-      std::pair<FragmentId, FragmentId> border(map.fragments[touch.here], map.fragments[touch.there]);
+      std::pair<FragmentId, FragmentId> border(merged.fragments[touch.here], merged.fragments[touch.there]);
       if (part != low) std::swap(border.first, border.second);
       if (std::ranges::find(attachment.borders, border) == attachment.borders.end())
         attachment.borders.push_back(border);

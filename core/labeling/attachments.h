@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
 
@@ -21,9 +20,11 @@ struct Attachment {
   std::vector<std::pair<FragmentId, FragmentId>> borders;  ///< of a and b, where they touch
 };
 
-/// Of regions no larger than things are, by what is seen of them in one frame: `regions` of it, vertices and
-/// normals of `input`. Where too much of an outline is hidden or cut off nothing is said. Ordered by (a, b).
-[[nodiscard]] std::vector<Attachment> findAttachments(const MergeInput& input, const RegionMap& map,
+/// Of regions no larger than things are, by what is seen of them in one frame: the labels are those of
+/// `merged`, vertices and normals those of `input`. Where too much of an outline is hidden or cut off nothing
+/// is said. Ordered by (a, b).
+[[nodiscard]] std::vector<Attachment> findAttachments(const MergeInput& input,
+                                                      const RegionMerger::Outcome& merged,
                                                       const RegionTable& table);
 
 }  // namespace scantrove

@@ -25,7 +25,7 @@ FragmentColors::FragmentColors(const MergeInput& input, std::span<const Fragment
   std::size_t place = 0;  // most pixels are of the same fragment as the one before
   FragmentId last;
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
-    if (!parts[pixel] || !(input.vertices_world[pixel].w() > 0)) continue;
+    if (!parts[pixel] || !(input.view.vertices_world[pixel].w() > 0)) continue;
     if (parts[pixel] != last) {
       last = parts[pixel];
       place = places_.try_emplace(last, sums.size()).first->second;

@@ -64,11 +64,11 @@ struct Sum {
 class StepFinder {
  public:
   StepFinder(const MergeInput& input, std::span<const FragmentId> parts)
-      : input_(input), parts_(parts), focal_px_(std::min(input.K.fx, input.K.fy)) {}
+      : input_(input), parts_(parts), focal_px_(std::min(input.view.K.fx, input.view.K.fy)) {}
 
   /// Ordered by pair.
   std::vector<Sum> find() {
-    const int last_x = input_.K.width - 1, last_y = input_.K.height - 1;
+    const int last_x = input_.view.K.width - 1, last_y = input_.view.K.height - 1;
     for (int y = 0; y <= last_y; ++y) {
       const FragmentId* row = parts_.data() + at(0, y);
       const FragmentId* below = parts_.data() + at(0, std::min(y + 1, last_y));
@@ -84,11 +84,11 @@ class StepFinder {
 
  private:
   [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(input_.K.width) +
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(input_.view.K.width) +
            static_cast<std::size_t>(x);
   }
   [[nodiscard]] bool isInside(int x, int y) const {
-    return x >= 0 && y >= 0 && x < input_.K.width && y < input_.K.height;
+    return x >= 0 && y >= 0 && x < input_.view.K.width && y < input_.view.K.height;
   }
 
   void look(int x, int y, int dx, int dy) {
@@ -104,8 +104,8 @@ class StepFinder {
 
   void cross(int x, int y, int u, int v, int dx, int dy, int length) {
     const std::size_t here = at(x, y), there = at(u, v);
-    const Eigen::Vector4f& from = input_.vertices_world[here];
-    const Eigen::Vector4f& to = input_.vertices_world[there];
+    const Eigen::Vector4f& from = input_.view.vertices_world[here];
+    const Eigen::Vector4f& to = input_.view.vertices_world[there];
     if (!(from.w() > 0) || !(to.w() > 0)) return;
     const float z = input_.segments.depths_m[here];
     const float reach_m = std::max(kDistanceFactor * z / focal_px_, kMinDistance_m);
@@ -130,10 +130,11 @@ class StepFinder {
 
   /// Along the mean of both normals.
   [[nodiscard]] float stepBetween(std::size_t here, std::size_t there) const {
-    const Eigen::Vector4f& n_a = input_.normals_world[here];
-    const Eigen::Vector4f& n_b = input_.normals_world[there];
+    const Eigen::Vector4f& n_a = input_.view.normals_world[here];
+    const Eigen::Vector4f& n_b = input_.view.normals_world[there];
     if (!(n_a.w() > 0) || !(n_b.w() > 0)) return 0;
-    const Eigen::Vector3f across = (input_.vertices_world[there] - input_.vertices_world[here]).head<3>();
+    const Eigen::Vector3f across =
+        (input_.view.vertices_world[there] - input_.view.vertices_world[here]).head<3>();
     return std::abs((n_a + n_b).head<3>().normalized().dot(across));
   }
 
@@ -147,10 +148,11 @@ class StepFinder {
   }
 
   void measureBend(std::size_t here, std::size_t there, float gap_m, Step& step) {
-    const Eigen::Vector4f& n_a = input_.normals_world[here];
-    const Eigen::Vector4f& n_b = input_.normals_world[there];
+    const Eigen::Vector4f& n_a = input_.view.normals_world[here];
+    const Eigen::Vector4f& n_b = input_.view.normals_world[there];
     if (!(n_a.w() > 0) || !(n_b.w() > 0)) return;
-    const Eigen::Vector3f across = (input_.vertices_world[there] - input_.vertices_world[here]).head<3>();
+    const Eigen::Vector3f across =
+        (input_.view.vertices_world[there] - input_.view.vertices_world[here]).head<3>();
     if (!(across.norm() < gap_m)) return;
     const Eigen::Vector3f turn = (n_b - n_a).head<3>();
     const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));

@@ -41,7 +41,7 @@ std::vector<FragmentSplitter::Split> FragmentSplitter::find(const MergeInput& in
                                                             std::span<const FragmentId> owner) {
   agePending();
   // Sides: segments that hold enough of the fragment that they belong to.
-  const float least_px = kMinSide * static_cast<float>(input.K.pixels());
+  const float least_px = kMinSide * static_cast<float>(input.view.K.pixels());
   std::vector<bool> is_side(owner.size(), false);
   std::map<FragmentId, int> sides_of;
   for (const auto& edge : overlaps.edges) {
@@ -58,15 +58,15 @@ std::vector<FragmentSplitter::Split> FragmentSplitter::find(const MergeInput& in
   for (std::size_t segment = 0; segment < owner.size(); ++segment)
     is_side[segment] = is_side[segment] && sides_of[owner[segment]] >= 2;
 
-  std::vector<FragmentId> parts(input.projected.size());
+  std::vector<FragmentId> parts(input.view.fragments.size());
   std::vector<Side> sides(owner.size());
-  const float pixel_area = 1 / (input.K.fx * input.K.fy);
+  const float pixel_area = 1 / (input.view.K.fx * input.view.K.fy);
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel) {
     const std::uint32_t segment = input.segments.ids[pixel];
-    if (!is_side[segment] || input.projected[pixel] != owner[segment]) continue;
+    if (!is_side[segment] || input.view.fragments[pixel] != owner[segment]) continue;
     parts[pixel] = FragmentId{segment};
     Side& side = sides[segment];
-    side.sum += input.vertices_world[pixel].head<3>();
+    side.sum += input.view.vertices_world[pixel].head<3>();
     side.area_m2 += pixel_area * input.segments.depths_m[pixel] * input.segments.depths_m[pixel];
     ++side.pixels;
   }

@@ -71,9 +71,9 @@ class AppearedFragments {
  public:
   explicit AppearedFragments(const MergeInput& input) {
     if (input.appeared.empty()) return;
-    for (std::size_t pixel = 0; pixel < input.projected.size(); ++pixel) {
-      if (!input.projected[pixel]) continue;
-      Pixels& pixels = of_fragment_[input.projected[pixel]];
+    for (std::size_t pixel = 0; pixel < input.view.fragments.size(); ++pixel) {
+      if (!input.view.fragments[pixel]) continue;
+      Pixels& pixels = of_fragment_[input.view.fragments[pixel]];
       ++pixels.all;
       if (input.appeared[pixel] != 0) ++pixels.of_thing[input.appeared[pixel]];
     }
@@ -141,8 +141,8 @@ SegmentOwners findOwners(const Overlaps& overlaps, float threshold) {
 void GraphMerger::look(const MergeInput& input, const Overlaps& overlaps) {
   const SegmentShares shares(overlaps);
   const AppearedFragments arrived(input);
-  const std::vector<FragmentId> parts =
-      withoutSmallPieces(input.projected, input.K.width, input.K.pixels() / kSmallPiecesInImage);
+  const std::vector<FragmentId> parts = withoutSmallPieces(input.view.fragments, input.view.K.width,
+                                                           input.view.K.pixels() / kSmallPiecesInImage);
   for (const FragmentContact& contact : findContacts(input, parts)) {
     BorderEvidence& border = graph_.between(contact.a, contact.b);
     border.add(contact, shares.shared(contact.a, contact.b));
@@ -156,14 +156,14 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
                                          const LabelingParams& params) {
   Outcome outcome;
   const SegmentMap& segments = input.segments;
-  const Overlaps overlaps = buildOverlapGraph<FragmentId>(segments, input.projected);
+  const Overlaps overlaps = buildOverlapGraph<FragmentId>(segments, input.view.fragments);
   look(input, overlaps);
   updatePartition(touched_, graph_, input.voxels, params, table, outcome.events);
   touched_.clear();
 
   SegmentOwners owners = findOwners(overlaps, params.overlap_threshold);
   const auto least_px = static_cast<int>(static_cast<float>(params.min_fragment_px) *
-                                         static_cast<float>(input.K.pixels()) / (640.0F * 480.0F));
+                                         static_cast<float>(input.view.K.pixels()) / (640.0F * 480.0F));
   for (std::size_t segment = 1; segment < owners.owner.size(); ++segment) {
     if (!owners.owner[segment] && segments.areas[segment] >= least_px) {
       owners.owner[segment] = table.newFragment();
@@ -171,32 +171,29 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
   }
   splitFragment(input, overlaps, owners.owner, table, outcome);
 
-  RegionMap& map = outcome.map;
-  map.width = segments.width;
-  map.height = segments.height;
-  map.fragments.resize(input.projected.size());
-  map.regions.resize(input.projected.size());
-  for (std::size_t first = 0, pixel = 0; first < map.fragments.size(); first = pixel) {
-    const FragmentId projected = input.projected[first];
+  const std::vector<FragmentId>& projected_in = input.view.fragments;
+  outcome.fragments.resize(projected_in.size());
+  outcome.regions.resize(projected_in.size());
+  for (std::size_t first = 0, pixel = 0; first < projected_in.size(); first = pixel) {
+    const FragmentId projected = projected_in[first];
     const std::uint32_t segment = segments.ids[first];
     FragmentId fragment = projected;
     const FragmentId owner = owners.owner[segment];
     if (owner && !owners.covers(segment, fragment)) fragment = owner;
     if (split_from_[segment] && split_from_[segment] == fragment) fragment = split_off_[segment];
     const RegionId region = table.regionOf(fragment);
-    for (; pixel < map.fragments.size() && input.projected[pixel] == projected &&
-           segments.ids[pixel] == segment;
+    for (; pixel < projected_in.size() && projected_in[pixel] == projected && segments.ids[pixel] == segment;
          ++pixel) {
-      map.fragments[pixel] = fragment;
-      map.regions[pixel] = region;
+      outcome.fragments[pixel] = fragment;
+      outcome.regions[pixel] = region;
     }
   }
-  attachParts(input, map, table);
+  attachParts(input, outcome, table);
   return outcome;
 }
 
-void GraphMerger::attachParts(const MergeInput& input, const RegionMap& map, const RegionTable& table) {
-  for (const Attachment& attachment : findAttachments(input, map, table)) {
+void GraphMerger::attachParts(const MergeInput& input, const Outcome& outcome, const RegionTable& table) {
+  for (const Attachment& attachment : findAttachments(input, outcome, table)) {
     for (const auto& [a, b] : attachment.borders) {
       // What nothing speaks for needs no denial.
       const BorderEvidence* known = graph_.find(a, b);

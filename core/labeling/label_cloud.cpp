@@ -62,7 +62,8 @@ void LabelCloud::fitFragments(std::uint32_t highest) {
   if (fragment_voxels_host_.size() < needed) fragment_voxels_host_.resize(needed, 0);
 }
 
-std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, const RegionMap& merged,
+std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface,
+                                                    std::span<const FragmentId> merged,
                                                     std::span<const FragmentId> split_off,
                                                     const LabelingParams& params, BrickMap& map) {
   const bool is_projected = projected_view_ && projected_view_->matrix() == surface.T_world_camera.matrix();
@@ -82,13 +83,14 @@ std::span<const Eigen::Vector3i> LabelCloud::update(const SurfaceMaps& surface, 
   return touched_bricks_;
 }
 
-void LabelCloud::listPixels(const RegionMap& merged, std::span<const FragmentId> split_off, bool all) {
+void LabelCloud::listPixels(std::span<const FragmentId> merged, std::span<const FragmentId> split_off,
+                            bool all) {
   ++updates_;
   pixels_host_.clear();
   new_labels_host_.clear();
   std::uint32_t highest = 0;
-  for (std::size_t pixel = 0; pixel < merged.fragments.size(); ++pixel) {
-    const std::uint32_t fragment = merged.fragments[pixel].value;
+  for (std::size_t pixel = 0; pixel < merged.size(); ++pixel) {
+    const std::uint32_t fragment = merged[pixel].value;
     const bool has_turn = all || (pixel / kTurnPixels + updates_) % kTurns == 0;
     if (fragment == 0 || (!has_turn && projected_host_[pixel] == (fragment | LABEL_SURE))) continue;
     highest = std::max(highest, fragment);

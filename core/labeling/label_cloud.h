@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "core/base/ids.h"
 #include "core/base/result.h"
 #include "core/compute/compute_context.h"
 #include "core/fusion/brick_map.h"
 #include "core/fusion/surface_maps.h"
 #include "core/labeling/kernels/label_voxel.h"
 #include "core/labeling/labeling_params.h"
-#include "core/labeling/region_map.h"
 
 namespace scantrove {
 
@@ -26,11 +26,12 @@ class LabelCloud {
   [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface, const BrickMap& bricks);
 
   /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
+  /// `merged`: the fragment of each pixel of `surface`.
   /// With `params.voxel_confidence` a voxel that holds another fragment gives way only after as many frames
   /// as it was sure of; to the fragments `carved` it gives way at once; and pixels that only confirm what is
   /// sure (project()) have their turn every fourth time. Allocates bricks where such a voxel
   /// has none. Returns the bricks that were written to.
-  std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMap& merged,
+  std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, std::span<const FragmentId> merged,
                                           std::span<const FragmentId> split_off, const LabelingParams& params,
                                           BrickMap& map);
 
@@ -66,7 +67,7 @@ class LabelCloud {
                                                          const LabelingParams& params, bool only_new,
                                                          const BrickMap& map);
   /// Fills pixels_ and new_labels_.
-  void listPixels(const RegionMap& merged, std::span<const FragmentId> split_off, bool all);
+  void listPixels(std::span<const FragmentId> merged, std::span<const FragmentId> split_off, bool all);
   void fitStamps(const BrickMap& map);
   /// Appends to `extract` the points of the bricks x, y, z, slot (of these pools), brick after brick.
   void extractListed(std::span<const cl_int4> listed, const Buffer<cl_short>& distances,

@@ -5,24 +5,24 @@
 
 namespace scantrove {
 
-void ObservationRecorder::record(const RegionMap& map, std::span<const Eigen::Vector4f> vertices_world,
-                                 const Eigen::Isometry3d& T_world_camera, RegionTable& table) {
+void ObservationRecorder::record(const RenderedView& view, RegionTable& table) {
+  const Intrinsics& K = view.K;
   constexpr int kStep = 2;  // pixels, both ways
   seen_.resize(table.regions().size());
   in_view_.clear();
-  for (int y = 0; y < map.height; y += kStep) {
-    for (int x = 0; x < map.width; x += kStep) {
+  for (int y = 0; y < K.height; y += kStep) {
+    for (int x = 0; x < K.width; x += kStep) {
       const auto at =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
-      const FragmentId fragment = map.fragments[at];
-      if (!fragment || !(vertices_world[at].w() > 0)) continue;
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(K.width) + static_cast<std::size_t>(x);
+      const FragmentId fragment = view.fragments[at];
+      if (!fragment || !(view.vertices_world[at].w() > 0)) continue;
       Seen& seen = seen_[fragment.value];
       if (seen.points++ == 0) in_view_.push_back(fragment);
-      seen.sum += vertices_world[at].head<3>();
+      seen.sum += view.vertices_world[at].head<3>();
     }
   }
-  const int least_points = std::max(map.width * map.height / kMinPart, kMinPixels) / (kStep * kStep);
-  const Eigen::Vector3f camera = T_world_camera.translation().cast<float>();
+  const int least_points = std::max(K.width * K.height / kMinPart, kMinPixels) / (kStep * kStep);
+  const Eigen::Vector3f camera = view.T_world_camera.translation().cast<float>();
   regions_.clear();
   for (const FragmentId fragment : in_view_) {
     const Seen seen = std::exchange(seen_[fragment.value], Seen{});

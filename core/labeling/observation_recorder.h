@@ -1,10 +1,9 @@
 #pragma once
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <map>
-#include <span>
 #include <vector>
 
-#include "core/labeling/region_map.h"
+#include "core/fusion/rendered_view.h"
 #include "core/labeling/region_table.h"
 
 namespace scantrove {
@@ -17,9 +16,8 @@ class ObservationRecorder {
   static constexpr int kMinPart = 1500;
   static constexpr int kMinPixels = 16;
 
-  /// `vertices_world`: V_t, as large as `map`, w = 0: no surface.
-  void record(const RegionMap& map, std::span<const Eigen::Vector4f> vertices_world,
-              const Eigen::Isometry3d& T_world_camera, RegionTable& table);
+  /// The next frame's view, with its fragments.
+  void record(const RenderedView& view, RegionTable& table);
 
  private:
   struct Seen {

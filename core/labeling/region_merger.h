@@ -1,15 +1,14 @@
 #pragma once
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/capture/intrinsics.h"
+#include "core/fusion/rendered_view.h"
 #include "core/labeling/labeling_params.h"
 #include "core/labeling/link_constraint.h"
-#include "core/labeling/region_map.h"
 #include "core/labeling/region_table.h"
 #include "core/segmentation/segment_map.h"
 
@@ -17,16 +16,12 @@ namespace scantrove {
 
 class EvidenceGraph;
 
-/// What merging looks at in one frame. All images K.width x K.height, row by row.
+/// What merging looks at in one frame. All images have the pixels of the view.
 struct MergeInput {
-  const SegmentMap& segments;                       ///< S_t
-  std::span<const FragmentId> projected;            ///< S_prj,t: what the voxels in view hold
-  std::span<const Eigen::Vector4f> vertices_world;  ///< V_t, w = 0: no surface
-  std::span<const Eigen::Vector4f> normals_world;   ///< N_t, towards the camera, w = 0: none
-  std::span<const Eigen::Vector3f> color_lab;       ///< CIE L*a*b*; empty where there is no colour
-  Intrinsics K;
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  std::span<const int> voxels;  ///< that hold each fragment, by fragment number
+  const SegmentMap& segments;                  ///< S_t
+  const RenderedView& view;                    ///< V_t, N_t, and S_prj,t as its fragments
+  std::span<const Eigen::Vector3f> color_lab;  ///< CIE L*a*b*; empty where there is no colour
+  std::span<const int> voxels;                 ///< that hold each fragment, by fragment number
   /// Which thing came into the scene with the surface of a pixel, as Arrivals has it, 0: it was there before.
   /// Empty: nothing came.
   std::span<const std::uint8_t> appeared = {};
@@ -36,7 +31,8 @@ struct MergeInput {
 class RegionMerger {
  public:
   struct Outcome {
-    RegionMap map;                       ///< S_cloud,t
+    std::vector<FragmentId> fragments;   ///< S_cloud,t: what the voxels seen in each pixel are to hold
+    std::vector<RegionId> regions;       ///< the same resolved as known at this frame
     RegionEvents events;                 ///< what this frame changed
     std::vector<FragmentId> split_off;   ///< cut out of others in this frame: take their voxels at once
     std::vector<FragmentId> split_from;  ///< of which each of these was a part until now

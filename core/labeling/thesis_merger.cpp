@@ -54,8 +54,8 @@ RegionMerger::Outcome ThesisMerger::merge(const MergeInput& input, RegionTable& 
                                           const LabelingParams& params) {
   Outcome outcome;
   const SegmentMap& segments = input.segments;
-  std::vector<RegionId> projected(input.projected.size());
-  std::ranges::transform(input.projected, projected.begin(),
+  std::vector<RegionId> projected(input.view.fragments.size());
+  std::ranges::transform(input.view.fragments, projected.begin(),
                          [&](FragmentId fragment) { return table.regionOf(fragment); });
   const RegionOverlaps graph = buildOverlapGraph<RegionId>(segments, projected);
   std::vector<FragmentId> fragment_of_patch;
@@ -76,17 +76,14 @@ RegionMerger::Outcome ThesisMerger::merge(const MergeInput& input, RegionTable& 
     if (!fragment_of_segment[segment]) fragment_of_segment[segment] = table.newFragment();
   }
 
-  RegionMap& map = outcome.map;
-  map.width = segments.width;
-  map.height = segments.height;
-  map.fragments.assign(input.projected.begin(), input.projected.end());
-  map.regions.resize(map.fragments.size());
-  for (std::size_t pixel = 0; pixel < map.fragments.size(); ++pixel) {
-    FragmentId& fragment = map.fragments[pixel];
+  outcome.fragments = input.view.fragments;
+  outcome.regions.resize(outcome.fragments.size());
+  for (std::size_t pixel = 0; pixel < outcome.fragments.size(); ++pixel) {
+    FragmentId& fragment = outcome.fragments[pixel];
     const FragmentId merged = fragment_of_segment[segments.ids[pixel]];
     // A voxel of the region keeps the fragment that it holds.
     if (merged && table.regionOf(fragment) != table.regionOf(merged)) fragment = merged;
-    map.regions[pixel] = table.regionOf(fragment);
+    outcome.regions[pixel] = table.regionOf(fragment);
   }
   return outcome;
 }

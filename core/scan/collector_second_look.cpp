@@ -39,16 +39,16 @@ class MaskOverlap {
     }
   };
 
-  MaskOverlap(const KeptView& view, const RegionMap& map) {
+  MaskOverlap(const KeptView& view, const RenderedView& now) {
     std::size_t i = 0;
-    for (int v = 0; v < map.height; ++v) {
-      for (int u = 0; u < map.width; ++u) {
+    for (int v = 0; v < now.K.height; ++v) {
+      for (int u = 0; u < now.K.width; ++u) {
         const cv::Point pixel(u, v);
         const bool is_masked =
             view.box_px.contains(pixel) && view.mask.at<unsigned char>(pixel - view.box_px.tl()) != 0;
         const Pixels here{1, is_masked ? 1.0F : 0.0F};
         mask_ += here.masked;
-        if (const RegionId region = map.regions[i++]) regions_[region] += here;
+        if (const RegionId region = now.regions[i++]) regions_[region] += here;
       }
     }
   }
@@ -252,11 +252,11 @@ bool ObjectCollector::isLastLook(const Candidate& candidate, const Look& look) c
   return whole != wholes_.end() && whole->second == look.frame.index;
 }
 
-void ObjectCollector::judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface,
-                                   float depth_noise_m) {
+void ObjectCollector::judgeViewsOf(int frame_index, const RenderedView& now, float depth_noise_m) {
+  const DepthView surface = now.depth();
   std::set<ObjectId> changed;
   for (KeptView& view : kept_views_) {
-    if (view.frame_index != frame_index || view.image_px != cv::Size(now.width, now.height)) continue;
+    if (view.frame_index != frame_index || view.image_px != cv::Size(now.K.width, now.K.height)) continue;
     if (!isOutdated(view, now)) continue;
     const bool is_doubted = successorOf(view.object) != view.object;
     if (!is_doubted && wasTakenAway(view, surface, depth_noise_m)) {
@@ -278,7 +278,7 @@ bool ObjectCollector::haveOneSuccessor(ObjectId a, ObjectId b) const {
   return root && root == catalogue_.mergeRootOf(successorOf(b));
 }
 
-bool ObjectCollector::isOutdated(const KeptView& view, const RegionMap& now) const {
+bool ObjectCollector::isOutdated(const KeptView& view, const RenderedView& now) const {
   if (isByPerson(view.object)) return false;  // it is as it was then
   const MaskOverlap overlap(view, now);
   // The largest region of the object, or all of them together: the others are parts.

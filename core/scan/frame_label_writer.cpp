@@ -97,7 +97,7 @@ Result<void> FrameLabelWriter::finish(const RenderView& look) {
     outcome.note(done);
   };
   for (const Written& frame : written_) {
-    Result<FinalView> view = look(frame.T_world_camera);
+    Result<RenderedView> view = look(frame.T_world_camera);
     wait();
     if (!view) outcome.note(fail(view.error()));
     if (!view || !written) break;
@@ -124,12 +124,13 @@ void FrameLabelWriter::discard() {
   }
 }
 
-Result<void> FrameLabelWriter::writeFinal(const Written& frame, const FinalView& view) {
+Result<void> FrameLabelWriter::writeFinal(const Written& frame, const RenderedView& view) {
   const Result<cv::Mat> depth = readLabelImage(frame.depth_file);
   if (!depth) return fail(depth.error());
   const DepthGuide guide{
       depth->cols, depth->rows, {depth->ptr<std::uint16_t>(), depth->total()}, frame.meters_per_unit};
-  const DepthUpsampler upsampler(view.depths_m, view.width, view.height, guide);
+  const cv::Mat z_m = view.depth().z_m;
+  const DepthUpsampler upsampler({z_m.ptr<float>(), z_m.total()}, view.K.width, view.K.height, guide);
   return writeLabelImage(folder_ / "labels-final" / frame.name,
                          numbers_.numbersOf(upsampler.apply(view.regions)), depth->size());
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/fusion/rendered_view.h"
 #include "core/scan/region_numbers.h"
 #include "core/segmentation/segment_map.h"
 
@@ -28,18 +29,12 @@ class FrameLabelWriter {
     cv::Mat depth;  ///< of the input: its resolution is the images'
     float meters_per_unit = 0.001F;
     SegmentMap segments;
-    std::vector<RegionId> regions;  ///< as RegionMap::regions, of the segments' size
+    std::vector<RegionId> regions;  ///< as RenderedView::regions, of the segments' size
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   };
 
   /// The finished map as seen from one place.
-  struct FinalView {
-    int width = 0;
-    int height = 0;
-    std::vector<RegionId> regions;
-    std::vector<float> depths_m;  ///< z in the camera, 0 = no surface
-  };
-  using RenderView = std::function<Result<FinalView>(const Eigen::Isometry3d& T_world_camera)>;
+  using RenderView = std::function<Result<RenderedView>(const Eigen::Isometry3d& T_world_camera)>;
 
   /// The three folders exist in `folder`; `numbers` are this writer's alone until finish() has returned.
   FrameLabelWriter(std::filesystem::path folder, RegionNumbers& numbers);
@@ -67,7 +62,7 @@ class FrameLabelWriter {
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
     float meters_per_unit = 0.001F;
   };
-  [[nodiscard]] Result<void> writeFinal(const Written& frame, const FinalView& view);
+  [[nodiscard]] Result<void> writeFinal(const Written& frame, const RenderedView& view);
   void close();
 
   std::filesystem::path folder_;

@@ -19,7 +19,7 @@
 #include "core/catalogue/stored_namings.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
-#include "core/labeling/region_map.h"
+#include "core/fusion/rendered_view.h"
 #include "core/scan/frame_objects.h"
 #include "core/scan/kept_view.h"
 #include "core/scan/met_objects.h"
@@ -151,9 +151,8 @@ class ObjectCollector {
   [[nodiscard]] std::vector<int> beginLastLooks();
   /// Views of that frame, of images as large as `now`, that show their objects otherwise than the map does
   /// now count no longer. Where most of what a view shows has been taken away since, it counts, unless the
-  /// object is there all the same. `now` and `surface`: what the map shows from there; `depth_noise_m`:
-  /// FusionParams.
-  void judgeViewsOf(int frame_index, const RegionMap& now, const DepthView& surface, float depth_noise_m);
+  /// object is there all the same. `now`: what the map shows from there; `depth_noise_m`: FusionParams.
+  void judgeViewsOf(int frame_index, const RenderedView& now, float depth_noise_m);
   /// Those views leave the catalogue, and with them the objects that they were all of.
   void endLookingAgain();
 
@@ -283,7 +282,7 @@ class ObjectCollector {
   /// `image_px`: of the image that the candidate was seen in.
   void noteKept(const ObjectView& view, const Candidate& candidate, const RgbdFrame& frame,
                 const cv::Size& image_px);
-  [[nodiscard]] bool isOutdated(const KeptView& view, const RegionMap& now) const;
+  [[nodiscard]] bool isOutdated(const KeptView& view, const RenderedView& now) const;
   /// As far as is known, the object is about as large as this look shows it.
   [[nodiscard]] bool isAlike(const ObjectRecord& known, const Candidate& candidate, const Look& look) const;
   /// No view of the object shows it about as large, from wherever.

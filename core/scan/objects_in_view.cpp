@@ -17,14 +17,14 @@ struct Sight {
 
 }  // namespace
 
-std::vector<SeenObject> objectsInView(const RegionMap& regions, const SurfaceInColor& in_color,
+std::vector<SeenObject> objectsInView(const RenderedView& view, const SurfaceInColor& in_color,
                                       const std::function<ObjectId(RegionId)>& object_of, int least_pixels) {
   std::map<RegionId, ObjectId> objects;
   std::map<ObjectId, Sight> sights;
   std::size_t pixel = 0;
-  for (int v = 0; v < regions.height; ++v) {
-    for (int u = 0; u < regions.width; ++u) {
-      const RegionId region = regions.regions[pixel++];
+  for (int v = 0; v < view.K.height; ++v) {
+    for (int u = 0; u < view.K.width; ++u) {
+      const RegionId region = view.regions[pixel++];
       if (!region || in_color.hidden.at<std::uint8_t>(v, u) != 0) continue;
       const auto [known, is_first] = objects.try_emplace(region);
       if (is_first) known->second = object_of(region);
@@ -41,7 +41,7 @@ std::vector<SeenObject> objectsInView(const RegionMap& regions, const SurfaceInC
     SeenObject one;
     one.object = object;
     one.regions = std::move(sight.regions);
-    one.box = sight.bounds.box({regions.width, regions.height});
+    one.box = sight.bounds.box({view.K.width, view.K.height});
     seen.push_back(std::move(one));
   }
   return seen;

@@ -242,10 +242,10 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
   }
   const auto view = pipeline_->renderView(saved->T_world_camera);
   if (!view) return fail(view.error());
-  const auto column = static_cast<std::size_t>(x * view->width / K.width);
-  const auto row = static_cast<std::size_t>(y * view->height / K.height);
-  const std::size_t pixel = row * static_cast<std::size_t>(view->width) + column;
-  const float z = view->depths_m[pixel];
+  const auto column = static_cast<std::size_t>(x * view->K.width / K.width);
+  const auto row = static_cast<std::size_t>(y * view->K.height / K.height);
+  const std::size_t pixel = row * static_cast<std::size_t>(view->K.width) + column;
+  const float z = view->depth().z_m.ptr<float>()[pixel];
   if (!(z > 0))
     return fail(
         called + " shows no surface of the map at " + std::to_string(x) + "," + std::to_string(y) + ".",

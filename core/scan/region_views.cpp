@@ -13,7 +13,6 @@
 #include "core/scan/candidate_crop.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/key_frame_files.h"
-#include "core/scan/map_view.h"
 #include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
@@ -51,9 +50,9 @@ Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId regio
     if (found == frames.end() || !found->second->isUsable() || key.color_file.empty()) continue;
     const Eigen::Isometry3d& T_world_camera = found->second->T_world_camera;
     if (!choice.takes(T_world_camera)) continue;
-    const Result<MapView> view = viewMap(session.pipeline(), small, T_world_camera);
+    const Result<RenderedView> view = session.pipeline().renderView(T_world_camera, small);
     if (!view) return fail(view.error());
-    const std::optional<Candidate> seen = candidateOf(region, view->input(), kMinPixels);
+    const std::optional<Candidate> seen = candidateOf(region, {*view}, kMinPixels);
     if (!seen) continue;
     const auto pixels = static_cast<float>(seen->pixels);
     showing.push_back({&key, found->second, isCutOff(seen->box_px, small) ? kCropFraction * pixels : pixels,
@@ -68,9 +67,9 @@ Result<std::optional<ObjectView>> cropFrom(OpenSession& session, const Showing& 
   const Result<RgbdFrame> frame = readKeyFrame(session.folder(), *showing.images, *showing.frame);
   if (!frame || frame->color.empty()) return std::nullopt;
   const Intrinsics& K = session.pipeline().workingIntrinsics();
-  const Result<MapView> view = viewMap(session.pipeline(), K, showing.frame->T_world_camera);
+  const Result<RenderedView> view = session.pipeline().renderView(showing.frame->T_world_camera, K);
   if (!view) return fail(view.error());
-  const std::optional<Candidate> seen = candidateOf(region, view->input(), kMinPixels);
+  const std::optional<Candidate> seen = candidateOf(region, {*view}, kMinPixels);
   if (!seen) return std::nullopt;
   const SurfaceInColor in_color =
       locateInColor(frame->color_camera, K, view->T_world_camera, view->vertices_world);

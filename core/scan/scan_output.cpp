@@ -53,7 +53,7 @@ Result<void> ScanOutput::addFrame(const RgbdFrame& frame, const FrameResult& res
     trajectory_.push_back({late.timestamp_s, late.pose.T_world_camera});
   if (!label_images_) return {};
   return label_images_->add({frame.index, frame.depth, frame.meters_per_unit, result.segments,
-                             result.regions.regions, result.pose.T_world_camera});
+                             result.view.regions, result.pose.T_world_camera});
 }
 
 Result<void> ScanOutput::writeTrajectory() {

@@ -55,21 +55,17 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
   return pipeline;
 }
 
-ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame,
-                                                const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
-                                                std::span<const Eigen::Vector4f> vertices_world) const {
+ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame, const RenderedView& view) const {
   Readings readings;
-  readings.view = {K.resizedTo(frame.depth.cols, frame.depth.rows), T_world_camera, {}};
+  readings.view = {view.K.resizedTo(frame.depth.cols, frame.depth.rows), view.T_world_camera, {}};
   frame.depth.convertTo(readings.view.z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
-  readings.contradicted = contradictedSurface(readings.view, K, vertices_world, params_.fusion.depth_noise_m);
+  readings.contradicted = contradictedSurface(readings.view, view, params_.fusion.depth_noise_m);
   return readings;
 }
 
-ScanPipeline::FrameClues ScanPipeline::cluesOf(const RgbdFrame& frame,
-                                               const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
-                                               const SurfaceInColor& in_color,
-                                               std::span<const Eigen::Vector4f> vertices_world) const {
-  return {labColors(frame, K, in_color), readingsOf(frame, T_world_camera, K, vertices_world)};
+ScanPipeline::FrameClues ScanPipeline::cluesOf(const RgbdFrame& frame, const RenderedView& view,
+                                               const SurfaceInColor& in_color) const {
+  return {labColors(frame, view.K, in_color), readingsOf(frame, view)};
 }
 
 template <class Work>
@@ -157,38 +153,36 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
   stage("segment", [&] { segmenter_->weigh(surface_, params_.segmentation); });
   std::future<SegmentMap> segments =
       std::async(std::launch::async, [this] { return segmenter_->partition(params_.segmentation); });
-  const std::vector<FragmentId> projected = stage("project", [&] {
-    readSurface(surface_, result);
-    return cloud_->project(surface_, map_->bricks());
+  stage("project", [&] {
+    result.view = readView(compute_, surface_);
+    result.view.fragments = cloud_->project(surface_, map_->bricks());
   });
   const SurfaceInColor in_color = stage("color", [&] {
-    return locateInColor(frame.color_camera, working_K_, T_world_camera, result.vertices_world);
+    return locateInColor(frame.color_camera, working_K_, T_world_camera, result.view.vertices_world);
   });
   std::future<FrameClues> looked = std::async(std::launch::async, [&] {
-    known_ = KnownSurface(working_K_, T_world_camera, result.vertices_world);
-    return cluesOf(frame, T_world_camera, working_K_, in_color, result.vertices_world);
+    known_ = KnownSurface(result.view);
+    return cluesOf(frame, result.view, in_color);
   });
   stage("color", [&] {
-    color_integrator_->integrate(map_->bricks(), {surface_, result.vertices_world, depth, in_color.hidden},
-                                 frame);
+    color_integrator_->integrate(map_->bricks(), {surface_, result.view, depth, in_color.hidden}, frame);
   });
   beginNext(next);
   result.segments = stage("segment", [&] { return segments.get(); });
   const FrameClues clues = stage("color", [&] { return looked.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
-    return merger_->merge({result.segments, projected, result.vertices_world, result.normals_world, clues.lab,
-                           working_K_, T_world_camera, cloud_->voxelsOfFragments(), appearedRegions()},
-                          table_, params_.labeling);
+    return merger_->merge(
+        {result.segments, result.view, clues.lab, cloud_->voxelsOfFragments(), appearedRegions()}, table_,
+        params_.labeling);
   });
   touched_ = stage("update", [&] { return label(surface_, merged); });
-  result.regions = std::move(merged.map);
-  stage("discover",
-        [&] { observations_.record(result.regions, result.vertices_world, T_world_camera, table_); });
+  result.view.fragments = std::move(merged.fragments);
+  result.view.regions = std::move(merged.regions);
+  stage("discover", [&] { observations_.record(result.view, table_); });
 
   tellOf(merged.events, ObjectCollector::JoinedBy::frames);
-  const std::vector<Candidate> candidates = stage("discover", [&] {
-    return findCandidates(*finder_, result, working_K_, clues, table_, appearedRegions());
-  });
+  const std::vector<Candidate> candidates = stage(
+      "discover", [&] { return findCandidates(*finder_, result.view, clues, table_, appearedRegions()); });
   if (collector_) {
     result.objects =
         stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
@@ -223,31 +217,24 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
   return late;
 }
 
-std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                    const Intrinsics& K, const FrameClues& clues,
-                                                    const RegionTable& table,
+std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const RenderedView& view,
+                                                    const FrameClues& clues, const RegionTable& table,
                                                     std::span<const std::uint8_t> appeared) {
   const auto joiningOdds = [&](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
     return merger_->joiningOdds(a, b, table, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
   };
   // What is not there, or stands behind somebody, is on the map but not in this frame's images.
-  RegionMap shown = result.regions;
-  for (std::size_t i = 0; i < shown.regions.size(); ++i) {
-    if (clues.readings.contradicted.data[i] != 0) shown.regions[i] = {};
+  std::vector<RegionId> shown = view.regions;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (clues.readings.contradicted.data[i] != 0) shown[i] = {};
   }
-  const DiscoveryInput input{shown,
-                             result.vertices_world,
-                             result.normals_world,
-                             K,
-                             clues.readings.view.T_world_camera,
-                             joiningOdds,
-                             appeared,
-                             clues.lab};
+  const DiscoveryInput input{view, shown, joiningOdds, appeared, clues.lab};
   std::vector<Candidate> candidates = finder.find(input);
   if (collector_) {
     constexpr double kMinPart = 0.0005;  // of the image: less may be a rest of something
-    collector_->setRegionsInView(finder.census().regionsOfSize(kMinPart * static_cast<double>(K.pixels())));
+    collector_->setRegionsInView(
+        finder.census().regionsOfSize(kMinPart * static_cast<double>(view.K.pixels())));
   }
   leaveOutSaid(candidates);
   addWanted(input, candidates);
@@ -282,16 +269,6 @@ std::vector<RegionChange> ScanPipeline::takeRegionChanges() {
   return changes;
 }
 
-void ScanPipeline::readSurface(const SurfaceMaps& surface, FrameResult& result) {
-  static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
-  const auto read = [&](const Buffer<cl_float4>& from, std::vector<Eigen::Vector4f>& to) {
-    to.resize(static_cast<std::size_t>(surface.K.pixels()));
-    from.read(compute_.queue(), {reinterpret_cast<cl_float4*>(to.data()), to.size()});
-  };
-  read(surface.vertices_world, result.vertices_world);
-  read(surface.normals_world, result.normals_world);
-}
-
 std::vector<Eigen::Vector3f> ScanPipeline::labColors(const RgbdFrame& frame, const Intrinsics& K,
                                                      const SurfaceInColor& in_color) const {
   if (frame.color.empty()) return {};
@@ -316,7 +293,7 @@ std::span<const Eigen::Vector3i> ScanPipeline::label(const SurfaceMaps& surface,
   for (std::size_t i = 0; i < merged.split_off.size(); ++i)
     editor_->splitOff(merged.split_off[i], merged.split_from[i]);
   const std::span<const Eigen::Vector3i> touched =
-      cloud_->update(surface, merged.map, merged.split_off, params_.labeling, map_->bricks());
+      cloud_->update(surface, merged.fragments, merged.split_off, params_.labeling, map_->bricks());
   forgetFragments();
   return touched;
 }

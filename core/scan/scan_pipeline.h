@@ -19,9 +19,9 @@
 #include "core/fusion/dense_map.h"
 #include "core/fusion/depth_preprocessor.h"
 #include "core/fusion/motion_filter.h"
+#include "core/fusion/rendered_view.h"
 #include "core/labeling/label_cloud.h"
 #include "core/labeling/observation_recorder.h"
-#include "core/labeling/region_map.h"
 #include "core/labeling/region_merger.h"
 #include "core/labeling/region_table.h"
 #include "core/meshing/mesh_extractor.h"
@@ -49,10 +49,8 @@ struct LateFrame {
 /// What one frame gave. Maps are empty when the pose was not usable.
 struct FrameResult {
   PoseEstimate pose;
-  SegmentMap segments;                          ///< S_t
-  RegionMap regions;                            ///< S_cloud,t
-  std::vector<Eigen::Vector4f> vertices_world;  ///< V_t on the host, row by row, w = 0: no surface
-  std::vector<Eigen::Vector4f> normals_world;   ///< N_t likewise
+  SegmentMap segments;  ///< S_t
+  RenderedView view;    ///< V_t, N_t and S_cloud,t
   FrameObjects objects;
   std::vector<LateFrame> late;         ///< earlier ones that were understood with this one
   bool is_tracking_key_frame = false;  ///< the camera finds its way by this frame from now on
@@ -177,8 +175,7 @@ class ScanPipeline {
   };
   /// What the map and one of the scan's frames show from there.
   struct SeenAgain {
-    Intrinsics K;  ///< of what follows
-    FrameResult result;
+    RenderedView view;
     SurfaceInColor in_color;
     FrameClues clues;
   };
@@ -215,11 +212,10 @@ class ScanPipeline {
   [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
   /// What the map shows from `T_world_camera`, with the regions as they are now. Error: the device failed.
-  [[nodiscard]] Result<FrameLabelWriter::FinalView> renderView(const Eigen::Isometry3d& T_world_camera) {
+  [[nodiscard]] Result<RenderedView> renderView(const Eigen::Isometry3d& T_world_camera) {
     return renderView(T_world_camera, working_K_);
   }
-  [[nodiscard]] Result<FrameLabelWriter::FinalView> renderView(const Eigen::Isometry3d& T_world_camera,
-                                                               const Intrinsics& K);
+  [[nodiscard]] Result<RenderedView> renderView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K);
   /// S_t of the last frame anew, by the present parameters; of a frame without a pose: empty. Of what the map
   /// shows from somewhere. Neither changes map or labels. Error: the device failed.
   [[nodiscard]] Result<SegmentMap> segmentAgain();
@@ -256,20 +252,18 @@ class ScanPipeline {
   /// What is looked at again has the pixels of its depth image, as there is time for it: at most twice those
   /// of working_K_ along each side.
   [[nodiscard]] Intrinsics closeCamera(const cv::Size& depth) const;
-  /// Leaves the surface there in `seen_again_`.
-  [[nodiscard]] RegionMap regionsSeenAgain(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera);
+  /// What the map shows there by now; `surface` takes it on the device.
+  [[nodiscard]] RenderedView render(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
+                                    SurfaceMaps& surface);
   /// Wholes that are parts of regions become regions.
   [[nodiscard]] Result<void> partWholes();
-  [[nodiscard]] Readings readingsOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
-                                    const Intrinsics& K,
-                                    std::span<const Eigen::Vector4f> vertices_world) const;
-  [[nodiscard]] FrameClues cluesOf(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera,
-                                   const Intrinsics& K, const SurfaceInColor& in_color,
-                                   std::span<const Eigen::Vector4f> vertices_world) const;
-  /// `clues`: of the frame that `result` is of, with images of `K`.
-  [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const FrameResult& result,
-                                                      const Intrinsics& K, const FrameClues& clues,
-                                                      const RegionTable& table,
+  /// `view`: what the map shows where the frame was taken.
+  [[nodiscard]] Readings readingsOf(const RgbdFrame& frame, const RenderedView& view) const;
+  [[nodiscard]] FrameClues cluesOf(const RgbdFrame& frame, const RenderedView& view,
+                                   const SurfaceInColor& in_color) const;
+  /// `clues`: of the frame that was taken where `view` is rendered.
+  [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const RenderedView& view,
+                                                      const FrameClues& clues, const RegionTable& table,
                                                       std::span<const std::uint8_t> appeared = {});
   /// Discovery and collection learn what became of regions.
   void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
@@ -287,7 +281,6 @@ class ScanPipeline {
   /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
   /// one.
   void keepKnown(const FrameObjects& objects);
-  void readSurface(const SurfaceMaps& surface, FrameResult& result);
   /// Colours of the surface in CIE L*a*b* by pixel of `K`, a little blurred.
   [[nodiscard]] std::vector<Eigen::Vector3f> labColors(const RgbdFrame& frame, const Intrinsics& K,
                                                        const SurfaceInColor& in_color) const;

@@ -30,7 +30,7 @@ bool ScanPipeline::restoreState(CameraMemory memory) {
   };
   working_K_ = memory.K;
   surface_ = {memory.K, memory.T_world_camera, sent(memory.vertices_world), sent(memory.normals_world)};
-  known_ = KnownSurface(compute_, surface_);
+  known_ = KnownSurface(readView(compute_, surface_));
   motion_->freeSpace().restoreState(std::move(memory.free_space));
   motion_->appeared_objects().restoreState(std::move(memory.appeared_objects));
   color_integrator_->restoreState(memory.color_turns);
@@ -46,14 +46,14 @@ void ScanPipeline::relocalizeNear(const RgbdFrame& frame, const Eigen::Isometry3
   const DepthPyramid& depth = preprocessor_->process(frame);
   working_K_ = depth.levels.front().K;
   map_->raycast(T_world_camera, working_K_, surface_);
-  known_ = KnownSurface(compute_, surface_);
+  known_ = KnownSurface(readView(compute_, surface_));
   tracker_->addKeyFrame(frame, depth, surface_);
 }
 
 void ScanPipeline::resumeAt(const Eigen::Isometry3d& T_world_camera) {
   if (!tracker_) return;
   map_->raycast(T_world_camera, working_K_, surface_);
-  known_ = KnownSurface(compute_, surface_);
+  known_ = KnownSurface(readView(compute_, surface_));
   followed_ = surface_;
   tracker_->resumeAt(T_world_camera);
 }

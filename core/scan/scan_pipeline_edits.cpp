@@ -3,7 +3,6 @@
 
 #include "core/compute/guarded.h"
 #include "core/discovery/region_candidate.h"
-#include "core/scan/map_view.h"
 #include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
@@ -23,7 +22,7 @@ void ScanPipeline::leaveOutSaid(std::vector<Candidate>& candidates) const {
 
 void ScanPipeline::addWanted(const DiscoveryInput& input, std::vector<Candidate>& candidates) const {
   if (!collector_) return;
-  const double scale = static_cast<double>(input.K.pixels()) / (640.0 * 480.0);
+  const double scale = static_cast<double>(input.view.K.pixels()) / (640.0 * 480.0);
   const auto least_points = static_cast<int>(params_.discovery.min_points * scale);
   for (const auto& [region, name] : collector_->requested()) {
     // What is named is the region alone; else what a person has clicked may be a part of a set.
@@ -115,10 +114,10 @@ void ScanPipeline::wantAsSaid() {
 
 Result<void> ScanPipeline::addWantedAtEnd(const std::function<void(const FrameObjects&)>& announce) {
   if (!last_seen_ || collector_->requested().empty()) return {};
-  const Result<MapView> view = viewMap(*this, working_K_, last_seen_->T_world_camera);
+  const Result<RenderedView> view = renderView(last_seen_->T_world_camera);
   if (!view) return fail(view.error());
   std::vector<Candidate> candidates;
-  addWanted(view->input(), candidates);
+  addWanted({*view}, candidates);
   const SurfaceInColor in_color =
       locateInColor(last_seen_->frame.color_camera, view->K, view->T_world_camera, view->vertices_world);
   announce(collector_->addWanted(last_seen_->frame, view->T_world_camera, in_color, candidates));

@@ -17,23 +17,10 @@ constexpr std::size_t kBricksAtATime = 1024;
 
 }  // namespace
 
-Result<FrameLabelWriter::FinalView> ScanPipeline::renderView(const Eigen::Isometry3d& T_world_camera,
-                                                             const Intrinsics& K) {
-  return guarded("looking at the map", [&]() -> Result<FrameLabelWriter::FinalView> {
-    FrameLabelWriter::FinalView view;
-    view.width = K.width;
-    view.height = K.height;
+Result<RenderedView> ScanPipeline::renderView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K) {
+  return guarded("looking at the map", [&]() -> Result<RenderedView> {
     SurfaceMaps surface;
-    map_->raycast(T_world_camera, K, surface);
-    const std::vector<FragmentId> fragments = cloud_->project(surface, map_->bricks());
-    const std::vector<cl_float4> vertices = surface.vertices_world.read(compute_.queue());
-    const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
-    for (std::size_t i = 0; i < fragments.size(); ++i) {
-      view.regions.push_back(table_.regionOf(fragments[i]));
-      const cl_float4& v = vertices[i];
-      view.depths_m.push_back(v.s[3] > 0 ? depth_row.dot(Eigen::Vector4f(v.s[0], v.s[1], v.s[2], 1)) : 0.0F);
-    }
-    return view;
+    return render(K, T_world_camera, surface);
   });
 }
 

@@ -12,18 +12,9 @@ namespace {
 /// is dropped. Of the sets between this and even odds about half are complete in random rooms.
 constexpr float kComplete = -0.2F;
 
-DepthView depthOf(const std::vector<Eigen::Vector4f>& vertices_world, const Intrinsics& K,
-                  const Eigen::Isometry3d& T_world_camera) {
-  DepthView view{K, T_world_camera, cv::Mat::zeros(K.height, K.width, CV_32FC1)};
-  const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
-  auto* z_m = view.z_m.ptr<float>();
-  for (const Eigen::Vector4f& vertex : vertices_world) *z_m++ = vertex.w() > 0 ? depth_row.dot(vertex) : 0.0F;
-  return view;
-}
-
-void setRegions(RegionMap& map, const RegionTable& table) {
-  map.regions.resize(map.fragments.size());
-  std::ranges::transform(map.fragments, map.regions.begin(),
+void setRegions(RenderedView& view, const RegionTable& table) {
+  view.regions.resize(view.fragments.size());
+  std::ranges::transform(view.fragments, view.regions.begin(),
                          [&](FragmentId fragment) { return table.regionOf(fragment); });
 }
 
@@ -49,9 +40,7 @@ Result<void> ScanPipeline::segmentCloser(const RgbdFrame& frame, const Eigen::Is
     const SeenAgain seen = seeAgain(frame, T_world_camera);
     const SegmentMap segments = segmenter_->segment(seen_again_, params_.segmentation);
     const RegionMerger::Outcome merged = merger_->merge(
-        {segments, seen.result.regions.fragments, seen.result.vertices_world, seen.result.normals_world,
-         seen.clues.lab, seen.K, T_world_camera, cloud_->voxelsOfFragments()},
-        table_, params_.labeling);
+        {segments, seen.view, seen.clues.lab, cloud_->voxelsOfFragments()}, table_, params_.labeling);
     static_cast<void>(label(seen_again_, merged));
     tellOf(merged.events, ObjectCollector::JoinedBy::frames);
     return {};
@@ -84,14 +73,13 @@ Intrinsics ScanPipeline::closeCamera(const cv::Size& depth) const {
   return working_K_.resizedTo(width, (width * working_K_.height + working_K_.width / 2) / working_K_.width);
 }
 
-RegionMap ScanPipeline::regionsSeenAgain(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
-  map_->raycast(T_world_camera, K, seen_again_);
-  RegionMap map;
-  map.width = K.width;
-  map.height = K.height;
-  map.fragments = cloud_->project(seen_again_, map_->bricks());
-  setRegions(map, table_);
-  return map;
+RenderedView ScanPipeline::render(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
+                                  SurfaceMaps& surface) {
+  map_->raycast(T_world_camera, K, surface);
+  RenderedView view = readView(compute_, surface);
+  view.fragments = cloud_->project(surface, map_->bricks());
+  setRegions(view, table_);
+  return view;
 }
 
 Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
@@ -99,10 +87,7 @@ Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
     if (!collector_) return {};
     for (const auto& [image_px, T_world_camera] : collector_->camerasOfViews(frame_index)) {
       const Intrinsics K = working_K_.resizedTo(image_px.width, image_px.height);
-      const RegionMap now = regionsSeenAgain(K, T_world_camera);
-      FrameResult result;
-      readSurface(seen_again_, result);
-      collector_->judgeViewsOf(frame_index, now, depthOf(result.vertices_world, K, T_world_camera),
+      collector_->judgeViewsOf(frame_index, render(K, T_world_camera, seen_again_),
                                params_.fusion.depth_noise_m);
     }
     return {};
@@ -112,19 +97,16 @@ Result<void> ScanPipeline::judgeViewsOf(int frame_index) {
 ScanPipeline::SeenAgain ScanPipeline::seeAgain(const RgbdFrame& frame,
                                                const Eigen::Isometry3d& T_world_camera) {
   SeenAgain seen;
-  seen.K = closeCamera(frame.depth.size());
-  seen.result.pose.T_world_camera = T_world_camera;
-  seen.result.regions = regionsSeenAgain(seen.K, T_world_camera);
-  readSurface(seen_again_, seen.result);
-  seen.in_color = locateInColor(frame.color_camera, seen.K, T_world_camera, seen.result.vertices_world);
-  seen.clues = cluesOf(frame, T_world_camera, seen.K, seen.in_color, seen.result.vertices_world);
+  seen.view = render(closeCamera(frame.depth.size()), T_world_camera, seen_again_);
+  seen.in_color = locateInColor(frame.color_camera, seen.view.K, T_world_camera, seen.view.vertices_world);
+  seen.clues = cluesOf(frame, seen.view, seen.in_color);
   return seen;
 }
 
 std::vector<Candidate> ScanPipeline::findAgain(SeenAgain& seen, CandidateSource& finder,
                                                const RegionTable& table) {
-  setRegions(seen.result.regions, table);
-  return findCandidates(finder, seen.result, seen.K, seen.clues, table);
+  setRegions(seen.view, table);
+  return findCandidates(finder, seen.view, seen.clues, table);
 }
 
 Result<void> ScanPipeline::rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
@@ -188,7 +170,9 @@ Result<FrameObjects> ScanPipeline::lookAgain(const RgbdFrame& frame,
   return guarded("looking again at frame " + std::to_string(frame.index), [&]() -> Result<FrameObjects> {
     if (!collector_ || !judge_) return FrameObjects{};
     SeenAgain seen = seeAgain(frame, T_world_camera);
-    return collector_->collect(frame, seen.result.pose, seen.in_color, findAgain(seen, *judge_, table_));
+    PoseEstimate pose;
+    pose.T_world_camera = T_world_camera;
+    return collector_->collect(frame, pose, seen.in_color, findAgain(seen, *judge_, table_));
   });
 }
 

@@ -7,6 +7,7 @@
 #include "core/capture/color_projection.h"
 #include "core/compute/guarded.h"
 #include "core/dataset/dataset_export.h"
+#include "core/fusion/rendered_view.h"
 #include "core/scan/key_frame_files.h"
 #include "core/scan/objects_in_view.h"
 #include "core/scan/scan_pipeline.h"
@@ -22,22 +23,11 @@ constexpr std::uint64_t kVersionsOfScan = std::uint64_t{1} << 40U;
 constexpr double kMinPart = 0.001;
 
 /// What a frame would have given that shows the map as it is now.
-FrameResult resultOf(const FrameLabelWriter::FinalView& view, const Intrinsics& K, const SavedFrame& frame) {
+FrameResult resultOf(RenderedView view) {
   FrameResult result;
-  result.pose.T_world_camera = frame.T_world_camera;
+  result.pose.T_world_camera = view.T_world_camera;
   result.pose.state = TrackingState::tracking;
-  result.regions.width = view.width;
-  result.regions.height = view.height;
-  result.regions.regions = view.regions;
-  const Eigen::Isometry3f T_world_camera = frame.T_world_camera.cast<float>();
-  result.vertices_world.assign(view.depths_m.size(), Eigen::Vector4f::Zero());
-  for (std::size_t i = 0; i < view.depths_m.size(); ++i) {
-    if (!(view.depths_m[i] > 0)) continue;
-    const std::size_t row = i / static_cast<std::size_t>(view.width);
-    const auto x = static_cast<float>(i % static_cast<std::size_t>(view.width));
-    const auto y = static_cast<float>(row);
-    result.vertices_world[i] << T_world_camera * K.backProject(x, y, view.depths_m[i]), 1;
-  }
+  result.view = std::move(view);
   return result;
 }
 
@@ -92,7 +82,7 @@ Result<void> ScanReview::lookAgain() {
   ScanPipeline& pipeline = session_->pipeline();
   const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(shown_)];
   const SavedFrame& saved = *session_->frameOf(key);
-  const auto view = pipeline.renderView(saved.T_world_camera);
+  Result<RenderedView> view = pipeline.renderView(saved.T_world_camera);
   if (!view) return fail(view.error());
   Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
   // Its labels can be seen without its pictures.
@@ -103,7 +93,7 @@ Result<void> ScanReview::lookAgain() {
   }
   SCANTROVE_TRY(segment());
   snapshots_.setShownKeyFrame(shown_);
-  FrameResult result = resultOf(*view, pipeline.workingIntrinsics(), saved);
+  FrameResult result = resultOf(std::move(*view));
   result.segments = segments_;
   result.objects.seen = objectsIn(result, *frame);
   snapshots_.showFrame(std::move(*frame), std::move(result));
@@ -111,12 +101,12 @@ Result<void> ScanReview::lookAgain() {
 }
 
 std::vector<SeenObject> ScanReview::objectsIn(const FrameResult& result, const RgbdFrame& frame) const {
-  const Intrinsics& K = session_->pipeline().workingIntrinsics();
+  const RenderedView& view = result.view;
   const SurfaceInColor in_color =
-      locateInColor(frame.color_camera, K, result.pose.T_world_camera, result.vertices_world);
+      locateInColor(frame.color_camera, view.K, view.T_world_camera, view.vertices_world);
   std::vector<SeenObject> seen = objectsInView(
-      result.regions, in_color, [this](RegionId region) { return session_->labelOf(region).object; },
-      static_cast<int>(kMinPart * static_cast<double>(K.pixels())));
+      view, in_color, [this](RegionId region) { return session_->labelOf(region).object; },
+      static_cast<int>(kMinPart * static_cast<double>(view.K.pixels())));
   for (SeenObject& one : seen) {
     const RegionLabel label = session_->labelOf(*one.regions.begin());
     one.name = label.name;

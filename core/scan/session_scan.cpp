@@ -101,10 +101,9 @@ Result<cv::Mat> SessionScan::depth(int index) {
 Result<ViewOfMap> SessionScan::look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
   const auto seen = session_.pipeline().renderView(T_world_camera, K);
   if (!seen) return fail(seen.error());
-  ViewOfMap view{cv::Mat(K.height, K.width, CV_32SC1), cv::Mat(K.height, K.width, CV_32FC1)};
+  ViewOfMap view{cv::Mat(K.height, K.width, CV_32SC1), seen->depth().z_m};
   std::ranges::transform(seen->regions, view.regions.begin<int>(),
                          [](RegionId region) { return static_cast<int>(region.value); });
-  std::ranges::copy(seen->depths_m, view.depth_m.begin<float>());
   return view;
 }
 

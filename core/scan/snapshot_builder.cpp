@@ -37,22 +37,11 @@ cv::Mat rawDepth(const RgbdFrame& frame, const Intrinsics& K) {
   return small;
 }
 
-/// Camera depth of V_t, CV_32FC1 metres, 0 = no surface.
-cv::Mat fusedDepth(const FrameResult& result, const Intrinsics& K) {
-  if (result.vertices_world.empty()) return {};
-  const Eigen::Matrix<float, 3, 4> T_camera_world =
-      result.pose.T_world_camera.inverse().matrix().topRows<3>().cast<float>();
-  cv::Mat depth(K.height, K.width, CV_32FC1);
-  std::transform(result.vertices_world.begin(), result.vertices_world.end(), depth.begin<float>(),
-                 [&](const Eigen::Vector4f& v) { return v.w() > 0 ? T_camera_world.row(2).dot(v) : 0.0F; });
-  return depth;
-}
-
 /// Different regions in the image.
-int countRegions(const RegionMap& map) {
+int countRegions(const RenderedView& view) {
   std::unordered_set<RegionId> in_view;
   RegionId last;
-  for (const RegionId region : map.regions) {
+  for (const RegionId region : view.regions) {
     if (region != last && region) in_view.insert(region);
     last = region;
   }
@@ -151,7 +140,7 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   snapshot->fps = fps_;
   snapshot->map_bricks = pipeline.bricks().brickCount();
   snapshot->map_megabytes = static_cast<double>(pipeline.deviceBytes()) / (1 << 20);
-  snapshot->region_count = countRegions(result_.regions);
+  snapshot->region_count = countRegions(result_.view);
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));
   return {};
@@ -163,9 +152,9 @@ void SnapshotBuilder::addPictures(const ScanPipeline& pipeline, ScanSnapshot& sn
   const bool may_continue = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
   if (may_continue && !result_.pose.usable()) snapshot.last_seen = last_seen_;
   snapshot.depth_raw_m = rawDepth(frame_, snapshot.K);
-  snapshot.depth_fused_m = fusedDepth(result_, snapshot.K);
+  snapshot.depth_fused_m = result_.view.depth().z_m;
   snapshot.segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
-  snapshot.regions = idImage(result_.regions.regions, result_.regions.width, result_.regions.height);
+  snapshot.regions = idImage(result_.view.regions, result_.view.K.width, result_.view.K.height);
   snapshot.objects = result_.objects.seen;
   if (const ObjectCollector* collector = pipeline.collector()) {
     for (SeenObject& seen : snapshot.objects) collector->describeObject(seen);
@@ -173,10 +162,10 @@ void SnapshotBuilder::addPictures(const ScanPipeline& pipeline, ScanSnapshot& sn
 }
 
 void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
-  if (frame_.color_camera && !result_.vertices_world.empty()) {
-    snapshot.color_places =
-        locateInColor(frame_.color_camera, snapshot.K, result_.pose.T_world_camera, result_.vertices_world)
-            .places;
+  if (frame_.color_camera && !result_.view.vertices_world.empty()) {
+    snapshot.color_places = locateInColor(frame_.color_camera, result_.view.K, result_.view.T_world_camera,
+                                          result_.view.vertices_world)
+                                .places;
   }
   struct Whole {
     std::int64_t voxels = 0;

@@ -95,15 +95,15 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
                            const Options& options, ComputeContext& compute) {
   std::vector<SegmentationMetrics> single, merged;
   SceneScore score;
-  const auto scan =
-      scanScene(recording, params, options.scenes, compute,
-                [&](const ScanPipeline& pipeline, const RgbdFrame& frame, const FrameResult& result,
-                    const cv::Mat& truth) {
-                  const LabelImages images(result.segments, frame);
-                  single.push_back(evaluateSegmentation(images.of(result.segments.ids), truth));
-                  merged.push_back(evaluateSegmentation(images.of(result.regions.regions), truth));
-                  score.losses += countSmallLosses(result, truthIn(truth, pipeline.workingIntrinsics()));
-                });
+  const auto scan = scanScene(recording, params, options.scenes, compute,
+                              [&](const ScanPipeline& pipeline, const RgbdFrame& frame,
+                                  const FrameResult& result, const cv::Mat& truth) {
+                                const LabelImages images(result.segments, frame);
+                                single.push_back(evaluateSegmentation(images.of(result.segments.ids), truth));
+                                merged.push_back(evaluateSegmentation(images.of(result.view.regions), truth));
+                                score.losses +=
+                                    countSmallLosses(result, truthIn(truth, pipeline.workingIntrinsics()));
+                              });
   if (!scan) return fail(scan.error());
   score.single = averaged(single);
   score.merged = averaged(merged);

@@ -38,8 +38,8 @@ inline SmallLosses countSmallLosses(const FrameResult& frame, const cv::Mat& tru
   Counts segments, regions, fragments;
   for (std::size_t i = 0; i < frame.segments.ids.size(); ++i) {
     const auto instance = static_cast<std::uint32_t>(truth.ptr<std::uint16_t>()[i]);
-    const std::uint32_t segment = frame.segments.ids[i], region = frame.regions.regions[i].value,
-                        fragment = frame.regions.fragments[i].value;
+    const std::uint32_t segment = frame.segments.ids[i], region = frame.view.regions[i].value,
+                        fragment = frame.view.fragments[i].value;
     if (instance != 0) {
       Thing& thing = things[instance];
       ++thing.area;

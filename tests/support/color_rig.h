@@ -48,7 +48,7 @@ struct ColorShot {
   RgbdFrame frame;
   DepthPyramid depth;
   SurfaceMaps surface;
-  std::vector<Eigen::Vector4f> vertices_world;
+  RenderedView view;
   cv::Mat hidden;
 };
 
@@ -90,19 +90,17 @@ class ColorRig {
     shot.frame.color_camera = camera;
     shot.frame.color = scene.photograph(seen_by.K, T_world_color);
     shot.hidden = cv::Mat::zeros(K.height, K.width, CV_8UC1);
-    for (const cl_float4& v : shot.surface.vertices_world.read(compute_.queue())) {
-      const auto pixel = static_cast<int>(shot.vertices_world.size());
-      shot.vertices_world.emplace_back(v.s[0], v.s[1], v.s[2], v.s[3]);
-      const Eigen::Vector3d p = shot.vertices_world.back().head<3>().cast<double>();
-      if (v.s[3] > 0 && camera && scene.isHidden(p, T_world_color.translation()))
+    shot.view = readView(compute_, shot.surface);
+    for (std::size_t pixel = 0; pixel < shot.view.vertices_world.size(); ++pixel) {
+      const Eigen::Vector4f& v = shot.view.vertices_world[pixel];
+      if (v.w() > 0 && camera && scene.isHidden(v.head<3>().cast<double>(), T_world_color.translation()))
         shot.hidden.ptr<uchar>()[pixel] = 255;
     }
     return shot;
   }
 
   void paint(const ColorShot& shot) {
-    integrator_->integrate(map_->bricks(), {shot.surface, shot.vertices_world, shot.depth, shot.hidden},
-                           shot.frame);
+    integrator_->integrate(map_->bricks(), {shot.surface, shot.view, shot.depth, shot.hidden}, shot.frame);
   }
 
   void show(const PaintedScene& scene, const Intrinsics& K, const Eigen::Isometry3d& T,

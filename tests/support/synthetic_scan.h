@@ -50,7 +50,7 @@ class SyntheticScan {
       frame.true_pose = *read.frame.T_world_camera;
       const Intrinsics& K = pipeline_->workingIntrinsics();
       frame.segments = image(result->segments.ids, K);
-      frame.regions = image(result->regions.regions, K);
+      frame.regions = image(result->view.regions, K);
       cv::resize(read.frame.instances, frame.instances, {K.width, K.height}, 0, 0, cv::INTER_NEAREST);
       frame.instances.convertTo(frame.instances, CV_32S);
       frames.push_back(std::move(frame));
@@ -72,10 +72,10 @@ class SyntheticScan {
     const auto view = pipeline_->renderView(frame.pose.T_world_camera);
     EXPECT_TRUE(view) << view.error().message();
     std::vector<std::uint16_t> depth_mm;
-    for (const float z : view->depths_m)
-      depth_mm.push_back(static_cast<std::uint16_t>(std::lround(1000 * z)));
-    const DepthUpsampler upsampler(view->depths_m, view->width, view->height,
-                                   {view->width, view->height, depth_mm, 0.001F});
+    const cv::Mat1f z_m = view->depth().z_m;
+    for (const float z : z_m) depth_mm.push_back(static_cast<std::uint16_t>(std::lround(1000 * z)));
+    const DepthUpsampler upsampler({z_m.ptr<float>(), z_m.total()}, view->K.width, view->K.height,
+                                   {view->K.width, view->K.height, depth_mm, 0.001F});
     return image(upsampler.apply(view->regions), pipeline_->workingIntrinsics());
   }
 

@@ -34,7 +34,7 @@ class TrackingRig {
     const PoseEstimate pose = timer_.time("track", [&] { return tracker_->track(frame, depth, followed_); });
     timer_.endFrame();
     if (!pose.usable()) return pose;
-    map_->integrate(motion_->still(depth, pose.T_world_camera, KnownSurface(compute_, model_)),
+    map_->integrate(motion_->still(depth, pose.T_world_camera, KnownSurface(readView(compute_, model_))),
                     pose.T_world_camera);
     map_->raycast(pose.T_world_camera, working_K_, model_);
     motion_->apply(depth, map_->bricks(), model_);
@@ -51,7 +51,7 @@ class TrackingRig {
       const DepthPyramid& depth = preprocessor_->process(uncertain.frame);
       const PoseEstimate pose = tracker_->reconsider(std::move(uncertain), depth);
       if (!pose.usable()) continue;
-      map_->integrate(motion_->still(depth, pose.T_world_camera, KnownSurface(compute_, model_)),
+      map_->integrate(motion_->still(depth, pose.T_world_camera, KnownSurface(readView(compute_, model_))),
                       pose.T_world_camera);
       late.emplace_back(index, pose);
     }

@@ -72,10 +72,10 @@ reference::ColorView referenceView(ComputeContext& compute, const ColorShot& sho
   const std::vector<cl_float4> readings = shot.depth.levels.front().vertices_camera.read(compute.queue());
   const auto vectorOf = [](const cl_float4& v) -> Eigen::Vector3d { return {v.s[0], v.s[1], v.s[2]}; };
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    view.vertices.emplace_back(shot.vertices_world[i].head<3>().cast<double>());
+    view.vertices.emplace_back(shot.view.vertices_world[i].head<3>().cast<double>());
     view.normals.push_back(vectorOf(normals[i]));
     view.readings.push_back(vectorOf(readings[i]));
-    view.is_surface.push_back(shot.vertices_world[i].w() > 0);
+    view.is_surface.push_back(shot.view.vertices_world[i].w() > 0);
     view.has_normal.push_back(normals[i].s[3] > 0);
     view.has_reading.push_back(readings[i].s[3] > 0);
     view.is_hidden.push_back(shot.hidden.ptr<uchar>()[i] != 0);

@@ -14,9 +14,9 @@ const cv::Rect kPatch(20, 10, 30, 20);  // working pixels
 
 /// A wall that faces a camera somewhere in the world, and the camera's readings of twice the resolution.
 struct Wall {
-  Eigen::Isometry3d T_world_camera{Eigen::Translation3d(0.4, -1, 2) *
-                                   Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized())};
-  std::vector<Eigen::Vector4f> vertices;
+  RenderedView view{kWorking,
+                    Eigen::Isometry3d(Eigen::Translation3d(0.4, -1, 2) *
+                                      Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()))};
   cv::Mat readings_m{120, 160, CV_32FC1, cv::Scalar(kSurface_m)};
 
   Wall() {
@@ -24,14 +24,14 @@ struct Wall {
       for (int u = 0; u < kWorking.width; ++u) {
         const Eigen::Vector3f p =
             kWorking.backProject(static_cast<float>(u), static_cast<float>(v), kSurface_m);
-        vertices.emplace_back();
-        vertices.back() << (T_world_camera * p.cast<double>()).cast<float>(), 1;
+        view.vertices_world.emplace_back();
+        view.vertices_world.back() << (view.T_world_camera * p.cast<double>()).cast<float>(), 1;
       }
     }
   }
   void read(float z_m) { readings_m(cv::Rect(2 * kPatch.tl(), 2 * kPatch.br())).setTo(z_m); }
   [[nodiscard]] cv::Mat contradicted() const {
-    return contradictedSurface({kWorking.resizedTo(160, 120), T_world_camera, readings_m}, kWorking, vertices,
+    return contradictedSurface({kWorking.resizedTo(160, 120), view.T_world_camera, readings_m}, view,
                                kDepthNoise_m);
   }
 };
@@ -69,7 +69,7 @@ TEST(ContradictedSurface, AReadingBesideIsEnough) {
 TEST(ContradictedSurface, WhereThereIsNoneNothingContradictsIt) {
   Wall wall;
   wall.read(1.0F);
-  for (Eigen::Vector4f& vertex : wall.vertices) vertex.w() = 0;
+  for (Eigen::Vector4f& vertex : wall.view.vertices_world) vertex.w() = 0;
   EXPECT_EQ(cv::countNonZero(wall.contradicted()), 0);
 }
 

@@ -89,7 +89,7 @@ TEST(FreeSpace, WhatStaysBelongsThere) {
 TEST(KnownSurface, SaysHowReadingsStandToTheMap) {
   onEachDevice([](ComputeContext& compute) {
     const Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    const KnownSurface known(compute, mapsOf(compute, wall(), kSmall, T));
+    const KnownSurface known(readView(compute, mapsOf(compute, wall(), kSmall, T)));
     const auto count = [&](const DepthView& view, DepthConsistency standing) {
       return cv::countNonZero(known.consistencies(view, kNoise_m) == static_cast<int>(standing));
     };
@@ -166,7 +166,7 @@ class Watcher {
     const RgbdFrame frame = frameOf(scene, kKinect, T);
     for (int i = 0; i < frames; ++i) {
       depth_ = &preprocessor_->process(frame);
-      still_ = &filter_->still(*depth_, T, KnownSurface(compute_, surface_));
+      still_ = &filter_->still(*depth_, T, KnownSurface(readView(compute_, surface_)));
       map_->integrate(*still_, T);
       map_->raycast(T, depth_->levels.front().K, surface_);
       filter_->apply(*depth_, map_->bricks(), surface_);

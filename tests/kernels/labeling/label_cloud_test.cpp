@@ -104,23 +104,20 @@ std::vector<int> allDevices() {
 }
 
 /// Patches of `fragments` in turn, from `first` on; some pixels without.
-RegionMap randomPatches(unsigned seed, std::uint32_t first, std::uint32_t fragments = 20) {
+std::vector<FragmentId> randomPatches(unsigned seed, std::uint32_t first, std::uint32_t fragments = 20) {
   std::mt19937 random(seed);
-  RegionMap map{kCamera.width, kCamera.height, {}, {}};
+  std::vector<FragmentId> patches;
   for (int v = 0; v < kCamera.height; ++v) {
     for (int u = 0; u < kCamera.width; ++u) {
       const bool none = random() % 29 == 0;
-      map.fragments.push_back({none ? 0 : first + static_cast<std::uint32_t>(u / 11 + v / 9) % fragments});
+      patches.push_back({none ? 0 : first + static_cast<std::uint32_t>(u / 11 + v / 9) % fragments});
     }
   }
-  return map;
+  return patches;
 }
 
-RegionMap onlyFragment(FragmentId fragment) {
-  return {kCamera.width,
-          kCamera.height,
-          std::vector<FragmentId>(static_cast<std::size_t>(kCamera.pixels()), fragment),
-          {}};
+std::vector<FragmentId> onlyFragment(FragmentId fragment) {
+  return std::vector<FragmentId>(static_cast<std::size_t>(kCamera.pixels()), fragment);
 }
 
 Eigen::Isometry3d cameraAt(double x, double y, double yaw) {
@@ -141,10 +138,10 @@ TEST_P(LabelCloudTest, EqualsTheLiteralDenseAlgorithmVoxelByVoxelOverSeveralFram
     for (int frame = 0; frame < 3; ++frame) {
       const Eigen::Isometry3d T = cameraAt(0.02 * frame, -0.015 * frame, 0.05 * frame);
       const std::vector<Eigen::Vector4f> vertices = renderScene(T);
-      const RegionMap merged =
+      const std::vector<FragmentId> merged =
           randomPatches(static_cast<unsigned>(frame), 1 + 20U * static_cast<std::uint32_t>(frame));
       (void)cloud_->update(toSurface(vertices, T), merged, {}, params, *bricks_);
-      dense.update(vertices, merged.fragments, kCamera, T, reach_vox * kVoxel);
+      dense.update(vertices, merged, kCamera, T, reach_vox * kVoxel);
     }
   }
   std::size_t labeled = 0;
@@ -170,11 +167,11 @@ TEST_P(LabelCloudTest, ProjectionReadsBackWhatWasWrittenAtEachVertex) {
   const std::vector<Eigen::Vector4f> vertices = renderScene(T);
   const SurfaceMaps surface = toSurface(vertices, T);
   EXPECT_THAT(cloud_->project(surface, *bricks_), testing::Each(FragmentId{}));
-  RegionMap merged{kCamera.width, kCamera.height, {}, {}};
-  for (int i = 0; i < kCamera.pixels(); ++i) merged.fragments.push_back({static_cast<std::uint32_t>(i) + 1});
+  std::vector<FragmentId> merged;
+  for (int i = 0; i < kCamera.pixels(); ++i) merged.push_back({static_cast<std::uint32_t>(i) + 1});
   (void)cloud_->update(surface, merged, {}, params, *bricks_);
   reference::DenseLabelCloud dense(kFirst, kSide, kVoxel);
-  dense.update(vertices, merged.fragments, kCamera, T, params.update_distance_vox * kVoxel);
+  dense.update(vertices, merged, kCamera, T, params.update_distance_vox * kVoxel);
   const std::vector<FragmentId> projected = cloud_->project(toSurface(vertices, T), *bricks_);
   std::size_t labeled = 0;
   std::size_t different = 0;

@@ -118,7 +118,7 @@ class LayerRules {
         "core/capture/rgbd_frame.h",     "core/fusion/brick_map.h",
         "core/fusion/depth_pyramid.h",   "core/tracking/pose_estimate.h",
         "core/fusion/surface_maps.h",    "core/segmentation/segment_map.h",
-        "core/labeling/region_map.h",    "core/labeling/kernels/label_voxel.h",
+        "core/fusion/rendered_view.h",   "core/labeling/kernels/label_voxel.h",
         "core/meshing/surface_mesh.h",   "core/discovery/candidate.h",
         "core/discovery/region_set.h",   "core/catalogue/object_record.h",
         "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h"};

@@ -56,7 +56,7 @@ TEST(LayerRules, DataSetsAreMadeOfWhatCameFromFilesAlone) {
                                   {"core/scan/b.cpp", {"core/dataset/labelled_scan.h"}}}),
               IsEmpty());
   for (const char* header :
-       {"core/fusion/brick_map.h", "core/labeling/region_map.h", "core/discovery/candidate.h"}) {
+       {"core/fusion/brick_map.h", "core/fusion/rendered_view.h", "core/discovery/candidate.h"}) {
     EXPECT_THAT(LayerRules::broken({{"core/dataset/a.cpp", {header}}}),
                 ElementsAre(HasSubstr("exchange alone")));
   }

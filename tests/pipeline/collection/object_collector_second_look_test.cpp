@@ -24,9 +24,8 @@ TEST_F(SecondLook, ViewsThatShowTheirObjectStay) {
 TEST_F(SecondLook, ViewsAreHeldAgainstAMapOfTheirOwnSizeAlone) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const std::vector<int> before = framesOfViews(mug);
-  RegionMap closer;
-  closer.width = 2 * test::kWorking.width;
-  closer.height = 2 * test::kWorking.height;
+  RenderedView closer;
+  closer.K = test::kWorking.resizedTo(2 * test::kWorking.width, 2 * test::kWorking.height);
   closer.regions.resize(4 * static_cast<std::size_t>(test::kWorking.pixels()));
   lookAgain(closer, {mug_});
   EXPECT_EQ(framesOfViews(mug), before);
@@ -108,8 +107,8 @@ TEST_F(SecondLook, WhatAPersonDeletesDoesNotLiveOnInWhatItTookThePlaceOf) {
 TEST_F(SecondLook, AViewOfAPartIsNoneOfTheWhole) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const RegionId rest{14};
-  RegionMap map = mapWith(mug_, 1);
-  std::fill(map.regions.end() - 30 * map.width, map.regions.end(), rest);
+  RenderedView map = mapWith(mug_, 1);
+  std::fill(map.regions.end() - 30 * map.K.width, map.regions.end(), rest);
   collector_->bind(rest, mug);
   lookAgain(map, {});
   EXPECT_TRUE(objects().empty());

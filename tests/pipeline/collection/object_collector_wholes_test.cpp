@@ -206,19 +206,17 @@ TEST_F(Wholes, AViewOfOneRegionOfAWholeGivesWayToOneOfAll) {
   const RegionId handle{77};
   Candidate both = judged(mug_, 3);
   both.regions.add(handle);
-  RegionMap map = mapWith(mug_, 1);
+  RenderedView map = mapWith(mug_, 1);
   // Beside it and nearly as large: the mug alone is still the larger part, of a little more than half.
   const cv::Rect box_px = mug_.candidate().box_px;
   for (int v = box_px.y; v < box_px.br().y; ++v) {
-    const auto beside = map.regions.begin() + v * map.width + box_px.br().x;
+    const auto beside = map.regions.begin() + v * map.K.width + box_px.br().x;
     std::fill_n(beside, 9 * box_px.width / 10, handle);
   }
   collector_->beginLookingAgain();
   rate(3, {both});
-  const DepthView surface{
-      test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
   settleComplete();
-  for (const int frame : collector_->framesOfViews()) collector_->judgeViewsOf(frame, map, surface, 0.0015F);
+  for (const int frame : collector_->framesOfViews()) collector_->judgeViewsOf(frame, map, 0.0015F);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({both}, {mug_}));
   collector_->endLookingAgain();
   settle();
@@ -267,11 +265,9 @@ TEST_F(Wholes, AWholeWithoutAViewThatCountsHasItsBestLookHoweverPoor) {
   const std::vector<int> before = framesOfViews(objects()[0].id);
   collector_->beginLookingAgain();
   rate(3, {judged(mug_, kPoor)});
-  const DepthView surface{
-      test::kWorking, {}, cv::Mat(test::kWorking.height, test::kWorking.width, CV_32FC1, 1.0F)};
   settleComplete();
   for (const int frame : collector_->framesOfViews())
-    collector_->judgeViewsOf(frame, mapWith(mug_, 0.3), surface, 0.0015F);
+    collector_->judgeViewsOf(frame, mapWith(mug_, 0.3), 0.0015F);
   for (int i = 0; i < 6; ++i) static_cast<void>(lookAt({judged(mug_, kPoor)}, {mug_}));
   EXPECT_THAT(collector_->beginLastLooks(), testing::ElementsAre(3));
   frame_ = 3;

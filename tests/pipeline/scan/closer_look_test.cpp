@@ -35,16 +35,16 @@ class CloserLook : public testing::Test {
     const RgbdFrame& frame = frames_.back();
     const ScanPipeline::SeenAgain seen = scan_.pipeline().seeAgain(frame, *frame.T_world_camera);
     cv::Mat resized;
-    cv::resize(frame.instances, resized, {seen.K.width, seen.K.height}, 0, 0, cv::INTER_NEAREST);
+    cv::resize(frame.instances, resized, {seen.view.K.width, seen.view.K.height}, 0, 0, cv::INTER_NEAREST);
     const cv::Mat1i truth = resized;
     std::map<RegionId, int> all;
-    for (const RegionId region : seen.result.regions.regions) ++all[region];
+    for (const RegionId region : seen.view.regions) ++all[region];
     int books = 0;
     for (int i = 0; i < 7; ++i) {
       const int book = scan_.source().scene().find("book " + std::to_string(i));
       std::map<RegionId, int> shared;
-      for (std::size_t at = 0; at < seen.result.regions.regions.size(); ++at) {
-        if (truth(static_cast<int>(at)) == book) ++shared[seen.result.regions.regions[at]];
+      for (std::size_t at = 0; at < seen.view.regions.size(); ++at) {
+        if (truth(static_cast<int>(at)) == book) ++shared[seen.view.regions[at]];
       }
       const int visible = cv::countNonZero(truth == book);
       const bool is_region = std::ranges::any_of(shared, [&](const auto& of) {

@@ -50,8 +50,8 @@ void expectTheSame(const Outcome& a, const Outcome& b) {
     const FrameResult& right = b.results[i];
     ASSERT_EQ(left.pose.state, right.pose.state) << i;
     ASSERT_EQ(left.pose.T_world_camera.matrix(), right.pose.T_world_camera.matrix()) << i;
-    ASSERT_EQ(left.vertices_world, right.vertices_world) << i;
-    ASSERT_EQ(left.regions.regions, right.regions.regions) << i;
+    ASSERT_EQ(left.view.vertices_world, right.view.vertices_world) << i;
+    ASSERT_EQ(left.view.regions, right.view.regions) << i;
     ASSERT_EQ(left.late.size(), right.late.size()) << i;
     ASSERT_EQ(left.is_tracking_key_frame, right.is_tracking_key_frame) << i;
   }

@@ -16,41 +16,36 @@ inline const Eigen::Vector3f kGrayLab{50, 0, 0}, kRedLab{50, 50, 25};
 /// A camera of 160 x 120 at the origin of a world turned and moved by `T_world_camera`, looking at regions
 /// that are painted as image rectangles with a depth for each pixel.
 struct PaintedScene {
-  Intrinsics K{150, 150, 79.5F, 59.5F, 160, 120};
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  RegionMap map;
-  std::vector<Eigen::Vector4f> vertices;
-  mutable std::vector<Eigen::Vector4f> normals;
+  mutable RenderedView view{{150, 150, 79.5F, 59.5F, 160, 120}};  ///< input() makes its view.normals_world
   std::function<float(RegionId, RegionId)> joining_odds;
   std::vector<std::uint8_t> appeared;
   std::vector<Eigen::Vector3f> color_lab;
 
   PaintedScene() {
-    map.width = K.width;
-    map.height = K.height;
-    map.regions.assign(static_cast<std::size_t>(K.pixels()), RegionId{});
-    vertices.assign(map.regions.size(), Eigen::Vector4f::Zero());
-    T_world_camera =
+    view.regions.assign(static_cast<std::size_t>(view.K.pixels()), RegionId{});
+    view.vertices_world.assign(view.regions.size(), Eigen::Vector4f::Zero());
+    view.T_world_camera =
         Eigen::Translation3d(0.3, -1, 2) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
-    paint(1, {0, 0, K.width, K.height}, [](int, int) { return 2.0F; });  // a wall behind everything
+    paint(1, {0, 0, view.K.width, view.K.height}, [](int, int) { return 2.0F; });  // a wall behind everything
   }
 
   void paint(std::uint32_t region, const cv::Rect& box, const std::function<float(int, int)>& depth) {
     for (int v = box.y; v < box.br().y; ++v) {
       for (int u = box.x; u < box.br().x; ++u) {
-        const auto pixel = static_cast<std::size_t>(v * K.width + u);
-        map.regions[pixel] = RegionId{region};
-        const Eigen::Vector3f p = K.backProject(static_cast<float>(u), static_cast<float>(v), depth(u, v));
-        vertices[pixel] << (T_world_camera * p.cast<double>()).cast<float>(), 1;
+        const auto pixel = static_cast<std::size_t>(v * view.K.width + u);
+        view.regions[pixel] = RegionId{region};
+        const Eigen::Vector3f p =
+            view.K.backProject(static_cast<float>(u), static_cast<float>(v), depth(u, v));
+        view.vertices_world[pixel] << (view.T_world_camera * p.cast<double>()).cast<float>(), 1;
       }
     }
   }
 
   /// All that was painted of the region; what has no colour by then is black.
   void color(std::uint32_t region, const Eigen::Vector3f& lab) {
-    color_lab.resize(map.regions.size(), Eigen::Vector3f::Zero());
-    for (std::size_t i = 0; i < map.regions.size(); ++i) {
-      if (map.regions[i] == RegionId{region}) color_lab[i] = lab;
+    color_lab.resize(view.regions.size(), Eigen::Vector3f::Zero());
+    for (std::size_t i = 0; i < view.regions.size(); ++i) {
+      if (view.regions[i] == RegionId{region}) color_lab[i] = lab;
     }
   }
 
@@ -59,7 +54,7 @@ struct PaintedScene {
     paint(region, box, [&](int u, int v) {
       const float x = (static_cast<float>(u - box.x) + 0.5F) / static_cast<float>(box.width) * 2 - 1;
       const float y = (static_cast<float>(v - box.y) + 0.5F) / static_cast<float>(box.height) * 2 - 1;
-      const float radius = static_cast<float>(box.width) * z / K.fx / 2;
+      const float radius = static_cast<float>(box.width) * z / view.K.fx / 2;
       return z - height * radius * std::sqrt(std::max(0.0F, 1 - (x * x + y * y) / 2));
     });
   }
@@ -76,9 +71,9 @@ struct PaintedScene {
   /// Of all the regions together.
   [[nodiscard]] RegionExtent extentOf(const RegionSet& regions) const {
     RegionExtent extent;
-    for (int v = 0; v < K.height; ++v) {
-      for (int u = 0; u < K.width; ++u) {
-        if (!regions.contains(map.regions[static_cast<std::size_t>(v * K.width + u)])) continue;
+    for (int v = 0; v < view.K.height; ++v) {
+      for (int u = 0; u < view.K.width; ++u) {
+        if (!regions.contains(view.regions[static_cast<std::size_t>(v * view.K.width + u)])) continue;
         ++extent.pixels;
         extent.box_px |= cv::Rect(u, v, 1, 1);
         extent.sum_u += u;
@@ -91,28 +86,31 @@ struct PaintedScene {
     return extent;
   }
 
-  /// Normals follow from the vertices, by differences within a region.
+  /// Normals follow from the view.vertices_world, by differences within a region.
   [[nodiscard]] DiscoveryInput input() const {
-    normals.assign(vertices.size(), Eigen::Vector4f::Zero());
-    for (int v = 0; v < K.height; ++v) {
-      for (int u = 0; u < K.width; ++u) {
+    view.normals_world.assign(view.vertices_world.size(), Eigen::Vector4f::Zero());
+    for (int v = 0; v < view.K.height; ++v) {
+      for (int u = 0; u < view.K.width; ++u) {
         const Eigen::Vector3f normal = difference(u, v, 0, 1).cross(difference(u, v, 1, 0));
-        if (normal.norm() > 0) normals[static_cast<std::size_t>(v * K.width + u)] << normal.normalized(), 1;
+        if (normal.norm() > 0)
+          view.normals_world[static_cast<std::size_t>(v * view.K.width + u)] << normal.normalized(), 1;
       }
     }
-    return {map, vertices, normals, K, T_world_camera, joining_odds, appeared, color_lab};
+    return {view, view.regions, joining_odds, appeared, color_lab};
   }
 
  private:
   /// From the pixel to the next, or from the one before to it; zero where it is alone.
   [[nodiscard]] Eigen::Vector3f difference(int u, int v, int du, int dv) const {
-    const auto at = [this](int x, int y) { return static_cast<std::size_t>(y * K.width + x); };
+    const auto at = [this](int x, int y) { return static_cast<std::size_t>(y * view.K.width + x); };
     const auto isOne = [&](int x, int y) {
-      return x >= 0 && y >= 0 && x < K.width && y < K.height &&
-             map.regions[at(x, y)] == map.regions[at(u, v)];
+      return x >= 0 && y >= 0 && x < view.K.width && y < view.K.height &&
+             view.regions[at(x, y)] == view.regions[at(u, v)];
     };
-    if (isOne(u + du, v + dv)) return (vertices[at(u + du, v + dv)] - vertices[at(u, v)]).head<3>();
-    if (isOne(u - du, v - dv)) return (vertices[at(u, v)] - vertices[at(u - du, v - dv)]).head<3>();
+    if (isOne(u + du, v + dv))
+      return (view.vertices_world[at(u + du, v + dv)] - view.vertices_world[at(u, v)]).head<3>();
+    if (isOne(u - du, v - dv))
+      return (view.vertices_world[at(u, v)] - view.vertices_world[at(u - du, v - dv)]).head<3>();
     return Eigen::Vector3f::Zero();
   }
 };

@@ -24,9 +24,9 @@ const cv::Rect kVisible(0, 0, 160, 120);
 PaintedScene signFrom(int left_px, int top_px = 30, int width_px = kWidth_px, double turned_rad = 0) {
   PaintedScene scene;
   const double meters_per_px = static_cast<double>(kDepth_m) / 150;
-  scene.T_world_camera = Eigen::AngleAxisd(turned_rad, Eigen::Vector3d::UnitZ()) *
-                         Eigen::Translation3d(-meters_per_px * left_px, -meters_per_px * top_px, 0);
-  scene.map.regions.assign(scene.map.regions.size(), RegionId{});
+  scene.view.T_world_camera = Eigen::AngleAxisd(turned_rad, Eigen::Vector3d::UnitZ()) *
+                              Eigen::Translation3d(-meters_per_px * left_px, -meters_per_px * top_px, 0);
+  scene.view.regions.assign(scene.view.regions.size(), RegionId{});
   scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 2.0F; });
   const cv::Rect box = cv::Rect(left_px, top_px, width_px, kHeight_px) & cv::Rect(0, 0, 160, 120);
   scene.paint(kSign.value, box, [](int, int) { return kDepth_m; });

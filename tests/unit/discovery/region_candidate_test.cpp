@@ -23,7 +23,7 @@ TEST(RegionCandidate, IsTheRegionAsItIsSeen) {
   EXPECT_EQ(cv::countNonZero(seen->mask), box.area());
   EXPECT_FALSE(seen->is_complete);
   EXPECT_NEAR(seen->size_m[0], 30 * 1.2F / 150, 0.05F);
-  EXPECT_LT((scene.T_world_camera.cast<float>() * seen->centroid_camera - seen->centroid_world).norm(),
+  EXPECT_LT((scene.view.T_world_camera.cast<float>() * seen->centroid_camera - seen->centroid_world).norm(),
             1e-5F);
   EXPECT_NEAR(seen->centroid_camera.z(), 1.1F, 0.1F);
 }
@@ -39,7 +39,7 @@ TEST(RegionCandidate, IsNoneWhereTooLittleIsSeen) {
   EXPECT_FALSE(candidateOf(RegionId{7}, scene.input(), 100));
   EXPECT_TRUE(candidateOf(RegionId{7}, scene.input(), 81));
   EXPECT_FALSE(candidateOf(RegionId{8}, scene.input(), 0)) << "not in view";
-  for (Eigen::Vector4f& vertex : scene.vertices) vertex.setZero();
+  for (Eigen::Vector4f& vertex : scene.view.vertices_world) vertex.setZero();
   EXPECT_FALSE(candidateOf(RegionId{7}, scene.input(), 0)) << "labels without a surface";
 }
 

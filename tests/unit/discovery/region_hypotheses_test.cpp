@@ -31,11 +31,11 @@ TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
   PaintedScene scene;
   const RegionId ball{7}, dent{8}, plane{9};
   const auto paintBall = [&](RegionId region, int center_u, float side) {
-    const Eigen::Vector3f middle = scene.K.backProject(static_cast<float>(center_u), 59.5F, 1.5F);
+    const Eigen::Vector3f middle = scene.view.K.backProject(static_cast<float>(center_u), 59.5F, 1.5F);
     constexpr float kRadius_m = 0.15F;
-    for (int v = 0; v < scene.K.height; ++v) {
-      for (int u = 0; u < scene.K.width; ++u) {
-        const Eigen::Vector3f ray = scene.K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
+    for (int v = 0; v < scene.view.K.height; ++v) {
+      for (int u = 0; u < scene.view.K.width; ++u) {
+        const Eigen::Vector3f ray = scene.view.K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
         // |z ray - middle| = r; its near side bulges, its far side is the hollow.
         const float a = ray.squaredNorm(), b = ray.dot(middle),
                     c = middle.squaredNorm() - kRadius_m * kRadius_m;
@@ -49,7 +49,7 @@ TEST(RegionPoints, BulgeOfABallAPlaneAndAHollow) {
   paintBall(dent, 120, 1);
   scene.paint(plane.value, {70, 40, 20, 30}, [](int, int) { return 1.0F; });
   const DiscoveryInput input = scene.input();
-  const cv::Rect all(0, 0, scene.K.width, scene.K.height);
+  const cv::Rect all(0, 0, scene.view.K.width, scene.view.K.height);
   // Of half a ball seen from afar (p - c) . n is r (1 - 2/3 cos) and |p - c| is r sqrt(13/9 - 4/3 cos), with
   // the angle to the line of sight; their means over the disc are 5/9 and 0.71. From near less of it is seen.
   EXPECT_NEAR(bulgeOf({ball}, all, input), 0.78F, 0.07F);
@@ -95,7 +95,7 @@ TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
   ASSERT_LT(bulgeOf({plate}, {50, 50, 60, 30}, input), -0.03F) << "it is hollow";
   const DiscoveryParams params;
   const RegionOutlines outlines(input, params);
-  std::vector<RegionExtent> regions = RegionCounter().count(scene.map).extents;
+  std::vector<RegionExtent> regions = RegionCounter().count(scene.view.regions, scene.view.K.width).extents;
   std::erase_if(regions, [](const RegionExtent& extent) { return extent.region == RegionId{1}; });
   const std::vector<RegionHypothesis> hypotheses = proposeHypotheses(regions, outlines, input, params);
   ASSERT_GE(hypotheses.size(), 2U) << "each by itself";

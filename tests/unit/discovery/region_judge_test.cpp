@@ -15,11 +15,12 @@ const RegionId kThing{7};
 void addKnown(const PaintedScene& scene, RegionSamples& known,
               const Eigen::Vector3d& aside = Eigen::Vector3d::Zero()) {
   const DiscoveryInput input = scene.input();
-  const Eigen::Vector3f moved = (scene.T_world_camera.linear() * aside).cast<float>();
-  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
-    const RegionId region = scene.map.regions[i];
+  const Eigen::Vector3f moved = (scene.view.T_world_camera.linear() * aside).cast<float>();
+  for (std::size_t i = 0; i < scene.view.vertices_world.size(); ++i) {
+    const RegionId region = scene.view.regions[i];
     if (region != RegionId{1})
-      known.add(region, input.vertices_world[i].head<3>() + moved, input.normals_world[i].head<3>());
+      known.add(region, input.view.vertices_world[i].head<3>() + moved,
+                input.view.normals_world[i].head<3>());
   }
 }
 

@@ -14,20 +14,18 @@ namespace {
 
 TEST(RegionCensus, EqualsPixelByPixelSums) {
   std::mt19937 random(5);
-  RegionMap map;
-  map.width = 37;
-  map.height = 23;
+  std::vector<RegionId> regions;
   for (int i = 0; i < 37 * 23; ++i)
-    map.regions.push_back(RegionId{static_cast<std::uint32_t>(random() % 3 == 0 ? random() % 5 : 2)});
+    regions.push_back(RegionId{static_cast<std::uint32_t>(random() % 3 == 0 ? random() % 5 : 2)});
   RegionCounter counter;
   for (int repeat = 0; repeat < 2; ++repeat) {
-    const RegionCensus census = counter.count(map);
+    const RegionCensus census = counter.count(regions, 37);
     ASSERT_EQ(census.extents.size(), 4U);
     for (const RegionExtent& extent : census.extents) {
       double n = 0, u1 = 0, v1 = 0, uu = 0, uv = 0, vv = 0;
       for (int v = 0; v < 23; ++v) {
         for (int u = 0; u < 37; ++u) {
-          if (map.regions[static_cast<std::size_t>(v * 37 + u)] != extent.region) continue;
+          if (regions[static_cast<std::size_t>(v * 37 + u)] != extent.region) continue;
           n += 1, u1 += u, v1 += v, uu += u * u, uv += u * v, vv += v * v;
         }
       }
@@ -43,14 +41,11 @@ TEST(RegionCensus, EqualsPixelByPixelSums) {
 
 TEST(RegionCensus, EccentricityOfARectangle) {
   // A rectangle a x b has second moments a^2/12, b^2/12: e = sqrt(1 - (b/a)^2), at any place.
-  RegionMap map;
-  map.width = 100;
-  map.height = 60;
-  map.regions.assign(6000, RegionId{});
+  std::vector<RegionId> regions(6000);
   for (int v = 10; v < 20; ++v) {
-    for (int u = 30; u < 80; ++u) map.regions[static_cast<std::size_t>(v * 100 + u)] = RegionId{3};
+    for (int u = 30; u < 80; ++u) regions[static_cast<std::size_t>(v * 100 + u)] = RegionId{3};
   }
-  const RegionCensus census = RegionCounter().count(map);
+  const RegionCensus census = RegionCounter().count(regions, 100);
   ASSERT_EQ(census.extents.size(), 1U);
   EXPECT_NEAR(census.extents[0].eccentricity(), std::sqrt(1 - 0.04), 1e-6);
   EXPECT_EQ(census.labeled_px, cv::Rect(30, 10, 50, 10));

@@ -84,7 +84,8 @@ TEST(RegionOutlines, WhatWasNotSeenSaysNothing) {
   PaintedScene scene;
   scene.paint(7, {60, 50, 40, 30}, [](int, int) { return 1.0F; });
   for (int v = 0; v < 120; ++v) {
-    for (int u = 100; u < 110; ++u) scene.vertices[static_cast<std::size_t>(v * 160 + u)].setZero();
+    for (int u = 100; u < 110; ++u)
+      scene.view.vertices_world[static_cast<std::size_t>(v * 160 + u)].setZero();
   }
   const OutlineSteps steps = outlineOf(scene, 7);
   EXPECT_EQ(steps.unseen, 30);

@@ -40,20 +40,20 @@ std::vector<std::uint32_t> findAfter(const PaintedScene& scene, const DiscoveryP
 /// The rules that region `id` breaks once it was seen often enough.
 std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams& params, std::uint32_t id) {
   RegionCounter counter;
-  const RegionCensus census = counter.count(scene.map);
+  const RegionCensus census = counter.count(scene.view.regions, scene.view.K.width);
   const auto extent =
       std::ranges::find_if(census.extents, [&](const auto& e) { return e.region.value == id; });
   if (extent == census.extents.end()) return {"there is no such region"};
   const DiscoveryInput input = scene.input();
   const OrientedBox box = fitOrientedBox(pointsOf({extent->region}, extent->box_px, input));
-  const cv::Rect visible = visibleFrame(census, scene.K.width, scene.K.height, params);
+  const cv::Rect visible = visibleFrame(census, scene.view.K.width, scene.view.K.height, params);
   std::vector<std::string> rules;
   const auto ask = [&](const char* rule, bool holds) {
     if (!holds) rules.emplace_back(rule);
   };
   ask("off border", isOffBorder(*extent, visible, params));
-  ask("enough points", hasEnoughPoints(*extent, scene.K, params));
-  ask("central", isCentral(*extent, scene.K, params));
+  ask("enough points", hasEnoughPoints(*extent, scene.view.K, params));
+  ask("central", isCentral(*extent, scene.view.K, params));
   ask("not eccentric", isNotEccentric(*extent, params));
   ask("size in range", isSizeInRange(box, params));
   ask("not flat", isNotFlat(box, bulgeOf({extent->region}, extent->box_px, input), params));
@@ -65,7 +65,7 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
 TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
-  scene.map.regions[50 * 160 + 60] = RegionId{1};  // a corner that belongs to the wall
+  scene.view.regions[50 * 160 + 60] = RegionId{1};  // a corner that belongs to the wall
   const auto finder = makeRuleBasedFinder(testParams());
   std::vector<Candidate> found;
   for (int i = 0; i < 5; ++i) found = finder->find(scene.input());
@@ -82,7 +82,7 @@ TEST(RuleBasedFinder, FindsAnObjectWithItsBoxMaskAndPlace) {
   EXPECT_GE(candidate.size_m[1], candidate.size_m[2]);
   EXPECT_NEAR(candidate.centroid_camera.z(), 0.9F, 0.05F);
   const Eigen::Vector3f back =
-      (scene.T_world_camera * candidate.centroid_camera.cast<double>()).cast<float>();
+      (scene.view.T_world_camera * candidate.centroid_camera.cast<double>()).cast<float>();
   EXPECT_LT((back - candidate.centroid_world).norm(), 1e-5F);
 }
 
@@ -122,7 +122,7 @@ TEST(RuleBasedFinder, SizeIsMetricNotInPixels) {
   for (int i = 0; i < 6; ++i) {
     PaintedScene scene;
     const float z = 1.6F - 0.18F * static_cast<float>(i);
-    const int side = static_cast<int>(std::lround(0.2F * scene.K.fx / z));
+    const int side = static_cast<int>(std::lround(0.2F * scene.view.K.fx / z));
     scene.paint(7, {80 - side / 2, 60 - side / 2, side, side}, [z](int, int) { return z; });
     ids = idsOf(finder->find(scene.input()));
   }
@@ -148,7 +148,7 @@ TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
   params.central_fraction = 1;
   EXPECT_THAT(findAfter(scene, params, 5), ElementsAre(7U));
   for (int v = 0; v < 120; ++v) {
-    for (int u = 155; u < 160; ++u) scene.map.regions[static_cast<std::size_t>(v * 160 + u)] = RegionId{};
+    for (int u = 155; u < 160; ++u) scene.view.regions[static_cast<std::size_t>(v * 160 + u)] = RegionId{};
   }
   EXPECT_THAT(findAfter(scene, params, 5), IsEmpty());
   EXPECT_THAT(broken(scene, params, 7), ElementsAre("off border"));
@@ -156,7 +156,7 @@ TEST(RuleBasedFinder, TakesAnUnseenStripAtTheEdgeForTheBorder) {
 
 TEST(RuleBasedFinder, AnObjectAloneInTheViewIsNotCutOff) {
   PaintedScene scene;
-  std::ranges::fill(scene.map.regions, RegionId{});
+  std::ranges::fill(scene.view.regions, RegionId{});
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
   EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
 }
@@ -224,8 +224,8 @@ TEST(RuleBasedFinder, TakesAnObjectInSeveralPartsAsOne) {
 TEST(RuleBasedFinder, SkipsPixelsWithoutSurface) {
   PaintedScene scene;
   scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
-  scene.vertices[60 * 160 + 70] << NAN, NAN, NAN, 1;
-  scene.vertices[60 * 160 + 71].setZero();
+  scene.view.vertices_world[60 * 160 + 70] << NAN, NAN, NAN, 1;
+  scene.view.vertices_world[60 * 160 + 71].setZero();
   EXPECT_THAT(findAfter(scene, testParams(), 5), ElementsAre(7U));
 }
 
@@ -262,11 +262,11 @@ TEST(RuleBasedFinder, WholeIsWhatWasSeenFromTwoSidesOrForLong) {
     for (int i = 0; i < frames; ++i) {
       PaintedScene scene;
       // The camera goes round the thing, which lies 1 m ahead.
-      const Eigen::Vector3d center = scene.T_world_camera * Eigen::Vector3d(0, 0, 1);
+      const Eigen::Vector3d center = scene.view.T_world_camera * Eigen::Vector3d(0, 0, 1);
       const double radians = degrees_a_frame * i * 3.14159265 / 180;
-      scene.T_world_camera = Eigen::Translation3d(center) *
-                             Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitY()) *
-                             Eigen::Translation3d(-center) * scene.T_world_camera;
+      scene.view.T_world_camera = Eigen::Translation3d(center) *
+                                  Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitY()) *
+                                  Eigen::Translation3d(-center) * scene.view.T_world_camera;
       scene.paint(1, {0, 0, 160, 120}, [](int, int) { return 2.0F; });
       scene.paintBump(7, {60, 50, 40, 30}, 1.0F);
       found = finder->find(scene.input());
@@ -294,7 +294,7 @@ TEST(RuleBasedFinder, APatchOfALargerPlaneIsNeverWhole) {
 
 TEST(RuleBasedFinder, EmptyFrameHasNoCandidates) {
   PaintedScene scene;
-  std::ranges::fill(scene.map.regions, RegionId{});
+  std::ranges::fill(scene.view.regions, RegionId{});
   EXPECT_THAT(findAfter(scene, testParams(), 5), IsEmpty());
 }
 
@@ -303,10 +303,10 @@ TEST(RuleBasedFinder, WhatCameForTheMostPartHasCome) {
   const cv::Rect box(60, 45, 30, 30);
   scene.paintBump(2, box, 1);
   for (const int rows : {0, 12, 18, 30}) {
-    scene.appeared.assign(static_cast<std::size_t>(scene.K.pixels()), 0);
+    scene.appeared.assign(static_cast<std::size_t>(scene.view.K.pixels()), 0);
     for (int v = box.y; v < box.y + rows; ++v) {
       for (int u = box.x; u < box.br().x; ++u)
-        scene.appeared[static_cast<std::size_t>(v * scene.K.width + u)] = 3;
+        scene.appeared[static_cast<std::size_t>(v * scene.view.K.width + u)] = 3;
     }
     const auto finder = makeRuleBasedFinder(testParams());
     std::vector<Candidate> candidates;

@@ -49,10 +49,13 @@ Surface plate(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float
 
 /// A frame of a few surfaces before a wall, each a segment of its own and labelled as one fragment.
 struct Scene {
-  Intrinsics K{150, 150, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight};
+  RenderedView view{{150, 150, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight},
+                    Eigen::Isometry3d::Identity(),
+                    std::vector<Eigen::Vector4f>(kPixels),
+                    std::vector<Eigen::Vector4f>(kPixels),
+                    std::vector<FragmentId>(kPixels),
+                    {}};
   SegmentMap segments{kWidth, kHeight, std::vector<std::uint32_t>(kPixels), {}, std::vector<float>(kPixels)};
-  std::vector<Eigen::Vector4f> vertices = std::vector<Eigen::Vector4f>(kPixels), normals = vertices;
-  std::vector<FragmentId> projected = std::vector<FragmentId>(kPixels);
   std::vector<int> voxels = {0};
   RegionTable table;
 
@@ -66,31 +69,30 @@ struct Scene {
     segments.areas.assign(kScreen + 1, 0);
     for (std::size_t i = 0; i < kPixels; ++i) {
       const std::size_t u = i % kWidth, v = i / kWidth;
-      const Eigen::Vector3f ray = K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
+      const Eigen::Vector3f ray = view.K.backProject(static_cast<float>(u), static_cast<float>(v), 1);
       std::optional<Hit> nearest;
       for (const Surface& surface : surfaces) {
         const std::optional<Hit> hit = surface(ray);
         if (hit && (!nearest || hit->z < nearest->z)) nearest = hit;
       }
-      vertices[i] = (nearest->z * ray).homogeneous();
-      normals[i] << nearest->normal, 1.0F;
+      view.vertices_world[i] = (nearest->z * ray).homogeneous();
+      view.normals_world[i] << nearest->normal, 1.0F;
       segments.ids[i] = nearest->segment;
       segments.depths_m[i] = nearest->z;
       ++segments.areas[nearest->segment];
-      projected[i] = fragments[nearest->segment];
+      view.fragments[i] = fragments[nearest->segment];
     }
   }
 
-  [[nodiscard]] MergeInput input() const {
-    return {segments, projected, vertices, normals, {}, K, Eigen::Isometry3d::Identity(), voxels, {}};
-  }
+  [[nodiscard]] MergeInput input() const { return {segments, view, {}, voxels}; }
   [[nodiscard]] RegionId region(std::uint32_t segment) const { return table.regionOf(FragmentId{segment}); }
 
   /// What one look says of part and holder.
   [[nodiscard]] std::optional<bool> areAttached() const {
-    RegionMap map{kWidth, kHeight, projected, {}};
-    for (const FragmentId fragment : projected) map.regions.push_back(table.regionOf(fragment));
-    for (const Attachment& attachment : findAttachments(input(), map, table)) {
+    RegionMerger::Outcome merged;
+    merged.fragments = view.fragments;
+    for (const FragmentId fragment : view.fragments) merged.regions.push_back(table.regionOf(fragment));
+    for (const Attachment& attachment : findAttachments(input(), merged, table)) {
       if (attachment.a != region(kHolder) || attachment.b != region(kPart)) continue;
       EXPECT_THAT(attachment.borders,
                   testing::ElementsAre(std::pair(FragmentId{kHolder}, FragmentId{kPart})));

@@ -14,13 +14,13 @@ constexpr FragmentId kLeftThing{3}, kRightThing{8};
 
 PaintedFrame twoThings() {
   PaintedFrame frame = PaintedFrame::corner(0);
-  PaintedFrame::fill(frame.projected, PaintedFrame::kLeft, kLeftThing);
-  PaintedFrame::fill(frame.projected, PaintedFrame::kRight, kRightThing);
+  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kLeft, kLeftThing);
+  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kRight, kRightThing);
   return frame;
 }
 
 std::optional<ColorComparison> comparisonIn(const PaintedFrame& frame) {
-  const FragmentColors colors(frame.input(), frame.projected);
+  const FragmentColors colors(frame.input(), frame.view.fragments);
   const auto one = colors.between(kLeftThing, kRightThing), other = colors.between(kRightThing, kLeftThing);
   EXPECT_EQ(one.has_value(), other.has_value());
   if (one && other) {
@@ -53,7 +53,7 @@ TEST(FragmentColors, AreNotKnownWithoutColorNorOfWhatIsNotSeen) {
   EXPECT_FALSE(comparisonIn(frame));
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   EXPECT_TRUE(comparisonIn(frame));
-  PaintedFrame::fill(frame.vertices, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
+  PaintedFrame::fill(frame.view.vertices_world, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
   EXPECT_FALSE(comparisonIn(frame)) << "there is no surface of it";
 }
 
@@ -62,7 +62,7 @@ TEST(FragmentColors, PixelsWithoutSurfaceDoNotCount) {
   frame.color_lab.assign(PaintedFrame::kPixels, {40, 10, 0});
   constexpr test::Rectangle kHole{40, 5, 60, 40};
   PaintedFrame::fill(frame.color_lab, kHole, Eigen::Vector3f(90, -50, 0));
-  PaintedFrame::fill(frame.vertices, kHole, Eigen::Vector4f(0, 0, 0, 0));
+  PaintedFrame::fill(frame.view.vertices_world, kHole, Eigen::Vector4f(0, 0, 0, 0));
   EXPECT_NEAR(comparisonIn(frame)->difference, 0, 1e-4F);
 }
 
@@ -96,7 +96,7 @@ TEST(FragmentColors, WhatTheyShareMayBeElsewhereToo) {
   frame.color_lab.assign(PaintedFrame::kPixels, kRed);
   EXPECT_EQ(comparisonIn(frame)->elsewhere, 0) << "there is nothing else";
   constexpr test::Rectangle kRest{0, 0, PaintedFrame::kWidth - 1, 9};
-  PaintedFrame::fill(frame.projected, kRest, FragmentId{5});
+  PaintedFrame::fill(frame.view.fragments, kRest, FragmentId{5});
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 1, 1e-4F);
   PaintedFrame::fill(frame.color_lab, {0, 0, PaintedFrame::kWidth / 4 - 1, 9}, kGray);
   EXPECT_NEAR(comparisonIn(frame)->elsewhere, 0.75F, 1e-4F);

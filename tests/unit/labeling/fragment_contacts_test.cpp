@@ -16,14 +16,14 @@ constexpr int kBorder_px = PaintedFrame::kHeight;  // the middle column, top to 
 
 /// Left and right halves painted as parts, and seen as segments of their own.
 PaintedFrame withTwoParts(PaintedFrame frame) {
-  PaintedFrame::fill(frame.projected, PaintedFrame::kLeft, kLeftPart);
-  PaintedFrame::fill(frame.projected, PaintedFrame::kRight, kRightPart);
+  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kLeft, kLeftPart);
+  PaintedFrame::fill(frame.view.fragments, PaintedFrame::kRight, kRightPart);
   frame.segments = frame.segmentsOf({PaintedFrame::kLeft, PaintedFrame::kRight});
   return frame;
 }
 
 std::vector<FragmentContact> contactsOf(const PaintedFrame& frame) {
-  return findContacts(frame.input(), frame.projected);
+  return findContacts(frame.input(), frame.view.fragments);
 }
 
 TEST(FragmentContacts, AFoldHasTheAngleBetweenItsPlanes) {
@@ -79,7 +79,7 @@ TEST(FragmentContacts, TheShiftOfColorIsThatOfTheMeans) {
 TEST(FragmentContacts, TheShiftOfColorIsTheSameFromBothSidesOfAFragment) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
   const test::Rectangle island{44, 10, 57, 40};
-  PaintedFrame::fill(frame.projected, island, FragmentId{9});
+  PaintedFrame::fill(frame.view.fragments, island, FragmentId{9});
   frame.color_lab.assign(PaintedFrame::kPixels, Eigen::Vector3f(50, 0, 0));
   PaintedFrame::fill(frame.color_lab, island, Eigen::Vector3f(56, 8, 0));
   const auto contacts = contactsOf(frame);
@@ -96,7 +96,7 @@ TEST(FragmentContacts, AStepIsAsHighAsOneSurfaceLiesBehindTheOther) {
     EXPECT_NEAR(contacts.front().step_m, step_m, 1e-4F);
   }
   PaintedFrame frame = withTwoParts(PaintedFrame::step(0.02F));
-  frame.normals.assign(PaintedFrame::kPixels, {0, 0, 0, 0});
+  frame.view.normals_world.assign(PaintedFrame::kPixels, {0, 0, 0, 0});
   EXPECT_EQ(contactsOf(frame).front().step_m, 0) << "of an unknown direction";
 }
 
@@ -122,7 +122,8 @@ TEST(FragmentContacts, AGapOfTwoPixelsIsBridgedOneOfThreeIsNot) {
   for (const int gap : {1, 2, 3}) {
     PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
     const int first = PaintedFrame::kWidth / 2;
-    PaintedFrame::fill(frame.projected, {first, 0, first + gap - 1, PaintedFrame::kHeight - 1}, FragmentId{});
+    PaintedFrame::fill(frame.view.fragments, {first, 0, first + gap - 1, PaintedFrame::kHeight - 1},
+                       FragmentId{});
     const auto contacts = contactsOf(frame);
     EXPECT_EQ(contacts.empty() ? 0 : contacts.front().length_px, gap > 2 ? 0 : kBorder_px) << gap;
   }
@@ -144,7 +145,7 @@ TEST(FragmentContacts, IsBridgedWhereOneSegmentLiesOnBothSides) {
 
 TEST(FragmentContacts, NeedNoNormalsToTouch) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0.8F));
-  PaintedFrame::fill(frame.normals, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
+  PaintedFrame::fill(frame.view.normals_world, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
   const auto contacts = contactsOf(frame);
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts.front().length_px, kBorder_px);
@@ -154,14 +155,14 @@ TEST(FragmentContacts, NeedNoNormalsToTouch) {
 
 TEST(FragmentContacts, WithoutSurfaceThereIsNone) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
-  PaintedFrame::fill(frame.vertices, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
+  PaintedFrame::fill(frame.view.vertices_world, PaintedFrame::kRight, Eigen::Vector4f(0, 0, 0, 0));
   EXPECT_THAT(contactsOf(frame), testing::IsEmpty());
 }
 
 TEST(FragmentContacts, AreOrderedByTheirFragments) {
   PaintedFrame frame = withTwoParts(PaintedFrame::corner(0));
-  PaintedFrame::fill(frame.projected, {16, 12, 47, 35}, FragmentId{9});
-  PaintedFrame::fill(frame.projected, {30, 20, 33, 24}, FragmentId{1});
+  PaintedFrame::fill(frame.view.fragments, {16, 12, 47, 35}, FragmentId{9});
+  PaintedFrame::fill(frame.view.fragments, {30, 20, 33, 24}, FragmentId{1});
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const FragmentContact& contact : contactsOf(frame))
     pairs.emplace_back(contact.a.value, contact.b.value);

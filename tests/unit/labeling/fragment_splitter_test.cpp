@@ -17,14 +17,14 @@ constexpr Rectangle kSmall{PaintedFrame::kWidth / 2, 10, PaintedFrame::kWidth / 
 class FragmentCutterTest : public testing::Test {
  protected:
   explicit FragmentCutterTest(const PaintedFrame& frame = PaintedFrame::corner(1)) : frame_(frame) {
-    PaintedFrame::fill(frame_.projected, PaintedFrame::kAll, kComplete);
+    PaintedFrame::fill(frame_.view.fragments, PaintedFrame::kAll, kComplete);
   }
 
   std::vector<FragmentSplitter::Cut> look(const std::vector<Rectangle>& segments) {
     frame_.segments = frame_.segmentsOf(segments);
     std::vector<FragmentId> owner(segments.size() + 1, kComplete);
     owner[0] = {};
-    return cutter_.find(frame_.input(), buildOverlapGraph<FragmentId>(frame_.segments, frame_.projected),
+    return cutter_.find(frame_.input(), buildOverlapGraph<FragmentId>(frame_.segments, frame_.view.fragments),
                         owner);
   }
   /// The look of `count` that first cut; 0: none did.
@@ -125,9 +125,10 @@ TEST_F(FragmentCutterTest, ASegmentOfAnotherFragmentIsNoSide) {
   for (int i = 0; i < 10; ++i) {
     frame_.segments = frame_.segmentsOf({PaintedFrame::kLeft, kSmall});
     const std::vector<FragmentId> owner{{}, kComplete, FragmentId{8}};
-    EXPECT_TRUE(
-        cutter_.find(frame_.input(), buildOverlapGraph<FragmentId>(frame_.segments, frame_.projected), owner)
-            .empty());
+    EXPECT_TRUE(cutter_
+                    .find(frame_.input(),
+                          buildOverlapGraph<FragmentId>(frame_.segments, frame_.view.fragments), owner)
+                    .empty());
   }
 }
 

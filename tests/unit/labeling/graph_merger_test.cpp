@@ -31,7 +31,7 @@ TEST(GraphMerger, ASegmentOnUnlabeledGroundIsANewFragment) {
   const auto& outcome = scan.look(kClear);
   EXPECT_TRUE(outcome.events.joined.empty());
   EXPECT_NE(scan.fragmentAt(kX, kY), scan.fragmentAt(kOtherX, kY));
-  EXPECT_EQ(outcome.map.regions.front(), scan.regionAt(0, 0));
+  EXPECT_EQ(outcome.regions.front(), scan.regionAt(0, 0));
   EXPECT_FALSE(areOne(scan));
 }
 

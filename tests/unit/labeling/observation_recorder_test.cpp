@@ -10,23 +10,26 @@ struct TwoSurfaces {
   static constexpr int kWidth = 80, kHeight = 60;
   RegionTable table;
   FragmentId left = table.newFragment(), right = table.newFragment(), speck = table.newFragment();
-  RegionMap map{kWidth, kHeight, std::vector<FragmentId>(kWidth* kHeight),
-                std::vector<RegionId>(kWidth* kHeight)};
-  std::vector<Eigen::Vector4f> vertices{kWidth * kHeight, Eigen::Vector4f(0, 0, 0, 0)};
+  RenderedView view;
 
   TwoSurfaces() {
+    view.K.width = kWidth;
+    view.K.height = kHeight;
+    view.fragments.resize(kWidth * kHeight);
+    view.vertices_world.resize(kWidth * kHeight);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const auto at = static_cast<std::size_t>(y * kWidth + x);
         const bool is_left = x < kWidth / 2;
-        map.fragments[at] = is_left ? left : right;
-        vertices[at] = {is_left ? -1.0F : 1.0F, 0, 2, 1};
+        view.fragments[at] = is_left ? left : right;
+        view.vertices_world[at] = {is_left ? -1.0F : 1.0F, 0, 2, 1};
       }
     }
-    map.fragments[0] = map.fragments[1] = speck;
+    view.fragments[0] = view.fragments[1] = speck;
   }
   void record(const Eigen::Vector3d& camera) {
-    ObservationRecorder().record(map, vertices, Eigen::Isometry3d(Eigen::Translation3d(camera)), table);
+    view.T_world_camera = Eigen::Translation3d(camera);
+    ObservationRecorder().record(view, table);
   }
 };
 
@@ -54,7 +57,7 @@ TEST(ObservationRecorder, AFewPixelsAreNoLook) {
 
 TEST(ObservationRecorder, PixelsWithoutSurfaceAreNoLook) {
   TwoSurfaces scene;
-  for (auto& vertex : scene.vertices) vertex.w() = 0;
+  for (auto& vertex : scene.view.vertices_world) vertex.w() = 0;
   scene.record({0, 0, 0});
   EXPECT_EQ(scene.table.seenFrom(scene.left), ViewCoverage());
 }

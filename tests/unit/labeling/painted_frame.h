@@ -21,14 +21,16 @@ struct PaintedFrame {
   static constexpr Rectangle kRight{kWidth / 2, 0, kWidth - 1, kHeight - 1};
   static constexpr auto kPixels = static_cast<std::size_t>(kWidth) * kHeight;
 
-  Intrinsics K{60, 60, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight};
-  std::vector<Eigen::Vector4f> vertices = std::vector<Eigen::Vector4f>(kPixels);
-  std::vector<Eigen::Vector4f> normals = std::vector<Eigen::Vector4f>(kPixels);
+  RenderedView view{{60, 60, (kWidth - 1) / 2.0F, (kHeight - 1) / 2.0F, kWidth, kHeight},
+                    Eigen::Isometry3d::Identity(),
+                    std::vector<Eigen::Vector4f>(kPixels),
+                    std::vector<Eigen::Vector4f>(kPixels),
+                    std::vector<FragmentId>(kPixels),
+                    {}};
   std::vector<Eigen::Vector3f> color_lab;  ///< empty: no colour
-  std::vector<FragmentId> projected = std::vector<FragmentId>(kPixels);
-  std::vector<int> voxels;             ///< by fragment
-  SegmentMap segments;                 ///< to be made by segmentsOf()
-  std::vector<std::uint8_t> appeared;  ///< as in MergeInput; empty: nothing came
+  std::vector<int> voxels;                 ///< by fragment
+  SegmentMap segments;                     ///< to be made by segmentsOf()
+  std::vector<std::uint8_t> appeared;      ///< as in MergeInput; empty: nothing came
 
   /// Two upright planes that meet in the middle column, 1 m ahead. `turn_rad`: angle between their normals,
   /// > 0 an inner corner, < 0 an outer one, 0 a wall.
@@ -55,15 +57,12 @@ struct PaintedFrame {
     map.areas.assign(id + 1, 0);
     for (std::size_t i = 0; i < kPixels; ++i) {
       ++map.areas[map.ids[i]];
-      if (map.ids[i] != 0) map.depths_m[i] = vertices[i].z();
+      if (map.ids[i] != 0) map.depths_m[i] = view.vertices_world[i].z();
     }
     return map;
   }
 
-  [[nodiscard]] MergeInput input() const {
-    return {segments, projected, vertices, normals, color_lab, K, Eigen::Isometry3d::Identity(),
-            voxels,   appeared};
-  }
+  [[nodiscard]] MergeInput input() const { return {segments, view, color_lab, voxels, appeared}; }
 
  private:
   /// Depth and normal of the plane through (0, 0, 1) whose normal is turned by `yaw_rad` to the right.
@@ -76,9 +75,9 @@ struct PaintedFrame {
     PaintedFrame frame;
     for (std::size_t i = 0; i < kPixels; ++i) {
       const auto u = static_cast<float>(i % kWidth), v = static_cast<float>(i / kWidth);
-      const auto [z, normal] = at(frame.K.backProject(u, v, 1).x());
-      frame.vertices[i] = frame.K.backProject(u, v, z).homogeneous();
-      frame.normals[i] << normal, 1.0F;
+      const auto [z, normal] = at(frame.view.K.backProject(u, v, 1).x());
+      frame.view.vertices_world[i] = frame.view.K.backProject(u, v, z).homogeneous();
+      frame.view.normals_world[i] << normal, 1.0F;
     }
     return frame;
   }
@@ -104,7 +103,7 @@ class PaintedScan {
   }
   [[nodiscard]] RegionId regionAt(int x, int y) const { return table.regionOf(fragmentAt(x, y)); }
   [[nodiscard]] FragmentId fragmentAt(int x, int y) const {
-    return frame_.projected[static_cast<std::size_t>(y * PaintedFrame::kWidth + x)];
+    return frame_.view.fragments[static_cast<std::size_t>(y * PaintedFrame::kWidth + x)];
   }
 
   RegionTable table;
@@ -116,9 +115,9 @@ class PaintedScan {
     frame_.segments = frame_.segmentsOf(segments);
     outcome_ = merger.merge(frame_.input(), table, params);
     for (std::size_t i = 0; i < PaintedFrame::kPixels; ++i) {
-      FragmentId& held = frame_.projected[i];
+      FragmentId& held = frame_.view.fragments[i];
       int& confidence = confidence_[i];
-      const FragmentId seen = outcome_.map.fragments[i];
+      const FragmentId seen = outcome_.fragments[i];
       if (!seen) continue;
       const bool at_once = std::ranges::find(outcome_.split_off, seen) != outcome_.split_off.end();
       if (held == seen) {
@@ -135,7 +134,7 @@ class PaintedScan {
 
   void countVoxels() {
     frame_.voxels.assign(table.regions().size(), 0);
-    for (const FragmentId held : frame_.projected) {
+    for (const FragmentId held : frame_.view.fragments) {
       if (held) frame_.voxels[held.value] += kVoxelsAPixel;
     }
     for (std::uint32_t i = 1; i < frame_.voxels.size(); ++i) {

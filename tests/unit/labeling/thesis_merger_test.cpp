@@ -17,8 +17,9 @@ class ThesisMergerTest : public testing::Test {
                               const std::vector<std::uint32_t>& projected) {
     while (table_.regions().size() <= *std::ranges::max_element(projected)) (void)table_.newFragment();
     const SegmentMap map = segmentsOf(segments);
-    const std::vector<FragmentId> fragments = idsOf<FragmentId>(projected);
-    return merger_.merge({map, fragments, {}, {}, {}, {}, Eigen::Isometry3d::Identity(), {}}, table_, {});
+    RenderedView view;
+    view.fragments = idsOf<FragmentId>(projected);
+    return merger_.merge({map, view, {}, {}}, table_, {});
   }
   [[nodiscard]] RegionId regionOf(std::uint32_t fragment) const {
     return table_.regionOf(FragmentId{fragment});
@@ -30,18 +31,18 @@ class ThesisMergerTest : public testing::Test {
 
 TEST_F(ThesisMergerTest, ASegmentOnUnlabeledGroundIsANewFragment) {
   const auto outcome = merge({1, 1, 2, 0}, {0, 0, 0, 0});
-  EXPECT_EQ(outcome.map.fragments, idsOf<FragmentId>({1, 1, 2, 0}));
-  EXPECT_EQ(outcome.map.regions, idsOf<RegionId>({1, 1, 2, 0}));
+  EXPECT_EQ(outcome.fragments, idsOf<FragmentId>({1, 1, 2, 0}));
+  EXPECT_EQ(outcome.regions, idsOf<RegionId>({1, 1, 2, 0}));
   EXPECT_TRUE(outcome.events.joined.empty());
 }
 
 TEST_F(ThesisMergerTest, TwoSegmentsOnOneRegionAreThatRegion) {
-  EXPECT_EQ(merge({1, 1, 1, 2, 2, 2}, {5, 5, 5, 5, 5, 5}).map.regions, std::vector(6, RegionId{5}));
+  EXPECT_EQ(merge({1, 1, 1, 2, 2, 2}, {5, 5, 5, 5, 5, 5}).regions, std::vector(6, RegionId{5}));
 }
 
 TEST_F(ThesisMergerTest, JoinsWhatOneSegmentCoversIntoTheLargest) {
   const auto outcome = merge({1, 1, 1, 1, 1}, {2, 2, 4, 4, 4});
-  EXPECT_EQ(outcome.map.regions, std::vector(5, RegionId{4}));
+  EXPECT_EQ(outcome.regions, std::vector(5, RegionId{4}));
   EXPECT_EQ(regionOf(2), RegionId{4});
   EXPECT_EQ(outcome.events.joined, (std::vector<std::pair<RegionId, RegionId>>{{RegionId{4}, RegionId{2}}}));
 }
@@ -53,7 +54,7 @@ TEST_F(ThesisMergerTest, FollowsChains) {
 }
 
 TEST_F(ThesisMergerTest, PixelsWithoutSegmentKeepTheirRegion) {
-  EXPECT_EQ(merge({1, 1, 0}, {1, 1, 2}).map.regions, idsOf<RegionId>({1, 1, 2}));
+  EXPECT_EQ(merge({1, 1, 0}, {1, 1, 2}).regions, idsOf<RegionId>({1, 1, 2}));
 }
 
 TEST_F(ThesisMergerTest, FragmentsOfOneRegionCountAsOne) {
@@ -63,8 +64,8 @@ TEST_F(ThesisMergerTest, FragmentsOfOneRegionCountAsOne) {
   // of 10.
   const auto outcome = merge({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2},
                              {1, 1, 2, 2, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2});
-  EXPECT_EQ(outcome.map.regions, std::vector(22, regionOf(1)));
-  EXPECT_EQ(outcome.map.fragments[2], FragmentId{2}) << "a voxel of the region keeps its fragment";
+  EXPECT_EQ(outcome.regions, std::vector(22, regionOf(1)));
+  EXPECT_EQ(outcome.fragments[2], FragmentId{2}) << "a voxel of the region keeps its fragment";
 }
 
 }  // namespace

@@ -38,9 +38,13 @@ FrameLabelWriter::Frame frameOf(int index, std::uint32_t left, std::uint32_t rig
 
 /// A map that shows `left` and `right` from every place, as frameOf does.
 FrameLabelWriter::RenderView mapOf(std::uint32_t left, std::uint32_t right) {
-  return [=](const Eigen::Isometry3d&) -> Result<FrameLabelWriter::FinalView> {
-    const FrameLabelWriter::Frame frame = frameOf(0, left, right);
-    return FrameLabelWriter::FinalView{kWidth, kHeight, frame.regions, frame.segments.depths_m};
+  return [=](const Eigen::Isometry3d&) -> Result<RenderedView> {
+    RenderedView view;
+    view.K.width = kWidth;
+    view.K.height = kHeight;
+    view.vertices_world.assign(kWidth * kHeight, {0, 0, 1, 1});
+    view.regions = frameOf(0, left, right).regions;
+    return view;
   };
 }
 
@@ -142,11 +146,10 @@ TEST(FrameLabelWriter, AMapThatCannotBeLookedAtIsAnError) {
   RegionNumbers numbers;
   FrameLabelWriter writer(folder.path(), numbers);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer.add(frameOf(i, 5, 6)));
-  const Result<void> finished =
-      writer.finish([](const Eigen::Isometry3d& T) -> Result<FrameLabelWriter::FinalView> {
-        if (T.translation().x() == 1) return fail("The device is gone.");
-        return mapOf(5, 6)(T);
-      });
+  const Result<void> finished = writer.finish([](const Eigen::Isometry3d& T) -> Result<RenderedView> {
+    if (T.translation().x() == 1) return fail("The device is gone.");
+    return mapOf(5, 6)(T);
+  });
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().what, HasSubstr("The device is gone."));
   EXPECT_EQ(halves(folder / "labels-final" / nameOf(0)), std::pair(5, 6));

@@ -18,25 +18,24 @@ ObjectId thingOf(RegionId region) {
 class ObjectsInView : public testing::Test {
  protected:
   ObjectsInView() {
-    map_.width = 10;
-    map_.height = 8;
-    map_.regions.assign(80, kTableTop);
+    view_.K = {10, 10, 4.5F, 3.5F, 10, 8};
+    view_.regions.assign(80, kTableTop);
     fill({2, 3, 3, 4}, kBody);
     fill({5, 4, 1, 2}, kHandle);
     fill({8, 1, 1, 1}, kCrumb);
-    in_color_ = locateInColor(std::nullopt, {10, 10, 4.5F, 3.5F, 10, 8}, Eigen::Isometry3d::Identity(), {});
+    in_color_ = locateInColor(std::nullopt, view_.K, view_.T_world_camera, {});
   }
   void fill(const cv::Rect& pixels, RegionId region) {
     for (int v = pixels.y; v < pixels.br().y; ++v) {
       for (int u = pixels.x; u < pixels.br().x; ++u)
-        map_.regions[static_cast<std::size_t>(v * map_.width + u)] = region;
+        view_.regions[static_cast<std::size_t>(v * view_.K.width + u)] = region;
     }
   }
   [[nodiscard]] std::vector<SeenObject> seen(int least_pixels) const {
-    return objectsInView(map_, in_color_, thingOf, least_pixels);
+    return objectsInView(view_, in_color_, thingOf, least_pixels);
   }
 
-  RegionMap map_;
+  RenderedView view_;
   SurfaceInColor in_color_;
 };
 

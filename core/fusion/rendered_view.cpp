@@ -1,0 +1,36 @@
+#include "core/fusion/rendered_view.h"
+
+#include <algorithm>
+
+#include "core/compute/compute_context.h"
+#include "core/fusion/surface_maps.h"
+
+namespace scantrove {
+
+DepthView RenderedView::depth() const {
+  DepthView view{K, T_world_camera, {}};
+  if (vertices_world.empty()) return view;
+  view.z_m.create(K.height, K.width, CV_32FC1);
+  const Eigen::RowVector4f depth_row = T_world_camera.inverse().matrix().row(2).cast<float>();
+  std::ranges::transform(vertices_world, view.z_m.begin<float>(), [&](const Eigen::Vector4f& vertex) {
+    return vertex.w() > 0 ? depth_row.dot(vertex) : 0.0F;
+  });
+  return view;
+}
+
+RenderedView readView(ComputeContext& compute, const SurfaceMaps& surface) {
+  static_assert(sizeof(Eigen::Vector4f) == sizeof(cl_float4));
+  const auto read = [&](const Buffer<cl_float4>& from) {
+    std::vector<Eigen::Vector4f> to(from.size() > 0 ? static_cast<std::size_t>(surface.K.pixels()) : 0);
+    from.read(compute.queue(), {reinterpret_cast<cl_float4*>(to.data()), to.size()});
+    return to;
+  };
+  RenderedView view;
+  view.K = surface.K;
+  view.T_world_camera = surface.T_world_camera;
+  view.vertices_world = read(surface.vertices_world);
+  view.normals_world = read(surface.normals_world);
+  return view;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/capture/intrinsics.h"
+#include "core/fusion/depth_view.h"
+
+namespace scantrove {
+
+class ComputeContext;
+struct SurfaceMaps;
+
+/// What the map shows from a pose, on the host. Each image has K.pixels() elements, row by row, or none: then
+/// it was not asked for.
+struct RenderedView {
+  Intrinsics K;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  std::vector<Eigen::Vector4f> vertices_world;  ///< V_t: (x, y, z, 1) metres; all 0: no surface
+  std::vector<Eigen::Vector4f> normals_world;   ///< N_t: (x, y, z, 1) unit, towards the camera; all 0: none
+  std::vector<FragmentId> fragments;            ///< of the surface; none: unlabelled
+  std::vector<RegionId> regions;                ///< of the fragments; none: unlabelled
+
+  /// Depth of the vertices, 0: no surface. An empty image where there are no vertices.
+  [[nodiscard]] DepthView depth() const;
+};
+
+/// Camera, vertices and normals of `surface`, read from the device. A surface without buffers gives no
+/// images. May throw cl::Error.
+[[nodiscard]] RenderedView readView(ComputeContext& compute, const SurfaceMaps& surface);
+
+}  // namespace scantrove
