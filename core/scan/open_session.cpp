@@ -172,7 +172,7 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
   SCANTROVE_TRY(moveInto(
       session->pipeline_,
       ScanPipeline::create(*session->compute_, {.K = session->setup_.K, .params = session->setup_.params})));
-  SCANTROVE_TRY(restoreScan(*session->pipeline_, *writer, session->scan_, false, session->damages_));
+  SCANTROVE_TRY(restoreScan(*session->pipeline_, nullptr, *writer, session->scan_, false, session->damages_));
   session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
   session->readCatalogue();
   session->completePendingEdits();

@@ -83,6 +83,8 @@ class OpenSession {
   /// What is to be said of the region, as of the last reading of the catalogue; nothing of one without
   /// labels.
   [[nodiscard]] RegionLabel labelOf(RegionId region) const;
+  /// Of all regions that there is something to say of.
+  [[nodiscard]] const std::map<RegionId, RegionLabel>& labels() const { return labels_; }
   /// Reads what the catalogue says of the objects now; regions() does so by itself.
   void readCatalogue();
   /// Says that the catalogue is not there, and its words are those that the session kept.

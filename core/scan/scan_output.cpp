@@ -65,7 +65,8 @@ Result<void> ScanOutput::writeTrajectory() {
   });
 }
 
-Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report) {
+Result<void> ScanOutput::finish(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
+                                const ScanReport& report) {
   FirstError outcome;
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
@@ -76,14 +77,13 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const ScanReport& report
       return label_images_->finish([&](const Eigen::Isometry3d& T) { return pipeline.renderView(T); });
     });
   }
-  attempt("writing the labelled cloud", [&] { return writeCloud(pipeline); });
+  attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, labels); });
   return outcome.result();
 }
 
-Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline) {
+Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels) {
   LabeledCloud points;
   std::map<RegionId, LabelMapEntry> entries;
-  const std::map<RegionId, RegionLabel> labels = pipeline.labels();
   FirstError outcome;
   const auto add = [&](const LabelPoint& point) {
     const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});

@@ -40,14 +40,16 @@ class ScanOutput {
   /// The other files. Writes what there is; a file that cannot be written keeps no other from being written,
   /// nor does a device that fails: the cloud is what could be read of it. Error: the first that failed (the
   /// others are in the log).
-  [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const ScanReport& report);
+  [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
+                                    const ScanReport& report);
   /// That finish() wrote.
   [[nodiscard]] std::size_t cloudPoints() const { return cloud_points_; }
 
  private:
   explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  [[nodiscard]] Result<void> writeCloud(ScanPipeline& pipeline);
+  [[nodiscard]] Result<void> writeCloud(ScanPipeline& pipeline,
+                                        const std::map<RegionId, RegionLabel>& labels);
 
   std::filesystem::path folder_;
   Trajectory trajectory_;

@@ -47,25 +47,18 @@ Result<std::unique_ptr<ScanPipeline>> ScanPipeline::create(ComputeContext& compu
                               setup.params.fusion.truncation_vox);
   pipeline->editor_.emplace(pipeline->table_, *pipeline->merger_, *pipeline->editable_);
   pipeline->finder_ = makeRuleBasedFinder(setup.params.discovery);
-  if (setup.database != nullptr) {
-    SCANTROVE_TRY(
-        moveInto(pipeline->collector_, ObjectCollector::create(compute, *setup.database, setup.catalogue,
-                                                               setup.params.detection, setup.collector)));
-  }
   return pipeline;
 }
 
-ScanPipeline::Readings ScanPipeline::readingsOf(const RgbdFrame& frame, const RenderedView& view) const {
-  Readings readings;
-  readings.view = {view.K.resizedTo(frame.depth.cols, frame.depth.rows), view.T_world_camera, {}};
-  frame.depth.convertTo(readings.view.z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
-  readings.contradicted = contradictedSurface(readings.view, view, params_.fusion.depth_noise_m);
-  return readings;
-}
-
-ScanPipeline::FrameClues ScanPipeline::cluesOf(const RgbdFrame& frame, const RenderedView& view,
-                                               const SurfaceInColor& in_color) const {
-  return {labColors(frame, view.K, in_color), readingsOf(frame, view)};
+FrameObservation ScanPipeline::observationOf(const RgbdFrame& frame, const RenderedView& view,
+                                             SurfaceInColor in_color) const {
+  FrameObservation observed;
+  observed.color_lab = labColors(frame, view.K, in_color);
+  observed.in_color = std::move(in_color);
+  observed.depth = {view.K.resizedTo(frame.depth.cols, frame.depth.rows), view.T_world_camera, {}};
+  frame.depth.convertTo(observed.depth.z_m, CV_32F, static_cast<double>(frame.meters_per_unit));
+  observed.contradicted = contradictedSurface(observed.depth, view, params_.fusion.depth_noise_m);
+  return observed;
 }
 
 template <class Work>
@@ -77,9 +70,7 @@ Result<FrameResult> ScanPipeline::processFrame(const RgbdFrame& frame, const Nex
   ++frames_;
   return guarded("in frame " + std::to_string(frame.index), [&]() -> Result<FrameResult> {
     try {
-      FrameResult result = runStages(frame, next);
-      timer_.endFrame();
-      return result;
+      return runStages(frame, next);
     } catch (const cl::Error& error) {
       if (!isOutOfMemory(error)) throw;
       return fail(outOfMemory(frame.index));
@@ -157,39 +148,33 @@ FrameResult ScanPipeline::runStages(const RgbdFrame& frame, const NextFrame& nex
     result.view = readView(compute_, surface_);
     result.view.fragments = cloud_->project(surface_, map_->bricks());
   });
-  const SurfaceInColor in_color = stage("color", [&] {
+  SurfaceInColor in_color = stage("color", [&] {
     return locateInColor(frame.color_camera, working_K_, T_world_camera, result.view.vertices_world);
   });
-  std::future<FrameClues> looked = std::async(std::launch::async, [&] {
+  const cv::Mat hidden = in_color.hidden;
+  std::future<FrameObservation> observed = std::async(std::launch::async, [&] {
     known_ = KnownSurface(result.view);
-    return cluesOf(frame, result.view, in_color);
+    return observationOf(frame, result.view, std::move(in_color));
   });
   stage("color", [&] {
-    color_integrator_->integrate(map_->bricks(), {surface_, result.view, depth, in_color.hidden}, frame);
+    color_integrator_->integrate(map_->bricks(), {surface_, result.view, depth, hidden}, frame);
   });
   beginNext(next);
   result.segments = stage("segment", [&] { return segments.get(); });
-  const FrameClues clues = stage("color", [&] { return looked.get(); });
+  result.observed = stage("color", [&] { return observed.get(); });
   RegionMerger::Outcome merged = stage("merge", [&] {
-    return merger_->merge(
-        {result.segments, result.view, clues.lab, cloud_->voxelsOfFragments(), appearedRegions()}, table_,
-        params_.labeling);
+    return merger_->merge({result.segments, result.view, result.observed.color_lab,
+                           cloud_->voxelsOfFragments(), appearedRegions()},
+                          table_, params_.labeling);
   });
   touched_ = stage("update", [&] { return label(surface_, merged); });
   result.view.fragments = std::move(merged.fragments);
   result.view.regions = std::move(merged.regions);
   stage("discover", [&] { observations_.record(result.view, table_); });
 
-  tellOf(merged.events, ObjectCollector::JoinedBy::frames);
-  const std::vector<Candidate> candidates = stage(
-      "discover", [&] { return findCandidates(*finder_, result.view, clues, table_, appearedRegions()); });
-  if (collector_) {
-    result.objects =
-        stage("detect", [&] { return collector_->collect(frame, result.pose, in_color, candidates); });
-    keepKnown(result.objects);
-    collector_->lookForThoseMet(clues.readings.view, params_.fusion.depth_noise_m);
-    last_seen_ = {frame, T_world_camera};
-  }
+  result.region_events = std::move(merged.events);
+  follow(result.region_events);
+  stage("discover", [&] { findCandidates(*finder_, table_, appearedRegions(), result); });
   if (tracker_) result.late = integrateLate();
   stage("integrate", [&] { map_->settle(); });
   return result;
@@ -217,48 +202,30 @@ std::vector<LateFrame> ScanPipeline::integrateLate() {
   return late;
 }
 
-std::vector<Candidate> ScanPipeline::findCandidates(CandidateSource& finder, const RenderedView& view,
-                                                    const FrameClues& clues, const RegionTable& table,
-                                                    std::span<const std::uint8_t> appeared) {
-  const auto joiningOdds = [&](RegionId a, RegionId b) {
+void ScanPipeline::findCandidates(CandidateSource& finder, const RegionTable& table,
+                                  std::span<const std::uint8_t> appeared, FrameResult& result) const {
+  const std::vector<RegionId> shown = result.shownRegions();
+  DiscoveryInput input = result.inputFor(shown);
+  input.joining_odds = [&](RegionId a, RegionId b) {
     constexpr float kNever = -std::numeric_limits<float>::infinity();
     return merger_->joiningOdds(a, b, table, cloud_->voxelsOfFragments(), params_.labeling).value_or(kNever);
   };
-  // What is not there, or stands behind somebody, is on the map but not in this frame's images.
-  std::vector<RegionId> shown = view.regions;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    if (clues.readings.contradicted.data[i] != 0) shown[i] = {};
-  }
-  const DiscoveryInput input{view, shown, joiningOdds, appeared, clues.lab};
-  std::vector<Candidate> candidates = finder.find(input);
-  if (collector_) {
-    constexpr double kMinPart = 0.0005;  // of the image: less may be a rest of something
-    collector_->setRegionsInView(
-        finder.census().regionsOfSize(kMinPart * static_cast<double>(view.K.pixels())));
-  }
-  leaveOutSaid(candidates);
-  addWanted(input, candidates);
-  return candidates;
+  input.appeared = appeared;
+  result.candidates = finder.find(input);
+  constexpr double kMinPart = 0.0005;  // of the image: less may be a rest of something
+  const auto pixels = static_cast<double>(result.view.K.pixels());
+  result.regions_in_view = finder.census().regionsOfSize(kMinPart * pixels);
 }
 
-void ScanPipeline::tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by) {
-  for (const auto& [into, from] : events.joined) {
-    finder_->regionsJoined(into, from);
-    if (collector_) collector_->regionsJoined(into, from, by);
-  }
-  for (const auto& [from, part] : events.parted) {
-    finder_->regionParted(from);
-    if (collector_) collector_->regionsParted(from, part);
-  }
+void ScanPipeline::follow(const RegionEvents& events) {
+  for (const auto& [into, from] : events.joined) finder_->regionsJoined(into, from);
+  for (const auto& [from, part] : events.parted) finder_->regionParted(from);
 }
 
-void ScanPipeline::keepKnown(const FrameObjects& objects) {
-  for (const SeenObject& seen : objects.seen) {
-    for (const RegionId region : seen.regions) {
-      table_.setKnown(region, seen.confirmed || seen.recognized);
-      // What a person confirmed is one thing, of however many regions it was found.
-      if (seen.confirmed) merger_->mustBeOne(*seen.regions.begin(), region, table_);
-    }
+void ScanPipeline::setKnown(const RegionSet& regions, Known known) {
+  for (const RegionId region : regions) {
+    table_.setKnown(region, known != Known::no);
+    if (known == Known::one_thing) merger_->mustBeOne(*regions.begin(), region, table_);
   }
 }
 
@@ -318,7 +285,6 @@ void ScanPipeline::setParams(const ScanParams& params) {
     editor_->useMerger(*merger_);
   }
   finder_->setParams(params_.discovery);
-  if (collector_) collector_->setParams(params_.detection);
 }
 
 std::size_t ScanPipeline::deviceBytes() const { return map_->bricks().deviceBytes(); }

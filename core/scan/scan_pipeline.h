@@ -10,10 +10,9 @@
 #include "core/base/stage_timer.h"
 #include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
-#include "core/catalogue/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/discovery/candidate_finder.h"
-#include "core/discovery/region_judge.h"
+#include "core/discovery/region_samples.h"
 #include "core/editing/region_editor.h"
 #include "core/fusion/color_integrator.h"
 #include "core/fusion/dense_map.h"
@@ -29,48 +28,24 @@
 #include "core/scan/editable_cloud.h"
 #include "core/scan/finer_regions.h"
 #include "core/scan/frame_label_writer.h"
-#include "core/scan/frame_objects.h"
-#include "core/scan/object_collector.h"
-#include "core/scan/rated_sets.h"
+#include "core/scan/frame_result.h"
 #include "core/scan/scan_params.h"
+#include "core/scan/scan_snapshot.h"
 #include "core/segmentation/graph_segmenter.h"
-#include "core/tracking/pose_estimate.h"
 #include "core/tracking/pose_tracker.h"
 
 namespace scantrove {
 
-/// A frame that could not be used when it came, and went into the map later.
-struct LateFrame {
-  int index = 0;  ///< of the source
-  double timestamp_s = 0;
-  PoseEstimate pose;
-};
-
-/// What one frame gave. Maps are empty when the pose was not usable.
-struct FrameResult {
-  PoseEstimate pose;
-  SegmentMap segments;  ///< S_t
-  RenderedView view;    ///< V_t, N_t and S_cloud,t
-  FrameObjects objects;
-  std::vector<LateFrame> late;         ///< earlier ones that were understood with this one
-  bool is_tracking_key_frame = false;  ///< the camera finds its way by this frame from now on
-  std::optional<RevisitedKeyFrame>
-      returned;  ///< a place that the frame before, or one before it, came back to
-};
-
-/// One frame through every stage of the thesis. Owns map, label cloud and region table; cost per frame does
-/// not depend on how much was scanned. One thread, the compute context's.
+/// One frame through every stage of the thesis up to the candidates for objects. Owns map, label cloud and
+/// region table, and knows no catalogue; cost per frame does not depend on how much was scanned. One thread,
+/// the compute context's.
 class ScanPipeline {
  public:
   struct Setup {
     Intrinsics K;  ///< of the recording
     ScanParams params;
-    bool poses_given = false;  ///< take RgbdFrame::T_world_camera instead of tracking
-    /// Is read by create(), and needed no longer; null: discover, but neither recognise nor collect.
-    ObjectDatabase* database = nullptr;
-    CatalogueWriter::Options catalogue = {};        ///< that of the database
-    std::span<const std::uint32_t> collector = {};  ///< of CollectorMemory, for a scan that continues
-    std::optional<int> frame_count = {};            ///< of the recording; empty for a live camera
+    bool poses_given = false;             ///< take RgbdFrame::T_world_camera instead of tracking
+    std::optional<int> frame_count = {};  ///< of the recording; empty for a live camera
   };
 
   /// `compute` outlives the pipeline.
@@ -80,8 +55,9 @@ class ScanPipeline {
   /// The frame that processFrame() is given next, if it is there already; asked for once, on this thread.
   using NextFrame = std::function<std::optional<RgbdFrame>()>;
   /// Error: the device failed or has no memory left; the scan cannot go on, but what there is can be read
-  /// out. A lost frame is a value, not an error, and so is a catalogue that cannot be reached. What is known
-  /// of `next` by then is found out beside this frame's labelling, on another thread; results are the same.
+  /// out. A lost frame is a value, not an error. What is known of `next` by then is found out beside this
+  /// frame's labelling, on another thread; results are the same. Its stages are in timer(); the caller ends
+  /// the frame there.
   [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame, const NextFrame& next = {});
 
   /// Replaces all parameters but those of fusion, which are fixed for the life of the map.
@@ -122,94 +98,37 @@ class ScanPipeline {
   void relocalizeNear(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
   /// The camera is somewhere on the map, perhaps there. May throw cl::Error.
   void resumeAt(const Eigen::Isometry3d& T_world_camera);
-  /// The region is that object of the catalogue.
-  void bindObject(RegionId region, ObjectId object) {
-    if (collector_) collector_->bind(region, object);
-  }
-  /// What namings of the region did in earlier scans of this map can be taken back.
-  void restoreNamings(RegionId region, const std::vector<StoredNaming>& namings) {
-    if (collector_) collector_->restoreNamings(region, namings);
-  }
-
-  /// What was said of regions in an earlier scan of this map holds for the catalogue, too: things that are no
-  /// objects of it become such when they are seen.
-  void wantAsSaid();
-
-  /// Learns what became of the catalogue; processFrame does so by itself while there is a pose.
-  [[nodiscard]] FrameObjects followCatalogue() {
-    return collector_ ? collector_->followCatalogue() : FrameObjects{};
-  }
-  /// The steps of a Refinement, with the regions as they are now: what is one whole thing by all that is
-  /// known becomes an object, be it a part of a region or several, and objects, or views of them, that show
-  /// something else are left behind. First segmentCloser() frames of the scan, which changes regions as a
-  /// frame does (by the rule `graph`): what is as narrow as the spine of a book parts only so. Then begin;
-  /// then rate() these frames; then settle; then judgeViewsOf() all framesOfViews(); then lookAgain() at the
-  /// frames that were rated; then beginLastLooks() and lookAgain() at those that it names; then end. What was
-  /// settled in an earlier run of the program goes on after resumeLookingAgain(). Error: the device failed.
-  [[nodiscard]] Result<void> segmentCloser(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  [[nodiscard]] Result<void> beginLookingAgain();
-  [[nodiscard]] Result<void> rate(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  [[nodiscard]] Result<void> settleWholes();
-  [[nodiscard]] Result<void> resumeLookingAgain();
-  /// RgbdFrame::index of frames of which views were kept, rising.
-  [[nodiscard]] std::vector<int> framesOfViews() const;
-  [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
-  [[nodiscard]] Result<FrameObjects> lookAgain(const RgbdFrame& frame,
-                                               const Eigen::Isometry3d& T_world_camera);
-  [[nodiscard]] std::vector<int> beginLastLooks();
-  void endLookingAgain();
+  /// Segments an earlier frame at the full resolution of its depth and merges it (by the rule `graph`; else
+  /// nothing): that separates structures as narrow as a book spine. Error: the device failed.
+  [[nodiscard]] Result<RegionEvents> segmentCloser(const RgbdFrame& frame,
+                                                   const Eigen::Isometry3d& T_world_camera);
+  /// What the map and an earlier frame show from there, with the regions as they are now and the pixels of
+  /// the frame's depth image, at most twice the working ones along each side. May throw cl::Error.
+  [[nodiscard]] FrameResult observe(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  /// Finds what may be an object in it, with `table` for the regions.
+  void findCandidates(CandidateSource& finder, const RegionTable& table, FrameResult& observed) const;
+  /// Makes regions of parts of regions: FinerRegions::apply.
+  [[nodiscard]] RegionEvents divide(const FinerRegions& finer, std::span<const RegionSet> parts);
+  /// Frames neither join nor part a known region; all `regions` of one thing become one region.
+  enum class Known { no, yes, one_thing };
+  void setKnown(const RegionSet& regions, Known known);
 
   /// All that the map knows of its regions. Error: the device failed.
   [[nodiscard]] Result<RegionSamples> sampleRegions() { return sampleRegions(table_); }
   /// The same with other regions of the map's fragments.
   [[nodiscard]] Result<RegionSamples> sampleRegions(const RegionTable& table);
-  /// A frame's depth where it was taken, and where it contradicts the map's surface (contradictedSurface).
-  struct Readings {
-    DepthView view;
-    cv::Mat contradicted;
-  };
-  /// What merging and discovery ask a frame's own images for.
-  struct FrameClues {
-    std::vector<Eigen::Vector3f> lab;  ///< MergeInput::color_lab
-    Readings readings;
-  };
-  /// What the map and one of the scan's frames show from there.
-  struct SeenAgain {
-    RenderedView view;
-    SurfaceInColor in_color;
-    FrameClues clues;
-  };
-  /// With the regions as they are now, and as closely as the depth image shows them (closeCamera). May throw
-  /// cl::Error.
-  [[nodiscard]] SeenAgain seeAgain(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
-  /// What may be an object there, with `table` for the regions.
-  [[nodiscard]] std::vector<Candidate> findAgain(SeenAgain& seen, CandidateSource& finder,
-                                                 const RegionTable& table);
-  /// The regions as they are now, divided; those of objects that a person spoke of stay as they are.
-  [[nodiscard]] FinerRegions finerRegions() const;
-
-  /// Ends the collecting; see ObjectCollector::finish. What a person waits for and the last frame shows is
-  /// added first.
-  [[nodiscard]] Result<void> finishCatalogue(const std::function<void(const FrameObjects&)>& announce);
-
   [[nodiscard]] const Intrinsics& workingIntrinsics() const { return working_K_; }
   [[nodiscard]] const StageTimer& timer() const { return timer_; }
+  [[nodiscard]] StageTimer& timer() { return timer_; }
   [[nodiscard]] const BrickMap& bricks() const { return map_->bricks(); }
   /// Why a part of the map could not be written to disk, or not be read back, since the last call.
   [[nodiscard]] std::optional<Error> takeMapFailure() { return map_->bricks().takeFailure(); }
   [[nodiscard]] const RegionTable& regionTable() const { return table_; }
   /// Fragments whose region changed since the last call.
   [[nodiscard]] std::vector<RegionChange> takeRegionChanges();
-  /// Of the catalogue; none: the region is no object, or nothing is collected.
-  [[nodiscard]] ObjectId objectOf(RegionId region) const {
-    return collector_ ? collector_->objectOf(region) : ObjectId{};
-  }
-  /// What is to be said of each region: by persons here, and by the catalogue.
-  [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
   /// How many voxels hold each fragment, by fragment number.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
   [[nodiscard]] const RegionMerger& regionMerger() const { return *merger_; }
-  [[nodiscard]] const ObjectCollector* collector() const { return collector_.get(); }
   [[nodiscard]] std::size_t deviceBytes() const;
   /// What the map shows from `T_world_camera`, with the regions as they are now. Error: the device failed.
   [[nodiscard]] Result<RenderedView> renderView(const Eigen::Isometry3d& T_world_camera) {
@@ -249,38 +168,18 @@ class ScanPipeline {
   std::pair<const DepthPyramid&, PoseEstimate> findPose(const RgbdFrame& frame);
   /// Begins findPose() of the next frame.
   void beginNext(const NextFrame& next);
-  /// What is looked at again has the pixels of its depth image, as there is time for it: at most twice those
-  /// of working_K_ along each side.
   [[nodiscard]] Intrinsics closeCamera(const cv::Size& depth) const;
   /// What the map shows there by now; `surface` takes it on the device.
   [[nodiscard]] RenderedView render(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera,
                                     SurfaceMaps& surface);
-  /// Wholes that are parts of regions become regions.
-  [[nodiscard]] Result<void> partWholes();
   /// `view`: what the map shows where the frame was taken.
-  [[nodiscard]] Readings readingsOf(const RgbdFrame& frame, const RenderedView& view) const;
-  [[nodiscard]] FrameClues cluesOf(const RgbdFrame& frame, const RenderedView& view,
-                                   const SurfaceInColor& in_color) const;
-  /// `clues`: of the frame that was taken where `view` is rendered.
-  [[nodiscard]] std::vector<Candidate> findCandidates(CandidateSource& finder, const RenderedView& view,
-                                                      const FrameClues& clues, const RegionTable& table,
-                                                      std::span<const std::uint8_t> appeared = {});
-  /// Discovery and collection learn what became of regions.
-  void tellOf(const RegionEvents& events, ObjectCollector::JoinedBy by);
-  /// A person said that these are none, or that a part of them is a thing of its own.
-  void leaveOutSaid(std::vector<Candidate>& candidates) const;
-  /// A person waits for these, whatever the rules say of them.
-  void addWanted(const DiscoveryInput& input, std::vector<Candidate>& candidates) const;
-  enum class Way { done, undone, redone };
-  [[nodiscard]] Result<RegionEditor::Outcome> finishEdit(Result<RegionEditor::Outcome> outcome, Way way);
-  /// The catalogue's side of what a person said.
-  void followSaying(const RegionEditor::Outcome& outcome, Way way);
-  /// The region is waited for if a person takes it for a thing. False: it is not.
-  bool wantAsSaid(RegionId region);
-  [[nodiscard]] Result<void> addWantedAtEnd(const std::function<void(const FrameObjects&)>& announce);
-  /// Regions of objects that the catalogue knows keep their identities; those of one confirmed object become
-  /// one.
-  void keepKnown(const FrameObjects& objects);
+  [[nodiscard]] FrameObservation observationOf(const RgbdFrame& frame, const RenderedView& view,
+                                               SurfaceInColor in_color) const;
+  void findCandidates(CandidateSource& finder, const RegionTable& table,
+                      std::span<const std::uint8_t> appeared, FrameResult& result) const;
+  /// Discovery learns what became of regions.
+  void follow(const RegionEvents& events);
+  [[nodiscard]] Result<RegionEditor::Outcome> finishEdit(Result<RegionEditor::Outcome> outcome);
   /// Colours of the surface in CIE L*a*b* by pixel of `K`, a little blurred.
   [[nodiscard]] std::vector<Eigen::Vector3f> labColors(const RgbdFrame& frame, const Intrinsics& K,
                                                        const SurfaceInColor& in_color) const;
@@ -318,12 +217,7 @@ class ScanPipeline {
   std::optional<EditableCloud> editable_;
   std::optional<RegionEditor> editor_;
   std::unique_ptr<CandidateFinder> finder_;
-  std::unique_ptr<RegionJudge> judge_;  // while it is looked again, and what is seen then
-  std::optional<FinerRegions> finer_;   // until the wholes are settled; and their judge
-  std::unique_ptr<RegionJudge> finer_judge_;
-  RatedSets rated_;  // likewise
-  SurfaceMaps seen_again_;
-  std::unique_ptr<ObjectCollector> collector_;
+  SurfaceMaps observed_;  // what observe() saw last
 
   SurfaceMaps surface_;    // V_t, N_t of the last usable frame
   KnownSurface known_;     // V_t, on the host
@@ -332,12 +226,6 @@ class ScanPipeline {
   std::span<const Eigen::Vector3i> touched_;
   cv::Mat appeared_;
   int frames_ = 0;  // given to processFrame
-
-  struct Seen {
-    RgbdFrame frame;
-    Eigen::Isometry3d T_world_camera;
-  };
-  std::optional<Seen> last_seen_;  // the last usable frame, where objects are collected
 
   std::future<PoseTracker::TrackingAttempt> next_attempt_;  // uses what is above: goes first
 };

@@ -59,7 +59,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
     numbers.push_back(frame->source_index);
   }
   review->snapshots_.setKeyFrames(std::move(numbers), std::move(trail));
-  review->snapshots_.setLabels([&opened](RegionId region) { return opened.labelOf(region); });
+  review->snapshots_.setLabels({[&opened] { return opened.labels(); }});
   // The newest: it is what was seen last when a scan has just ended.
   review->shown_ = static_cast<int>(review->key_frames_.size()) - 1;
   return review;
@@ -95,8 +95,8 @@ Result<void> ScanReview::lookAgain() {
   snapshots_.setShownKeyFrame(shown_);
   FrameResult result = resultOf(std::move(*view));
   result.segments = segments_;
-  result.objects.seen = objectsIn(result, *frame);
-  snapshots_.showFrame(std::move(*frame), std::move(result));
+  std::vector<SeenObject> objects = objectsIn(result, *frame);
+  snapshots_.showFrame(std::move(*frame), std::move(result), std::move(objects));
   return post();
 }
 

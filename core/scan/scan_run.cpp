@@ -17,11 +17,11 @@
 #include "core/compute/guarded.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/collector_memory.h"
+#include "core/scan/final_pass.h"
 #include "core/scan/no_frames.h"
 #include "core/scan/open_session.h"
 #include "core/scan/open_source.h"
 #include "core/scan/output_owner.h"
-#include "core/scan/refinement.h"
 #include "core/scan/session_restorer.h"
 #include "core/scan/session_setup.h"
 
@@ -138,7 +138,7 @@ Result<void> ScanRun::makePipeline() {
   if (recorder_) recorder_->setCatalogue(catalogue_);
   if (request_.refine_session && isOfAnotherCatalogue())
     return fail(isAnotherCatalogue(*request_.output_folder, file));
-  SCANTROVE_TRY(moveInto(pipeline_, createPipeline(**database)));
+  SCANTROVE_TRY(createPipeline(**database));
   return resumeSession(**database);
 }
 
@@ -153,7 +153,7 @@ Result<void> ScanRun::checkFolder() const {
   return checkHoldsOnlyOurs(*request_.output_folder);
 }
 
-Result<std::unique_ptr<ScanPipeline>> ScanRun::createPipeline(ObjectDatabase& database) {
+Result<void> ScanRun::createPipeline(ObjectDatabase& database) {
   const SourceInfo& info = source_->info();
   CatalogueWriter::Options catalogue;
   catalogue.database = request_.database;
@@ -161,9 +161,21 @@ Result<std::unique_ptr<ScanPipeline>> ScanRun::createPipeline(ObjectDatabase& da
   catalogue.camera = info.intrinsics;
   catalogue.on_news = on_news_;
   catalogue.patience = request_.catalogue_patience;
-  return ScanPipeline::create(
-      *compute_, {info.intrinsics, request_.params, request_.poses == ScanRequest::Poses::given, &database,
-                  catalogue, refinement_memory_.collector, info.frame_count});
+  std::unique_ptr<ScanPipeline> pipeline;
+  SCANTROVE_TRY(moveInto(
+      pipeline,
+      ScanPipeline::create(*compute_, {info.intrinsics, request_.params,
+                                       request_.poses == ScanRequest::Poses::given, info.frame_count})));
+  std::unique_ptr<ObjectCollector> collector;
+  SCANTROVE_TRY(
+      moveInto(collector, ObjectCollector::create(*compute_, database, catalogue, request_.params.detection,
+                                                  refinement_memory_.collector)));
+  if (pipeline_) snapshots_.beginAnew(*pipeline_);
+  objects_ = std::make_unique<ScanObjects>(*pipeline, std::move(collector));
+  pipeline_ = std::move(pipeline);
+  snapshots_.setLabels({[this] { return objects_->labels(); },
+                        [this](SeenObject& seen) { objects_->collector().describeObject(seen); }});
+  return {};
 }
 
 Result<void> ScanRun::openSession(const SourceInfo& info) {
@@ -262,6 +274,9 @@ Result<void> ScanRun::process(RgbdFrame frame) {
     return next_read_->frame;
   });
   if (!result) return fail(result.error());
+  Result<FrameObjects> objects = objects_->addFrame(frame, *result);
+  if (!objects) return fail(objects.error());
+  pipeline_->timer().endFrame();
   frame_ms_.push_back(millisecondsSince(start));
   if (frame_ms_.size() == kFramesUntilBuilt) {
     releaseProgramPages();
@@ -269,7 +284,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   }
   count(*result, frame.index);
   if (result->pose.usable()) keeps_earlier_scan_ = false;
-  announce(result->objects);
+  announce(*objects);
   if (!result->pose.usable()) followCatalogue();
   announceMapFailure();
   if (local_poses_ != nullptr) setOrigin(local_poses_->origin());
@@ -277,7 +292,9 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   if (recorder_) keepFrame(frame, *result);
   const RgbdFrame shown = frame;
   const bool is_usable = result->pose.usable();
-  snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result));
+  result->observed = {};
+  result->candidates.clear();
+  snapshots_.addFrame(*pipeline_, std::move(frame), std::move(*result), std::move(objects->seen));
   return followAdvisor(shown, is_usable);
 }
 
@@ -339,7 +356,7 @@ void ScanRun::announceMapFailure() {
 }
 
 bool ScanRun::followCatalogue() {
-  const FrameObjects objects = pipeline_->followCatalogue();
+  const FrameObjects objects = objects_->collector().followCatalogue();
   announce(objects);
   return objects.has_news;
 }
@@ -350,9 +367,20 @@ Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
                  [&](UndoEdit) { return pipeline_->undo(); }, [&](RedoEdit) { return pipeline_->redo(); }},
       edit);
   if (!outcome) return outcome;
+  const ScanObjects::Edit what = std::holds_alternative<UndoEdit>(edit)   ? ScanObjects::Edit::undone
+                                 : std::holds_alternative<RedoEdit>(edit) ? ScanObjects::Edit::redone
+                                                                          : ScanObjects::Edit::done;
+  objects_->follow(*outcome, what);
   // It is not said to be done before it is safe.
-  if (recorder_) SCANTROVE_TRY(guarded("keeping the edit", [&] { return recorder_->save(*pipeline_); }));
+  if (recorder_) SCANTROVE_TRY(guarded("keeping the edit", [&] { return save(); }));
   return outcome;
+}
+
+Result<void> ScanRun::save() { return recorder_->save(*pipeline_, &objects_->collector()); }
+
+void ScanRun::setParams(const ScanParams& params) {
+  pipeline_->setParams(params);
+  objects_->collector().setParams(params.detection);
 }
 
 void ScanRun::edit(const ScanEdit& edit) {
@@ -403,23 +431,23 @@ void ScanRun::refine(const Ending& ending) {
 }
 
 Result<void> ScanRun::runRefinement(const Ending& ending) {
-  if (!recorder_ || pipeline_->collector() == nullptr || !hasFrames()) return {};
+  if (!recorder_ || !hasFrames()) return {};
   refinement_.skipped = true;  // until it is done
-  SCANTROVE_TRY(recorder_->save(*pipeline_));
-  Result<Refinement::KeyFrames> key_frames = recorder_->storedFrames();
+  SCANTROVE_TRY(save());
+  Result<FinalPass::KeyFrames> key_frames = recorder_->storedFrames();
   if (!key_frames) return fail(key_frames.error());
   refinement_.skipped = !key_frames->empty();
   if (key_frames->empty()) return {};
   const auto tell = [this](int done, int steps) {
     listener_(RefinementStepped{done, steps, refinement_.key_frames});
   };
-  Refinement refinement(*pipeline_, recorder_->folder(), std::move(*key_frames),
-                        {ending.refines, tell, [this](const FrameObjects& objects) { announce(objects); }});
-  refinement_.key_frames = refinement.keyFrames();
+  FinalPass pass(*pipeline_, objects_->collector(), recorder_->folder(), std::move(*key_frames),
+                 {ending.refines, tell, [this](const FrameObjects& objects) { announce(objects); }});
+  refinement_.key_frames = pass.keyFrames();
   if (!ending.refines()) return {};
   ending.enter(ScanState::refining);
-  const Result<void> done = refinement.run(refinement_memory_.position);
-  refinement_memory_.position = refinement.position();
+  const Result<void> done = pass.run(refinement_memory_.position);
+  refinement_memory_.position = pass.position();
   refinement_.skipped = refinement_memory_.position.pass != RefinementPosition::Pass::done;
   return done;
 }
@@ -427,7 +455,7 @@ Result<void> ScanRun::runRefinement(const Ending& ending) {
 void ScanRun::keepRefinement() {
   SessionMetadata metadata = refinementMetadata(true);
   if (refinement_.skipped) {
-    refinement_memory_.collector = CollectorMemory::of(*pipeline_->collector());
+    refinement_memory_.collector = CollectorMemory::of(objects_->collector());
     const RegionTable& table = pipeline_->regionTable();
     std::set<RegionId> known(table.regions().begin(), table.regions().end());
     std::erase_if(known, [&table](RegionId region) { return !table.isKnown(region); });
@@ -444,7 +472,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
   if (output_ && !keeps_earlier_scan_) outcome.note(output_->writeTrajectory());
   refine(ending);
   outcome.note(guarded("storing what was found", [&] {
-    return pipeline_->finishCatalogue([this](const FrameObjects& objects) { announce(objects); });
+    return objects_->finish([this](const FrameObjects& objects) { announce(objects); });
   }));
   if (const auto advice = ScanAdvisor::adviceOn(frames_); advice && !request_.refine_session) advise(*advice);
   ScanReport report;
@@ -456,10 +484,10 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
     outcome.note(guarded("keeping the scan", [&] {
       keepRefinement();
       if (output_) recorder_->setMetadata(kResultsKey, kResultsCurrent);
-      return recorder_->finish(*pipeline_);
+      return recorder_->finish(*pipeline_, objects_->collector());
     }));
   }
-  if (output_ && !keeps_earlier_scan_) outcome.note(output_->finish(*pipeline_, report));
+  if (output_ && !keeps_earlier_scan_) outcome.note(output_->finish(*pipeline_, objects_->labels(), report));
   announceMapFailure();
   outcome.note(checkResult(report));
   SCANTROVE_TRY(outcome.result());
@@ -499,7 +527,7 @@ void ScanRun::fillReport(ScanReport& report) {
   report.small_fragments = regions.small_fragments;
   report.refinement = refinement_;
   report.is_of_refinement = request_.refine_session;
-  report.objects = pipeline_->collector()->metObjects();
+  report.objects = objects_->collector().metObjects();
 }
 
 }  // namespace scantrove

@@ -13,6 +13,7 @@
 #include "core/scan/first_error.h"
 #include "core/scan/refinement_memory.h"
 #include "core/scan/scan_advisor.h"
+#include "core/scan/scan_objects.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_session.h"
@@ -49,7 +50,7 @@ class ScanRun {
   /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves. False: nothing
   /// new so far; `on_news` of open() says when there is.
   bool followCatalogue();
-  void setParams(const ScanParams& params) { pipeline_->setParams(params); }
+  void setParams(const ScanParams& params);
   /// The last frame's segments as the present parameters give them, for the next snapshot; the map stays as
   /// it is. Error: the device failed.
   [[nodiscard]] Result<void> segmentAgain();
@@ -114,7 +115,10 @@ class ScanRun {
   /// Frame numbers and times go on after those of the earlier frames.
   void continueNumbers(const std::vector<SavedFrame>& earlier);
   void keepFrame(const RgbdFrame& frame, const FrameResult& result);
-  [[nodiscard]] Result<std::unique_ptr<ScanPipeline>> createPipeline(ObjectDatabase& database);
+  /// The session has all that is known. There is a recorder.
+  [[nodiscard]] Result<void> save();
+  /// A new map takes the place of the one that there is, if any, and a new collector.
+  [[nodiscard]] Result<void> createPipeline(ObjectDatabase& database);
   void advise(const Error& advice);
   /// After each frame.
   [[nodiscard]] Result<void> followAdvisor(const RgbdFrame& frame, bool is_usable);
@@ -133,6 +137,7 @@ class ScanRun {
   std::unique_ptr<ScanOutput> output_;
   std::unique_ptr<ComputeContext> compute_;
   std::unique_ptr<ScanPipeline> pipeline_;
+  std::unique_ptr<ScanObjects> objects_;                    // of pipeline_
   std::unique_ptr<SessionWriter> session_;                  // until the recorder has it
   std::optional<SavedScan> earlier_;                        // what the session had
   ContinuedSource* continued_ = nullptr;                    // source_, if the scan goes on with it

@@ -20,16 +20,13 @@ Result<void> ScanRun::followAdvisor(const RgbdFrame& frame, bool is_usable) {
 
 bool ScanRun::isUntouched() const {
   return !request_.resume && pipeline_->editor().log().entries().empty() &&
-         (pipeline_->collector() == nullptr || pipeline_->collector()->metObjects().empty());
+         objects_->collector().metObjects().empty();
 }
 
 Result<void> ScanRun::beginAnew(int frame_index) {
   const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(request_.database);
   if (!database) return fail(database.error());
-  std::unique_ptr<ScanPipeline> fresh;
-  SCANTROVE_TRY(moveInto(fresh, createPipeline(**database)));
-  snapshots_.beginAnew(*pipeline_);
-  pipeline_ = std::move(fresh);
+  SCANTROVE_TRY(createPipeline(**database));
   frames_.lost += std::exchange(frames_.tracked, 0);
   frames_.relocalized = 0;
   drift_ = {};

@@ -20,7 +20,7 @@ Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
     listener_(CatalogueFailed{isAnotherCatalogue(*request_.output_folder, request_.database)});
   std::vector<std::string> damages;
   const bool for_camera = !request_.refine_session;
-  SCANTROVE_TRY(restoreScan(*pipeline_, *session_, *earlier_, for_camera, damages));
+  SCANTROVE_TRY(restoreScan(*pipeline_, objects_.get(), *session_, *earlier_, for_camera, damages));
   for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
   recorder_ = SessionRecorder::resume(std::move(session_), *pipeline_, *earlier_, request_.record_all);
   recorder_->rewriteFrom(on_disk, earlier_->metadata);
@@ -67,7 +67,7 @@ void ScanRun::keepFrame(const RgbdFrame& frame, const FrameResult& result) {
     recorder_->setMetadata(kOriginKey, originToText(origin_world_));
   }
   recorder_->addFrame(frame, result);
-  recorder_->saveWhenDue(*pipeline_);
+  recorder_->saveWhenDue(*pipeline_, objects_->collector());
 }
 
 }  // namespace scantrove

@@ -148,7 +148,8 @@ ObjectId SessionRecorder::objectOf(RegionId region) const {
   return found == objects_.end() ? ObjectId{} : found->second;
 }
 
-void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) {
+void SessionRecorder::collectRegions(ScanPipeline& pipeline, const ObjectCollector* collector,
+                                     SavedDelta& delta) {
   RegionTable& table = pipeline.kept().table;
   const std::vector<cl_int>& voxels = pipeline.voxelsOfFragments();
   std::vector<bool> is_changed(table.regions().size(), false);
@@ -166,7 +167,6 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, SavedDelta& delta) 
   }
   std::map<RegionId, SavedRegion> regions;
   for (const auto& [region, note] : pipeline.editor().notes().all()) regions[region] = {region, {}, note};
-  const ObjectCollector* collector = pipeline.collector();
   if (collector == nullptr) {
     // Without a catalogue regions are what they were.
     for (const auto& [region, object] : objects_) {
@@ -206,10 +206,11 @@ void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelt
   }
 }
 
-void SessionRecorder::collectObjects(const ScanPipeline& pipeline, SavedDelta& delta) {
+void SessionRecorder::collectObjects(const ScanPipeline& pipeline, const ObjectCollector& collector,
+                                     SavedDelta& delta) {
   std::map<RegionId, RegionObject> now;
   for (const RegionId region : pipeline.regionTable().regions()) {
-    if (region && !now.contains(region)) now[region] = pipeline.collector()->describeRegion(region);
+    if (region && !now.contains(region)) now[region] = collector.describeRegion(region);
   }
   // What is none here keeps what another catalogue said of it.
   std::erase_if(now, [](const auto& entry) { return entry.second.state == RegionObject::State::none; });
@@ -246,8 +247,8 @@ bool SessionRecorder::handSomePages(BrickMap& bricks, std::size_t enough) {
   return pages_.empty();
 }
 
-void SessionRecorder::endPages(ScanPipeline& pipeline) {
-  hand(collect(pipeline));
+void SessionRecorder::endPages(ScanPipeline& pipeline, const ObjectCollector* collector) {
+  hand(collect(pipeline, collector));
   view_ = next_view_;
   saves_pages_ = false;
 }
@@ -257,16 +258,16 @@ bool SessionRecorder::arePagesWaiting() {
   return handed_pages_.size() >= kMaxWaitingPages;
 }
 
-SavedDelta SessionRecorder::collect(ScanPipeline& pipeline) {
+SavedDelta SessionRecorder::collect(ScanPipeline& pipeline, const ObjectCollector* collector) {
   SavedDelta delta;
   delta.metadata = std::exchange(setup_.metadata, {});  // how it ended
   delta.metadata["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   delta.recordings = std::exchange(recordings_, {});
-  collectRegions(pipeline, delta);
-  if (const ObjectCollector* collector = pipeline.collector()) {
+  collectRegions(pipeline, collector, delta);
+  if (collector != nullptr) {
     collectNamings(*collector, delta);
-    collectObjects(pipeline, delta);
+    collectObjects(pipeline, *collector, delta);
   }
   if (EvidenceGraph* graph = pipeline.kept().merger.evidence()) {
     for (const auto& [a, b] : graph->takeChanged()) {
@@ -285,7 +286,7 @@ void SessionRecorder::hand(SavedDelta delta) {
   });
 }
 
-void SessionRecorder::saveWhenDue(ScanPipeline& pipeline) {
+void SessionRecorder::saveWhenDue(ScanPipeline& pipeline, const ObjectCollector& collector) {
   const auto now = std::chrono::steady_clock::now();
   const bool is_due = now - last_save_ >= kBetweenSaves;
   // While the disk does not take it, what changed is kept where it is.
@@ -304,21 +305,21 @@ void SessionRecorder::saveWhenDue(ScanPipeline& pipeline) {
   const std::chrono::duration<double> since = now - std::exchange(last_handed_, now);
   const auto enough = 1 + static_cast<std::size_t>(kBricksPerSecond * since.count());
   if (!handSomePages(bricks, std::min(enough, kBricksAtOnce))) return;
-  endPages(pipeline);
+  endPages(pipeline, &collector);
 }
 
-Result<void> SessionRecorder::save(ScanPipeline& pipeline) {
+Result<void> SessionRecorder::save(ScanPipeline& pipeline, const ObjectCollector* collector) {
   BrickMap& bricks = pipeline.kept().bricks;
   beginPages(bricks);
   while (!handSomePages(bricks, kBricksAtOnce)) SCANTROVE_TRY(writer_->flush());
-  endPages(pipeline);
+  endPages(pipeline, collector);
   return writer_->flush();
 }
 
-Result<void> SessionRecorder::finish(ScanPipeline& pipeline) {
+Result<void> SessionRecorder::finish(ScanPipeline& pipeline, const ObjectCollector& collector) {
   setMetadata("ended", "yes");
   const std::optional<CameraMemory> memory = pipeline.cameraMemory();
-  SCANTROVE_TRY(save(pipeline));
+  SCANTROVE_TRY(save(pipeline, &collector));
   // By itself: where the disk has no room for it, the rest is kept all the same.
   SavedDelta camera;
   if (memory) camera.camera = {setup_.frames - 1, toWords(*memory)};

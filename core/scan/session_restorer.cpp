@@ -114,6 +114,16 @@ void restoreKeyFrames(ScanPipeline& pipeline, SessionWriter& session, const Save
   }
 }
 
+void restoreObjects(ScanObjects& objects, const SavedScan& scan) {
+  ObjectCollector& collector = objects.collector();
+  for (const SavedRegion& region : scan.regions) {
+    if (collector.objectOf(region.region) != region.object) collector.bind(region.region, region.object);
+    if (const auto namings = scan.metadata.find(namingsKeyOf(region.region)); namings != scan.metadata.end())
+      collector.restoreNamings(region.region, namingsFromJson(namings->second));
+  }
+  objects.requestNoted();
+}
+
 /// Of a scan that was stopped after its last frame; none: it broke off.
 Result<std::optional<CameraMemory>> loadCamera(SessionWriter& session, const SavedScan& scan) {
   std::optional<SavedCamera> camera;
@@ -156,22 +166,15 @@ Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& dam
   return scan;
 }
 
-Result<void> restoreScan(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
-                         bool for_camera, std::vector<std::string>& damages) {
+Result<void> restoreScan(ScanPipeline& pipeline, ScanObjects* objects, SessionWriter& session,
+                         const SavedScan& scan, bool for_camera, std::vector<std::string>& damages) {
   return guarded("reading the session back", [&]() -> Result<void> {
     ScanPipeline::Kept kept = pipeline.kept();
     Fragments fragments = fragmentsOf(scan);
     SCANTROVE_TRY(restoreMap(kept.bricks, session, scan, fragments, damages));
     if (for_camera) SCANTROVE_TRY(checkHasMap(kept.bricks, session, scan));
     restoreRegions(kept, scan, std::move(fragments));
-    for (const SavedRegion& region : scan.regions) {
-      if (pipeline.objectOf(region.region) != region.object)
-        pipeline.bindObject(region.region, region.object);
-      if (const auto namings = scan.metadata.find(namingsKeyOf(region.region));
-          namings != scan.metadata.end())
-        pipeline.restoreNamings(region.region, namingsFromJson(namings->second));
-    }
-    pipeline.wantAsSaid();
+    if (objects != nullptr) restoreObjects(*objects, scan);
     return for_camera ? restoreCamera(pipeline, session, scan, damages) : Result<void>();
   });
 }

@@ -71,7 +71,8 @@ void SnapshotBuilder::measureRate() {
   if (span.count() > 0) fps_ = static_cast<double>(frame_times_.size() - 1) / span.count();
 }
 
-void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result) {
+void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result,
+                               std::vector<SeenObject> objects) {
   measureRate();
   if (result.pose.usable()) {
     trail_.push_back(result.pose.T_world_camera.translation().cast<float>());
@@ -79,8 +80,7 @@ void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, Fr
   }
   waiting_.beginFrame();
   addBricks(pipeline.touchedBricks());
-  frame_ = std::move(frame);
-  result_ = std::move(result);
+  showFrame(std::move(frame), std::move(result), std::move(objects));
 }
 
 void SnapshotBuilder::setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail) {
@@ -128,7 +128,7 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   snapshot->pose = result_.pose;
   snapshot->K = pipeline.workingIntrinsics();
   if (has_pictures_) {
-    addPictures(pipeline, *snapshot);
+    addPictures(*snapshot);
     addRegions(pipeline, *snapshot);
   }
   snapshot->key_frames = key_frames_;
@@ -146,7 +146,7 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   return {};
 }
 
-void SnapshotBuilder::addPictures(const ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
+void SnapshotBuilder::addPictures(ScanSnapshot& snapshot) const {
   snapshot.trail = std::make_shared<const std::vector<Eigen::Vector3f>>(trail_);
   snapshot.color = frame_.color;
   const bool may_continue = snapshot.state == ScanState::scanning || snapshot.state == ScanState::paused;
@@ -155,10 +155,8 @@ void SnapshotBuilder::addPictures(const ScanPipeline& pipeline, ScanSnapshot& sn
   snapshot.depth_fused_m = result_.view.depth().z_m;
   snapshot.segments = idImage(result_.segments.ids, result_.segments.width, result_.segments.height);
   snapshot.regions = idImage(result_.view.regions, result_.view.K.width, result_.view.K.height);
-  snapshot.objects = result_.objects.seen;
-  if (const ObjectCollector* collector = pipeline.collector()) {
-    for (SeenObject& seen : snapshot.objects) collector->describeObject(seen);
-  }
+  snapshot.objects = objects_;
+  if (labels_.describe) std::ranges::for_each(snapshot.objects, labels_.describe);
 }
 
 void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
@@ -181,14 +179,12 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
     whole.seen_from.add(pipeline.regionTable().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
   }
   const std::map<RegionId, RegionLabel> labels =
-      label_of_ ? std::map<RegionId, RegionLabel>() : pipeline.labels();
+      labels_.of_regions ? labels_.of_regions() : std::map<RegionId, RegionLabel>();
   auto infos = std::make_shared<RegionInfos>();
   infos->reserve(regions.size());
   for (const auto& [region, whole] : regions) {
     const auto found = labels.find(region);
-    const RegionLabel label = label_of_               ? label_of_(region)
-                              : found == labels.end() ? RegionLabel{}
-                                                      : found->second;
+    const RegionLabel label = found == labels.end() ? RegionLabel{} : found->second;
     infos->push_back(
         {region, whole.voxels, pipeline.editor().notes().of(region), label.object, whole.seen_from, label});
   }

@@ -2,12 +2,14 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/latest_value.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/scan/region_label.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_snapshot.h"
 #include "core/scan/waiting_bricks.h"
@@ -34,8 +36,9 @@ class SnapshotBuilder {
   explicit SnapshotBuilder(LatestValue<ScanSnapshot>& mailbox, std::uint64_t first_version = 0)
       : mailbox_(mailbox), version_(first_version) {}
 
-  /// Call for every frame: remembers it, its place on the trail and the bricks it changed.
-  void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result);
+  /// Call for every frame: remembers it, the objects in it, its place on the trail and the bricks it changed.
+  void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result,
+                std::vector<SeenObject> objects = {});
 
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
@@ -54,14 +57,19 @@ class SnapshotBuilder {
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
   void setShownKeyFrame(int place) { shown_key_frame_ = place; }
   /// A frame of before, as the map shows it now.
-  void showFrame(RgbdFrame frame, FrameResult result) {
+  void showFrame(RgbdFrame frame, FrameResult result, std::vector<SeenObject> objects) {
     frame_ = std::move(frame);
     result_ = std::move(result);
+    objects_ = std::move(objects);
   }
   /// The same frame, segmented anew.
   void showSegments(SegmentMap segments) { result_.segments = std::move(segments); }
-  /// Who says what there is to say of a region, when the pipeline does not.
-  void setLabels(std::function<RegionLabel(RegionId)> label_of) { label_of_ = std::move(label_of); }
+  /// Who says what there is to say of the regions, and, while that may change, of an object that was seen.
+  struct Labels {
+    std::function<std::map<RegionId, RegionLabel>()> of_regions;
+    std::function<void(SeenObject&)> describe = {};
+  };
+  void setLabels(Labels labels) { labels_ = std::move(labels); }
 
   /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
   [[nodiscard]] Result<void> postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
@@ -77,7 +85,7 @@ class SnapshotBuilder {
   [[nodiscard]] Result<void> readBricks(ScanPipeline& pipeline, std::span<const WaitingBricks::Brick> bricks,
                                         std::vector<CloudBrick>& to);
   void keepRegionChanges(ScanPipeline& pipeline, bool by_person);
-  void addPictures(const ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
+  void addPictures(ScanSnapshot& snapshot) const;
   void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
@@ -85,7 +93,8 @@ class SnapshotBuilder {
   bool has_pictures_ = true;
   RgbdFrame frame_;
   FrameResult result_;
-  cv::Mat last_seen_;  // colour image of the last frame with a pose
+  std::vector<SeenObject> objects_;  // in frame_
+  cv::Mat last_seen_;                // colour image of the last frame with a pose
   std::vector<Eigen::Vector3f> trail_;
   WaitingBricks waiting_;
   std::vector<RegionChange> region_changes_;                       // that wait
@@ -95,7 +104,7 @@ class SnapshotBuilder {
   double fps_ = 0;
   std::shared_ptr<const std::vector<int>> key_frames_;
   int shown_key_frame_ = -1;
-  std::function<RegionLabel(RegionId)> label_of_;
+  Labels labels_;
 };
 
 }  // namespace scantrove

@@ -109,6 +109,7 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
        read = (*source)->next()) {
     const auto result = scan.pipeline->processFrame(read.frame);
     if (!result) return fail(result.error());
+    scan.pipeline->timer().endFrame();
     ++scan.frames;
     if (!result->pose.usable()) {
       ++scan.lost;

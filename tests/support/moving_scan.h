@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/evaluation/trajectory_metrics.h"
+#include "core/scan/scan_objects.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/synthetic/scene_recipe.h"
 #include "core/synthetic/synthetic_source.h"
@@ -98,11 +99,11 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
   const std::string file = (folder / "catalogue.sqlite").string();
   const auto database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
-  ScanPipeline::Setup setup{options.K, ScanParams{}};
-  setup.database = database->get();
-  setup.catalogue.database = file;
   std::unique_ptr<ScanPipeline> pipeline;
-  SCANTROVE_TRY(moveInto(pipeline, ScanPipeline::create(compute, setup)));
+  SCANTROVE_TRY(moveInto(pipeline, ScanPipeline::create(compute, {options.K, ScanParams{}})));
+  auto collector = ObjectCollector::create(compute, **database, {.database = file}, {});
+  if (!collector) return fail(collector.error());
+  ScanObjects objects(*pipeline, std::move(*collector));
 
   MovingScan scan;
   Eigen::Isometry3d T_world_map = Eigen::Isometry3d::Identity();
@@ -111,6 +112,8 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
        read = (*source)->next()) {
     const Result<FrameResult> result = pipeline->processFrame(read.frame);
     if (!result) return fail(result.error());
+    const Result<FrameObjects> found = objects.addFrame(read.frame, *result);
+    if (!found) return fail(found.error());
     const Eigen::Isometry3d& truth = *read.frame.T_world_camera;
     if (scan.frames == 0) T_world_map = truth;
     if (result->pose.usable()) {
@@ -123,7 +126,7 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
       ++scan.tracked;
     }
     (scan.frames < moving::kMugIsTaken ? scan.mug_before : scan.mug_after)
-        .merge(moving::objectsAt(mug, read.frame, result->objects));
+        .merge(moving::objectsAt(mug, read.frame, *found));
     ++scan.frames;
   }
   scan.rms_m = std::sqrt(scan.rms_m / std::max(scan.tracked, 1));

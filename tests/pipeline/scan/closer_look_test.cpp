@@ -33,7 +33,7 @@ class CloserLook : public testing::Test {
   /// Of how many books a region covers more than half in the last frame (intersection over union).
   int booksThatAreRegions() {
     const RgbdFrame& frame = frames_.back();
-    const ScanPipeline::SeenAgain seen = scan_.pipeline().seeAgain(frame, *frame.T_world_camera);
+    const FrameResult seen = scan_.pipeline().observe(frame, *frame.T_world_camera);
     cv::Mat resized;
     cv::resize(frame.instances, resized, {seen.view.K.width, seen.view.K.height}, 0, 0, cv::INTER_NEAREST);
     const cv::Mat1i truth = resized;

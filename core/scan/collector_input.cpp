@@ -1,0 +1,57 @@
+#include "core/scan/collector_input.h"
+
+#include <algorithm>
+
+#include "core/discovery/region_candidate.h"
+
+namespace scantrove {
+namespace {
+
+void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes,
+                      std::vector<Candidate>& candidates) {
+  if (notes.all().empty()) return;
+  std::erase_if(candidates, [&](const Candidate& candidate) {
+    const bool is_set = candidate.regions.size() > 1;
+    const bool is_one = is_set && collector.areOneObject(candidate.regions);
+    return std::ranges::any_of(candidate.regions, [&](RegionId region) {
+      const RegionNote& note = notes.of(region);
+      return note.background || note.rejected || (is_set && !is_one && !note.name.empty());
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResult& result,
+                                     const RegionNotes& notes, int least_points) {
+  collector.setRegionsInView(result.regions_in_view);
+  std::vector<Candidate> candidates = result.candidates;
+  leaveOutRejected(collector, notes, candidates);
+  if (collector.requested().empty()) return candidates;
+  const std::vector<RegionId> shown = result.shownRegions();
+  addRequested(collector, result.inputFor(shown), least_points, candidates);
+  return candidates;
+}
+
+void addRequested(const ObjectCollector& collector, const DiscoveryInput& input, int least_points,
+                  std::vector<Candidate>& candidates) {
+  const double scale = static_cast<double>(input.view.K.pixels()) / (640.0 * 480.0);
+  const auto least_here = static_cast<int>(least_points * scale);
+  for (const auto& [region, name] : collector.requested()) {
+    // A name is for the region alone; a click may mean a set that holds it.
+    const bool is_found =
+        std::ranges::any_of(candidates, [one = region, is_any = name.empty()](const Candidate& other) {
+          return other.regions == RegionSet{one} || (is_any && other.regions.contains(one));
+        });
+    if (is_found) continue;
+    if (std::optional<Candidate> candidate = candidateOf(region, input, least_here))
+      candidates.push_back(std::move(*candidate));
+  }
+}
+
+void follow(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by) {
+  for (const auto& [into, from] : events.joined) collector.regionsJoined(into, from, by);
+  for (const auto& [from, part] : events.parted) collector.regionsParted(from, part);
+}
+
+}  // namespace scantrove

@@ -1,0 +1,244 @@
+#include "core/scan/final_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "core/compute/guarded.h"
+#include "core/scan/collector_input.h"
+#include "core/scan/finer_regions.h"
+#include "core/scan/key_frame_files.h"
+#include "core/scan/rated_sets.h"
+
+namespace scantrove {
+namespace {
+
+/// At most so many of them, as far apart in the list as can be.
+template <class T>
+std::vector<T> evenly(std::vector<T> all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<T> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(std::move(all[i * all.size() / most]));
+  return chosen;
+}
+
+/// Of RatedSets: a set of this objectness is about as likely to be a complete object as not; below, an object
+/// is dropped. Of the sets between this and even odds about half are complete in random rooms.
+constexpr float kComplete = -0.2F;
+
+constexpr std::array kPasses{RefinementPosition::Pass::segment, RefinementPosition::Pass::rate,
+                             RefinementPosition::Pass::judge, RefinementPosition::Pass::collect,
+                             RefinementPosition::Pass::complete};
+
+RefinementPosition::Pass after(RefinementPosition::Pass pass) {
+  return static_cast<RefinementPosition::Pass>(static_cast<int>(pass) + 1);
+}
+
+}  // namespace
+
+FinalPass::FinalPass(ScanPipeline& pipeline, ObjectCollector& collector, std::filesystem::path folder,
+                     KeyFrames key_frames, Callbacks callbacks)
+    : pipeline_(pipeline),
+      collector_(collector),
+      folder_(std::move(folder)),
+      key_frames_(evenly(std::move(key_frames), kMaxKeyFrames)),
+      callbacks_(std::move(callbacks)) {}
+
+Result<void> FinalPass::run(RefinementPosition begin) {
+  position_ = begin;
+  // Ratings are not kept: they count together.
+  if (position_.pass == Pass::rate) position_.frames = 0;
+  for (; position_.pass != Pass::done; position_ = {after(position_.pass), 0}) {
+    if (!callbacks_.may_continue()) return {};  // a pass may begin by reading the whole map
+    const Result<bool> is_done = runPass();
+    if (!is_done) return fail(is_done.error());
+    if (!*is_done) return {};
+  }
+  return {};
+}
+
+Result<bool> FinalPass::runPass() {
+  switch (position_.pass) {
+    case Pass::segment:
+      return segment();
+    case Pass::rate:
+      return rate();
+    case Pass::judge:
+      return judgeViews();
+    case Pass::collect:
+      return collect();
+    case Pass::complete:
+      return complete();
+    case Pass::done:
+      break;
+  }
+  return true;
+}
+
+template <class Task>
+Result<bool> FinalPass::forEach(const std::vector<Task>& tasks,
+                                const std::function<Result<void>(const Task&)>& step) {
+  for (auto i = static_cast<std::size_t>(position_.frames); i < tasks.size(); ++i) {
+    if (!callbacks_.may_continue()) return false;
+    reportProgress(tasks.size());
+    SCANTROVE_TRY(step(tasks[i]));
+    ++position_.frames;
+  }
+  return true;
+}
+
+Result<bool> FinalPass::forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step) {
+  return forEach<const KeyFrame*>(keys, [&](const KeyFrame* key) -> Result<void> {
+    const Result<RgbdFrame> frame = readKeyFrame(folder_, key->images, key->frame);
+    if (!frame) return {};  // whoever opens the key frame is told
+    return step(*frame, key->frame.T_world_camera);
+  });
+}
+
+std::vector<const FinalPass::KeyFrame*> FinalPass::allKeyFrames() const {
+  std::vector<const KeyFrame*> keys;
+  for (const KeyFrame& key : key_frames_) keys.push_back(&key);
+  return keys;
+}
+
+/// At full resolution structures as narrow as a book spine become regions.
+Result<bool> FinalPass::segment() {
+  return forEachKeyFrame(allKeyFrames(),
+                         [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) -> Result<void> {
+                           const Result<RegionEvents> events = pipeline_.segmentCloser(frame, T);
+                           if (!events) return fail(events.error());
+                           follow(collector_, *events, ObjectCollector::JoinedBy::frames);
+                           return {};
+                         });
+}
+
+/// Rates the regions, and finer ones, by all key frames together; the most likely complete objects become
+/// regions.
+Result<bool> FinalPass::rate() {
+  SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
+  const FinerRegions finer(pipeline_.regionTable(), pipeline_.regionMerger(), pipeline_.voxelsOfFragments(),
+                           pipeline_.params().labeling,
+                           [this](RegionId region) { return collector_.staysAsItIs(region); });
+  std::unique_ptr<RegionJudge> finer_judge;
+  if (finer.areDivided()) {
+    SCANTROVE_TRY(moveInto(finer_judge, makeJudge(finer.table())));
+    // What holds no part is rated as it is.
+    finer_judge->askOnlyOf([&finer](const RegionSet& regions) { return finer.holdsPart(regions); });
+  }
+  collector_.beginLookingAgain();
+  RatedSets rated;
+  const auto rateFrame = [&](const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+    return guarded("rating frame " + std::to_string(frame.index), [&]() -> Result<void> {
+      FrameResult observed = pipeline_.observe(frame, T_world_camera);
+      std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.regionTable());
+      if (finer_judge) {
+        // All in finer regions.
+        for (Candidate& candidate : candidates) candidate.regions = finer.partsOf(candidate.regions);
+        std::ranges::move(findCandidates(observed, *finer_judge, finer.table()),
+                          std::back_inserter(candidates));
+      }
+      rated.add(frame.index, candidates);
+      return {};
+    });
+  };
+  const Result<bool> is_done = forEachKeyFrame(allKeyFrames(), rateFrame);
+  if (!is_done || !*is_done) return is_done;
+  if (finer_judge) {
+    std::vector<RegionSet> parts;
+    for (const RatedSets::Rated& set : rated.disjoint(kComplete)) parts.push_back(set.regions);
+    const RegionEvents events = pipeline_.divide(finer, parts);
+    rated.rename([&](const RegionSet& set) { return finer.regionsOf(set, pipeline_.regionTable()); });
+    follow(collector_, events, ObjectCollector::JoinedBy::frames);
+    if (!events.parted.empty()) SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
+  }
+  std::vector<ObjectCollector::CompleteSet> complete;
+  for (const RatedSets::Rated& set : rated.disjoint(kComplete))
+    complete.push_back({set.regions, set.frame_index});
+  collector_.settleComplete(complete, [&](RegionId region) { return rated.isUnlikely(region, kComplete); });
+  return true;
+}
+
+/// Views that show their objects otherwise than the map does now count no longer.
+Result<bool> FinalPass::judgeViews() {
+  return forEach<int>(collector_.framesOfViews(), [this](int frame_index) {
+    return guarded("judging the views of frame " + std::to_string(frame_index),
+                   [&] { return judgeViewsOf(frame_index); });
+  });
+}
+
+Result<void> FinalPass::judgeViewsOf(int frame_index) {
+  for (const auto& [image_px, T_world_camera] : collector_.camerasOfViews(frame_index)) {
+    const Intrinsics K = pipeline_.workingIntrinsics().resizedTo(image_px.width, image_px.height);
+    const Result<RenderedView> view = pipeline_.renderView(T_world_camera, K);
+    if (!view) return fail(view.error());
+    collector_.judgeViewsOf(frame_index, *view, pipeline_.params().fusion.depth_noise_m);
+  }
+  return {};
+}
+
+/// Objects and views that the scan missed.
+Result<bool> FinalPass::collect() {
+  return forEachKeyFrame(allKeyFrames(), [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) {
+    return collectFrom(frame, T);
+  });
+}
+
+/// Objects that still have no view, from the frames that show them best.
+Result<bool> FinalPass::complete() {
+  const std::vector<int> needed = collector_.beginLastLooks();
+  std::vector<const KeyFrame*> keys = allKeyFrames();
+  std::erase_if(keys, [&](const KeyFrame* key) {
+    return !std::ranges::binary_search(needed, key->frame.source_index);
+  });
+  const Result<bool> is_done = forEachKeyFrame(
+      keys, [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) { return collectFrom(frame, T); });
+  if (is_done && *is_done) collector_.endLookingAgain();
+  return is_done;
+}
+
+Result<void> FinalPass::collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+  if (!judge_) {  // of a refinement that was settled earlier
+    SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
+  }
+  judge_->askOnlyOf([this](const RegionSet& regions) { return collector_.mayBeObject(regions); });
+  return guarded("collecting from frame " + std::to_string(frame.index), [&]() -> Result<void> {
+    FrameResult observed = pipeline_.observe(frame, T_world_camera);
+    std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.regionTable());
+    callbacks_.collected(
+        collector_.collect(frame, observed.pose, observed.observed.in_color, std::move(candidates)));
+    return {};
+  });
+}
+
+std::vector<Candidate> FinalPass::findCandidates(FrameResult& observed, RegionJudge& judge,
+                                                 const RegionTable& table) {
+  pipeline_.findCandidates(judge, table, observed);
+  return candidatesFor(collector_, observed, pipeline_.editor().notes(),
+                       pipeline_.params().discovery.min_points);
+}
+
+Result<std::unique_ptr<RegionJudge>> FinalPass::makeJudge(const RegionTable& table) {
+  Result<RegionSamples> known = pipeline_.sampleRegions(table);
+  if (!known) return fail(known.error());
+  return std::make_unique<RegionJudge>(pipeline_.params().discovery, std::move(*known));
+}
+
+int FinalPass::stepsOf(Pass pass) const {
+  const bool is_short = pass == Pass::judge || pass == Pass::complete;
+  return is_short ? (keyFrames() + 3) / 4 : keyFrames();
+}
+
+/// The number of tasks in a pass is known when it begins, its part of all steps before.
+void FinalPass::reportProgress(std::size_t tasks) const {
+  int done = 0, all = 0;
+  for (const Pass pass : kPasses) {
+    all += stepsOf(pass);
+    if (pass < position_.pass) done += stepsOf(pass);
+  }
+  done += stepsOf(position_.pass) * position_.frames / static_cast<int>(tasks);
+  callbacks_.progress(done, all);
+}
+
+}  // namespace scantrove

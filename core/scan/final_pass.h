@@ -1,0 +1,80 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/discovery/region_judge.h"
+#include "core/scan/object_collector.h"
+#include "core/scan/refinement_position.h"
+#include "core/scan/scan_pipeline.h"
+#include "core/scan/session_recorder.h"
+
+namespace scantrove {
+
+/// The refinement of a scan: segments its key frames at full resolution, rates which regions are complete
+/// objects, drops views and objects that show something else, and collects what was missed. It can be stopped
+/// at any frame and continued from there later. One thread, the worker's.
+class FinalPass {
+ public:
+  using KeyFrames = std::vector<SessionRecorder::StoredFrame>;
+  struct Callbacks {
+    std::function<bool()> may_continue;  ///< asked before each frame
+    std::function<void(int done, int steps)> progress;
+    std::function<void(const FrameObjects&)> collected;
+  };
+
+  /// Of more key frames only so many are used, evenly spread. One takes as long as six frames of the scan.
+  static constexpr std::size_t kMaxKeyFrames = 180;
+
+  /// `folder`: of the session. `pipeline` and `collector` outlive this.
+  FinalPass(ScanPipeline& pipeline, ObjectCollector& collector, std::filesystem::path folder,
+            KeyFrames key_frames, Callbacks callbacks);
+
+  /// Refines from `begin` to the end, or until `may_continue` says false. Error: the device failed.
+  [[nodiscard]] Result<void> run(RefinementPosition begin);
+  /// Where run() stopped.
+  [[nodiscard]] RefinementPosition position() const { return position_; }
+  [[nodiscard]] int keyFrames() const { return static_cast<int>(key_frames_.size()); }
+
+ private:
+  using Pass = RefinementPosition::Pass;
+  using KeyFrame = SessionRecorder::StoredFrame;
+  using FrameStep = std::function<Result<void>(const RgbdFrame&, const Eigen::Isometry3d& T_world_camera)>;
+
+  // One pass each. False: stopped before its end.
+  [[nodiscard]] Result<bool> segment();
+  [[nodiscard]] Result<bool> rate();
+  [[nodiscard]] Result<bool> judgeViews();
+  [[nodiscard]] Result<bool> collect();
+  [[nodiscard]] Result<bool> complete();
+  [[nodiscard]] Result<bool> runPass();
+
+  /// The pass at each of the frames that it has not done yet.
+  template <class Task>
+  [[nodiscard]] Result<bool> forEach(const std::vector<Task>& tasks,
+                                     const std::function<Result<void>(const Task&)>& step);
+  [[nodiscard]] Result<bool> forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step);
+  [[nodiscard]] std::vector<const KeyFrame*> allKeyFrames() const;
+  /// What the frame shows, as candidates that `judge` rates.
+  [[nodiscard]] std::vector<Candidate> findCandidates(FrameResult& observed, RegionJudge& judge,
+                                                      const RegionTable& table);
+  [[nodiscard]] Result<void> collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  [[nodiscard]] Result<void> judgeViewsOf(int frame_index);
+  /// A judge of the regions as they are now.
+  [[nodiscard]] Result<std::unique_ptr<RegionJudge>> makeJudge(const RegionTable& table);
+  /// Of the progress.
+  [[nodiscard]] int stepsOf(Pass pass) const;
+  void reportProgress(std::size_t tasks) const;
+
+  ScanPipeline& pipeline_;
+  ObjectCollector& collector_;
+  std::filesystem::path folder_;
+  KeyFrames key_frames_;
+  Callbacks callbacks_;
+  RefinementPosition position_;
+  std::unique_ptr<RegionJudge> judge_;  // of the settled regions
+};
+
+}  // namespace scantrove

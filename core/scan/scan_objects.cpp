@@ -1,0 +1,113 @@
+#include "core/scan/scan_objects.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/capture/color_projection.h"
+#include "core/compute/guarded.h"
+#include "core/scan/collector_input.h"
+
+namespace scantrove {
+
+Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameResult& result) {
+  if (!result.pose.usable()) return FrameObjects{};
+  const auto add = [&]() -> Result<FrameObjects> {
+    scantrove::follow(*collector_, result.region_events, ObjectCollector::JoinedBy::frames);
+    std::vector<Candidate> candidates = candidatesFor(*collector_, result, pipeline_.editor().notes(),
+                                                      pipeline_.params().discovery.min_points);
+    FrameObjects objects = pipeline_.timer().time("detect", [&] {
+      return collector_->collect(frame, result.pose, result.observed.in_color, std::move(candidates));
+    });
+    keepKnown(objects);
+    collector_->lookForThoseMet(result.observed.depth, pipeline_.params().fusion.depth_noise_m);
+    last_seen_ = {frame, result.pose.T_world_camera};
+    return objects;
+  };
+  return guarded("in frame " + std::to_string(frame.index), add);
+}
+
+void ScanObjects::keepKnown(const FrameObjects& objects) {
+  using Known = ScanPipeline::Known;
+  for (const SeenObject& seen : objects.seen) {
+    // What a user confirmed is one thing, of however many regions it was found.
+    pipeline_.setKnown(seen.regions,
+                       seen.confirmed ? Known::one_thing : (seen.recognized ? Known::yes : Known::no));
+  }
+}
+
+void ScanObjects::follow(const RegionEditor::Outcome& outcome, Edit edit) {
+  scantrove::follow(*collector_, outcome.events, ObjectCollector::JoinedBy::person);
+  const Operation& operation = outcome.operation;
+  if (isNaming(operation.kind) && !operation.name.empty()) followNames(operation, edit);
+  if (operation.kind == OperationKind::object && operation.on && edit == Edit::undone) {
+    for (const RegionId region : operation.regions) collector_->takeObjectBack(region);
+  }
+  std::vector<RegionId> regions = operation.regions;
+  regions.insert(regions.end(), outcome.regions.begin(), outcome.regions.end());
+  const bool is_said = isNaming(operation.kind) || operation.kind == OperationKind::object ||
+                       operation.kind == OperationKind::background || operation.kind == OperationKind::reject;
+  for (const RegionId region : regions) {
+    if (!requestNoted(region) && (is_said || edit == Edit::undone)) collector_->wantNoMore(region);
+  }
+}
+
+void ScanObjects::followNames(const Operation& operation, Edit edit) {
+  if (edit == Edit::done) {
+    for (const RegionId region : operation.regions) collector_->nameByPerson(region, operation.name);
+  } else if (edit == Edit::redone) {
+    for (const RegionId region : operation.regions) collector_->nameAgain(region, operation.name);
+  } else {
+    for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {
+      collector_->takeNameBack(*region, operation.name);
+      // The name that it had before may have waited for the object until now.
+      const std::string& name = pipeline_.editor().notes().of(*region).name;
+      if (!name.empty() && !collector_->hasNamed(*region, name)) collector_->nameByPerson(*region, name);
+    }
+  }
+}
+
+bool ScanObjects::requestNoted(RegionId region) {
+  const RegionNote& note = pipeline_.editor().notes().of(region);
+  const bool is_thing = (note.object || !note.name.empty()) && !note.background && !note.rejected;
+  if (!is_thing || pipeline_.regionTable().fragmentsOf(region).empty()) return false;
+  collector_->want(region, note.name);
+  return true;
+}
+
+void ScanObjects::requestNoted() {
+  for (const auto& [region, note] : pipeline_.editor().notes().all()) requestNoted(region);
+}
+
+std::map<RegionId, RegionLabel> ScanObjects::labels() const {
+  std::map<RegionId, RegionObject> objects;
+  std::map<RegionId, RegionLabel> labels;
+  for (const RegionId region : pipeline_.regionTable().regions()) {
+    if (!region || labels.contains(region)) continue;
+    const RegionObject& object = objects[region] = collector_->describeRegion(region);
+    labels[region] = labelOf(pipeline_.editor().notes().of(region), object);
+  }
+  shareClasses(labels, objects);
+  return labels;
+}
+
+Result<void> ScanObjects::addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce) {
+  if (!last_seen_ || collector_->requested().empty()) return {};
+  const Result<RenderedView> view = pipeline_.renderView(last_seen_->T_world_camera);
+  if (!view) return fail(view.error());
+  std::vector<Candidate> candidates;
+  addRequested(*collector_, {*view}, pipeline_.params().discovery.min_points, candidates);
+  const SurfaceInColor in_color =
+      locateInColor(last_seen_->frame.color_camera, view->K, view->T_world_camera, view->vertices_world);
+  announce(collector_->addWanted(last_seen_->frame, view->T_world_camera, in_color, candidates));
+  return {};
+}
+
+Result<void> ScanObjects::finish(const std::function<void(const FrameObjects&)>& announce) {
+  // A device that failed keeps nothing from being stored that was found before.
+  Result<void> added = guarded("adding what was named last", [&] { return addRequestedAtEnd(announce); });
+  SCANTROVE_TRY(collector_->finish(announce));
+  return added;
+}
+
+}  // namespace scantrove
