@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_request.h"
 
 namespace scantrove {
 

@@ -7,6 +7,7 @@
 
 #include "app/stop_signal.h"
 #include "core/base/urgent_end.h"
+#include "core/scan/scan_worker.h"
 
 namespace scantrove {
 namespace {
@@ -41,13 +42,13 @@ class EventQueue {
 class Runner {
  public:
   explicit Runner(const std::function<void(const ScanSnapshot&)>& watch)
-      : watch_(watch), session_([this](const ScanEvent& event) { events_.push(event); }) {}
+      : watch_(watch), worker_([this](const ScanEvent& event) { events_.push(event); }) {}
 
   Result<ScanReport> run(ScanRequest request) {
     constexpr std::chrono::milliseconds kPoll{20};
     if (request.refine_session) setAtStop(AtStop::unfinished);  // the scan is on the disk
     is_live_ = request.source.starts_with("camera") || request.source.starts_with("freenect");
-    session_.start(std::move(request));
+    worker_.post(StartScan{std::move(request)});
     while (true) {
       if (const auto event = events_.pop(kPoll)) {
         if (const auto* failed = std::get_if<ScanFailed>(&*event)) return fail(failed->error);
@@ -95,7 +96,7 @@ class Runner {
   }
 
   void showLatest() {
-    const auto snapshot = session_.snapshots().collect();
+    const auto snapshot = worker_.snapshots().collect();
     if (!snapshot) return;
     const bool is_ending = state_ == ScanState::finishing || state_ == ScanState::refining;
     if (snapshot->frames.done() > 0 && !is_ending) setAtStop(AtStop::unfinished);
@@ -109,16 +110,16 @@ class Runner {
     if (state_ == ScanState::refining) {
       progress_.say("Skipping the rest of the refinement; writing what there is.");
       setEndUrgent(true);
-      return session_.skipRefinement();
+      return worker_.post(SkipRefinement{});
     }
     // That is how a person ends the scan of a camera.
     if (isInterrupted() && is_live_) {
       progress_.say("Stopping; Ctrl+C again skips the refinement.");
-      return session_.stop();
+      return worker_.post(StopScan{});
     }
     progress_.say("Stopping; writing what there is.");
     setEndUrgent(true);
-    session_.close();  // without a refinement
+    worker_.post(CloseScan{});  // without a refinement
   }
 
   const std::function<void(const ScanSnapshot&)>& watch_;
@@ -128,7 +129,7 @@ class Runner {
   bool is_live_ = false;
   bool is_refining_ = false;
   bool is_stopping_ = false;
-  ScanSession session_;  // last: its thread ends before the rest goes
+  ScanWorker worker_;  // last: its thread ends before the rest goes
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include "app/progress_line.h"
 #include "core/base/result.h"
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_report.h"
+#include "core/scan/scan_request.h"
+#include "core/scan/scan_snapshot.h"
 
 namespace scantrove {
 

@@ -55,16 +55,16 @@ void takePictureAtEnd(MainWindow& window, const QString& file) {
       QApplication::exit(saved ? exit_code : kJobFailed);
     });
   };
-  SessionBridge& bridge = window.controller().bridge();
-  QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [save] { save(kDone); });
-  QObject::connect(&bridge, &SessionBridge::scanFailed, &window, [save](const QString& message) {
-    std::cerr << "scantrove: " << forTerminal(message.toStdString()) << '\n';
+  ScanBridge& bridge = window.controller().bridge();
+  bridge.on<ScanFinished>(&window, [save] { save(kDone); });
+  bridge.on<ScanFailed>(&window, [save](const ScanFailed& failed) {
+    std::cerr << "scantrove: " << forTerminal(failed.error.message()) << '\n';
     save(kJobFailed);
   });
   if (window.onStartPage()) {
     save(kDone);
   } else if (!window.controller().hasSource()) {  // a saved scan
-    QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [save] { save(kDone); });
+    bridge.on<ReviewOpened>(&window, [save] { save(kDone); });
   }
 }
 
@@ -91,7 +91,7 @@ int runWindow(int& argc, char** argv, const WindowOptions& options) {
   initializeResources();
   applyTheme(options.theme);
 
-  MainWindow window(makeScanSessionPort, options);
+  MainWindow window(startScanWorker, options);
   window.show();
   if (options.present) window.presentation()->begin();
   if (!options.source.empty()) {

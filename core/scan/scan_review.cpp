@@ -33,12 +33,12 @@ FrameResult resultOf(RenderedView view) {
 
 }  // namespace
 
-ScanReview::ScanReview(std::unique_ptr<OpenSession> session, ScanSession::Listener listener,
+ScanReview::ScanReview(std::unique_ptr<OpenSession> session, ScanListener listener,
                        LatestValue<ScanSnapshot>& mailbox)
     : session_(std::move(session)), listener_(std::move(listener)), snapshots_(mailbox, kVersionsOfScan) {}
 
 Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request, const ScanParams& params,
-                                                     ScanSession::Listener listener,
+                                                     ScanListener listener,
                                                      LatestValue<ScanSnapshot>& mailbox) {
   auto session = OpenSession::open(*request.output_folder, request.device);
   if (!session) return fail(session.error());

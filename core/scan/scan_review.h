@@ -4,7 +4,8 @@
 
 #include "core/base/latest_value.h"
 #include "core/scan/open_session.h"
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_event.h"
+#include "core/scan/scan_request.h"
 #include "core/scan/session_scan.h"
 #include "core/scan/snapshot_builder.h"
 
@@ -17,7 +18,7 @@ class ScanReview {
   /// Key frames are segmented by `params`. Error: as of OpenSession::open.
   [[nodiscard]] static Result<std::unique_ptr<ScanReview>> open(const ScanRequest& request,
                                                                 const ScanParams& params,
-                                                                ScanSession::Listener listener,
+                                                                ScanListener listener,
                                                                 LatestValue<ScanSnapshot>& mailbox);
 
   /// Its refinement was skipped, or it never came to that.
@@ -43,8 +44,7 @@ class ScanReview {
   void exportDataset(const ExportOptions& options, const std::stop_token& cancel);
 
  private:
-  ScanReview(std::unique_ptr<OpenSession> session, ScanSession::Listener listener,
-             LatestValue<ScanSnapshot>& mailbox);
+  ScanReview(std::unique_ptr<OpenSession> session, ScanListener listener, LatestValue<ScanSnapshot>& mailbox);
   [[nodiscard]] Result<void> post();
   /// The key frame that is shown, with the labels as they are now.
   [[nodiscard]] Result<void> lookAgain();
@@ -54,7 +54,7 @@ class ScanReview {
   [[nodiscard]] Result<void> segment();
 
   std::unique_ptr<OpenSession> session_;
-  ScanSession::Listener listener_;
+  ScanListener listener_;
   SnapshotBuilder snapshots_;
   std::vector<const SavedKeyFrame*> key_frames_;  // with a pose
   int shown_ = -1;                                // of key_frames_

@@ -61,7 +61,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanSession::Listener listener,
+Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanListener listener,
                                                LatestValue<ScanSnapshot>& mailbox,
                                                std::function<void()> on_news) {
   std::unique_ptr<ScanRun> run(new ScanRun(request, std::move(listener), mailbox));

@@ -13,10 +13,11 @@
 #include "core/scan/first_error.h"
 #include "core/scan/refinement_memory.h"
 #include "core/scan/scan_advisor.h"
+#include "core/scan/scan_event.h"
 #include "core/scan/scan_objects.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_pipeline.h"
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_request.h"
 #include "core/scan/session_recorder.h"
 #include "core/scan/snapshot_builder.h"
 
@@ -30,7 +31,7 @@ class ScanRun {
   /// result folder and the catalogue may have been made by then. `on_news`: followCatalogue() has something
   /// to tell; called on another thread.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
-                                                             ScanSession::Listener listener,
+                                                             ScanListener listener,
                                                              LatestValue<ScanSnapshot>& mailbox,
                                                              std::function<void()> on_news);
   ~ScanRun();
@@ -72,7 +73,7 @@ class ScanRun {
   [[nodiscard]] Result<ScanReport> finish(const Ending& ending);
 
  private:
-  ScanRun(ScanRequest request, ScanSession::Listener listener, LatestValue<ScanSnapshot>& mailbox)
+  ScanRun(ScanRequest request, ScanListener listener, LatestValue<ScanSnapshot>& mailbox)
       : request_(std::move(request)),
         listener_(std::move(listener)),
         snapshots_(mailbox),
@@ -130,7 +131,7 @@ class ScanRun {
   [[nodiscard]] Result<void> checkResult(const ScanReport& report) const;
 
   ScanRequest request_;
-  ScanSession::Listener listener_;
+  ScanListener listener_;
   std::function<void()> on_news_;
   SnapshotBuilder snapshots_;
   std::unique_ptr<FrameSource> source_;

@@ -13,19 +13,10 @@
 #include "core/scan/frame_counts.h"
 #include "core/scan/packed_surface.h"
 #include "core/scan/region_info.h"
+#include "core/scan/scan_state.h"
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
-
-/// States of a ScanSession.
-/// `finishing`: no more frames come, by themselves or because a person stopped; `refining`: Refinement runs.
-enum class ScanState { idle, starting, scanning, paused, finishing, refining, finished, failed };
-
-/// A scan that runs, or begins or ends, keeps its worker busy.
-[[nodiscard]] constexpr bool isBusy(ScanState state) {
-  return state == ScanState::starting || state == ScanState::scanning || state == ScanState::paused ||
-         state == ScanState::finishing || state == ScanState::refining;
-}
 
 /// A discovered object as seen in the current frame.
 struct SeenObject {

@@ -39,12 +39,13 @@ constexpr int kPatience_ms = 600'000;
 class Person {
  public:
   Person(MainWindow& window, QString pictures) : window_(window), pictures_(std::move(pictures)) {
-    SessionBridge& bridge = window.controller().bridge();
-    QObject::connect(&bridge, &SessionBridge::snapshotArrived, &window,
+    ScanBridge& bridge = window.controller().bridge();
+    QObject::connect(&bridge, &ScanBridge::snapshotArrived, &window,
                      [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { shown_ = snapshot; });
-    QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [this] { in_review_ = true; });
-    QObject::connect(&bridge, &SessionBridge::scanFinished, &window,
-                     [](const ScanReport& report) { std::cout << "scan: " << report.fps << " fps\n"; });
+    bridge.on<ReviewOpened>(&window, [this] { in_review_ = true; });
+    bridge.on<ScanFinished>(&window, [](const ScanFinished& finished) {
+      std::cout << "scan: " << finished.report.fps << " fps\n";
+    });
   }
 
   /// False: the command is none, or what it waits for did not come.
@@ -174,7 +175,7 @@ int run(const std::string& source, const QString& script, const QString& picture
   options.database = QDir(data).filePath(QStringLiteral("catalogue.sqlite")).toStdString();
   options.width = 1480;
   options.height = 920;
-  MainWindow window(makeScanSessionPort, options);
+  MainWindow window(startScanWorker, options);
   window.show();
   window.activateWindow();
   Person person(window, pictures);

@@ -245,21 +245,22 @@ int run(const std::string& source, int moves, int places, bool still) {
   options.database = (folder.path() + QStringLiteral("/catalogue.sqlite")).toStdString();
   options.width = 1480;
   options.height = 920;
-  MainWindow window(makeScanSessionPort, options);
+  MainWindow window(startScanWorker, options);
   window.show();
   bool has_ended = false, is_open = false;
   int frame_index = -1;
-  SessionBridge& bridge = window.controller().bridge();
-  QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [&](const ScanReport& report) {
+  ScanBridge& bridge = window.controller().bridge();
+  bridge.on<ScanFinished>(&window, [&](const ScanFinished& finished) {
+    const ScanReport& report = finished.report;
     has_ended = true;
     std::cout << "scan: " << report.fps << " fps, median frame " << report.frame_median_ms << " ms\n";
   });
-  QObject::connect(&bridge, &SessionBridge::snapshotArrived, &window,
+  QObject::connect(&bridge, &ScanBridge::snapshotArrived, &window,
                    [&](const std::shared_ptr<const ScanSnapshot>& snapshot) {
                      if (!snapshot->pose.usable()) return;
                      frame_index = snapshot->frame_index;
                    });
-  QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [&] { is_open = true; });
+  bridge.on<ReviewOpened>(&window, [&] { is_open = true; });
   window.open(QString::fromStdString(source));
   wait(8000);
   std::mt19937 random(7);

@@ -153,11 +153,10 @@ void nameRegions(MainWindow& window, GapWatch& gaps, int count) {
   int done = 0;
   bool is_waiting = false;
   QElapsedTimer since_done;
-  const QMetaObject::Connection heard =
-      QObject::connect(&window.controller().bridge(), &SessionBridge::edited, [&] {
-        is_waiting = false;
-        since_done.start();
-      });
+  const QMetaObject::Connection heard = window.controller().bridge().on<Edited>(&window, [&] {
+    is_waiting = false;
+    since_done.start();
+  });
   gaps.watch("naming " + std::to_string(count) + " regions", 120, [&] {
     if (is_waiting || (since_done.isValid() && since_done.elapsed() < 400)) return false;
     if (done >= count) return true;
@@ -184,19 +183,17 @@ void resizeOften(MainWindow& window, GapWatch& gaps) {
 
 void exportIt(MainWindow& window, GapWatch& gaps, const QString& folder) {
   bool is_done = false;
-  SessionBridge& bridge = window.controller().bridge();
-  const QMetaObject::Connection done =
-      QObject::connect(&bridge, &SessionBridge::exportFinished, [&] { is_done = true; });
-  const QMetaObject::Connection failed =
-      QObject::connect(&bridge, &SessionBridge::exportFailed, [&](const QString& message) {
-        std::cout << "export: " << message.toStdString() << '\n';
-        is_done = true;
-      });
+  ScanBridge& bridge = window.controller().bridge();
+  const QMetaObject::Connection done = bridge.on<ExportFinished>(&window, [&] { is_done = true; });
+  const QMetaObject::Connection failed = bridge.on<ExportFailed>(&window, [&](const ExportFailed& event) {
+    std::cout << "export: " << event.error.message() << '\n';
+    is_done = true;
+  });
   ExportOptions options;
   options.format = DatasetFormat::coco;
   options.folder = folder.toStdString();
   options.background = true;
-  bridge.exportDataset(options);
+  bridge.post(ExportDataset{options});
   gaps.watch("exporting", 300, [&] { return is_done; });
   QObject::disconnect(done);
   QObject::disconnect(failed);
@@ -217,13 +214,13 @@ int run(TimedApplication& application, const Wishes& wishes) {
   options.width = 1480;
   options.height = 920;
   fillCatalogue(options.database, wishes.objects);
-  MainWindow window(makeScanSessionPort, options);
+  MainWindow window(startScanWorker, options);
   window.show();
   GapWatch gaps(application, window);
-  SessionBridge& bridge = window.controller().bridge();
+  ScanBridge& bridge = window.controller().bridge();
   bool is_open = false, has_ended = false;
-  QObject::connect(&bridge, &SessionBridge::reviewOpened, &window, [&] { is_open = true; });
-  QObject::connect(&bridge, &SessionBridge::scanFinished, &window, [&] { has_ended = true; });
+  bridge.on<ReviewOpened>(&window, [&] { is_open = true; });
+  bridge.on<ScanFinished>(&window, [&] { has_ended = true; });
   QString session = QString::fromStdString(wishes.session);
   gaps.watch("first page", 2, [] { return false; });
   if (session.isEmpty() || wishes.scan_s > 0) {

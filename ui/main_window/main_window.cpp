@@ -45,7 +45,7 @@ constexpr int kOtherPrograms_ms = 1000;  ///< what they write is seen after that
 constexpr int kHeldList_ms = 50;
 }  // namespace
 
-MainWindow::MainWindow(const SessionFactory& factory, const WindowOptions& options)
+MainWindow::MainWindow(const ScanPortFactory& factory, const WindowOptions& options)
     : editor_(history_),
       model_(editor_),
       controller_(new ScanController(factory, options, this)),
@@ -183,32 +183,32 @@ void MainWindow::openCatalogue(const QString& file) {
 }
 
 void MainWindow::connectSession() {
-  SessionBridge& bridge = controller_->bridge();
+  ScanBridge& bridge = controller_->bridge();
   connect(controller_, &ScanController::opening, this, &MainWindow::beginScan);
-  connect(&bridge, &SessionBridge::snapshotArrived, this,
+  connect(&bridge, &ScanBridge::snapshotArrived, this,
           [this](const std::shared_ptr<const ScanSnapshot>& snapshot) { showSnapshot(snapshot); });
-  connect(&bridge, &SessionBridge::stateChanged, this, &MainWindow::showState);
-  connect(&bridge, &SessionBridge::refinementStepped, this, [this](const RefinementStepped& progress) {
+  bridge.on<StateChanged>(this, [this](StateChanged changed) { showState(changed.state); });
+  bridge.on<RefinementStepped>(this, [this](const RefinementStepped& progress) {
     status_->showRefinement(progress.keyFrame(), progress.key_frames);
     progress_->showRefinement(progress);
   });
-  connect(&bridge, &SessionBridge::preparingDevice, status_, &StatusStrip::showPreparing);
-  connect(&bridge, &SessionBridge::scanFailed, this, &MainWindow::scanFailed);
-  connect(&bridge, &SessionBridge::frameSkipped, this, [this](int /*frame_index*/, const QString& message) {
-    messages_->show(MessageBar::Kind::warning, message);
-  });
-  const auto warn = [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); };
-  connect(&bridge, &SessionBridge::catalogueFailed, this, warn);
-  connect(&bridge, &SessionBridge::mapFailed, this, warn);
-  connect(&bridge, &SessionBridge::mapDrifted, this, warn);
-  connect(&bridge, &SessionBridge::scanAdvised, this, warn);
-  connect(&bridge, &SessionBridge::objectAdded, this, [this](ObjectId object) { model_.markAdded(object); });
-  connect(&bridge, &SessionBridge::objectRecognized, this,
-          [this](ObjectId object) { model_.markRecognized(object); });
+  bridge.on<PreparingDevice>(this, [this] { status_->showPreparing(); });
+  bridge.on<ScanFailed>(this, [this](const ScanFailed& event) { scanFailed(event); });
+  const auto warn = [this](const auto& event) {
+    messages_->show(MessageBar::Kind::warning, QString::fromStdString(event.error.message()));
+  };
+  bridge.on<FrameSkipped>(this, warn);
+  bridge.on<CatalogueFailed>(this, warn);
+  bridge.on<MapFailed>(this, warn);
+  bridge.on<MapDrifted>(this, warn);
+  bridge.on<ScanAdvice>(this, warn);
+  bridge.on<ObjectAdded>(this, [this](const ObjectAdded& added) { model_.markAdded(added.object); });
+  bridge.on<ObjectRecognized>(this,
+                              [this](const ObjectRecognized& known) { model_.markRecognized(known.object); });
 }
 
 void MainWindow::connectRegions() {
-  SessionBridge& bridge = controller_->bridge();
+  ScanBridge& bridge = controller_->bridge();
   connect(regions_, &RegionController::failed, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::warning, message); });
   connect(controller_, &ScanController::failed, this,
@@ -224,10 +224,10 @@ void MainWindow::connectRegions() {
     }
     return names;
   });
-  connect(&bridge, &SessionBridge::reviewOpened, this, [this](bool can_refine) {
+  bridge.on<ReviewOpened>(this, [this](ReviewOpened opened) {
     if (onStartPage()) return;  // it was closed meanwhile
     actions_->enableReview(true);
-    actions_->enableRefinement(can_refine);
+    actions_->enableRefinement(opened.can_refine);
     has_snapshot_ = true;
   });
   connect(start_->savedScans(), &SavedScansPanel::chosen, this, &MainWindow::openSession);
@@ -236,11 +236,12 @@ void MainWindow::connectRegions() {
     history_.push(start_, std::make_shared<DeleteScan>(
                               folder, [this] { showSavedScans(); }, fail));
   });
-  connect(time_line_, &TimeLine::requested, &bridge, &SessionBridge::showKeyFrame);
+  connect(time_line_, &TimeLine::requested, &bridge,
+          [&bridge](int place) { bridge.post(ShowKeyFrame{place}); });
 }
 
 void MainWindow::connectCatalogue() {
-  SessionBridge& bridge = controller_->bridge();
+  ScanBridge& bridge = controller_->bridge();
   catalogue_timer_.setSingleShot(true);
   connect(&catalogue_timer_, &QTimer::timeout, this, &MainWindow::followCatalogue);
   connect(catalogue_, &CatalogueChoice::noted, this,
@@ -248,12 +249,12 @@ void MainWindow::connectCatalogue() {
   connect(catalogue_, &CatalogueChoice::failed, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); });
   const auto soon = [this] { catalogue_timer_.start(0); };
-  connect(&bridge, &SessionBridge::objectAdded, this, soon);
-  connect(&bridge, &SessionBridge::viewAdded, this, soon);
-  connect(&bridge, &SessionBridge::objectsMerged, this, soon);
-  connect(&bridge, &SessionBridge::objectNamed, this, soon);
-  connect(&bridge, &SessionBridge::stateChanged, this, soon);
-  connect(&editor_, &CatalogueEditor::edited, &bridge, &SessionBridge::catalogueChanged);
+  bridge.on<ObjectAdded>(this, soon);
+  bridge.on<ViewAdded>(this, soon);
+  bridge.on<ObjectsMerged>(this, soon);
+  bridge.on<ObjectNamed>(this, soon);
+  bridge.on<StateChanged>(this, soon);
+  connect(&editor_, &CatalogueEditor::edited, &bridge, [&bridge] { bridge.post(FollowCatalogue{}); });
   connect(&editor_, &CatalogueEditor::failed, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::error, message); });
   connect(&model_, &ObjectListModel::dataChanged, frames_->colorPanel(), qOverload<>(&QWidget::update));
@@ -323,8 +324,8 @@ void MainWindow::showState(ScanState state) {
   actions_->enableFor(state, controller_->hasSource());
 }
 
-void MainWindow::scanFailed(const QString& message) {
-  messages_->show(MessageBar::Kind::error, message);
+void MainWindow::scanFailed(const ScanFailed& event) {
+  messages_->show(MessageBar::Kind::error, QString::fromStdString(event.error.message()));
   if (!has_snapshot_) showStartPage();
 }
 

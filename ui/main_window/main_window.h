@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ui/bridge/session_port.h"
+#include "ui/bridge/scan_bridge.h"
 #include "ui/main_window/window_options.h"
 #include "ui/models/catalogue_editor.h"
 #include "ui/models/object_list_model.h"
@@ -38,7 +38,7 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  MainWindow(const SessionFactory& factory, const WindowOptions& options);
+  MainWindow(const ScanPortFactory& factory, const WindowOptions& options);
   ~MainWindow() override;
 
   void open(const QString& source);
@@ -97,7 +97,7 @@ class MainWindow : public QMainWindow {
   void beginScan(const QString& source);
   void showSnapshot(const std::shared_ptr<const ScanSnapshot>& collected);
   void showState(ScanState state);
-  void scanFailed(const QString& message);
+  void scanFailed(const ScanFailed& event);
   void showStartPage();
   void showSavedScans();
   void showScene();

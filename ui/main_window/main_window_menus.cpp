@@ -142,7 +142,7 @@ void MainWindow::connectActions() {
   on(actions_->pause, [this] { controller_->togglePause(); });
   on(actions_->step, [this] { controller_->step(); });
   on(actions_->stop, [this] { controller_->stop(); });
-  on(actions_->skip_refinement, [this] { controller_->bridge().skipRefinement(); });
+  on(actions_->skip_refinement, [this] { controller_->bridge().post(SkipRefinement{}); });
   on(actions_->refine, [this] { controller_->refine(); });
   on(actions_->focus_objects, [this] {
     docks_->docks().first()->show();
@@ -224,16 +224,9 @@ void MainWindow::showExport() {
   }
   delete export_;
   export_ = new ExportDialog(QFileInfo(controller_->sessionFolder()).fileName(), this);
-  SessionBridge& bridge = controller_->bridge();
-  connect(export_, &ExportDialog::previewRequested, &bridge, &SessionBridge::previewExport);
-  connect(export_, &ExportDialog::sampleRequested, &bridge, &SessionBridge::sampleExport);
-  connect(&bridge, &SessionBridge::exportSampled, export_, &ExportDialog::showSample);
-  connect(export_, &ExportDialog::exportRequested, &bridge, &SessionBridge::exportDataset);
-  connect(export_, &ExportDialog::cancelRequested, &bridge, &SessionBridge::cancelExport);
-  connect(&bridge, &SessionBridge::exportPreviewed, export_, &ExportDialog::showPreview);
-  connect(&bridge, &SessionBridge::exportStepped, export_, &ExportDialog::showProgress);
-  connect(&bridge, &SessionBridge::exportFinished, export_, &ExportDialog::showDone);
-  connect(&bridge, &SessionBridge::exportFailed, export_, &ExportDialog::showFailure);
+  ScanBridge& bridge = controller_->bridge();
+  connect(export_, &ExportDialog::posted, &bridge, &ScanBridge::post);
+  connect(&bridge, &ScanBridge::eventArrived, export_, &ExportDialog::handleEvent);
   export_->show();
   export_->raise();
   export_->activateWindow();

@@ -43,19 +43,20 @@ Presentation::Presentation(MainWindow& window)
   connect(&again_, &QTimer::timeout, this, [this] {
     if (is_on_) window_.controller().start();
   });
-  SessionBridge& bridge = window_.controller().bridge();
-  connect(&bridge, &SessionBridge::objectAdded, this,
-          [this](ObjectId, const QString& name) { say(tr("Object found: %1").arg(name)); });
-  connect(&bridge, &SessionBridge::objectRecognized, this,
-          [this](ObjectId, const QString& name) { say(tr("Recognised: %1").arg(name)); });
-  connect(&bridge, &SessionBridge::preparingDevice, this,
-          [this] { say(tr("Preparing the processor (once)")); });
-  connect(&bridge, &SessionBridge::stateChanged, this, [this] {
+  ScanBridge& bridge = window_.controller().bridge();
+  bridge.on<ObjectAdded>(this, [this](const ObjectAdded& added) {
+    say(tr("Object found: %1").arg(QString::fromStdString(added.name)));
+  });
+  bridge.on<ObjectRecognized>(this, [this](const ObjectRecognized& known) {
+    say(tr("Recognised: %1").arg(QString::fromStdString(known.name)));
+  });
+  bridge.on<PreparingDevice>(this, [this] { say(tr("Preparing the processor (once)")); });
+  bridge.on<StateChanged>(this, [this] {
     if (is_on_) hideOthers();
     removeEndedCatalogues();
   });
-  connect(&bridge, &SessionBridge::scanFinished, this, &Presentation::scanHasEnded);
-  connect(&bridge, &SessionBridge::scanFailed, this, &Presentation::scanHasEnded);
+  bridge.on<ScanFinished>(this, [this] { scanHasEnded(); });
+  bridge.on<ScanFailed>(this, [this] { scanHasEnded(); });
 }
 
 void Presentation::begin() {

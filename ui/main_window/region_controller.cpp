@@ -26,7 +26,7 @@ constexpr int kRecentNames = 9;
 
 }  // namespace
 
-RegionController::RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames,
+RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePanels& frames,
                                    UndoHistory& history, QWidget& window)
     : QObject(&window),
       bridge_(bridge),
@@ -162,8 +162,8 @@ void RegionController::connectActions() {
 }
 
 void RegionController::connectBridge() {
-  connect(&bridge_, &SessionBridge::edited, this, &RegionController::edited);
-  connect(&bridge_, &SessionBridge::editFailed, this, &RegionController::editFailed);
+  bridge_.on<Edited>(this, [this](const Edited& event) { edited(event); });
+  bridge_.on<EditFailed>(this, [this](const EditFailed& event) { editFailed(event); });
 }
 
 void RegionController::beginScan() {

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "ui/bridge/session_bridge.h"
+#include "ui/bridge/scan_bridge.h"
 #include "ui/common/region_point.h"
 #include "ui/main_window/region_actions.h"
 #include "ui/main_window/region_splitter.h"
@@ -30,7 +30,7 @@ class RegionController : public QObject {
 
  public:
   /// All of these outlive the controller; `window` is whose middle the name editor opens in.
-  RegionController(SessionBridge& bridge, ScenePane& scene, FramePanels& frames, UndoHistory& history,
+  RegionController(ScanBridge& bridge, ScenePane& scene, FramePanels& frames, UndoHistory& history,
                    QWidget& window);
 
   [[nodiscard]] RegionActions& actions() { return actions_; }
@@ -79,8 +79,8 @@ class RegionController : public QObject {
   void perform(Operation operation);
   /// Operations that a session has from before, so that they can be taken back.
   void updateHistory(const std::vector<DoneOperation>& operations);
-  void edited(const ScanEdit& edit, const std::vector<RegionId>& regions);
-  void editFailed(const ScanEdit& edit, const QString& message);
+  void edited(const Edited& event);
+  void editFailed(const EditFailed& event);
   [[nodiscard]] QString inWords(const Operation& operation) const;
 
   /// Under the pointer; or what is proposed, while that is nowhere or on what is selected.
@@ -97,7 +97,7 @@ class RegionController : public QObject {
   void accept(const std::vector<Proposal>& accepted);
   void showProposal();
 
-  SessionBridge& bridge_;
+  ScanBridge& bridge_;
   ScenePane& scene_;
   FramePanels& frames_;
   RegionSelection selection_;

@@ -36,13 +36,9 @@ class RegionController::Command : public QUndoCommand {
       : QUndoCommand(text), controller_(controller), operation_(std::move(operation)), is_done_(is_done) {}
 
   void redo() override {
-    if (std::exchange(is_done_, true)) {
-      controller_.bridge_.edit(RedoEdit{});
-    } else {
-      controller_.bridge_.edit(operation_);
-    }
+    controller_.bridge_.post(EditRegions{std::exchange(is_done_, true) ? ScanEdit(RedoEdit{}) : operation_});
   }
-  void undo() override { controller_.bridge_.edit(UndoEdit{}); }
+  void undo() override { controller_.bridge_.post(EditRegions{UndoEdit{}}); }
 
   [[nodiscard]] bool is(const Operation& operation) const { return operation == operation_; }
 
@@ -133,13 +129,13 @@ void RegionController::updateHistory(const std::vector<DoneOperation>& operation
   history_.learn(this, steps, done);
 }
 
-void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>& regions) {
-  if (std::holds_alternative<UndoEdit>(edit)) {
+void RegionController::edited(const Edited& event) {
+  if (std::holds_alternative<UndoEdit>(event.edit)) {
     // The question was about a name that may be gone.
     ++proposal_number_;
     proposals_.withdraw();
   }
-  const auto* operation = std::get_if<Operation>(&edit);
+  const auto* operation = std::get_if<Operation>(&event.edit);
   if (operation == nullptr) return;
   switch (operation->kind) {
     case OperationKind::name:
@@ -149,17 +145,17 @@ void RegionController::edited(const ScanEdit& edit, const std::vector<RegionId>&
     case OperationKind::cut:
     case OperationKind::finer:
     case OperationKind::coarser:
-      if (!regions.empty()) selection_.select(regions);
+      if (!event.regions.empty()) selection_.select(event.regions);
       break;
     default:
       break;
   }
 }
 
-void RegionController::editFailed(const ScanEdit& edit, const QString& message) {
-  emit failed(message);
+void RegionController::editFailed(const EditFailed& event) {
+  emit failed(QString::fromStdString(event.error.message()));
   cutter_->end();
-  const auto* const operation = std::get_if<Operation>(&edit);
+  const auto* const operation = std::get_if<Operation>(&event.edit);
   const auto failed = std::find_if(performed_.rbegin(), performed_.rend(), [operation](const auto& command) {
     return operation != nullptr && command->is(*operation);
   });

@@ -26,14 +26,14 @@ QString newSessionFolder(const QString& source) {
 
 }  // namespace
 
-ScanController::ScanController(const SessionFactory& factory, const WindowOptions& options, QObject* parent)
+ScanController::ScanController(const ScanPortFactory& factory, const WindowOptions& options, QObject* parent)
     : QObject(parent), bridge_(factory) {
   request_.device = options.device;
   request_.params = options.params;
   request_.start_paused = options.start_paused;
   request_.results = false;
   request_.review = true;
-  connect(&bridge_, &SessionBridge::scanFailed, this, [this] { made_folder_.removeIfEmpty(); });
+  bridge_.on<ScanFailed>(this, [this] { made_folder_.removeIfEmpty(); });
 }
 
 QString ScanController::sessionsFolder() {
@@ -59,7 +59,7 @@ void ScanController::begin() {
   }
   paused_ = request_.start_paused;
   emit opening(source_);
-  bridge_.start(request_);
+  bridge_.post(StartScan{request_});
 }
 
 void ScanController::openSession(const QString& folder) {
@@ -67,7 +67,7 @@ void ScanController::openSession(const QString& folder) {
   request_.source.clear();
   request_.output_folder = folder.toStdString();
   emit opening(folder);
-  bridge_.start(request_);
+  bridge_.post(StartScan{request_});
 }
 
 void ScanController::refine() {
@@ -76,7 +76,7 @@ void ScanController::refine() {
   request.refine_session = true;
   request.database.clear();  // the session's
   emit opening(hasSource() ? source_ : sessionFolder());
-  bridge_.start(request);
+  bridge_.post(StartScan{std::move(request)});
 }
 
 void ScanController::open(const QString& source, const SourceOptions& options, ScanRequest::Poses poses) {
@@ -102,7 +102,7 @@ bool ScanController::isRunning() const {
 void ScanController::setPaused(bool paused) {
   if (paused == paused_) return;
   paused_ = paused;
-  paused ? bridge_.pause() : bridge_.resume();
+  bridge_.post(paused ? ScanCommand(PauseScan{}) : ResumeScan{});
 }
 
 void ScanController::togglePause() {
@@ -112,21 +112,21 @@ void ScanController::togglePause() {
 void ScanController::step() {
   if (!isRunning()) return;
   setPaused(true);
-  bridge_.step();
+  bridge_.post(StepScan{});
 }
 
 void ScanController::stop() {
-  if (bridge_.busy()) bridge_.stop();
+  if (bridge_.busy()) bridge_.post(StopScan{});
 }
 
 void ScanController::close() {
-  bridge_.close();
+  bridge_.post(CloseScan{});
   source_.clear();
 }
 
 void ScanController::setParams(const ScanParams& params) {
   request_.params = params;
-  bridge_.setParams(params);
+  bridge_.post(SetParams{params});
 }
 
 }  // namespace scantrove

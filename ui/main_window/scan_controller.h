@@ -2,20 +2,20 @@
 #include <QObject>
 #include <QString>
 
-#include "ui/bridge/session_bridge.h"
+#include "ui/bridge/scan_bridge.h"
 #include "ui/main_window/scan_folder.h"
 #include "ui/main_window/window_options.h"
 
 namespace scantrove {
 
-/// What the window's scan commands do: keeps what is open and with which settings, and drives the session.
+/// What the window's scan commands do: keeps what is open and with which settings, and commands the worker.
 class ScanController : public QObject {
   Q_OBJECT
 
  public:
-  ScanController(const SessionFactory& factory, const WindowOptions& options, QObject* parent = nullptr);
+  ScanController(const ScanPortFactory& factory, const WindowOptions& options, QObject* parent = nullptr);
 
-  [[nodiscard]] SessionBridge& bridge() { return bridge_; }
+  [[nodiscard]] ScanBridge& bridge() { return bridge_; }
   [[nodiscard]] const QString& source() const { return source_; }
   [[nodiscard]] bool hasSource() const { return !source_.isEmpty(); }
   [[nodiscard]] const ScanRequest& request() const { return request_; }
@@ -55,11 +55,11 @@ class ScanController : public QObject {
 
   ScanRequest request_;
   QString source_;
-  /// What was asked for last; the session may not have come to it yet, and a second press is not to be lost.
+  /// What was asked for last; the worker may not have come to it yet, and a second press is not to be lost.
   bool paused_ = false;
   bool keeps_scans_ = true;
   ScanFolder made_folder_;  ///< before the bridge: the scan has ended when it goes
-  SessionBridge bridge_;
+  ScanBridge bridge_;
 };
 
 }  // namespace scantrove

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_request.h"
 
 namespace scantrove {
 

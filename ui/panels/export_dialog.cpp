@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "core/base/overloaded.h"
 #include "ui/panels/export_sample_view.h"
 #include "ui/panels/file_dialogs.h"
 
@@ -130,11 +131,11 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   ask_.setInterval(kAskAfter_ms);
   connect(&ask_, &QTimer::timeout, this, [this] {
     if (is_working_) return;
-    emit previewRequested(options());
-    emit sampleRequested(options(), sample_->place());
+    emit posted(PreviewExport{options()});
+    emit posted(SampleExport{options(), sample_->place()});
   });
   connect(sample_, &ExportSampleView::rowRequested, this, [this](int place) {
-    if (!is_working_) emit sampleRequested(options(), place);
+    if (!is_working_) emit posted(SampleExport{options(), place});
   });
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
   connect(all_frames_, &QCheckBox::toggled, this, &ExportDialog::askSoon);
@@ -193,6 +194,17 @@ void ExportDialog::formatChanged() {
 
 void ExportDialog::askSoon() { ask_.start(); }
 
+void ExportDialog::handleEvent(const ScanEvent& event) {
+  std::visit(Overloaded{[this](const ExportPreviewed& e) { showPreview(e.preview); },
+                        [this](const ExportSampled& e) {
+                          if (!is_working_) sample_->showSample(e.sample);
+                        },
+                        [this](const ExportStepped& e) { showProgress(e.progress); },
+                        [this](const ExportFinished& e) { showDone(e.summary); },
+                        [this](const ExportFailed& e) { showFailure(e.error); }, [](const auto&) {}},
+             event);
+}
+
 void ExportDialog::showPreview(const ExportPreview& preview) {
   if (is_working_ || !done_folder_.isEmpty()) return;
   message_->setText(
@@ -205,17 +217,13 @@ void ExportDialog::showPreview(const ExportPreview& preview) {
                 .arg(std::max(1L, std::lround(preview.megabytes))));
 }
 
-void ExportDialog::showSample(const ExportSample& sample) {
-  if (!is_working_) sample_->showSample(sample);
-}
-
 void ExportDialog::begin() {
   done_folder_.clear();
   QSettings().setValue(kFormatKey, format_->currentIndex());
   QDir().mkpath(QFileInfo(folder_->text()).path());
   setWorking(true);
   message_->setText(tr("Working…"));
-  emit exportRequested(options());
+  emit posted(ExportDataset{options()});
 }
 
 void ExportDialog::showProgress(const ExportProgress& progress) {
@@ -242,9 +250,9 @@ void ExportDialog::showDone(const ExportSummary& summary) {
   show_folder_->setVisible(true);
 }
 
-void ExportDialog::showFailure(const QString& message) {
+void ExportDialog::showFailure(const Error& error) {
   setWorking(false);
-  message_->setText(message);
+  message_->setText(QString::fromStdString(error.message()));
 }
 
 void ExportDialog::setWorking(bool working) {
@@ -260,7 +268,7 @@ void ExportDialog::setWorking(bool working) {
 
 void ExportDialog::reject() {
   if (is_working_) {
-    emit cancelRequested();
+    emit posted(CancelExport{});
     return;
   }
   QDialog::reject();

@@ -2,10 +2,8 @@
 #include <QDialog>
 #include <QTimer>
 
-#include <optional>
-
-#include "core/dataset/dataset_export.h"
-#include "core/dataset/export_sample.h"
+#include "core/scan/scan_command.h"
+#include "core/scan/scan_event.h"
 
 class QCheckBox;
 class QComboBox;
@@ -36,24 +34,19 @@ class ExportDialog : public QDialog {
   [[nodiscard]] ExportSampleView* sampleView() const { return sample_; }
   [[nodiscard]] bool isWorking() const { return is_working_; }
 
- public slots:
-  void showPreview(const scantrove::ExportPreview& preview);
-  void showSample(const scantrove::ExportSample& sample);
-  void showProgress(const scantrove::ExportProgress& progress);
-  void showDone(const scantrove::ExportSummary& summary);
-  void showFailure(const QString& message);
+  /// Shows what became of the commands that it posted.
+  void handleEvent(const ScanEvent& event);
   void begin();
-
- signals:
-  void previewRequested(const scantrove::ExportOptions& options);
-  void sampleRequested(const scantrove::ExportOptions& options, std::optional<int> place);
-  void exportRequested(const scantrove::ExportOptions& options);
-  void cancelRequested();
-
- public:
   void reject() override;
 
+ signals:
+  void posted(const scantrove::ScanCommand& command);
+
  private:
+  void showPreview(const ExportPreview& preview);
+  void showProgress(const ExportProgress& progress);
+  void showDone(const ExportSummary& summary);
+  void showFailure(const Error& error);
   void choose();
   void formatChanged();
   void askSoon();

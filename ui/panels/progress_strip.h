@@ -3,7 +3,8 @@
 #include <QString>
 #include <QWidget>
 
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_event.h"
+#include "core/scan/scan_snapshot.h"
 
 class QLabel;
 class QAction;

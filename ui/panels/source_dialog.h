@@ -1,7 +1,7 @@
 #pragma once
 #include <QDialog>
 
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_request.h"
 
 class QComboBox;
 class QDialogButtonBox;

@@ -7,7 +7,7 @@
 #include "core/catalogue/object_database.h"
 #include "core/evaluation/trajectory_metrics.h"
 #include "tests/support/recordings.h"
-#include "tests/support/scan_session_runner.h"
+#include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove {

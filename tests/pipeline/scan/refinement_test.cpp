@@ -12,7 +12,7 @@
 #include "core/scan/open_session.h"
 #include "core/scan/refinement_memory.h"
 #include "core/session/session_store.h"
-#include "tests/support/scan_session_runner.h"
+#include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove {
@@ -105,15 +105,15 @@ ScanRequest requestToRefine(const test::TemporaryFolder& folder) {
 ScanReport runUntilStep(ScanRequest request, int step) {
   const test::QtMainThread qt;
   ScanReport report;
-  ScanSession* running = nullptr;
-  ScanSession session([&](const ScanEvent& event) {
+  ScanWorker* running = nullptr;
+  ScanWorker worker([&](const ScanEvent& event) {
     const auto* stepped = std::get_if<RefinementStepped>(&event);
-    if (stepped != nullptr && stepped->done >= step) running->skipRefinement();
+    if (stepped != nullptr && stepped->done >= step) running->post(SkipRefinement{});
     if (const auto* finished = std::get_if<ScanFinished>(&event)) report = finished->report;
   });
-  running = &session;
-  session.start(std::move(request));
-  session.wait();
+  running = &worker;
+  worker.post(StartScan{std::move(request)});
+  worker.wait();
   return report;
 }
 
@@ -222,15 +222,15 @@ TEST(Refinement, EndsAtTheNextFrame_WhenSkipped) {
   std::atomic<int> steps = 0;
   std::optional<ScanReport> report;
   std::vector<ScanState> states;
-  ScanSession* running = nullptr;
-  ScanSession session([&](const ScanEvent& event) {
+  ScanWorker* running = nullptr;
+  ScanWorker worker([&](const ScanEvent& event) {
     if (const auto* state = std::get_if<StateChanged>(&event)) states.push_back(state->state);
-    if (std::holds_alternative<RefinementStepped>(event) && ++steps == 2) running->skipRefinement();
+    if (std::holds_alternative<RefinementStepped>(event) && ++steps == 2) running->post(SkipRefinement{});
     if (const auto* finished = std::get_if<ScanFinished>(&event)) report = finished->report;
   });
-  running = &session;
-  session.start(requestIn(folder));
-  session.wait();
+  running = &worker;
+  worker.post(StartScan{requestIn(folder)});
+  worker.wait();
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->refinement.skipped);
   EXPECT_EQ(steps, 2);
@@ -253,21 +253,21 @@ TEST(Refinement, IsSkipped_WhenTheProgramIsClosed) {
   const test::QtMainThread qt;
   std::atomic<int> steps = 0;
   std::atomic<bool> has_finished = false;
-  ScanSession session([&](const ScanEvent& event) {
+  ScanWorker worker([&](const ScanEvent& event) {
     if (std::holds_alternative<RefinementStepped>(event)) ++steps;
     if (std::holds_alternative<ScanFinished>(event)) has_finished = true;
   });
   ScanRequest request = requestIn(folder);
   request.start_paused = true;
-  session.start(std::move(request));
-  for (int i = 0; i < 3; ++i) session.step();
+  worker.post(StartScan{std::move(request)});
+  for (int i = 0; i < 3; ++i) worker.post(StepScan{});
   int read = 0;
   while (read < 3) {
-    if (const auto snapshot = session.snapshots().collect()) read = snapshot->frames.read;
+    if (const auto snapshot = worker.snapshots().collect()) read = snapshot->frames.read;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  session.close();
-  session.wait();
+  worker.post(CloseScan{});
+  worker.wait();
   EXPECT_TRUE(has_finished) << "all else is kept";
   EXPECT_EQ(steps, 0);
 }

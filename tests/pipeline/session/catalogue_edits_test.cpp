@@ -4,14 +4,14 @@
 #include <array>
 
 #include "core/catalogue/object_database.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 #include "tests/support/other_program.h"
 
 namespace scantrove {
 namespace {
 
 /// A person at the catalogue while frames run.
-class EditsDuringAScan : public test::ScanSessionTest {
+class EditsDuringAScan : public test::ScanWorkerTest {
  protected:
   static constexpr int kFrames = 120;
 
@@ -53,16 +53,16 @@ class EditsDuringAScan : public test::ScanSessionTest {
 TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
   // What the scan finds when nobody interferes.
   const ScanRequest quiet = table("quiet.sqlite");
-  session_.start(quiet);
-  session_.wait();
-  ASSERT_EQ(session_.state(), ScanState::finished);
+  worker_.post(StartScan{quiet});
+  worker_.wait();
+  ASSERT_EQ(worker_.state(), ScanState::finished);
   const std::size_t found = open(quiet)->objects()->size();
   ASSERT_GE(found, 5U) << "too few for the edits below";
   const std::size_t added_quietly = log_.all<ObjectAdded>().size();
 
-  static_cast<void>(session_.snapshots().collect());
+  static_cast<void>(worker_.snapshots().collect());
   const ScanRequest busy = table("busy.sqlite");
-  session_.start(busy);
+  worker_.post(StartScan{busy});
   const std::vector<ObjectId> all = awaitObjects(added_quietly + 8);
   ASSERT_GE(all.size(), added_quietly + 8);
   // Both scans see the same. What turns out to be something else later on would be kept by a person's word.
@@ -78,16 +78,16 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
   ASSERT_TRUE(person->rename(objects[0], "my mug"));
   ASSERT_TRUE(person->setConfirmed(std::array{objects[1]}, true));
   ASSERT_TRUE(person->remove(std::array{objects[2], objects[3]}));
-  session_.catalogueChanged();
+  worker_.post(FollowCatalogue{});
   letFramesPass(20);
   ASSERT_TRUE(person->restore(std::array{objects[3]}));
   const Result<ObjectMerge> merge = person->merge(std::array{objects[0], objects[1]});
   ASSERT_TRUE(merge);
-  session_.catalogueChanged();
+  worker_.post(FollowCatalogue{});
   letFramesPass(5);
-  ASSERT_EQ(session_.state(), ScanState::scanning) << "the edits came too late to be during the scan";
-  session_.wait();
-  ASSERT_EQ(session_.state(), ScanState::finished);
+  ASSERT_EQ(worker_.state(), ScanState::scanning) << "the edits came too late to be during the scan";
+  worker_.wait();
+  ASSERT_EQ(worker_.state(), ScanState::finished);
   EXPECT_TRUE(log_.all<CatalogueFailed>().empty());
 
   const std::vector<ObjectRecord> left = *person->objects();
@@ -107,9 +107,9 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
 
 TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
   ScanRequest requested = table("paused.sqlite");
-  session_.start(requested);
+  worker_.post(StartScan{requested});
   ASSERT_FALSE(awaitObjects(4).empty());
-  session_.pause();
+  worker_.post(PauseScan{});
   log_.awaitState(ScanState::paused);
   // Not every frame shows every object.
   auto paused = awaitSnapshot(1);
@@ -120,7 +120,7 @@ TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
   ASSERT_NE(shown, paused->objects.end());
   const ObjectId object = shown->object;
   ASSERT_TRUE(open(requested)->rename(object, "called while paused"));
-  session_.catalogueChanged();
+  worker_.post(FollowCatalogue{});
   bool is_seen = false;
   while (!is_seen) {
     const auto snapshot = awaitSnapshot(1);
@@ -130,8 +130,8 @@ TEST_F(EditsDuringAScan, AreSeenWhilePaused) {
     });
     EXPECT_TRUE(!is_seen || snapshot->state == ScanState::paused);
   }
-  session_.stop();
-  session_.wait();
+  worker_.post(StopScan{});
+  worker_.wait();
 }
 
 }  // namespace

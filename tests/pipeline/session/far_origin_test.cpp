@@ -8,7 +8,7 @@
 #include "core/scan/open_session.h"
 #include "core/scan/session_scan.h"
 #include "tests/support/filmed_recording.h"
-#include "tests/support/scan_session_runner.h"
+#include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {

@@ -6,14 +6,14 @@
 
 #include "core/catalogue/object_database.h"
 #include "core/scan/open_session.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove {
 namespace {
 
 constexpr int kFramesOfReview = 25, kForeignObjects = 40;
 
-class ForeignCatalogueReview : public test::ScanSessionTest {
+class ForeignCatalogueReview : public test::ScanWorkerTest {
  protected:
   ScanRequest reviewed() const {
     ScanRequest requested = request(kFramesOfReview);
@@ -68,9 +68,9 @@ class ForeignCatalogueReview : public test::ScanSessionTest {
 
 TEST_F(ForeignCatalogueReview, ShowsNoNumbersAndTouchesNoStranger) {
   std::filesystem::create_directories(folder_ / "scan");
-  session_.start(reviewed());
+  worker_.post(StartScan{reviewed()});
   log_.await<ReviewOpened>();
-  session_.close();
+  worker_.post(CloseScan{});
   RegionId largest;
   {
     const auto session = open();
@@ -91,20 +91,20 @@ TEST_F(ForeignCatalogueReview, ShowsNoNumbersAndTouchesNoStranger) {
 
   ScanRequest again = reviewed();
   again.source.clear();
-  session_.start(again);
+  worker_.post(StartScan{again});
   log_.await<ReviewOpened>(2);
   const auto snapshot = awaitSnapshot(1);
   ASSERT_NE(snapshot, nullptr);
   ASSERT_NE(snapshot->region_infos, nullptr);
   for (const RegionInfo& info : *snapshot->region_infos) EXPECT_FALSE(info.object) << info.region.value;
   for (const SeenObject& seen : snapshot->objects) EXPECT_FALSE(seen.object);
-  session_.edit(Operation{.kind = OperationKind::name, .regions = {largest}, .name = "red mug"});
+  worker_.post(EditRegions{Operation{.kind = OperationKind::name, .regions = {largest}, .name = "red mug"}});
   log_.await<Edited>();
-  session_.edit(UndoEdit{});
+  worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(2);
-  session_.edit(UndoEdit{});
+  worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(3);
-  session_.close();
+  worker_.post(CloseScan{});
   const auto session = open();
   ASSERT_NE(session, nullptr);
   EXPECT_EQ(strangers(), before);

@@ -9,7 +9,7 @@
 #include "core/catalogue/object_database.h"
 #include "core/scan/open_session.h"
 #include "core/scan/session_catalogue.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 #include "tests/support/other_program.h"
 
 namespace scantrove {
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::OtherProgram;
-using test::ScanSessionTest;
+using test::ScanWorkerTest;
 
 /// A step that fails: no row of `table` of which `condition` holds can be written.
 struct Obstacle {
@@ -38,15 +38,15 @@ constexpr Obstacle kCatalogueSteps[]{{kCatalogue, "events", "action = 'session-b
                                      {kCatalogue, "applied_edits", "token <> ''"}};
 constexpr Obstacle kAnswer{kSession, "facts", "name LIKE 'namings %'"};
 
-class InterruptedEdits : public ScanSessionTest {
+class InterruptedEdits : public ScanWorkerTest {
  protected:
   void SetUp() override {
     ScanRequest scan = request(12);
     scan.output_folder = folder_ / "scan";
     scan.database = (folder_ / "scan" / kCatalogue).string();
-    session_.start(scan);
-    session_.wait();
-    ASSERT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    worker_.post(StartScan{scan});
+    worker_.wait();
+    ASSERT_EQ(worker_.state(), ScanState::finished) << log_.failure();
     const auto session = open();
     ASSERT_TRUE(session);
     const auto regions = session->regions();
@@ -214,9 +214,9 @@ TEST_F(InterruptedEdits, AreCompletedBeforeTheScanGoesOn) {
   scan.output_folder = folder_ / "scan";
   scan.database.clear();
   scan.resume = true;
-  session_.start(scan);
-  session_.wait();
-  ASSERT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  worker_.post(StartScan{scan});
+  worker_.wait();
+  ASSERT_EQ(worker_.state(), ScanState::finished) << log_.failure();
   const auto session = open();
   ASSERT_TRUE(session);
   EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup'"), "1");

@@ -9,14 +9,14 @@
 #include <thread>
 
 #include "core/scan/open_session.h"
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_worker.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 namespace {
 
-/// Hears what a session says, and waits for it.
+/// Collects the outcomes of edits, and waits for them.
 class Ear {
  public:
   void hear(const ScanEvent& event) {
@@ -46,9 +46,9 @@ class Ear {
 };
 
 /// The snapshot after so many frames; null: it does not come.
-std::shared_ptr<const ScanSnapshot> snapshotAfter(ScanSession& session, int frames) {
+std::shared_ptr<const ScanSnapshot> snapshotAfter(ScanWorker& worker, int frames) {
   for (int i = 0; i < 1200; ++i) {
-    auto snapshot = session.snapshots().collect();
+    auto snapshot = worker.snapshots().collect();
     if (snapshot && snapshot->frames.read >= frames && !snapshot->regions.empty()) return snapshot;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
@@ -68,8 +68,8 @@ std::vector<RegionId> regionsIn(const ScanSnapshot& snapshot) {
   return regions;
 }
 
-std::vector<RegionId> regionsInView(ScanSession& session, int frames) {
-  const auto snapshot = snapshotAfter(session, frames);
+std::vector<RegionId> regionsInView(ScanWorker& worker, int frames) {
+  const auto snapshot = snapshotAfter(worker, frames);
   return snapshot ? regionsIn(*snapshot) : std::vector<RegionId>{};
 }
 
@@ -97,37 +97,37 @@ TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
   Ear ear;
   std::vector<RegionId> joined, kept;
   {
-    ScanSession session([&](const ScanEvent& event) { ear.hear(event); });
+    ScanWorker worker([&](const ScanEvent& event) { ear.hear(event); });
     ScanRequest request;
     request.source = "demo";
     request.source_options.frames = 40;
     request.output_folder = folder / "scan";
     request.database = (folder / "catalogue.sqlite").string();
     request.start_paused = true;
-    session.start(request);
-    for (int i = 0; i < 15; ++i) session.step();
-    const std::vector<RegionId> regions = regionsInView(session, 15);
+    worker.post(StartScan{request});
+    for (int i = 0; i < 15; ++i) worker.post(StepScan{});
+    const std::vector<RegionId> regions = regionsInView(worker, 15);
     ASSERT_GE(regions.size(), 5U);
     joined = {regions[2], regions[3]};
     Operation operation;
     operation.kind = OperationKind::join;
     operation.regions = joined;
-    session.edit(operation);
+    worker.post(EditRegions{operation});
     ASSERT_EQ(ear.edit(1), std::vector{joined[0]});
     operation = {};
     operation.regions = {regions[4]};
     operation.name = "a thing";
-    session.edit(operation);
+    worker.post(EditRegions{operation});
     ASSERT_EQ(ear.edit(2), std::vector{regions[4]});
     operation.name = "something else";
-    session.edit(operation);
+    worker.post(EditRegions{operation});
     ASSERT_FALSE(ear.edit(3).empty());
-    session.edit(UndoEdit{});
+    worker.post(EditRegions{UndoEdit{}});
     ASSERT_FALSE(ear.edit(4).empty());
     kept = {regions[4]};
-    session.resume();
-    session.wait();
-    EXPECT_EQ(session.state(), ScanState::finished);
+    worker.post(ResumeScan{});
+    worker.wait();
+    EXPECT_EQ(worker.state(), ScanState::finished);
   }
   EXPECT_TRUE(ear.failures().empty());
   auto session = OpenSession::open(folder / "scan");
@@ -163,7 +163,7 @@ class JoinAndCut : public testing::Test {
   }
 
   /// Cuts the largest region between two places far apart, here_ and there_.
-  void cutLargest(ScanSession& session, const ScanSnapshot& snapshot) {
+  void cutLargest(ScanWorker& worker, const ScanSnapshot& snapshot) {
     const RegionId region = regionsIn(snapshot).at(0);
     const std::vector<cv::Point> inside = insideOf(snapshot, region);
     ASSERT_GT(inside.size(), 100U);
@@ -174,17 +174,17 @@ class JoinAndCut : public testing::Test {
     cut.regions = {region};
     cut.here_world = {pointAt(snapshot, here_)};
     cut.there_world = {pointAt(snapshot, there_)};
-    session.edit(cut);
+    worker.post(EditRegions{cut});
     ASSERT_EQ(ear_.edit(1).size(), 2U);
   }
 
   void scanAndEdit(int frames) {
-    ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
+    ScanWorker worker([&](const ScanEvent& event) { ear_.hear(event); });
     ScanRequest requested = request(0, frames);
     requested.start_paused = true;
-    session.start(requested);
-    for (int i = 0; i < kEditedAfter; ++i) session.step();
-    const auto snapshot = snapshotAfter(session, kEditedAfter);
+    worker.post(StartScan{requested});
+    for (int i = 0; i < kEditedAfter; ++i) worker.post(StepScan{});
+    const auto snapshot = snapshotAfter(worker, kEditedAfter);
     ASSERT_NE(snapshot, nullptr);
     const std::vector<RegionId> regions = regionsIn(*snapshot);
     ASSERT_GE(regions.size(), 4U);
@@ -193,15 +193,15 @@ class JoinAndCut : public testing::Test {
     ASSERT_FALSE(first.empty() || second.empty());
     one_ = first[first.size() / 2];
     other_ = second[second.size() / 2];
-    ASSERT_NO_FATAL_FAILURE(cutLargest(session, *snapshot));
+    ASSERT_NO_FATAL_FAILURE(cutLargest(worker, *snapshot));
     Operation join;
     join.kind = OperationKind::join;
     join.regions = {regions[1], regions[2]};
-    session.edit(join);
+    worker.post(EditRegions{join});
     ASSERT_FALSE(ear_.edit(2).empty());
-    session.resume();
-    session.wait();
-    ASSERT_EQ(session.state(), ScanState::finished);
+    worker.post(ResumeScan{});
+    worker.wait();
+    ASSERT_EQ(worker.state(), ScanState::finished);
   }
 
   /// What is at the places now, in the frame that they were pointed at in.
@@ -229,38 +229,38 @@ class JoinAndCut : public testing::Test {
 TEST_F(JoinAndCut, HoldToTheEndAndWhenTheScanGoesOn) {
   ASSERT_NO_FATAL_FAILURE(scanAndEdit(60));
   expectTheyHold();
-  ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
+  ScanWorker worker([&](const ScanEvent& event) { ear_.hear(event); });
   ScanRequest more = request(60, 30);
   more.resume = true;
-  session.start(more);
-  session.wait();
-  ASSERT_EQ(session.state(), ScanState::finished);
-  session.start([&] {  // closes it
+  worker.post(StartScan{more});
+  worker.wait();
+  ASSERT_EQ(worker.state(), ScanState::finished);
+  worker.post(StartScan{[&] {  // closes it
     ScanRequest nothing = request(0, 1);
     nothing.output_folder.reset();
     return nothing;
-  }());
-  session.wait();
+  }()});
+  worker.wait();
   expectTheyHold();
   EXPECT_TRUE(ear_.failures().empty());
 }
 
 TEST_F(JoinAndCut, AreTakenBackAfterMoreFrames) {
-  ScanSession session([&](const ScanEvent& event) { ear_.hear(event); });
+  ScanWorker worker([&](const ScanEvent& event) { ear_.hear(event); });
   ScanRequest requested = request(0, 60);
   requested.start_paused = true;
-  session.start(requested);
-  for (int i = 0; i < kEditedAfter; ++i) session.step();
-  const auto snapshot = snapshotAfter(session, kEditedAfter);
+  worker.post(StartScan{requested});
+  for (int i = 0; i < kEditedAfter; ++i) worker.post(StepScan{});
+  const auto snapshot = snapshotAfter(worker, kEditedAfter);
   ASSERT_NE(snapshot, nullptr);
-  ASSERT_NO_FATAL_FAILURE(cutLargest(session, *snapshot));
-  for (int i = 0; i < 12; ++i) session.step();
-  ASSERT_NE(snapshotAfter(session, kEditedAfter + 12), nullptr);
-  session.edit(UndoEdit{});
+  ASSERT_NO_FATAL_FAILURE(cutLargest(worker, *snapshot));
+  for (int i = 0; i < 12; ++i) worker.post(StepScan{});
+  ASSERT_NE(snapshotAfter(worker, kEditedAfter + 12), nullptr);
+  worker.post(EditRegions{UndoEdit{}});
   ASSERT_FALSE(ear_.edit(2).empty());
-  session.resume();
-  session.wait();
-  session.close();
+  worker.post(ResumeScan{});
+  worker.wait();
+  worker.post(CloseScan{});
   auto kept = OpenSession::open(folder_ / "scan");
   ASSERT_TRUE(kept) << kept.error().message();
   const auto here = (*kept)->at(kEditedAfter - 1, 2 * here_.x, 2 * here_.y);
@@ -273,22 +273,22 @@ TEST(RegionEdits, WhatCannotBeDoneIsSaidAndTheScanGoesOn) {
   const QtMainThread qt;
   const TemporaryFolder folder;
   Ear ear;
-  ScanSession session([&](const ScanEvent& event) { ear.hear(event); });
+  ScanWorker worker([&](const ScanEvent& event) { ear.hear(event); });
   ScanRequest request;
   request.source = "demo";
   request.source_options.frames = 5;
   request.database = (folder / "catalogue.sqlite").string();
   request.start_paused = true;
-  session.start(request);
-  session.step();
+  worker.post(StartScan{request});
+  worker.post(StepScan{});
   Operation operation;
   operation.regions = {RegionId{777}};
   operation.name = "x";
-  session.edit(operation);
+  worker.post(EditRegions{operation});
   EXPECT_TRUE(ear.edit(1).empty());
-  session.resume();
-  session.wait();
-  EXPECT_EQ(session.state(), ScanState::finished);
+  worker.post(ResumeScan{});
+  worker.wait();
+  EXPECT_EQ(worker.state(), ScanState::finished);
   ASSERT_EQ(ear.failures().size(), 1U);
   EXPECT_NE(ear.failures()[0].find("777"), std::string::npos);
 }

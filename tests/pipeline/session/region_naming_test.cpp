@@ -8,15 +8,15 @@
 #include "core/catalogue/object_database.h"
 #include "core/scan/open_session.h"
 #include "core/scan/session_catalogue.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove {
 namespace {
 
-using test::ScanSessionTest;
+using test::ScanWorkerTest;
 using testing::HasSubstr;
 
-class RegionNaming : public ScanSessionTest {
+class RegionNaming : public ScanWorkerTest {
  protected:
   /// A scan that waits after some frames; regions in view, the largest first.
   std::vector<RegionId> scanUntil(int frame, int frames) {
@@ -24,8 +24,8 @@ class RegionNaming : public ScanSessionTest {
     scan.output_folder = folder_ / "scan";
     scan.database = (folder_ / "scan" / "catalogue.sqlite").string();
     scan.start_paused = true;
-    session_.start(scan);
-    for (int i = 0; i < frame; ++i) session_.step();
+    worker_.post(StartScan{scan});
+    for (int i = 0; i < frame; ++i) worker_.post(StepScan{});
     const auto snapshot = awaitSnapshot(frame);
     if (!snapshot) return {};
     std::map<int, int> pixels;
@@ -40,7 +40,7 @@ class RegionNaming : public ScanSessionTest {
   }
   void edit(const ScanEdit& edit) {
     const std::size_t before = log_.all<Edited>().size() + log_.all<EditFailed>().size();
-    session_.edit(edit);
+    worker_.post(EditRegions{edit});
     for (int i = 0; i < 6000 && log_.all<Edited>().size() + log_.all<EditFailed>().size() == before; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_TRUE(log_.all<EditFailed>().empty());
@@ -49,9 +49,9 @@ class RegionNaming : public ScanSessionTest {
     return {.kind = OperationKind::name, .regions = {region}, .name = name};
   }
   void goOn() {
-    session_.resume();
-    session_.wait();
-    EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    worker_.post(ResumeScan{});
+    worker_.wait();
+    EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
     EXPECT_TRUE(log_.all<CatalogueFailed>().empty());
   }
   std::vector<ObjectRecord> objects() {
@@ -109,7 +109,7 @@ TEST_F(RegionNaming, IsTakenBackByAnUndo) {
   const std::vector<RegionId> regions = scanUntil(12, 24);
   ASSERT_GE(regions.size(), 5U);
   edit(naming(regions[3], "first"));
-  for (int i = 0; i < 4; ++i) session_.step();
+  for (int i = 0; i < 4; ++i) worker_.post(StepScan{});
   ASSERT_TRUE(awaitSnapshot(16));
   edit(naming(regions[3], "second"));
   edit(naming(regions[4], "not yet seen"));
@@ -141,7 +141,7 @@ TEST_F(RegionNaming, UndoneAfterTheScanWentOnLeavesNothingInTheCatalogue) {
   further.database.clear();
   further.resume = true;
   further.start_paused = true;
-  session_.start(further);
+  worker_.post(StartScan{further});
   log_.awaitState(ScanState::paused, 2);
   edit(UndoEdit{});
   edit(UndoEdit{});
@@ -157,8 +157,8 @@ TEST_F(RegionNaming, OfWhatTheLastFrameShowsIsNotLost) {
   const std::vector<RegionId> regions = scanUntil(12, 200);
   ASSERT_GE(regions.size(), 5U);
   edit(naming(regions[3], "named last"));
-  session_.stop();
-  session_.wait();
+  worker_.post(StopScan{});
+  worker_.wait();
   ASSERT_EQ(objectsCalled("named last").size(), 1U);
   const auto session = open();
   ASSERT_TRUE(session);

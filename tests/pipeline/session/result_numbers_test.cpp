@@ -8,23 +8,23 @@
 
 #include "core/exchange/label_image_writer.h"
 #include "core/scan/open_session.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove {
 namespace {
 
 using Counts = std::map<std::uint32_t, std::int64_t>;
 
-class ResultNumbers : public test::ScanSessionTest {
+class ResultNumbers : public test::ScanWorkerTest {
  protected:
   void scan() {
     ScanRequest scan = request(10);
     scan.output_folder = folder_ / "scan";
     scan.database = (folder_ / "scan" / "catalogue.sqlite").string();
     scan.label_maps = true;
-    session_.start(scan);
-    session_.wait();
-    ASSERT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    worker_.post(StartScan{scan});
+    worker_.wait();
+    ASSERT_EQ(worker_.state(), ScanState::finished) << log_.failure();
   }
   [[nodiscard]] std::unique_ptr<OpenSession> open() const {
     auto session = OpenSession::open(folder_ / "scan");

@@ -10,7 +10,7 @@
 #include "core/fusion/stored_page.h"
 #include "core/labeling/kernels/label_voxel.h"
 #include "core/session/session_store.h"
-#include "tests/support/scan_session_runner.h"
+#include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {

@@ -8,7 +8,7 @@
 #include "core/capture/trajectory_reader.h"
 #include "core/session/session_store.h"
 #include "tests/pipeline/session/failing_world.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 #include "tests/support/other_program.h"
 
 namespace scantrove {
@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// Scans that meet a failure of the world in the middle.
-class ScanFailures : public test::ScanSessionTest {
+class ScanFailures : public test::ScanWorkerTest {
  protected:
   [[nodiscard]] fs::path out() const { return folder_ / "out"; }
 
@@ -29,16 +29,16 @@ class ScanFailures : public test::ScanSessionTest {
   void scanAndPause(int frames, ScanRequest request) {
     request.output_folder = out();
     request.start_paused = true;
-    session_.start(std::move(request));
+    worker_.post(StartScan{std::move(request)});
     log_.awaitState(ScanState::paused);
     for (int i = 1; i <= frames; ++i) {
-      session_.step();
+      worker_.post(StepScan{});
       ASSERT_TRUE(awaitSnapshot(i));
     }
   }
   void goOn() {
-    session_.resume();
-    session_.wait();
+    worker_.post(ResumeScan{});
+    worker_.wait();
   }
 
   /// How many points cloud.ply says that it has; -1: it cannot be read.
@@ -69,7 +69,7 @@ TEST_F(ScanFailures, AFileThatCannotBeWrittenCostsNoOther) {
   scanAndPause(3, request(6));
   fs::create_directories(out() / "cloud.ply" / "in the way");
   goOn();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("cloud.ply"));
   const auto trajectory = readTrajectory(out() / "trajectory.txt");
   ASSERT_TRUE(trajectory) << trajectory.error().message();
@@ -83,7 +83,7 @@ TEST_F(ScanFailures, AFolderThatIsGoneIsSaid) {
   scanAndPause(2, request(4));
   fs::remove_all(out());
   goOn();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr(out().string())) << "the first that failed";
   const auto session = SessionStore::open(out());
   ASSERT_TRUE(session) << session.error().message();
@@ -97,7 +97,7 @@ TEST_F(ScanFailures, LabelImagesThatCannotBeWrittenEndTheScanWithTheRest) {
   fs::remove_all(out() / "labels");
   std::ofstream(out() / "labels") << "a file";
   goOn();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("labels/"));
   for (const char* file : {"trajectory.txt", "cloud.ply", "cloud.pcd", "labels.json", "report.json"}) {
     EXPECT_TRUE(fs::is_regular_file(out() / file)) << file;
@@ -111,23 +111,23 @@ TEST_F(ScanFailures, ALockedCatalogueDelaysWhatIsFoundAndCostsNothing) {
   ScanRequest quiet = request(60);
   quiet.database = (folder_ / "quiet.sqlite").string();
   quiet.output_folder = folder_ / "quiet";  // as the other one: what is kept is looked at again
-  session_.start(quiet);
-  session_.wait();
+  worker_.post(StartScan{quiet});
+  worker_.wait();
   const std::size_t found = log_.all<ObjectAdded>().size();
   ASSERT_GE(found, 3U);
-  static_cast<void>(session_.snapshots().collect());
+  static_cast<void>(worker_.snapshots().collect());
 
   scanAndPause(2, request(60));
   {
     OtherProgram other(request(1).database);
     other.execute("BEGIN IMMEDIATE");
-    session_.resume();
+    worker_.post(ResumeScan{});
     log_.awaitState(ScanState::finishing, 3);  // the first scan came to it before and after its refinement
     EXPECT_EQ(log_.all<ObjectAdded>().size(), found) << "nothing is announced that is not stored";
     other.execute("ROLLBACK");
   }
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
   EXPECT_EQ(posesWritten(), 60U);
   expectAllFiles();
   const std::vector<ObjectAdded> added = log_.all<ObjectAdded>();
@@ -154,7 +154,7 @@ TEST_F(ScanFailures, ACatalogueThatStaysLockedCostsNoOtherResult) {
     goOn();
     other.execute("ROLLBACK");
   }
-  EXPECT_EQ(session_.state(), ScanState::failed) << "the catalogue has not got what was found";
+  EXPECT_EQ(worker_.state(), ScanState::failed) << "the catalogue has not got what was found";
   EXPECT_THAT(log_.failure(),
               AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("has not got"), HasSubstr("locked")));
   EXPECT_LE(log_.all<CatalogueFailed>().size(), 1U);
@@ -170,7 +170,7 @@ TEST_F(ScanFailures, ACatalogueThatIsLockedWhenTheScanStartsIsWrittenLater) {
   scanAndPause(2, request(4));
   other.execute("ROLLBACK");
   goOn();
-  EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+  EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
   EXPECT_EQ(other.ask("SELECT count(*) FROM sessions"), "1");
 }
 
@@ -180,7 +180,7 @@ TEST_F(ScanFailures, ACatalogueThatIsDamagedMeanwhileCostsNoResult) {
   scanAndPause(2, requested);
   OtherProgram(requested.database).execute("DROP TABLE events");
   goOn();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("catalogue.sqlite"), HasSubstr("damaged")));
   EXPECT_EQ(log_.all<CatalogueFailed>().size(), 1U);
   EXPECT_EQ(posesWritten(), 8U);
@@ -192,7 +192,7 @@ TEST_F(ScanFailures, WhatIsStoredInAPauseIsAnnouncedInIt) {
   OtherProgram other(request(1).database);
   other.execute("BEGIN IMMEDIATE");
   for (int frame = 3; frame <= 50; ++frame) {
-    session_.step();
+    worker_.post(StepScan{});
     ASSERT_TRUE(awaitSnapshot(frame));
   }
   EXPECT_TRUE(log_.all<ObjectAdded>().empty());
@@ -200,16 +200,16 @@ TEST_F(ScanFailures, WhatIsStoredInAPauseIsAnnouncedInIt) {
   std::size_t named = 0;
   for (int i = 0; i < 6000 && (log_.all<ObjectAdded>().empty() || named == 0); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    const auto snapshot = session_.snapshots().collect();
+    const auto snapshot = worker_.snapshots().collect();
     if (!snapshot) continue;
     named = static_cast<std::size_t>(std::ranges::count_if(
         snapshot->objects, [](const SeenObject& seen) { return seen.object && !seen.name.empty(); }));
   }
   EXPECT_FALSE(log_.all<ObjectAdded>().empty());
   EXPECT_GT(named, 0U) << "the window shows it";
-  EXPECT_EQ(session_.state(), ScanState::paused);
-  session_.stop();
-  session_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::paused);
+  worker_.post(StopScan{});
+  worker_.wait();
 }
 
 TEST_F(ScanFailures, ADeviceThatIsLostKeepsWhatWasScanned) {
@@ -218,7 +218,7 @@ TEST_F(ScanFailures, ADeviceThatIsLostKeepsWhatWasScanned) {
   failing_device::failAfter(40);  // in the middle of a frame
   goOn();
   failing_device::heal();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("OpenCL device failed in frame 2"), HasSubstr("--device")));
   EXPECT_EQ(log_.all<ScanFailed>().size(), 1U);
   EXPECT_GE(posesWritten(), 20U);
@@ -228,16 +228,16 @@ TEST_F(ScanFailures, ADeviceThatIsLostKeepsWhatWasScanned) {
   EXPECT_EQ(OtherProgram(request(1).database).ask("SELECT count(*) FROM objects"),
             std::to_string(log_.all<ObjectAdded>().size()))
       << "what was found until then";
-  session_.start(request(2));
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished) << "the next scan is none the worse";
+  worker_.post(StartScan{request(2)});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished) << "the next scan is none the worse";
 }
 
 TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) {
   int calls_that_work = std::numeric_limits<int>::max();
   bool is_scanning = false;
   test::EventLog log;
-  ScanSession session([&](const ScanEvent& event) {
+  ScanWorker worker([&](const ScanEvent& event) {
     log.add(event);
     const auto* state = std::get_if<StateChanged>(&event);
     if (state == nullptr) return;
@@ -250,12 +250,12 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
   requested.label_maps = true;
   const auto scan = [&] {
     fs::remove_all(out());
-    session.start(requested);
-    session.wait();
+    worker.post(StartScan{requested});
+    worker.wait();
     failing_device::heal();
   };
   scan();
-  ASSERT_EQ(session.state(), ScanState::finished) << log.failure();
+  ASSERT_EQ(worker.state(), ScanState::finished) << log.failure();
   const int calls = failing_device::counted(), whole = pointsOfCloud();
   ASSERT_GT(calls, 5);
   ASSERT_GT(whole, 1000);
@@ -264,7 +264,7 @@ TEST_F(ScanFailures, ADeviceThatIsLostWhileResultsAreReadOutCostsNoOtherResult) 
   for (int lost = 1; lost <= calls; lost += step) {
     calls_that_work = calls - lost;
     scan();
-    EXPECT_EQ(session.state(), ScanState::failed);
+    EXPECT_EQ(worker.state(), ScanState::failed);
     EXPECT_EQ(posesWritten(), 3U);
     expectAllFiles();
     EXPECT_EQ(sessionsWithoutEnd(), "0");
@@ -283,7 +283,7 @@ TEST_F(ScanFailures, RemovedSessionIsWrittenAnewAndSaid) {
   scanAndPause(2, request(6));
   ASSERT_TRUE(fs::remove(out() / "session.sqlite"));
   goOn();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr(out().string()), HasSubstr("written anew")));
   EXPECT_FALSE(log_.all<MapFailed>().empty()) << "said while the scan runs";
   EXPECT_EQ(posesWritten(), 6U);
@@ -291,9 +291,9 @@ TEST_F(ScanFailures, RemovedSessionIsWrittenAnewAndSaid) {
   const auto session = SessionStore::open(out());
   ASSERT_TRUE(session) << session.error().message();
   EXPECT_EQ((*session)->load()->frames.size(), 6U);
-  session_.start(request(2));
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished) << "the next scan is none the worse";
+  worker_.post(StartScan{request(2)});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished) << "the next scan is none the worse";
 }
 
 TEST_F(ScanFailures, FolderWithFilesOfOthersIsRefused_WhoeverChoosesIt) {
@@ -301,9 +301,9 @@ TEST_F(ScanFailures, FolderWithFilesOfOthersIsRefused_WhoeverChoosesIt) {
   ScanRequest requested = request(2);
   requested.output_folder = out();
   requested.results = false;  // as the window does it
-  session_.start(requested);
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  worker_.post(StartScan{requested});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr(mine.string()));
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
@@ -314,7 +314,7 @@ TEST_F(ScanFailures, AFullDiskCostsNothingOfTheCatalogue) {
     const test::FullDisk full(out());
     goOn();
   }
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("trajectory.txt"), HasSubstr("No space left"))) << "the first";
   EXPECT_EQ(sessionsWithoutEnd(), "0");
   EXPECT_FALSE(log_.all<ObjectAdded>().empty());
@@ -334,7 +334,7 @@ TEST_F(ScanFailures, ADiskThatFillsUpWithLabelImagesEndsTheScanWithTheRest) {
     const test::FullDisk full(out() / "labels");
     goOn();
   }
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), AllOf(HasSubstr("labels/"), HasSubstr("No space left")));
   EXPECT_LT(posesWritten(), 60U);
   expectAllFiles();

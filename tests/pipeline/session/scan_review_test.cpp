@@ -7,14 +7,14 @@
 #include <opencv2/core.hpp>
 
 #include "core/scan/open_session.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove::test {
 namespace {
 
 constexpr int kFrames = 25;
 
-class ScanReviewTest : public ScanSessionTest {
+class ScanReviewTest : public ScanWorkerTest {
  protected:
   ScanRequest reviewed() const {
     ScanRequest requested = request(kFrames);
@@ -34,7 +34,7 @@ class ScanReviewTest : public ScanSessionTest {
   template <class Predicate>
   std::shared_ptr<const ScanSnapshot> awaitShown(const Predicate& is_requested) {
     for (int i = 0; i < 1200; ++i) {
-      auto snapshot = session_.snapshots().collect();
+      auto snapshot = worker_.snapshots().collect();
       if (snapshot && is_requested(*snapshot)) return snapshot;
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
@@ -64,13 +64,13 @@ class ScanReviewTest : public ScanSessionTest {
 };
 
 TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
-  session_.start(reviewed());
+  worker_.post(StartScan{reviewed()});
   log_.awaitState(ScanState::finished);
   const auto last = awaitShown([](const ScanSnapshot& s) { return s.state == ScanState::finished; });
   ASSERT_NE(last, nullptr);
   const RegionId region = largestIn(*last);
   // At once: before the session is open again.
-  session_.edit(naming(region, "the table"));
+  worker_.post(EditRegions{naming(region, "the table")});
   log_.await<Edited>();
   const auto shown = awaitShown([&](const ScanSnapshot& s) {
     const RegionInfo* info = s.region_infos ? find(*s.region_infos, region) : nullptr;
@@ -78,12 +78,12 @@ TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
   });
   ASSERT_NE(shown, nullptr);
   EXPECT_EQ(shown->state, ScanState::finished);
-  session_.edit(UndoEdit{});
+  worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(2);
-  session_.edit(RedoEdit{});
+  worker_.post(EditRegions{RedoEdit{}});
   log_.await<Edited>(3);
   EXPECT_TRUE(log_.all<EditFailed>().empty());
-  session_.close();
+  worker_.post(CloseScan{});
   auto kept = OpenSession::open(folder_ / "scan");
   for (int i = 0; !kept && i < 100; ++i) {  // it takes a moment
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -95,25 +95,25 @@ TEST_F(ScanReviewTest, AScanThatHasEndedIsStillEdited) {
 }
 
 TEST_F(ScanReviewTest, RemovedSessionIsWrittenAnewWithTheEdit) {
-  session_.start(reviewed());
+  worker_.post(StartScan{reviewed()});
   log_.await<ReviewOpened>();
   const auto last = awaitShown([](const ScanSnapshot& s) { return s.state == ScanState::finished; });
   ASSERT_NE(last, nullptr);
   const RegionId region = largestIn(*last);
   ASSERT_TRUE(std::filesystem::remove(folder_ / "scan" / "session.sqlite"));
-  session_.edit(naming(region, "the table"));
+  worker_.post(EditRegions{naming(region, "the table")});
   log_.await<MapFailed>();
   log_.await<Edited>();
   EXPECT_THAT(log_.all<MapFailed>().front().error.message(), testing::HasSubstr("written anew"));
-  session_.edit(UndoEdit{});
+  worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(2);
   EXPECT_EQ(log_.all<MapFailed>().size(), 1U) << "it is said once";
-  session_.edit(RedoEdit{});
+  worker_.post(EditRegions{RedoEdit{}});
   log_.await<Edited>(3);
-  session_.start(reopened());
+  worker_.post(StartScan{reopened()});
   log_.await<ReviewOpened>(2);
-  session_.close();
-  session_.wait();
+  worker_.post(CloseScan{});
+  worker_.wait();
   auto kept = OpenSession::open(folder_ / "scan");
   for (int i = 0; !kept && i < 100; ++i) {  // it takes a moment
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -124,9 +124,9 @@ TEST_F(ScanReviewTest, RemovedSessionIsWrittenAnewWithTheEdit) {
 }
 
 TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
-  session_.start(reviewed());
+  worker_.post(StartScan{reviewed()});
   log_.await<ReviewOpened>();
-  session_.start(reopened());
+  worker_.post(StartScan{reopened()});
   log_.await<ReviewOpened>(2);
   const auto first = awaitShown([](const ScanSnapshot& s) { return s.key_frames && s.shown_key_frame >= 0; });
   ASSERT_NE(first, nullptr);
@@ -136,7 +136,7 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
   EXPECT_GT(first->changed_bricks.size(), 100U) << "the whole map";
   EXPECT_GT(first->trail->size(), 20U);
 
-  session_.showKeyFrame(0);
+  worker_.post(ShowKeyFrame{0});
   const auto frame = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });
   ASSERT_NE(frame, nullptr);
   EXPECT_EQ(frame->frame_index, frame->key_frames->front());
@@ -149,30 +149,30 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
     });
   };
   EXPECT_FALSE(shows_table(*frame)) << "it is no object: the test shows nothing";
-  session_.edit(naming(table, "table"));
+  worker_.post(EditRegions{naming(table, "table")});
   log_.await<Edited>();
   EXPECT_NE(awaitShown(shows_table), nullptr);
   ExportOptions options;
   options.format = DatasetFormat::masks;
   options.folder = folder_ / "masks";
-  session_.previewExport(options);
+  worker_.post(PreviewExport{options});
   log_.await<ExportPreviewed>();
   EXPECT_GE(log_.all<ExportPreviewed>().front().preview.regions, 1);
-  session_.sampleExport(options, 0);
+  worker_.post(SampleExport{options, 0});
   log_.await<ExportSampled>();
   const ExportSample sample = log_.all<ExportSampled>().front().sample;
   EXPECT_EQ(sample.frame, frame->frame_index);
   EXPECT_GE(sample.masks, 1);
   EXPECT_FALSE(sample.picture.empty());
-  session_.exportDataset(options);
+  worker_.post(ExportDataset{options});
   log_.await<ExportFinished>();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "masks" / "labels.json"));
   EXPECT_FALSE(log_.all<ExportStepped>().empty());
   EXPECT_TRUE(log_.all<ExportFailed>().empty());
   // Into a folder with something in it: it is said, and all goes on.
-  session_.exportDataset(options);
+  worker_.post(ExportDataset{options});
   log_.await<ExportFailed>();
-  session_.edit(UndoEdit{});
+  worker_.post(EditRegions{UndoEdit{}});
   log_.await<Edited>(2);
   EXPECT_NE(awaitShown([&](const ScanSnapshot& s) { return !shows_table(s); }), nullptr);
 }
@@ -180,7 +180,7 @@ TEST_F(ScanReviewTest, ASessionIsOpenedLookedAtAndMadeADataSetOf) {
 // The segments of a key frame are those of the view, and follow k at once; nothing else does.
 TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
   ScanRequest requested = reviewed();
-  session_.start(requested);
+  worker_.post(StartScan{requested});
   log_.await<ReviewOpened>();
   const auto first = awaitShown([](const ScanSnapshot& s) { return s.key_frames && s.shown_key_frame >= 0; });
   ASSERT_NE(first, nullptr);
@@ -191,7 +191,7 @@ TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
   EXPECT_GT(cv::countNonZero(is_surface & is_in_segment), all * 9 / 10);
 
   requested.params.segmentation.k /= 20;
-  session_.setParams(requested.params);
+  worker_.post(SetParams{requested.params});
   const auto finer = awaitShown([&](const ScanSnapshot& s) { return segmentsIn(s) > few; });
   ASSERT_NE(finer, nullptr);
   EXPECT_EQ(cv::norm(finer->regions, first->regions, cv::NORM_INF), 0);
@@ -199,28 +199,28 @@ TEST_F(ScanReviewTest, AKeyFrameIsSegmentedByThePresentParameters) {
   EXPECT_TRUE(finer->changed_bricks.empty());
   EXPECT_TRUE(finer->changed_regions.empty());
   // And the next one that is shown, too.
-  session_.showKeyFrame(0);
+  worker_.post(ShowKeyFrame{0});
   const auto next = awaitShown([](const ScanSnapshot& s) { return s.shown_key_frame == 0; });
   ASSERT_NE(next, nullptr);
   EXPECT_GT(segmentsIn(*next), few);
 }
 
 TEST_F(ScanReviewTest, WhatIsNoSessionIsSaid) {
-  session_.start(reopened());
+  worker_.post(StartScan{reopened()});
   log_.awaitState(ScanState::failed);
   EXPECT_NE(log_.failure().find("scan"), std::string::npos);
-  session_.start(request(3));
+  worker_.post(StartScan{request(3)});
   log_.awaitState(ScanState::finished);
 }
 
 TEST_F(ScanReviewTest, WhileItScansNoDataSetIsMade) {
   ScanRequest requested = reviewed();
   requested.start_paused = true;
-  session_.start(requested);
+  worker_.post(StartScan{requested});
   log_.awaitState(ScanState::paused);
-  session_.exportDataset({});
+  worker_.post(ExportDataset{{}});
   log_.await<ExportFailed>();
-  session_.stop();
+  worker_.post(StopScan{});
   log_.awaitState(ScanState::finished);
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/session/session_store.h"
-#include "tests/support/scan_session_runner.h"
+#include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {

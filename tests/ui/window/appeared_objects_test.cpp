@@ -39,12 +39,12 @@ class ArrivalsTest : public test::WindowTest {
       const auto added = other_->addObject(test::discView({0, 200, 255}));
       ASSERT_TRUE(added) << added.error().message();
       newest_ = added->id;
-      session_->post(ObjectAdded{added->id, added->name});
+      worker_->report(ObjectAdded{added->id, added->name});
     } else if (arrivals_ % 3 == 2) {
       ObjectView view = test::discView({40, 90, 160});
       view.object = objects_[static_cast<std::size_t>(arrivals_) % 2];  // the third has one view throughout
       ASSERT_TRUE(other_->addView(view));
-      session_->post(ViewAdded{view.object});
+      worker_->report(ViewAdded{view.object});
     } else if (newest_) {
       ASSERT_TRUE(other_->rename(newest_, "other " + std::to_string(arrivals_)));
       ASSERT_TRUE(other_->setConfirmed(std::vector{newest_}, true));
@@ -55,7 +55,7 @@ class ArrivalsTest : public test::WindowTest {
     seen.object = objects_[static_cast<std::size_t>(arrivals_) % 3];
     seen.box = {0.3F, 0.3F, 0.2F, 0.2F};
     snapshot.objects = {seen};
-    session_->post(std::move(snapshot));
+    worker_->report(std::move(snapshot));
   }
 
   /// Until that many more things have arrived, and been delivered.
@@ -272,7 +272,7 @@ TEST_F(ArrivalsTest, ANumberThatIsBeingTypedStaysAndIsUsed) {
   awaitArrivals(6);
   EXPECT_EQ(number->cleanText(), QStringLiteral("0.17"));
   window_->open(QStringLiteral("demo"));
-  EXPECT_FLOAT_EQ(session_->last_request.params.discovery.min_size_m, 0.17F);
+  EXPECT_FLOAT_EQ(worker_->last_request.params.discovery.min_size_m, 0.17F);
 }
 
 TEST_F(ArrivalsTest, AnOpenMenuOfRecentSourcesDoesNotChangeUnderTheMouse) {
@@ -293,10 +293,10 @@ TEST_F(ArrivalsTest, AnOpenMenuOfRecentSourcesDoesNotChangeUnderTheMouse) {
 
 TEST_F(ArrivalsTest, EveryPressOfSpaceCounts) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().pause->isEnabled(); }, 3000));
-  session_->commands.clear();
+  worker_->commands.clear();
   for (int i = 0; i < 3; ++i) QTest::keyClick(window_.get(), Qt::Key_Space);
   QTest::keyClick(window_.get(), Qt::Key_N);
-  EXPECT_EQ(session_->commands, (std::vector<std::string>{"pause", "resume", "pause", "step"}));
+  EXPECT_EQ(worker_->commands, (std::vector<std::string>{"pause", "resume", "pause", "step"}));
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ class CoverageGuideTest : public WindowTest {
   }
 
   void show(ScanSnapshot snapshot) {
-    session_->post(std::move(snapshot));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return session_->snapshots().empty(); }, 4000));
+    worker_->report(std::move(snapshot));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return worker_->snapshots().empty(); }, 4000));
   }
 
   CoverageGuide& guide() { return window_->guide(); }

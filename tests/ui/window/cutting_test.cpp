@@ -66,7 +66,7 @@ TEST_F(CuttingTest, TwoStrokesInAPictureGiveManyPlacesOfEachSide) {
   EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("1 of 2")));
   drawInPicture(0, {0.05, 0.3}, {0.05, 0.7});
   EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("2 of 2")));
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
   drawInPicture(0, {0.3, 0.3}, {0.45, 0.3});
   ASSERT_NE(lastOperation(), nullptr);
   const Operation& cut = *lastOperation();
@@ -105,7 +105,7 @@ TEST_F(CuttingTest, TheStrokeIsSeenWhileTheButtonIsDownAndMarksStayInAllViews) {
   EXPECT_EQ(panel(2)->marks().size(), 2U);
   QTest::keyClick(panel(0), Qt::Key_Return);
   EXPECT_TRUE(panel(2)->marks().empty()) << "it is kept";
-  EXPECT_EQ(session_->edits.size(), 1U);
+  EXPECT_EQ(worker_->edits.size(), 1U);
 }
 
 TEST_F(CuttingTest, StrokesInTheSceneTakeTheSurfaceUnderThem) {
@@ -152,7 +152,7 @@ TEST_F(CuttingTest, OnlyTheRegionInWhichAStrokeBeginsIsCut) {
   drawInPicture(0, {0.3, 0.3}, {0.7, 0.3});  // beyond its edge
   EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
   drawInPicture(0, {0.8, 0.6}, {0.95, 0.6});
-  EXPECT_TRUE(session_->edits.empty()) << "they are two regions already";
+  EXPECT_TRUE(worker_->edits.empty()) << "they are two regions already";
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
   EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("2 of 2"))) << "it may be tried again";
   drawInPicture(0, {0.05, 0.6}, {0.1, 0.6});
@@ -186,18 +186,18 @@ TEST_F(CuttingTest, EscapeGivesAStrokeUpAndUndoTakesACutBack) {
   EXPECT_TRUE(panel(0)->marks().empty());
   drawInPicture(0, {0.02, 0.02}, {0.98, 0.98});
   EXPECT_EQ(selection().selected().size(), 2U) << "drags are bands again";
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
 
   QTest::keyClick(panel(0), Qt::Key_C);
   drawInPicture(0, {0.1, 0.2}, {0.1, 0.8});
   drawInPicture(0, {0.4, 0.2}, {0.4, 0.8});
-  ASSERT_EQ(session_->edits.size(), 1U);
+  ASSERT_EQ(worker_->edits.size(), 1U);
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_EQ(session_->edits.size(), 2U);
-  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits.back()));
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
   QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
-  ASSERT_EQ(session_->edits.size(), 3U);
-  EXPECT_TRUE(std::holds_alternative<RedoEdit>(session_->edits.back()));
+  ASSERT_EQ(worker_->edits.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<RedoEdit>(worker_->edits.back()));
 }
 
 TEST_F(CuttingTest, WhatToDoNextIsSaidBesideThePointer) {

@@ -22,7 +22,7 @@ class PointingTest : public WindowTest {
   void SetUp() override {
     WindowTest::SetUp();
     window_->open(QStringLiteral("demo"));
-    session_->post(twoRegions(4));
+    worker_->report(twoRegions(4));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !panel(4)->picture().isNull(); }, kPatience_ms));
     // Into the 3D view the scene comes bit by bit.
     ASSERT_TRUE(
@@ -75,7 +75,7 @@ class PointingTest : public WindowTest {
     return {middle.x * view()->width() / ids.cols, middle.y * view()->height() / ids.rows};
   }
   const Operation* lastOperation() {
-    return session_->edits.empty() ? nullptr : std::get_if<Operation>(&session_->edits.back());
+    return worker_->edits.empty() ? nullptr : std::get_if<Operation>(&worker_->edits.back());
   }
 };
 

@@ -63,11 +63,11 @@ TEST_F(PointingTest, ANameIsTypedInPlaceWhileFramesArrive) {
   QTest::keyClick(panel(0), Qt::Key_Return);
   ASSERT_TRUE(nameField()->isVisible());
   QTest::keyClicks(nameField(), QStringLiteral("tool/ham"));
-  session_->post(twoRegions(5));
+  worker_->report(twoRegions(5));
   QTest::qWait(150);
   QTest::keyClicks(nameField(), QStringLiteral("mer j"));  // J is a letter here
   EXPECT_EQ(nameField()->text(), QStringLiteral("tool/hammer j"));
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
   QTest::keyClick(nameField(), Qt::Key_Return);
   ASSERT_NE(lastOperation(), nullptr);
   EXPECT_EQ(lastOperation()->kind, OperationKind::name);
@@ -78,7 +78,7 @@ TEST_F(PointingTest, ANameIsTypedInPlaceWhileFramesArrive) {
   // And again with one key.
   clickPicture(0, 0.8);
   QTest::keyClick(panel(0), Qt::Key_1);
-  EXPECT_EQ(session_->edits.size(), 2U);
+  EXPECT_EQ(worker_->edits.size(), 2U);
   EXPECT_EQ(lastOperation()->name, "hammer j");
   EXPECT_EQ(lastOperation()->regions, std::vector{RegionId{7}});
 }
@@ -90,7 +90,7 @@ TEST_F(PointingTest, EscapeGivesANameUp) {
   QTest::keyClicks(nameField(), QStringLiteral("xy"));
   QTest::keyClick(nameField(), Qt::Key_Escape);
   EXPECT_FALSE(nameField()->isVisible());
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
 }
 
 TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
@@ -100,9 +100,9 @@ TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
   for (const auto& [key, kind] :
        {std::pair(Qt::Key_J, OperationKind::join), std::pair(Qt::Key_B, OperationKind::background),
         std::pair(Qt::Key_O, OperationKind::object), std::pair(Qt::Key_Delete, OperationKind::reject)}) {
-    session_->edits.clear();
+    worker_->edits.clear();
     QTest::keyClick(panel(0), key);
-    ASSERT_EQ(session_->edits.size(), 1U) << toString(kind);
+    ASSERT_EQ(worker_->edits.size(), 1U) << toString(kind);
     EXPECT_EQ(lastOperation()->kind, kind);
     EXPECT_THAT(lastOperation()->regions, testing::UnorderedElementsAreArray(both));
   }
@@ -120,7 +120,7 @@ TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
   EXPECT_FALSE(window_->scenePane()->overlay()->hint().isEmpty());
   clickPicture(0, 0.1);
   clickPicture(0, 0.8);
-  EXPECT_TRUE(session_->edits.empty()) << "they are two regions already";
+  EXPECT_TRUE(worker_->edits.empty()) << "they are two regions already";
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
   clickPicture(0, 0.4);
   ASSERT_NE(lastOperation(), nullptr);
@@ -130,11 +130,11 @@ TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
   // x = (u - 160) * 1.5 / 290 at u = 0.1 and 0.4 of 320 pixels
   EXPECT_NEAR(lastOperation()->here_world[0].x(), (32 - 160) * 1.5 / 290, 0.01);
   EXPECT_NEAR(lastOperation()->there_world[0].x(), (128 - 160) * 1.5 / 290, 0.01);
-  session_->post(Edited{session_->edits.back(), {RegionId{5}, RegionId{9}}});
+  worker_->report(Edited{worker_->edits.back(), {RegionId{5}, RegionId{9}}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().selected().size() == 2; }, kPatience_ms));
   QTest::keyClick(panel(0), Qt::Key_Escape);
-  ASSERT_EQ(session_->edits.size(), 2U);
-  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits.back()));
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
 }
 
 TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
@@ -142,11 +142,11 @@ TEST_F(PointingTest, StepsAreTakenBackAndDoneAgain) {
   QTest::keyClick(panel(0), Qt::Key_B);
   EXPECT_EQ(window_->history().stack().undoText(), QStringLiteral("Region 5: background"));
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_EQ(session_->edits.size(), 2U);
-  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits[1]));
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits[1]));
   QTest::keyClick(window_.get(), Qt::Key_Y, Qt::ControlModifier);
-  ASSERT_EQ(session_->edits.size(), 3U);
-  EXPECT_TRUE(std::holds_alternative<RedoEdit>(session_->edits[2]));
+  ASSERT_EQ(worker_->edits.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<RedoEdit>(worker_->edits[2]));
 }
 
 TEST_F(PointingTest, UndoFollowsTheOrderOfTimeWhateverHasTheFocus) {
@@ -157,16 +157,16 @@ TEST_F(PointingTest, UndoFollowsTheOrderOfTimeWhateverHasTheFocus) {
   EXPECT_EQ(window_->actions().undo->text(), QStringLiteral("Undo Region 5: an object"));
   list()->setFocus();
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_EQ(session_->edits.size(), 3U);
-  EXPECT_TRUE(std::holds_alternative<UndoEdit>(session_->edits.back()));
+  ASSERT_EQ(worker_->edits.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
   EXPECT_EQ(stored(objects_[1]).name, "cup");
   panel(0)->setFocus();
   EXPECT_EQ(window_->actions().undo->text(), QStringLiteral("Undo Rename “Obj_2” to “cup”"));
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
-  EXPECT_EQ(session_->edits.size(), 3U);
+  EXPECT_EQ(worker_->edits.size(), 3U);
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(session_->edits.size(), 4U);
+  EXPECT_EQ(worker_->edits.size(), 4U);
   EXPECT_FALSE(window_->actions().undo->isEnabled());
   EXPECT_EQ(window_->actions().redo->text(), QStringLiteral("Redo Region 5: background"));
 }
@@ -202,7 +202,7 @@ class BackgroundTest : public PointingTest {
     RegionInfos infos = *snapshot.region_infos;
     infos[0].note.background = true;  // region 5
     snapshot.region_infos = std::make_shared<const RegionInfos>(std::move(infos));
-    session_->post(std::move(snapshot));
+    worker_->report(std::move(snapshot));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !selection().background().empty(); }, kPatience_ms));
   }
 };
@@ -211,11 +211,11 @@ TEST_F(BackgroundTest, JoiningIntoItAsksFirst) {
   clickPicture(0, 0.2);
   clickPicture(0, 0.8, Qt::ControlModifier);
   QTest::keyClick(panel(0), Qt::Key_J);
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
   ASSERT_NE(questionOf(*window_), nullptr);
   EXPECT_TRUE(questionOf(*window_)->text().startsWith(QStringLiteral("Region 5 is background")));
   answer(*questionOf(*window_), false);
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
   QTest::keyClick(panel(0), Qt::Key_J);
   answer(*questionOf(*window_), true);
   ASSERT_NE(lastOperation(), nullptr);
@@ -232,11 +232,11 @@ TEST_F(BackgroundTest, NamingItAsksFirst) {
     QTest::keyClick(nameField(), Qt::Key_Return);
   };
   giveName();
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
   ASSERT_NE(questionOf(*window_), nullptr);
   answer(*questionOf(*window_), true);
-  ASSERT_EQ(session_->edits.size(), 2U);
-  const auto& first = std::get<Operation>(session_->edits[0]);
+  ASSERT_EQ(worker_->edits.size(), 2U);
+  const auto& first = std::get<Operation>(worker_->edits[0]);
   EXPECT_EQ(first.kind, OperationKind::background);
   EXPECT_FALSE(first.on);
   EXPECT_EQ(lastOperation()->kind, OperationKind::name);
@@ -250,17 +250,17 @@ TEST_F(BackgroundTest, TheQuestionEndsWithItsScan) {
   ASSERT_NE(questionOf(*window_), nullptr);
   window_->closeScan();
   EXPECT_EQ(questionOf(*window_), nullptr);
-  EXPECT_TRUE(session_->edits.empty());
+  EXPECT_TRUE(worker_->edits.empty());
 }
 
 TEST_F(PointingTest, WhatWasNotDoneIsSaidAndCannotBeTakenBack) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_Plus);
-  session_->post(EditFailed{session_->edits.back(), {"Region 5 has no parts.", ""}});
+  worker_->report(EditFailed{worker_->edits.back(), {"Region 5 has no parts.", ""}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
   EXPECT_EQ(window_->messageBar()->text(), QStringLiteral("Region 5 has no parts."));
   EXPECT_FALSE(window_->history().stack().canUndo());
-  EXPECT_EQ(session_->edits.size(), 1U) << "nothing is undone in the scan";
+  EXPECT_EQ(worker_->edits.size(), 1U) << "nothing is undone in the scan";
 }
 
 TEST_F(PointingTest, TabWalksTheRegionsAndEscapeLetsGo) {
@@ -287,55 +287,55 @@ TEST_F(PointingTest, ARightClickOffersTheOperations) {
 
 TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
   EXPECT_FALSE(window_->actions().export_data->isEnabled());
-  session_->finish();
+  worker_->finish();
   ScanSnapshot snapshot = twoRegions(90);
   snapshot.state = ScanState::finished;
   snapshot.key_frames = std::make_shared<const std::vector<int>>(std::vector{0, 30, 90});
   snapshot.shown_key_frame = 2;
-  session_->post(std::move(snapshot));
-  session_->post(ReviewOpened{});
+  worker_->report(std::move(snapshot));
+  worker_->report(ReviewOpened{});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->timeLine()->isVisible(); }, kPatience_ms));
   EXPECT_TRUE(window_->timeLine()->text().contains(QStringLiteral("frame 90")));
   QTest::keyClick(window_.get(), Qt::Key_PageUp);
-  EXPECT_EQ(session_->key_frames_shown, std::vector{1});
+  EXPECT_EQ(worker_->key_frames_shown, std::vector{1});
   EXPECT_TRUE(window_->timeLine()->text().contains(QStringLiteral("frame 30")));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }, kPatience_ms));
   window_->actions().export_data->trigger();
   ASSERT_NE(window_->exportDialog(), nullptr);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !session_->previews.empty(); }, kPatience_ms));
-  session_->post(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40}});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !worker_->previews.empty(); }, kPatience_ms));
+  worker_->report(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40}});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->exportDialog()->said().contains(QStringLiteral("12 images")); }, kPatience_ms));
   // A picture of it, and the way to the next one.
-  ASSERT_FALSE(session_->samples.empty());
-  EXPECT_FALSE(session_->samples.back().second) << "the program chooses the first";
+  ASSERT_FALSE(worker_->samples.empty());
+  EXPECT_FALSE(worker_->samples.back().second) << "the program chooses the first";
   ExportSample sample;
   sample.place = 1;
   sample.count = 3;
   sample.frame = 30;
   sample.masks = 2;
   sample.picture = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 80, 120));
-  session_->post(ExportSampled{sample});
+  worker_->report(ExportSampled{sample});
   const ExportSampleView* const shown = window_->exportDialog()->sampleView();
   ASSERT_TRUE(QTest::qWaitFor([&] { return shown->hasPicture(); }, kPatience_ms));
   EXPECT_TRUE(shown->said().contains(QStringLiteral("2 of 3")));
   QTest::keyClick(window_->exportDialog(), Qt::Key_PageDown);
-  EXPECT_EQ(session_->samples.back().second, 2);
+  EXPECT_EQ(worker_->samples.back().second, 2);
   QTest::keyClick(window_->exportDialog(), Qt::Key_PageDown);
   QTest::keyClick(window_->exportDialog(), Qt::Key_PageUp);
-  EXPECT_EQ(session_->samples.back().second, 1) << "there is no fourth";
+  EXPECT_EQ(worker_->samples.back().second, 1) << "there is no fourth";
   window_->exportDialog()->begin();
-  ASSERT_EQ(session_->exports.size(), 1U);
-  EXPECT_FALSE(session_->exports[0].folder.empty());
-  session_->post(ExportFailed{{"The disk is full.", ""}});
+  ASSERT_EQ(worker_->exports.size(), 1U);
+  EXPECT_FALSE(worker_->exports[0].folder.empty());
+  worker_->report(ExportFailed{{"The disk is full.", ""}});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->exportDialog()->said() == QStringLiteral("The disk is full."); }, kPatience_ms));
 }
 
 TEST_F(PointingTest, EveryScanOfTheWindowIsKept) {
-  EXPECT_TRUE(session_->last_request.output_folder.has_value());
-  EXPECT_TRUE(session_->last_request.review);
-  EXPECT_FALSE(session_->last_request.results);
+  EXPECT_TRUE(worker_->last_request.output_folder.has_value());
+  EXPECT_TRUE(worker_->last_request.review);
+  EXPECT_FALSE(worker_->last_request.results);
 }
 
 }  // namespace

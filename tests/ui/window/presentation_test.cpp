@@ -20,10 +20,10 @@ TEST_F(PresentationTest, ShowsTheSceneAloneSaysWhatHappensAndKeepsNothing) {
   EXPECT_TRUE(window_->isFullScreen());
   EXPECT_FALSE(window_->menuBar()->isVisible());
   window_->open(QStringLiteral("demo"));
-  EXPECT_FALSE(session_->last_request.output_folder) << "no session";
-  EXPECT_NE(session_->last_request.database, file_.toStdString()) << "nor the person's catalogue";
-  session_->post(snapshotOf(3));
-  session_->post(ObjectRecognized{ObjectId{3}, "red mug"});
+  EXPECT_FALSE(worker_->last_request.output_folder) << "no session";
+  EXPECT_NE(worker_->last_request.database, file_.toStdString()) << "nor the person's catalogue";
+  worker_->report(snapshotOf(3));
+  worker_->report(ObjectRecognized{ObjectId{3}, "red mug"});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->presentation()->caption() == QStringLiteral("Recognised: red mug"); }, 3000));
   EXPECT_FALSE(window_->objectPanel()->isVisible()) << "what comes with a scan stays away";
@@ -32,8 +32,8 @@ TEST_F(PresentationTest, ShowsTheSceneAloneSaysWhatHappensAndKeepsNothing) {
   EXPECT_TRUE(window_->menuBar()->isVisible());
   EXPECT_TRUE(window_->onStartPage());
   window_->open(QStringLiteral("demo"));
-  EXPECT_EQ(session_->last_request.database, file_.toStdString());
-  EXPECT_TRUE(session_->last_request.output_folder);
+  EXPECT_EQ(worker_->last_request.database, file_.toStdString());
+  EXPECT_TRUE(worker_->last_request.output_folder);
 }
 
 TEST_F(PresentationTest, OfAScanThatRunsOnlyTheLookChanges) {
@@ -47,25 +47,25 @@ TEST_F(PresentationTest, OfAScanThatRunsOnlyTheLookChanges) {
 
 TEST_F(PresentationTest, StaysOpen_WhenASavedScanWasPresented) {
   window_->openSession(folder_.path());
-  session_->finish();
-  session_->post(ReviewOpened{});
+  worker_->finish();
+  worker_->report(ReviewOpened{});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }, 3000));
   window_->presentation()->begin();
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_FALSE(window_->presentation()->isOn());
   EXPECT_FALSE(window_->onStartPage());
-  EXPECT_FALSE(std::ranges::count(session_->commands, "close"));
+  EXPECT_FALSE(std::ranges::count(worker_->commands, "close"));
 }
 
 TEST_F(PresentationTest, KeepsItsCatalogue_UntilTheScanHasEnded) {
   window_->presentation()->begin();
   window_->open(QStringLiteral("demo"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->controller().bridge().busy(); }, 3000));
-  const QString folder = QFileInfo(QString::fromStdString(session_->last_request.database)).path();
+  const QString folder = QFileInfo(QString::fromStdString(worker_->last_request.database)).path();
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_TRUE(QFileInfo::exists(folder)) << "the scan still writes its end into it";
-  session_->post(snapshotOf(107));
-  session_->finish();
+  worker_->report(snapshotOf(107));
+  worker_->finish();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(folder); }, 3000));
   EXPECT_TRUE(window_->onStartPage());
   EXPECT_EQ(window_->progressStrip()->text(), QString()) << "nothing of the closed scan is shown";

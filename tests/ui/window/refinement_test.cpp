@@ -11,12 +11,12 @@ namespace {
 class WindowRefinementTest : public WindowTest {
  protected:
   void enter(ScanState state) {
-    session_->post(StateChanged{state});
+    worker_->report(StateChanged{state});
     ASSERT_TRUE(QTest::qWaitFor([&] { return window_->controller().bridge().state() == state; }));
   }
   void scanToItsEnd() {
     window_->open(QStringLiteral("demo"));
-    session_->post(snapshotOf(99));
+    worker_->report(snapshotOf(99));
     enter(ScanState::finishing);
     enter(ScanState::refining);
   }
@@ -27,16 +27,16 @@ TEST_F(WindowRefinementTest, ItsButtonAndItsKeySkipIt) {
   EXPECT_FALSE(action->isEnabled());
   scanToItsEnd();
   EXPECT_TRUE(action->isEnabled());
-  session_->post(RefinementStepped{35, 140, 40});
+  worker_->report(RefinementStepped{35, 140, 40});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->progressStrip()->text() == QStringLiteral("key frame 11 of 40"); }));
   auto* button = window_->progressStrip()->findChild<QToolButton*>(QStringLiteral("skipRefinement"));
   ASSERT_TRUE(button->isVisible());
   QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(session_->commands.back(), "skip refinement");
-  session_->commands.push_back("nothing yet");
+  EXPECT_EQ(worker_->commands.back(), "skip refinement");
+  worker_->commands.push_back("nothing yet");
   QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(session_->commands.back(), "skip refinement");
+  EXPECT_EQ(worker_->commands.back(), "skip refinement");
   enter(ScanState::finishing);
   EXPECT_FALSE(button->isVisible());
   EXPECT_FALSE(action->isEnabled());
@@ -46,19 +46,19 @@ TEST_F(WindowRefinementTest, CanBeDoneLater) {
   const QAction* action = window_->actions().refine;
   window_->openSession(QStringLiteral("/somewhere/kitchen"));
   enter(ScanState::finished);
-  session_->post(ReviewOpened{.can_refine = false});
+  worker_->report(ReviewOpened{.can_refine = false});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }));
   EXPECT_FALSE(action->isEnabled()) << "it has been done";
-  session_->post(ReviewOpened{.can_refine = true});
+  worker_->report(ReviewOpened{.can_refine = true});
   ASSERT_TRUE(QTest::qWaitFor([&] { return action->isEnabled(); }));
   QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_EQ(session_->commands.back(), "start");
-  EXPECT_TRUE(session_->last_request.refine_session);
-  EXPECT_EQ(session_->last_request.output_folder, "/somewhere/kitchen");
+  ASSERT_EQ(worker_->commands.back(), "start");
+  EXPECT_TRUE(worker_->last_request.refine_session);
+  EXPECT_EQ(worker_->last_request.output_folder, "/somewhere/kitchen");
   enter(ScanState::refining);
   EXPECT_FALSE(action->isEnabled());
   window_->open(QStringLiteral("demo"));
-  EXPECT_FALSE(session_->last_request.refine_session) << "the next scan is a scan";
+  EXPECT_FALSE(worker_->last_request.refine_session) << "the next scan is a scan";
 }
 
 }  // namespace

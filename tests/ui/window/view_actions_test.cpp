@@ -33,7 +33,7 @@ class ViewActionsTest : public WindowTest {
       snapshot.changed_bricks.push_back(brick);
     }
     snapshot.changed_regions = {{FragmentId{1}, RegionId{1}}};
-    session_->post(std::move(snapshot));
+    worker_->report(std::move(snapshot));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return window_->scenePane()->view()->scene().cloud().pointCount() > 0; }, 3000));
     window_->scenePane()->view()->setFollowing(false);

@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <memory>
 
-#include "tests/ui/scripted_session.h"
+#include "tests/ui/scripted_worker.h"
 #include "tests/ui/window/catalogue_fixture.h"
 #include "ui/main_window/main_window.h"
 #include "ui/models/object_list_model.h"
@@ -14,7 +14,7 @@
 
 namespace scantrove::test {
 
-/// The whole window over a fresh catalogue, with a scripted session behind it.
+/// The whole window over a fresh catalogue, with a scripted worker behind it.
 class WindowTest : public CatalogueTest {
  protected:
   void SetUp() override {
@@ -33,13 +33,7 @@ class WindowTest : public CatalogueTest {
     options.database = catalogue.toStdString();
     options.width = 1280;
     options.height = 800;
-    window_ = std::make_unique<MainWindow>(
-        [this](SessionPort::Listener listener) {
-          auto made = std::make_unique<ScriptedSession>(std::move(listener));
-          session_ = made.get();
-          return made;
-        },
-        options);
+    window_ = std::make_unique<MainWindow>(ScriptedWorker::factory(worker_), options);
     window_->show();
     window_->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
@@ -91,7 +85,7 @@ class WindowTest : public CatalogueTest {
     return snapshot;
   }
 
-  ScriptedSession* session_ = nullptr;
+  ScriptedWorker* worker_ = nullptr;
   std::unique_ptr<MainWindow> window_;
 };
 

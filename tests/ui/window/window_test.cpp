@@ -40,7 +40,7 @@ TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
 
   QTest::keyClick(list(), Qt::Key_Return);
   EXPECT_TRUE(stored(objects_[1]).confirmed);
-  EXPECT_GE(session_->catalogue_changes, 2);
+  EXPECT_GE(worker_->catalogue_changes, 2);
 
   restart();
   EXPECT_EQ(rowOf(objects_[1]).data(Qt::DisplayRole).toString(), QStringLiteral("Green cup"));
@@ -97,7 +97,7 @@ TEST_F(WindowTest, AMissingPathIsSaidAndTheWindowLives) {
   EXPECT_FALSE(recentSources().contains(QStringLiteral("/somewhere/missing")));
   // And it can go on with something else.
   window_->open(QStringLiteral("demo"));
-  session_->post(snapshotOf(0));
+  worker_->report(snapshotOf(0));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->progressStrip()->text().startsWith(QStringLiteral("1 of 100")); }, 3000));
   EXPECT_FALSE(window_->onStartPage());
@@ -115,7 +115,7 @@ TEST_F(WindowTest, FailedOpening_LeavesNoFolder) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, 3000));
   EXPECT_EQ(scans(), before);
   window_->open(QStringLiteral("/elsewhere/missing"));
-  QFile file(QString::fromStdString(session_->last_request.output_folder->string()) +
+  QFile file(QString::fromStdString(worker_->last_request.output_folder->string()) +
              QStringLiteral("/notes.txt"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->text().contains("elsewhere"); }, 3000));
@@ -126,8 +126,8 @@ TEST_F(WindowTest, AFolderOfASavedScan_OpensAsThat) {
   const QString folder = folder_.filePath(QStringLiteral("scan"));
   ASSERT_TRUE(SessionStore::create(folder.toStdString()));
   window_->open(folder + QLatin1Char('/'));
-  EXPECT_EQ(session_->last_request.source, "") << "nothing is scanned";
-  EXPECT_EQ(session_->last_request.output_folder, folder.toStdString());
+  EXPECT_EQ(worker_->last_request.source, "") << "nothing is scanned";
+  EXPECT_EQ(worker_->last_request.output_folder, folder.toStdString());
 }
 
 TEST_F(WindowTest, AQuestion_EndsWithItsScanAndWithAnUndo) {
@@ -145,7 +145,7 @@ TEST_F(WindowTest, AQuestion_EndsWithItsScanAndWithAnUndo) {
   window_->open(QStringLiteral("demo"));
   ASSERT_TRUE(ask());
   EXPECT_TRUE(bar->isVisible());
-  session_->post(Edited{UndoEdit{}, {}});
+  worker_->report(Edited{UndoEdit{}, {}});
   EXPECT_TRUE(QTest::qWaitFor([&] { return !bar->isVisible(); }, 3000)) << "the name may be gone";
   ASSERT_TRUE(ask());
   window_->closeScan();
@@ -203,7 +203,7 @@ TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
   seen.name = "Obj_3";
   seen.box = {0.4F, 0.4F, 0.2F, 0.2F};
   snapshot.objects = {seen};
-  session_->post(std::move(snapshot));
+  worker_->report(std::move(snapshot));
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return !window_->framePanels()->colorPanel()->picture().isNull(); }, 3000));
   for (const ImagePanel* panel : window_->framePanels()->panels()) EXPECT_FALSE(panel->picture().isNull());
@@ -218,11 +218,11 @@ TEST_F(WindowTest, KeysDriveTheScan) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().start->isEnabled(); }, 3000));
   QTest::keyClick(window_.get(), Qt::Key_N);
   QTest::keyClick(window_.get(), Qt::Key_Space);
-  EXPECT_EQ(session_->commands, (std::vector<std::string>{"start", "pause", "step", "resume"}));
+  EXPECT_EQ(worker_->commands, (std::vector<std::string>{"start", "pause", "step", "resume"}));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->actions().start->isEnabled(); }, 3000));
   QTest::keyClick(window_.get(), Qt::Key_Period, Qt::ControlModifier);
-  EXPECT_EQ(session_->commands.back(), "stop");
-  EXPECT_EQ(session_->last_request.database, file_.toStdString());
+  EXPECT_EQ(worker_->commands.back(), "stop");
+  EXPECT_EQ(worker_->last_request.database, file_.toStdString());
 }
 
 TEST_F(WindowTest, AnObjectThatTheScanAddsAppears) {
@@ -231,7 +231,7 @@ TEST_F(WindowTest, AnObjectThatTheScanAddsAppears) {
   ASSERT_TRUE(database);
   const auto added = (*database)->addObject(test::discView({0, 200, 255}));
   ASSERT_TRUE(added);
-  session_->post(ObjectAdded{added->id, added->name});
+  worker_->report(ObjectAdded{added->id, added->name});
   ASSERT_TRUE(QTest::qWaitFor([&] { return rowOf(added->id).isValid(); }, 3000));
   EXPECT_TRUE(rowOf(added->id).data(ObjectListModel::AddedNowRole).toBool());
 }
@@ -244,7 +244,7 @@ TEST_F(WindowTest, ADroppedFolderIsOpened) {
   EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
   QCoreApplication::sendEvent(window_.get(), &drop);
-  EXPECT_EQ(session_->last_request.source, folder_.path().toStdString());
+  EXPECT_EQ(worker_->last_request.source, folder_.path().toStdString());
 }
 
 TEST_F(WindowTest, EveryButtonHasAWordForThoseWhoDoNotSeeIt) {

@@ -1,4 +1,4 @@
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_worker.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 #include <set>
 #include <tuple>
 
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove {
 namespace {
@@ -24,60 +24,60 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-using test::ScanSessionTest;
+using test::ScanWorkerTest;
 
-TEST_F(ScanSessionTest, RunsARecordingToItsEnd) {
-  session_.start(request(4));
-  session_.wait();
+TEST_F(ScanWorkerTest, RunsARecordingToItsEnd) {
+  worker_.post(StartScan{request(4)});
+  worker_.wait();
   EXPECT_THAT(log_.states(), ElementsAre(ScanState::starting, ScanState::scanning, ScanState::finishing,
                                          ScanState::finished));
-  EXPECT_EQ(session_.state(), ScanState::finished);
+  EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
 #ifdef __linux__
-TEST_F(ScanSessionTest, BesideAWindowItGivesWay) {
+TEST_F(ScanWorkerTest, BesideAWindowItGivesWay) {
   std::atomic<int> niceness = 0;
-  ScanSession session(
+  ScanWorker worker(
       [&](const ScanEvent&) { niceness = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())); },
       Niceness::scan_beside_window);
-  session.start(request(1));
-  session.wait();
+  worker.post(StartScan{request(1)});
+  worker.wait();
   EXPECT_GE(niceness, static_cast<int>(Niceness::scan_beside_window));
 }
 #endif
 
-TEST_F(ScanSessionTest, StepsAreOneFrameEach) {
+TEST_F(ScanWorkerTest, StepsAreOneFrameEach) {
   ScanRequest paused = request(10);
   paused.start_paused = true;
-  session_.start(std::move(paused));
+  worker_.post(StartScan{std::move(paused)});
   log_.awaitState(ScanState::paused);
   for (int step = 1; step <= 3; ++step) {
-    session_.step();
+    worker_.post(StepScan{});
     const auto snapshot = awaitSnapshot(step);
     ASSERT_TRUE(snapshot);
     EXPECT_EQ(snapshot->frames.done(), step);
     EXPECT_EQ(snapshot->state, ScanState::paused);
     EXPECT_EQ(snapshot->frames_total, 10);
   }
-  session_.resume();
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished);
+  worker_.post(ResumeScan{});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
-TEST_F(ScanSessionTest, StopEndsAScanCleanlyWithItsResults) {
+TEST_F(ScanWorkerTest, StopEndsAScanCleanlyWithItsResults) {
   ScanRequest long_scan = request(150);
   long_scan.output_folder = folder_ / "out";
-  session_.start(std::move(long_scan));
+  worker_.post(StartScan{std::move(long_scan)});
   ASSERT_TRUE(awaitSnapshot(2));
-  session_.stop();
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished);
+  worker_.post(StopScan{});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished);
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "report.json"));
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "cloud.ply"));
 }
 
 // While paused, a person tries segment sizes out: they see them, and the scan does not.
-TEST_F(ScanSessionTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) {
+TEST_F(ScanWorkerTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) {
   const auto segmentsIn = [](const ScanSnapshot& snapshot) {
     double most = 0;
     cv::minMaxLoc(snapshot.segments, nullptr, &most);
@@ -89,11 +89,11 @@ TEST_F(ScanSessionTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) 
   ScanRequest tried = request(6);
   tried.start_paused = true;
   tried.output_folder = folder_ / "tried";
-  session_.start(tried);
+  worker_.post(StartScan{tried});
   log_.awaitState(ScanState::paused);
   std::shared_ptr<const ScanSnapshot> before;
   for (int step = 1; step <= 3; ++step) {
-    session_.step();
+    worker_.post(StepScan{});
     before = awaitSnapshot(step);
     ASSERT_TRUE(before);
   }
@@ -101,7 +101,7 @@ TEST_F(ScanSessionTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) 
   for (const float k : {params.segmentation.k / 20, params.segmentation.k * 20}) {
     ScanParams other = params;
     other.segmentation.k = k;
-    session_.setParams(other);
+    worker_.post(SetParams{other});
     const auto after = awaitSnapshot(3);
     ASSERT_TRUE(after);
     if (k < params.segmentation.k) {
@@ -117,18 +117,18 @@ TEST_F(ScanSessionTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) 
     EXPECT_TRUE(after->changed_bricks.empty());
     EXPECT_TRUE(after->changed_regions.empty());
   }
-  session_.setParams(params);
+  worker_.post(SetParams{params});
   const auto back = awaitSnapshot(3);
   ASSERT_TRUE(back);
   EXPECT_TRUE(isSame(back->segments, before->segments));
-  session_.resume();
-  session_.wait();
+  worker_.post(ResumeScan{});
+  worker_.wait();
 
   ScanRequest plain = request(6);
   plain.database = (folder_ / "other.sqlite").string();
   plain.output_folder = folder_ / "plain";
-  session_.start(plain);
-  session_.wait();
+  worker_.post(StartScan{plain});
+  worker_.wait();
   const auto bytesOf = [&](const char* of) {
     std::ifstream file(folder_ / of / "cloud.ply", std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});
@@ -138,57 +138,57 @@ TEST_F(ScanSessionTest, APausedFrameIsSegmentedAnewAtOnceAndNothingElseChanges) 
   EXPECT_TRUE(bytesOf("tried") == cloud) << "the scan that went on is another";
 }
 
-TEST_F(ScanSessionTest, PauseHoldsAndResumeGoesOn) {
-  session_.start(request(60));
+TEST_F(ScanWorkerTest, PauseHoldsAndResumeGoesOn) {
+  worker_.post(StartScan{request(60)});
   ASSERT_TRUE(awaitSnapshot(1));
-  session_.pause();
+  worker_.post(PauseScan{});
   log_.awaitState(ScanState::paused);
   const auto held = awaitSnapshot(1);
   ASSERT_TRUE(held);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_FALSE(session_.snapshots().collect()) << "a paused scan went on";
-  session_.resume();
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished);
+  EXPECT_FALSE(worker_.snapshots().collect()) << "a paused scan went on";
+  worker_.post(ResumeScan{});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
-TEST_F(ScanSessionTest, AFailedStartIsToldAndTheNextOneWorks) {
+TEST_F(ScanWorkerTest, AFailedStartIsToldAndTheNextOneWorks) {
   ScanRequest wrong = request(3);
   wrong.source = "/no/such/recording";
-  session_.start(std::move(wrong));
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  worker_.post(StartScan{std::move(wrong)});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("/no/such/recording"));
-  session_.start(request(2));
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished);
+  worker_.post(StartScan{request(2)});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished);
 }
 
-TEST_F(ScanSessionTest, ANewStartEndsTheOldScan) {
-  session_.start(request(150));
+TEST_F(ScanWorkerTest, ANewStartEndsTheOldScan) {
+  worker_.post(StartScan{request(150)});
   ASSERT_TRUE(awaitSnapshot(1));
-  session_.start(request(2));
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::finished);
+  worker_.post(StartScan{request(2)});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::finished);
   const std::vector<ScanState> states = log_.states();
   EXPECT_EQ(std::count(states.begin(), states.end(), ScanState::starting), 2);
 }
 
-TEST_F(ScanSessionTest, GivenPosesAreRefusedWhereThereAreNone) {
+TEST_F(ScanWorkerTest, GivenPosesAreRefusedWhereThereAreNone) {
   ScanRequest given = request(3);
   given.source = "camera:Dummy";
   given.poses = ScanRequest::Poses::given;
-  session_.start(std::move(given));
-  session_.wait();
-  EXPECT_EQ(session_.state(), ScanState::failed);
+  worker_.post(StartScan{std::move(given)});
+  worker_.wait();
+  EXPECT_EQ(worker_.state(), ScanState::failed);
   EXPECT_THAT(log_.failure(), HasSubstr("has no poses"));
 }
 
 // What the window needs to show the scene as it is.
-TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColorsAndWhereItsSurfaceIs) {
-  session_.start(request(20));
-  session_.wait();
-  const auto last = session_.snapshots().collect();
+TEST_F(ScanWorkerTest, SnapshotsCarryTheScenesColorsAndWhereItsSurfaceIs) {
+  worker_.post(StartScan{request(20)});
+  worker_.wait();
+  const auto last = worker_.snapshots().collect();
   ASSERT_TRUE(last);
   std::size_t points = 0, with_normal = 0, with_color = 0;
   std::set<std::array<std::uint8_t, 3>> colors;
@@ -209,10 +209,10 @@ TEST_F(ScanSessionTest, SnapshotsCarryTheScenesColorsAndWhereItsSurfaceIs) {
 }
 
 // The window may be slow: what a skipped snapshot held comes with the next.
-TEST_F(ScanSessionTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
-  session_.start(request(6));
-  session_.wait();
-  const auto last = session_.snapshots().collect();
+TEST_F(ScanWorkerTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
+  worker_.post(StartScan{request(6)});
+  worker_.wait();
+  const auto last = worker_.snapshots().collect();
   ASSERT_TRUE(last);
   EXPECT_EQ(last->state, ScanState::finished);
   EXPECT_EQ(last->frames.done(), 6);
@@ -229,8 +229,8 @@ TEST_F(ScanSessionTest, ChangedBricksOfUncollectedSnapshotsAreNotLost) {
 
   // The same scan, collected all the way, sends the same bricks.
   std::set<std::tuple<int, int, int>> bricks_again;
-  ScanSession other([](const ScanEvent&) {});
-  other.start(request(6));
+  ScanWorker other([](const ScanEvent&) {});
+  other.post(StartScan{request(6)});
   while (other.state() != ScanState::finished || !other.snapshots().empty()) {
     const auto snapshot = other.snapshots().collect();
     if (!snapshot) continue;

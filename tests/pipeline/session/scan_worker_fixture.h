@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_worker.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 
@@ -87,7 +87,7 @@ class EventLog {
   std::vector<ScanEvent> events_;
 };
 
-class ScanSessionTest : public testing::Test {
+class ScanWorkerTest : public testing::Test {
  protected:
   [[nodiscard]] ScanRequest request(int frames) const {
     ScanRequest request;
@@ -101,8 +101,7 @@ class ScanSessionTest : public testing::Test {
   /// The next snapshot that says `frames_done` frames; steps post one each.
   std::shared_ptr<const ScanSnapshot> awaitSnapshot(int frames_done) {
     for (int i = 0; i < 12000; ++i) {
-      if (auto snapshot = session_.snapshots().collect();
-          snapshot && snapshot->frames.done() >= frames_done) {
+      if (auto snapshot = worker_.snapshots().collect(); snapshot && snapshot->frames.done() >= frames_done) {
         return snapshot;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -113,7 +112,7 @@ class ScanSessionTest : public testing::Test {
   QtMainThread qt_;
   TemporaryFolder folder_;
   EventLog log_;
-  ScanSession session_{[this](const ScanEvent& event) { log_.add(event); }};
+  ScanWorker worker_{[this](const ScanEvent& event) { log_.add(event); }};
 };
 
 }  // namespace scantrove::test

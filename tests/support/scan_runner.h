@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scan/scan_session.h"
+#include "core/scan/scan_worker.h"
 #include "tests/support/qt_main_thread.h"
 
 namespace scantrove::test {
@@ -22,11 +22,11 @@ struct ScanEnding {
   std::vector<ObjectId> left;  ///< that turned out not to be what their views show
 };
 
-/// Runs one scan to its end through the session that window and command line use.
+/// Runs one scan to its end through the worker that window and command line use.
 inline ScanEnding runScan(ScanRequest request) {
   ScanEnding ending;
   const QtMainThread qt;
-  ScanSession session([&](const ScanEvent& event) {  // read only after wait(): no lock needed
+  ScanWorker worker([&](const ScanEvent& event) {  // read only after wait(): no lock needed
     if (const auto* finished = std::get_if<ScanFinished>(&event)) ending.report = finished->report;
     if (const auto* failed = std::get_if<ScanFailed>(&event)) ending.error = failed->error.message();
     if (const auto* skipped = std::get_if<FrameSkipped>(&event)) ending.skipped.push_back(*skipped);
@@ -37,8 +37,8 @@ inline ScanEnding runScan(ScanRequest request) {
     if (const auto* merged = std::get_if<ObjectsMerged>(&event))
       ending.merged.insert(ending.merged.end(), merged->from.begin(), merged->from.end());
   });
-  session.start(std::move(request));
-  session.wait();
+  worker.post(StartScan{std::move(request)});
+  worker.wait();
   return ending;
 }
 

@@ -1,0 +1,91 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/overloaded.h"
+#include "ui/bridge/scan_port.h"
+
+namespace scantrove::test {
+
+/// Takes commands as a ScanWorker does, writes them down, and reports what the test says: events by the
+/// listener, snapshots by the mailbox.
+class ScriptedWorker {
+ public:
+  explicit ScriptedWorker(ScanListener listener) : listener_(std::move(listener)) {}
+
+  /// A factory of ports that lets the test reach the newest worker by `worker`.
+  static ScanPortFactory factory(ScriptedWorker*& worker) {
+    return [&worker](ScanListener listener) -> ScanPort {
+      const auto made = std::make_shared<ScriptedWorker>(std::move(listener));
+      worker = made.get();
+      return {[made](ScanCommand command) { made->take(std::move(command)); }, {made, &made->snapshots_}};
+    };
+  }
+
+  [[nodiscard]] LatestValue<ScanSnapshot>& snapshots() { return snapshots_; }
+  void report(const ScanEvent& event) { listener_(event); }
+  void report(ScanSnapshot snapshot) {
+    snapshots_.post(std::make_shared<const ScanSnapshot>(std::move(snapshot)));
+  }
+  void finish() {
+    report(ScanFinished{});
+    enter(ScanState::finished);
+  }
+
+  std::vector<std::string> commands;  ///< that have no list of their own
+  ScanRequest last_request;
+  ScanParams last_params;
+  int catalogue_changes = 0;
+  std::vector<ScanEdit> edits;
+  std::vector<int> key_frames_shown;
+  std::vector<ExportOptions> previews, exports;
+  std::vector<std::pair<ExportOptions, std::optional<int>>> samples;
+
+ private:
+  void take(ScanCommand command) {
+    std::visit(Overloaded{[this](StartScan& c) { start(std::move(c.request)); },
+                          [this](PauseScan) { note("pause", ScanState::paused); },
+                          [this](ResumeScan) { note("resume", ScanState::scanning); },
+                          [this](StepScan) { commands.emplace_back("step"); },
+                          [this](StopScan) {
+                            commands.emplace_back("stop");
+                            finish();
+                          },
+                          [this](CloseScan) { commands.emplace_back("close"); },
+                          [this](SkipRefinement) { commands.emplace_back("skip refinement"); },
+                          [this](EditRegions& c) { edits.push_back(std::move(c.edit)); },
+                          [this](ShowKeyFrame c) { key_frames_shown.push_back(c.place); },
+                          [this](PreviewExport& c) { previews.push_back(std::move(c.options)); },
+                          [this](SampleExport& c) { samples.emplace_back(std::move(c.options), c.place); },
+                          [this](ExportDataset& c) { exports.push_back(std::move(c.options)); },
+                          [this](CancelExport) { commands.emplace_back("cancel export"); },
+                          [this](FollowCatalogue) { ++catalogue_changes; },
+                          [this](const SetParams& c) { last_params = c.params; }},
+               command);
+  }
+  void start(ScanRequest request) {
+    commands.emplace_back("start");
+    last_request = std::move(request);
+    enter(ScanState::starting);
+    if (last_request.source.find("missing") != std::string::npos) {
+      report(ScanFailed{Error{"There is no file or folder " + last_request.source + ".", "Check the path."}});
+      enter(ScanState::failed);
+    } else {
+      enter(last_request.start_paused ? ScanState::paused : ScanState::scanning);
+    }
+  }
+  void enter(ScanState state) { listener_(StateChanged{state}); }
+  void note(const char* command, ScanState state) {
+    commands.emplace_back(command);
+    enter(state);
+  }
+
+  ScanListener listener_;
+  LatestValue<ScanSnapshot> snapshots_;
+};
+
+}  // namespace scantrove::test
