@@ -216,7 +216,7 @@ void GraphMerger::splitFragment(const MergeInput& input, const Overlaps& overlap
     split_off_[cut.segment] = split_off;
     outcome.split_off.push_back(split_off);
     outcome.split_from.push_back(cut.fragment);
-    for (int look = 0; look < FragmentSplitter::kLooks; ++look) {
+    for (int observation = 0; observation < FragmentSplitter::kObservations; ++observation) {
       graph_.between(cut.fragment, split_off).add(cut.contact, 0);
     }
     touched_.push_back(split_off);

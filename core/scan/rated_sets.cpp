@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kLooks = 8;
+constexpr std::size_t kObservations = 8;
 // On random scenes that the judge was not fitted to 0.66 of the sets above 0.4 m that it took were whole, and
 // 0.87 of smaller ones; with this it is 0.80, and as much is found.
 constexpr float kLargeFrom_m = 0.3F;
@@ -34,7 +34,7 @@ void RatedSets::add(int frame_index, std::span<const Candidate> candidates) {
     observations.best.insert(
         std::ranges::lower_bound(observations.best, *candidate.objectness, std::greater<>()),
         *candidate.objectness);
-    if (observations.best.size() > kLooks) observations.best.pop_back();
+    if (observations.best.size() > kObservations) observations.best.pop_back();
     observations.longest_m = std::max(observations.longest_m, candidate.size_m[0]);
   }
 }
