@@ -16,10 +16,10 @@ struct SurfaceMaps;
 struct RenderedView {
   Intrinsics K;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  std::vector<Eigen::Vector4f> vertices_world;  ///< V_t: (x, y, z, 1) metres; all 0: no surface
-  std::vector<Eigen::Vector4f> normals_world;   ///< N_t: (x, y, z, 1) unit, towards the camera; all 0: none
-  std::vector<FragmentId> fragments;            ///< of the surface; none: unlabelled
-  std::vector<RegionId> regions;                ///< of the fragments; none: unlabelled
+  std::vector<Eigen::Vector4f> vertices_world{};  ///< V_t: (x, y, z, 1) metres; all 0: no surface
+  std::vector<Eigen::Vector4f> normals_world{};   ///< N_t: (x, y, z, 1) unit, towards the camera; all 0: none
+  std::vector<FragmentId> fragments{};            ///< of the surface; none: unlabelled
+  std::vector<RegionId> regions{};                ///< of the fragments; none: unlabelled
 
   /// Depth of the vertices, 0: no surface. An empty image where there are no vertices.
   [[nodiscard]] DepthView depth() const;

@@ -116,8 +116,8 @@ DiscoveryParams observationParams() {
   return params;
 }
 
-ObservationHistory::Look lookFrom(float degrees, float outline = 0.9F, float hidden = 0,
-                                  float size_m = 0.2F) {
+ObservationHistory::Observation seenFrom(float degrees, float outline = 0.9F, float hidden = 0,
+                                         float size_m = 0.2F) {
   const float radians = degrees * 3.14159265F / 180;
   return {outline, hidden, Eigen::Vector3f(size_m, 0, 0),
           Eigen::Vector3f(std::sin(radians), 0, std::cos(radians))};
@@ -129,7 +129,7 @@ TEST(ObservationHistory, WholeNeedsLooksDirectionsAndAnOutlineOfItsOwn) {
     ObservationHistory history;
     for (int i = 0; i < observations; ++i) {
       history.nextFrame();
-      history.add(thing, lookFrom(i == 0 ? 0 : degrees, outline, hidden));
+      history.add(thing, seenFrom(i == 0 ? 0 : degrees, outline, hidden));
     }
     return history.isComplete(thing, observationParams());
   };
@@ -147,18 +147,18 @@ TEST(ObservationHistory, AThingOfAnotherSizeStartsAnew) {
   ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
     history.nextFrame();
-    history.add(thing, lookFrom(4.0F * static_cast<float>(i)));
+    history.add(thing, seenFrom(4.0F * static_cast<float>(i)));
   }
   ASSERT_TRUE(history.isComplete(thing, observationParams()));
   const auto observationOfAnotherSize = [&] {
     history.nextFrame();
-    history.add(thing, lookFrom(20, 0.9F, 0, 0.5F));
+    history.add(thing, seenFrom(20, 0.9F, 0, 0.5F));
   };
   observationOfAnotherSize();
   observationOfAnotherSize();
   EXPECT_TRUE(history.isComplete(thing, observationParams())) << "something stood before it for a moment";
   history.nextFrame();
-  history.add(thing, lookFrom(20));
+  history.add(thing, seenFrom(20));
   observationOfAnotherSize();
   observationOfAnotherSize();
   EXPECT_TRUE(history.isComplete(thing, observationParams())) << "not in a row";
@@ -169,7 +169,7 @@ TEST(ObservationHistory, AThingOfAnotherSizeStartsAnew) {
 TEST(ObservationHistory, ForgetsWhatWasNotSeenForLong) {
   ObservationHistory history;
   history.nextFrame();
-  history.add({RegionId{5}}, lookFrom(0));
+  history.add({RegionId{5}}, seenFrom(0));
   for (int i = 0; i < ObservationHistory::kMemory; ++i) history.nextFrame();
   EXPECT_EQ(history.setCount(), 1U);
   history.nextFrame();
@@ -180,8 +180,8 @@ TEST(ObservationHistory, FollowsRegionsThatJoin) {
   ObservationHistory history;
   for (int i = 0; i < 4; ++i) {
     history.nextFrame();
-    history.add({RegionId{5}}, lookFrom(4.0F * static_cast<float>(i)));
-    if (i == 0) history.add({RegionId{6}}, lookFrom(0));
+    history.add({RegionId{5}}, seenFrom(4.0F * static_cast<float>(i)));
+    if (i == 0) history.add({RegionId{6}}, seenFrom(0));
   }
   history.follow(RegionId{6}, RegionId{5});
   EXPECT_FALSE(history.isComplete({RegionId{5}}, observationParams()));
