@@ -70,7 +70,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
   for (const CatalogueChange& change : news->changes) std::visit(effects, change);
   CatalogueEdits edits;
   CataloguePosition now{news->last_event, position_.view};
-  if (effects.merge_roots) SCANTROVE_TRY(moveInto(edits.merge_roots, database_.merge_roots()));
+  if (effects.merge_roots) SCANTROVE_TRY(moveInto(edits.merge_roots, database_.mergeRoots()));
   for (const ObjectId object : effects.changed) SCANTROVE_TRY(readRecord(object, edits));
   own_views_.insert(effects.own_first_views.begin(), effects.own_first_views.end());
   if (effects.views) SCANTROVE_TRY(readViews(edits, now.view));
@@ -88,7 +88,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
 
 Result<CatalogueEdits> CatalogueFeed::reread(std::span<const ObjectId> objects) {
   CatalogueEdits edits;
-  SCANTROVE_TRY(moveInto(edits.merge_roots, database_.merge_roots()));
+  SCANTROVE_TRY(moveInto(edits.merge_roots, database_.mergeRoots()));
   for (const ObjectId object : objects) SCANTROVE_TRY(readRecord(object, edits));
   return edits;
 }

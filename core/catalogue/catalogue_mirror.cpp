@@ -48,7 +48,7 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
     record.id = keyOf(record.id);
     records_.emplace(record.id, std::move(record));
   }
-  const Result<std::vector<MergeRoot>> merge_roots = database.merge_roots();
+  const Result<std::vector<MergeRoot>> merge_roots = database.mergeRoots();
   if (!merge_roots) return fail(merge_roots.error());
   for (const MergeRoot& entry : *merge_roots) setMergeRoot(keyOf(entry.object), keyOf(entry.root));
   const Result<int> views = database.viewCount();

@@ -63,7 +63,7 @@ class ObjectDatabase {
   /// The object that holds what was `id`'s, after merges; none when it was deleted.
   [[nodiscard]] Result<ObjectId> resolve(ObjectId id);
   /// The same for all objects that ever were, by id.
-  [[nodiscard]] Result<std::vector<MergeRoot>> merge_roots();
+  [[nodiscard]] Result<std::vector<MergeRoot>> mergeRoots();
 
   /// With their images, oldest first; a view whose images cannot be used is left out and named in the log.
   [[nodiscard]] Result<std::vector<ObjectView>> views(ObjectId id);

@@ -76,7 +76,7 @@ Result<ObjectId> ObjectDatabase::resolve(ObjectId id) {
   return row->hidden ? ObjectId{} : row->id;
 }
 
-Result<std::vector<MergeRoot>> ObjectDatabase::merge_roots() {
+Result<std::vector<MergeRoot>> ObjectDatabase::mergeRoots() {
   Result<QSqlQuery> query = connection_->execute("SELECT id, hidden, merged_into FROM objects ORDER BY id");
   if (!query) return fail(query.error());
   std::map<ObjectId, ObjectId> next;  // itself for visible objects, none for deleted ones

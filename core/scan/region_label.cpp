@@ -54,7 +54,7 @@ void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<Region
 
 Result<CatalogueObjects> CatalogueObjects::read(ObjectDatabase& database) {
   CatalogueObjects objects;
-  const auto merge_roots = database.merge_roots();
+  const auto merge_roots = database.mergeRoots();
   if (!merge_roots) return fail(merge_roots.error());
   for (const MergeRoot& entry : *merge_roots) objects.merge_roots_[entry.object] = entry.root;
   auto records = database.objects();

@@ -113,10 +113,10 @@ void BM_OpenAndReadDescriptors(benchmark::State& state) {
     ::malloc_trim(0);
     const double before_mb = residentMegabytes();
     const auto database = ObjectDatabase::open(file).value();
-    const auto holders = database->holders();
+    const auto merge_roots = database->mergeRoots();
     std::int64_t views = 0;
     const auto last = database->forEachDescriptor(0, [&](const StoredDescriptor&) { ++views; });
-    SCANTROVE_CHECK(holders && last && views == state.range(0));
+    SCANTROVE_CHECK(merge_roots && last && views == state.range(0));
     growth_mb = residentMegabytes() - before_mb;
   }
   state.counters["memory_mb"] = growth_mb;

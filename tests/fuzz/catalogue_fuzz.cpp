@@ -29,7 +29,7 @@ const TemporaryFolder& folder() {
 }
 
 void readWhole(ObjectDatabase& database) {
-  (void)database.holders();
+  (void)database.mergeRoots();
   (void)database.changesAfter(0);
   (void)database.forEachDescriptor(0, [](const StoredDescriptor&) {});
   const auto objects = database.objects();

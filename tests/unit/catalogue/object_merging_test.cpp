@@ -287,7 +287,7 @@ TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {
   ASSERT_TRUE(database_->merge(Ids{b, c}));
   ASSERT_TRUE(database_->remove({&d, 1}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-  const auto merge_roots = database_->merge_roots();
+  const auto merge_roots = database_->mergeRoots();
   ASSERT_TRUE(merge_roots);
   for (const MergeRoot& entry : *merge_roots) found.emplace_back(entry.object.value, entry.root.value);
   EXPECT_THAT(found, ElementsAre(std::pair(1, 3), std::pair(2, 3), std::pair(3, 3), std::pair(4, 0)));
@@ -302,7 +302,7 @@ TEST_F(ObjectMerging, MergesInACircleOrIntoNothingEnd) {
   EXPECT_FALSE(*database_->resolve(ids[0]));
   EXPECT_FALSE(*database_->resolve(ids[2]));
   EXPECT_EQ(*database_->resolve(ids[3]), ids[3]);
-  const auto merge_roots = database_->merge_roots();
+  const auto merge_roots = database_->mergeRoots();
   ASSERT_TRUE(merge_roots);
   for (const MergeRoot& entry : *merge_roots) {
     EXPECT_EQ(entry.root, entry.object == ids[3] ? ids[3] : ObjectId{}) << entry.object.value;
