@@ -1,6 +1,5 @@
 #include "app/session_refine_command.h"
 
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -41,8 +40,6 @@ Result<void> refine(const SessionRefineCommand& command) {
     request.refine_session = true;
     request.output_folder = command.folder;
     request.device = command.device;
-    // A scan of the window has a session alone.
-    request.results = std::filesystem::exists(std::filesystem::path(command.folder) / "report.json");
     const Result<ScanReport> report = runToEnd(request);
     if (!report) return fail(report.error());
     refinement = report->refinement;

@@ -10,8 +10,8 @@
 
 namespace scantrove {
 
-Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
-                             cv::Size size) {
+Result<std::string> encodeLabelImage(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
+                                     cv::Size size) {
   SCANTROVE_CHECK(size.width > 0 && size.height > 0 &&
                   labels.size() == static_cast<std::size_t>(size.area()));
   cv::Mat image(size, CV_16UC1);
@@ -24,7 +24,14 @@ Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const 
     }
     *pixel++ = static_cast<std::uint16_t>(label);
   }
-  return writeFileAtomically(path, encodePng(image), Durability::process);
+  return encodePng(image);
+}
+
+Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
+                             cv::Size size) {
+  const Result<std::string> bytes = encodeLabelImage(path, labels, size);
+  if (!bytes) return fail(bytes.error());
+  return writeFileAtomically(path, *bytes, Durability::process);
 }
 
 Result<cv::Mat> readLabelImage(const std::filesystem::path& path) {

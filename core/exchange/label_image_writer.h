@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <span>
+#include <string>
 
 #include "core/base/result.h"
 
@@ -13,6 +14,10 @@ namespace scantrove {
 /// Error: names `path`, or the id when one is above 65535, which 16 bits cannot hold.
 Result<void> writeLabelImage(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
                              cv::Size size);
+
+/// The bytes of such a file. Error: the id that 16 bits cannot hold; names `path`.
+[[nodiscard]] Result<std::string> encodeLabelImage(const std::filesystem::path& path,
+                                                   std::span<const std::uint32_t> labels, cv::Size size);
 
 /// Reads a label image: 16- or 8-bit, one channel; CV_16UC1. Error: names `path`.
 [[nodiscard]] Result<cv::Mat> readLabelImage(const std::filesystem::path& path);

@@ -1,10 +1,9 @@
 #include "core/scan/frame_label_writer.h"
 
-#include <array>
-#include <cstdio>
 #include <future>
 #include <utility>
 
+#include "core/base/checksum.h"
 #include "core/base/thread_priority.h"
 #include "core/compute/guarded.h"
 #include "core/exchange/atomic_file.h"
@@ -15,15 +14,6 @@
 #include "core/segmentation/upsample_segments.h"
 
 namespace scantrove {
-namespace {
-
-std::string fileName(int frame_index) {
-  std::array<char, 24> name{};
-  std::snprintf(name.data(), name.size(), "%06d.png", frame_index);
-  return name.data();
-}
-
-}  // namespace
 
 FrameLabelWriter::FrameLabelWriter(std::filesystem::path folder, RegionNumbers& numbers)
     : folder_(std::move(folder)), numbers_(numbers), thread_([this] { run(); }) {}
@@ -73,14 +63,15 @@ Result<void> FrameLabelWriter::write(const Frame& frame) {
                          {frame.depth.ptr<std::uint16_t>(), frame.depth.total()},
                          frame.meters_per_unit};
   const DepthUpsampler upsampler(segments.depths_m, segments.width, segments.height, guide);
-  const std::string name = fileName(frame.index);
+  const std::string name = labelFileName(frame.index);
   SCANTROVE_TRY(writeLabelImage(folder_ / "segments" / name, upsampler.apply(segments.ids), size));
   SCANTROVE_TRY(
       writeLabelImage(folder_ / "labels" / name, numbers_.numbersOf(upsampler.apply(frame.regions)), size));
   // A part's name: when this process is killed, the next scan into the folder removes the file.
   const std::filesystem::path depth_file = makePartName(folder_ / "labels-final" / name);
   SCANTROVE_TRY(writeFileAtomically(depth_file, encodePng(frame.depth), Durability::process));
-  written_.push_back({name, depth_file, frame.T_world_camera, frame.meters_per_unit});
+  written_.push_back(
+      {{frame.index, checksumOfDepth(frame.depth), frame.meters_per_unit}, depth_file, frame.T_world_camera});
   return {};
 }
 
@@ -96,7 +87,7 @@ Result<void> FrameLabelWriter::finish(const RenderView& look) {
     written = written && done.has_value();
     outcome.note(done);
   };
-  for (const Written& frame : written_) {
+  for (Written& frame : written_) {
     Result<RenderedView> view = look(frame.T_world_camera);
     wait();
     if (!view) outcome.note(fail(view.error()));
@@ -116,23 +107,43 @@ Result<void> FrameLabelWriter::finish(const RenderView& look) {
 void FrameLabelWriter::discard() {
   close();
   for (const Written& frame : std::exchange(written_, {})) {
+    const std::string name = labelFileName(frame.image.frame_index);
     for (const std::filesystem::path& file :
-         {folder_ / "segments" / frame.name, folder_ / "labels" / frame.name, frame.depth_file}) {
+         {folder_ / "segments" / name, folder_ / "labels" / name, frame.depth_file}) {
       std::error_code ignored;
       std::filesystem::remove(file, ignored);
     }
   }
 }
 
-Result<void> FrameLabelWriter::writeFinal(const Written& frame, const RenderedView& view) {
-  const Result<cv::Mat> depth = readLabelImage(frame.depth_file);
-  if (!depth) return fail(depth.error());
+FinalLabelRecord FrameLabelWriter::written() const {
+  FinalLabelRecord record;
+  for (const Written& frame : written_) {
+    if (frame.has_final) record.push_back(frame.image);
+  }
+  return record;
+}
+
+Result<std::string> FrameLabelWriter::drawFinal(const std::filesystem::path& file, const RenderedView& view,
+                                                const cv::Mat& depth, float meters_per_unit,
+                                                RegionNumbers& numbers) {
   const DepthGuide guide{
-      depth->cols, depth->rows, {depth->ptr<std::uint16_t>(), depth->total()}, frame.meters_per_unit};
+      depth.cols, depth.rows, {depth.ptr<std::uint16_t>(), depth.total()}, meters_per_unit};
   const cv::Mat z_m = view.depth().z_m;
   const DepthUpsampler upsampler({z_m.ptr<float>(), z_m.total()}, view.K.width, view.K.height, guide);
-  return writeLabelImage(folder_ / "labels-final" / frame.name,
-                         numbers_.numbersOf(upsampler.apply(view.regions)), depth->size());
+  return encodeLabelImage(file, numbers.numbersOf(upsampler.apply(view.regions)), depth.size());
+}
+
+Result<void> FrameLabelWriter::writeFinal(Written& frame, const RenderedView& view) {
+  const Result<cv::Mat> depth = readLabelImage(frame.depth_file);
+  if (!depth) return fail(depth.error());
+  const std::filesystem::path file = folder_ / "labels-final" / labelFileName(frame.image.frame_index);
+  const Result<std::string> bytes = drawFinal(file, view, *depth, frame.image.meters_per_unit, numbers_);
+  if (!bytes) return fail(bytes.error());
+  SCANTROVE_TRY(writeFileAtomically(file, *bytes, Durability::process));
+  frame.image.checksum = crc32Of({bytes->data(), bytes->size()});
+  frame.has_final = true;
+  return {};
 }
 
 }  // namespace scantrove

@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/fusion/rendered_view.h"
+#include "core/scan/final_label_record.h"
 #include "core/scan/region_numbers.h"
 #include "core/segmentation/segment_map.h"
 
@@ -53,16 +54,24 @@ class FrameLabelWriter {
   /// Waits for all frames, then removes the images that were written. No add() afterwards.
   void discard();
 
+  /// After finish(): the images in labels-final/ that it wrote.
+  [[nodiscard]] FinalLabelRecord written() const;
+
+  /// The bytes of an image in labels-final/ of a frame with this depth. Error: names `file`.
+  [[nodiscard]] static Result<std::string> drawFinal(const std::filesystem::path& file,
+                                                     const RenderedView& view, const cv::Mat& depth,
+                                                     float meters_per_unit, RegionNumbers& numbers);
+
  private:
   void run();
   [[nodiscard]] Result<void> write(const Frame& frame);
   struct Written {
-    std::string name;                  ///< of the files
+    FinalLabelImage image;
     std::filesystem::path depth_file;  ///< where the frame's depth waits for the end
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-    float meters_per_unit = 0.001F;
+    bool has_final = false;  ///< its image in labels-final/ is there
   };
-  [[nodiscard]] Result<void> writeFinal(const Written& frame, const RenderedView& view);
+  [[nodiscard]] Result<void> writeFinal(Written& frame, const RenderedView& view);
   void close();
 
   std::filesystem::path folder_;

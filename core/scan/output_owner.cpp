@@ -14,15 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isOurReport(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return false;
-  std::ifstream stream(file, std::ios::binary);
-  const nlohmann::json report = nlohmann::json::parse(stream, nullptr, false);
-  return report.is_object() && report.contains("source") && report.contains("device") &&
-         report.contains("params") && report.contains("frames");
-}
-
 /// A result's name in a folder that no scan of ours wrote, or a folder of that name with something in it.
 std::optional<fs::path> findForeignResult(const fs::path& folder) {
   std::error_code ignored;
@@ -38,8 +29,18 @@ std::optional<fs::path> findForeignResult(const fs::path& folder) {
 
 }  // namespace
 
+bool holdsOurReport(const fs::path& folder) {
+  const fs::path file = folder / "report.json";
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  std::ifstream stream(file, std::ios::binary);
+  const nlohmann::json report = nlohmann::json::parse(stream, nullptr, false);
+  return report.is_object() && report.contains("source") && report.contains("device") &&
+         report.contains("params") && report.contains("frames");
+}
+
 bool holdsEarlierScan(const fs::path& folder) {
-  return SessionStore::isSession(folder) || isOurReport(folder / "report.json");
+  return SessionStore::isSession(folder) || holdsOurReport(folder);
 }
 
 Result<void> checkHoldsOnlyOurs(const fs::path& folder) {

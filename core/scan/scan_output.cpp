@@ -35,6 +35,7 @@ void ScanOutput::begin(const SavedScan& earlier) {
   for (const SavedFrame& frame : earlier.frames) {
     if (frame.isUsable()) trajectory_.push_back({frame.time_s, frame.T_world_camera});
   }
+  final_labels_.begin(earlier);
 }
 
 void ScanOutput::beginAnew() {
@@ -66,18 +67,20 @@ Result<void> ScanOutput::writeTrajectory() {
 }
 
 Result<void> ScanOutput::finish(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
-                                const ScanReport& report) {
+                                const ScanReport& report, const FinalLabelImages::StoreRecord& store) {
   FirstError outcome;
   const auto attempt = [&](const std::string& activity, const auto& work) {
     outcome.note(guarded(activity, work));
   };
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
-  if (label_images_) {
-    attempt("writing the label images", [&] {
-      return label_images_->finish([&](const Eigen::Isometry3d& T) { return pipeline.renderView(T); });
-    });
-  }
+  const FrameLabelWriter::RenderView look = [&](const Eigen::Isometry3d& T) {
+    return pipeline.renderView(T);
+  };
+  if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(look); });
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, labels); });
+  // Last: it may read whole recordings again.
+  const FinalLabelRecord own = label_images_ ? label_images_->written() : FinalLabelRecord();
+  attempt("drawing the label images again", [&] { return final_labels_.redraw(own, numbers_, look, store); });
   return outcome.result();
 }
 

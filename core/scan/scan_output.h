@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/stamped_pose.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/scan/final_label_images.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/region_numbers.h"
 #include "core/scan/scan_pipeline.h"
@@ -39,14 +40,16 @@ class ScanOutput {
 
   /// The other files. Writes what there is; a file that cannot be written keeps no other from being written,
   /// nor does a device that fails: the cloud is what could be read of it. Error: the first that failed (the
-  /// others are in the log).
+  /// others are in the log). `store` keeps the record of the final label images in the session.
   [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
-                                    const ScanReport& report);
+                                    const ScanReport& report, const FinalLabelImages::StoreRecord& store);
+  /// What finish() could not draw, for the user.
+  [[nodiscard]] const std::vector<Error>& remarks() const { return final_labels_.remarks(); }
   /// That finish() wrote.
   [[nodiscard]] std::size_t cloudPoints() const { return cloud_points_; }
 
  private:
-  explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)), final_labels_(folder_) {}
 
   [[nodiscard]] Result<void> writeCloud(ScanPipeline& pipeline,
                                         const std::map<RegionId, RegionLabel>& labels);
@@ -57,6 +60,7 @@ class ScanOutput {
   std::size_t cloud_points_ = 0;
   RegionNumbers numbers_;
   std::unique_ptr<FrameLabelWriter> label_images_;  // null: they are not wanted
+  FinalLabelImages final_labels_;
 };
 
 }  // namespace scantrove

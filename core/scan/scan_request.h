@@ -34,7 +34,7 @@ struct ScanRequest {
   bool review = false;
   bool skip_refinement = false;  ///< leave the pass after the last frame for later
   /// Scan nothing; do the refinement that the session in `output_folder` has not had, with its own source,
-  /// camera and parameters.
+  /// camera and parameters. Results are written anew where there are some.
   bool refine_session = false;
   bool start_paused = false;
   bool pictures = true;          ///< snapshots hold images and cloud; else numbers alone

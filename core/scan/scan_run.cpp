@@ -78,7 +78,7 @@ Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanL
                                                                 .on_compiling = [run = run.get()] {
                                                                   run->listener_(PreparingDevice{});
                                                                 }})));
-  if (request.output_folder && request.results) {
+  if (request.output_folder && run->request_.results) {
     SCANTROVE_TRY(moveInto(run->output_, ScanOutput::create(*request.output_folder, request.label_maps)));
     run->output_->setOrigin(run->origin_world_);
   }
@@ -105,6 +105,8 @@ Result<void> ScanRun::openSessionToRefine() {
   if (!setup) return fail(setup.error());
   request_.source = setup->source;
   request_.params = setup->params;
+  // A scan of the window has a session alone.
+  request_.results = earlier_->metadata.contains(kResultsKey) || holdsOurReport(folder);
   origin_world_ = setup->origin_m;
   request_.database = databaseFileOf(*setup, folder).string();
   std::error_code ignored;
@@ -487,7 +489,13 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
       return recorder_->finish(*pipeline_, objects_->collector());
     }));
   }
-  if (output_ && !keeps_earlier_scan_) outcome.note(output_->finish(*pipeline_, objects_->labels(), report));
+  if (output_ && !keeps_earlier_scan_) {
+    const auto store = [this](const FinalLabelRecord& record) {
+      return recorder_ ? recorder_->keepMetadata(kFinalLabelsKey, finalLabelsToText(record)) : Result<void>();
+    };
+    outcome.note(output_->finish(*pipeline_, objects_->labels(), report, store));
+    for (const Error& remark : output_->remarks()) listener_(ScanAdvice{remark});
+  }
   announceMapFailure();
   outcome.note(checkResult(report));
   SCANTROVE_TRY(outcome.result());

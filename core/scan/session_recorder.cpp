@@ -70,6 +70,13 @@ void SessionRecorder::setCatalogue(const std::string& identity) {
   setMetadata(kCatalogueKey, identity);
 }
 
+Result<void> SessionRecorder::keepMetadata(const std::string& name, const std::string& value) {
+  SavedDelta delta;
+  delta.metadata[name] = value;
+  hand(std::move(delta));
+  return writer_->flush();
+}
+
 void SessionRecorder::rewriteFrom(const SavedScan& on_disk, const SessionMetadata& now) {
   regions_.clear();
   for (const SavedRegion& region : on_disk.regions) regions_[region.region] = region;

@@ -74,6 +74,8 @@ class SessionRecorder {
   void rewriteFrom(const SavedScan& on_disk, const SessionMetadata& now);
   /// What is to be kept of the whole scan with the next save.
   void setMetadata(const std::string& name, const std::string& value) { setup_.metadata[name] = value; }
+  /// The same at once, by itself. Error: it is not on disk.
+  [[nodiscard]] Result<void> keepMetadata(const std::string& name, const std::string& value);
   /// Whose the objects are that this scan finds.
   void setCatalogue(const std::string& identity);
   /// Why the session could not be written, once each time that this begins.

@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <fstream>
+#include <opencv2/core.hpp>
 #include <thread>
+#include <utility>
 
+#include "core/exchange/label_image_writer.h"
+#include "core/scan/final_label_record.h"
 #include "tests/app/scantrove_program.h"
 
 namespace scantrove::test {
@@ -50,6 +55,47 @@ TEST(ScanRefinement, IsSkippedAndDoneLater) {
   const Finished again = scantrove({"session", "refine", folder / "out"});
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_THAT(again.out, HasSubstr("refined already"));
+}
+
+/// Pixels in labels-final/ of frames 0 - 29 that differ between two scans, and all pixels.
+std::pair<int, int> differentLabels(const fs::path& a, const fs::path& b) {
+  std::pair<int, int> counts{0, 0};
+  for (int frame = 0; frame < 30; ++frame) {
+    const fs::path name = fs::path("labels-final") / labelFileName(frame);
+    const auto first = readLabelImage(a / name), second = readLabelImage(b / name);
+    if (!first || !second || first->size() != second->size()) {
+      ADD_FAILURE() << name;
+      continue;
+    }
+    counts.first += cv::countNonZero(*first != *second);
+    counts.second += static_cast<int>(first->total());
+  }
+  return counts;
+}
+
+TEST(ScanRefinement, DrawsFinalLabelsAgain_WhenDoneLater) {
+  const TemporaryFolder folder;
+  for (const char* name : {"at once", "later"}) {
+    std::vector<std::string> arguments = argumentsInto(folder / name);
+    arguments.push_back("--label-maps");
+    if (name == std::string("later")) arguments.push_back("--skip-refinement");
+    ASSERT_EQ(scantrove(arguments).exit_code, 0);
+  }
+  const auto before = differentLabels(folder / "at once", folder / "later");
+  ASSERT_GT(before.first, before.second / 1000) << "refinement changes nothing that labels show";
+  // One image that a person has corrected meanwhile.
+  const fs::path corrected = folder / "later/labels-final/000012.png";
+  const std::string by_person = readText(folder / "later/segments/000012.png");
+  std::ofstream(corrected, std::ios::binary) << by_person;
+
+  const Finished refined = scantrove({"session", "refine", folder / "later"});
+  ASSERT_EQ(refined.exit_code, 0) << refined.err;
+  EXPECT_EQ(readText(corrected), by_person);
+  EXPECT_THAT(refined.err, HasSubstr("did not write 1 image in "));
+  fs::copy_file(folder / "at once/labels-final/000012.png", corrected, fs::copy_options::overwrite_existing);
+  // A few voxels at borders may differ.
+  const auto after = differentLabels(folder / "at once", folder / "later");
+  EXPECT_LT(after.first, after.second / 1000);
 }
 
 TEST(ScanRefinement, CtrlCSkipsTheRestAndKeepsTheResults) {

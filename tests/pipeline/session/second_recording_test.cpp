@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/scan/frame_label_writer.h"
+#include "core/scan/open_session.h"
+#include "core/scan/open_source.h"
+#include "core/scan/scan_pipeline.h"
 #include "core/session/session_store.h"
 #include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
@@ -69,6 +73,29 @@ TEST_F(SecondRecording, ItsFramesComeAfterThoseOfTheFirst) {
   for (const SavedFrame& frame : scan->frames) numbers.insert(frame.source_index);
   EXPECT_EQ(numbers.size(), static_cast<std::size_t>(kFirst + kSecond));
   EXPECT_EQ(*numbers.rbegin(), kFirst + kSecond - 1);
+}
+
+/// The images in labels-final/ that the session would have now, compared with those that are there.
+TEST_F(SecondRecording, FinalLabelsOfAllFramesShowTheRegionsAtTheEnd) {
+  const QtMainThread qt;
+  const auto session = OpenSession::open(folder_ / "scan");
+  ASSERT_TRUE(session) << session.error().message();
+  const auto recording = openSource("demo:tabletop:3", {});
+  ASSERT_TRUE(recording);
+  for (int index = 0; index < kFirst; ++index) {
+    const FrameRead read = (*recording)->next();
+    ASSERT_EQ(read.status, FrameRead::Status::frame);
+    const SavedFrame& frame = (*session)->frames().at(static_cast<std::size_t>(index));
+    if (!frame.isUsable()) continue;
+    const auto view = (*session)->pipeline().renderView(frame.T_world_camera);
+    ASSERT_TRUE(view);
+    const auto file = folder_ / "scan" / "labels-final" / labelFileName(index);
+    RegionNumbers numbers;
+    const auto expected =
+        FrameLabelWriter::drawFinal(file, *view, read.frame.depth, read.frame.meters_per_unit, numbers);
+    ASSERT_TRUE(expected);
+    EXPECT_TRUE(readText(file) == *expected) << index;
+  }
 }
 
 TEST_F(SecondRecording, TheSessionKnowsItsOwnFrameNumbersAndTimes) {

@@ -1,0 +1,198 @@
+#include "core/scan/final_label_images.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <opencv2/core.hpp>
+
+#include "core/exchange/label_image_writer.h"
+#include "core/scan/open_source.h"
+#include "tests/support/temporary_folder.h"
+
+namespace scantrove {
+namespace {
+
+using test::readText;
+using testing::HasSubstr;
+
+constexpr int kFrames = 3;
+constexpr const char* kRecording = "demo:tabletop:3";
+
+/// A map that shows one region from everywhere, 1 m away.
+FrameLabelWriter::RenderView mapOfRegion(std::uint32_t region) {
+  return [region](const Eigen::Isometry3d&) -> Result<RenderedView> {
+    RenderedView view;
+    view.K.width = 4;
+    view.K.height = 3;
+    view.vertices_world.assign(12, {0, 0, 1, 1});
+    view.regions.assign(12, RegionId{region});
+    return view;
+  };
+}
+
+/// A scan of three frames whose images in labels-final/ show region 5.
+class FinalLabelImagesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* part : {"segments", "labels", "labels-final"})
+      std::filesystem::create_directories(folder_ / part);
+    const auto source = openSource(kRecording, {});
+    ASSERT_TRUE(source);
+    RegionNumbers numbers;
+    FrameLabelWriter writer(folder_.path(), numbers);
+    for (int i = 0; i < kFrames; ++i) {
+      const FrameRead read = (*source)->next();
+      ASSERT_EQ(read.status, FrameRead::Status::frame);
+      FrameLabelWriter::Frame frame{.index = i, .depth = read.frame.depth};
+      frame.meters_per_unit = read.frame.meters_per_unit;
+      frame.segments.width = 4;
+      frame.segments.height = 3;
+      frame.segments.ids.assign(12, 1);
+      frame.segments.depths_m.assign(12, 1.0F);
+      frame.regions.assign(12, RegionId{5});
+      ASSERT_TRUE(writer.add(frame));
+      earlier_.frames.push_back({i, i, i / 30.0, TrackingState::tracking});
+    }
+    ASSERT_TRUE(writer.finish(mapOfRegion(5)));
+    earlier_.recordings.push_back({0, kRecording, 0, 0});
+    setRecord(writer.written());
+  }
+
+  void setRecord(const FinalLabelRecord& record) {
+    earlier_.metadata[kFinalLabelsKey] = finalLabelsToText(record);
+  }
+
+  /// Draws the images with region 7.
+  void redraw() {
+    images_.begin(earlier_);
+    RegionNumbers numbers;
+    const auto store = [this](const FinalLabelRecord& record) -> Result<void> {
+      setRecord(record);
+      ++stored_;
+      return {};
+    };
+    const Result<void> done = images_.redraw({}, numbers, mapOfRegion(7), store);
+    EXPECT_TRUE(done) << done.error().message();
+  }
+
+  [[nodiscard]] std::filesystem::path fileOf(int frame) const {
+    return folder_ / "labels-final" / labelFileName(frame);
+  }
+  /// The region that a whole image shows; -1: there is no such image.
+  [[nodiscard]] int shownIn(int frame) const {
+    const Result<cv::Mat> image = readLabelImage(fileOf(frame));
+    if (!image) return -1;
+    const auto value = image->at<std::uint16_t>(0, 0);
+    return cv::countNonZero(*image != value) == 0 ? value : -1;
+  }
+  [[nodiscard]] std::vector<int> shown() const { return {shownIn(0), shownIn(1), shownIn(2)}; }
+  [[nodiscard]] std::string remarks() const {
+    std::string all;
+    for (const Error& remark : images_.remarks()) all += remark.message() + "\n";
+    return all;
+  }
+
+  test::TemporaryFolder folder_;
+  SavedScan earlier_;
+  FinalLabelImages images_{folder_.path()};
+  int stored_ = 0;
+};
+
+TEST_F(FinalLabelImagesTest, DrawsAllImagesAgain_WhenTheRecordingIsThere) {
+  ASSERT_EQ(shown(), (std::vector{5, 5, 5}));
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{7, 7, 7}));
+  EXPECT_EQ(remarks(), "");
+  EXPECT_EQ(stored_, 2) << "the record names new files before they are written, and at the end";
+  redraw();
+  EXPECT_EQ(remarks(), "") << "the record is not that of the new files";
+}
+
+TEST_F(FinalLabelImagesTest, FindsFramesOfALaterRecordingByTheirShift) {
+  for (SavedFrame& frame : earlier_.frames) frame.source_index += 100;
+  FinalLabelRecord record = finalLabelsFrom(earlier_.metadata);
+  for (FinalLabelImage& image : record) {
+    std::filesystem::rename(fileOf(image.frame_index), fileOf(image.frame_index + 100));
+    image.frame_index += 100;
+  }
+  setRecord(record);
+  earlier_.recordings[0].index_shift = 100;
+  redraw();
+  EXPECT_EQ(shownIn(101), 7);
+  EXPECT_EQ(remarks(), "");
+}
+
+TEST_F(FinalLabelImagesTest, KeepsAnImageThatAPersonChanged) {
+  const std::string by_person = readText(folder_ / "segments" / labelFileName(1));
+  ASSERT_NE(by_person, readText(fileOf(1)));
+  std::ofstream(fileOf(1), std::ios::binary) << by_person;
+  redraw();
+  EXPECT_EQ(shownIn(0), 7);
+  EXPECT_EQ(readText(fileOf(1)), by_person);
+  EXPECT_THAT(remarks(), HasSubstr("did not write 1 image in "));
+}
+
+TEST_F(FinalLabelImagesTest, KeepsAllImages_WhenTheSessionHasNoRecordOfThem) {
+  earlier_.metadata.clear();
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
+  EXPECT_THAT(remarks(), HasSubstr("did not write 3 images in "));
+}
+
+TEST_F(FinalLabelImagesTest, BringsBackNoImageThatAPersonRemoved) {
+  std::filesystem::remove(fileOf(2));
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{7, 7, -1}));
+  EXPECT_EQ(remarks(), "");
+}
+
+TEST_F(FinalLabelImagesTest, SaysWhichImagesStay_WhenTheRecordingIsGone) {
+  earlier_.recordings[0].source = (folder_ / "recording").string();
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
+  EXPECT_THAT(remarks(),
+              testing::AllOf(HasSubstr("missing in 3 images"), HasSubstr("recording cannot be read")));
+}
+
+TEST_F(FinalLabelImagesTest, SaysWhichImagesStay_WhenTheRecordingShowsSomethingElse) {
+  earlier_.recordings[0].source = "demo:tabletop:4";
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
+  EXPECT_THAT(remarks(), HasSubstr("has other frames"));
+}
+
+TEST_F(FinalLabelImagesTest, StartsNoCamera) {
+  earlier_.recordings[0].source = "camera";
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{5, 5, 5}));
+  EXPECT_THAT(remarks(), HasSubstr("only key frames of a camera"));
+}
+
+TEST_F(FinalLabelImagesTest, KnowsTheFilesOfARunThatWasKilledWhileItDrew) {
+  FinalLabelRecord record = finalLabelsFrom(earlier_.metadata);
+  ASSERT_EQ(record.size(), static_cast<std::size_t>(kFrames));
+  // The file is the new one already.
+  record[1].next_checksum = record[1].checksum;
+  record[1].checksum = 0;
+  setRecord(record);
+  redraw();
+  EXPECT_EQ(shown(), (std::vector{7, 7, 7}));
+  EXPECT_EQ(remarks(), "");
+}
+
+TEST(FinalLabelRecord, IsEmpty_WhenTheMetadataIsDamaged) {
+  SessionMetadata metadata{{kFinalLabelsKey, finalLabelsToText({{3, 4, 0.001F, 5, 6}})}};
+  const FinalLabelRecord record = finalLabelsFrom(metadata);
+  ASSERT_EQ(record.size(), 1U);
+  EXPECT_EQ(record[0].frame_index, 3);
+  EXPECT_EQ(record[0].depth_checksum, 4U);
+  EXPECT_EQ(record[0].checksum, 5U);
+  EXPECT_EQ(record[0].next_checksum, 6U);
+  metadata[kFinalLabelsKey] = "nonsense";
+  EXPECT_TRUE(finalLabelsFrom(metadata).empty());
+}
+
+}  // namespace
+}  // namespace scantrove
