@@ -124,7 +124,12 @@ void restoreObjects(ScanObjects& objects, const SavedScan& scan) {
   objects.requestNoted();
 }
 
-/// Of a scan that was stopped after its last frame; none: it broke off.
+bool hasEnded(const SavedScan& scan) {
+  const auto ended = scan.metadata.find("ended");
+  return ended != scan.metadata.end() && !ended->second.empty();
+}
+
+/// Of a scan that was stopped after its last frame; none: it broke off, or the memory is damaged.
 Result<std::optional<CameraMemory>> loadCamera(SessionWriter& session, const SavedScan& scan) {
   std::optional<SavedCamera> camera;
   session.post([&](SessionStore& store) -> Result<void> { return moveInto(camera, store.loadCamera()); });
@@ -137,6 +142,11 @@ Result<void> restoreCamera(ScanPipeline& pipeline, SessionWriter& session, const
                            std::vector<std::string>& damages) {
   std::optional<CameraMemory> memory;
   SCANTROVE_TRY(moveInto(memory, loadCamera(session, scan)));
+  if (!memory && hasEnded(scan) && std::ranges::any_of(scan.frames, &SavedFrame::isUsable)) {
+    damages.push_back("The camera memory in " + (session.folder() / "session.sqlite").string() +
+                      " is missing or damaged, so the camera may take longer to find its place; the scan "
+                      "goes on.");
+  }
   if (memory && pipeline.restoreState(std::move(*memory))) return {};
   restoreKeyFrames(pipeline, session, scan, damages);
   const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),

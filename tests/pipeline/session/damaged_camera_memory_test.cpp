@@ -1,0 +1,55 @@
+// A session goes on without its camera memory, and says so.
+#include <string>
+#include <vector>
+
+#include "core/database/database_connection.h"
+#include "tests/pipeline/session/scan_session_fixture.h"
+
+namespace scantrove::test {
+namespace {
+
+class DamagedCameraMemory : public ScanSessionTest {
+ protected:
+  [[nodiscard]] ScanRequest part(int first, int frames) const {
+    ScanRequest scan = request(frames);
+    scan.source_options.start = first;
+    scan.output_folder = folder_ / "scan";
+    scan.resume = first > 0;
+    return scan;
+  }
+
+  /// Scans 6 frames, changes the session, and scans 4 more. Result: sentences about damage.
+  std::vector<std::string> resumeAfter(const std::string& change) {
+    session_.start(part(0, 6));
+    session_.wait();
+    EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    if (!change.empty()) {
+      const auto database = DatabaseConnection::open((folder_ / "scan" / "session.sqlite").string());
+      EXPECT_TRUE(database && (*database)->execute(change.c_str())) << change;
+    }
+    session_.start(part(6, 4));
+    session_.wait();
+    EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    std::vector<std::string> sentences;
+    for (const MapFailed& failure : log_.all<MapFailed>()) sentences.push_back(failure.error.message());
+    return sentences;
+  }
+
+  void expectOneSentence(const std::vector<std::string>& sentences) {
+    ASSERT_EQ(sentences.size(), 1U);
+    EXPECT_NE(sentences[0].find("camera memory"), std::string::npos) << sentences[0];
+    EXPECT_NE(sentences[0].find("may take longer to find its place"), std::string::npos) << sentences[0];
+    EXPECT_EQ(log_.all<ScanFinished>().back().report.frames.lost, 0);
+  }
+};
+
+TEST_F(DamagedCameraMemory, IsNotMentioned_WhenItIsWhole) { EXPECT_TRUE(resumeAfter("").empty()); }
+
+TEST_F(DamagedCameraMemory, IsSaidOnce_WhenItsBytesChanged) {
+  expectOneSentence(resumeAfter("UPDATE camera SET packed = zeroblob(40)"));
+}
+
+TEST_F(DamagedCameraMemory, IsSaidOnce_WhenItIsGone) { expectOneSentence(resumeAfter("DELETE FROM camera")); }
+
+}  // namespace
+}  // namespace scantrove::test
