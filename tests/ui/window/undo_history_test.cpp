@@ -64,7 +64,7 @@ TEST_F(UndoHistoryTest, ForgetsAnOwnersStepsAndTouchesNone) {
 TEST_F(UndoHistoryTest, StepsOfAnOpenedScanAreOlderThanThoseOfToday) {
   history_.push(&catalogue_, step("rename"));
   notes_.clear();
-  history_.addKeyFrame(&regions_, {step("name"), step("cut"), step("undone")}, 2);
+  history_.learn(&regions_, {step("name"), step("cut"), step("undone")}, 2);
   EXPECT_TRUE(notes_.empty()) << "they have been done";
   EXPECT_FALSE(history_.stack().canRedo()) << "something was done since";
   undoAll();
@@ -72,7 +72,7 @@ TEST_F(UndoHistoryTest, StepsOfAnOpenedScanAreOlderThanThoseOfToday) {
 }
 
 TEST_F(UndoHistoryTest, WhatAnOpenedScanHadUndoneCanBeDoneAgain) {
-  history_.addKeyFrame(&regions_, {step("name"), step("cut")}, 1);
+  history_.learn(&regions_, {step("name"), step("cut")}, 1);
   EXPECT_EQ(history_.stack().redoText(), QStringLiteral("cut"));
   history_.stack().redo();
   EXPECT_THAT(notes_, ElementsAre("+cut"));
