@@ -15,7 +15,7 @@
 namespace scantrove {
 namespace {
 
-struct ScanCommand {
+struct ScanArguments {
   ScanOptions options;
   std::string out;
   std::string database;
@@ -56,7 +56,7 @@ void printSummary(const ScanReport& report, const std::string& out) {
   std::cout << "\nresults  " << inLine(out) << '\n';
 }
 
-Result<void> scan(const ScanCommand& command, ScanRequest request) {
+Result<void> scan(const ScanArguments& command, ScanRequest request) {
   const std::string& out = command.resume.empty() ? command.out : command.resume;
   request.resume = !command.resume.empty();
   request.overwrite = command.overwrite;
@@ -83,7 +83,7 @@ Result<void> scan(const ScanCommand& command, ScanRequest request) {
 }  // namespace
 
 void addScanCommand(CLI::App& app, CommandOutcome& outcome) {
-  auto command = std::make_shared<ScanCommand>();
+  auto command = std::make_shared<ScanArguments>();
   CLI::App* sub = app.add_subcommand("scan", "Scan a recording or a camera without a window");
   sub->add_option("SOURCE", command->options.source, kSourceHelp)->required()->check(notEmpty("SOURCE"));
   sub->add_option("--out", command->out, "folder for the results; made when missing")->type_name("DIR");
