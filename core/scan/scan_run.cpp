@@ -12,7 +12,6 @@
 
 #include "core/base/heap.h"
 #include "core/base/overloaded.h"
-#include "core/base/program_pages.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
 #include "core/scan/catalogue_numbers.h"
@@ -280,10 +279,7 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   if (!objects) return fail(objects.error());
   pipeline_->timer().endFrame();
   frame_ms_.push_back(millisecondsSince(start));
-  if (frame_ms_.size() == kFramesUntilBuilt) {
-    releaseProgramPages();
-    trimHeap();
-  }
+  if (frame_ms_.size() == kFramesUntilBuilt) trimHeap();
   count(*result, frame.index);
   if (result->pose.usable()) keeps_earlier_scan_ = false;
   announce(*objects);
