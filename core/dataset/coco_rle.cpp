@@ -44,32 +44,4 @@ std::string encodeRuns(const std::vector<std::uint32_t>& runs) {
   return text;
 }
 
-Result<cv::Mat> decodeRuns(std::string_view text, cv::Size size) {
-  const auto damaged = [] { return fail("A run-length encoded mask is damaged."); };
-  std::vector<std::int64_t> runs;
-  for (std::size_t at = 0; at < text.size();) {
-    std::int64_t value = 0;
-    for (int shift = 0;; shift += kBits) {
-      if (at == text.size() || shift > 8 * kBits) return damaged();
-      const std::int64_t letter = text[at++] - kFirstLetter;
-      value |= (letter & kLowBits) << shift;
-      if ((letter & kMoreBit) != 0) continue;
-      if ((letter & kSignBit) != 0) value |= -1LL << (shift + kBits);
-      break;
-    }
-    runs.push_back(runs.size() > 2 ? value + runs[runs.size() - 2] : value);
-  }
-  cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
-  std::int64_t at = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i] < 0 || at + runs[i] > static_cast<std::int64_t>(size.area())) return damaged();
-    for (const std::int64_t end = at + runs[i]; at < end; ++at) {
-      if (i % 2 == 1)
-        mask.at<std::uint8_t>(static_cast<int>(at % size.height), static_cast<int>(at / size.height)) = 255;
-    }
-  }
-  if (at != static_cast<std::int64_t>(size.area())) return damaged();
-  return mask;
-}
-
 }  // namespace scantrove

@@ -2,10 +2,7 @@
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include "core/base/result.h"
 
 namespace scantrove {
 
@@ -17,8 +14,5 @@ namespace scantrove {
 /// from the lowest on, the sixth bit set if more follow, the fifth of the last one as the sign; 48 is added
 /// to each.
 [[nodiscard]] std::string encodeRuns(const std::vector<std::uint32_t>& runs);
-
-/// The mask (CV_8UC1, 0 or 255) of such a text. Error: it is none, or of another size.
-[[nodiscard]] Result<cv::Mat> decodeRuns(std::string_view text, cv::Size size);
 
 }  // namespace scantrove

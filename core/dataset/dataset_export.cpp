@@ -28,7 +28,7 @@ Result<ExportSummary> exportInto(LabeledScan& scan, const ExportOptions& options
   SCANTROVE_TRY(job.step(0, 1, "regions"));
   SCANTROVE_TRY(job.readRegions());
   SCANTROVE_TRY(write(job));
-  SCANTROVE_TRY(job.step(1, 1, "reading back"));
+  SCANTROVE_TRY(job.step(1, 1, "checking files"));
   SCANTROVE_TRY(job.checkFiles());
   SCANTROVE_TRY(job.step(1, 1, "done"));
   return std::move(job.summary());

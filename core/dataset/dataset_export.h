@@ -38,7 +38,7 @@ struct ExportProgress {
 };
 using ExportProgressCallback = std::function<void(const ExportProgress&)>;
 
-/// What was written and read back.
+/// What was written.
 struct ExportSummary {
   std::filesystem::path folder;
   int images = 0;       ///< frames with labels
@@ -59,11 +59,12 @@ struct ExportPreview {
 /// Error: as the scan's, in reading its regions or key frames.
 [[nodiscard]] Result<ExportPreview> previewExport(LabeledScan& scan, const ExportOptions& options);
 
-/// Writes `scan` to `options.folder`: into `FOLDER.part-XXXXXX` beside it, reads it back, and renames, so
-/// that the folder is there whole or not at all. A key frame that cannot be read is skipped and named in the
-/// summary. `progress` is called in this thread, before each step. `cancel` is looked at as often. Error: a
-/// folder with something in it; nothing to export; every key frame unusable; the scan's map unreadable; a
-/// full or read-only disk (names the path and the remedy); cancelled. Nothing is left behind then.
+/// Writes `scan` to `options.folder`: into `FOLDER.part-XXXXXX` beside it, checks that all files are there,
+/// and renames, so that the folder is there whole or not at all. A key frame that cannot be read is skipped
+/// and named in the summary. `progress` is called in this thread, before each step. `cancel` is looked at as
+/// often. Error: a folder with something in it; nothing to export; every key frame unusable; the scan's map
+/// unreadable; a full or read-only disk (names the path and the remedy); cancelled. Nothing is left behind
+/// then.
 [[nodiscard]] Result<ExportSummary> exportDataset(LabeledScan& scan, const ExportOptions& options,
                                                   const ExportProgressCallback& progress = {},
                                                   const std::stop_token& cancel = {});

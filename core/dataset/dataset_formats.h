@@ -4,9 +4,8 @@
 
 namespace scantrove {
 
-// One function, and one file export_<format>.cpp, a format. Each writes its files through the job, reads them
-// back, and fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its
-// source.
+// One function, and one file export_<format>.cpp, a format. Each writes its files through the job and
+// fills in the summary. Errors: as of exportDataset(). NNNNNN is the number of a frame in its source.
 
 /// COCO instances (pycocotools, CVAT, FiftyOne):
 ///     annotations/instances.json   run-length encoded masks, bbox, area, iscrowd 0, attributes

@@ -4,7 +4,6 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/regular_file.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/staged_folder.h"
 #include "core/exchange/atomic_file.h"
@@ -65,31 +64,6 @@ Result<void> ExportJob::noteWritten(const fs::path& name) {
 tl::unexpected<Error> ExportJob::readBackFailure(const fs::path& name, const std::string& why) const {
   return fail("What was written to " + pathOf(name).string() + " does not read back: " + why + ".",
               "Check the disk, and export again or to another one.");
-}
-
-Result<std::string> ExportJob::readBack(const fs::path& name) const {
-  auto bytes = readFile(pathOf(name));
-  if (!bytes) return readBackFailure(name, bytes.error().what);
-  const auto written = written_.find(name);
-  if (written == written_.end() || written->second != bytes->size())
-    return readBackFailure(name, "its length differs");
-  return bytes;
-}
-
-Result<void> ExportJob::checkSame(const fs::path& name, std::string_view bytes) const {
-  const auto found = readBack(name);
-  if (!found) return fail(found.error());
-  return *found == bytes ? Result<void>() : readBackFailure(name, "its content differs");
-}
-
-Result<void> ExportJob::checkJson(const fs::path& name, const ExportJson& written) const {
-  const auto found = readBack(name);
-  if (!found) return fail(found.error());
-  const ExportJson parsed = ExportJson::parse(*found, nullptr, false);
-  if (parsed.is_discarded()) return readBackFailure(name, "it is no JSON");
-  // As text: names that were no UTF-8 have been made it while writing.
-  return jsonText(parsed) == jsonText(written) ? Result<void>()
-                                               : readBackFailure(name, "its content differs");
 }
 
 Result<void> ExportJob::checkFiles() const {

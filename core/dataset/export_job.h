@@ -43,17 +43,13 @@ class ExportJob {
     return folder_ / name;
   }
 
-  /// Reads a file again. Error: it is not as it was written.
-  [[nodiscard]] Result<std::string> readBack(const std::filesystem::path& name) const;
-  [[nodiscard]] Result<void> checkSame(const std::filesystem::path& name, std::string_view bytes) const;
-  [[nodiscard]] Result<void> checkJson(const std::filesystem::path& name, const ExportJson& written) const;
-  /// Every file is there, as long as it was written, and nothing else is.
+  /// Error: a file is missing, has another length, or was not written by this job.
   [[nodiscard]] Result<void> checkFiles() const;
-  /// What all of these say when something came back different.
+
+ private:
   [[nodiscard]] tl::unexpected<Error> readBackFailure(const std::filesystem::path& name,
                                                       const std::string& why) const;
 
- private:
   LabeledScan& scan_;
   ExportOptions options_;
   std::filesystem::path folder_;

@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "core/dataset/mesh_parts.h"
@@ -22,12 +21,6 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 template <class T>
 void append(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-std::uint32_t wordAt(const std::string& bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, bytes.data() + at, sizeof word);
-  return word;
 }
 
 /// sRGB of 8 bits to linear of 16 (IEC 61966-2-1).
@@ -173,28 +166,6 @@ Result<std::string> encodeGlb(std::span<const GlbPart> parts) {
   GlbBuilder builder;
   for (const GlbPart& part : parts) builder.add(part);
   return builder.finish();
-}
-
-Result<GlbContent> decodeGlb(const std::string& bytes, const std::string& name) {
-  const auto damaged = [&](const char* what) { return fail(name + " is no GLB file: " + what + "."); };
-  constexpr std::size_t kJsonStart = kGlbHeaderBytes + kChunkHeaderBytes;
-  if (bytes.size() < kJsonStart || wordAt(bytes, 0) != kGlbMagic || wordAt(bytes, 4) != kGlbVersion)
-    return damaged("its header is another");
-  if (wordAt(bytes, 8) != bytes.size()) return damaged("its length is not what its header says");
-  const std::size_t json_bytes = wordAt(bytes, kGlbHeaderBytes);
-  if (wordAt(bytes, kGlbHeaderBytes + 4) != kJsonChunk || json_bytes > bytes.size() - kJsonStart)
-    return damaged("its description is missing");
-  GlbContent content;
-  content.json = ExportJson::parse(bytes.substr(kJsonStart, json_bytes), nullptr, false);
-  if (content.json.is_discarded()) return damaged("its description cannot be read");
-  const std::size_t rest = kJsonStart + json_bytes;
-  if (rest == bytes.size()) return content;
-  if (bytes.size() - rest < kChunkHeaderBytes || wordAt(bytes, rest + 4) != kBinaryChunk ||
-      wordAt(bytes, rest) != bytes.size() - rest - kChunkHeaderBytes) {
-    return damaged("its second part is not as long as it says");
-  }
-  content.binary = bytes.substr(rest + kChunkHeaderBytes);
-  return content;
 }
 
 }  // namespace scantrove

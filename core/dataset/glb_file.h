@@ -22,13 +22,4 @@ struct GlbPart {
 /// GB.
 [[nodiscard]] Result<std::string> encodeGlb(std::span<const GlbPart> parts);
 
-/// What a GLB file holds.
-struct GlbContent {
-  ExportJson json;
-  std::string binary;
-};
-
-/// Takes a GLB file apart. Error: `name` and what is wrong with its structure.
-[[nodiscard]] Result<GlbContent> decodeGlb(const std::string& bytes, const std::string& name);
-
 }  // namespace scantrove

@@ -8,12 +8,10 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/regular_file.h"
 #include "core/capture/intrinsics.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
 #include "core/dataset/export_text.h"
-#include "core/dataset/image_bytes.h"
 #include "core/dataset/staged_folder.h"
 #include "core/exchange/atomic_file.h"
 #include "core/image/png_encoder.h"
@@ -101,10 +99,7 @@ class CatalogueJob {
       if (progress) progress({summary_.objects, total, object.name});
       SCANTROVE_TRY(writeObject(object, index));
     }
-    const std::string text = jsonText(index);
-    SCANTROVE_TRY(write("objects.json", text));
-    const Result<std::string> back = readFile(folder_ / "objects.json");
-    if (!back || *back != text) return notReadBack("objects.json");
+    SCANTROVE_TRY(write("objects.json", jsonText(index)));
     if (progress) progress({total, total, "done"});
     return std::move(summary_);
   }
@@ -121,7 +116,6 @@ class CatalogueJob {
                   "Check that it can be written to and that the disk is not full.");
     }
     for (const ObjectView& view : *views) SCANTROVE_TRY(writeView(folder, view));
-    if (!views->empty()) SCANTROVE_TRY(readBack(folder, views->front()));
     if (const auto missing = object.views - static_cast<int>(views->size()); missing > 0)
       summary_.skipped.push_back(std::to_string(missing) + " of the views of " + object.name +
                                  " cannot be used and are left out.");
@@ -130,12 +124,8 @@ class CatalogueJob {
     return {};
   }
 
-  static std::string stemOf(const std::string& folder, const ObjectView& view) {
-    return folder + '/' + fmt::format("{:06}", view.id);
-  }
-
   Result<void> writeView(const std::string& folder, const ObjectView& view) {
-    const std::string stem = stemOf(folder, view);
+    const std::string stem = folder + '/' + fmt::format("{:06}", view.id);
     if (!view.color.empty()) SCANTROVE_TRY(write(stem + ".color.png", encodePng(view.color)));
     if (!view.mask.empty()) SCANTROVE_TRY(write(stem + ".mask.png", encodePng(view.mask)));
     if (!view.depth_mm.empty()) SCANTROVE_TRY(write(stem + ".depth.png", encodePng(view.depth_mm)));
@@ -143,26 +133,9 @@ class CatalogueJob {
     return write(stem + ".json", jsonText(viewToJson(view, cameras_)));
   }
 
-  Result<void> readBack(const std::string& folder, const ObjectView& view) const {
-    for (const auto& [ending, image] :
-         {std::pair(".color.png", &view.color), std::pair(".mask.png", &view.mask),
-          std::pair(".depth.png", &view.depth_mm)}) {
-      if (image->empty()) continue;
-      const std::string name = stemOf(folder, view) + ending;
-      const Result<std::string> bytes = readFile(folder_ / name);
-      if (!bytes || !isSameImage(decodePng(*bytes), *image)) return notReadBack(name);
-    }
-    return {};
-  }
-
   Result<void> write(const std::string& name, const std::string& bytes) {
     summary_.bytes += bytes.size();
     return writeFileAtomically(folder_ / name, bytes, Durability::process);
-  }
-
-  [[nodiscard]] tl::unexpected<Error> notReadBack(const std::string& name) const {
-    return fail("What was written to " + (folder_ / name).string() + " does not read back.",
-                "Check the disk, and export again or to another one.");
   }
 
   ObjectDatabase& database_;

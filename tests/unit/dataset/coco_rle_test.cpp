@@ -4,37 +4,12 @@
 
 #include <random>
 
+#include "tests/unit/dataset/coco_reader.h"
+
 namespace scantrove {
 namespace {
 
 using Runs = std::vector<std::uint32_t>;
-
-/// Word for word what COCO's own reader does: letters to runs, runs to pixels, column by column.
-cv::Mat decodedByTheBook(const std::string& text, int height, int width) {
-  std::vector<long> counts;
-  std::size_t p = 0;
-  while (p < text.size()) {
-    long x = 0;
-    int k = 0;
-    bool more = true;
-    while (more) {
-      const long c = text.at(p) - 48;
-      x |= (c & 0x1f) << 5 * k;
-      more = (c & 0x20) != 0;
-      ++p;
-      ++k;
-      if (!more && (c & 0x10) != 0) x |= -1L << 5 * k;
-    }
-    if (counts.size() > 2) x += counts[counts.size() - 2];
-    counts.push_back(x);
-  }
-  std::vector<std::uint8_t> pixels;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    pixels.insert(pixels.end(), static_cast<std::size_t>(counts[i]), i % 2 == 1 ? 255 : 0);
-  EXPECT_EQ(pixels.size(), static_cast<std::size_t>(height * width));
-  cv::Mat columns(width, height, CV_8UC1, pixels.data());
-  return columns.t();
-}
 
 bool same(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && cv::countNonZero(a != b) == 0;
@@ -67,19 +42,8 @@ TEST(CocoRle, AnyMaskComesBackByTheBook) {
     std::generate(mask.begin<std::uint8_t>(), mask.end<std::uint8_t>(),
                   [&] { return static_cast<std::uint8_t>(inside(random) ? 255 : 0); });
     const std::string text = encodeRuns(runsOf(mask));
-    EXPECT_TRUE(same(decodedByTheBook(text, 53, 97), mask)) << density;
-    const auto decoded = decodeRuns(text, mask.size());
-    ASSERT_TRUE(decoded);
-    EXPECT_TRUE(same(*decoded, mask)) << density;
+    EXPECT_TRUE(same(test::decodedByTheBook(text, 53, 97), mask)) << density;
   }
-}
-
-TEST(CocoRle, DamagedTextIsRefused) {
-  EXPECT_FALSE(decodeRuns("06", {1, 7}));    // too short
-  EXPECT_FALSE(decodeRuns("0616", {1, 7}));  // too long
-  EXPECT_FALSE(decodeRuns("e", {1, 7}));     // breaks off
-  EXPECT_FALSE(decodeRuns("N", {1, 7}));     // -2 pixels
-  EXPECT_FALSE(decodeRuns("oooooooooooooooo0", {1, 7}));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "core/dataset/coco_rle.h"
 #include "core/dataset/silhouette.h"
+#include "tests/unit/dataset/coco_reader.h"
 #include "tests/unit/dataset/exported.h"
 
 namespace scantrove {
@@ -21,10 +21,8 @@ SCANTROVE_EXPORTED_ONCE(CocoExport, DatasetFormat::coco);
 
 cv::Mat maskOfAnnotation(const Json& annotation) {
   const auto& size = annotation["segmentation"]["size"];
-  const auto mask = decodeRuns(annotation["segmentation"]["counts"].get<std::string>(),
-                               {size[1].get<int>(), size[0].get<int>()});
-  EXPECT_TRUE(mask);
-  return mask ? *mask : cv::Mat();
+  return test::decodedByTheBook(annotation["segmentation"]["counts"].get<std::string>(), size[0].get<int>(),
+                                size[1].get<int>());
 }
 
 TEST_F(CocoExport, HasTheFilesAndTheRecordedImages) {
