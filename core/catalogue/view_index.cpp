@@ -15,10 +15,8 @@ constexpr float kColorUnit = 40;            // CIE units of mean colour that cou
 
 using Coarse = decltype(Thumbnail::coarse);
 
-Eigen::VectorXf toVector(const Coarse& coarse) {
-  return Eigen::Map<const Eigen::Matrix<std::int8_t, Eigen::Dynamic, 1>>(coarse.data(), coarse.size())
-      .cast<float>();
-}
+/// One row of CV_32FC1.
+cv::Mat toRow(const Coarse& coarse) { return cv::Mat_<float>(cv::Mat_<std::int8_t>(coarse, true).t()); }
 
 Coarse mirrored(const Coarse& coarse) {
   Coarse result;
@@ -61,8 +59,7 @@ ObjectId ViewIndex::mergeRootOf(ObjectId object) const {
 }
 
 void ViewIndex::append(ObjectId first_object, const Thumbnail& thumbnail, const Eigen::Vector3f& size_m) {
-  views_.push_back(
-      {ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), PrincipalComponents::Coordinates::Zero()});
+  views_.push_back({ownerOf(first_object), thumbnail.mean_lab, size_m.norm(), {}});
   coarse_.push_back(thumbnail.coarse);
   if (size() >= kEnoughViews && coarse_.size() >= kWaitingViews) updateComponents();
 }
@@ -72,30 +69,36 @@ void ViewIndex::updateComponents() {
   const bool grown = static_cast<float>(size()) >= kGrowthToRefit * static_cast<float>(views_at_fit_);
   if (views_at_fit_ < kEnoughViews && grown) {
     const int samples = std::min(size(), kMaxSamples);
-    Eigen::MatrixXf rows(samples, 3 * Thumbnail::kCoarsePixels);
+    cv::Mat rows;
     for (int i = 0; i < samples; ++i) {
       const auto place = static_cast<std::size_t>(static_cast<std::int64_t>(i) * size() / samples);
-      rows.row(i) = toVector(coarse_[place]).transpose();
+      rows.push_back(toRow(coarse_[place]));
     }
-    components_ = PrincipalComponents::fit(rows);
+    components_ = cv::PCA(rows, cv::noArray(), cv::PCA::DATA_AS_ROW, Coordinates::channels);
     views_at_fit_ = size();
     projected_ = 0;
   }
   const std::size_t first_coarse = views_.size() - coarse_.size();
   for (; projected_ < views_.size(); ++projected_) {
-    views_[projected_].coordinates = components_.project(toVector(coarse_[projected_ - first_coarse]));
+    views_[projected_].coordinates = project(coarse_[projected_ - first_coarse]);
   }
   if (views_at_fit_ >= kEnoughViews) coarse_ = {};
+}
+
+ViewIndex::Coordinates ViewIndex::project(const Coarse& coarse) const {
+  Coordinates coordinates;
+  components_.project(toRow(coarse), cv::Mat(1, Coordinates::channels, CV_32F, coordinates.val));
+  return coordinates;
 }
 
 std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) {
   updateComponents();
   const float diagonal_m = query.size_m.norm();
-  PrincipalComponents::Coordinates straight = PrincipalComponents::Coordinates::Zero(), flipped = straight;
-  const bool prune = !components_.isEmpty();
+  Coordinates straight, flipped;
+  const bool prune = !components_.eigenvectors.empty();
   if (prune) {
-    straight = components_.project(toVector(query.thumbnail.coarse));
-    flipped = components_.project(toVector(mirrored(query.thumbnail.coarse)));
+    straight = project(query.thumbnail.coarse);
+    flipped = project(mirrored(query.thumbnail.coarse));
   }
   struct Ranked {
     float distance;
@@ -111,9 +114,10 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
     if (color >= limits.max_distance || !sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
         !merge_roots_[view.owner])
       continue;
-    const float distance = prune ? std::min((straight - view.coordinates).squaredNorm(),
-                                            (flipped - view.coordinates).squaredNorm())
-                                 : color;
+    const float distance =
+        prune ? static_cast<float>(std::min(cv::norm(straight, view.coordinates, cv::NORM_L2SQR),
+                                            cv::norm(flipped, view.coordinates, cv::NORM_L2SQR)))
+              : color;
     ranked.push_back({distance, place});
   }
   if (prune && ranked.size() > static_cast<std::size_t>(std::max(limits.shortlist, 1))) {

@@ -1,13 +1,13 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <opencv2/core.hpp>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "core/base/ids.h"
 #include "core/catalogue/object_record.h"
-#include "core/catalogue/principal_components.h"
 #include "core/catalogue/thumbnail.h"
 
 namespace scantrove {
@@ -54,14 +54,16 @@ class ViewIndex {
 
  private:
   using Coarse = decltype(Thumbnail::coarse);
-  struct View {           // what every query reads: small
-    std::uint32_t owner;  // of merge_roots_
+  using Coordinates = cv::Vec<float, 19>;  ///< along the principal components
+  struct View {                            // what every query reads: small
+    std::uint32_t owner;                   // of merge_roots_
     Eigen::Vector3f mean_lab;
     float diagonal_m;
-    PrincipalComponents::Coordinates coordinates;
+    Coordinates coordinates;
   };
   [[nodiscard]] std::uint32_t ownerOf(ObjectId first_object);
   void updateComponents();
+  [[nodiscard]] Coordinates project(const Coarse& coarse) const;
 
   std::vector<View> views_;
   std::unordered_map<ObjectId, std::uint32_t> owners_;  // by first object
@@ -69,7 +71,7 @@ class ViewIndex {
   // 16 x 16 pixels of the last views: all, as long as components may be fitted to them anew; later those
   // whose coordinates are still to be computed.
   std::vector<Coarse> coarse_;
-  PrincipalComponents components_;
+  cv::PCA components_;  // eigenvectors: none as long as there are few views
   int views_at_fit_ = 0;
   std::size_t projected_ = 0;  // views with coordinates
 };

@@ -2,14 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
-
 #include <cmath>
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
-#include <random>
-
-#include "core/catalogue/principal_components.h"
 
 namespace scantrove {
 namespace {
@@ -85,36 +80,6 @@ TEST(Thumbnail, NeedsColorAndPixels) {
   EXPECT_FALSE(makeThumbnail(color, cv::Mat(20, 20, CV_8UC1, cv::Scalar(0))));
   EXPECT_FALSE(makeThumbnail(cv::Mat(), cv::Mat()));
   EXPECT_FALSE(makeThumbnail(cv::Mat(), cv::Mat(20, 20, CV_8UC1, cv::Scalar(255))));
-}
-
-TEST(PrincipalComponents, FindsTheDirectionsOfMostVariance) {
-  // 19 axes with deviations 40, 38, ..., 4 in a turned frame, noise of 0.1 in the other 41.
-  constexpr int kRows = 200, kColumns = 60;
-  std::mt19937 random(2);
-  std::normal_distribution<float> normal;
-  const auto draw = [&] { return normal(random); };
-  const Eigen::MatrixXf turn =
-      Eigen::HouseholderQR<Eigen::MatrixXf>(Eigen::MatrixXf::NullaryExpr(kColumns, kColumns, draw))
-          .householderQ();
-  Eigen::MatrixXf rows(kRows, kColumns);
-  for (int j = 0; j < kColumns; ++j) {
-    const float deviation = j < 19 ? 40.0F - 2.0F * static_cast<float>(j) : 0.1F;
-    for (int i = 0; i < kRows; ++i) rows(i, j) = deviation * draw() + 3.0F;
-  }
-  rows = rows * turn.transpose();
-  const PrincipalComponents components = PrincipalComponents::fit(rows);
-  const Eigen::MatrixXf& axes = components.axes();
-  ASSERT_EQ(axes.cols(), 19);
-  EXPECT_LT((axes.transpose() * axes - Eigen::MatrixXf::Identity(19, 19)).norm(), 1e-4F);
-  // The 19 span the large directions: nothing but the noise is lost.
-  const Eigen::MatrixXf centered = rows.rowwise() - rows.colwise().mean();
-  EXPECT_LT((centered - centered * axes * axes.transpose()).norm() / std::sqrt(static_cast<float>(kRows)),
-            0.1F * 7);
-  // Ordered by variance.
-  Eigen::VectorXf variance = (centered * axes).colwise().squaredNorm();
-  for (int i = 1; i < 19; ++i) EXPECT_LE(variance[i], variance[i - 1] * 1.0001F);
-  const float between = (components.project(rows.row(0)) - components.project(rows.row(1))).norm();
-  EXPECT_LE(between, (rows.row(0) - rows.row(1)).norm() * 1.0001F);
 }
 
 }  // namespace
