@@ -47,22 +47,6 @@ ParamInfo choice(std::string key, Group ScanParams::*group, Value Group::*member
   return info;
 }
 
-/// 4 or 8, as words: nothing in between is meaningful.
-ParamInfo neighbors() {
-  ParamInfo info{"segmentation.neighbours",
-                 "",
-                 0,
-                 1,
-                 true,
-                 "how many neighbours of a pixel it shares an edge with",
-                 {"4", "8"},
-                 {},
-                 {}};
-  info.get = [](const ScanParams& params) { return params.segmentation.neighbors == 4 ? 0.0 : 1.0; };
-  info.set = [](ScanParams& params, double index) { params.segmentation.neighbors = index < 0.5 ? 4 : 8; };
-  return info;
-}
-
 std::vector<ParamInfo> makeRegistry() {
   using F = FusionParams;
   using S = SegmentationParams;
@@ -75,94 +59,26 @@ std::vector<ParamInfo> makeRegistry() {
   const auto d = &ScanParams::discovery;
   const auto c = &ScanParams::detection;
   return {
-      number("fusion.voxel_size_m", f, &F::voxel_size_m, "m", 0.001, 0.1,
-             "side of a voxel of map and label cloud"),
-      number("fusion.truncation_vox", f, &F::truncation_vox, "voxels", 1.5, 16,
-             "half width of the signed-distance band"),
-      number("fusion.max_weight", f, &F::max_weight, "frames", 1, 255,
-             "the running average covers at most so many frames"),
+      number("fusion.voxel_size_m", f, &F::voxel_size_m, "m", 0.001, 0.1, "side of a voxel of the map"),
       number("fusion.min_depth_m", f, &F::min_depth_m, "m", 0, 5, "nearer readings are ignored"),
       number("fusion.max_depth_m", f, &F::max_depth_m, "m", 0.2, 20, "farther readings are ignored"),
-      number("fusion.depth_noise_m", f, &F::depth_noise_m, "m", 0.0001, 0.02,
-             "standard deviation of the camera's depth at 1 m (it grows with the depth squared)"),
       number("fusion.memory_budget_mb", f, &F::memory_budget_mb, "MiB", 0, 1000000,
-             "device memory of the map; beyond it, what is out of view goes to disk (0: a quarter of the "
-             "machine's)"),
+             "memory of the map; the rest is stored on disk (0: a quarter of the machine's)"),
       number("fusion.working_width", f, &F::working_width, "px", 40, 1920,
-             "width of V_t and N_t: tracking and segmentation run at this size"),
-      number("segmentation.k", s, &S::k, "", 1e-6, 10, "larger k, larger segments (eq. 3.4)"),
-      neighbors(),
-      number("segmentation.max_distance_factor", s, &S::max_distance_factor, "", 0.5, 50,
-             "neighbours farther apart than factor * z / f never join"),
-      number("segmentation.min_max_distance_m", s, &S::min_max_distance_m, "m", 0, 1, "least such distance"),
+             "width of the images in which tracking and segmentation run"),
+      number("segmentation.k", s, &S::k, "", 1e-6, 10, "larger k, larger segments (thesis eq. 3.4)"),
       number("segmentation.min_pixels", s, &S::min_pixels, "px", 0, 10000, "smaller segments are absorbed"),
-      number("segmentation.refine_normals", s, &S::refine_normals, "", 0, 1,
-             "weigh edges with normals fitted to the vertices' planes instead of N_t"),
-      number("segmentation.normal_gate_m", s, &S::normal_gate_m, "m", 0.0001, 1,
-             "vertices so far off the plane are another surface (times z^2 beyond 1 m)"),
-      number("segmentation.concave_from_m", s, &S::concave_from_m, "m", 0, 1,
-             "windows whose rim stands out so far keep their sharp concave normals"),
       choice("labeling.rule", l, &L::rule, {"graph", "thesis"},
-             "graph: regions join and part by all that was seen; thesis: join once, for good"),
-      number("labeling.overlap_threshold", l, &L::overlap_threshold, "", 0.01, 1,
-             "O_thresh of the merging criterion"),
+             "graph: regions join and split by all evidence; thesis: regions join once, for good"),
       number("labeling.joining_bias", l, &L::joining_bias, "", -20, 20,
              "above 0: fragments join more readily (log-odds)"),
-      number("labeling.hysteresis", l, &L::hysteresis, "", 0, 20,
-             "log-odds to pass before regions join, or part"),
-      number("labeling.min_fragment_px", l, &L::min_fragment_px, "px", 1, 100000,
-             "smaller segments found no fragment, in pixels of a 640x480 image"),
-      number("labeling.voxel_confidence", l, &L::voxel_confidence, "", 0, 1,
-             "labels of voxels change only after repeated disagreement"),
-      number("labeling.update_distance_vox", l, &L::update_distance_vox, "voxels", 0.8661, 4,
-             "distthresh of Algorithm 1"),
-      number("discovery.central_fraction", d, &D::central_fraction, "", 0.05, 1,
-             "an object's centroid lies in this middle part of the view"),
-      number("discovery.min_size_m", d, &D::min_size_m, "m", 0.001, 10, "least longest side of an object"),
-      number("discovery.max_size_m", d, &D::max_size_m, "m", 0.01, 10, "greatest longest side of an object"),
-      number("discovery.min_points", d, &D::min_points, "px", 1, 100000,
-             "least visible area, in pixels of a 640x480 image"),
+      number("discovery.min_size_m", d, &D::min_size_m, "m", 0.001, 10, "minimum object size, longest side"),
+      number("discovery.max_size_m", d, &D::max_size_m, "m", 0.01, 10, "maximum object size, longest side"),
       number("discovery.persistent_frames", d, &D::persistent_frames, "frames", 1, 1000,
-             "frames with a stable size before a region counts as an object"),
-      number("discovery.size_tolerance", d, &D::size_tolerance, "", 0.01, 10,
-             "relative change of size that is still stable"),
-      number("discovery.max_flat_size_m", d, &D::max_flat_size_m, "m", 0, 10,
-             "regions longer than this are no objects where they are flat or bars"),
-      number("discovery.max_hidden_fraction", d, &D::max_hidden_fraction, "", 0, 1,
-             "regions with more of their outline behind nearer things are background"),
-      number("discovery.min_thickness_ratio", d, &D::min_thickness_ratio, "", 0, 1,
-             "flatter regions are no objects"),
-      number("discovery.min_bulge", d, &D::min_bulge, "", -1, 1,
-             "Least bulge of an object towards the viewer: 0.8 is a ball, 0 flat, below 0 a hollow."),
-      number("discovery.min_strip_ratio", d, &D::min_strip_ratio, "", 0, 1,
-             "what does not bulge and is thinner, for its length, is a strip of something"),
-      number("discovery.max_eccentricity", d, &D::max_eccentricity, "", 0, 1,
-             "longer and thinner regions are no objects"),
-      number("discovery.hiding_step_m", d, &D::hiding_step_m, "m", 0.001, 1,
-             "things hide what lies so much deeper (from 1.5 m on in proportion to the depth)"),
-      number("discovery.max_strip_fraction", d, &D::max_strip_fraction, "", 0, 0.25,
-             "widest blind strip at the image's edges, of its width or height"),
-      number("discovery.whole_looks", d, &D::complete_observations, "frames", 1, 1000,
-             "looks after which a candidate may become an object"),
-      number("discovery.whole_outline", d, &D::complete_outline, "", 0, 1,
-             "part of an object's outline that must be its own edge"),
-      number("discovery.whole_hidden", d, &D::complete_hidden, "", 0, 1,
-             "part of an object's outline that nearer things may hide"),
-      number("discovery.whole_angle_deg", d, &D::complete_angle_deg, "degrees", 0, 180,
-             "between two of the directions from which an object was seen"),
-      number("discovery.still_frames", d, &D::still_frames, "frames", 1, 100000,
-             "that count as much as two directions, where the camera stands still"),
-      number("discovery.border_px", d, &D::border_px, "px", 0, 100,
-             "regions so close to the image border are no objects"),
+             "frames with a stable size before a region becomes a candidate"),
       number("detection.max_distance", c, &C::max_distance, "", 0, 2,
              "below: recognised (0 = same picture, 2 = unrelated)"),
-      number("detection.shortlist", c, &C::shortlist, "views", 1, 1000,
-             "views compared in full after pruning"),
-      number("detection.size_tolerance", c, &C::size_tolerance, "", 0, 10,
-             "relative difference of size that may still match"),
-      number("detection.new_view_angle_deg", c, &C::new_view_angle_deg, "deg", 1, 180,
-             "views of an object are so far apart"),
-      number("detection.max_views", c, &C::max_views, "views", 1, 1000, "views kept of one object"),
+      number("detection.max_views", c, &C::max_views, "views", 1, 1000, "views stored per object"),
   };
 }
 
@@ -222,7 +138,7 @@ Result<void> setNumber(ScanParams& params, const ParamInfo& info, double value) 
     return fail("The value " + plain(value) + " of '" + info.key + "' is out of range.",
                 "It must lie between " + plain(info.minimum) + " and " + plain(info.maximum) + ".");
   }
-  if (info.is_complete && value != std::floor(value)) {
+  if (info.is_integer && value != std::floor(value)) {
     return fail("The value " + plain(value) + " of '" + info.key + "' is not a whole number.",
                 "Give one from " + plain(info.minimum) + " to " + plain(info.maximum) + ".");
   }

@@ -15,7 +15,7 @@ struct ParamInfo {
   std::string unit;  ///< "m", "px", ...; empty = a pure number
   double minimum = 0;
   double maximum = 0;
-  bool is_complete = false;                      ///< only whole numbers
+  bool is_integer = false;                       ///< only whole numbers
   std::string help;                              ///< one line
   std::vector<std::string> choices;              ///< non-empty: the value is one of these words
   std::function<double(const ScanParams&)> get;  ///< choices: the index of the word
@@ -25,7 +25,8 @@ struct ParamInfo {
   [[nodiscard]] std::string text(const ScanParams& params) const;
 };
 
-/// All parameters, grouped by stage in pipeline order.
+/// The parameters that a person can judge by eye, grouped by stage in pipeline order. All others are members
+/// of the stages' params with their reason beside them; only tests and benchmarks change them.
 [[nodiscard]] const std::vector<ParamInfo>& paramRegistry();
 
 /// Applies "key=value". Error: unknown key (names those that are near), not a number (a whole one where it

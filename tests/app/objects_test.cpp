@@ -9,10 +9,7 @@ class Objects : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    // The shortest scan that gives objects: each is looked up four times before it counts as unknown.
-    const Finished run = scantrove({"scan", "demo", "--frames", "26", "--set",
-                                    "discovery.persistent_frames=3", "--set", "discovery.whole_looks=3",
-                                    "--set", "discovery.still_frames=3", "--out", *folder_ / "out"});
+    const Finished run = scantrove({"scan", "demo", "--frames", "40", "--out", *folder_ / "out"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   static void TearDownTestSuite() {

@@ -241,8 +241,7 @@ TEST(Scan, ViewsAreAsFineAsTheColorImages) {
   expectJobFailure(scan(folder / "recording", folder / "out"),
                    {"1280x1024", "320x240", "--color-registration"});
   const Finished run = scan(folder / "recording", folder / "out",
-                            {"--color-registration", "1050,1050,640,512,-0.025", "--poses", "given", "--set",
-                             "discovery.still_frames=5", "--set", "discovery.whole_looks=5"});
+                            {"--color-registration", "1050,1050,640,512,-0.025", "--poses", "given"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto objects = reportIn(folder / "out")["objects"];
   ASSERT_EQ(objects.size(), 1U) << "the ball";

@@ -63,9 +63,8 @@ ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(pa
   form->setSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   addField(form, "labeling.joining_bias", tr("Joining"));
-  addField(form, "labeling.overlap_threshold", tr("Overlap to merge"));
-  addField(form, "discovery.min_size_m", tr("Smallest object"));
-  addField(form, "discovery.max_size_m", tr("Largest object"));
+  addField(form, "discovery.min_size_m", tr("Minimum object size"));
+  addField(form, "discovery.max_size_m", tr("Maximum object size"));
   addField(form, "discovery.persistent_frames", tr("Found after"));
   addField(form, "detection.max_distance", tr("Recognition limit"));
   addField(form, "fusion.voxel_size_m", tr("Voxel size *"));
