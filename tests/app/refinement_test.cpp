@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/exchange/label_image_writer.h"
-#include "core/scan/final_label_record.h"
 #include "tests/app/scantrove_program.h"
 
 namespace scantrove::test {
@@ -61,7 +60,7 @@ TEST(ScanRefinement, IsSkippedAndDoneLater) {
 std::pair<int, int> differentLabels(const fs::path& a, const fs::path& b) {
   std::pair<int, int> counts{0, 0};
   for (int frame = 0; frame < 30; ++frame) {
-    const fs::path name = fs::path("labels-final") / labelFileName(frame);
+    const fs::path name = fs::path("labels-final") / (std::to_string(1'000'000 + frame).substr(1) + ".png");
     const auto first = readLabelImage(a / name), second = readLabelImage(b / name);
     if (!first || !second || first->size() != second->size()) {
       ADD_FAILURE() << name;

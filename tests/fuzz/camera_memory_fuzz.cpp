@@ -30,7 +30,7 @@ CameraMemory someMemory(bool with_tracker) {
   }
   memory.free_space.witnesses.push_back(
       {K, Eigen::Isometry3d::Identity(), cv::Mat(3, 4, CV_32FC1, cv::Scalar(3))});
-  memory.arrivals = {{{{1, -2, 3}, 5, 8, 4}}, 29};
+  memory.appeared_objects = {{{{1, -2, 3}, 5, 8, 4}}, 29};
   memory.K = K;
   memory.vertices_world.assign(12, {{1, 2, 3, 1}});
   memory.normals_world.assign(12, {{0, 1, 0, 1}});

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "core/database/database_connection.h"
-#include "tests/pipeline/session/scan_session_fixture.h"
+#include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove::test {
 namespace {
 
-class DamagedCameraMemory : public ScanSessionTest {
+class DamagedCameraMemory : public ScanWorkerTest {
  protected:
   [[nodiscard]] ScanRequest part(int first, int frames) const {
     ScanRequest scan = request(frames);
@@ -20,16 +20,16 @@ class DamagedCameraMemory : public ScanSessionTest {
 
   /// Scans 6 frames, changes the session, and scans 4 more. Result: sentences about damage.
   std::vector<std::string> resumeAfter(const std::string& change) {
-    session_.start(part(0, 6));
-    session_.wait();
-    EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    worker_.post(StartScan{part(0, 6)});
+    worker_.wait();
+    EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
     if (!change.empty()) {
       const auto database = DatabaseConnection::open((folder_ / "scan" / "session.sqlite").string());
       EXPECT_TRUE(database && (*database)->execute(change.c_str())) << change;
     }
-    session_.start(part(6, 4));
-    session_.wait();
-    EXPECT_EQ(session_.state(), ScanState::finished) << log_.failure();
+    worker_.post(StartScan{part(6, 4)});
+    worker_.wait();
+    EXPECT_EQ(worker_.state(), ScanState::finished) << log_.failure();
     std::vector<std::string> sentences;
     for (const MapFailed& failure : log_.all<MapFailed>()) sentences.push_back(failure.error.message());
     return sentences;

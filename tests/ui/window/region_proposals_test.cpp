@@ -7,25 +7,25 @@
 namespace scantrove {
 namespace {
 
-/// A look of that size, all in one bin of colour.
-RegionAppearance style(float length_m, std::size_t bin) {
-  RegionAppearance style;
-  style.size_m = {length_m, 0.08F, 0.08F};
+/// An appearance of that size, all in one bin of color.
+RegionAppearance appearanceOf(float length_m, std::size_t bin) {
+  RegionAppearance appearance;
+  appearance.size_m = {length_m, 0.08F, 0.08F};
   ColorHistogram::Shares shares{};
   shares[bin] = 1;
-  style.colors = ColorHistogram::ofShares(shares);
-  return style;
+  appearance.colors = ColorHistogram::ofShares(shares);
+  return appearance;
 }
 
 class RegionProposalsTest : public testing::Test {
  protected:
   void SetUp() override { QSettings().clear(); }
 
-  static RegionProposals::Looks threeBooksAndAMug() {
-    return {{RegionId{1}, style(0.2F, 7)},
-            {RegionId{2}, style(0.25F, 7)},
-            {RegionId{3}, style(0.21F, 7)},
-            {RegionId{4}, style(0.2F, 90)}};
+  static RegionProposals::Appearances threeBooksAndAMug() {
+    return {{RegionId{1}, appearanceOf(0.2F, 7)},
+            {RegionId{2}, appearanceOf(0.25F, 7)},
+            {RegionId{3}, appearanceOf(0.21F, 7)},
+            {RegionId{4}, appearanceOf(0.2F, 90)}};
   }
   static std::vector<RegionId> regionsOf(const RegionProposals& proposals) {
     std::vector<RegionId> regions;
@@ -62,11 +62,12 @@ TEST_F(RegionProposalsTest, WhatWasRejectedStaysAwayAlsoInTheNextScan) {
     EXPECT_EQ(regionsOf(proposals), std::vector{RegionId{2}});
   }
   RegionProposals later;
-  RegionProposals::Looks looks{
-      {RegionId{11}, style(0.26F, 7)}, {RegionId{12}, style(0.21F, 7)}, {RegionId{13}, style(0.265F, 7)}};
-  later.propose(RegionId{11}, QStringLiteral("book"), {}, looks);
+  RegionProposals::Appearances appearances{{RegionId{11}, appearanceOf(0.26F, 7)},
+                                           {RegionId{12}, appearanceOf(0.21F, 7)},
+                                           {RegionId{13}, appearanceOf(0.265F, 7)}};
+  later.propose(RegionId{11}, QStringLiteral("book"), {}, appearances);
   EXPECT_EQ(regionsOf(later), std::vector{RegionId{13}}) << "12 looks like what was no book";
-  later.propose(RegionId{11}, QStringLiteral("box"), {}, looks);
+  later.propose(RegionId{11}, QStringLiteral("box"), {}, appearances);
   EXPECT_EQ(regionsOf(later).size(), 2U) << "under another name";
 }
 

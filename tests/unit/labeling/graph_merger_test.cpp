@@ -282,8 +282,8 @@ TEST(GraphMerger, TheSameInputGivesTheSameOutput) {
         const int x = static_cast<int>(random() % 48), y = static_cast<int>(random() % 36);
         segments.push_back({x, y, x + static_cast<int>(random() % 16), y + static_cast<int>(random() % 12)});
       }
-      const auto& map = scan.look(segments).map;
-      seen.insert(seen.end(), map.regions.begin(), map.regions.end());
+      const auto& outcome = scan.look(segments);
+      seen.insert(seen.end(), outcome.regions.begin(), outcome.regions.end());
     }
     EXPECT_GT(scan.merger.graph().borderCount(), 10U);
     return seen;

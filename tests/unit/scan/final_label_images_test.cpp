@@ -17,7 +17,7 @@ namespace {
 using test::readText;
 using testing::HasSubstr;
 
-constexpr int kFrames = 3;
+constexpr int kRecorded = 3;
 constexpr const char* kRecording = "demo:tabletop:3";
 
 /// A map that shows one region from everywhere, 1 m away.
@@ -42,10 +42,12 @@ class FinalLabelImagesTest : public testing::Test {
     ASSERT_TRUE(source);
     RegionNumbers numbers;
     FrameLabelWriter writer(folder_.path(), numbers);
-    for (int i = 0; i < kFrames; ++i) {
+    for (int i = 0; i < kRecorded; ++i) {
       const FrameRead read = (*source)->next();
       ASSERT_EQ(read.status, FrameRead::Status::frame);
-      FrameLabelWriter::Frame frame{.index = i, .depth = read.frame.depth};
+      FrameLabelWriter::Frame frame;
+      frame.index = i;
+      frame.depth = read.frame.depth;
       frame.meters_per_unit = read.frame.meters_per_unit;
       frame.segments.width = 4;
       frame.segments.height = 3;
@@ -172,7 +174,7 @@ TEST_F(FinalLabelImagesTest, StartsNoCamera) {
 
 TEST_F(FinalLabelImagesTest, KnowsTheFilesOfARunThatWasKilledWhileItDrew) {
   FinalLabelRecord record = finalLabelsFrom(earlier_.metadata);
-  ASSERT_EQ(record.size(), static_cast<std::size_t>(kFrames));
+  ASSERT_EQ(record.size(), static_cast<std::size_t>(kRecorded));
   // The file is the new one already.
   record[1].next_checksum = record[1].checksum;
   record[1].checksum = 0;

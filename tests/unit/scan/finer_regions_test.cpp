@@ -20,8 +20,8 @@ class FinerRegionsTest : public testing::Test {
   FinerRegionsTest() {
     for (int i = 0; i < 4; ++i) static_cast<void>(table_.newFragment());
     BorderEvidence& border = merger_.evidence()->between(kFirst, kSecond);
-    border.looks = border.bends = BorderEvidence::kMaxObservations;
-    border.bridged = border.shared = border.looks;
+    border.observations = border.bends = BorderEvidence::kMaxObservations;
+    border.bridged = border.shared = border.observations;
     border.length_m = 0.2F;
     table_.join(table_.regionOf(kFirst), table_.regionOf(kSecond));
     speakForJoining(1);

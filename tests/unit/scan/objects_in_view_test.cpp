@@ -69,7 +69,7 @@ TEST_F(ObjectsInView, ReachAsFarAsColorShowsThem) {
 
 TEST_F(ObjectsInView, AreNoneWhereNoRegionIsAnObject) {
   EXPECT_TRUE(objectsInView(
-                  map_, in_color_, [](RegionId) { return ObjectId{}; }, 1)
+                  view_, in_color_, [](RegionId) { return ObjectId{}; }, 1)
                   .empty());
 }
 

@@ -35,7 +35,7 @@ SavedDelta soundDelta() {
   delta.regions = {{RegionId{3}, ObjectId{2}, {"cup", "cup", false, true, false}}};
   delta.recordings = {{1, "demo", 0, 0.5}};
   BorderEvidence evidence;
-  evidence.looks = 3;
+  evidence.observations = 3;
   delta.borders = {{FragmentId{7}, FragmentId{9}, evidence}};
   delta.operations = {{1,
                        {.kind = OperationKind::join, .regions = {RegionId{3}, RegionId{5}}},

@@ -29,7 +29,7 @@ SavedDelta someDelta(int seed) {
   delta.fragments.push_back({FragmentId{7}, RegionId{3}, 100 + seed, seen_from});
   delta.regions.push_back({RegionId{3}, ObjectId{2}, {"red cup", "cup", false, true, false}});
   BorderEvidence evidence;
-  evidence.looks = 3.25F;
+  evidence.observations = 3.25F;
   evidence.appeared_together = 2;
   evidence.attached = 7;
   evidence.unattached = 1.5F;
@@ -92,7 +92,7 @@ TEST(SessionStore, GivesBackWhatWasSaved) {
   ASSERT_EQ(scan->regions.size(), 1U);
   EXPECT_EQ(scan->regions[0], last.regions[0]);
   ASSERT_EQ(scan->borders.size(), 1U);
-  EXPECT_EQ(scan->borders[0].evidence->looks, 3.25F);
+  EXPECT_EQ(scan->borders[0].evidence->observations, 3.25F);
   EXPECT_EQ(scan->borders[0].evidence->appeared_together, 2);
   EXPECT_EQ(scan->borders[0].evidence->appeared_apart, 0.5F);
   EXPECT_EQ(scan->borders[0].evidence->attached, 7);
@@ -228,7 +228,7 @@ BorderEvidence evidenceOfNumbers(int numbers) {
 
 TEST(SessionStore, EvidenceOfAnEarlierVersionLacksWhatWasNotLookedAt) {
   const BorderEvidence evidence = evidenceOfNumbers(14);
-  EXPECT_EQ(evidence.looks, 3.25F);
+  EXPECT_EQ(evidence.observations, 3.25F);
   EXPECT_EQ(evidence.unattached, 1.5F);
   EXPECT_EQ(evidence.step_m, 0);
   EXPECT_FALSE(evidence.colors);
