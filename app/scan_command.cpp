@@ -63,7 +63,7 @@ Result<void> scan(const ScanArguments& command, ScanRequest request) {
   request.record_all = command.record;
   request.session = !command.no_session;
   // Before anything is opened: nobody wants to learn this at the end of a scan.
-  if (!request.resume && !command.overwrite) SCANTROVE_TRY(checkHoldsOnlyOurs(out));
+  if (!request.resume && !command.overwrite) SCANTROVE_TRY(checkHoldsOnlyOurs(out, {true, command.label_maps}));
   SCANTROVE_TRY(prepareOutputFolder(out));
   request.output_folder = out;
   request.database = command.database;

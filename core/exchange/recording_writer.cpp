@@ -16,12 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSuffixes[] = {"color.png", "pose.txt", "instance.png", "depth.png"};
-
-Result<void> write(const fs::path& path, std::string_view bytes) {
-  return writeFileAtomically(path, bytes, Durability::process);
-}
-
 /// The 4 x 4 matrix, row by row, with all digits that a double needs; fmt knows no languages.
 std::string matrixText(const Eigen::Isometry3d& pose) {
   std::string text;
@@ -72,10 +66,11 @@ Result<RecordingWriter> RecordingWriter::create(const fs::path& folder, const So
       folder, {"Another program is writing to the folder " + folder.string() + '.', "Choose another one."});
   if (!lock) return fail(lock.error());
   SCANTROVE_TRY(checkIsFree(folder));  // whoever had it until now may have recorded something
+  RecordingWriter writer(folder, std::move(*lock), info);
   if (!info.instances.empty()) {
-    SCANTROVE_TRY(write(folder / "instances.json", instancesToJson(info.instances).dump(1) + '\n'));
+    SCANTROVE_TRY(writer.write(folder / "instances.json", instancesToJson(info.instances).dump(1) + '\n'));
   }
-  return RecordingWriter(folder, std::move(*lock), info);
+  return writer;
 }
 
 Result<void> RecordingWriter::add(const RgbdFrame& frame) {
@@ -83,15 +78,25 @@ Result<void> RecordingWriter::add(const RgbdFrame& frame) {
     SCANTROVE_TRY(describeCamera(frame));
     is_described_ = true;
   }
+  of_frame_.clear();
   Result<void> written = writeParts(frame);
   if (!written) {
     std::error_code ignored;
-    for (const char* suffix : kSuffixes) fs::remove(pathOf(frame.index, suffix), ignored);
+    for (const fs::path& path : of_frame_) fs::remove(path, ignored);
   }
   return written;
 }
 
-Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) const {
+Result<void> RecordingWriter::write(const fs::path& path, std::string_view bytes) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(path, ignored)))
+    return fail("The file " + path.string() + " is there already.", "Give a new folder for the recording.");
+  SCANTROVE_TRY(writeFileAtomically(path, bytes, Durability::process));
+  of_frame_.push_back(path);
+  return {};
+}
+
+Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) {
   Json camera = toJson(info_.intrinsics);
   const double units_per_meter = 1.0 / double{frame.meters_per_unit};
   camera["depth_scale"] = std::round(units_per_meter * 1e3) / 1e3;
@@ -100,7 +105,7 @@ Result<void> RecordingWriter::describeCamera(const RgbdFrame& frame) const {
   return write(folder_ / "intrinsic.json", camera.dump(1) + '\n');
 }
 
-Result<void> RecordingWriter::writeParts(const RgbdFrame& frame) const {
+Result<void> RecordingWriter::writeParts(const RgbdFrame& frame) {
   if (!frame.color.empty()) {
     SCANTROVE_TRY(write(pathOf(frame.index, "color.png"), encodePng(frame.color)));
   }

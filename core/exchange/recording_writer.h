@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "core/base/file_lock.h"
 #include "core/base/result.h"
@@ -14,27 +16,31 @@ namespace scantrove {
 ///     intrinsic.json                                camera, depth units a metre, how colour lies over depth
 ///     instances.json                                [{id, name, object, extent_m}]; likewise
 ///
-/// A frame is there whole or not at all. The layout has no times: a reader takes NNNNNN / 30.
+/// A frame is there whole or not at all. Files of others in the folder are neither replaced nor removed. The
+/// layout has no times: a reader takes NNNNNN / 30.
 class RecordingWriter {
  public:
   /// Makes `folder`. Error: it cannot be written to, something is in it, or another recording is about to be.
   [[nodiscard]] static Result<RecordingWriter> create(const std::filesystem::path& folder,
                                                       const SourceInfo& info);
 
-  /// Error: names the file; what of this frame had been written is gone.
+  /// Each index once. Error: names the file; what of this frame had been written is gone.
   [[nodiscard]] Result<void> add(const RgbdFrame& frame);
 
  private:
   RecordingWriter(std::filesystem::path folder, FileLock lock, SourceInfo info)
       : folder_(std::move(folder)), lock_(std::move(lock)), info_(std::move(info)) {}
-  [[nodiscard]] Result<void> describeCamera(const RgbdFrame& frame) const;
-  [[nodiscard]] Result<void> writeParts(const RgbdFrame& frame) const;
+  [[nodiscard]] Result<void> describeCamera(const RgbdFrame& frame);
+  [[nodiscard]] Result<void> writeParts(const RgbdFrame& frame);
+  /// Error: also that there is a file of that name.
+  [[nodiscard]] Result<void> write(const std::filesystem::path& path, std::string_view bytes);
   [[nodiscard]] std::filesystem::path pathOf(int index, const char* suffix) const;
 
   std::filesystem::path folder_;
   FileLock lock_;
   SourceInfo info_;
   bool is_described_ = false;
+  std::vector<std::filesystem::path> of_frame_;  // written for the frame that is added
 };
 
 }  // namespace scantrove

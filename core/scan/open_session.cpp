@@ -135,7 +135,8 @@ void OpenSession::rememberObjects() {
 
 std::optional<bool> OpenSession::areResultsCurrent() const {
   const std::string results = fact(kResultsKey);
-  return results.empty() ? std::nullopt : std::optional(results == kResultsCurrent);
+  if (results.empty() || results == kResultsBegun) return std::nullopt;
+  return results == kResultsCurrent;
 }
 
 void OpenSession::setMetadata(const std::string& name, const std::string& value) {

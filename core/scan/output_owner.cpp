@@ -1,33 +1,21 @@
 #include "core/scan/output_owner.h"
 
 #include <fstream>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
 
+#include "core/scan/session_setup.h"
 #include "core/session/session_files.h"
+#include "core/session/session_list.h"
 #include "core/session/session_store.h"
 
 namespace scantrove {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A result's name in a folder that no scan of ours wrote, or a folder of that name with something in it.
-std::optional<fs::path> findForeignResult(const fs::path& folder) {
-  std::error_code ignored;
-  for (const char* name : {"trajectory.txt", "labels.json", "cloud.ply", "cloud.pcd", "report.json"}) {
-    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
-  }
-  for (const char* name : {"labels", "segments", "labels-final", "map", "keyframes"}) {
-    const fs::path part = folder / name;
-    if (fs::is_directory(part, ignored) && !fs::is_empty(part, ignored)) return part;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 bool holdsOurReport(const fs::path& folder) {
   const fs::path file = folder / "report.json";
@@ -39,16 +27,70 @@ bool holdsOurReport(const fs::path& folder) {
          report.contains("params") && report.contains("frames");
 }
 
+/// What earlier scans wrote in a folder, as its session and its report have it.
+PlannedResults ownResults(const fs::path& folder) {
+  const SessionMetadata metadata = readSessionMetadata(folder);
+  const auto has = [&](const char* key) {
+    const auto found = metadata.find(key);
+    return found != metadata.end() && !found->second.empty();
+  };
+  const bool has_report = holdsOurReport(folder);
+  // Sessions of earlier versions, and scans without one, do not say whether they wrote label images.
+  return {has(kResultsKey) || has_report, has(kLabelImagesKey) || (has_report && !has(kResultsKey))};
+}
+
+std::optional<fs::path> findResultFile(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"trajectory.txt", "labels.json", "cloud.ply", "cloud.pcd", "report.json"}) {
+    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  }
+  return std::nullopt;
+}
+
+/// A folder of one of these names with something in it.
+std::optional<fs::path> findFilled(const fs::path& folder, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const fs::path part = folder / name;
+    std::error_code ignored;
+    if (fs::is_directory(part, ignored) && !fs::is_empty(part, ignored)) return part;
+  }
+  return std::nullopt;
+}
+
+/// What a scan of these results would replace, in the folder of an earlier scan.
+std::optional<fs::path> findForeignResult(const fs::path& folder, const PlannedResults& planned) {
+  const PlannedResults own = ownResults(folder);
+  std::optional<fs::path> foreign;
+  if (planned.files && !own.files) foreign = findResultFile(folder);
+  if (!foreign && planned.label_images && !own.label_images)
+    foreign = findFilled(folder, {"labels", "segments", "labels-final"});
+  return foreign;
+}
+
+Result<void> refuse(const std::optional<fs::path>& foreign) {
+  if (!foreign) return {};
+  return fail(foreign->string() + " is not part of an earlier scan, and a new scan would use its place.",
+              "Name another folder, or add --overwrite.");
+}
+
+}  // namespace
+
+bool holdsOurResults(const fs::path& folder) { return ownResults(folder).files; }
+
 bool holdsEarlierScan(const fs::path& folder) {
   return SessionStore::isSession(folder) || holdsOurReport(folder);
 }
 
-Result<void> checkHoldsOnlyOurs(const fs::path& folder) {
-  std::optional<fs::path> foreign = findForeignFile(folder);
-  if (!foreign && !holdsEarlierScan(folder)) foreign = findForeignResult(folder);
-  if (!foreign) return {};
-  return fail(foreign->string() + " is not part of an earlier scan, and a new scan would use its place.",
-              "Name another folder, or add --overwrite.");
+Result<void> checkHoldsOnlyOurs(const fs::path& folder, const PlannedResults& planned) {
+  if (const std::optional<fs::path> foreign = findForeignFile(folder)) return refuse(foreign);
+  if (holdsEarlierScan(folder)) return checkResultsAreOurs(folder, planned);
+  // Nothing in it is ours.
+  SCANTROVE_TRY(refuse(findResultFile(folder)));
+  return refuse(findFilled(folder, {"labels", "segments", "labels-final", "map", "keyframes"}));
+}
+
+Result<void> checkResultsAreOurs(const fs::path& folder, const PlannedResults& planned) {
+  return refuse(findForeignResult(folder, planned));
 }
 
 }  // namespace scantrove

@@ -105,7 +105,7 @@ Result<void> ScanRun::openSessionToRefine() {
   request_.source = setup->source;
   request_.params = setup->params;
   // A scan of the window has a session alone.
-  request_.results = earlier_->metadata.contains(kResultsKey) || holdsOurReport(folder);
+  request_.results = holdsOurResults(folder);
   origin_world_ = setup->origin_m;
   request_.database = databaseFileOf(*setup, folder).string();
   std::error_code ignored;
@@ -149,9 +149,10 @@ bool ScanRun::isOfAnotherCatalogue() const {
 }
 
 Result<void> ScanRun::checkFolder() const {
-  const bool is_of_session = request_.resume || request_.refine_session;
-  if (!request_.output_folder || is_of_session || request_.overwrite) return {};
-  return checkHoldsOnlyOurs(*request_.output_folder);
+  if (!request_.output_folder || request_.refine_session || request_.overwrite) return {};
+  const PlannedResults planned{request_.results, request_.results && request_.label_maps};
+  return request_.resume ? checkResultsAreOurs(*request_.output_folder, planned)
+                         : checkHoldsOnlyOurs(*request_.output_folder, planned);
 }
 
 Result<void> ScanRun::createPipeline(ObjectDatabase& database) {
@@ -199,6 +200,8 @@ Result<void> ScanRun::beginSession(const SourceInfo& info) {
   setup.metadata = metadataOf({request_.source, info.intrinsics, request_.params,
                                storedDatabaseName(request_.database, *request_.output_folder)});
   setup.metadata.merge(refinementMetadata(false));
+  if (output_) setup.metadata[kResultsKey] = kResultsBegun;
+  if (output_ && request_.label_maps) setup.metadata[kLabelImagesKey] = "yes";
   recorder_ = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
   if (!catalogue_.empty()) recorder_->setCatalogue(catalogue_);
   return {};

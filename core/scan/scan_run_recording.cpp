@@ -31,6 +31,8 @@ Result<void> ScanRun::resumeSession(ObjectDatabase& database) {
     recorder_->setMetadata("ended", "");  // not this time, yet
     for (const auto& [name, value] : refinementMetadata(false)) recorder_->setMetadata(name, value);
     continueNumbers(earlier_->frames);
+    if (output_) SCANTROVE_TRY(recorder_->keepMetadata(kResultsKey, kResultsBegun));
+    if (output_ && request_.label_maps) SCANTROVE_TRY(recorder_->keepMetadata(kLabelImagesKey, "yes"));
   }
   recorder_->setMetadata("database", storedDatabaseName(request_.database, *request_.output_folder));
   if (output_) output_->begin(*earlier_);

@@ -31,9 +31,11 @@ struct SessionSetup {
 inline constexpr const char* kOriginKey = "origin_m";
 [[nodiscard]] std::string originToText(const Eigen::Vector3d& origin_m);
 /// The fact that says whether the files beside the session (cloud, label map and images) show its regions as
-/// they are now; without it there are none, or it is not known.
-inline constexpr const char *kResultsKey = "results", *kResultsCurrent = "current",
+/// they are now; without it there are none, or it is not known. It is set before the first file is written.
+inline constexpr const char *kResultsKey = "results", *kResultsBegun = "begun", *kResultsCurrent = "current",
                             *kResultsEdited = "edited since";
+/// Set before the scan writes its first label image.
+inline constexpr const char* kLabelImagesKey = "label images";
 
 /// As facts, and back. Error: they are not those of a session.
 [[nodiscard]] SessionMetadata metadataOf(const SessionSetup& setup);

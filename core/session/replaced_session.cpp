@@ -1,10 +1,18 @@
 #include "core/session/replaced_session.h"
 
-#include <QStringList>
+#include <QString>
 
 #include "core/session/own_files.h"
 
 namespace scantrove {
+namespace {
+
+/// Of schema/, but for `schema_migrations` and `files`. A table that somebody else added stays.
+constexpr const char* kTables[] = {"facts",     "fact_copies", "frames",     "key_frames",
+                                   "fragments", "regions",     "borders",    "operations",
+                                   "camera",    "pages",       "recordings", "table_sums"};
+
+}  // namespace
 
 Result<void> checkIsUnlabeled(DatabaseConnection& database, const std::filesystem::path& folder) {
   Result<QSqlQuery> count = database.execute("SELECT count(*) FROM operations");
@@ -17,16 +25,7 @@ Result<void> checkIsUnlabeled(DatabaseConnection& database, const std::filesyste
 Result<void> clearSession(DatabaseConnection& database) {
   // Key frames go after the frames that they refer to.
   SCANTROVE_TRY(database.execute("PRAGMA defer_foreign_keys = ON"));
-  QStringList tables;
-  {
-    Result<QSqlQuery> names = database.execute(
-        "SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite!_%' ESCAPE '!'"
-        " AND name NOT IN ('schema_migrations', 'files')");
-    if (!names) return fail(names.error());
-    while (names->next()) tables << names->value(0).toString();
-  }
-  for (QString& table : tables)
-    SCANTROVE_TRY(database.execute("DELETE FROM \"" + table.replace('"', "\"\"") + '"'));
+  for (const char* table : kTables) SCANTROVE_TRY(database.execute(QString("DELETE FROM ") + table));
   // It is when the session began.
   SCANTROVE_TRY(database.execute("UPDATE schema_migrations SET applied = ? WHERE version = 1",
                                  {DatabaseConnection::now()}));

@@ -217,6 +217,18 @@ std::vector<SessionSummary> listSessions(const fs::path& folder) {
   return sessions;
 }
 
+SessionMetadata readSessionMetadata(const fs::path& folder) {
+  SessionMetadata metadata;
+  if (!SessionStore::isSession(folder)) return metadata;
+  const auto database = DatabaseConnection::openToRead((folder / "session.sqlite").string());
+  if (!database || !schema::versionToRead(**database, schema::kSession, schema::sessionSteps(), 1))
+    return metadata;
+  Result<QSqlQuery> rows = (*database)->execute("SELECT name, value FROM facts");
+  while (rows && rows->next())
+    metadata[rows->value(0).toString().toStdString()] = rows->value(1).toString().toStdString();
+  return metadata;
+}
+
 fs::path defaultScansFolder() {
   // As the XDG Base Directory Specification has it: what is no absolute path does not count.
   const char* data = std::getenv("XDG_DATA_HOME");

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/session/saved_scan.h"
+
 namespace scantrove {
 
 /// A session as a list shows it: what its tables say, without its map.
@@ -31,6 +33,10 @@ struct SessionSummary {
 /// for each, and nothing from the programs that have them open; changes nothing. What cannot be read is there
 /// with its `damage`. No folder: none. Any thread.
 [[nodiscard]] std::vector<SessionSummary> listSessions(const std::filesystem::path& folder);
+
+/// The metadata of the session in `folder`, read as listSessions() reads it. Empty: there is no session, or
+/// it cannot be read. Any thread.
+[[nodiscard]] SessionMetadata readSessionMetadata(const std::filesystem::path& folder);
 
 /// Where scans are kept unless somebody says otherwise: $XDG_DATA_HOME/scantrove/scans, or below
 /// ~/.local/share. Need not be there.

@@ -6,6 +6,7 @@
 
 #include "core/session/session_files.h"
 #include "core/session/session_store.h"
+#include "tests/support/other_program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
@@ -158,6 +159,15 @@ TEST_F(ReplacedSessionTest, LabeledOneIsRefused) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message(), HasSubstr("--resume"));
   expectScan(1);
+}
+
+TEST_F(ReplacedSessionTest, KeepsATableOfSomebodyElse) {
+  OtherProgram other(path_ / "session.sqlite");
+  other.ask("CREATE TABLE notes (text TEXT)");
+  other.ask("INSERT INTO notes VALUES ('of a person')");
+  { ASSERT_TRUE(scan(*created(), 3)); }
+  expectScan(3);
+  EXPECT_EQ(other.ask("SELECT text FROM notes"), "of a person");
 }
 
 }  // namespace
