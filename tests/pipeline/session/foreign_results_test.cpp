@@ -16,12 +16,12 @@ class ForeignResults : public ScanWorkerTest {
   enum class Into { new_session, same_session };
 
   ScanState scan(Into into, bool results, bool label_maps) {
-    ScanRequest scan = request(3);
-    scan.output_folder = folder_ / "scan";
-    scan.results = results;
-    scan.label_maps = label_maps;
-    scan.resume = into == Into::same_session;
-    worker_.post(StartScan{scan});
+    ScanRequest requested = request(3);
+    requested.output_folder = folder_ / "scan";
+    requested.results = results;
+    requested.label_maps = label_maps;
+    requested.resume = into == Into::same_session;
+    worker_.post(StartScan{requested});
     worker_.wait();
     return worker_.state();
   }

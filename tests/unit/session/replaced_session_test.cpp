@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "core/database/database_connection.h"
 #include "core/session/session_files.h"
 #include "core/session/session_store.h"
-#include "tests/support/other_program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
@@ -162,12 +162,19 @@ TEST_F(ReplacedSessionTest, LabeledOneIsRefused) {
 }
 
 TEST_F(ReplacedSessionTest, KeepsATableOfSomebodyElse) {
-  OtherProgram other(path_ / "session.sqlite");
-  other.ask("CREATE TABLE notes (text TEXT)");
-  other.ask("INSERT INTO notes VALUES ('of a person')");
+  const std::string file = (path_ / "session.sqlite").string();
+  {
+    const auto other = DatabaseConnection::open(file);
+    ASSERT_TRUE(other && (*other)->execute("CREATE TABLE notes (text TEXT)"));
+    ASSERT_TRUE((*other)->execute("INSERT INTO notes VALUES ('of a person')"));
+  }
   { ASSERT_TRUE(scan(*created(), 3)); }
   expectScan(3);
-  EXPECT_EQ(other.ask("SELECT text FROM notes"), "of a person");
+  const auto other = DatabaseConnection::open(file);
+  ASSERT_TRUE(other);
+  Result<QSqlQuery> notes = (*other)->execute("SELECT text FROM notes");
+  ASSERT_TRUE(notes && notes->next());
+  EXPECT_EQ(notes->value(0).toString(), "of a person");
 }
 
 }  // namespace
