@@ -1,4 +1,5 @@
-// What CatalogueWriter does on its own thread: one job after the other.
+#include "core/catalogue/catalogue_jobs.h"
+
 #include <sys/stat.h>
 
 #include <array>
@@ -6,66 +7,76 @@
 #include <utility>
 #include <vector>
 
-#include "core/catalogue/catalogue_writer.h"
 #include "core/compute/guarded.h"
 
 namespace scantrove {
 
-std::optional<std::pair<dev_t, ino_t>> CatalogueWriter::fileNow() const {
+std::optional<std::pair<dev_t, ino_t>> CatalogueJobs::fileNow() const {
   // Without opening it, which is SQLite's business alone (see ObjectDatabase).
   struct stat status {};
   if (::stat(options_.database.c_str(), &status) != 0) return std::nullopt;
   return std::pair(status.st_dev, status.st_ino);
 }
 
-Result<void> CatalogueWriter::checkFile() const {
+Result<void> CatalogueJobs::checkFile() const {
   if (!file_ || fileNow() == file_) return {};
   return fail("The catalogue " + options_.database + " was moved, removed or replaced while the scan ran.",
               "Put it back.");
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::attempt(Job& job) {
+Result<void> CatalogueJobs::open(CataloguePosition from) {
+  SCANTROVE_TRY(moveInto(database_, ObjectDatabase::open(options_.database)));
+  feed_.emplace(*database_, from);
+  file_ = fileNow();
+  return {};
+}
+
+void CatalogueJobs::close() {
+  if (feed_) last_event_ = feed_->position().event;
+  feed_.reset();
+  database_.reset();
+}
+
+Result<CatalogueJobs::Outcome> CatalogueJobs::attempt(CatalogueJob& job) {
   constexpr const char* kActivity = "storing in the catalogue";
   try {
     SCANTROVE_TRY(checkFile());
-    return std::visit([this](auto& one) { return execute(one); }, job);
+    Outcome outcome;
+    SCANTROVE_TRY(moveInto(outcome.news, std::visit([this](auto& one) { return execute(one); }, job)));
+    return outcome;
   } catch (const std::bad_alloc&) {
     return fail(describeCurrentException(kActivity));
   } catch (const std::exception&) {
     // A library cannot encode this; it would say the same the next time.
-    return refuse(job, describeCurrentException(kActivity));
+    const Error error = describeCurrentException(kActivity);
+    return Outcome{refuse(job, error), error};
   }
 }
 
-CatalogueWriter::News CatalogueWriter::refuse(const Job& job, const Error& error) {
-  {
-    const std::scoped_lock lock(mutex_);
-    refused_.count(job);
-    last_refusal_ = error;
-  }
-  if (const auto* object = std::get_if<AddObject>(&job)) {
+CatalogueJobs::News CatalogueJobs::refuse(const CatalogueJob& job, const Error& error) {
+  if (const auto* object = std::get_if<job::AddObject>(&job)) {
     ids_[object->view.object] = {};
     return News{news::ObjectRefused{object->view.object}};
   }
-  if (const auto* view = std::get_if<AddView>(&job)) return News{news::ViewDropped{view->view.object}};
-  if (std::holds_alternative<Merge>(job)) return News{news::MergeDropped{}};
-  if (const auto* name = std::get_if<Name>(&job)) return News{news::NameDropped{name->object, error}};
+  if (const auto* view = std::get_if<job::AddView>(&job)) return News{news::ViewDropped{view->view.object}};
+  if (std::holds_alternative<job::Merge>(job)) return News{news::MergeDropped{}};
+  if (const auto* name = std::get_if<job::Name>(&job)) return News{news::NameDropped{name->object, error}};
   return {};
 }
 
-ObjectId CatalogueWriter::idOf(ObjectId object) const {
+ObjectId CatalogueJobs::idOf(ObjectId object) const {
   const auto found = ids_.find(object);
   return found == ids_.end() ? object : found->second;
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const BeginSession& /*job*/) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::BeginSession& /*job*/) {
   session_ = options_.session;
   if (session_ != 0) return News{};
   SCANTROVE_TRY(moveInto(session_, database_->beginSession(options_.source, options_.camera)));
   return News{};
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(AddObject& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(job::AddObject& job) {
   job.view.session = session_;
   Result<ObjectRecord> added = database_->addObject(job.view);
   if (!added) return fail(added.error());
@@ -78,7 +89,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(AddObject& job) {
 // What a person did decides up to the moment in which something is stored: before, a job may have waited for
 // the very transaction in which it was done.
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(AddView& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(job::AddView& job) {
   const ObjectId key = job.view.object, object = idOf(key);
   if (!object) return News{news::ViewDropped{key}};
   ObjectId root;
@@ -99,7 +110,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(AddView& job) {
   return News{news::ViewStored{key, root}};
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const Merge& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Merge& job) {
   constexpr int kMaxTries = 8;  // by others' edits in between
   for (int i = 0; i < kMaxTries; ++i) {
     const Result<std::vector<ObjectId>> pair = mergeRootsOf(job);
@@ -132,7 +143,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Merge& job) {
   return News{news::MergeDropped{}, news::Edited{std::move(*now)}};
 }
 
-Result<std::vector<ObjectId>> CatalogueWriter::mergeRootsOf(const Merge& job) {
+Result<std::vector<ObjectId>> CatalogueJobs::mergeRootsOf(const job::Merge& job) {
   std::vector<ObjectId> merge_roots;
   for (const ObjectId key : {job.a, job.b}) {
     const ObjectId object = idOf(key);
@@ -144,11 +155,11 @@ Result<std::vector<ObjectId>> CatalogueWriter::mergeRootsOf(const Merge& job) {
   return merge_roots;
 }
 
-Result<bool> CatalogueWriter::mayMerge(const std::vector<ObjectId>& pair) {
+Result<bool> CatalogueJobs::mayMerge(const std::vector<ObjectId>& pair) {
   // A person may have undone such a merge by now.
   Result<CatalogueEdits> edits = feed_->follow();
   if (!edits) return fail(edits.error());
-  if (!edits->isEmpty()) tell({news::Edited{std::move(*edits)}});
+  if (!edits->isEmpty()) notify_({news::Edited{std::move(*edits)}});
   if (feed_->areKeptApart(pair[0], pair[1])) return false;
   for (const ObjectId object : pair) {
     const Result<ObjectRecord> record = database_->object(object);
@@ -158,14 +169,14 @@ Result<bool> CatalogueWriter::mayMerge(const std::vector<ObjectId>& pair) {
   return false;
 }
 
-CatalogueWriter::News CatalogueWriter::withRecords(CatalogueNews news, std::span<const ObjectId> objects) {
+CatalogueJobs::News CatalogueJobs::withRecords(CatalogueNews news, std::span<const ObjectId> objects) {
   News all{std::move(news)};
   Result<CatalogueEdits> now = feed_->reread(objects);
   if (now) all.push_back(news::Edited{std::move(*now)});
   return all;
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const Name& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Name& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{news::NameDropped{job.object, std::nullopt}};
   const Result<ObjectId> root = database_->resolve(object);
@@ -188,7 +199,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Name& job) {
                      std::array{object, *root, naming->object});
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const TakeNameBack& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::TakeNameBack& job) {
   if (job.earlier) namings_.try_emplace(job.naming, *job.earlier);
   const auto found = namings_.find(job.naming);
   if (found == namings_.end()) return News{};  // it was dropped
@@ -202,7 +213,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const TakeNameBack& job) 
   return withRecords(news::NameTakenBack{naming.object}, changed);
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const Withdraw& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Withdraw& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{};
   const Result<bool> is_removed = database_->withdraw(object);
@@ -213,7 +224,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const Withdraw& job) {
   return News{news::Edited{std::move(*now)}};
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const DiscardViews& job) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::DiscardViews& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{};
   const Result<ObjectId> root = database_->resolve(object);
@@ -225,7 +236,7 @@ Result<CatalogueWriter::News> CatalogueWriter::execute(const DiscardViews& job) 
   return withRecords(news::ViewsDiscarded{*root, *is_removed}, std::array{*root});
 }
 
-Result<CatalogueWriter::News> CatalogueWriter::execute(const EndSession& /*job*/) {
+Result<CatalogueJobs::News> CatalogueJobs::execute(const job::EndSession& /*job*/) {
   SCANTROVE_TRY(database_->endSession(session_));
   // The last word on what this scan did; what cannot be read now is as it was known.
   News news;

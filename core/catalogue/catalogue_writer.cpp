@@ -29,19 +29,24 @@ std::string countOf(int count, const char* one, const char* many) {
 
 }  // namespace
 
-void CatalogueWriter::Losses::count(const Job& job) {
-  objects += std::holds_alternative<AddObject>(job) ? 1 : 0;
-  views += std::holds_alternative<AddView>(job) ? 1 : 0;
-  merges += std::holds_alternative<Merge>(job) ? 1 : 0;
-  names += std::holds_alternative<Name>(job) || std::holds_alternative<TakeNameBack>(job) ? 1 : 0;
+void CatalogueWriter::Losses::count(const CatalogueJob& job) {
+  objects += std::holds_alternative<job::AddObject>(job) ? 1 : 0;
+  views += std::holds_alternative<job::AddView>(job) ? 1 : 0;
+  merges += std::holds_alternative<job::Merge>(job) ? 1 : 0;
+  names += std::holds_alternative<job::Name>(job) || std::holds_alternative<job::TakeNameBack>(job) ? 1 : 0;
 }
+
+CatalogueWriter::CatalogueWriter(Options options)
+    : options_(std::move(options)),
+      executor_({options_.database, options_.source, options_.camera, options_.session, options_.ids},
+                [this](News news) { tell(std::move(news)); }) {}
 
 // --- The scan's thread.
 
 Result<std::unique_ptr<CatalogueWriter>> CatalogueWriter::start(const Options& options,
                                                                 CataloguePosition from) {
   std::unique_ptr<CatalogueWriter> writer(new CatalogueWriter(options));
-  writer->jobs_.emplace_back(BeginSession{});
+  writer->jobs_.emplace_back(job::BeginSession{});
   std::promise<Result<void>> opened;
   std::future<Result<void>> is_open = opened.get_future();
   writer->thread_ = std::thread([self = writer.get(), from, opened = std::move(opened)]() mutable {
@@ -62,7 +67,7 @@ void CatalogueWriter::close() {
   if (thread_.joinable()) thread_.join();
 }
 
-void CatalogueWriter::enqueue(Job job) {
+void CatalogueWriter::enqueue(CatalogueJob job) {
   jobs_.push_back(std::move(job));
   changed_.notify_all();
 }
@@ -76,7 +81,7 @@ bool CatalogueWriter::addObject(ObjectView first_view) {
   is_full_ = !has_room();
   if (is_full_) return false;
   waiting_bytes_ += bytes;
-  enqueue(AddObject{std::move(first_view)});
+  enqueue(job::AddObject{std::move(first_view)});
   return true;
 }
 
@@ -91,32 +96,32 @@ void CatalogueWriter::addView(ObjectView view) {
   without_room_.erase(view.object);
   const std::scoped_lock lock(mutex_);
   waiting_bytes_ += bytesOf(view);
-  enqueue(AddView{std::move(view)});
+  enqueue(job::AddView{std::move(view)});
 }
 
 void CatalogueWriter::merge(ObjectId a, ObjectId b) {
   const std::scoped_lock lock(mutex_);
-  enqueue(Merge{a, b});
+  enqueue(job::Merge{a, b});
 }
 
 void CatalogueWriter::name(int naming, ObjectId object, const std::string& name, int again) {
   const std::scoped_lock lock(mutex_);
-  enqueue(Name{naming, object, name, again});
+  enqueue(job::Name{naming, object, name, again});
 }
 
 void CatalogueWriter::takeNameBack(int naming, std::optional<ObjectNaming> earlier) {
   const std::scoped_lock lock(mutex_);
-  enqueue(TakeNameBack{naming, std::move(earlier)});
+  enqueue(job::TakeNameBack{naming, std::move(earlier)});
 }
 
 void CatalogueWriter::withdraw(ObjectId object) {
   const std::scoped_lock lock(mutex_);
-  enqueue(Withdraw{object});
+  enqueue(job::Withdraw{object});
 }
 
 void CatalogueWriter::discardViews(ObjectId object, std::vector<int> frames) {
   const std::scoped_lock lock(mutex_);
-  enqueue(DiscardViews{object, std::move(frames)});
+  enqueue(job::DiscardViews{object, std::move(frames)});
 }
 
 void CatalogueWriter::follow() {
@@ -141,7 +146,7 @@ bool CatalogueWriter::settle(std::chrono::milliseconds limit) {
 Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
   {
     std::unique_lock lock(mutex_);
-    enqueue(EndSession{});
+    enqueue(job::EndSession{});
     std::uint64_t done = done_;
     std::chrono::milliseconds waited{0}, waited_urgently{0};
     const auto has_appeared = [&] { return jobs_.empty() || done_ != done || !news_.empty(); };
@@ -161,7 +166,7 @@ Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
   hear();
   // The thread has ended: all is this one's now.
   Losses losses = refused_;
-  for (const Job& job : jobs_) losses.count(job);
+  for (const CatalogueJob& job : jobs_) losses.count(job);
   if (!without_room_.empty()) {
     spdlog::warn("The catalogue {} was busy for so long that views of {} were not kept.", options_.database,
                  countOf(static_cast<int>(without_room_.size()), "object", "objects"));
@@ -189,12 +194,7 @@ Error CatalogueWriter::lossesInWords(const Losses& losses, const Error& reason) 
 
 void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> opened) {
   lowerThreadPriority(Niceness::catalogue_writer);
-  const Result<void> open = guarded("opening the catalogue", [&]() -> Result<void> {
-    SCANTROVE_TRY(moveInto(database_, ObjectDatabase::open(options_.database)));
-    feed_.emplace(*database_, from);
-    file_ = fileNow();
-    return {};
-  });
+  const Result<void> open = guarded("opening the catalogue", [&] { return executor_.open(from); });
   opened.set_value(open);
   const Result<void> ended = guarded("storing in the catalogue", [&]() -> Result<void> {
     if (open) work();
@@ -204,9 +204,7 @@ void CatalogueWriter::run(CataloguePosition from, std::promise<Result<void>> ope
     const std::scoped_lock lock(mutex_);
     last_error_ = ended.error();
   }
-  if (feed_) last_event_ = feed_->position().event;
-  feed_.reset();
-  database_.reset();  // of this thread, like all that is done with it
+  executor_.close();
 }
 
 void CatalogueWriter::work() {
@@ -228,7 +226,7 @@ void CatalogueWriter::readEdits() {
     if (!std::exchange(is_follow_wanted_, false)) return;
     is_following_ = true;
   }
-  Result<CatalogueEdits> edits = guarded("reading the catalogue", [this] { return feed_->follow(); });
+  Result<CatalogueEdits> edits = guarded("reading the catalogue", [this] { return executor_.readEdits(); });
   if (!edits) noteFailure(edits.error());
   if (edits && !edits->isEmpty()) tell({news::Edited{std::move(*edits)}});
   const std::scoped_lock lock(mutex_);
@@ -238,24 +236,28 @@ void CatalogueWriter::readEdits() {
 }
 
 void CatalogueWriter::doFirst() {
-  Job* job = nullptr;
+  CatalogueJob* job = nullptr;
   {
     const std::scoped_lock lock(mutex_);
     if (jobs_.empty() || is_closed_) return;
     job = &jobs_.front();  // nobody else takes it away, and a deque moves nothing when it grows
   }
-  Result<News> done = attempt(*job);
+  Result<CatalogueJobs::Outcome> done = executor_.attempt(*job);
   if (!done) {
     noteFailure(done.error());
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, options_.retry, [this] { return is_closed_; });
     return;
   }
-  tell(std::move(*done));
+  tell(std::move(done->news));
   noteSuccess();
   const std::scoped_lock lock(mutex_);
-  if (const auto* object = std::get_if<AddObject>(job)) waiting_bytes_ -= bytesOf(object->view);
-  if (const auto* view = std::get_if<AddView>(job)) waiting_bytes_ -= bytesOf(view->view);
+  if (done->refusal) {
+    refused_.count(*job);
+    last_refusal_ = done->refusal;
+  }
+  if (const auto* object = std::get_if<job::AddObject>(job)) waiting_bytes_ -= bytesOf(object->view);
+  if (const auto* view = std::get_if<job::AddView>(job)) waiting_bytes_ -= bytesOf(view->view);
   jobs_.pop_front();
   ++done_;
   changed_.notify_all();

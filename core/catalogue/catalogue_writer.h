@@ -1,6 +1,4 @@
 #pragma once
-#include <sys/types.h>
-
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -12,15 +10,12 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <thread>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/catalogue/catalogue_feed.h"
+#include "core/catalogue/catalogue_jobs.h"
 #include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/object_database.h"
 
@@ -90,8 +85,8 @@ class CatalogueWriter {
   [[nodiscard]] bool settle(std::chrono::milliseconds limit);
 
   /// After finish(): the session, and the newest event that is known of the catalogue.
-  [[nodiscard]] std::int64_t session() const { return session_; }
-  [[nodiscard]] std::int64_t lastEvent() const { return last_event_; }
+  [[nodiscard]] std::int64_t session() const { return executor_.session(); }
+  [[nodiscard]] std::int64_t lastEvent() const { return executor_.lastEvent(); }
 
   /// Ends the session and the thread, after all jobs. `hear` is called when news have come (for takeNews()),
   /// and at the end. No other call but takeNews() afterwards. Error: what was not stored, and why;
@@ -99,47 +94,17 @@ class CatalogueWriter {
   [[nodiscard]] Result<void> finish(const std::function<void()>& hear = [] {});
 
  private:
-  struct AddObject {
-    ObjectView view;
-  };
-  struct AddView {
-    ObjectView view;
-  };
-  struct Merge {
-    ObjectId a, b;
-  };
-  struct Name {
-    int naming = 0;
-    ObjectId object;
-    std::string name;
-    int again = 0;
-  };
-  struct TakeNameBack {
-    int naming = 0;
-    std::optional<ObjectNaming> earlier;
-  };
-  struct Withdraw {
-    ObjectId object;
-  };
-  struct DiscardViews {
-    ObjectId object;
-    std::vector<int> frames;
-  };
-  struct BeginSession {};
-  struct EndSession {};
-  using Job = std::variant<BeginSession, AddObject, AddView, Merge, Name, TakeNameBack, Withdraw,
-                           DiscardViews, EndSession>;
   /// Kinds of jobs, for counting.
   struct Losses {
     int objects = 0, views = 0, merges = 0, names = 0;
-    void count(const Job& job);
+    void count(const CatalogueJob& job);
   };
-  using News = std::vector<CatalogueNews>;
+  using News = CatalogueJobs::News;
 
-  explicit CatalogueWriter(Options options) : options_(std::move(options)), ids_(options_.ids) {}
+  explicit CatalogueWriter(Options options);
 
   // On the scan's thread.
-  void enqueue(Job job);
+  void enqueue(CatalogueJob job);
   void close();
   [[nodiscard]] Error lossesInWords(const Losses& losses, const Error& reason) const;
 
@@ -151,46 +116,16 @@ class CatalogueWriter {
   void tell(News news);
   void noteFailure(const Error& error);
   void noteSuccess();
-  /// Does one job; what it is to tell. Error: the catalogue failed, and the job is to be tried again.
-  [[nodiscard]] Result<News> attempt(Job& job);
-  /// Gives up a job that would never be done.
-  [[nodiscard]] News refuse(const Job& job, const Error& error);
-  [[nodiscard]] Result<News> execute(const BeginSession& job);
-  [[nodiscard]] Result<News> execute(AddObject& job);
-  [[nodiscard]] Result<News> execute(AddView& job);
-  [[nodiscard]] Result<News> execute(const Merge& job);
-  [[nodiscard]] Result<News> execute(const Name& job);
-  [[nodiscard]] Result<News> execute(const TakeNameBack& job);
-  [[nodiscard]] Result<News> execute(const Withdraw& job);
-  [[nodiscard]] Result<News> execute(const DiscardViews& job);
-  [[nodiscard]] Result<News> execute(const EndSession& job);
-  /// As they are now, behind `news`. What cannot be read now is as it was known.
-  [[nodiscard]] News withRecords(CatalogueNews news, std::span<const ObjectId> objects);
-  [[nodiscard]] ObjectId idOf(ObjectId object) const;
-  /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
-  [[nodiscard]] Result<std::vector<ObjectId>> mergeRootsOf(const Merge& job);
-  [[nodiscard]] Result<bool> mayMerge(const std::vector<ObjectId>& pair);
-  [[nodiscard]] std::optional<std::pair<dev_t, ino_t>> fileNow() const;
-  /// Error: the file that is written to is no longer where it was. SQLite does not see that.
-  [[nodiscard]] Result<void> checkFile() const;
 
   const Options options_;
 
   // The writer's thread's alone.
-  std::unique_ptr<ObjectDatabase> database_;
-  std::optional<CatalogueFeed> feed_;
-  std::int64_t session_ = 0;
-  std::int64_t last_event_ = 0;                  // when it ends
-  std::map<ObjectId, ObjectId> ids_;             // of this scan's objects, by key; none: refused
-  std::set<ObjectId> touched_;                   // objects that this scan gave something
-  std::map<int, ObjectNaming> namings_;          // by the numbers that were given
-  std::set<int> overruled_;                      // that could not be taken back: others had said otherwise
-  std::optional<std::pair<dev_t, ino_t>> file_;  // none: the catalogue is no file
+  CatalogueJobs executor_;
   bool is_failure_said_ = false;
 
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
-  std::deque<Job> jobs_;  // the first one is being done
+  std::deque<CatalogueJob> jobs_;  // the first one is being done
   std::size_t waiting_bytes_ = 0;
   bool is_follow_wanted_ = false;
   bool is_following_ = false;
