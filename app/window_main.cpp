@@ -48,7 +48,7 @@ void applyTheme(const std::string& requested) {
 /// When the scan has ended, shows the newest object's views, lets all be drawn, saves the picture and quits.
 void takePictureAtEnd(MainWindow& window, const QString& file) {
   const auto save = [&window, file](int exit_code) {
-    window.objectPanel()->list()->selectNewest();
+    window.parts().objects->list()->selectNewest();
     QTimer::singleShot(kSettle_ms, &window, [&window, file, exit_code] {
       const Result<void> saved = saveWindowPicture(window, file);
       if (!saved) std::cerr << "scantrove: " << forTerminal(saved.error().message()) << '\n';

@@ -99,7 +99,7 @@ class Person {
 
   bool click(const QStringList& words) {
     began();
-    const ColorPanel* const color = window_.framePanels()->colorPanel();
+    const ColorPanel* const color = window_.parts().frames->colorPanel();
     const QPointF fraction((words[0].toDouble() + 0.5) / 640, (words[1].toDouble() + 0.5) / 480);
     const QPointF place = color->mapToGlobal(color->placeOf(fraction)) * window_.devicePixelRatioF();
     const auto number = [](double value) { return QString::number(qRound(value)); };

@@ -178,8 +178,8 @@ void sayRight(const char* where, const std::vector<Picked>& picked, const Truth&
 }
 
 void comparePlaces(MainWindow& window, const std::optional<Truth>& truth, int places) {
-  SceneView* const view = window.scenePane()->view();
-  const FramePanels& frames = *window.framePanels();
+  SceneView* const view = window.parts().scene->view();
+  const FramePanels& frames = *window.parts().frames;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.02, 0.98);
   int compared = 0, same = 0, inside = 0, same_inside = 0;
@@ -266,10 +266,10 @@ int run(const std::string& source, int moves, int places, bool still) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.1, 0.9);
   std::vector<double> in_scene, in_picture;
-  SceneView* const view = window.scenePane()->view();
-  ColorPanel* const color = window.framePanels()->colorPanel();
+  SceneView* const view = window.parts().scene->view();
+  ColorPanel* const color = window.parts().frames->colorPanel();
   for (int i = 0; i < moves && !has_ended && !still; ++i) {
-    const auto scene = timeOfLighting(window, *view, *window.scenePane()->overlay(),
+    const auto scene = timeOfLighting(window, *view, *window.parts().scene->overlay(),
                                       {unit(random) * view->width(), unit(random) * view->height()});
     if (scene) in_scene.push_back(*scene);
     QCoreApplication::postEvent(view, new QEvent(QEvent::Leave));

@@ -68,7 +68,7 @@ class GapWatch {
   GapWatch(TimedApplication& application, MainWindow& window) : application_(application), window_(window) {
     timer_.setTimerType(Qt::PreciseTimer);
     QObject::connect(&timer_, &QTimer::timeout, [this] { note(since_tick_, tick_gaps_); });
-    QObject::connect(window.scenePane()->view(), &SceneView::drawn, &timer_,
+    QObject::connect(window.parts().scene->view(), &SceneView::drawn, &timer_,
                      [this] { note(since_drawn_, drawn_gaps_); });
   }
 
@@ -238,7 +238,7 @@ int run(TimedApplication& application, const Wishes& wishes) {
   window.openSession(session);
   gaps.watch("opening the session", 120, [&] { return is_open; });
   gaps.watch("the 5 s after", 5, [] { return false; });
-  std::cout << "  " << window.scenePane()->view()->scene().cloud().pointCount() << " points\n";
+  std::cout << "  " << window.parts().scene->view()->scene().cloud().pointCount() << " points\n";
   resizeOften(window, gaps);
   nameRegions(window, gaps, wishes.names);
   exportIt(window, gaps, folder.path() + QStringLiteral("/data"));

@@ -27,7 +27,7 @@ constexpr float kTurn_rad = 0.006F;
 }  // namespace
 
 Presentation::Presentation(MainWindow& window)
-    : QObject(&window), window_(window), caption_(new QLabel(window.scenePane())) {
+    : QObject(&window), window_(window), caption_(new QLabel(window.parts().scene)) {
   caption_->setObjectName(QStringLiteral("presentationCaption"));
   caption_->setAttribute(Qt::WA_TransparentForMouseEvents);
   caption_->setAlignment(Qt::AlignCenter);
@@ -123,12 +123,12 @@ void Presentation::placeCaption() {
 
 void Presentation::turn() {
   if (untouched_.elapsed() < kUntouched_ms) return;
-  window_.scenePane()->view()->turn(kTurn_rad);
+  window_.parts().scene->view()->turn(kTurn_rad);
 }
 
 void Presentation::scanHasEnded() {
   if (!is_on_ || catalogue_ == nullptr) return;
-  window_.messageBar()->dismiss();
+  window_.parts().messages->dismiss();
   again_.start(kAgainAfter_ms);
 }
 

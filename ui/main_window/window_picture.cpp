@@ -9,7 +9,7 @@
 namespace scantrove {
 
 Result<void> saveWindowPicture(MainWindow& window, const QString& file) {
-  SceneView* view = window.scenePane()->view();
+  SceneView* view = window.parts().scene->view();
   view->setFullDetail(true);
   view->update();
   QCoreApplication::processEvents();

@@ -152,8 +152,8 @@ TEST_F(ArrivalsTest, ANameForAnObjectDeletedMeanwhileWaitsAndIsSaid) {
   QTest::keyClick(nameEditor(), Qt::Key_Return);
   ASSERT_NE(nameEditor(), nullptr);
   EXPECT_EQ(nameEditor()->text(), QStringLiteral("Green cup"));
-  EXPECT_TRUE(window_->messageBar()->isVisible());
-  EXPECT_TRUE(window_->messageBar()->text().contains(QStringLiteral("Green cup")));
+  EXPECT_TRUE(window_->parts().messages->isVisible());
+  EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("Green cup")));
   // The window does not close over it either, and neither does another name push it away.
   EXPECT_FALSE(window_->close());
   list()->editName(objects_[0]);
@@ -209,7 +209,7 @@ TEST_F(ArrivalsTest, AnOpenMenuActsOnWhatItWasOpenedOnAsItsWordsSay) {
   auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
   ASSERT_NE(menu, nullptr);
   QTest::mouseRelease(list()->viewport(), Qt::RightButton, {}, place);
-  QAction* confirm = window_->objectPanel()->actions().confirm;
+  QAction* confirm = window_->parts().objects->actions().confirm;
   const QString words = confirm->text();
   // Somebody else confirms it: the words under the mouse do not turn into their opposite.
   ASSERT_TRUE(other_->setConfirmed(std::vector{objects_[1]}, true));
@@ -250,7 +250,7 @@ TEST_F(ArrivalsTest, ViewsThatAreLookedAtStayInTheirPlace) {
   awaitArrivals(90);
   const ObjectId object = objects_[0];
   clickOn(object);
-  ViewsStrip* strip = window_->objectPanel()->viewsStrip();
+  ViewsStrip* strip = window_->parts().objects->viewsStrip();
   strip->setFocus();
   for (int i = 0; i < 3; ++i) QTest::keyClick(strip, Qt::Key_Right);
   const int offset = strip->offset();
@@ -292,7 +292,7 @@ TEST_F(ArrivalsTest, AnOpenMenuOfRecentSourcesDoesNotChangeUnderTheMouse) {
 }
 
 TEST_F(ArrivalsTest, EveryPressOfSpaceCounts) {
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().pause->isEnabled(); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->pause->isEnabled(); }, 3000));
   worker_->commands.clear();
   for (int i = 0; i < 3; ++i) QTest::keyClick(window_.get(), Qt::Key_Space);
   QTest::keyClick(window_.get(), Qt::Key_N);

@@ -32,7 +32,7 @@ class CatalogueChoiceTest : public test::WindowTest {
     return file;
   }
 
-  [[nodiscard]] QString shownName() const { return window_->objectPanel()->catalogueLabel()->text(); }
+  [[nodiscard]] QString shownName() const { return window_->parts().objects->catalogueLabel()->text(); }
   [[nodiscard]] std::string usedByScans() const { return window_->controller().request().database; }
 };
 
@@ -52,7 +52,8 @@ TEST_F(CatalogueChoiceTest, FallsBackAndSaysSo_WhenTheFileIsMissing) {
   ASSERT_TRUE(QFile::remove(kitchen));
   restartWith({});
   EXPECT_EQ(usedByScans(), defaultCatalogueFile().toStdString());
-  EXPECT_TRUE(window_->messageBar()->text().contains(kitchen)) << window_->messageBar()->text().toStdString();
+  EXPECT_TRUE(window_->parts().messages->text().contains(kitchen))
+      << window_->parts().messages->text().toStdString();
   EXPECT_FALSE(QFile::exists(kitchen)) << "no empty one in its place";
 }
 
@@ -71,7 +72,8 @@ TEST_F(CatalogueChoiceTest, ASavedScanShowsNoObjects_WhenItsCatalogueIsMissing) 
   const QString missing = folder_.filePath(QStringLiteral("gone.sqlite"));
   window_->openSession(savedScanWith(missing));
   EXPECT_EQ(list()->model()->rowCount(), 0);
-  EXPECT_TRUE(window_->messageBar()->text().contains(missing)) << window_->messageBar()->text().toStdString();
+  EXPECT_TRUE(window_->parts().messages->text().contains(missing))
+      << window_->parts().messages->text().toStdString();
   EXPECT_FALSE(QFile::exists(missing));
   window_->open(QStringLiteral("demo"));
   EXPECT_EQ(list()->model()->rowCount(), 3) << "a new scan shows the chosen catalogue";
@@ -82,7 +84,7 @@ TEST_F(CatalogueChoiceTest, AScanKeepsItsCatalogue_WhenAnotherIsChosen) {
   const QString kitchen = emptyCatalogue();
   window_->openCatalogue(kitchen);
   EXPECT_EQ(list()->model()->rowCount(), 3) << "those that the scan's numbers mean";
-  EXPECT_TRUE(window_->messageBar()->text().contains(kitchen));
+  EXPECT_TRUE(window_->parts().messages->text().contains(kitchen));
   window_->closeScan();
   EXPECT_EQ(shownName(), QStringLiteral("kitchen.sqlite"));
   EXPECT_EQ(usedByScans(), kitchen.toStdString());

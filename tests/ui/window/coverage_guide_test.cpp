@@ -44,7 +44,7 @@ class CoverageGuideTest : public WindowTest {
   }
 
   CoverageGuide& guide() { return window_->guide(); }
-  SceneOverlay* overlay() { return window_->scenePane()->overlay(); }
+  SceneOverlay* overlay() { return window_->parts().scene->overlay(); }
 
   ViewCoverage fromInFront_;
 };
@@ -73,8 +73,8 @@ TEST_F(CoverageGuideTest, AnArrowLeadsToASideThatWasNotSeen) {
 TEST_F(CoverageGuideTest, TheArrowIsLabeledWhereItIsInThePicture) {
   show(thingSeen(1, fromInFront_));
   window_->regions().selection().select(kThing);
-  window_->scenePane()->view()->scene().viewpoint().lookAt({0, -2, -3}, {0, 0, 1.5F});
-  window_->scenePane()->view()->redraw();
+  window_->parts().scene->view()->scene().viewpoint().lookAt({0, -2, -3}, {0, 0, 1.5F});
+  window_->parts().scene->view()->redraw();
   ASSERT_TRUE(QTest::qWaitFor([&] { return overlay()->mark().has_value(); }, 4000));
   EXPECT_TRUE(QRectF(overlay()->rect()).contains(*overlay()->mark()));
   window_->regions().selection().select(RegionId{});

@@ -43,7 +43,7 @@ class CuttingTest : public PointingTest {
     ASSERT_TRUE(appeared);
     ASSERT_FALSE(placeInScene(RegionId{5}).isNull());
   }
-  SceneOverlay* overlay() { return window_->scenePane()->overlay(); }
+  SceneOverlay* overlay() { return window_->parts().scene->overlay(); }
   /// How many pixels of it are of about that colour.
   static int pixelsLike(QWidget* widget, const QColor& color) {
     const QImage shown = widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
@@ -85,7 +85,7 @@ TEST_F(CuttingTest, TwoStrokesInAPictureGiveManyPlacesOfEachSide) {
 }
 
 TEST_F(CuttingTest, TheStrokeIsSeenWhileTheButtonIsDownAndMarksStayInAllViews) {
-  window_->framePanels()->feature(panel(4));
+  window_->parts().frames->feature(panel(4));
   QTest::keyClick(panel(0), Qt::Key_C);
   const int red_before = pixelsLike(panel(0), RegionSplitter::kHereColor);
   drawInPicture(0, {0.1, 0.2}, {0.1, 0.8}, {}, false);
@@ -153,7 +153,7 @@ TEST_F(CuttingTest, OnlyTheRegionInWhichAStrokeBeginsIsCut) {
   EXPECT_EQ(selection().selected(), std::vector{RegionId{5}});
   drawInPicture(0, {0.8, 0.6}, {0.95, 0.6});
   EXPECT_TRUE(worker_->edits.empty()) << "they are two regions already";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, kPatience_ms));
   EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("2 of 2"))) << "it may be tried again";
   drawInPicture(0, {0.05, 0.6}, {0.1, 0.6});
   ASSERT_NE(lastOperation(), nullptr);
@@ -214,8 +214,8 @@ TEST_F(CuttingTest, WhatToDoNextIsSaidBesideThePointer) {
 
 TEST_F(CuttingTest, AClickWhereNothingWasMeasuredIsAnswered) {
   QTest::keyClick(panel(0), Qt::Key_C);
-  emit window_->framePanels()->clicked(RegionPoint{}, Qt::NoModifier);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  emit window_->parts().frames->clicked(RegionPoint{}, Qt::NoModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, kPatience_ms));
   EXPECT_TRUE(overlay()->hint().contains(QStringLiteral("1 of 2"))) << "it may be tried again";
 }
 

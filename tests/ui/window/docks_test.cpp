@@ -92,7 +92,7 @@ TEST_F(DocksTest, KeepTheWidthThatAPersonGaveThem) {
   restart();
   beginScan();
   EXPECT_EQ(dock("framesDock")->width(), requested);
-  window_->actions().reset_layout->trigger();
+  window_->parts().actions->reset_layout->trigger();
   QTest::qWait(50);
   EXPECT_EQ(dock("framesDock")->width(), frames.width());
 }

@@ -55,8 +55,8 @@ class PointingTest : public WindowTest {
     return snapshot;
   }
 
-  ImagePanel* panel(std::size_t i) { return window_->framePanels()->panels()[i]; }
-  SceneView* view() { return window_->scenePane()->view(); }
+  ImagePanel* panel(std::size_t i) { return window_->parts().frames->panels()[i]; }
+  SceneView* view() { return window_->parts().scene->view(); }
   RegionSelection& selection() { return window_->regions().selection(); }
   QLineEdit* nameField() { return window_->regions().nameEditor().field(); }
 

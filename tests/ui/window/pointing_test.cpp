@@ -10,6 +10,7 @@
 
 #include "tests/ui/window/pointing_fixture.h"
 #include "ui/main_window/main_actions.h"
+#include "ui/main_window/window_dialogs.h"
 #include "ui/panels/export_dialog.h"
 #include "ui/panels/export_sample_view.h"
 #include "ui/panels/message_bar.h"
@@ -30,7 +31,7 @@ TEST_F(PointingTest, ThePointerLightsARegionUpInAllViewsAndSaysItsName) {
     EXPECT_GT(qAlpha(panel(i)->lit().pixel(250, 100)), 0) << i;
     EXPECT_EQ(qAlpha(panel(i)->lit().pixel(50, 100)), 0) << i;
   }
-  EXPECT_FALSE(window_->scenePane()->overlay()->lit().isNull()) << "the 3D view";
+  EXPECT_FALSE(window_->parts().scene->overlay()->lit().isNull()) << "the 3D view";
 }
 
 TEST_F(PointingTest, TheSceneIsPointedAtLikeThePictures) {
@@ -117,11 +118,11 @@ TEST_F(PointingTest, KeysDoWhatTheMenuSaysToWhatIsSelected) {
 
 TEST_F(PointingTest, ACutIsTwoClicksAndEscapeTakesItBack) {
   QTest::keyClick(panel(0), Qt::Key_C);
-  EXPECT_FALSE(window_->scenePane()->overlay()->hint().isEmpty());
+  EXPECT_FALSE(window_->parts().scene->overlay()->hint().isEmpty());
   clickPicture(0, 0.1);
   clickPicture(0, 0.8);
   EXPECT_TRUE(worker_->edits.empty()) << "they are two regions already";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, kPatience_ms));
   clickPicture(0, 0.4);
   ASSERT_NE(lastOperation(), nullptr);
   EXPECT_EQ(lastOperation()->kind, OperationKind::cut);
@@ -154,21 +155,21 @@ TEST_F(PointingTest, UndoFollowsTheOrderOfTimeWhateverHasTheFocus) {
   QTest::keyClick(panel(0), Qt::Key_B);
   ASSERT_TRUE(window_->editor().rename(objects_[1], QStringLiteral("cup")));
   QTest::keyClick(panel(0), Qt::Key_O);
-  EXPECT_EQ(window_->actions().undo->text(), QStringLiteral("Undo Region 5: an object"));
+  EXPECT_EQ(window_->parts().actions->undo->text(), QStringLiteral("Undo Region 5: an object"));
   list()->setFocus();
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_EQ(worker_->edits.size(), 3U);
   EXPECT_TRUE(std::holds_alternative<UndoEdit>(worker_->edits.back()));
   EXPECT_EQ(stored(objects_[1]).name, "cup");
   panel(0)->setFocus();
-  EXPECT_EQ(window_->actions().undo->text(), QStringLiteral("Undo Rename “Obj_2” to “cup”"));
+  EXPECT_EQ(window_->parts().actions->undo->text(), QStringLiteral("Undo Rename “Obj_2” to “cup”"));
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
   EXPECT_EQ(worker_->edits.size(), 3U);
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(worker_->edits.size(), 4U);
-  EXPECT_FALSE(window_->actions().undo->isEnabled());
-  EXPECT_EQ(window_->actions().redo->text(), QStringLiteral("Redo Region 5: background"));
+  EXPECT_FALSE(window_->parts().actions->undo->isEnabled());
+  EXPECT_EQ(window_->parts().actions->redo->text(), QStringLiteral("Redo Region 5: background"));
 }
 
 TEST_F(PointingTest, AnotherScanLeavesTheStepsInTheCatalogue) {
@@ -257,8 +258,8 @@ TEST_F(PointingTest, WhatWasNotDoneIsSaidAndCannotBeTakenBack) {
   clickPicture(0, 0.2);
   QTest::keyClick(panel(0), Qt::Key_Plus);
   worker_->report(EditFailed{worker_->edits.back(), {"Region 5 has no parts.", ""}});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, kPatience_ms));
-  EXPECT_EQ(window_->messageBar()->text(), QStringLiteral("Region 5 has no parts."));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, kPatience_ms));
+  EXPECT_EQ(window_->parts().messages->text(), QStringLiteral("Region 5 has no parts."));
   EXPECT_FALSE(window_->history().stack().canUndo());
   EXPECT_EQ(worker_->edits.size(), 1U) << "nothing is undone in the scan";
 }
@@ -286,7 +287,7 @@ TEST_F(PointingTest, ARightClickOffersTheOperations) {
 }
 
 TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
-  EXPECT_FALSE(window_->actions().export_data->isEnabled());
+  EXPECT_FALSE(window_->parts().actions->export_data->isEnabled());
   worker_->finish();
   ScanSnapshot snapshot = twoRegions(90);
   snapshot.state = ScanState::finished;
@@ -294,18 +295,20 @@ TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
   snapshot.shown_key_frame = 2;
   worker_->report(std::move(snapshot));
   worker_->report(ReviewOpened{});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->timeLine()->isVisible(); }, kPatience_ms));
-  EXPECT_TRUE(window_->timeLine()->text().contains(QStringLiteral("frame 90")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().time_line->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(window_->parts().time_line->text().contains(QStringLiteral("frame 90")));
   QTest::keyClick(window_.get(), Qt::Key_PageUp);
   EXPECT_EQ(worker_->key_frames_shown, std::vector{1});
-  EXPECT_TRUE(window_->timeLine()->text().contains(QStringLiteral("frame 30")));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }, kPatience_ms));
-  window_->actions().export_data->trigger();
-  ASSERT_NE(window_->exportDialog(), nullptr);
+  EXPECT_TRUE(window_->parts().time_line->text().contains(QStringLiteral("frame 30")));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return window_->parts().actions->export_data->isEnabled(); }, kPatience_ms));
+  window_->parts().actions->export_data->trigger();
+  ASSERT_NE(window_->dialogs().exportDialog(), nullptr);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !worker_->previews.empty(); }, kPatience_ms));
   worker_->report(ExportPreviewed{{.images = 12, .regions = 3, .megabytes = 40}});
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return window_->exportDialog()->said().contains(QStringLiteral("12 images")); }, kPatience_ms));
+      [&] { return window_->dialogs().exportDialog()->said().contains(QStringLiteral("12 images")); },
+      kPatience_ms));
   // A picture of it, and the way to the next one.
   ASSERT_FALSE(worker_->samples.empty());
   EXPECT_FALSE(worker_->samples.back().second) << "the program chooses the first";
@@ -316,20 +319,21 @@ TEST_F(PointingTest, AScanThatHasEndedShowsItsKeyFramesAndMakesADataSet) {
   sample.masks = 2;
   sample.picture = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 80, 120));
   worker_->report(ExportSampled{sample});
-  const ExportSampleView* const shown = window_->exportDialog()->sampleView();
+  const ExportSampleView* const shown = window_->dialogs().exportDialog()->sampleView();
   ASSERT_TRUE(QTest::qWaitFor([&] { return shown->hasPicture(); }, kPatience_ms));
   EXPECT_TRUE(shown->said().contains(QStringLiteral("2 of 3")));
-  QTest::keyClick(window_->exportDialog(), Qt::Key_PageDown);
+  QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageDown);
   EXPECT_EQ(worker_->samples.back().second, 2);
-  QTest::keyClick(window_->exportDialog(), Qt::Key_PageDown);
-  QTest::keyClick(window_->exportDialog(), Qt::Key_PageUp);
+  QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageDown);
+  QTest::keyClick(window_->dialogs().exportDialog(), Qt::Key_PageUp);
   EXPECT_EQ(worker_->samples.back().second, 1) << "there is no fourth";
-  window_->exportDialog()->begin();
+  window_->dialogs().exportDialog()->begin();
   ASSERT_EQ(worker_->exports.size(), 1U);
   EXPECT_FALSE(worker_->exports[0].folder.empty());
   worker_->report(ExportFailed{{"The disk is full.", ""}});
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return window_->exportDialog()->said() == QStringLiteral("The disk is full."); }, kPatience_ms));
+      [&] { return window_->dialogs().exportDialog()->said() == QStringLiteral("The disk is full."); },
+      kPatience_ms));
 }
 
 TEST_F(PointingTest, EveryScanOfTheWindowIsKept) {

@@ -26,7 +26,7 @@ TEST_F(PresentationTest, ShowsTheSceneAloneSaysWhatHappensAndKeepsNothing) {
   worker_->report(ObjectRecognized{ObjectId{3}, "red mug"});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return window_->presentation()->caption() == QStringLiteral("Recognised: red mug"); }, 3000));
-  EXPECT_FALSE(window_->objectPanel()->isVisible()) << "what comes with a scan stays away";
+  EXPECT_FALSE(window_->parts().objects->isVisible()) << "what comes with a scan stays away";
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_FALSE(window_->presentation()->isOn());
   EXPECT_TRUE(window_->menuBar()->isVisible());
@@ -49,7 +49,7 @@ TEST_F(PresentationTest, StaysOpen_WhenASavedScanWasPresented) {
   window_->openSession(folder_.path());
   worker_->finish();
   worker_->report(ReviewOpened{});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->export_data->isEnabled(); }, 3000));
   window_->presentation()->begin();
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   EXPECT_FALSE(window_->presentation()->isOn());
@@ -68,7 +68,7 @@ TEST_F(PresentationTest, KeepsItsCatalogue_UntilTheScanHasEnded) {
   worker_->finish();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(folder); }, 3000));
   EXPECT_TRUE(window_->onStartPage());
-  EXPECT_EQ(window_->progressStrip()->text(), QString()) << "nothing of the closed scan is shown";
+  EXPECT_EQ(window_->parts().progress->text(), QString()) << "nothing of the closed scan is shown";
 }
 
 }  // namespace

@@ -23,14 +23,14 @@ class WindowRefinementTest : public WindowTest {
 };
 
 TEST_F(WindowRefinementTest, ItsButtonAndItsKeySkipIt) {
-  const QAction* action = window_->actions().skip_refinement;
+  const QAction* action = window_->parts().actions->skip_refinement;
   EXPECT_FALSE(action->isEnabled());
   scanToItsEnd();
   EXPECT_TRUE(action->isEnabled());
   worker_->report(RefinementStepped{35, 140, 40});
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return window_->progressStrip()->text() == QStringLiteral("key frame 11 of 40"); }));
-  auto* button = window_->progressStrip()->findChild<QToolButton*>(QStringLiteral("skipRefinement"));
+      [&] { return window_->parts().progress->text() == QStringLiteral("key frame 11 of 40"); }));
+  auto* button = window_->parts().progress->findChild<QToolButton*>(QStringLiteral("skipRefinement"));
   ASSERT_TRUE(button->isVisible());
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(worker_->commands.back(), "skip refinement");
@@ -43,11 +43,11 @@ TEST_F(WindowRefinementTest, ItsButtonAndItsKeySkipIt) {
 }
 
 TEST_F(WindowRefinementTest, CanBeDoneLater) {
-  const QAction* action = window_->actions().refine;
+  const QAction* action = window_->parts().actions->refine;
   window_->openSession(QStringLiteral("/somewhere/kitchen"));
   enter(ScanState::finished);
   worker_->report(ReviewOpened{.can_refine = false});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().export_data->isEnabled(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->export_data->isEnabled(); }));
   EXPECT_FALSE(action->isEnabled()) << "it has been done";
   worker_->report(ReviewOpened{.can_refine = true});
   ASSERT_TRUE(QTest::qWaitFor([&] { return action->isEnabled(); }));

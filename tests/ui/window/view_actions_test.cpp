@@ -16,8 +16,8 @@ constexpr float kVoxel_m = 3.0F / 512.0F;
 
 class ViewActionsTest : public WindowTest {
  protected:
-  ViewActions& view() { return *window_->scenePane()->viewActions(); }
-  const CloudStyle& style() { return window_->scenePane()->view()->scene().cloud().style(); }
+  ViewActions& view() { return *window_->parts().scene->viewActions(); }
+  const CloudStyle& style() { return window_->parts().scene->view()->scene().cloud().style(); }
 
   /// A wall before the sensor, half a metre wide and high, 1.17 m away.
   void showWall() {
@@ -35,9 +35,9 @@ class ViewActionsTest : public WindowTest {
     snapshot.changed_regions = {{FragmentId{1}, RegionId{1}}};
     worker_->report(std::move(snapshot));
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return window_->scenePane()->view()->scene().cloud().pointCount() > 0; }, 3000));
-    window_->scenePane()->view()->setFollowing(false);
-    window_->scenePane()->view()->scene().viewpoint().lookAt({0, 0, 0}, {0, 0, 1.17F});
+        [&] { return window_->parts().scene->view()->scene().cloud().pointCount() > 0; }, 3000));
+    window_->parts().scene->view()->setFollowing(false);
+    window_->parts().scene->view()->scene().viewpoint().lookAt({0, 0, 0}, {0, 0, 1.17F});
   }
 };
 
@@ -73,7 +73,7 @@ TEST_F(ViewActionsTest, BackgroundIsShownDimmedHiddenInTurn) {
 
 TEST_F(ViewActionsTest, TheCutIsMovedByTheWheelAndZoomStaysZoom) {
   showWall();
-  SceneView* scene = window_->scenePane()->view();
+  SceneView* scene = window_->parts().scene->view();
   QTest::keyClick(window_.get(), Qt::Key_X);
   ASSERT_TRUE(scene->scene().clipDistance());
   const float first = *scene->scene().clipDistance();
@@ -94,7 +94,7 @@ TEST_F(ViewActionsTest, TheCutIsMovedByTheWheelAndZoomStaysZoom) {
 
 TEST_F(ViewActionsTest, TwoClicksMeasureAndEscapeEnds) {
   showWall();
-  SceneView* scene = window_->scenePane()->view();
+  SceneView* scene = window_->parts().scene->view();
   QTest::keyClick(window_.get(), Qt::Key_T);
   ASSERT_TRUE(view().measureTool()->active());
   const QPoint middle = scene->rect().center();
@@ -123,7 +123,7 @@ TEST_F(ViewActionsTest, LengthsAreSaidAsPersonsSayThem) {
 
 TEST_F(ViewActionsTest, KeysLookFromTheSides) {
   showWall();
-  SceneView* scene = window_->scenePane()->view();
+  SceneView* scene = window_->parts().scene->view();
   QTest::keyClick(window_.get(), Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_LT(scene->scene().viewpoint().forward().dot(scene->scene().viewpoint().up()), -0.99F);
   QTest::keyClick(window_.get(), Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);

@@ -39,7 +39,7 @@ class WindowTest : public CatalogueTest {
     ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   }
 
-  ObjectListView* list() { return window_->objectPanel()->list(); }
+  ObjectListView* list() { return window_->parts().objects->list(); }
 
   QModelIndex rowOf(ObjectId object) {
     for (int i = 0; i < list()->model()->rowCount(); ++i) {
@@ -61,7 +61,7 @@ class WindowTest : public CatalogueTest {
   }
 
   void pressButton(QAction* action) {
-    for (QToolButton* button : window_->objectPanel()->findChildren<QToolButton*>()) {
+    for (QToolButton* button : window_->parts().objects->findChildren<QToolButton*>()) {
       if (button->defaultAction() != action) continue;
       QTest::mouseClick(button, Qt::LeftButton);
       return;

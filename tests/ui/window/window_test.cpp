@@ -49,13 +49,13 @@ TEST_F(WindowTest, RenamedAndConfirmedByKeysIsStoredAndThereAfterARestart) {
 
 TEST_F(WindowTest, RenamedAndConfirmedByMouseIsStored) {
   clickOn(objects_[0]);
-  EXPECT_EQ(window_->objectPanel()->viewsStrip()->count(), 1U);
+  EXPECT_EQ(window_->parts().objects->viewsStrip()->count(), 1U);
   QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(rowOf(objects_[0])).center());
   ASSERT_NE(nameEditor(), nullptr);
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Red ball"));
   QTest::keyClick(nameEditor(), Qt::Key_Return);
-  pressButton(window_->objectPanel()->actions().confirm);
+  pressButton(window_->parts().objects->actions().confirm);
   EXPECT_EQ(stored(objects_[0]).name, "Red ball");
   EXPECT_TRUE(stored(objects_[0]).confirmed);
 }
@@ -84,24 +84,24 @@ TEST_F(WindowTest, ARefusedNameIsSaidInTheBarAndNothingIsLost) {
   nameEditor()->selectAll();
   QTest::keyClicks(nameEditor(), QStringLiteral("Obj_1"));
   QTest::keyClick(nameEditor(), Qt::Key_Return);
-  EXPECT_TRUE(window_->messageBar()->isVisible());
+  EXPECT_TRUE(window_->parts().messages->isVisible());
   EXPECT_EQ(stored(objects_[1]).name, "Obj_2");
 }
 
 TEST_F(WindowTest, AMissingPathIsSaidAndTheWindowLives) {
   window_->open(QStringLiteral("/somewhere/missing"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, 3000));
-  EXPECT_TRUE(window_->messageBar()->text().contains(QStringLiteral("/somewhere/missing")));
-  EXPECT_TRUE(window_->messageBar()->text().contains(QStringLiteral("Check the path.")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, 3000));
+  EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("/somewhere/missing")));
+  EXPECT_TRUE(window_->parts().messages->text().contains(QStringLiteral("Check the path.")));
   EXPECT_TRUE(window_->onStartPage());
   EXPECT_FALSE(recentSources().contains(QStringLiteral("/somewhere/missing")));
   // And it can go on with something else.
   window_->open(QStringLiteral("demo"));
   worker_->report(snapshotOf(0));
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return window_->progressStrip()->text().startsWith(QStringLiteral("1 of 100")); }, 3000));
+      [&] { return window_->parts().progress->text().startsWith(QStringLiteral("1 of 100")); }, 3000));
   EXPECT_FALSE(window_->onStartPage());
-  EXPECT_FALSE(window_->messageBar()->isVisible());
+  EXPECT_FALSE(window_->parts().messages->isVisible());
   EXPECT_TRUE(recentSources().contains(QStringLiteral("demo")));
 }
 
@@ -112,13 +112,13 @@ TEST_F(WindowTest, FailedOpening_LeavesNoFolder) {
   const QStringList before = scans();
   window_->open(QStringLiteral("/somewhere/missing"));
   EXPECT_EQ(scans().size(), before.size() + 1) << "made for the scan";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->isVisible(); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->isVisible(); }, 3000));
   EXPECT_EQ(scans(), before);
   window_->open(QStringLiteral("/elsewhere/missing"));
   QFile file(QString::fromStdString(worker_->last_request.output_folder->string()) +
              QStringLiteral("/notes.txt"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->messageBar()->text().contains("elsewhere"); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().messages->text().contains("elsewhere"); }, 3000));
   EXPECT_TRUE(file.exists()) << "a folder that holds anything stays";
 }
 
@@ -205,21 +205,21 @@ TEST_F(WindowTest, SnapshotReachesPanelsAndScene) {
   snapshot.objects = {seen};
   worker_->report(std::move(snapshot));
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return !window_->framePanels()->colorPanel()->picture().isNull(); }, 3000));
-  for (const ImagePanel* panel : window_->framePanels()->panels()) EXPECT_FALSE(panel->picture().isNull());
-  EXPECT_EQ(window_->scenePane()->view()->scene().cloud().pointCount(), 64U);
+      QTest::qWaitFor([&] { return !window_->parts().frames->colorPanel()->picture().isNull(); }, 3000));
+  for (const ImagePanel* panel : window_->parts().frames->panels()) EXPECT_FALSE(panel->picture().isNull());
+  EXPECT_EQ(window_->parts().scene->view()->scene().cloud().pointCount(), 64U);
   EXPECT_TRUE(rowOf(objects_[2]).data(ObjectListModel::InViewRole).toBool());
 }
 
 TEST_F(WindowTest, KeysDriveTheScan) {
   window_->open(QStringLiteral("demo"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().pause->isEnabled(); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->pause->isEnabled(); }, 3000));
   QTest::keyClick(window_.get(), Qt::Key_Space);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->actions().start->isEnabled(); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->parts().actions->start->isEnabled(); }, 3000));
   QTest::keyClick(window_.get(), Qt::Key_N);
   QTest::keyClick(window_.get(), Qt::Key_Space);
   EXPECT_EQ(worker_->commands, (std::vector<std::string>{"start", "pause", "step", "resume"}));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->actions().start->isEnabled(); }, 3000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->parts().actions->start->isEnabled(); }, 3000));
   QTest::keyClick(window_.get(), Qt::Key_Period, Qt::ControlModifier);
   EXPECT_EQ(worker_->commands.back(), "stop");
   EXPECT_EQ(worker_->last_request.database, file_.toStdString());

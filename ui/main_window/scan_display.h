@@ -1,0 +1,32 @@
+#pragma once
+#include <QObject>
+#include <memory>
+
+#include "core/scan/scan_event.h"
+#include "core/scan/scan_snapshot.h"
+#include "ui/main_window/window_parts.h"
+
+namespace scantrove {
+
+class MainWindow;
+
+/// Shows the present scan in the parts of the window: its states, snapshots and failures.
+class ScanDisplay : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The window's parts are there already.
+  explicit ScanDisplay(MainWindow& window);
+
+ private:
+  void begin(const QString& source);
+  void showSnapshot(const std::shared_ptr<const ScanSnapshot>& collected);
+  void showState(ScanState state);
+  void scanFailed(const ScanFailed& event);
+
+  MainWindow& window_;
+  const WindowParts parts_;
+  bool has_snapshot_ = false;  ///< of the present scan
+};
+
+}  // namespace scantrove

@@ -1,0 +1,88 @@
+#include "ui/main_window/window_dialogs.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "ui/main_window/catalogue_choice.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/scan_controller.h"
+#include "ui/panels/camera_dialog.h"
+#include "ui/panels/export_dialog.h"
+#include "ui/panels/file_dialogs.h"
+#include "ui/panels/help_dialog.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/source_dialog.h"
+
+namespace scantrove {
+
+WindowDialogs::WindowDialogs(MainWindow& window) : QObject(&window), window_(window) {}
+
+void WindowDialogs::openFolder() {
+  const QString folder = chooseFolder(&window_, tr("Folder of a recording"));
+  if (!folder.isEmpty()) window_.open(folder);
+}
+
+void WindowDialogs::openRecording() {
+  const QString file = chooseFile(&window_, tr("Recording"), tr("OpenNI recordings (*.oni)"));
+  if (!file.isEmpty()) window_.open(file);
+}
+
+void WindowDialogs::openWithOptions() {
+  SourceDialog dialog(window_.controller().source(), &window_);
+  if (dialog.exec() != QDialog::Accepted) return;
+  window_.parts().messages->dismiss();
+  window_.controller().open(dialog.source(), dialog.options(), dialog.poses());
+}
+
+void WindowDialogs::openCamera() {
+  CameraDialog dialog(listCameras, &window_);
+  if (dialog.exec() == QDialog::Accepted && !dialog.source().isEmpty()) window_.open(dialog.source());
+}
+
+void WindowDialogs::chooseCatalogue() {
+  const QString file = chooseFileToSave(&window_, tr("Catalogue to open or create"),
+                                        window_.catalogue().chosen(), tr("Catalogues (*.sqlite)"));
+  if (!file.isEmpty()) window_.openCatalogue(file);
+}
+
+void WindowDialogs::chooseSession() {
+  const QString folder = chooseFolder(&window_, tr("Scan that was kept"), ScanController::sessionsFolder());
+  if (!folder.isEmpty()) window_.openSession(folder);
+}
+
+void WindowDialogs::showExport() {
+  if (export_ != nullptr && export_->isWorking()) {
+    export_->raise();
+    return;
+  }
+  delete export_;
+  export_ = new ExportDialog(QFileInfo(window_.controller().sessionFolder()).fileName(), &window_);
+  ScanBridge& bridge = window_.controller().bridge();
+  connect(export_, &ExportDialog::posted, &bridge, &ScanBridge::post);
+  connect(&bridge, &ScanBridge::eventArrived, export_, &ExportDialog::handleEvent);
+  export_->show();
+  export_->raise();
+  export_->activateWindow();
+}
+
+void WindowDialogs::showHelp() {
+  if (help_ == nullptr) help_ = new HelpDialog(&window_);
+  help_->show();
+  help_->raise();
+  help_->activateWindow();
+}
+
+void WindowDialogs::showAbout() {
+  QMessageBox::about(&window_, tr("About Scantrove"),
+                     tr("<h3>Scantrove %1</h3><p>Sweep a depth camera over a scene, collect its objects in a "
+                        "database.</p>")
+                         .arg(QApplication::applicationVersion()));
+}
+
+void WindowDialogs::closeExport() {
+  delete export_;  // cancels what it waits for
+  export_ = nullptr;
+}
+
+}  // namespace scantrove

@@ -1,0 +1,37 @@
+#pragma once
+#include <QObject>
+
+namespace scantrove {
+
+class ExportDialog;
+class HelpDialog;
+class MainWindow;
+
+/// The dialogs that the menus open, and what becomes of their answers.
+class WindowDialogs : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit WindowDialogs(MainWindow& window);
+
+  void openFolder();
+  void openRecording();
+  void openWithOptions();
+  void openCamera();
+  void chooseCatalogue();
+  void chooseSession();
+  void showExport();
+  void closeExport();
+  void showHelp();
+  void showAbout();
+
+  /// Null: it is not open.
+  [[nodiscard]] ExportDialog* exportDialog() const { return export_; }
+
+ private:
+  MainWindow& window_;
+  ExportDialog* export_ = nullptr;
+  HelpDialog* help_ = nullptr;
+};
+
+}  // namespace scantrove
