@@ -1,6 +1,7 @@
 #include "core/image/png_encoder.h"
 
 #include <spng.h>
+#include <zlib.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -49,6 +50,7 @@ std::string encodePng(const cv::Mat& image) {
   require(spng_set_ihdr(encoder.get(), &header));
   require(spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1));
   require(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, 1));
+  require(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE));
   require(spng_set_option(encoder.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_UP));
   require(spng_encode_image(encoder.get(), pixels.data, pixels.total() * pixels.elemSize(), SPNG_FMT_PNG,
                             SPNG_ENCODE_FINALIZE));
