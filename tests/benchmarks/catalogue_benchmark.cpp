@@ -54,27 +54,34 @@ void fill(const fs::path& file, int views) {
                .c_str(),
            11, objects - 10);
   const int others = views - 10;
-  copyRows(*connection,
-           (numbers + "INSERT INTO views SELECT n.i, 1 + (n.i - 1) / 20, 1 + (n.i - 1) / 20, NULL, n.i, pose,"
-                      " direction_x, direction_y, direction_z, created, color, mask, depth_mm"
-                      " FROM n JOIN views v ON v.id = 1 + n.i % 10")
-               .c_str(),
-           11, others);
+  copyRows(
+      *connection,
+      (numbers + "INSERT INTO views (id, object, first_object, frame_index, pose, direction_x, direction_y,"
+                 " direction_z, created, color, mask, depth_mm)"
+                 " SELECT n.i, 1 + (n.i - 1) / 20, 1 + (n.i - 1) / 20, n.i, pose,"
+                 " direction_x, direction_y, direction_z, created, color, mask, depth_mm"
+                 " FROM n JOIN views v ON v.id = 1 + n.i % 10")
+          .c_str(),
+      11, others);
   copyRows(*connection,
            (numbers +
-            "INSERT INTO view_summaries SELECT n.i, 1 + (n.i - 1) / 20, object_pixels, size_x_m, size_y_m,"
+            "INSERT INTO view_summaries (view, first_object, object_pixels, size_x_m, size_y_m, size_z_m)"
+            " SELECT n.i, 1 + (n.i - 1) / 20, object_pixels, size_x_m, size_y_m,"
             " size_z_m FROM n JOIN view_summaries s ON s.view = 1 + n.i % 10")
                .c_str(),
            11, others);
   copyRows(*connection,
-           (numbers + "INSERT INTO descriptors SELECT n.i, mean_l, mean_a, mean_b, fine FROM n"
+           (numbers + "INSERT INTO descriptors (view, mean_l, mean_a, mean_b, fine) SELECT n.i, mean_l, "
+                      "mean_a, mean_b, fine FROM n"
                       " JOIN descriptors d ON d.view = 1 + n.i % 10")
                .c_str(),
            11, others);
-  copyRows(*connection,
-           (numbers + "INSERT INTO pictures SELECT n.i, jpeg FROM n JOIN pictures p ON p.view = 1 + n.i % 10")
-               .c_str(),
-           11, others);
+  copyRows(
+      *connection,
+      (numbers +
+       "INSERT INTO pictures (view, jpeg) SELECT n.i, jpeg FROM n JOIN pictures p ON p.view = 1 + n.i % 10")
+          .c_str(),
+      11, others);
   SCANTROVE_CHECK(connection->execute(
       "INSERT INTO events (created, action, object, after_json) SELECT '', 'add-view', object,"
       " '{\"view\":' || id || '}' FROM views"));

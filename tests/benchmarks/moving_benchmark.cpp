@@ -37,7 +37,9 @@ void report(std::uint32_t seed, const test::MovingScan& scan) {
 int main(int argc, char** argv) {
   CLI::App app("Scans of scenes in which things move");
   std::vector<std::uint32_t> seeds;
+  int frames = 0;
   app.add_option("seeds", seeds, "of demo:moving")->required();
+  app.add_option("--frames", frames, "only the first N");
   CLI11_PARSE(app, argc, argv);
   const scantrove::test::QtMainThread qt;
   const auto compute = scantrove::ComputeContext::create({});
@@ -46,7 +48,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (const std::uint32_t seed : seeds) {
-    const auto scan = scantrove::test::scanMoving(seed, **compute);
+    const auto scan = scantrove::test::scanMoving(seed, **compute, frames);
     if (!scan) {
       std::cerr << scan.error().message() << '\n';
       return 1;

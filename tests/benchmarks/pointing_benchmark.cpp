@@ -262,7 +262,7 @@ int run(const std::string& source, int moves, int places, bool still) {
                    });
   bridge.on<ReviewOpened>(&window, [&] { is_open = true; });
   window.open(QString::fromStdString(source));
-  wait(8000);
+  if (!still) wait(8000);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.1, 0.9);
   std::vector<double> in_scene, in_picture;

@@ -17,13 +17,15 @@ namespace scantrove::benchmarks {
 /// Synthetic scenes as recordings with truth in a folder: rendered once, then only read.
 class SceneCache {
  public:
-  explicit SceneCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// `frames`: only the first of each scene, in a folder of their own; 0: all.
+  SceneCache(std::filesystem::path folder, int frames) : folder_(std::move(folder)), frames_(frames) {}
 
   /// `scene`: "room:7:uneven", as after "demo:". Renders it when it is not there, or when the first frame is
   /// not what the scene's first frame is now.
   [[nodiscard]] Result<std::filesystem::path> recordingOf(const std::string& scene) const {
     std::string name = scene;
     std::replace(name.begin(), name.end(), ':', '-');
+    if (frames_ > 0) name += "-first-" + std::to_string(frames_);
     const std::filesystem::path folder = folder_ / name;
     const auto isCurrent = checkIsCurrent(scene, folder);
     if (!isCurrent) return fail(isCurrent.error());
@@ -47,9 +49,11 @@ class SceneCache {
            cv::norm(now.instances, *instances, cv::NORM_INF) == 0;
   }
 
-  static Result<void> render(const std::string& scene, const std::filesystem::path& folder) {
+  Result<void> render(const std::string& scene, const std::filesystem::path& folder) const {
     std::filesystem::remove_all(folder);
-    const auto source = openSource("demo:" + scene, {});
+    SourceOptions which;
+    if (frames_ > 0) which.frames = frames_;
+    const auto source = openSource("demo:" + scene, which);
     if (!source) return fail(source.error());
     auto writer = RecordingWriter::create(folder, (*source)->info());
     if (!writer) return fail(writer.error());
@@ -61,6 +65,7 @@ class SceneCache {
   }
 
   std::filesystem::path folder_;
+  int frames_;
 };
 
 }  // namespace scantrove::benchmarks

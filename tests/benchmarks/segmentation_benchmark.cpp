@@ -167,7 +167,7 @@ Result<void> run(const Options& options) {
   if (!variants) return fail(variants.error());
   auto compute = ComputeContext::create({});
   if (!compute) return fail(compute.error());
-  const SceneCache cache(options.scenes.cache);
+  const SceneCache cache(options.scenes.cache, options.scenes.frames);
   for (const Variant& variant : *variants) {
     printHeader(variant);
     std::vector<SceneScore> all;

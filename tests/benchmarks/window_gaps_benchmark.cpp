@@ -204,6 +204,7 @@ struct Wishes {
   std::string session;
   int objects = 200;
   double scan_s = 30;
+  double idle_s = 3;
   int names = 10;
 };
 
@@ -222,7 +223,7 @@ int run(TimedApplication& application, const Wishes& wishes) {
   bridge.on<ReviewOpened>(&window, [&] { is_open = true; });
   bridge.on<ScanFinished>(&window, [&] { has_ended = true; });
   QString session = QString::fromStdString(wishes.session);
-  gaps.watch("first page", 2, [] { return false; });
+  gaps.watch("first page", wishes.idle_s, [] { return false; });
   if (session.isEmpty() || wishes.scan_s > 0) {
     window.open(QString::fromStdString(wishes.source));
     const QString scanned = window.controller().sessionFolder();
@@ -233,11 +234,11 @@ int run(TimedApplication& application, const Wishes& wishes) {
     gaps.watch("ending the scan", 120, [&] { return is_open; });
   }
   window.closeScan();
-  gaps.watch("closing", 3, [] { return false; });
+  gaps.watch("closing", wishes.idle_s, [] { return false; });
   is_open = false;
   window.openSession(session);
   gaps.watch("opening the session", 120, [&] { return is_open; });
-  gaps.watch("the 5 s after", 5, [] { return false; });
+  gaps.watch("after opening", wishes.idle_s, [] { return false; });
   std::cout << "  " << window.parts().scene->view()->scene().cloud().pointCount() << " points\n";
   resizeOften(window, gaps);
   nameRegions(window, gaps, wishes.names);
@@ -255,6 +256,7 @@ int main(int argc, char** argv) {
   app.add_option("--session", wishes.session, "to open; else what was scanned");
   app.add_option("--objects", wishes.objects, "named ones in the catalogue");
   app.add_option("--scan-seconds", wishes.scan_s, "0 with --session: no scan");
+  app.add_option("--idle-seconds", wishes.idle_s, "while nothing is to be done");
   app.add_option("--names", wishes.names, "regions to name in the session");
   CLI11_PARSE(app, argc, argv);
   const QTemporaryDir home;

@@ -89,9 +89,10 @@ inline std::set<std::uint32_t> objectsAt(std::uint16_t thing, const RgbdFrame& f
 
 }  // namespace moving
 
-/// Needs a Qt application (QtMainThread).
-inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute) {
-  const SyntheticOptions options = moving::filmed(seed, true);
+/// Needs a Qt application (QtMainThread). `frames`: only the first; 0: all.
+inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute, int frames = 0) {
+  SyntheticOptions options = moving::filmed(seed, true);
+  if (frames > 0) options.at_most = frames;
   const auto source = makeSyntheticSource(options);
   if (!source) return fail(source.error());
   const std::uint16_t mug = (*source)->scene().find("mug");
