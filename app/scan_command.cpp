@@ -30,7 +30,7 @@ struct ScanArguments {
 void printSummary(const ScanReport& report, const std::string& out) {
   const FrameCounts& frames = report.frames;
   std::size_t known = 0;
-  for (const ScanReport::Object& object : report.objects) known += object.recognized_from.empty() ? 0U : 1U;
+  for (const CollectedObject& object : report.objects) known += object.recognized_from.empty() ? 0U : 1U;
   std::cout << std::fixed << std::setprecision(1);
   std::cout << "frames   " << frames.read << " read, " << frames.tracked << " tracked, " << frames.lost
             << " lost";
@@ -42,7 +42,7 @@ void printSummary(const ScanReport& report, const std::string& out) {
             << report.peak_memory_mb << " MiB\nregions  " << report.regions << "\nobjects  "
             << report.objects.size() - known << " new, " << known << " recognised";
   const char* separator = ": ";
-  for (const ScanReport::Object& object : report.objects) {
+  for (const CollectedObject& object : report.objects) {
     std::cout << separator << inLine(object.name);
     separator = ", ";
   }

@@ -27,14 +27,19 @@ bool holdsBoth(const ObjectRecord& first, const ObjectRecord& second) {
 
 }  // namespace
 
-void CatalogueMirror::continueSession(std::int64_t session, std::uint32_t next_key,
-                                      const std::map<ObjectId, ObjectId>& ids) {
-  session_ = session;
-  next_key_ = next_key;
-  for (const auto& [key, id] : ids) {
+void CatalogueMirror::continueSession(Continued from) {
+  session_ = from.session;
+  next_key_ = from.next_key;
+  for (const auto& [key, id] : from.ids) {
     ids_[key] = id;
     keys_[id] = key;
   }
+  kept_apart_ = std::move(from.kept_apart);
+  regrouped_ = std::move(from.regrouped);
+}
+
+CatalogueMirror::Continued CatalogueMirror::continued() const {
+  return {session_, next_key_, {ids_.begin(), ids_.end()}, kept_apart_, regrouped_};
 }
 
 Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {

@@ -24,17 +24,32 @@ namespace scantrove {
 /// that were in the catalogue before, and those of others, key and id are the same.
 class CatalogueMirror {
  public:
+  static constexpr std::uint32_t kFirstKey = 1U << 31U;  ///< of the objects that a scan finds
+
   explicit CatalogueMirror(Detector detector) : detector_(std::move(detector)) {}
 
-  /// The scan that found these objects (ids by key) in that session of the catalogue continues. Before
-  /// load().
-  void continueSession(std::int64_t session, std::uint32_t next_key, const std::map<ObjectId, ObjectId>& ids);
+  /// What a scan that continues knows of its part in the catalogue.
+  struct Continued {
+    std::int64_t session = 0;                            ///< of the catalogue; 0: none continues
+    std::uint32_t next_key = kFirstKey;                  ///< for the next object that is found
+    std::map<ObjectId, ObjectId> ids;                    ///< of the scan's objects that are stored, by key
+    std::set<std::pair<ObjectId, ObjectId>> kept_apart;  ///< users undid their merges; smaller id first
+    std::set<ObjectId> regrouped;                        ///< users brought back, merged or split
+  };
+  /// Before load().
+  void continueSession(Continued from);
+  /// Of this scan, so far; but for its session.
+  [[nodiscard]] Continued continued() const;
 
   /// Reads all of `database`; returns where the news go on.
   [[nodiscard]] Result<CataloguePosition> load(ObjectDatabase& database);
 
   /// The record of a visible object, or null. Its id is the key.
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
+  /// The record of who holds the object, or null.
+  [[nodiscard]] const ObjectRecord* currentRecord(ObjectId object) const {
+    return record(mergeRootOf(object));
+  }
   /// The visible objects that this scan has not found, rising.
   [[nodiscard]] std::vector<ObjectId> ofBefore() const;
   /// Who holds what was this object's; none: it was deleted.
@@ -55,8 +70,6 @@ class CatalogueMirror {
   /// None: not stored yet.
   [[nodiscard]] ObjectId idOf(ObjectId key) const;
   [[nodiscard]] ObjectId keyOf(ObjectId id) const;
-  /// Of the objects of this scan that are stored, by key.
-  [[nodiscard]] std::map<ObjectId, ObjectId> idsOfThisScan() const { return {ids_.begin(), ids_.end()}; }
 
   // What the scan does, ahead of the database.
 
@@ -86,8 +99,6 @@ class CatalogueMirror {
   void apply(const CatalogueNews& news);
 
  private:
-  friend class CollectorMemory;
-  static constexpr std::uint32_t kFirstKey = 1U << 31U;
   struct Applied;
 
   void setMergeRoot(ObjectId object, ObjectId root);

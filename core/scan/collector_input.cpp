@@ -12,7 +12,7 @@ void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes
   if (notes.all().empty()) return;
   std::erase_if(candidates, [&](const Candidate& candidate) {
     const bool is_set = candidate.regions.size() > 1;
-    const bool is_one = is_set && collector.areOneObject(candidate.regions);
+    const bool is_one = is_set && collector.tracks().areOneObject(candidate.regions);
     return std::ranges::any_of(candidate.regions, [&](RegionId region) {
       const RegionNote& note = notes.of(region);
       return note.background || note.rejected || (is_set && !is_one && !note.name.empty());
@@ -24,10 +24,10 @@ void leaveOutRejected(const ObjectCollector& collector, const RegionNotes& notes
 
 std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResult& result,
                                      const RegionNotes& notes, int least_points) {
-  collector.setRegionsInView(result.regions_in_view);
+  collector.tracks().setRegionsInView(result.regions_in_view);
   std::vector<Candidate> candidates = result.candidates;
   leaveOutRejected(collector, notes, candidates);
-  if (collector.requested().empty()) return candidates;
+  if (collector.requests().pending().empty()) return candidates;
   const std::vector<RegionId> shown = result.shownRegions();
   addRequested(collector, result.inputFor(shown), least_points, candidates);
   return candidates;
@@ -37,7 +37,7 @@ void addRequested(const ObjectCollector& collector, const DiscoveryInput& input,
                   std::vector<Candidate>& candidates) {
   const double scale = static_cast<double>(input.view.K.pixels()) / (640.0 * 480.0);
   const auto least_here = static_cast<int>(least_points * scale);
-  for (const auto& [region, name] : collector.requested()) {
+  for (const auto& [region, name] : collector.requests().pending()) {
     // A name is for the region alone; a click may mean a set that holds it.
     const bool is_found =
         std::ranges::any_of(candidates, [one = region, is_any = name.empty()](const Candidate& other) {
@@ -50,8 +50,8 @@ void addRequested(const ObjectCollector& collector, const DiscoveryInput& input,
 }
 
 void follow(ObjectCollector& collector, const RegionEvents& events, ObjectCollector::JoinedBy by) {
-  for (const auto& [into, from] : events.joined) collector.regionsJoined(into, from, by);
-  for (const auto& [from, part] : events.parted) collector.regionsParted(from, part);
+  for (const auto& [into, from] : events.joined) collector.joinRegions(into, from, by);
+  for (const auto& [from, part] : events.parted) collector.splitRegion(from, part);
 }
 
 }  // namespace scantrove

@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
+#include "core/collection/object_collector.h"
 #include "core/editing/region_notes.h"
 #include "core/labeling/region_table.h"
 #include "core/scan/frame_result.h"
-#include "core/scan/object_collector.h"
 
 namespace scantrove {
 

@@ -120,14 +120,14 @@ Result<bool> FinalPass::rate() {
   SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
   const FinerRegions finer(pipeline_.regionTable(), pipeline_.regionMerger(), pipeline_.voxelsOfFragments(),
                            pipeline_.params().labeling,
-                           [this](RegionId region) { return collector_.staysAsItIs(region); });
+                           [this](RegionId region) { return collector_.requests().isFixed(region); });
   std::unique_ptr<RegionJudge> finer_judge;
   if (finer.areDivided()) {
     SCANTROVE_TRY(moveInto(finer_judge, makeJudge(finer.table())));
     // What holds no part is rated as it is.
     finer_judge->askOnlyOf([&finer](const RegionSet& regions) { return finer.holdsPart(regions); });
   }
-  collector_.beginLookingAgain();
+  collector_.beginRefinement();
   RatedSets rated;
   const auto rateFrame = [&](const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
     return guarded("rating frame " + std::to_string(frame.index), [&]() -> Result<void> {
@@ -153,7 +153,7 @@ Result<bool> FinalPass::rate() {
     follow(collector_, events, ObjectCollector::JoinedBy::frames);
     if (!events.parted.empty()) SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
   }
-  std::vector<ObjectCollector::CompleteSet> complete;
+  std::vector<CompleteSet> complete;
   for (const RatedSets::Rated& set : rated.disjoint(kComplete))
     complete.push_back({set.regions, set.frame_index});
   collector_.settleComplete(complete, [&](RegionId region) { return rated.isUnlikely(region, kComplete); });
@@ -162,18 +162,18 @@ Result<bool> FinalPass::rate() {
 
 /// Views that show their objects otherwise than the map does now count no longer.
 Result<bool> FinalPass::judgeViews() {
-  return forEach<int>(collector_.framesOfViews(), [this](int frame_index) {
+  return forEach<int>(collector_.views().framesOfViews(), [this](int frame_index) {
     return guarded("judging the views of frame " + std::to_string(frame_index),
                    [&] { return judgeViewsOf(frame_index); });
   });
 }
 
 Result<void> FinalPass::judgeViewsOf(int frame_index) {
-  for (const auto& [image_px, T_world_camera] : collector_.camerasOfViews(frame_index)) {
+  for (const auto& [image_px, T_world_camera] : collector_.views().camerasOfViews(frame_index)) {
     const Intrinsics K = pipeline_.workingIntrinsics().resizedTo(image_px.width, image_px.height);
     const Result<RenderedView> view = pipeline_.renderView(T_world_camera, K);
     if (!view) return fail(view.error());
-    collector_.judgeViewsOf(frame_index, *view, pipeline_.params().fusion.depth_noise_m);
+    collector_.views().compare(frame_index, *view, pipeline_.params().fusion.depth_noise_m);
   }
   return {};
 }
@@ -187,14 +187,14 @@ Result<bool> FinalPass::collect() {
 
 /// Objects that still have no view, from the frames that show them best.
 Result<bool> FinalPass::complete() {
-  const std::vector<int> needed = collector_.beginLastLooks();
+  const std::vector<int> needed = collector_.beginLastPass();
   std::vector<const KeyFrame*> keys = allKeyFrames();
   std::erase_if(keys, [&](const KeyFrame* key) {
     return !std::ranges::binary_search(needed, key->frame.source_index);
   });
   const Result<bool> is_done = forEachKeyFrame(
       keys, [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) { return collectFrom(frame, T); });
-  if (is_done && *is_done) collector_.endLookingAgain();
+  if (is_done && *is_done) collector_.endRefinement();
   return is_done;
 }
 
@@ -207,7 +207,7 @@ Result<void> FinalPass::collectFrom(const RgbdFrame& frame, const Eigen::Isometr
     FrameResult observed = pipeline_.observe(frame, T_world_camera);
     std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.regionTable());
     callbacks_.collected(
-        collector_.collect(frame, observed.pose, observed.observed.in_color, std::move(candidates)));
+        collector_.collect(frame, T_world_camera, observed.observed.in_color, std::move(candidates)));
     return {};
   });
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/collection/object_collector.h"
 #include "core/discovery/region_judge.h"
-#include "core/scan/object_collector.h"
 #include "core/scan/refinement_position.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/session_recorder.h"

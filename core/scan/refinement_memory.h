@@ -15,7 +15,7 @@ namespace scantrove {
 /// What a session keeps of a refinement that was left for later.
 struct RefinementMemory {
   RefinementPosition position;
-  std::vector<std::uint32_t> collector;  ///< of CollectorMemory
+  std::vector<std::uint32_t> collector;  ///< of collectorMemory()
   std::vector<RegionId> known;           ///< RegionTable::isKnown
 };
 

@@ -28,9 +28,9 @@ Json stagesToJson(const std::vector<ScanReport::Stage>& stages) {
   return json;
 }
 
-Json objectsToJson(const std::vector<ScanReport::Object>& objects) {
+Json objectsToJson(const std::vector<CollectedObject>& objects) {
   Json json = Json::array();
-  for (const ScanReport::Object& object : objects) {
+  for (const CollectedObject& object : objects) {
     const bool is_new = object.recognized_from.empty();
     json.push_back({{"id", object.id.value},
                     {"name", object.name},

@@ -17,10 +17,11 @@ Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameRe
     std::vector<Candidate> candidates = candidatesFor(*collector_, result, pipeline_.editor().notes(),
                                                       pipeline_.params().discovery.min_points);
     FrameObjects objects = pipeline_.timer().time("detect", [&] {
-      return collector_->collect(frame, result.pose, result.observed.in_color, std::move(candidates));
+      return collector_->collect(frame, result.pose.T_world_camera, result.observed.in_color,
+                                 std::move(candidates));
     });
     keepKnown(objects);
-    collector_->lookForThoseMet(result.observed.depth, pipeline_.params().fusion.depth_noise_m);
+    collector_->checkPlaces(result.observed.depth, pipeline_.params().fusion.depth_noise_m);
     last_seen_ = {frame, result.pose.T_world_camera};
     return objects;
   };
@@ -37,32 +38,33 @@ void ScanObjects::keepKnown(const FrameObjects& objects) {
 }
 
 void ScanObjects::follow(const RegionEditor::Outcome& outcome, Edit edit) {
-  scantrove::follow(*collector_, outcome.events, ObjectCollector::JoinedBy::person);
+  scantrove::follow(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
   const Operation& operation = outcome.operation;
   if (isNaming(operation.kind) && !operation.name.empty()) followNames(operation, edit);
   if (operation.kind == OperationKind::object && operation.on && edit == Edit::undone) {
-    for (const RegionId region : operation.regions) collector_->takeObjectBack(region);
+    for (const RegionId region : operation.regions) collector_->requests().undoObject(region);
   }
   std::vector<RegionId> regions = operation.regions;
   regions.insert(regions.end(), outcome.regions.begin(), outcome.regions.end());
   const bool is_said = isNaming(operation.kind) || operation.kind == OperationKind::object ||
                        operation.kind == OperationKind::background || operation.kind == OperationKind::reject;
   for (const RegionId region : regions) {
-    if (!requestNoted(region) && (is_said || edit == Edit::undone)) collector_->wantNoMore(region);
+    if (!requestNoted(region) && (is_said || edit == Edit::undone)) collector_->requests().cancel(region);
   }
 }
 
 void ScanObjects::followNames(const Operation& operation, Edit edit) {
   if (edit == Edit::done) {
-    for (const RegionId region : operation.regions) collector_->nameByPerson(region, operation.name);
+    for (const RegionId region : operation.regions) collector_->requests().name(region, operation.name);
   } else if (edit == Edit::redone) {
-    for (const RegionId region : operation.regions) collector_->nameAgain(region, operation.name);
+    for (const RegionId region : operation.regions) collector_->requests().redoName(region, operation.name);
   } else {
     for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {
-      collector_->takeNameBack(*region, operation.name);
+      collector_->requests().undoName(*region, operation.name);
       // The name that it had before may have waited for the object until now.
       const std::string& name = pipeline_.editor().notes().of(*region).name;
-      if (!name.empty() && !collector_->hasNamed(*region, name)) collector_->nameByPerson(*region, name);
+      if (!name.empty() && !collector_->requests().hasNamed(*region, name))
+        collector_->requests().name(*region, name);
     }
   }
 }
@@ -71,7 +73,7 @@ bool ScanObjects::requestNoted(RegionId region) {
   const RegionNote& note = pipeline_.editor().notes().of(region);
   const bool is_thing = (note.object || !note.name.empty()) && !note.background && !note.rejected;
   if (!is_thing || pipeline_.regionTable().fragmentsOf(region).empty()) return false;
-  collector_->want(region, note.name);
+  collector_->requests().request(region, note.name);
   return true;
 }
 
@@ -84,7 +86,7 @@ std::map<RegionId, RegionLabel> ScanObjects::labels() const {
   std::map<RegionId, RegionLabel> labels;
   for (const RegionId region : pipeline_.regionTable().regions()) {
     if (!region || labels.contains(region)) continue;
-    const RegionObject& object = objects[region] = collector_->describeRegion(region);
+    const RegionObject& object = objects[region] = collector_->objects().describe(region);
     labels[region] = labelOf(pipeline_.editor().notes().of(region), object);
   }
   shareClasses(labels, objects);
@@ -92,14 +94,14 @@ std::map<RegionId, RegionLabel> ScanObjects::labels() const {
 }
 
 Result<void> ScanObjects::addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce) {
-  if (!last_seen_ || collector_->requested().empty()) return {};
+  if (!last_seen_ || collector_->requests().pending().empty()) return {};
   const Result<RenderedView> view = pipeline_.renderView(last_seen_->T_world_camera);
   if (!view) return fail(view.error());
   std::vector<Candidate> candidates;
   addRequested(*collector_, {*view}, pipeline_.params().discovery.min_points, candidates);
   const SurfaceInColor in_color =
       locateInColor(last_seen_->frame.color_camera, view->K, view->T_world_camera, view->vertices_world);
-  announce(collector_->addWanted(last_seen_->frame, view->T_world_camera, in_color, candidates));
+  announce(collector_->addRequested(last_seen_->frame, view->T_world_camera, in_color, candidates));
   return {};
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/rgbd_frame.h"
-#include "core/scan/object_collector.h"
+#include "core/collection/object_collector.h"
 #include "core/scan/region_label.h"
 #include "core/scan/scan_pipeline.h"
 

@@ -5,6 +5,7 @@
 
 #include "core/base/ids.h"
 #include "core/base/stage_timer.h"
+#include "core/collection/collected_object.h"
 #include "core/scan/frame_counts.h"
 #include "core/scan/scan_params.h"
 
@@ -47,18 +48,11 @@ struct ScanReport {
   std::vector<Kernel> kernels;  ///< the dearest first; empty unless profiled
   double peak_memory_mb = 0;
   int map_bricks = 0;
-  double map_megabytes = 0;       ///< device memory, MiB
-  double map_disk_megabytes = 0;  ///< of the part that is on disk, compressed, MiB
-  int regions = 0;                ///< of at least kSmallFragmentVoxels voxels
-  int small_fragments = 0;        ///< smaller ones
-  struct Object {
-    ObjectId id;
-    std::string name;
-    bool confirmed = false;
-    int views = 0;
-    std::string recognized_from;  ///< session that first added it; empty: added in this scan
-  };
-  std::vector<Object> objects;  ///< met in this scan
+  double map_megabytes = 0;              ///< device memory, MiB
+  double map_disk_megabytes = 0;         ///< of the part that is on disk, compressed, MiB
+  int regions = 0;                       ///< of at least kSmallFragmentVoxels voxels
+  int small_fragments = 0;               ///< smaller ones
+  std::vector<CollectedObject> objects;  ///< observed in this scan
   struct Refinement {
     double seconds = 0;
     int key_frames = 0;    ///< that it uses

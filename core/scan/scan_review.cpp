@@ -5,11 +5,11 @@
 
 #include "core/base/overloaded.h"
 #include "core/capture/color_projection.h"
+#include "core/collection/objects_in_view.h"
 #include "core/compute/guarded.h"
 #include "core/dataset/dataset_export.h"
 #include "core/fusion/rendered_view.h"
 #include "core/scan/key_frame_files.h"
-#include "core/scan/objects_in_view.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/scan/session_catalogue.h"
 

@@ -13,9 +13,9 @@
 #include "core/base/heap.h"
 #include "core/base/overloaded.h"
 #include "core/catalogue/object_database.h"
+#include "core/collection/collector_memory.h"
 #include "core/compute/guarded.h"
 #include "core/scan/catalogue_numbers.h"
-#include "core/scan/collector_memory.h"
 #include "core/scan/final_pass.h"
 #include "core/scan/no_frames.h"
 #include "core/scan/open_session.h"
@@ -176,7 +176,7 @@ Result<void> ScanRun::createPipeline(ObjectDatabase& database) {
   objects_ = std::make_unique<ScanObjects>(*pipeline, std::move(collector));
   pipeline_ = std::move(pipeline);
   snapshots_.setLabels({[this] { return objects_->labels(); },
-                        [this](SeenObject& seen) { objects_->collector().describeObject(seen); }});
+                        [this](SeenObject& seen) { objects_->collector().objects().describe(seen); }});
   return {};
 }
 
@@ -456,7 +456,7 @@ Result<void> ScanRun::runRefinement(const Ending& ending) {
 void ScanRun::keepRefinement() {
   SessionMetadata metadata = refinementMetadata(true);
   if (refinement_.skipped) {
-    refinement_memory_.collector = CollectorMemory::of(objects_->collector());
+    refinement_memory_.collector = collectorMemory(objects_->collector().state());
     const RegionTable& table = pipeline_->regionTable();
     std::set<RegionId> known(table.regions().begin(), table.regions().end());
     std::erase_if(known, [&table](RegionId region) { return !table.isKnown(region); });
@@ -534,7 +534,7 @@ void ScanRun::fillReport(ScanReport& report) {
   report.small_fragments = regions.small_fragments;
   report.refinement = refinement_;
   report.is_of_refinement = request_.refine_session;
-  report.objects = objects_->collector().metObjects();
+  report.objects = objects_->collector().objects().list();
 }
 
 }  // namespace scantrove

@@ -20,7 +20,7 @@ Result<void> ScanRun::followAdvisor(const RgbdFrame& frame, bool is_usable) {
 
 bool ScanRun::isUntouched() const {
   return !request_.resume && pipeline_->editor().log().entries().empty() &&
-         objects_->collector().metObjects().empty();
+         objects_->collector().objects().list().empty();
 }
 
 Result<void> ScanRun::beginAnew(int frame_index) {

@@ -9,6 +9,7 @@
 
 #include "core/base/ids.h"
 #include "core/capture/intrinsics.h"
+#include "core/collection/seen_object.h"
 #include "core/discovery/region_set.h"
 #include "core/scan/frame_counts.h"
 #include "core/scan/packed_surface.h"
@@ -17,16 +18,6 @@
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {
-
-/// A discovered object as seen in the current frame.
-struct SeenObject {
-  ObjectId object;  ///< none while the candidate is still being watched
-  RegionSet regions;
-  std::string name;         ///< empty while `object` is none
-  bool recognized = false;  ///< known from the catalogue before this scan, or met again
-  bool confirmed = false;   ///< by a person
-  cv::Rect2f box;           ///< in fractions of the colour image's width and height
-};
 
 /// The points of one brick of the label cloud, at a version that grows with each change of the brick.
 struct CloudBrick {

@@ -184,7 +184,7 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, const ObjectCollect
   } else {
     for (const RegionId region : table.regions()) {
       if (!region) continue;
-      const ObjectId object = collector->objectOf(region);
+      const ObjectId object = collector->objects().idOf(region);
       if (!object) continue;
       SavedRegion& saved = regions[region];
       saved.region = region;
@@ -202,7 +202,7 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, const ObjectCollect
 }
 
 void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelta& delta) {
-  auto namings = collector.storedNamings();
+  auto namings = collector.requests().storedNamings();
   for (const auto& [region, text] : namings_) namings.try_emplace(region);
   for (const auto& [region, kept] : namings) {
     std::string text = namingsToJson(kept);
@@ -217,7 +217,7 @@ void SessionRecorder::collectObjects(const ScanPipeline& pipeline, const ObjectC
                                      SavedDelta& delta) {
   std::map<RegionId, RegionObject> now;
   for (const RegionId region : pipeline.regionTable().regions()) {
-    if (region && !now.contains(region)) now[region] = collector.describeRegion(region);
+    if (region && !now.contains(region)) now[region] = collector.objects().describe(region);
   }
   // What is none here keeps what another catalogue said of it.
   std::erase_if(now, [](const auto& entry) { return entry.second.state == RegionObject::State::none; });

@@ -9,9 +9,9 @@
 
 #include "core/base/result.h"
 #include "core/capture/continued_source.h"
+#include "core/collection/object_collector.h"
 #include "core/fusion/stored_page.h"
 #include "core/scan/key_frame_choice.h"
-#include "core/scan/object_collector.h"
 #include "core/scan/scan_pipeline.h"
 #include "core/session/session_writer.h"
 

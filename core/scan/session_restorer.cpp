@@ -117,9 +117,10 @@ void restoreKeyFrames(ScanPipeline& pipeline, SessionWriter& session, const Save
 void restoreObjects(ScanObjects& objects, const SavedScan& scan) {
   ObjectCollector& collector = objects.collector();
   for (const SavedRegion& region : scan.regions) {
-    if (collector.objectOf(region.region) != region.object) collector.bind(region.region, region.object);
+    if (collector.objects().idOf(region.region) != region.object)
+      collector.bind(region.region, region.object);
     if (const auto namings = scan.metadata.find(namingsKeyOf(region.region)); namings != scan.metadata.end())
-      collector.restoreNamings(region.region, namingsFromJson(namings->second));
+      collector.requests().restoreNamings(region.region, namingsFromJson(namings->second));
   }
   objects.requestNoted();
 }

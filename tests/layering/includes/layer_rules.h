@@ -168,6 +168,7 @@ class LayerRules {
     static const std::map<std::string, std::set<std::string>> kStandsOn{
         {"editing", {"labeling"}},
         {"catalogue", {"database"}},
+        {"collection", {"discovery", "editing", "catalogue", "labeling", "fusion", "capture"}},
         {"session", {"database", "editing", "labeling", "fusion"}}};
     if (const auto found = kStandsOn.find(part); found != kStandsOn.end() && found->second.contains(to_part))
       return {};

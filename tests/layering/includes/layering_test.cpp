@@ -43,6 +43,15 @@ TEST(LayerRules, ModulesStandInTheirOrder) {
       IsEmpty());
 }
 
+TEST(LayerRules, CollectionKnowsNoPipeline) {
+  EXPECT_THAT(LayerRules::broken({{"core/collection/a.cpp",
+                                   {"core/catalogue/catalogue_mirror.h", "core/discovery/candidate_finder.h",
+                                    "core/fusion/depth_view.h", "core/base/result.h"}}}),
+              IsEmpty());
+  for (const char* header : {"core/scan/scan_pipeline.h", "core/tracking/pose_tracker.h"})
+    EXPECT_EQ(LayerRules::broken({{"core/collection/a.cpp", {header}}}).size(), 1U) << header;
+}
+
 TEST(LayerRules, ImagesAreReadByAllAndKnowNobody) {
   EXPECT_THAT(LayerRules::broken({{"core/catalogue/a.cpp", {"core/image/png_decoder.h"}}}), IsEmpty());
   EXPECT_THAT(LayerRules::broken({{"core/image/a.cpp", {"core/capture/intrinsics.h"}}}),

@@ -59,7 +59,7 @@ class SlowCatalogue : public test::ObjectCollectorFixture {
     };
     for (int i = 0; i < 20; ++i) show({mug_, box_}, 0);
     for (int i = 0; i < 20; ++i) show({mug_, box_, cup_}, 3 * i);
-    collector_->regionsJoined(box_.region, cup_.region);
+    collector_->joinRegions(box_.region, cup_.region);
     for (int i = 0; i < 20; ++i) show({mug_, box_}, 60 + 3 * i);
   }
 };
@@ -114,7 +114,7 @@ TEST_F(SlowCatalogue, WhatWaitsIsMetLikeWhatIsStored) {
   EXPECT_EQ(all.new_views.size(), 1U);
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].views, 2);
-  EXPECT_EQ(collector_->objectOf(RegionId{77}), objects()[0].id);
+  EXPECT_EQ(collector_->objects().idOf(RegionId{77}), objects()[0].id);
 }
 
 TEST_F(SlowCatalogue, TheSameScanGivesTheSameCatalogueWhenItIsLockedForAWhile) {
@@ -166,7 +166,7 @@ TEST_F(SlowCatalogue, AViewOfWhatWasDeletedBeforeItIsStoredIsDropped) {
   for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(look({mug_}, 25 * frame).added.empty());
   EXPECT_TRUE(objects().empty());
   EXPECT_EQ(test::OtherProgram(file()).ask("SELECT count(*) FROM views"), "1");
-  EXPECT_TRUE(collector_->metObjects().empty());
+  EXPECT_TRUE(collector_->objects().list().empty());
 }
 
 TEST_F(SlowCatalogue, ObjectsThatAPersonSettlesBeforeTheirMergeIsStoredStayTwo) {
@@ -177,7 +177,7 @@ TEST_F(SlowCatalogue, ObjectsThatAPersonSettlesBeforeTheirMergeIsStoredStayTwo) 
   {
     OtherProgram other(file());
     other.execute(kLock);
-    collector_->regionsJoined(mug_.region, box_.region);
+    collector_->joinRegions(mug_.region, box_.region);
     seen = look({mug_});
     for (const ObjectId object : {mug, box}) {
       const QString id = QString::number(object.value);
@@ -190,9 +190,9 @@ TEST_F(SlowCatalogue, ObjectsThatAPersonSettlesBeforeTheirMergeIsStoredStayTwo) 
   addNews(seen);
   EXPECT_TRUE(seen.merged.empty());
   EXPECT_EQ(objects().size(), 2U);
-  EXPECT_TRUE(collector_->record(mug) && collector_->record(mug)->confirmed);
-  EXPECT_TRUE(collector_->record(box) && collector_->record(box)->confirmed) << "the scan knows both again";
-  EXPECT_EQ(collector_->metObjects().size(), 2U);
+  EXPECT_TRUE(collected(mug).confirmed);
+  EXPECT_TRUE(collected(box).confirmed) << "the scan knows both again";
+  EXPECT_EQ(collector_->objects().list().size(), 2U);
 }
 
 TEST_F(SlowCatalogue, ACatalogueThatCannotBeReadEndsNothing) {
@@ -226,7 +226,7 @@ TEST_F(SlowCatalogue, TheEndSaysWhatIsNotStoredAndWhy) {
   EXPECT_THAT(finished.error().message(),
               AllOf(HasSubstr(file()), HasSubstr("has not got 2 new objects, 1 view."), HasSubstr("locked")));
   EXPECT_EQ(stored, 0U);
-  ASSERT_EQ(collector_->metObjects().size(), 1U) << "what the catalogue has";
+  ASSERT_EQ(collector_->objects().list().size(), 1U) << "what the catalogue has";
   other.execute("ROLLBACK");
   EXPECT_EQ(objects().size(), 1U);
 }
@@ -265,8 +265,8 @@ TEST_F(SlowCatalogue, TheEndWaitsForALock) {
   other->execute("ROLLBACK");
   EXPECT_EQ(end.get(), 1U);
   EXPECT_EQ(other->ask("SELECT count(*) FROM sessions WHERE ended IS NULL"), "0");
-  ASSERT_EQ(collector_->metObjects().size(), 1U);
-  EXPECT_EQ(collector_->metObjects()[0].views, 1);
+  ASSERT_EQ(collector_->objects().list().size(), 1U);
+  EXPECT_EQ(collector_->objects().list()[0].views, 1);
 }
 
 TEST_F(SlowCatalogue, NewObjectsAreNeverDroppedForWantOfRoom) {

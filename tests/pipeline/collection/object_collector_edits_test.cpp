@@ -1,6 +1,6 @@
 #include <array>
 
-#include "core/scan/candidate_crop.h"
+#include "core/collection/candidate_crop.h"
 #include "tests/pipeline/collection/object_collector_fixture.h"
 
 namespace scantrove {
@@ -23,12 +23,12 @@ TEST_F(ObjectCollectorEdits, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUn
   for (int frame = 0; frame < 40; ++frame)
     EXPECT_TRUE(look({under_a_new_region, box_}, 25 * frame).added.empty());
   EXPECT_EQ(objects().size(), 1U);
-  EXPECT_EQ(collector_->metObjects().size(), 1U);
+  EXPECT_EQ(collector_->objects().list().size(), 1U);
   ASSERT_TRUE(person_->restore(std::array{mug}));
   const FrameObjects restored = look({mug_});
   EXPECT_EQ(restored.seen[0].object, mug);
   EXPECT_TRUE(restored.added.empty());
-  EXPECT_EQ(collector_->objectOf(under_a_new_region.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(under_a_new_region.region), mug);
   EXPECT_EQ(objects().size(), 2U);
 }
 
@@ -49,20 +49,20 @@ TEST_F(ObjectCollectorEdits, AMergeByAPersonIsFollowedAndSoIsItsUndo) {
   FrameObjects seen = look({mug_, box_});
   EXPECT_EQ(seen.seen[0].object, merge->into);
   EXPECT_EQ(seen.seen[1].object, merge->into);
-  EXPECT_EQ(collector_->metObjects().size(), 1U);
+  EXPECT_EQ(collector_->objects().list().size(), 1U);
   // A view of the part that was merged in goes with it when the merge is taken back.
   EXPECT_EQ(look({mug_, box_}, 30).new_views.size(), 1U) << "the same direction of one object";
   ASSERT_TRUE(person_->unmerge(*merge));
   seen = look({mug_, box_}, 60);
   EXPECT_EQ(seen.seen[0].object, mug);
   EXPECT_EQ(seen.seen[1].object, box);
-  EXPECT_EQ(collector_->metObjects().size(), 2U);
+  EXPECT_EQ(collector_->objects().list().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEdits, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBack) {
   const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
-  collector_->regionsJoined(mug_.region, box_.region);
+  collector_->joinRegions(mug_.region, box_.region);
   const FrameObjects joined = look({mug_});
   ASSERT_EQ(joined.merged.size(), 1U);
   EXPECT_EQ(joined.merged[0].into, mug) << "the older of equals";
@@ -73,15 +73,16 @@ TEST_F(ObjectCollectorEdits, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBa
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({mug_}));
   const Thing box_again{box_.seed, box_.place, RegionId{99}};
   EXPECT_EQ(look({mug_, box_again}).seen[1].object, box);
-  collector_->regionsJoined(mug_.region, box_again.region);
+  collector_->joinRegions(mug_.region, box_again.region);
   EXPECT_TRUE(look({mug_}).merged.empty());
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorEdits, RegionsThatFramesJoinMakeOneObjectOnceThatHasHeld) {
   static_cast<void>(study({mug_, box_}));
-  collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
-  for (int i = 0; i < ObjectCollector::kFramesToBeOne - 1; ++i) EXPECT_TRUE(look({mug_}).merged.empty()) << i;
+  collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
+  for (int i = 0; i < IdentityResolver::kFramesToMerge - 1; ++i)
+    EXPECT_TRUE(look({mug_}).merged.empty()) << i;
   std::size_t merged = 0;
   for (int i = 0; i < 3; ++i) merged += look({mug_}).merged.size();
   EXPECT_EQ(merged, 1U);
@@ -90,15 +91,15 @@ TEST_F(ObjectCollectorEdits, RegionsThatFramesJoinMakeOneObjectOnceThatHasHeld) 
 
 TEST_F(ObjectCollectorEdits, RegionsThatPartAgainWereTwoObjectsAllTheTime) {
   const FrameObjects first = study({mug_, box_});
-  collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
+  collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   for (int i = 0; i < 20; ++i) static_cast<void>(look({mug_}));
   const Thing box_again{box_.seed, box_.place, RegionId{99}};
-  collector_->regionsParted(mug_.region, box_again.region);
-  for (int i = 0; i < 2 * ObjectCollector::kFramesToBeOne; ++i)
+  collector_->splitRegion(mug_.region, box_again.region);
+  for (int i = 0; i < 2 * IdentityResolver::kFramesToMerge; ++i)
     EXPECT_TRUE(look({mug_, box_again}).merged.empty());
   EXPECT_EQ(objects().size(), 2U);
-  EXPECT_EQ(collector_->objectOf(mug_.region), first.added.at(0).id);
-  EXPECT_EQ(collector_->objectOf(box_again.region), first.added.at(1).id);
+  EXPECT_EQ(collector_->objects().idOf(mug_.region), first.added.at(0).id);
+  EXPECT_EQ(collector_->objects().idOf(box_again.region), first.added.at(1).id);
 }
 
 TEST_F(ObjectCollectorEdits, AnObjectOfWhichOnlyAPartIsJoinedToAnotherStaysOne) {
@@ -107,7 +108,7 @@ TEST_F(ObjectCollectorEdits, AnObjectOfWhichOnlyAPartIsJoinedToAnotherStaysOne) 
   mug.regions.add(handle);
   for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({mug, box_.candidate()}, {mug_, box_}));
   ASSERT_EQ(objects().size(), 2U);
-  collector_->regionsJoined(box_.region, handle, ObjectCollector::JoinedBy::frames);
+  collector_->joinRegions(box_.region, handle, ObjectCollector::JoinedBy::frames);
   static_cast<void>(look({mug_, box_}));
   ASSERT_TRUE(collector_->finish([](const FrameObjects&) {}));
   EXPECT_EQ(objects().size(), 2U);
@@ -115,7 +116,7 @@ TEST_F(ObjectCollectorEdits, AnObjectOfWhichOnlyAPartIsJoinedToAnotherStaysOne) 
 
 TEST_F(ObjectCollectorEdits, RegionsThatAreJoinedWhenTheScanEndsMakeOneObject) {
   static_cast<void>(study({mug_, box_}));
-  collector_->regionsJoined(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
+  collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   static_cast<void>(look({mug_}));
   ASSERT_TRUE(collector_->finish([](const FrameObjects&) {}));
   EXPECT_EQ(objects().size(), 1U);
@@ -126,21 +127,21 @@ TEST_F(ObjectCollectorEdits, ObjectsThatAPersonSettledStayTwoWhenTheirRegionsJoi
   ASSERT_TRUE(person_->rename(first.added.at(0).id, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{first.added.at(1).id}, true));
   static_cast<void>(look({mug_, box_, cup_}));
-  collector_->regionsJoined(mug_.region, box_.region);
+  collector_->joinRegions(mug_.region, box_.region);
   EXPECT_TRUE(look({mug_, cup_}).merged.empty());
   // With one that nobody said anything of, the name stays.
-  collector_->regionsJoined(cup_.region, mug_.region);
+  collector_->joinRegions(cup_.region, mug_.region);
   ASSERT_EQ(look({cup_}).merged.size(), 1U);
-  EXPECT_EQ(collector_->record(collector_->objectOf(cup_.region))->name, "my mug");
+  EXPECT_EQ(collected(collector_->objects().idOf(cup_.region)).name, "my mug");
 }
 
 TEST_F(ObjectCollectorEdits, AJoinedRegionOfADeletedObjectIsTheOtherOne) {
   const FrameObjects first = study({mug_, box_});
   ASSERT_TRUE(person_->remove(std::array{first.added.at(0).id}));
   static_cast<void>(look({}));
-  collector_->regionsJoined(mug_.region, box_.region);
+  collector_->joinRegions(mug_.region, box_.region);
   EXPECT_TRUE(look({mug_}).merged.empty());
-  EXPECT_EQ(collector_->objectOf(mug_.region), first.added.at(1).id);
+  EXPECT_EQ(collector_->objects().idOf(mug_.region), first.added.at(1).id);
 }
 
 TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognized) {
@@ -164,7 +165,7 @@ TEST_F(ObjectCollectorEdits, PartsOfADeletedObjectAreNotAdded) {
   ASSERT_TRUE(person_->remove(std::array{mug}));
   static_cast<void>(look({mug_}));
   Thing handle{4, 2, RegionId{78}};
-  collector_->regionsParted(mug_.region, handle.region);
+  collector_->splitRegion(mug_.region, handle.region);
   EXPECT_TRUE(study({handle}).added.empty());
   handle.region = RegionId{79};
   EXPECT_EQ(study({{5, 1, RegionId{80}}}).added.size(), 1U) << "what is nobody's part is";

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/scan/object_collector.h"
+#include "core/collection/object_collector.h"
 #include "core/scan/rated_sets.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
@@ -102,12 +102,11 @@ class ObjectCollectorFixture : public testing::Test {
     frame.color = cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 50, 60));
     frame.depth = cv::Mat(240, 320, CV_16UC1, cv::Scalar(1000));
     for (const Thing& thing : things) thing.paint(frame.color);
-    PoseEstimate pose;
-    pose.state = TrackingState::tracking;
     const double angle = degrees * 3.14159265 / 180;
-    pose.T_world_camera = Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle));
+    const Eigen::Isometry3d T_world_camera(
+        Eigen::Translation3d(30 * std::sin(angle), 0, -30 * std::cos(angle)));
     if (waits_) settle();
-    FrameObjects objects = collector_->collect(frame, pose, inColor(), candidates);
+    FrameObjects objects = collector_->collect(frame, T_world_camera, inColor(), candidates);
     if (!waits_) return objects;
     settle();
     addNews(objects);
@@ -121,7 +120,7 @@ class ObjectCollectorFixture : public testing::Test {
     std::ranges::move(news.new_views, std::back_inserter(objects.new_views));
     std::ranges::move(news.merged, std::back_inserter(objects.merged));
     if (news.catalogue_failure) objects.catalogue_failure = news.catalogue_failure;
-    for (SeenObject& seen : objects.seen) collector_->describeObject(seen);  // as snapshots do
+    for (SeenObject& seen : objects.seen) collector_->objects().describe(seen);  // as snapshots do
   }
 
   /// So many such frames that what is unknown counts as unknown; all that they gave, seen as in the last.
@@ -144,7 +143,7 @@ class ObjectCollectorFixture : public testing::Test {
     static_cast<void>(look({}));
     const Eigen::Isometry3d T_world_camera(Eigen::Translation3d(thing.centroid().x(), 0, 0));
     const Intrinsics K{160, 160, 159.5F, 119.5F, 320, 240};
-    collector_->lookForThoseMet({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, 0.0015F);
+    collector_->checkPlaces({K, T_world_camera, cv::Mat(240, 320, CV_32FC1, cv::Scalar(z_m))}, 0.0015F);
   }
 
   // The refinement's side.
@@ -154,13 +153,19 @@ class ObjectCollectorFixture : public testing::Test {
   }
   void settleComplete() {
     constexpr float kMin = -0.2F;
-    std::vector<ObjectCollector::CompleteSet> complete;
+    std::vector<CompleteSet> complete;
     for (const RatedSets::Rated& rated : rated_.disjoint(kMin))
       complete.push_back({rated.regions, rated.frame_index});
     collector_->settleComplete(complete, [&](RegionId region) { return rated_.isUnlikely(region, kMin); });
     rated_ = {};
   }
 
+  /// The object as the scan reports it.
+  [[nodiscard]] CollectedObject collected(ObjectId id) const {
+    const std::vector<CollectedObject> all = collector_->objects().list();
+    const auto found = std::ranges::find(all, id, &CollectedObject::id);
+    return found == all.end() ? CollectedObject{} : *found;
+  }
   std::vector<ObjectRecord> objects() {
     const Result<std::vector<ObjectRecord>> objects = person_->objects();
     EXPECT_TRUE(objects);

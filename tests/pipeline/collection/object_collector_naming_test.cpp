@@ -18,13 +18,13 @@ class NamedRegions : public test::ObjectCollectorFixture {
  protected:
   /// As the pipeline does it when a region gets a name.
   void name(const Thing& thing, const std::string& name) {
-    collector_->nameByPerson(thing.region, name);
-    collector_->want(thing.region, name);
+    collector_->requests().name(thing.region, name);
+    collector_->requests().request(thing.region, name);
   }
   /// The same where it loses it again.
   void unname(const Thing& thing, const std::string& name) {
-    collector_->takeNameBack(thing.region, name);
-    collector_->wantNoMore(thing.region);
+    collector_->requests().undoName(thing.region, name);
+    collector_->requests().cancel(thing.region);
   }
   static Candidate part(const Thing& thing) {
     Candidate candidate = thing.candidate();
@@ -77,7 +77,7 @@ TEST_F(NamedRegions, ARedoLeavesWhatOthersMadeOfTheObject) {
   unname(box_, "cup");
   static_cast<void>(look({mug_, box_}));
   EXPECT_EQ(record(mug).name, "mug");
-  collector_->nameAgain(box_.region, "cup");
+  collector_->requests().redoName(box_.region, "cup");
   EXPECT_EQ(look({mug_, box_}).seen[1].name, "mug");
   EXPECT_EQ(record(mug).name, "mug") << "the other's object keeps its name";
   EXPECT_EQ(objects().size(), 1U);
@@ -92,13 +92,13 @@ TEST_F(NamedRegions, WhatIsNoObjectYetBecomesOneWhenItIsSeenWholeOrNot) {
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].name, "mug");
   EXPECT_TRUE(objects()[0].confirmed);
-  EXPECT_TRUE(collector_->requested().empty());
-  EXPECT_EQ(collector_->objectOf(mug_.region), objects()[0].id);
+  EXPECT_TRUE(collector_->requests().pending().empty());
+  EXPECT_EQ(collector_->objects().idOf(mug_.region), objects()[0].id);
 }
 
 TEST_F(NamedRegions, ANameGoesWithTheRegionThatItsOwnBecomesPartOf) {
   name(mug_, "mug");
-  collector_->regionsJoined(box_.region, mug_.region);
+  collector_->joinRegions(box_.region, mug_.region);
   static_cast<void>(lookAt({part(box_)}, {box_}));
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].name, "mug");
@@ -106,7 +106,7 @@ TEST_F(NamedRegions, ANameGoesWithTheRegionThatItsOwnBecomesPartOf) {
 
 TEST_F(NamedRegions, WhatIsNotToBeOneAnyMoreIsNotAdded) {
   name(mug_, "mug");
-  collector_->wantNoMore(mug_.region);
+  collector_->requests().cancel(mug_.region);
   for (int frame = 0; frame < 3; ++frame) static_cast<void>(lookAt({part(mug_)}, {mug_}));
   EXPECT_TRUE(objects().empty());
 }
@@ -123,7 +123,7 @@ TEST_F(NamedRegions, ThereIsOneObjectOfAName) {
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].name, "mug");
   EXPECT_EQ(objects()[0].views, 2);
-  EXPECT_EQ(collector_->objectOf(again.region), objects()[0].id);
+  EXPECT_EQ(collector_->objects().idOf(again.region), objects()[0].id);
   EXPECT_EQ(seen.seen[0].object, objects()[0].id);
   unname(again, "mug");
   static_cast<void>(look({again}));
@@ -144,17 +144,17 @@ TEST_F(NamedRegions, AnUndoTakesWhatWasMadeForANameAndNothingElse) {
   static_cast<void>(look({}));
   ASSERT_EQ(objects().size(), 1U) << "the scan had found the box";
   EXPECT_EQ(objects()[0].id, box);
-  EXPECT_FALSE(collector_->objectOf(mug_.region));
+  EXPECT_FALSE(collector_->objects().idOf(mug_.region));
   static_cast<void>(study({mug_}));
   EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
 }
 
 TEST_F(NamedRegions, AnUndoTakesWhatWasMadeBecauseAPersonCalledItAnObject) {
-  collector_->want(mug_.region, "");
+  collector_->requests().request(mug_.region, "");
   static_cast<void>(lookAt({part(mug_)}, {mug_}));
   ASSERT_EQ(objects().size(), 1U);
-  ASSERT_EQ(collector_->storedNamings().at(mug_.region).at(0).made, objects()[0].id);
-  collector_->takeObjectBack(mug_.region);
+  ASSERT_EQ(collector_->requests().storedNamings().at(mug_.region).at(0).made, objects()[0].id);
+  collector_->requests().undoObject(mug_.region);
   static_cast<void>(look({}));
   EXPECT_TRUE(objects().empty());
 }
@@ -162,24 +162,24 @@ TEST_F(NamedRegions, AnUndoTakesWhatWasMadeBecauseAPersonCalledItAnObject) {
 TEST_F(NamedRegions, AreTakenBackInALaterScan) {
   name(mug_, "mug");
   static_cast<void>(lookAt({part(mug_)}, {mug_}));
-  collector_->want(box_.region, "");
+  collector_->requests().request(box_.region, "");
   static_cast<void>(lookAt({part(box_)}, {box_}));
   ASSERT_EQ(objects().size(), 2U);
   std::map<RegionId, ObjectId> bound;
-  for (const Thing& thing : {mug_, box_}) bound[thing.region] = collector_->objectOf(thing.region);
-  const auto kept = collector_->storedNamings();
+  for (const Thing& thing : {mug_, box_}) bound[thing.region] = collector_->objects().idOf(thing.region);
+  const auto kept = collector_->requests().storedNamings();
   settle();
   beginScan();
   for (const auto& [region, namings] : kept) {
     collector_->bind(region, bound.at(region));
-    collector_->restoreNamings(region, namings);
+    collector_->requests().restoreNamings(region, namings);
   }
-  EXPECT_EQ(collector_->storedNamings().size(), 2U) << "they stay kept";
+  EXPECT_EQ(collector_->requests().storedNamings().size(), 2U) << "they stay kept";
   unname(mug_, "mug");
-  collector_->takeObjectBack(box_.region);
+  collector_->requests().undoObject(box_.region);
   static_cast<void>(look({}));
   EXPECT_TRUE(objects().empty());
-  EXPECT_TRUE(collector_->storedNamings().empty());
+  EXPECT_TRUE(collector_->requests().storedNamings().empty());
 }
 
 TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
@@ -190,8 +190,8 @@ TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
   StoredNaming stranger;
   stranger.naming = {ObjectId{99}, "mug", "Obj_9"};
   stranger.made = ObjectId{99};
-  collector_->restoreNamings(mug_.region, {stranger});
-  EXPECT_TRUE(collector_->storedNamings().empty());
+  collector_->requests().restoreNamings(mug_.region, {stranger});
+  EXPECT_TRUE(collector_->requests().storedNamings().empty());
   unname(mug_, "mug");
   static_cast<void>(look({}));
   EXPECT_EQ(record(mug).name, "mug");
@@ -224,7 +224,7 @@ TEST_F(NamedRegions, APartOfAnObjectThatIsCalledOtherwiseIsAnObjectOfItsOwn) {
   ASSERT_EQ(objects().size(), 2U);
   EXPECT_EQ(objects()[0].name, "mug");
   EXPECT_EQ(objects()[1].name, "handle");
-  EXPECT_EQ(collector_->objectOf(box_.region), objects()[1].id);
+  EXPECT_EQ(collector_->objects().idOf(box_.region), objects()[1].id);
 }
 
 TEST_F(NamedRegions, WhatAPersonKnowsIsNotTheOtherOneThatAPersonKnows) {
@@ -235,10 +235,10 @@ TEST_F(NamedRegions, WhatAPersonKnowsIsNotTheOtherOneThatAPersonKnows) {
   name(box_, "mug");  // it was not the box
   for (int frame = 0; frame < 3; ++frame) static_cast<void>(look({mug_, box_}));
   EXPECT_EQ(record(first.added.at(1).id).name, "box") << "there is one, all the same";
-  EXPECT_EQ(collector_->objectOf(box_.region), first.added.at(0).id);
-  collector_->takeNameBack(box_.region, "mug");
+  EXPECT_EQ(collector_->objects().idOf(box_.region), first.added.at(0).id);
+  collector_->requests().undoName(box_.region, "mug");
   static_cast<void>(look({mug_, box_}));
-  EXPECT_EQ(collector_->objectOf(box_.region), first.added.at(1).id);
+  EXPECT_EQ(collector_->objects().idOf(box_.region), first.added.at(1).id);
 }
 
 TEST_F(NamedRegions, WhatWasDeletedComesByANameAsAnotherOne) {
@@ -272,7 +272,7 @@ TEST_F(NamedRegions, ALockDelaysNamesAndTheyHoldMeanwhile) {
     name(cup_, "cup");
     FrameObjects seen = look({mug_, box_, cup_});
     EXPECT_EQ(seen.seen[0].name, "mug") << "it is called so at once";
-    collector_->regionsJoined(mug_.region, box_.region);
+    collector_->joinRegions(mug_.region, box_.region);
     seen = look({mug_, cup_});
     other.execute("ROLLBACK");
   }
@@ -304,7 +304,7 @@ TEST_F(NamedRegions, AreKeptForTheSession) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   name(mug_, "mug");
   static_cast<void>(look({mug_}));
-  const auto kept = collector_->storedNamings();
+  const auto kept = collector_->requests().storedNamings();
   ASSERT_EQ(kept.size(), 1U);
   const StoredNaming& naming = kept.at(mug_.region).at(0);
   EXPECT_EQ(naming.naming.object, mug);

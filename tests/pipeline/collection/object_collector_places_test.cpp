@@ -89,22 +89,22 @@ TEST_F(KnownAgainByPlace, SomethingElseInItsPlaceIsNew) {
   candidate.centroid_world = T_now_then_ * larger.at;
   candidate.size_m *= 1.5F;
   for (int i = 0; i < 40; ++i) static_cast<void>(lookAt({candidate}, {larger.thing}));
-  EXPECT_NE(collector_->objectOf(larger.thing.region), jar_id_);
+  EXPECT_NE(collector_->objects().idOf(larger.thing.region), jar_id_);
 }
 
 TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
   const ObjectId taken_for_new = studyPlaced({jarInOtherLight()}, T_now_then_).added.at(0).id;
   static_cast<void>(studyPlaced(three_, T_now_then_));
-  collector_->beginLookingAgain();
+  collector_->beginRefinement();
   rate(frame_, {jar_.thing.candidate()});
   settleComplete();
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   ASSERT_EQ(found.recognized.size(), 1U) << "which is said";
   EXPECT_EQ(found.recognized[0].id, jar_id_);
-  collector_->endLookingAgain();
+  collector_->endRefinement();
   settle();
   static_cast<void>(collector_->followCatalogue());
-  EXPECT_EQ(collector_->objectOf(jar_.thing.region), jar_id_);
+  EXPECT_EQ(collector_->objects().idOf(jar_.thing.region), jar_id_);
   EXPECT_EQ(*person_->resolve(taken_for_new), jar_id_);
   EXPECT_EQ(objects().size(), 4U);
 }

@@ -18,7 +18,7 @@ TEST_F(SecondLook, ViewsThatShowTheirObjectStay) {
   const std::vector<int> before = framesOfViews(mug);
   lookAgain(mapWith(mug_, 0.8), {});
   EXPECT_EQ(framesOfViews(mug), before);
-  EXPECT_TRUE(collector_->camerasOfViews(12345).empty());
+  EXPECT_TRUE(collector_->views().camerasOfViews(12345).empty());
 }
 
 TEST_F(SecondLook, ViewsAreHeldAgainstAMapOfTheirOwnSizeAlone) {
@@ -42,15 +42,15 @@ TEST_F(SecondLook, AViewOfWhatTheRegionWasOnceGivesWayToOneOfWhatItIs) {
   ASSERT_EQ(after.size(), 1U);
   EXPECT_GT(after[0], before[0]) << "from the same side";
   EXPECT_EQ(objects().size(), 1U);
-  EXPECT_EQ(collector_->record(mug)->views, 1) << "also as the scan reports it";
+  EXPECT_EQ(collected(mug).views, 1) << "also as the scan reports it";
 }
 
 TEST_F(SecondLook, WhatNoViewShowsAnyMoreIsNoObject) {
   static_cast<void>(study({mug_, box_}));
   lookAgain(mapWith(box_, 1), {});
   ASSERT_EQ(objects().size(), 1U);
-  EXPECT_EQ(collector_->objectOf(mug_.region), ObjectId{});
-  EXPECT_EQ(collector_->objectOf(box_.region), objects()[0].id);
+  EXPECT_EQ(collector_->objects().idOf(mug_.region), ObjectId{});
+  EXPECT_EQ(collector_->objects().idOf(box_.region), objects()[0].id);
 }
 
 TEST_F(SecondLook, WhatWasTakenAwayIsAsItWas) {
@@ -74,7 +74,7 @@ TEST_F(SecondLook, WhatWasTakenForSomethingElseAtFirstGoesEvenIfItWasTakenAwayLa
   alone.size_m *= 0.6F;  // the first look had something beside it
   for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({alone}, {mug_}));
   ASSERT_EQ(objects().size(), 2U);
-  const ObjectId mug = collector_->objectOf(mug_.region);
+  const ObjectId mug = collector_->objects().idOf(mug_.region);
   lookAgain(mapWith(mug_, 0.2), {}, 1.2F);
   ASSERT_EQ(objects().size(), 1U);
   EXPECT_EQ(objects()[0].id, mug);
@@ -124,7 +124,7 @@ TEST_F(SecondLook, WhatAPersonSaidSomethingOfIsLeftAlone) {
 }
 
 TEST_F(SecondLook, WhatAPersonMadeAnObjectStaysOne) {
-  collector_->want(mug_.region, "");
+  collector_->requests().request(mug_.region, "");
   ASSERT_EQ(look({mug_}).added.size(), 1U);
   lookAgain(mapWith(mug_, 0.2), {});
   EXPECT_EQ(objects().size(), 1U);
@@ -141,7 +141,7 @@ TEST_F(SecondLook, TwoOfAKindStayTwoHoweverFarApartTheyAreSeen) {
   const Thing other{mug_.seed, 2, RegionId{77}};
   lookAgain(mapWith(mug_, 1), {other});
   EXPECT_EQ(objects().size(), 2U) << "while a scan looks again nothing is carried about";
-  EXPECT_NE(collector_->objectOf(other.region), mug);
+  EXPECT_NE(collector_->objects().idOf(other.region), mug);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ TEST_F(ObjectCollectorTest, AddsTheUnknownOnceAndKeepsNewDirections) {
   EXPECT_EQ(look({mug_}, 25).new_views, std::vector<ObjectId>{first.added[0].id});
   EXPECT_TRUE(look({mug_}, 30).new_views.empty());
   EXPECT_EQ(objects().at(0).views, 2);
-  EXPECT_EQ(collector_->record(first.added[0].id)->views, 2);
-  EXPECT_EQ(collector_->objectOf(mug_.region), first.added[0].id);
-  EXPECT_FALSE(collector_->objectOf(RegionId{99}));
+  EXPECT_EQ(collected(first.added[0].id).views, 2);
+  EXPECT_EQ(collector_->objects().idOf(mug_.region), first.added[0].id);
+  EXPECT_FALSE(collector_->objects().idOf(RegionId{99}));
 }
 
 TEST_F(ObjectCollectorTest, AnObjectHasSoManyViewsAndNoMore) {
@@ -46,7 +46,7 @@ TEST_F(ObjectCollectorTest, RecognizesWhatAnEarlierScanAddedAndSaysSoOnce) {
   EXPECT_TRUE(first.seen[0].recognized);
   EXPECT_EQ(first.added.size(), 1U);
   EXPECT_TRUE(look({mug_, box_}).recognized.empty());
-  const auto met = collector_->metObjects();
+  const auto met = collector_->objects().list();
   ASSERT_EQ(met.size(), 2U);
   EXPECT_EQ(met[0].recognized_from, "table");
   EXPECT_EQ(met[1].recognized_from, "");
@@ -57,7 +57,7 @@ TEST_F(ObjectCollectorTest, TheSameThingUnderANewRegionIsTheSameObject) {
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
   const Thing again{7, mug_.place, RegionId{77}};  // even when it looks like another
   EXPECT_TRUE(study({again}).added.empty());
-  EXPECT_EQ(collector_->objectOf(again.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(again.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, WhatIsOnlyHiddenHasNotLeft) {
@@ -74,7 +74,7 @@ TEST_F(ObjectCollectorTest, WhatWasTakenAwayIsTheSameWhereItIsPut) {
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   const Thing put{mug_.seed, 2, RegionId{77}};
   EXPECT_TRUE(study({put}).added.empty());
-  EXPECT_EQ(collector_->objectOf(put.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(put.region), mug);
   EXPECT_EQ(objects().size(), 1U);
 }
 
@@ -90,7 +90,7 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayLookALittleOtherwise) {
   here.has_appeared = true;
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   EXPECT_EQ(timesAdded(), 0U);
-  EXPECT_EQ(collector_->objectOf(put.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(put.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
@@ -101,10 +101,10 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   for (int i = 0; i < 30; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
-  EXPECT_EQ(collector_->objectOf(put.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(put.region), mug);
   part.has_appeared = false;  // it came long ago: its size raises no doubt
   for (int i = 0; i < 60; ++i) EXPECT_TRUE(lookAt({part}, {put}).added.empty());
-  EXPECT_EQ(collector_->objectOf(put.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(put.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, WhereOneIsMissingWhatComesMayLookQuiteOtherwise) {
@@ -137,7 +137,7 @@ TEST_F(ObjectCollectorTest, WhatIsSeenMissingOnlyLaterIsWhatCameBefore) {
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({here}, {put}));
   EXPECT_EQ(objects().size(), 1U);
-  EXPECT_EQ(collector_->objectOf(put.region), collector_->objectOf(mug_.region));
+  EXPECT_EQ(collector_->objects().idOf(put.region), collector_->objects().idOf(mug_.region));
 }
 
 TEST_F(ObjectCollectorTest, WhatMovedIsNotWhatItWasPutBeside) {
@@ -146,30 +146,30 @@ TEST_F(ObjectCollectorTest, WhatMovedIsNotWhatItWasPutBeside) {
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   static_cast<void>(study({put}));
   ASSERT_EQ(objects().size(), 2U);
-  collector_->regionsJoined(box.region, put.region, ObjectCollector::JoinedBy::frames);
-  for (int i = 0; i < ObjectCollector::kFramesToBeOne + 5; ++i) static_cast<void>(look({}));
+  collector_->joinRegions(box.region, put.region, ObjectCollector::JoinedBy::frames);
+  for (int i = 0; i < IdentityResolver::kFramesToMerge + 5; ++i) static_cast<void>(look({}));
   EXPECT_EQ(objects().size(), 2U);
 }
 
 TEST_F(ObjectCollectorTest, ARestThatIsCountedToSomethingElseDoesNotMakeThatTheObject) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const RegionId beside{50};
-  collector_->regionsJoined(beside, mug_.region, ObjectCollector::JoinedBy::frames);
-  EXPECT_FALSE(collector_->objectOf(beside));
+  collector_->joinRegions(beside, mug_.region, ObjectCollector::JoinedBy::frames);
+  EXPECT_FALSE(collector_->objects().idOf(beside));
   const Thing again{mug_.seed, mug_.place, RegionId{51}};
   for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
   EXPECT_TRUE(study({again}).added.empty()) << "there it is known by its place";
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
   static_cast<void>(look({again}));
-  collector_->regionsJoined(beside, again.region, ObjectCollector::JoinedBy::frames);
-  EXPECT_EQ(collector_->objectOf(beside), mug) << "what a person spoke of is followed";
+  collector_->joinRegions(beside, again.region, ObjectCollector::JoinedBy::frames);
+  EXPECT_EQ(collector_->objects().idOf(beside), mug) << "what a person spoke of is followed";
 }
 
 TEST_F(ObjectCollectorTest, WhatAPersonMadeAnObjectIsFollowedIntoWhatItIsCountedTo) {
-  collector_->want(mug_.region, "");
+  collector_->requests().request(mug_.region, "");
   const ObjectId mug = look({mug_}).added.at(0).id;
-  collector_->regionsJoined(RegionId{50}, mug_.region, ObjectCollector::JoinedBy::frames);
-  EXPECT_EQ(collector_->objectOf(RegionId{50}), mug);
+  collector_->joinRegions(RegionId{50}, mug_.region, ObjectCollector::JoinedBy::frames);
+  EXPECT_EQ(collector_->objects().idOf(RegionId{50}), mug);
 }
 
 TEST_F(ObjectCollectorTest, WhatIsDoubtedStandsThereAllTheSame) {
@@ -198,7 +198,7 @@ TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOr
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   static_cast<void>(study({later}));
   EXPECT_EQ(objects().size(), 2U) << "it was there before, for all that is known";
-  EXPECT_NE(collector_->objectOf(later.region), mug);
+  EXPECT_NE(collector_->objects().idOf(later.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, ARegionThatIsClearlyLargerThanItsObjectIsAnother) {
@@ -207,7 +207,7 @@ TEST_F(ObjectCollectorTest, ARegionThatIsClearlyLargerThanItsObjectIsAnother) {
   whole.size_m *= 1.5F;
   for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({whole}, {mug_}));
   ASSERT_EQ(objects().size(), 2U);
-  EXPECT_NE(collector_->objectOf(mug_.region), rim);
+  EXPECT_NE(collector_->objects().idOf(mug_.region), rim);
   EXPECT_EQ(objects()[0].views, 1) << "the first has no more views of what it is not";
 }
 
@@ -225,7 +225,7 @@ TEST_F(ObjectCollectorTest, WhatIsInViewUnderItsOwnRegionIsNotMetUnderAnother) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing on_top{7, mug_.place, RegionId{77}};
   for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
-  collector_->setRegionsInView({mug_.region, on_top.region});
+  collector_->tracks().setRegionsInView({mug_.region, on_top.region});
   const FrameObjects found = study({on_top});  // the mug is in view, but nothing can be said of it
   ASSERT_EQ(found.added.size(), 1U);
   EXPECT_NE(found.added[0].id, mug);
@@ -269,7 +269,7 @@ TEST_F(ObjectCollectorTest, WhatAPersonConfirmedIsNotDoubted) {
   larger.size_m *= 1.5F;
   for (int i = 0; i < 60; ++i) static_cast<void>(lookAt({larger}, {mug_}));
   EXPECT_EQ(objects().size(), 1U);
-  EXPECT_EQ(collector_->objectOf(mug_.region), mug);
+  EXPECT_EQ(collector_->objects().idOf(mug_.region), mug);
 }
 
 TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
@@ -290,7 +290,7 @@ TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
   }
   ASSERT_EQ(seen.seen.size(), 1U);
   EXPECT_FALSE(seen.seen[0].object);
-  collector_->want(mug_.region, "");
+  collector_->requests().request(mug_.region, "");
   seen = lookAt({part}, {mug_});
   ASSERT_EQ(seen.added.size(), 1U);
   EXPECT_EQ(seen.seen[0].object, seen.added[0].id);
@@ -320,7 +320,7 @@ TEST_F(ObjectCollectorTest, WhatStandsWithAnObjectInALargerSetStaysFree) {
   both.regions.add(box_.region);
   both.size_m *= 2;
   static_cast<void>(lookAt({both}, {mug_, box_}));
-  EXPECT_FALSE(collector_->objectOf(box_.region));
+  EXPECT_FALSE(collector_->objects().idOf(box_.region));
   EXPECT_EQ(study({mug_, box_}).added.size(), 1U) << "the box is an object of its own";
 }
 
@@ -333,7 +333,7 @@ TEST_F(ObjectCollectorTest, RegionsOfASetThatWasNotTakenStayFree) {
   dropped.is_complete = false;
   dropped.outline = 0;
   static_cast<void>(lookAt({dropped, box_.candidate()}, {box_}));
-  EXPECT_FALSE(collector_->objectOf(RegionId{77}));
+  EXPECT_FALSE(collector_->objects().idOf(RegionId{77}));
   EXPECT_EQ(study({box_}).added.size(), 1U) << "the box is an object of its own";
 }
 

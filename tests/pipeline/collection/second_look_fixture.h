@@ -32,16 +32,16 @@ class SecondLookFixture : public ObjectCollectorFixture {
   void lookAgain(RenderedView map, const std::vector<Thing>& things, float surface_m = 1,
                  double degrees = 0) {
     map.vertices_world.assign(map.regions.size(), {0, 0, surface_m, 1});
-    collector_->beginLookingAgain();
+    collector_->beginRefinement();
     settleComplete();
-    for (const int frame : collector_->framesOfViews()) {
-      ASSERT_EQ(collector_->camerasOfViews(frame).size(), 1U);
-      EXPECT_EQ(collector_->camerasOfViews(frame).front().image_px,
+    for (const int frame : collector_->views().framesOfViews()) {
+      ASSERT_EQ(collector_->views().camerasOfViews(frame).size(), 1U);
+      EXPECT_EQ(collector_->views().camerasOfViews(frame).front().image_px,
                 cv::Size(kWorking.width, kWorking.height));
-      collector_->judgeViewsOf(frame, map, 0.0015F);
+      collector_->views().compare(frame, map, 0.0015F);
     }
     for (int i = 0; i < 6; ++i) static_cast<void>(look(things, degrees));
-    collector_->endLookingAgain();
+    collector_->endRefinement();
     settle();
     static_cast<void>(collector_->followCatalogue());
   }

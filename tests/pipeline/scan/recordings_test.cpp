@@ -33,7 +33,7 @@ double trajectoryError(const std::filesystem::path& out, const std::filesystem::
 
 std::size_t newIn(const ScanReport& report) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      report.objects, [](const ScanReport::Object& object) { return object.recognized_from.empty(); }));
+      report.objects, [](const CollectedObject& object) { return object.recognized_from.empty(); }));
 }
 
 // Floors: peers reach 28 to 47 mm over the whole recording. The second scan meets the same things again.

@@ -1,11 +1,11 @@
-#include "core/scan/candidate_crop.h"
+#include "core/collection/candidate_crop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/scan/bounds_in_color.h"
+#include "core/collection/bounds_in_color.h"
 
 namespace scantrove {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/capture/color_projection.h"
+#include "core/collection/seen_object.h"
 #include "core/fusion/rendered_view.h"
-#include "core/scan/scan_snapshot.h"
 
 namespace scantrove {
 

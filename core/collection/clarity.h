@@ -3,14 +3,13 @@
 
 namespace scantrove {
 
-/// How clearly a look shows a thing.
+/// How clearly a candidate shows an object.
 struct Clarity {
-  float least_outline;  ///< that is the thing's own
+  float least_outline;  ///< that is the candidate's own
   float most_hidden;
-  float least_objectness;  ///< of a look at the end (Candidate::wholeness) that does not cut it off
+  float least_objectness;  ///< of a candidate that is rated (Candidate::wholeness) and not cut off
 };
-/// To say that there is something new; and to be kept as one more view, of which there are many to choose
-/// from.
+/// To add a new object; and to store one more view, of which there are many to choose from.
 constexpr Clarity kForObject{.least_outline = 0.85F, .most_hidden = 0.30F, .least_objectness = 0.7F};
 constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F, .least_objectness = 0.5F};
 

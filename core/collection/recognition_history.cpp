@@ -1,4 +1,4 @@
-#include "core/scan/recognition_history.h"
+#include "core/collection/recognition_history.h"
 
 #include <algorithm>
 
@@ -7,11 +7,11 @@ namespace scantrove {
 void RecognitionHistory::add(const RegionSet& regions, const DetectionMatch& match, float max_distance,
                              int frame) {
   Tally& tally = tallies_[regions];
-  ++tally.observations;
+  ++tally.attempts;
   tally.last_frame = frame;
   if (!match.object) return;
   Votes& votes = tally.votes[match.object];
-  ++votes.observations;
+  ++votes.attempts;
   votes.sure = votes.sure || match.distance < kSurePart * max_distance;
 }
 
@@ -20,9 +20,9 @@ bool RecognitionHistory::isAttemptDue(const RegionSet& regions, int frame) const
   return found == tallies_.end() || frame - found->second.last_frame >= kFramesApart;
 }
 
-int RecognitionHistory::observations(const RegionSet& regions) const {
+int RecognitionHistory::attempts(const RegionSet& regions) const {
   const auto found = tallies_.find(regions);
-  return found == tallies_.end() ? 0 : found->second.observations;
+  return found == tallies_.end() ? 0 : found->second.attempts;
 }
 
 std::optional<ObjectId> RecognitionHistory::verdict(const RegionSet& regions) const {
@@ -30,13 +30,13 @@ std::optional<ObjectId> RecognitionHistory::verdict(const RegionSet& regions) co
   if (found == tallies_.end()) return std::nullopt;
   const Tally& tally = found->second;
   const auto best = std::ranges::max_element(tally.votes, {}, [](const auto& entry) {
-    return entry.second.observations + (entry.second.sure ? kAttemptsToKnow : 0);
+    return entry.second.attempts + (entry.second.sure ? kAttemptsToKnow : 0);
   });
-  if (best != tally.votes.end() && (best->second.sure || best->second.observations >= kAttemptsToKnow))
+  if (best != tally.votes.end() && (best->second.sure || best->second.attempts >= kAttemptsToKnow))
     return best->first;
-  // A single vote among many looks was chance.
+  // A single vote among many look-ups was chance.
   const int needed = tally.votes.empty() ? kAttemptsToGiveUp : 2 * kAttemptsToGiveUp;
-  if (tally.observations < needed) return std::nullopt;
+  if (tally.attempts < needed) return std::nullopt;
   return ObjectId{};
 }
 

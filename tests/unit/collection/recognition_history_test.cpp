@@ -1,4 +1,4 @@
-#include "core/scan/recognition_history.h"
+#include "core/collection/recognition_history.h"
 
 #include <gtest/gtest.h>
 
@@ -49,14 +49,14 @@ TEST(RecognitionHistory, ForgetsWhatIsNoMore) {
   RecognitionHistory history;
   history.add(kThing, {}, kMax, 10);
   history.forgetBefore(10);
-  EXPECT_EQ(history.observations(kThing), 1);
+  EXPECT_EQ(history.attempts(kThing), 1);
   history.forgetRegion(RegionId{4});
-  EXPECT_EQ(history.observations(kThing), 1);
+  EXPECT_EQ(history.attempts(kThing), 1);
   history.forgetRegion(RegionId{3});
-  EXPECT_EQ(history.observations(kThing), 0);
+  EXPECT_EQ(history.attempts(kThing), 0);
   history.add(kThing, {}, kMax, 10);
   history.forgetBefore(11);
-  EXPECT_EQ(history.observations(kThing), 0);
+  EXPECT_EQ(history.attempts(kThing), 0);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "core/scan/objects_in_view.h"
+#include "core/collection/objects_in_view.h"
 
 #include <map>
 #include <utility>
 
-#include "core/scan/bounds_in_color.h"
+#include "core/collection/bounds_in_color.h"
 
 namespace scantrove {
 namespace {

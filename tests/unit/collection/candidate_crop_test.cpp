@@ -1,4 +1,4 @@
-#include "core/scan/candidate_crop.h"
+#include "core/collection/candidate_crop.h"
 
 #include <gtest/gtest.h>
 

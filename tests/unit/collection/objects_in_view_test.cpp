@@ -1,4 +1,4 @@
-#include "core/scan/objects_in_view.h"
+#include "core/collection/objects_in_view.h"
 
 #include <gtest/gtest.h>
 

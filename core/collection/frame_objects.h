@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/catalogue/object_record.h"
-#include "core/scan/scan_snapshot.h"
+#include "core/collection/seen_object.h"
 
 namespace scantrove {
 
@@ -15,17 +15,17 @@ struct NamedObject {
   std::string name;
 };
 
-/// What one frame gave for the catalogue, and what of this and earlier ones was stored by now.
+/// What one frame gave to the catalogue, and what of this and earlier frames is stored by now.
 struct FrameObjects {
   std::vector<SeenObject> seen;
   std::vector<ObjectRecord> recognized;  ///< first time in this scan
 
-  bool has_news = false;            ///< of the catalogue, be it that somebody else changed it
+  bool has_news = false;            ///< the catalogue changed, through this scan or others
   std::vector<ObjectRecord> added;  ///< stored
   std::vector<ObjectId> new_views;  ///< objects that got one; stored
   std::vector<ObjectMerge> merged;  ///< their regions turned out to be one; stored
   std::vector<ObjectId> left;       ///< removed: their views show something else by now
-  std::vector<NamedObject> named;   ///< by a person who named a region; stored
+  std::vector<NamedObject> named;   ///< by a user who named a region; stored
   /// The catalogue could not be read or written. Said once until it works again; the scan goes on, and what
   /// could not be stored waits.
   std::optional<Error> catalogue_failure;

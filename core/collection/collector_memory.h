@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/catalogue/catalogue_mirror.h"
+#include "core/collection/identity_resolver.h"
+#include "core/collection/object_tracks.h"
+#include "core/collection/recognizer.h"
+#include "core/collection/stored_view.h"
+#include "core/collection/user_requests.h"
+
+namespace scantrove {
+
+/// What an ObjectCollector knows beside map, regions and catalogue, as plain data. A collector that is made
+/// with it continues the refinement of a scan in another run of the program as if the first one went on.
+struct CollectorState {
+  CatalogueMirror::Continued catalogue;
+  std::int64_t last_event = 0;  ///< of the catalogue, that is known
+  ObjectTracks::State tracks;
+  Recognizer::State recognizer;
+  UserRequests::State requests;
+  IdentityResolver::State identities;
+  std::vector<StoredView> views;
+  bool is_refining = false;
+  bool is_last_pass = false;
+  int frame = 0;
+};
+
+/// As a session keeps it.
+[[nodiscard]] std::vector<std::uint32_t> collectorMemory(const CollectorState& state);
+/// None: the words are not of this version, or damaged.
+[[nodiscard]] std::optional<CollectorState> collectorStateFrom(std::span<const std::uint32_t> words);
+
+/// Error: a catalogue that lacks objects which the scan added to it. `catalogue`: loaded.
+[[nodiscard]] Result<void> checkObjects(const CollectorState& state, const CatalogueMirror& catalogue);
+
+}  // namespace scantrove
