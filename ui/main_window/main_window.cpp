@@ -190,7 +190,7 @@ void MainWindow::connectRegions() {
           [this](const QString& message) { parts_.messages->show(MessageBar::Kind::warning, message); });
   const RegionActions& on_regions = regions_->actions();
   auto* proposals =
-      new ProposalBar(regions_->proposals(), on_regions.accept, on_regions.accept_all, on_regions.not_this);
+      new ProposalBar(regions_->operations().proposals(), on_regions.accept, on_regions.accept_all, on_regions.not_this);
   centralWidget()->layout()->addWidget(proposals);
   regions_->setKnownNames([this] {
     QStringList names;

@@ -5,8 +5,6 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -29,18 +27,16 @@ constexpr int kRecentNames = 9;
 RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePanels& frames,
                                    UndoHistory& history, QWidget& window)
     : QObject(&window),
-      bridge_(bridge),
       scene_(scene),
       frames_(frames),
       actions_(this),
-      history_(history),
-      cutter_(new RegionSplitter(scene, frames, selection_, this)),
+      operations_(bridge, scene, selection_, history, window),
+      splitter_(new RegionSplitter(scene, frames, selection_, this)),
       name_editor_(new RegionNameEditor(&window)) {
   connectFrames();
   connectScene();
   connectActions();
-  connectBridge();
-  connectCutter();
+  connectSplitter();
   connect(&selection_, &RegionSelection::hoverChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::light);
   connect(&selection_, &RegionSelection::selectionChanged, this, &RegionController::updateActions);
@@ -56,8 +52,13 @@ RegionController::RegionController(ScanBridge& bridge, ScenePane& scene, FramePa
     background_ = std::move(background);
     scene_.viewActions()->setBackground(background_);
   });
-  connect(&proposals_, &RegionProposals::changed, this, &RegionController::showProposal);
-  connect(name_editor_, &RegionNameEditor::named, this, &RegionController::giveName);
+  connect(&operations_.proposals(), &RegionProposals::changed, this, &RegionController::showProposal);
+  connect(name_editor_, &RegionNameEditor::named, &operations_, &RegionOperations::giveName);
+  connect(&operations_, &RegionOperations::nameGiven, this, &RegionController::rememberName);
+  connect(&operations_, &RegionOperations::failed, this, [this](const QString& message) {
+    emit failed(message);
+    splitter_->end();
+  });
   connect(name_editor_, &RegionNameEditor::closed, this, [this] {
     if (focus_before_name_ != nullptr) focus_before_name_->setFocus(Qt::OtherFocusReason);
   });
@@ -75,7 +76,7 @@ void RegionController::connectFrames() {
   connect(&frames_, &FramePanels::clicked, this, &RegionController::click);
   connect(&frames_, &FramePanels::doubleClicked, this,
           [this](const RegionPoint& at, const QPoint& on_screen) {
-            if (!at.region || cutter_->expectsStroke()) return;
+            if (!at.region || splitter_->expectsStroke()) return;
             selection_.select(at.region);
             editName(on_screen);
           });
@@ -104,7 +105,7 @@ void RegionController::connectScene() {
             click(view->at(place), modifiers);
           });
   connect(view, &SceneView::doubleClicked, this, [this, view](const QPointF& place) {
-    if (cutter_->expectsStroke()) return;
+    if (splitter_->expectsStroke()) return;
     const RegionPoint at = view->at(place);
     if (!at.region) {
       view->fitAll();
@@ -138,18 +139,18 @@ void RegionController::connectActions() {
   }
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_.name, [this] {
-    if (!cutter_->accept()) editName(last_place_);
+    if (!splitter_->accept()) editName(last_place_);
   });
-  on(actions_.join, [this] { join(); });
-  on(actions_.cut, [this] { cutter_->begin(); });
-  on(actions_.finer, [this] { doOnEach(OperationKind::finer); });
-  on(actions_.coarser, [this] { doOnEach(OperationKind::coarser); });
-  on(actions_.background, [this](bool checked) { doOnAll(OperationKind::background, checked); });
-  on(actions_.object, [this] { doOnAll(OperationKind::object); });
-  on(actions_.reject, [this](bool checked) { doOnAll(OperationKind::reject, checked); });
-  on(actions_.accept, [this] { accept(proposals_.acceptFirst()); });
-  on(actions_.accept_all, [this] { accept(proposals_.acceptAll()); });
-  on(actions_.not_this, [this] { proposals_.rejectFirst(); });
+  on(actions_.join, [this] { operations_.join(); });
+  on(actions_.cut, [this] { splitter_->begin(); });
+  on(actions_.finer, [this] { operations_.doOnEach(OperationKind::finer); });
+  on(actions_.coarser, [this] { operations_.doOnEach(OperationKind::coarser); });
+  on(actions_.background, [this](bool checked) { operations_.doOnAll(OperationKind::background, checked); });
+  on(actions_.object, [this] { operations_.doOnAll(OperationKind::object); });
+  on(actions_.reject, [this](bool checked) { operations_.doOnAll(OperationKind::reject, checked); });
+  on(actions_.accept, [this] { operations_.acceptFirst(); });
+  on(actions_.accept_all, [this] { operations_.acceptAll(); });
+  on(actions_.not_this, [this] { operations_.proposals().rejectFirst(); });
   on(actions_.next, [this] { selection_.walk(true); });
   on(actions_.previous, [this] { selection_.walk(false); });
   on(actions_.fit, [this] {
@@ -158,29 +159,18 @@ void RegionController::connectActions() {
   });
   on(actions_.deselect, [this] { deselect(); });
   for (QAction* action : actions_.recent)
-    on(action, [this, action] { giveName(action->data().toString(), {}); });
-}
-
-void RegionController::connectBridge() {
-  bridge_.on<Edited>(this, [this](const Edited& event) { edited(event); });
-  bridge_.on<EditFailed>(this, [this](const EditFailed& event) { editFailed(event); });
+    on(action, [this, action] { operations_.giveName(action->data().toString(), {}); });
 }
 
 void RegionController::beginScan() {
-  cutter_->end();
+  splitter_->end();
   selection_.reset();
-  ++proposal_number_;
-  proposals_.clear();
-  delete question_;
-  performed_.clear();
-  history_.forget(this);
-  knows_history_ = false;
+  operations_.beginScan();
 }
 
 void RegionController::showSnapshot(const ScanSnapshot& snapshot) {
   selection_.follow(snapshot);
-  if (snapshot.operations != nullptr && !std::exchange(knows_history_, true))
-    updateHistory(*snapshot.operations);
+  operations_.showSnapshot(snapshot);
 }
 
 void RegionController::finishEditing() {
@@ -190,8 +180,8 @@ void RegionController::finishEditing() {
 void RegionController::point(const RegionPoint& at) { selection_.hover(at.region); }
 
 void RegionController::click(const RegionPoint& at, Qt::KeyboardModifiers modifiers) {
-  if (cutter_->expectsStroke()) return cutter_->click(at, modifiers);
-  cutter_->end();
+  if (splitter_->expectsStroke()) return splitter_->click(at, modifiers);
+  splitter_->end();
   last_place_ = QCursor::pos();
   const bool also = modifiers.testFlag(Qt::ControlModifier);
   if (also && !at.region) return;
@@ -234,35 +224,6 @@ void RegionController::editName(const QPoint& on_screen) {
       count > 1 ? tr("Name of %1 regions").arg(count) : tr("Name of %1").arg(selection_.title(region)));
 }
 
-void RegionController::giveName(const QString& name, const QString& category) {
-  const std::vector<RegionId> regions = selection_.selected();
-  const std::vector<RegionId> background = backgroundAmong(regions);
-  if (name.isEmpty() || background.empty()) return nameRegions(regions, name, category);
-  ask(tr("%1 is background, which data sets leave out. Make it an object with the name “%2”?")
-          .arg(selection_.title(background.front()), name),
-      tr("Make it an object"), [this, regions, background, name, category] {
-        Operation operation;
-        operation.kind = OperationKind::background;
-        operation.regions = background;
-        operation.on = false;
-        perform(std::move(operation));
-        nameRegions(regions, name, category);
-      });
-}
-
-void RegionController::nameRegions(const std::vector<RegionId>& regions, const QString& name,
-                                   const QString& category) {
-  for (const RegionId region : regions) {
-    Operation operation;
-    operation.kind = OperationKind::name;
-    operation.regions = {region};
-    operation.name = name.toStdString();
-    operation.category = category.toStdString();
-    perform(std::move(operation));
-  }
-  if (!name.isEmpty()) rememberName(name);
-}
-
 void RegionController::rememberName(const QString& name) {
   QStringList names = QSettings().value(kRecentNamesKey).toStringList();
   if (names.contains(name)) return;  // the others keep their keys
@@ -273,36 +234,37 @@ void RegionController::rememberName(const QString& name) {
   updateActions();
 }
 
-void RegionController::connectCutter() {
-  connect(cutter_, &RegionSplitter::changed, this, [this] {
+void RegionController::connectSplitter() {
+  connect(splitter_, &RegionSplitter::changed, this, [this] {
     updateActions();
     // Beside a pointer that rests, too.
     const QStringList tag = tagOf(selection_.hovered());
     frames_.setTag(tag);
     if (pointer_in_scene_) scene_.overlay()->setTag(*pointer_in_scene_, tag);
   });
-  connect(cutter_, &RegionSplitter::regionChosen, this,
+  connect(splitter_, &RegionSplitter::regionChosen, this,
           [this](RegionId region) { selection_.select(region); });
-  connect(cutter_, &RegionSplitter::splitRequested, this, [this](const Operation& cut) { perform(cut); });
-  connect(cutter_, &RegionSplitter::failed, this, &RegionController::failed);
+  connect(splitter_, &RegionSplitter::splitRequested, this,
+          [this](const Operation& cut) { operations_.perform(cut); });
+  connect(splitter_, &RegionSplitter::failed, this, &RegionController::failed);
 }
 
 void RegionController::deselect() {
-  if (cutter_->isActive()) {
-    if (cutter_->isShown()) history_.undoNewest(this);
-    return cutter_->end();
+  if (splitter_->isActive()) {
+    if (splitter_->isShown()) operations_.undoNewest();
+    return splitter_->end();
   }
   selection_.select(RegionId{});
 }
 
 void RegionController::showProposal() {
-  const Proposal* const first = proposals_.first();
+  const Proposal* const first = operations_.proposals().first();
   actions_.enableProposals(first != nullptr);
   light();
 }
 
 RegionId RegionController::pointedOut() const {
-  const Proposal* const asked = proposals_.first();
+  const Proposal* const asked = operations_.proposals().first();
   const RegionId hovered = selection_.hovered();
   // The pointer mostly still rests on what was just named and is lit anyway.
   const bool is_lit = std::ranges::find(selection_.selected(), hovered) != selection_.selected().end();
@@ -333,7 +295,7 @@ void RegionController::updateActions() {
   actions_.enableFor(selected.size(), first != nullptr && first->note.background,
                      first != nullptr && first->note.rejected);
   actions_.cut->setEnabled(!selection_.infos().empty());
-  if (!cutter_->isActive()) return;
+  if (!splitter_->isActive()) return;
   actions_.deselect->setEnabled(true);
   actions_.name->setEnabled(true);  // Return is the cut's
 }
@@ -366,7 +328,7 @@ QStringList RegionController::tagOf(RegionId region) {
   if (info->note.rejected) metadata << tr("rejected");
   if (info->object) metadata << tr("object");
   lines << metadata.join(QStringLiteral(" · "));
-  if (const QString next = cutter_->nextInWords(); !next.isEmpty()) lines << next;
+  if (const QString next = splitter_->nextInWords(); !next.isEmpty()) lines << next;
   return lines;
 }
 

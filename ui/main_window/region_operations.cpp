@@ -1,4 +1,5 @@
-// What is done to the regions, and how it is taken back.
+#include "ui/main_window/region_operations.h"
+
 #include <QFuture>
 #include <QMessageBox>
 #include <QPromise>
@@ -12,43 +13,99 @@
 #include <utility>
 #include <vector>
 
-#include "ui/main_window/region_controller.h"
 #include "ui/main_window/scene_pane.h"
 
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kVoxelsToPropose = 150;  ///< smaller ones have no look
+constexpr std::size_t kVoxelsToPropose = 150;  ///< smaller ones have no appearance
 
-RegionProposals::Appearances looksOf(const std::map<RegionId, std::vector<AppearancePoint>>& points) {
-  RegionProposals::Appearances looks;
-  for (const auto& [region, of_region] : points) looks[region] = appearanceOf(of_region);
-  return looks;
+RegionProposals::Appearances appearancesOf(const std::map<RegionId, std::vector<AppearancePoint>>& points) {
+  RegionProposals::Appearances appearances;
+  for (const auto& [region, of_region] : points) appearances[region] = appearanceOf(of_region);
+  return appearances;
 }
 
 }  // namespace
 
 /// An operation in the history. The scan's own log is what is taken back and done again.
-class RegionController::Command : public QUndoCommand {
+class RegionOperations::Command : public QUndoCommand {
  public:
   /// `is_done`: by the scan, before this window knew of it.
-  Command(RegionController& controller, const QString& text, Operation operation, bool is_done)
-      : QUndoCommand(text), controller_(controller), operation_(std::move(operation)), is_done_(is_done) {}
+  Command(RegionOperations& operations, const QString& text, Operation operation, bool is_done)
+      : QUndoCommand(text), operations_(operations), operation_(std::move(operation)), is_done_(is_done) {}
 
   void redo() override {
-    controller_.bridge_.post(EditRegions{std::exchange(is_done_, true) ? ScanEdit(RedoEdit{}) : operation_});
+    operations_.bridge_.post(EditRegions{std::exchange(is_done_, true) ? ScanEdit(RedoEdit{}) : operation_});
   }
-  void undo() override { controller_.bridge_.post(EditRegions{UndoEdit{}}); }
+  void undo() override { operations_.bridge_.post(EditRegions{UndoEdit{}}); }
 
   [[nodiscard]] bool is(const Operation& operation) const { return operation == operation_; }
 
  private:
-  RegionController& controller_;
+  RegionOperations& operations_;
   Operation operation_;
   bool is_done_;
 };
 
-void RegionController::doOnAll(OperationKind kind, bool on) {
+RegionOperations::RegionOperations(ScanBridge& bridge, ScenePane& scene, RegionSelection& selection,
+                                   UndoHistory& history, QWidget& window)
+    : bridge_(bridge), scene_(scene), selection_(selection), history_(history), window_(window) {
+  bridge_.on<Edited>(this, [this](const Edited& event) { edited(event); });
+  bridge_.on<EditFailed>(this, [this](const EditFailed& event) { editFailed(event); });
+}
+
+RegionOperations::~RegionOperations() = default;
+
+void RegionOperations::beginScan() {
+  ++proposal_number_;
+  proposals_.clear();
+  delete question_;
+  performed_.clear();
+  history_.forget(this);
+  knows_history_ = false;
+}
+
+void RegionOperations::showSnapshot(const ScanSnapshot& snapshot) {
+  if (snapshot.operations != nullptr && !std::exchange(knows_history_, true))
+    updateHistory(*snapshot.operations);
+}
+
+void RegionOperations::undoNewest() { history_.undoNewest(this); }
+
+void RegionOperations::acceptFirst() { accept(proposals_.acceptFirst()); }
+void RegionOperations::acceptAll() { accept(proposals_.acceptAll()); }
+
+void RegionOperations::giveName(const QString& name, const QString& category) {
+  const std::vector<RegionId> regions = selection_.selected();
+  const std::vector<RegionId> background = backgroundAmong(regions);
+  if (name.isEmpty() || background.empty()) return nameRegions(regions, name, category);
+  ask(tr("%1 is background, which data sets leave out. Make it an object with the name “%2”?")
+          .arg(selection_.title(background.front()), name),
+      tr("Make it an object"), [this, regions, background, name, category] {
+        Operation operation;
+        operation.kind = OperationKind::background;
+        operation.regions = background;
+        operation.on = false;
+        perform(std::move(operation));
+        nameRegions(regions, name, category);
+      });
+}
+
+void RegionOperations::nameRegions(const std::vector<RegionId>& regions, const QString& name,
+                                   const QString& category) {
+  for (const RegionId region : regions) {
+    Operation operation;
+    operation.kind = OperationKind::name;
+    operation.regions = {region};
+    operation.name = name.toStdString();
+    operation.category = category.toStdString();
+    perform(std::move(operation));
+  }
+  if (!name.isEmpty()) emit nameGiven(name);
+}
+
+void RegionOperations::doOnAll(OperationKind kind, bool on) {
   if (selection_.selected().empty()) return;
   Operation operation;
   operation.kind = kind;
@@ -57,7 +114,7 @@ void RegionController::doOnAll(OperationKind kind, bool on) {
   perform(std::move(operation));
 }
 
-void RegionController::join() {
+void RegionOperations::join() {
   std::vector<RegionId> regions = selection_.selected();
   if (regions.size() < 2) return;
   std::ranges::stable_partition(regions, [this](RegionId region) {
@@ -76,7 +133,7 @@ void RegionController::join() {
       tr("Join"), joinAll);
 }
 
-std::vector<RegionId> RegionController::backgroundAmong(const std::vector<RegionId>& regions) const {
+std::vector<RegionId> RegionOperations::backgroundAmong(const std::vector<RegionId>& regions) const {
   std::vector<RegionId> background;
   std::ranges::copy_if(regions, std::back_inserter(background), [this](RegionId region) {
     const RegionInfo* const info = selection_.info(region);
@@ -85,10 +142,10 @@ std::vector<RegionId> RegionController::backgroundAmong(const std::vector<Region
   return background;
 }
 
-void RegionController::ask(const QString& question, const QString& yes, std::function<void()> todo) {
+void RegionOperations::ask(const QString& question, const QString& yes, std::function<void()> todo) {
   delete question_;
-  question_ = new QMessageBox(QMessageBox::Question, tr("Background"), question, QMessageBox::Cancel,
-                              name_editor_->parentWidget());
+  question_ =
+      new QMessageBox(QMessageBox::Question, tr("Background"), question, QMessageBox::Cancel, &window_);
   question_->setObjectName(QStringLiteral("backgroundQuestion"));
   question_->setAttribute(Qt::WA_DeleteOnClose);
   const QPushButton* const button = question_->addButton(yes, QMessageBox::AcceptRole);
@@ -97,7 +154,7 @@ void RegionController::ask(const QString& question, const QString& yes, std::fun
   question_->open();
 }
 
-void RegionController::doOnEach(OperationKind kind) {
+void RegionOperations::doOnEach(OperationKind kind) {
   for (const RegionId region : std::vector(selection_.selected())) {
     Operation operation;
     operation.kind = kind;
@@ -106,13 +163,13 @@ void RegionController::doOnEach(OperationKind kind) {
   }
 }
 
-void RegionController::perform(Operation operation) {
+void RegionOperations::perform(Operation operation) {
   const QString text = inWords(operation);
   performed_.push_back(std::make_shared<Command>(*this, text, std::move(operation), false));
   history_.push(this, performed_.back());
 }
 
-void RegionController::updateHistory(const std::vector<DoneOperation>& operations) {
+void RegionOperations::updateHistory(const std::vector<DoneOperation>& operations) {
   std::vector<UndoHistory::Step> steps;
   std::size_t done = 0;
   for (const DoneOperation& operation : operations) {
@@ -129,7 +186,7 @@ void RegionController::updateHistory(const std::vector<DoneOperation>& operation
   history_.learn(this, steps, done);
 }
 
-void RegionController::edited(const Edited& event) {
+void RegionOperations::edited(const Edited& event) {
   if (std::holds_alternative<UndoEdit>(event.edit)) {
     // The question was about a name that may be gone.
     ++proposal_number_;
@@ -152,9 +209,8 @@ void RegionController::edited(const Edited& event) {
   }
 }
 
-void RegionController::editFailed(const EditFailed& event) {
+void RegionOperations::editFailed(const EditFailed& event) {
   emit failed(QString::fromStdString(event.error.message()));
-  cutter_->end();
   const auto* const operation = std::get_if<Operation>(&event.edit);
   const auto failed = std::find_if(performed_.rbegin(), performed_.rend(), [operation](const auto& command) {
     return operation != nullptr && command->is(*operation);
@@ -164,7 +220,7 @@ void RegionController::editFailed(const EditFailed& event) {
   performed_.erase(std::next(failed).base());
 }
 
-QString RegionController::inWords(const Operation& operation) const {
+QString RegionOperations::inWords(const Operation& operation) const {
   QString what = operation.regions.size() == 1
                      ? selection_.title(operation.regions.front())
                      : tr("%n regions", nullptr, static_cast<int>(operation.regions.size()));
@@ -191,7 +247,7 @@ QString RegionController::inWords(const Operation& operation) const {
   return what;
 }
 
-void RegionController::proposeLike(const Operation& naming) {
+void RegionOperations::proposeLike(const Operation& naming) {
   if (naming.name.empty() || naming.regions.empty()) return;
   auto points = scene_.view()->scene().cloud().pointsOfRegions(kVoxelsToPropose);
   std::erase_if(points, [&](const auto& entry) {
@@ -204,18 +260,18 @@ void RegionController::proposeLike(const Operation& naming) {
   const auto promise = std::make_shared<QPromise<RegionProposals::Appearances>>();
   promise->start();
   QThreadPool::globalInstance()->start([promise, of_region = std::move(points)] {
-    promise->addResult(looksOf(of_region));
+    promise->addResult(appearancesOf(of_region));
     promise->finish();
   });
   const int number = ++proposal_number_;
-  promise->future().then(this, [this, naming, number](const RegionProposals::Appearances& looks) {
+  promise->future().then(this, [this, naming, number](const RegionProposals::Appearances& appearances) {
     if (number != proposal_number_) return;  // something else was named meanwhile, or another scan begun
     proposals_.propose(naming.regions.front(), QString::fromStdString(naming.name),
-                       QString::fromStdString(naming.category), looks);
+                       QString::fromStdString(naming.category), appearances);
   });
 }
 
-void RegionController::accept(const std::vector<Proposal>& accepted) {
+void RegionOperations::accept(const std::vector<Proposal>& accepted) {
   for (const Proposal& proposal : accepted) {
     Operation operation;
     operation.kind = OperationKind::accept;

@@ -136,7 +136,7 @@ TEST_F(WindowTest, AQuestion_EndsWithItsScanAndWithAnUndo) {
   ColorHistogram::Shares shares{};
   shares[7] = 1;
   style.colors = ColorHistogram::ofShares(shares);
-  RegionProposals& proposals = window_->regions().proposals();
+  RegionProposals& proposals = window_->regions().operations().proposals();
   const auto ask = [&] {
     proposals.propose(RegionId{1}, QStringLiteral("chair"), {}, {{RegionId{1}, style}, {RegionId{2}, style}});
     return proposals.first() != nullptr;
