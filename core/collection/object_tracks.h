@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/catalogue/catalogue_mirror.h"
-#include "core/catalogue/view_sphere.h"
 #include "core/discovery/candidate.h"
 #include "core/fusion/depth_view.h"
+#include "core/geometry/view_sphere.h"
 
 namespace scantrove {
 

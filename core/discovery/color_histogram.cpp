@@ -4,21 +4,14 @@
 #include <functional>
 #include <numeric>
 
+#include "core/base/soft_bin.h"
+
 namespace scantrove {
 namespace {
 
-/// Where a value lies between bins: the lower one, and the shares of that and of the next.
-struct Between {
-  std::size_t bin;
-  float lower, upper;
-};
-
-Between between(float value, float lowest, float highest) {
+SoftBin between(float value, float lowest, float highest) {
   constexpr float kLast = ColorHistogram::kBins - 1;
-  const float place = std::clamp((value - lowest) / (highest - lowest) * kLast, 0.0F, kLast - 1e-3F);
-  const int bin = static_cast<int>(place);
-  const float upper = place - static_cast<float>(bin);
-  return {static_cast<std::size_t>(bin), 1 - upper, upper};
+  return SoftBin::at((value - lowest) / (highest - lowest) * kLast, ColorHistogram::kBins);
 }
 
 }  // namespace
@@ -38,7 +31,7 @@ ColorHistogram::Shares ColorHistogram::shares() const {
 }
 
 void ColorHistogram::add(const Eigen::Vector3f& lab) {
-  const Between l = between(lab[0], 0, 100), a = between(lab[1], -50, 50), b = between(lab[2], -50, 50);
+  const SoftBin l = between(lab[0], 0, 100), a = between(lab[1], -50, 50), b = between(lab[2], -50, 50);
   float* bins = &bins_[(l.bin * kBins + a.bin) * kBins + b.bin];
   const auto addRow = [&b](float* row, float weight) {
     row[0] += weight * b.lower;

@@ -21,9 +21,6 @@ struct DiscoveryParams {
   float max_eccentricity = 0.98F;  ///< of the image region's ellipse
   float max_hidden_fraction =
       0.5F;  ///< of the outline behind nearer things: above = background seen through a gap
-  /// A thing hides what lies so much deeper, and from 1.5 m on in proportion to the depth: what rises less
-  /// above its surroundings (a plate, the rim of a rug) hides no floor, and depth edges blur by as much.
-  float hiding_step_m = 0.03F;
   /// Strips at the image's edges up to this wide may be blind: where the projector's light or, after
   /// registration, the colour image ends (a Kinect loses 8 to 24 of 640 columns).
   float max_strip_fraction = 0.04F;

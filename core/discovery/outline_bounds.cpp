@@ -36,9 +36,8 @@ std::size_t sideOf(const Eigen::Vector2f& place) {
 
 }  // namespace
 
-OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes, const DiscoveryInput& input,
-                              const DiscoveryParams& params) {
-  const OutlineStepJudge judge(input, params);
+OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes, const DiscoveryInput& input) {
+  const OutlineStepJudge judge(input);
   const int reach_px = colorReach(input.view.K.width);
   const auto contrastAt = [&](int u, int v, int du, int dv) {
     if (input.color_lab.empty()) return kUsualContrast;

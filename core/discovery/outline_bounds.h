@@ -14,6 +14,6 @@ struct OutlineBounds {
 /// What is hidden, cut off or unseen says nothing; what is not known of a side is taken for half.
 /// `pixels` and `axes` are of `input`.
 [[nodiscard]] OutlineBounds outlineBoundsOf(const SetPixels& pixels, const SetAxes& axes,
-                                            const DiscoveryInput& input, const DiscoveryParams& params);
+                                            const DiscoveryInput& input);
 
 }  // namespace scantrove

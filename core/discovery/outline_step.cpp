@@ -1,18 +1,14 @@
 #include "core/discovery/outline_step.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/discovery/region_points.h"
+#include "core/geometry/surface_step.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kBeyond_px = 2;     // pixels at an edge may lie between two surfaces: look past the first
-constexpr int kBendReach_px = 3;  // normals are compared so far to either side
-constexpr float kGrowsFrom_m = 1.5F;
-constexpr float kClearBend_rad = 0.35F;  // 20 degrees
-constexpr float kMinStep_m = 0.005F;     // up to 1.2 m; beyond it grows as the sensor's noise does
+constexpr float kMinStep_m = 0.005F;  // up to 1.2 m; beyond it grows as the sensor's noise does
 constexpr float kStepGrowsFrom_m = 1.2F;
 
 }  // namespace
@@ -38,27 +34,33 @@ float OutlineSteps::hiddenPart() const {
 
 OutlineEnd OutlineStepJudge::judge(int u, int v, int du, int dv) const {
   const RegionId region = regionAt(u, v);
-  if (!isInside(u + kBeyond_px * du, v + kBeyond_px * dv)) return &OutlineSteps::cut;
+  if (!isInside(u + kBeyondEdge_px * du, v + kBeyondEdge_px * dv)) return &OutlineSteps::cut;
   const Eigen::Vector4f& here = vertexAt(u, v);
-  const Eigen::Vector4f& there = vertexAt(u + kBeyond_px * du, v + kBeyond_px * dv);
+  const Eigen::Vector4f& there = vertexAt(u + kBeyondEdge_px * du, v + kBeyondEdge_px * dv);
   if (!isSurface(here) || !isSurface(there)) return &OutlineSteps::unseen;
-  if (regionAt(u + kBeyond_px * du, v + kBeyond_px * dv) == region) return &OutlineSteps::unseen;  // a slit
-  const float z = depth_(here), z_beyond = depth_(there);
-  const float hides_from_m = params_.hiding_step_m * std::max(1.0F, z / kGrowsFrom_m);
-  if (z_beyond < z - hides_from_m) return &OutlineSteps::hidden;
-  if (z_beyond > z + hides_from_m) return &OutlineSteps::open;
+  if (regionAt(u + kBeyondEdge_px * du, v + kBeyondEdge_px * dv) == region)
+    return &OutlineSteps::unseen;  // a slit
+  const float z = depth_(here);
+  switch (depthStep(z, depth_(there))) {
+    case DepthStep::nearer:
+      return &OutlineSteps::hidden;
+    case DepthStep::deeper:
+      return &OutlineSteps::open;
+    case DepthStep::level:
+      break;
+  }
   return judgeContact(u, v, du, dv, z);
 }
 
 OutlineEnd OutlineStepJudge::judgeContact(int u, int v, int du, int dv, float z) const {
-  const RegionId inner = regionAt(u, v), outer = regionAt(u + kBeyond_px * du, v + kBeyond_px * dv);
+  const RegionId inner = regionAt(u, v), outer = regionAt(u + kBeyondEdge_px * du, v + kBeyondEdge_px * dv);
   // As far off the border as both go on.
   int back = kBendReach_px, on = kBendReach_px + 1;
   while (back > 0 &&
          (!isInside(u - back * du, v - back * dv) || regionAt(u - back * du, v - back * dv) != inner ||
           !isSurface(vertexAt(u - back * du, v - back * dv))))
     --back;
-  while (on > kBeyond_px &&
+  while (on > kBeyondEdge_px &&
          (!isInside(u + on * du, v + on * dv) || regionAt(u + on * du, v + on * dv) != outer ||
           !isSurface(vertexAt(u + on * du, v + on * dv))))
     --on;
@@ -67,9 +69,9 @@ OutlineEnd OutlineStepJudge::judgeContact(int u, int v, int du, int dv, float z)
   const Eigen::Vector4f& n_b = input_.view.normals_world[b];
   if (!isSurface(n_a) || !isSurface(n_b)) return &OutlineSteps::unseen;
   const Eigen::Vector3f across = (input_.view.vertices_world[b] - input_.view.vertices_world[a]).head<3>();
-  const Eigen::Vector3f turn = (n_b - n_a).head<3>();
-  const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));
-  if (angle > kClearBend_rad) return across.dot(turn) > 0 ? &OutlineSteps::ridged : &OutlineSteps::folded;
+  const float bend_rad = bendBetween(n_a, n_b, across);
+  if (bend_rad < -kClearBend_rad) return &OutlineSteps::ridged;
+  if (bend_rad > kClearBend_rad) return &OutlineSteps::folded;
   // Two surfaces that face one way: on one level, or one above the other.
   const float grown = std::max(1.0F, z / kStepGrowsFrom_m);
   const float rise_m = across.dot((n_a + n_b).head<3>()) / 2;

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/discovery/camera_depth.h"
 #include "core/discovery/candidate_finder.h"
+#include "core/geometry/camera_depth.h"
 
 namespace scantrove {
 
@@ -30,29 +30,22 @@ using OutlineEnd = int OutlineSteps::*;
 /// Says how a region ends at one step.
 class OutlineStepJudge {
  public:
-  /// Both must outlive this.
-  OutlineStepJudge(const DiscoveryInput& input, const DiscoveryParams& params)
-      : input_(input), params_(params), depth_(input.view.T_world_camera) {}
+  /// `input` must outlive this.
+  explicit OutlineStepJudge(const DiscoveryInput& input) : input_(input), depth_(input.view.T_world_camera) {}
 
   /// From (u, v) in direction (du, dv), where the next pixel is another region's.
   [[nodiscard]] OutlineEnd judge(int u, int v, int du, int dv) const;
 
  private:
   [[nodiscard]] OutlineEnd judgeContact(int u, int v, int du, int dv, float z) const;
-  [[nodiscard]] bool isInside(int u, int v) const {
-    return u >= 0 && v >= 0 && u < input_.view.K.width && v < input_.view.K.height;
-  }
-  [[nodiscard]] std::size_t at(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.view.K.width) +
-           static_cast<std::size_t>(u);
-  }
+  [[nodiscard]] bool isInside(int u, int v) const { return input_.view.K.isInside(u, v); }
+  [[nodiscard]] std::size_t at(int u, int v) const { return input_.view.K.indexOf(u, v); }
   [[nodiscard]] RegionId regionAt(int u, int v) const { return input_.regions[at(u, v)]; }
   [[nodiscard]] const Eigen::Vector4f& vertexAt(int u, int v) const {
     return input_.view.vertices_world[at(u, v)];
   }
 
   const DiscoveryInput& input_;
-  const DiscoveryParams& params_;
   CameraDepth depth_;
 };
 

@@ -12,6 +12,7 @@
 
 #include "core/base/check.h"
 #include "core/discovery/region_points.h"
+#include "core/geometry/camera_depth.h"
 
 namespace scantrove {
 namespace {
@@ -74,12 +75,11 @@ FittedSides sidesAlong(const Eigen::Matrix3f& directions, const Widths& widths) 
 class Interior {
  public:
   Interior(const DiscoveryInput& input, const cv::Rect& visible_px)
-      : visible_px_(visible_px), slack_px_m_(kSlack_m * std::max(input.view.K.fx, input.view.K.fy)) {
-    const Eigen::Matrix4f T_camera_world = input.view.T_world_camera.inverse().matrix().cast<float>();
-    depth_row_ = T_camera_world.row(2);
-  }
+      : visible_px_(visible_px),
+        slack_px_m_(kSlack_m * std::max(input.view.K.fx, input.view.K.fy)),
+        depth_(input.view.T_world_camera) {}
   [[nodiscard]] bool holds(int u, int v, const Eigen::Vector4f& vertex) const {
-    const float z = depth_row_.dot(vertex);
+    const float z = depth_(vertex);
     const int margin = kMargin_px + static_cast<int>(std::ceil(slack_px_m_ / std::max(z, 0.1F)));
     return u - visible_px_.x >= margin && v - visible_px_.y >= margin && visible_px_.br().x - u > margin &&
            visible_px_.br().y - v > margin;
@@ -88,7 +88,7 @@ class Interior {
  private:
   cv::Rect visible_px_;
   float slack_px_m_;
-  Eigen::RowVector4f depth_row_;
+  CameraDepth depth_;
 };
 
 }  // namespace
@@ -126,8 +126,7 @@ void ReachHistory::add(const DiscoveryInput& input, const cv::Rect& visible_px, 
   const int step_px = kStep_px * stepOfMeans(input.view.K.width);
   for (int v = 0; v < input.view.K.height; v += step_px) {
     for (int u = 0; u < input.view.K.width; u += step_px) {
-      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.view.K.width) +
-                         static_cast<std::size_t>(u);
+      const std::size_t pixel = input.view.K.indexOf(u, v);
       const RegionId region = input.regions[pixel];
       if (!region || !isSurface(input.view.vertices_world[pixel])) continue;
       if (region != last) {

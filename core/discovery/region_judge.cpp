@@ -20,9 +20,10 @@ namespace {
 
 /// Of DiscoveryParams::max_size_m: all that is known of a thing measures more than one look at it.
 constexpr float kLargestPart = 8.0F / 7;
-constexpr float kMinPixels = 60;      // of 320 x 240: of fewer nothing can be said ...
-constexpr float kMinPartPixels = 30;  // ... and of fewer still not that they are a part of something
-constexpr double kUsualPixels = 320.0 * 240.0;
+constexpr float kMinPixels = 240;      // of a reference image: of fewer nothing can be said ...
+constexpr float kMinPartPixels = 120;  // ... and of fewer still not that they are a part of something
+/// The objectness model counts pixels of 320 x 240: so many of a reference image are one of these.
+constexpr float kPixelsOfModel = 4;
 /// What a look has no room for, and what was never seen, is not judged by it.
 constexpr float kMinShown = 0.45F;                  // of all that is known of it
 constexpr float kMaxCut = 0.5F, kMaxUnseen = 0.3F;  // of the outline
@@ -47,7 +48,7 @@ void forEachInParallel(std::size_t count, const Work& work) {
 
 /// What the image shows of it.
 ObjectnessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps& outline,
-                          const DiscoveryInput& input, const DiscoveryParams& params) {
+                          const DiscoveryInput& input) {
   const RegionExtent& extent = hypothesis.extent;
   const auto partOfOutline = [steps = std::max(1, outline.known())](int of) {
     return static_cast<float>(of) / static_cast<float>(steps);
@@ -66,7 +67,7 @@ ObjectnessEvidence seenOf(const RegionHypothesis& hypothesis, const OutlineSteps
   evidence.area_m2 = hypothesis.visible_area_m2;
   const SetPixels pixels(hypothesis.regions, extent.box_px, input);
   const SetAxes axes(pixels, extent);
-  evidence.bounds = outlineBoundsOf(pixels, axes, input, params);
+  evidence.bounds = outlineBoundsOf(pixels, axes, input);
   if (!input.color_lab.empty()) evidence.changes = colorChangesOf(pixels, axes, input);
   evidence.is_inconsistent = hypothesis.is_inconsistent;
   evidence.odds = hypothesis.odds;
@@ -90,7 +91,7 @@ const RegionSamples::Shape& RegionJudge::shapeOf(const RegionSet& regions) {
 std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input) {
   SCANTROVE_CHECK(input.view.vertices_world.size() == input.regions.size());
   census_ = counter_.count(input.regions, input.view.K.width);
-  const auto scale = static_cast<float>(kUsualPixels / static_cast<double>(input.view.K.pixels()));
+  const auto scale = static_cast<float>(1 / input.view.K.pixelScale());
   const float largest_m = kLargestPart * params_.max_size_m;
   std::vector<RegionExtent> parts;
   std::ranges::copy_if(census_.extents, std::back_inserter(parts), [&](const RegionExtent& extent) {
@@ -98,7 +99,7 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
     const float size_m = shapeOf({extent.region}).box.size_m[0];
     return size_m >= params_.min_size_m && size_m <= largest_m;
   });
-  const RegionOutlines outlines(input, params_);
+  const RegionOutlines outlines(input);
   const RegionColors colors(input);
   const cv::Rect visible = visibleFrame(census_, input.view.K.width, input.view.K.height, params_);
   const auto pixelsOf = [&parts](RegionId region) {
@@ -114,9 +115,9 @@ std::vector<RegionJudge::Judged> RegionJudge::judge(const DiscoveryInput& input)
       largest = std::max(largest, of_region);
     }
     if (!isInView(outline) || shown < kMinShown * pixels) return std::nullopt;
-    ObjectnessEvidence evidence = seenOf(hypothesis, outline, input, params_);
+    ObjectnessEvidence evidence = seenOf(hypothesis, outline, input);
     setKnown(shapes_.at(hypothesis.regions), evidence);
-    evidence.pixels = pixels * scale;
+    evidence.pixels = pixels * scale / kPixelsOfModel;
     evidence.largest_part = largest / pixels;
     evidence.shown = shown / pixels;
     evidence.likeness = colors.likenessOf(hypothesis.regions, hypothesis.extent);

@@ -16,11 +16,11 @@ void RegionOutlines::forEachBeyond(const RegionSet& regions, const Visit& visit)
   }
 }
 
-RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParams& params) {
+RegionOutlines::RegionOutlines(const DiscoveryInput& input) {
   const int width = input.view.K.width, height = input.view.K.height;
   SCANTROVE_CHECK(input.view.vertices_world.size() == input.regions.size());
   SCANTROVE_CHECK(input.view.normals_world.size() == input.regions.size());
-  const OutlineStepJudge judge(input, params);
+  const OutlineStepJudge judge(input);
   RegionId last;
   std::vector<Beyond>* of_last = nullptr;
   const auto add = [&](RegionId from, RegionId to, OutlineEnd end) {
@@ -35,8 +35,7 @@ RegionOutlines::RegionOutlines(const DiscoveryInput& input, const DiscoveryParam
   const std::span<const RegionId> regions = input.regions;
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
-      const std::size_t here =
-          static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
+      const std::size_t here = input.view.K.indexOf(u, v);
       const RegionId region = regions[here];
       if (u == 0 || u + 1 == width) add(region, {}, &OutlineSteps::cut);
       if (v == 0 || v + 1 == height) add(region, {}, &OutlineSteps::cut);

@@ -16,7 +16,7 @@ inline constexpr int kMinContact = 4;  ///< steps along which two regions touch,
 class RegionOutlines {
  public:
   /// Looks at every step between pixels of different regions, to the right and downwards, from both sides.
-  RegionOutlines(const DiscoveryInput& input, const DiscoveryParams& params);
+  explicit RegionOutlines(const DiscoveryInput& input);
 
   /// Of the set's outline: steps from one of its regions to another are inside.
   [[nodiscard]] OutlineSteps of(const RegionSet& regions) const;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 
-#include "core/discovery/camera_depth.h"
+#include "core/geometry/camera_depth.h"
 
 namespace scantrove {
 namespace {
@@ -50,9 +50,8 @@ template <class Use>
 void forEachPixel(const RegionSet& regions, const cv::Rect& box, const DiscoveryInput& input, Use&& use,
                   int step = 1) {
   for (int v = box.y; v < box.br().y; v += step) {
-    const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(input.view.K.width);
     for (int u = box.x; u < box.br().x; u += step) {
-      const std::size_t pixel = row + static_cast<std::size_t>(u);
+      const std::size_t pixel = input.view.K.indexOf(u, v);
       if (!regions.contains(input.regions[pixel])) continue;
       if (isSurface(input.view.vertices_world[pixel])) use(pixel, cv::Point(u, v) - box.tl());
     }

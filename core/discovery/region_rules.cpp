@@ -28,8 +28,7 @@ bool isOffBorder(const RegionExtent& extent, const cv::Rect& visible_px, const D
 }
 
 bool hasEnoughPoints(const RegionExtent& extent, const Intrinsics& K, const DiscoveryParams& params) {
-  const double scale = static_cast<double>(K.pixels()) / (640.0 * 480.0);
-  return static_cast<double>(extent.pixels) >= params.min_points * scale;
+  return static_cast<double>(extent.pixels) >= params.min_points * K.pixelScale();
 }
 
 bool isCentral(const RegionExtent& extent, const Intrinsics& K, const DiscoveryParams& params) {

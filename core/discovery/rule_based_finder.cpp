@@ -40,7 +40,7 @@ class RuleBasedFinder final : public CandidateFinder {
   std::vector<Candidate> find(const DiscoveryInput& input) override {
     SCANTROVE_CHECK(input.view.vertices_world.size() == input.regions.size());
     census_ = counter_.count(input.regions, input.view.K.width);
-    const RegionOutlines outlines(input, params_);
+    const RegionOutlines outlines(input);
     const cv::Rect visible = visibleFrame(census_, input.view.K.width, input.view.K.height, params_);
     const std::vector<RegionHypothesis> hypotheses =
         proposeHypotheses(completeRegions(census_, visible, input), outlines, input, params_);

@@ -20,13 +20,8 @@ class SetPixels {
   SetPixels(const RegionSet& regions, const cv::Rect& box_px, const DiscoveryInput& input)
       : regions_(regions), box_px_(box_px), input_(input) {}
 
-  [[nodiscard]] bool isInside(int u, int v) const {
-    return u >= 0 && v >= 0 && u < input_.view.K.width && v < input_.view.K.height;
-  }
-  [[nodiscard]] std::size_t at(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(input_.view.K.width) +
-           static_cast<std::size_t>(u);
-  }
+  [[nodiscard]] bool isInside(int u, int v) const { return input_.view.K.isInside(u, v); }
+  [[nodiscard]] std::size_t at(int u, int v) const { return input_.view.K.indexOf(u, v); }
   /// False outside of the image.
   [[nodiscard]] bool contains(int u, int v) const {
     if (!isInside(u, v)) return false;

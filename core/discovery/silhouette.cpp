@@ -4,9 +4,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/discovery/camera_depth.h"
 #include "core/discovery/region_points.h"
 #include "core/discovery/set_pixels.h"
+#include "core/geometry/camera_depth.h"
 
 namespace scantrove {
 namespace {

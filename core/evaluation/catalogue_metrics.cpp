@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "core/capture/intrinsics.h"
 #include "core/evaluation/label_grid.h"
 
 namespace scantrove {
@@ -15,7 +16,6 @@ constexpr double kPartShare = 0.75;
 constexpr double kNamedShare = 0.15;
 constexpr double kWholeViews = 0.8;
 constexpr double kVisible_px = 400;
-constexpr double kVgaPixels = 640.0 * 480.0;
 constexpr int kVisibleFrames = 30;
 constexpr double kSmallest_m = 0.05;
 constexpr double kLargest_m = 0.60;
@@ -119,7 +119,7 @@ bool wasSeenEntirely(const TrueObject& object) {
 
 void countVisible(const cv::Mat& truth, std::map<int, TrueObject>& objects) {
   const cv::Mat1i instances = toLabelGrid(truth);
-  const double enough = kVisible_px * static_cast<double>(instances.total()) / kVgaPixels;
+  const double enough = kVisible_px * static_cast<double>(instances.total()) / kReferencePixels;
   struct Extent {
     int pixels = 0;
     bool is_cut = false;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "core/capture/intrinsics.h"
 #include "core/evaluation/boundary_error.h"
 #include "core/evaluation/label_grid.h"
 
 namespace scantrove {
 namespace {
 
-constexpr double kUsualPixels = 640.0 * 480.0;
 constexpr double kSmall_px = 400;
 constexpr double kLarge_px = 15000;
 
@@ -46,7 +46,7 @@ SegmentationMetrics evaluateSegmentation(const cv::Mat& segmentation, const cv::
   const Coverage covered = coverage(table);
   metrics.coverage_weighted = covered.weighted;
   metrics.coverage = covered.unweighted;
-  const double scale = static_cast<double>(instances.total()) / kUsualPixels;
+  const double scale = static_cast<double>(instances.total()) / kReferencePixels;
   metrics.small = coverageOfSize(table, kSmall_px * scale, kLarge_px * scale);
   metrics.large = coverageOfSize(table, std::nextafter(kLarge_px * scale, HUGE_VAL), HUGE_VAL);
   metrics.instances = static_cast<int>(table.instance_area.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
+#include "core/geometry/camera_depth.h"
 
 namespace scantrove {
 
@@ -12,8 +13,7 @@ cv::Mat contradictedSurface(const DepthView& now, const RenderedView& view, floa
   SCANTROVE_CHECK(static_cast<int>(view.vertices_world.size()) == K.pixels());
   SCANTROVE_CHECK(now.z_m.type() == CV_32FC1);
   cv::Mat contradicted = cv::Mat::zeros(K.height, K.width, CV_8UC1);
-  const Eigen::Matrix4f T_camera_world = now.T_world_camera.inverse().matrix().cast<float>();
-  const Eigen::RowVector4f depth_of = T_camera_world.row(2);
+  const CameraDepth depth_of(now.T_world_camera);
   const float sx = static_cast<float>(now.z_m.cols) / static_cast<float>(K.width);
   const float sy = static_cast<float>(now.z_m.rows) / static_cast<float>(K.height);
   const auto readingsAt = [](int pixel, float scale, int count) {
@@ -24,11 +24,9 @@ cv::Mat contradictedSurface(const DepthView& now, const RenderedView& view, floa
   const cv::Rect image({}, now.z_m.size());
   for (int v = 0; v < K.height; ++v) {
     for (int u = 0; u < K.width; ++u) {
-      const auto i =
-          static_cast<std::size_t>(v) * static_cast<std::size_t>(K.width) + static_cast<std::size_t>(u);
-      const Eigen::Vector4f& vertex = view.vertices_world[i];
+      const Eigen::Vector4f& vertex = view.vertices_world[K.indexOf(u, v)];
       if (!(vertex.w() > 0)) continue;
-      const float z = depth_of.dot(vertex);
+      const float z = depth_of(vertex);
       const float nearest = z - kBefore.at(z, depth_noise_m), farthest = z + kBehind.at(z, depth_noise_m);
       const auto agrees = [&](float reading) { return reading >= nearest && reading <= farthest; };
       const cv::Point pixel(readingsAt(u, sx, image.width), readingsAt(v, sy, image.height));

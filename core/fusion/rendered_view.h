@@ -28,5 +28,7 @@ struct RenderedView {
 /// Camera, vertices and normals of `surface`, read from the device. A surface without buffers gives no
 /// images. May throw cl::Error.
 [[nodiscard]] RenderedView readView(ComputeContext& compute, const SurfaceMaps& surface);
+/// The other way round. May throw cl::Error.
+void writeView(ComputeContext& compute, const RenderedView& view, SurfaceMaps& surface);
 
 }  // namespace scantrove

@@ -7,13 +7,13 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "core/geometry/camera_depth.h"
+#include "core/geometry/surface_step.h"
+
 namespace scantrove {
 namespace {
 
-constexpr int kMaxVoxels = 12000;         // of a thing: 0.4 square metres
-constexpr int kBeyond_px = 2;             // pixels at an edge may lie between two surfaces: look past them
-constexpr float kStep_m = 0.03F;          // deeper or nearer by more, they do not touch ...
-constexpr float kStepGrowsFrom_m = 1.5F;  // ... and from here on in proportion to the depth
+constexpr int kMaxVoxels = 12000;                 // of a thing: 0.4 square metres
 constexpr int kMinOutline = 20, kMinContact = 6;  // steps
 constexpr float kMaxUnseen = 0.35F;               // of the outline: hidden or cut off
 constexpr float kOnlyOne = 0.85F;                 // of what it touches is the other
@@ -44,10 +44,11 @@ struct Outline {
 class FrameOutlines {
  public:
   FrameOutlines(const MergeInput& input, std::span<const RegionId> regions, const RegionTable& table)
-      : input_(input), K_(input.view.K), regions_(regions), table_(table) {
-    const Eigen::Matrix4d T_camera_world = input.view.T_world_camera.inverse().matrix();
-    axis_ = T_camera_world.block<1, 3>(2, 0).transpose().cast<float>();
-    offset_m_ = static_cast<float>(T_camera_world(2, 3));
+      : input_(input),
+        K_(input.view.K),
+        regions_(regions),
+        table_(table),
+        depth_of_(input.view.T_world_camera) {
     for (int y = 0; y < K_.height; ++y) {
       for (int x = 0; x < K_.width; ++x) {
         if (isWithin(x, y)) continue;
@@ -92,20 +93,10 @@ class FrameOutlines {
     Outline outline;
   };
 
-  [[nodiscard]] bool isInside(int x, int y) const {
-    return x >= 0 && y >= 0 && x < K_.width && y < K_.height;
-  }
-  [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(K_.width) + static_cast<std::size_t>(x);
-  }
-  [[nodiscard]] float depthOf(const Eigen::Vector4f& vertex) const {
-    return axis_.dot(vertex.head<3>()) + offset_m_;
-  }
-
   /// None of a pixel's neighbours is another region's.
   [[nodiscard]] bool isWithin(int x, int y) const {
     if (x == 0 || y == 0 || x + 1 == K_.width || y + 1 == K_.height) return false;
-    const std::size_t here = at(x, y);
+    const std::size_t here = K_.indexOf(x, y);
     const auto width = static_cast<std::size_t>(K_.width);
     const RegionId region = regions_[here];
     return regions_[here + 1] == region && regions_[here - 1] == region && regions_[here + width] == region &&
@@ -126,30 +117,29 @@ class FrameOutlines {
   }
 
   void look(int x, int y, int dx, int dy) {
-    const std::size_t here = at(x, y);
+    const std::size_t here = K_.indexOf(x, y);
     const RegionId region = regions_[here];
     if (!region) return;
-    const bool is_cut = !isInside(x + dx, y + dy);
-    if (!is_cut && regions_[at(x + dx, y + dy)] == region) return;
+    const bool is_cut = !K_.isInside(x + dx, y + dy);
+    if (!is_cut && regions_[K_.indexOf(x + dx, y + dy)] == region) return;
     Known& known = know(region);
     if (!known.is_thing) return;
     Outline& outline = known.outline;
-    const int u = x + kBeyond_px * dx, v = y + kBeyond_px * dy;
-    if (is_cut || !isInside(u, v)) {
+    const int u = x + kBeyondEdge_px * dx, v = y + kBeyondEdge_px * dy;
+    if (is_cut || !K_.isInside(u, v)) {
       ++outline.known;
       ++outline.unseen;
       return;
     }
-    const std::size_t there = at(u, v);
+    const std::size_t there = K_.indexOf(u, v);
     const RegionId other = regions_[there];
     const Eigen::Vector4f& from = input_.view.vertices_world[here];
     const Eigen::Vector4f& to = input_.view.vertices_world[there];
     if (other == region || !(from.w() > 0) || !(to.w() > 0)) return;
     ++outline.known;
-    const float z = depthOf(from), deeper_m = depthOf(to) - z;
-    const float step_m = kStep_m * std::max(1.0F, z / kStepGrowsFrom_m);
-    if (deeper_m > step_m) return;
-    if (deeper_m < -step_m) {
+    const DepthStep step = depthStep(depth_of_(from), depth_of_(to));
+    if (step == DepthStep::deeper) return;
+    if (step == DepthStep::nearer) {
       ++outline.unseen;
       return;
     }
@@ -159,13 +149,13 @@ class FrameOutlines {
 
   void collectNear(const Touch& touch, std::vector<std::size_t>& pixels) const {
     const Eigen::Vector3f place = input_.view.vertices_world[touch.there].head<3>();
-    const float z = std::max(0.1F, depthOf(input_.view.vertices_world[touch.there]));
+    const float z = std::max(0.1F, depth_of_(input_.view.vertices_world[touch.there]));
     const auto reach = static_cast<int>(
         std::min(kMaxNear_px, std::ceil(kNear_m * std::max(input_.view.K.fx, input_.view.K.fy) / z)));
     const int x0 = static_cast<int>(touch.there) % K_.width, y0 = static_cast<int>(touch.there) / K_.width;
     for (int y = std::max(0, y0 - reach); y <= std::min(K_.height - 1, y0 + reach); ++y) {
       for (int x = std::max(0, x0 - reach); x <= std::min(K_.width - 1, x0 + reach); ++x) {
-        const std::size_t pixel = at(x, y);
+        const std::size_t pixel = K_.indexOf(x, y);
         if (regions_[pixel] != touch.to || !(input_.view.vertices_world[pixel].w() > 0) ||
             !(input_.view.normals_world[pixel].w() > 0))
           continue;
@@ -179,8 +169,7 @@ class FrameOutlines {
   const Intrinsics& K_;
   std::span<const RegionId> regions_;
   const RegionTable& table_;
-  Eigen::Vector3f axis_;
-  float offset_m_ = 0;
+  CameraDepth depth_of_;
   std::unordered_map<RegionId, Known> outlines_;
   RegionId last_;
   Known* known_last_ = nullptr;  // of last_

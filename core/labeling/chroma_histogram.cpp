@@ -1,35 +1,27 @@
 #include "core/labeling/chroma_histogram.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/base/soft_bin.h"
 
 namespace scantrove {
 namespace {
 
 constexpr float kGray = 0.5F * (ChromaHistogram::kSide - 1);  // its place between bins
 
-/// Where a value lies between bins: the lower one, and the share of the next.
-struct Between {
-  int bin;
-  float upper;
-};
-
-Between between(float value) {
-  constexpr float kLast = ChromaHistogram::kSide - 1;
-  const float place = std::clamp(value / ChromaHistogram::kBinWidth + kGray, 0.0F, kLast - 1e-3F);
-  const int bin = static_cast<int>(place);
-  return {bin, place - static_cast<float>(bin)};
+SoftBin between(float value) {
+  return SoftBin::at(value / ChromaHistogram::kBinWidth + kGray, ChromaHistogram::kSide);
 }
 
 }  // namespace
 
 void ChromaHistogram::add(const Eigen::Vector3f& lab) {
-  const Between a = between(lab[1]), b = between(lab[2]);
+  const SoftBin a = between(lab[1]), b = between(lab[2]);
   float* lower = counts_.data() + a.bin * kSide + b.bin;
   float* upper = lower + kSide;
-  lower[0] += (1 - a.upper) * (1 - b.upper);
-  lower[1] += (1 - a.upper) * b.upper;
-  upper[0] += a.upper * (1 - b.upper);
+  lower[0] += a.lower * b.lower;
+  lower[1] += a.lower * b.upper;
+  upper[0] += a.upper * b.lower;
   upper[1] += a.upper * b.upper;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/geometry/surface_step.h"
+
 namespace scantrove {
 namespace {
 
@@ -83,13 +85,8 @@ class StepFinder {
   }
 
  private:
-  [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(input_.view.K.width) +
-           static_cast<std::size_t>(x);
-  }
-  [[nodiscard]] bool isInside(int x, int y) const {
-    return x >= 0 && y >= 0 && x < input_.view.K.width && y < input_.view.K.height;
-  }
+  [[nodiscard]] std::size_t at(int x, int y) const { return input_.view.K.indexOf(x, y); }
+  [[nodiscard]] bool isInside(int x, int y) const { return input_.view.K.isInside(x, y); }
 
   void look(int x, int y, int dx, int dy) {
     for (int step = 1; step <= kLongestStep_px; ++step) {
@@ -154,9 +151,7 @@ class StepFinder {
     const Eigen::Vector3f across =
         (input_.view.vertices_world[there] - input_.view.vertices_world[here]).head<3>();
     if (!(across.norm() < gap_m)) return;
-    const Eigen::Vector3f turn = (n_b - n_a).head<3>();
-    const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));
-    step.concavity_rad = across.dot(turn) > 0 ? -angle : angle;
+    step.concavity_rad = bendBetween(n_a, n_b, across);
     step.has_bend = true;
   }
 

@@ -28,8 +28,6 @@ struct FragmentContact {
   std::optional<ColorComparison> colors;  ///< of the fragments on the whole, not at the border
 };
 
-inline constexpr float kClearBend_rad = 0.35F;  ///< 20 degrees
-
 /// Steps between the parts of an image that belong to different fragments: neighbours in the image whose
 /// vertices are at most d_max of eq. 3.5 apart (a gap of up to two pixels without fragment is bridged).
 /// Neighbours across an occlusion edge do not touch. `parts`: fragments, pixel by pixel. Ordered by (a, b).

@@ -162,8 +162,7 @@ RegionMerger::Outcome GraphMerger::merge(const MergeInput& input, RegionTable& t
   touched_.clear();
 
   SegmentOwners owners = findOwners(overlaps, params.overlap_threshold);
-  const auto least_px = static_cast<int>(static_cast<float>(params.min_fragment_px) *
-                                         static_cast<float>(input.view.K.pixels()) / (640.0F * 480.0F));
+  const auto least_px = static_cast<int>(params.min_fragment_px * input.view.K.pixelScale());
   for (std::size_t segment = 1; segment < owners.owner.size(); ++segment) {
     if (!owners.owner[segment] && segments.areas[segment] >= least_px) {
       owners.owner[segment] = table.newFragment();

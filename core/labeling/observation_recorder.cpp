@@ -12,8 +12,7 @@ void ObservationRecorder::record(const RenderedView& view, RegionTable& table) {
   in_view_.clear();
   for (int y = 0; y < K.height; y += kStep) {
     for (int x = 0; x < K.width; x += kStep) {
-      const auto at =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(K.width) + static_cast<std::size_t>(x);
+      const std::size_t at = K.indexOf(x, y);
       const FragmentId fragment = view.fragments[at];
       if (!fragment || !(view.vertices_world[at].w() > 0)) continue;
       Seen& seen = seen_[fragment.value];

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 
 namespace scantrove {
 

@@ -1,5 +1,6 @@
 #include "core/scan/camera_memory.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -181,6 +182,19 @@ AppearedObjects::Memory getAppearedObjects(ByteReader& from) {
   return appeared_objects;
 }
 
+using Float4 = std::array<float, 4>;
+static_assert(sizeof(Float4) == sizeof(Eigen::Vector4f));
+
+void put(ByteWriter& to, const std::vector<Eigen::Vector4f>& image) {
+  to.putList(std::span(reinterpret_cast<const Float4*>(image.data()), image.size()));
+}
+
+std::vector<Eigen::Vector4f> getVectors(ByteReader& from) {
+  std::vector<Eigen::Vector4f> image;
+  for (const Float4& values : from.getList<Float4>()) image.emplace_back(values.data());
+  return image;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
@@ -191,10 +205,11 @@ std::vector<std::uint32_t> toWords(const CameraMemory& memory) {
   put(to, memory.free_space);
   put(to, memory.appeared_objects);
   to.put(memory.color_turns);
-  to.put(memory.K);
-  put(to, memory.T_world_camera);
-  for (const auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
-    to.putList(std::span<const cl_float4>(*maps));
+  to.put(memory.view.K);
+  put(to, memory.view.T_world_camera);
+  for (const auto* maps :
+       {&memory.view.vertices_world, &memory.view.normals_world, &memory.followed_normals_world})
+    put(to, *maps);
   return to.take();
 }
 
@@ -206,13 +221,14 @@ std::optional<CameraMemory> cameraMemoryFrom(std::span<const std::uint32_t> word
   memory.free_space = getFreeSpace(from);
   memory.appeared_objects = getAppearedObjects(from);
   memory.color_turns = from.get<ColorIntegrator::Turns>();
-  memory.K = getCamera(from);
-  memory.T_world_camera = getPose(from);
-  for (auto* maps : {&memory.vertices_world, &memory.normals_world, &memory.followed_normals_world})
-    *maps = from.getList<cl_float4>();
-  const auto pixels = static_cast<std::size_t>(memory.K.width) * static_cast<std::size_t>(memory.K.height);
-  const bool is_complete = from.isAtEnd() && memory.vertices_world.size() == pixels &&
-                           memory.normals_world.size() == pixels &&
+  memory.view.K = getCamera(from);
+  memory.view.T_world_camera = getPose(from);
+  for (auto* maps : {&memory.view.vertices_world, &memory.view.normals_world, &memory.followed_normals_world})
+    *maps = getVectors(from);
+  const auto pixels =
+      static_cast<std::size_t>(memory.view.K.width) * static_cast<std::size_t>(memory.view.K.height);
+  const bool is_complete = from.isAtEnd() && memory.view.vertices_world.size() == pixels &&
+                           memory.view.normals_world.size() == pixels &&
                            (!memory.tracker || memory.followed_normals_world.size() == pixels);
   return is_complete ? std::optional(std::move(memory)) : std::nullopt;
 }

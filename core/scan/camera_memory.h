@@ -1,15 +1,14 @@
 #pragma once
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/capture/intrinsics.h"
-#include "core/compute/opencl.h"
 #include "core/fusion/appeared_objects.h"
 #include "core/fusion/color_integrator.h"
 #include "core/fusion/free_space.h"
+#include "core/fusion/rendered_view.h"
 #include "core/tracking/pose_tracker.h"
 
 namespace scantrove {
@@ -22,12 +21,9 @@ struct CameraMemory {
   FreeSpace::Memory free_space;
   AppearedObjects::Memory appeared_objects;
   ColorIntegrator::Turns color_turns;
-  /// SurfaceMaps of the last usable frame, on the host.
-  Intrinsics K;
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  std::vector<cl_float4> vertices_world, normals_world;
-  std::vector<cl_float4>
-      followed_normals_world;  ///< of what the camera is followed by; empty: poses are given
+  RenderedView view;  ///< of the last usable frame, without labels
+  /// Of what the camera is followed by; empty: poses are given.
+  std::vector<Eigen::Vector4f> followed_normals_world;
 };
 
 /// As it goes to disk.

@@ -35,8 +35,7 @@ std::vector<Candidate> candidatesFor(ObjectCollector& collector, const FrameResu
 
 void addRequested(const ObjectCollector& collector, const DiscoveryInput& input, int least_points,
                   std::vector<Candidate>& candidates) {
-  const double scale = static_cast<double>(input.view.K.pixels()) / (640.0 * 480.0);
-  const auto least_here = static_cast<int>(least_points * scale);
+  const auto least_here = static_cast<int>(least_points * input.view.K.pixelScale());
   for (const auto& [region, name] : collector.requests().pending()) {
     // A name is for the region alone; a click may mean a set that holds it.
     const bool is_found =

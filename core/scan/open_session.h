@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/editing/region_editor.h"
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 #include "core/scan/pending_edits.h"
 #include "core/scan/region_label.h"
 #include "core/scan/session_setup.h"

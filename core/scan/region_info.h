@@ -8,7 +8,7 @@
 #include "core/base/ids.h"
 #include "core/editing/operation_log.h"
 #include "core/editing/region_notes.h"
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 #include "core/scan/region_label.h"
 
 namespace scantrove {

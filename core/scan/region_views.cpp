@@ -8,9 +8,9 @@
 
 #include "core/capture/color_projection.h"
 #include "core/catalogue/thumbnail.h"
-#include "core/catalogue/view_sphere.h"
 #include "core/collection/candidate_crop.h"
 #include "core/discovery/region_candidate.h"
+#include "core/geometry/view_sphere.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/key_frame_files.h"
 #include "core/scan/scan_pipeline.h"

@@ -13,30 +13,24 @@ std::optional<CameraMemory> ScanPipeline::cameraMemory() {
   memory.free_space = motion_->freeSpace().memory();
   memory.appeared_objects = motion_->appeared_objects().memory();
   memory.color_turns = color_integrator_->turns();
-  memory.K = surface_.K;
-  memory.T_world_camera = surface_.T_world_camera;
-  memory.vertices_world = surface_.vertices_world.read(compute_.queue());
-  memory.normals_world = surface_.normals_world.read(compute_.queue());
-  if (tracker_) memory.followed_normals_world = followed_.normals_world.read(compute_.queue());
+  memory.view = readView(compute_, surface_);
+  if (tracker_) memory.followed_normals_world = readView(compute_, followed_).normals_world;
   return memory;
 }
 
 bool ScanPipeline::restoreState(CameraMemory memory) {
   if (tracker_ && !memory.tracker) return false;
-  const auto sent = [&](const std::vector<cl_float4>& values) {
-    Buffer<cl_float4> buffer(compute_.context(), values.size());
-    buffer.write(compute_.queue(), values);
-    return buffer;
-  };
-  working_K_ = memory.K;
-  surface_ = {memory.K, memory.T_world_camera, sent(memory.vertices_world), sent(memory.normals_world)};
-  known_ = KnownSurface(readView(compute_, surface_));
+  working_K_ = memory.view.K;
+  surface_ = {};
+  writeView(compute_, memory.view, surface_);
+  known_ = KnownSurface(memory.view);
   motion_->freeSpace().restoreState(std::move(memory.free_space));
   motion_->appeared_objects().restoreState(std::move(memory.appeared_objects));
   color_integrator_->restoreState(memory.color_turns);
   if (!tracker_) return true;
-  followed_ = surface_;
-  followed_.normals_world = sent(memory.followed_normals_world);
+  memory.view.normals_world = std::move(memory.followed_normals_world);
+  followed_ = {};
+  writeView(compute_, memory.view, followed_);
   tracker_->restoreState(std::move(*memory.tracker));
   return true;
 }

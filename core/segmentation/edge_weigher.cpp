@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/compute/kernel_types.h"
+#include "core/geometry/camera_depth.h"
 #include "embedded/segmentation_kernels.h"
 
 namespace scantrove {
@@ -26,8 +27,7 @@ void EdgeWeigher::weigh(const SurfaceMaps& surface, const Buffer<cl_float4>& nor
     keys_ = Buffer<cl_ushort4>(compute_->context(), pixels);
     depths_ = Buffer<cl_float>(compute_->context(), pixels);
   }
-  const Eigen::Matrix4d T_camera_world = surface.T_world_camera.inverse().matrix();
-  const Eigen::RowVector4f row = T_camera_world.row(2).cast<float>();
+  const Eigen::RowVector4f row = CameraDepth(surface.T_world_camera).row();
   const float focal_px = std::min(surface.K.fx, surface.K.fy);
   const Lanes& lanes = compute_->lanes();
   kernel_.launch(lanes.overRows(surface.K.width, surface.K.height), lanes.rowGroup(), surface.vertices_world,

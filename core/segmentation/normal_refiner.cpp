@@ -1,6 +1,7 @@
 #include "core/segmentation/normal_refiner.h"
 
 #include "core/compute/kernel_types.h"
+#include "core/geometry/camera_depth.h"
 #include "core/segmentation/kernels/window_layout.h"
 #include "embedded/segmentation_kernels.h"
 
@@ -33,8 +34,7 @@ const Buffer<cl_float4>& NormalRefiner::refine(const SurfaceMaps& surface, const
   const Intrinsics& K = surface.K;
   SCANTROVE_CHECK(K.pixels() > 0);
   resize(K.width, K.height);
-  const Eigen::Matrix4d T_camera_world = surface.T_world_camera.inverse().matrix();
-  const Eigen::RowVector4f row = T_camera_world.row(2).cast<float>();
+  const Eigen::RowVector4f row = CameraDepth(surface.T_world_camera).row();
   const cl::NDRange pixels(static_cast<std::size_t>(K.width), static_cast<std::size_t>(K.height));
   invert_.launch(pixels, Lanes::pixelGroup(), surface.vertices_world, inverse_depth_, K.width, K.height,
                  toKernel(row[0], row[1], row[2], row[3]));

@@ -11,8 +11,8 @@
 #include "core/capture/color_camera.h"
 #include "core/capture/intrinsics.h"
 #include "core/editing/operation_log.h"
+#include "core/geometry/view_coverage.h"
 #include "core/labeling/border_evidence.h"
-#include "core/labeling/view_coverage.h"
 #include "core/tracking/pose_estimate.h"
 
 namespace scantrove {

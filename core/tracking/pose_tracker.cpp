@@ -161,7 +161,7 @@ PoseEstimate PoseTracker::verify(const Search& search, const Eigen::Isometry3d& 
 PoseEstimate PoseTracker::withoutDrift(const DepthPyramid& depth, PoseEstimate pose) {
   const SeenSurfaces::View* seen = seen_.nearestSeenAgain(pose.T_world_camera);
   if (seen == nullptr) return pose;
-  if (seen != seen_again_) seen->surface.toDevice(seen->T_world_camera, compute_, seen_surface_);
+  if (seen != seen_again_) writeView(compute_, seen->surface.render(seen->T_world_camera), seen_surface_);
   seen_again_ = seen;
   const IcpOutcome outcome = aligner_->align(depth, seen_surface_, std::span(&pose.T_world_camera, 1));
   if (!isSeenAgain(outcome, pose.T_world_camera)) return pose;

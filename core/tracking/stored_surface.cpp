@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace scantrove {
 namespace {
@@ -10,8 +9,6 @@ namespace {
 constexpr float kUnit_m = 0.000125F;
 /// Neighbours farther apart in depth than this part of it are of two surfaces.
 constexpr float kJump = 0.03F;
-
-cl_float4 toFloat4(const Eigen::Vector3f& v) { return {{v.x(), v.y(), v.z(), 1}}; }
 
 }  // namespace
 
@@ -25,25 +22,23 @@ StoredSurface::StoredSurface(const Intrinsics& K, std::span<const cl_float4> ver
   }
 }
 
-StoredSurface::Points StoredSurface::seenFrom(const Eigen::Isometry3d& T_world_camera) const {
+RenderedView StoredSurface::render(const Eigen::Isometry3d& T_world_camera) const {
   const Eigen::Isometry3f T = T_world_camera.cast<float>();
   const auto depthAt = [&](int u, int v) {
-    const bool inside = u >= 0 && u < K_.width && v >= 0 && v < K_.height;
-    return inside ? kUnit_m * static_cast<float>(units_.at<std::uint16_t>(v, u)) : 0.0F;
+    return K_.isInside(u, v) ? kUnit_m * static_cast<float>(units_.at<std::uint16_t>(v, u)) : 0.0F;
   };
   const auto vertexAt = [&](int u, int v, float z) {
     return K_.backProject(static_cast<float>(u), static_cast<float>(v), z);
   };
-  Points points;
-  points.vertices.resize(static_cast<std::size_t>(K_.pixels()));
-  points.normals.resize(points.vertices.size());
+  RenderedView view{K_, T_world_camera};
+  view.vertices_world.assign(static_cast<std::size_t>(K_.pixels()), Eigen::Vector4f::Zero());
+  view.normals_world = view.vertices_world;
   for (int v = 0; v < K_.height; ++v) {
     for (int u = 0; u < K_.width; ++u) {
       const float z = depthAt(u, v);
       if (z == 0) continue;
-      const auto i =
-          static_cast<std::size_t>(v) * static_cast<std::size_t>(K_.width) + static_cast<std::size_t>(u);
-      points.vertices[i] = toFloat4(T * vertexAt(u, v, z));
+      const std::size_t i = K_.indexOf(u, v);
+      view.vertices_world[i] << T * vertexAt(u, v, z), 1.0F;
       const float left = depthAt(u - 1, v), right = depthAt(u + 1, v);
       const float above = depthAt(u, v - 1), below = depthAt(u, v + 1);
       const auto isNear = [z](float other) { return other > 0 && std::abs(other - z) < kJump * z; };
@@ -51,23 +46,10 @@ StoredSurface::Points StoredSurface::seenFrom(const Eigen::Isometry3d& T_world_c
       const Eigen::Vector3f across = vertexAt(u + 1, v, right) - vertexAt(u - 1, v, left);
       const Eigen::Vector3f down = vertexAt(u, v + 1, below) - vertexAt(u, v - 1, above);
       // x is right, y down, z forward: down x across looks back at the camera.
-      points.normals[i] = toFloat4(T.linear() * down.cross(across).normalized());
+      view.normals_world[i] << T.linear() * down.cross(across).normalized(), 1.0F;
     }
   }
-  return points;
-}
-
-void StoredSurface::toDevice(const Eigen::Isometry3d& T_world_camera, ComputeContext& compute,
-                             SurfaceMaps& surface) const {
-  const Points points = seenFrom(T_world_camera);
-  surface.K = K_;
-  surface.T_world_camera = T_world_camera;
-  const auto send = [&](const std::vector<cl_float4>& from, Buffer<cl_float4>& to) {
-    if (to.size() != from.size()) to = Buffer<cl_float4>(compute.context(), from.size());
-    to.write(compute.queue(), from);
-  };
-  send(points.vertices, surface.vertices_world);
-  send(points.normals, surface.normals_world);
+  return view;
 }
 
 }  // namespace scantrove

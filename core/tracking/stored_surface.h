@@ -3,11 +3,10 @@
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "core/capture/intrinsics.h"
-#include "core/compute/compute_context.h"
-#include "core/fusion/surface_maps.h"
+#include "core/compute/opencl.h"
+#include "core/fusion/rendered_view.h"
 
 namespace scantrove {
 
@@ -27,15 +26,9 @@ class StoredSurface {
   [[nodiscard]] const cv::Mat& units() const { return units_; }
   [[nodiscard]] bool empty() const { return units_.empty(); }
 
-  struct Points {
-    std::vector<cl_float4> vertices;  ///< (x, y, z, 1) by pixel, all 0 where there is none
-    std::vector<cl_float4> normals;   ///< unit, towards the camera; all 0 at outlines and where depth jumps
-  };
-  /// In the frame that `T_world_camera` leads to.
-  [[nodiscard]] Points seenFrom(const Eigen::Isometry3d& T_world_camera) const;
-
-  /// The same as a model to register a frame against.
-  void toDevice(const Eigen::Isometry3d& T_world_camera, ComputeContext& compute, SurfaceMaps& surface) const;
+  /// As seen from its camera at `T_world_camera`: vertices, and normals but at outlines and where depth
+  /// jumps.
+  [[nodiscard]] RenderedView render(const Eigen::Isometry3d& T_world_camera) const;
 
  private:
   Intrinsics K_;

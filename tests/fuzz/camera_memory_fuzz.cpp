@@ -26,14 +26,14 @@ CameraMemory someMemory(bool with_tracker) {
     memory.tracker->places = {somePlace()};
     memory.tracker->surfaces = {
         {Eigen::Isometry3d::Identity(), StoredSurface(K, cv::Mat(3, 4, CV_16UC1, cv::Scalar(900))), false}};
-    memory.followed_normals_world.assign(12, {{0, 0, 1, 1}});
+    memory.followed_normals_world.assign(12, {0, 0, 1, 1});
   }
   memory.free_space.witnesses.push_back(
       {K, Eigen::Isometry3d::Identity(), cv::Mat(3, 4, CV_32FC1, cv::Scalar(3))});
   memory.appeared_objects = {{{{1, -2, 3}, 5, 8, 4}}, 29};
-  memory.K = K;
-  memory.vertices_world.assign(12, {{1, 2, 3, 1}});
-  memory.normals_world.assign(12, {{0, 1, 0, 1}});
+  memory.view.K = K;
+  memory.view.vertices_world.assign(12, {1, 2, 3, 1});
+  memory.view.normals_world.assign(12, {0, 1, 0, 1});
   return memory;
 }
 

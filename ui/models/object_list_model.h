@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/models/catalogue_editor.h"
 

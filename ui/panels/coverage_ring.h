@@ -1,7 +1,7 @@
 #pragma once
 #include <QRectF>
 
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 
 class QPainter;
 

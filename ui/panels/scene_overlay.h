@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 
 namespace scantrove {
 

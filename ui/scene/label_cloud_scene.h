@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/scene/cloud_chunks.h"
 #include "ui/scene/drawing_parts.h"

@@ -160,8 +160,9 @@ class LayerRules {
     }
     if (to_part == "dataset" && (part == "capture" || part == "exchange")) return "dataset is above " + part;
     if (part == "base") return "base stands on nothing";
+    if (part == "geometry") return "geometry stands on base alone";
     if (part == "image") return "image stands on base alone";
-    if (to_part == "image") return {};
+    if (to_part == "image" || to_part == "geometry") return {};
     if (to_part == "compute") return {};
     if (part == "compute") return "compute stands on base alone";
     // Modules that are built on others.

@@ -58,6 +58,12 @@ TEST(LayerRules, ImagesAreReadByAllAndKnowNobody) {
               ElementsAre(HasSubstr("image stands on base alone")));
 }
 
+TEST(LayerRules, GeometryIsUsedByAllAndStandsOnBase) {
+  EXPECT_THAT(LayerRules::broken({{"core/labeling/a.cpp", {"core/geometry/surface_step.h"}}}), IsEmpty());
+  EXPECT_THAT(LayerRules::broken({{"core/geometry/a.h", {"core/capture/intrinsics.h"}}}),
+              ElementsAre(HasSubstr("geometry stands on base alone")));
+}
+
 TEST(LayerRules, DataSetsAreMadeOfWhatCameFromFilesAlone) {
   EXPECT_THAT(LayerRules::broken({{"core/dataset/a.cpp",
                                    {"core/capture/pose_files.h", "core/exchange/atomic_file.h",

@@ -17,7 +17,7 @@ OutlineBounds boundsOf(const PaintedScene& scene, const RegionSet& regions) {
   const DiscoveryInput input = scene.input();
   const RegionExtent extent = scene.extentOf(regions);
   const SetPixels pixels(regions, extent.box_px, input);
-  return outlineBoundsOf(pixels, SetAxes(pixels, extent), input, {});
+  return outlineBoundsOf(pixels, SetAxes(pixels, extent), input);
 }
 
 // Each mean counts three steps more that say neither.

@@ -24,7 +24,7 @@ PaintedScene threeInARow() {
 
 OutwardOdds oddsOf(const PaintedScene& scene, const RegionSet& regions) {
   const DiscoveryInput input = scene.input();
-  return outwardOddsOf(regions, RegionOutlines(input, DiscoveryParams{}), input);
+  return outwardOddsOf(regions, RegionOutlines(input), input);
 }
 
 TEST(OutwardOdds, OfWhatTouchesNothingAreTheLeast) {

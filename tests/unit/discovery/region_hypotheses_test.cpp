@@ -94,7 +94,7 @@ TEST(RuleBasedFinder, WhatStandsInAPlateIsNotItsOutside) {
   const DiscoveryInput input = scene.input();
   ASSERT_LT(bulgeOf({plate}, {50, 50, 60, 30}, input), -0.03F) << "it is hollow";
   const DiscoveryParams params;
-  const RegionOutlines outlines(input, params);
+  const RegionOutlines outlines(input);
   std::vector<RegionExtent> regions = RegionCounter().count(scene.view.regions, scene.view.K.width).extents;
   std::erase_if(regions, [](const RegionExtent& extent) { return extent.region == RegionId{1}; });
   const std::vector<RegionHypothesis> hypotheses = proposeHypotheses(regions, outlines, input, params);

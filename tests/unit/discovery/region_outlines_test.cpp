@@ -13,7 +13,7 @@ using testing::Contains;
 using testing::Not;
 
 OutlineSteps outlineOf(const PaintedScene& scene, std::uint32_t region) {
-  return RegionOutlines(scene.input(), DiscoveryParams()).of({RegionId{region}});
+  return RegionOutlines(scene.input()).of({RegionId{region}});
 }
 
 TEST(RegionOutlines, AThingThatStandsFreeEndsOpen) {
@@ -59,7 +59,7 @@ PaintedScene roof(float slope) {
 
 TEST(RegionOutlines, FoldsAndRidgesAreToldApart) {
   const auto between = [](const PaintedScene& scene) {
-    return RegionOutlines(scene.input(), DiscoveryParams()).between(RegionId{2}, RegionId{3});
+    return RegionOutlines(scene.input()).between(RegionId{2}, RegionId{3});
   };
   const OutlineSteps ridge = between(roof(0.8F));  // the edge is nearest
   EXPECT_EQ(ridge.ridged, 80);
@@ -71,7 +71,7 @@ TEST(RegionOutlines, FoldsAndRidgesAreToldApart) {
 
 TEST(RegionOutlines, WhatIsBetweenTheRegionsOfASetIsInside) {
   const PaintedScene scene = roof(0.8F);
-  const RegionOutlines outlines(scene.input(), DiscoveryParams());
+  const RegionOutlines outlines(scene.input());
   const RegionId a{2}, b{3};
   EXPECT_EQ(outlines.of({a}).ridged, 80);
   EXPECT_EQ(outlines.of({a, b}).ridged, 0);

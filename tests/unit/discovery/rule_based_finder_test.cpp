@@ -58,7 +58,7 @@ std::vector<std::string> broken(const PaintedScene& scene, const DiscoveryParams
   ask("size in range", isSizeInRange(box, params));
   ask("not flat", isNotFlat(box, bulgeOf({extent->region}, extent->box_px, input), params));
   ask("not a strip", isNotStrip(box, bulgeOf({extent->region}, extent->box_px, input), params));
-  ask("not background", isNotBackground(RegionOutlines(input, params).of({extent->region}), params));
+  ask("not background", isNotBackground(RegionOutlines(input).of({extent->region}), params));
   return rules;
 }
 

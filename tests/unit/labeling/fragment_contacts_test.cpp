@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "core/geometry/surface_step.h"
 #include "tests/unit/labeling/painted_frame.h"
 
 namespace scantrove {

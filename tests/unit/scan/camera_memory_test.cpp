@@ -46,16 +46,16 @@ CameraMemory memoryOf(bool with_tracker) {
     memory.tracker->last_view = {imageOf(4, 3, CV_8UC1, 80), K, poseOf(0.01)};
     memory.tracker->places = {placeOf(0.9), placeOf(1.1)};
     memory.tracker->surfaces = {viewOf(0.8), viewOf(1.2)};
-    memory.followed_normals_world.assign(12, {{0, 0, 1, 1}});
+    memory.followed_normals_world.assign(12, {0, 0, 1, 1});
   }
   memory.free_space.views = 29;
   memory.free_space.witnesses.push_back({K, poseOf(2), imageOf(4, 3, CV_32FC1, 3)});
   memory.appeared_objects = {{{{1, -2, 3}, 5, 8, 4}, {{2, 0, 0}, 6, 9, 3}}, 29};
   memory.color_turns = {17, 5};
-  memory.K = K;
-  memory.T_world_camera = poseOf(0.6);
-  memory.vertices_world.assign(12, {{1, 2, 3, 1}});
-  memory.normals_world.assign(12, {{0, 1, 0, 1}});
+  memory.view.K = K;
+  memory.view.T_world_camera = poseOf(0.6);
+  memory.view.vertices_world.assign(12, {1, 2, 3, 1});
+  memory.view.normals_world.assign(12, {0, 1, 0, 1});
   return memory;
 }
 
@@ -67,8 +67,8 @@ TEST(CameraMemory, ComesBackAsItWas) {
     EXPECT_EQ(toWords(*back), words);
     EXPECT_EQ(back->free_space.views, 29);
     EXPECT_EQ(back->color_turns.frame, 17U);
-    EXPECT_EQ(back->T_world_camera.matrix(), poseOf(0.6).matrix());
-    EXPECT_EQ(back->vertices_world[11].s[2], 3);
+    EXPECT_EQ(back->view.T_world_camera.matrix(), poseOf(0.6).matrix());
+    EXPECT_EQ(back->view.vertices_world[11].z(), 3);
     ASSERT_EQ(back->tracker.has_value(), with_tracker);
     if (!with_tracker) continue;
     EXPECT_EQ(back->tracker->before_last->matrix(), poseOf(0.4).matrix());

@@ -27,16 +27,16 @@ TEST(StoredSurface, APlaneComesBackWithItsNormal) {
   const Eigen::Vector3f n = Eigen::Vector3f(0.2F, 0.3F, -1).normalized();
   const std::vector<cl_float4> seen = planeSeen(n, -1.5F);
   const Eigen::Isometry3d T = pose(10, 20, 30, 0.5, -0.2, 1);
-  const StoredSurface::Points points = StoredSurface(kCamera, seen).seenFrom(T);
+  const RenderedView view = StoredSurface(kCamera, seen).render(T);
   const Eigen::Vector3f normal = T.linear().cast<float>() * n;
   int normals = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     // Depth is kept to 0.0625 mm; at the image's corners a ray is 1.3 times as long.
-    EXPECT_LT((xyz(points.vertices[i]) - T.cast<float>() * xyz(seen[i])).norm(), 0.0001F);
-    if (points.normals[i].s[3] == 0) continue;
+    EXPECT_LT((view.vertices_world[i].head<3>() - T.cast<float>() * xyz(seen[i])).norm(), 0.0001F);
+    if (view.normals_world[i].w() == 0) continue;
     ++normals;
     // Two steps of 0.0625 mm over two pixels, 23 mm apart.
-    EXPECT_GT(xyz(points.normals[i]).dot(normal), 0.9999F);
+    EXPECT_GT(view.normals_world[i].head<3>().dot(normal), 0.9999F);
   }
   EXPECT_EQ(normals, 158 * 118) << "all but the image's rim";
 }
@@ -49,19 +49,19 @@ TEST(StoredSurface, NoNormalWhereDepthJumpsAndNoVertexWithoutDepth) {
     if (i % kCamera.width >= 80) seen[pixel] = behind[pixel];
     if (i / kCamera.width < 10) seen[pixel] = {};
   }
-  const StoredSurface::Points points = StoredSurface(kCamera, seen).seenFrom(Eigen::Isometry3d::Identity());
+  const RenderedView view = StoredSurface(kCamera, seen).render(Eigen::Isometry3d::Identity());
   const auto at = [](int u, int v) { return static_cast<std::size_t>(v * kCamera.width + u); };
-  EXPECT_EQ(points.vertices[at(40, 5)].s[3], 0);
-  EXPECT_EQ(points.normals[at(79, 60)].s[3], 0);
-  EXPECT_EQ(points.normals[at(80, 60)].s[3], 0);
-  EXPECT_EQ(points.normals[at(78, 60)].s[2], -1);
-  EXPECT_EQ(points.normals[at(40, 10)].s[3], 0) << "its upper neighbour has no depth";
+  EXPECT_EQ(view.vertices_world[at(40, 5)].w(), 0);
+  EXPECT_EQ(view.normals_world[at(79, 60)].w(), 0);
+  EXPECT_EQ(view.normals_world[at(80, 60)].w(), 0);
+  EXPECT_EQ(view.normals_world[at(78, 60)].z(), -1);
+  EXPECT_EQ(view.normals_world[at(40, 10)].w(), 0) << "its upper neighbour has no depth";
 }
 
 TEST(StoredSurface, WhatIsFartherThanCanBeKeptIsNotThere) {
-  const StoredSurface::Points points =
-      StoredSurface(kCamera, planeSeen({0, 0, -1}, -9)).seenFrom(Eigen::Isometry3d::Identity());
-  for (const cl_float4& vertex : points.vertices) EXPECT_EQ(vertex.s[3], 0);
+  const RenderedView view =
+      StoredSurface(kCamera, planeSeen({0, 0, -1}, -9)).render(Eigen::Isometry3d::Identity());
+  for (const Eigen::Vector4f& vertex : view.vertices_world) EXPECT_EQ(vertex.w(), 0);
   EXPECT_TRUE(StoredSurface().empty());
 }
 

@@ -1,4 +1,4 @@
-#include "core/labeling/view_coverage.h"
+#include "core/geometry/view_coverage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/catalogue/view_sphere.h"
+#include "core/geometry/view_sphere.h"
 
 #include <algorithm>
 #include <cmath>

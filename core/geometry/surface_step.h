@@ -1,0 +1,42 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace scantrove {
+
+// How the map's surface goes on from one pixel of a rendered view to another across an outline.
+
+/// Pixels at an edge may lie between two surfaces: a step looks past the first pixel beyond the outline.
+inline constexpr int kBeyondEdge_px = 2;
+/// Normals are compared up to so many pixels to either side of an outline, where voxels do not mix both
+/// sides.
+inline constexpr int kBendReach_px = 3;
+/// A surface that turns by more has an edge there: 20 degrees, three times the noise of normals at 2 m.
+inline constexpr float kClearBend_rad = 0.35F;
+
+/// Depths that differ by more are of surfaces that do not touch: one hides the other. What rises less above
+/// its surroundings (a plate, the rim of a rug) hides no floor, and depth edges blur by as much.
+inline constexpr float kOcclusionStep_m = 0.03F;
+/// From this depth on the step grows in proportion, as pixels do.
+inline constexpr float kOcclusionStepGrowsFrom_m = 1.5F;
+
+enum class DepthStep { nearer, level, deeper };
+
+/// What lies beyond a step, where the depth goes from `z` to `z_beyond`, metres.
+[[nodiscard]] inline DepthStep depthStep(float z, float z_beyond) {
+  const float step_m = kOcclusionStep_m * std::max(1.0F, z / kOcclusionStepGrowsFrom_m);
+  if (z_beyond < z - step_m) return DepthStep::nearer;
+  return z_beyond > z + step_m ? DepthStep::deeper : DepthStep::level;
+}
+
+/// Angle between the unit normals `n_a` and `n_b` of two points, `across` from a to b: > 0 where the surface
+/// folds inwards, < 0 over a ridge. Radians.
+[[nodiscard]] inline float bendBetween(const Eigen::Vector4f& n_a, const Eigen::Vector4f& n_b,
+                                       const Eigen::Vector3f& across) {
+  const Eigen::Vector3f turn = (n_b - n_a).head<3>();
+  const float angle = 2 * std::asin(std::min(1.0F, turn.norm() / 2));
+  return across.dot(turn) > 0 ? -angle : angle;
+}
+
+}  // namespace scantrove
