@@ -27,7 +27,8 @@ struct Candidate {
   /// How much of a thing may lie behind others so that it is still clear what it is: more of one whose
   /// outline is its own wherever it shows, and which clearly bulges.
   [[nodiscard]] float mostHidden(float of_any) const {
-    constexpr float kClearOutline = 0.93F, kMore = 0.22F;
+    constexpr float kClearOutline = 0.93F;  // all but a few steps, which noise may turn
+    constexpr float kMore = 0.22F;          // so that half of a clear object may be hidden
     return of_any + (outline >= kClearOutline && bulge >= kClearBulge ? kMore : 0);
   }
 

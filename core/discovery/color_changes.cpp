@@ -49,7 +49,7 @@ class Way {
   }
 
  private:
-  static constexpr std::size_t kStrips = 24;
+  static constexpr std::size_t kStrips = 24;  // fine enough to place a change, coarse enough to fill
   struct Strip {
     ColorHistogram colors;
     float contrast = 0;  // sum

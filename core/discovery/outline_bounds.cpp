@@ -19,7 +19,7 @@ class Bounds {
   }
   /// With a few steps that say neither.
   [[nodiscard]] float mean() const {
-    constexpr float kUnknown = 3;
+    constexpr float kUnknown = 3;  // so few steps leave a side half bounded
     return (sum_ + kUnknown / 2) / (static_cast<float>(steps_) + kUnknown);
   }
 

@@ -8,8 +8,8 @@
 namespace scantrove {
 namespace {
 
-constexpr float kMinStep_m = 0.005F;  // up to 1.2 m; beyond it grows as the sensor's noise does
-constexpr float kStepGrowsFrom_m = 1.2F;
+constexpr float kMinStep_m = 0.005F;      // up to 1.2 m; beyond it grows as the sensor's noise does
+constexpr float kStepGrowsFrom_m = 1.2F;  // from there on noise exceeds a voxel
 
 }  // namespace
 

@@ -62,7 +62,7 @@ FittedSides sidesAlong(const Eigen::Matrix3f& directions, const Widths& widths) 
         (directions.transpose() * axes()[axis]).cwiseAbs().transpose();
   FittedSides sides;
   sides.size_m = cosines.colPivHouseholderQr().solve(widths).cwiseMax(0.0F);
-  constexpr float kSame = 1 - 1e-5F;
+  constexpr float kSame = 1 - 1e-5F;  // cosine of parallel directions, but for rounding
   for (Eigen::Index side = 0; side < 3; ++side) {
     Eigen::Index measured = 0;
     if (cosines.col(side).maxCoeff(&measured) > kSame) sides.size_m[side] = widths[measured];
@@ -80,7 +80,8 @@ class Interior {
         depth_(input.view.T_world_camera) {}
   [[nodiscard]] bool holds(int u, int v, const Eigen::Vector4f& vertex) const {
     const float z = depth_(vertex);
-    const int margin = kMargin_px + static_cast<int>(std::ceil(slack_px_m_ / std::max(z, 0.1F)));
+    constexpr float kNearest_m = 0.1F;  // no camera has depth nearer than that
+    const int margin = kMargin_px + static_cast<int>(std::ceil(slack_px_m_ / std::max(z, kNearest_m)));
     return u - visible_px_.x >= margin && v - visible_px_.y >= margin && visible_px_.br().x - u > margin &&
            visible_px_.br().y - v > margin;
   }

@@ -9,14 +9,14 @@
 #include "core/discovery/region_points.h"
 #include "core/discovery/set_pixels.h"
 #include "core/geometry/camera_depth.h"
+#include "core/geometry/surface_step.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kUsualWidth = 320, kUsualReach_px = 5;
-constexpr int kMinNear = 8;          // pixels of a neighbour within reach
+constexpr int kUsualWidth = 320, kUsualReach_px = 5;  // past the blurred pixels of an edge
+constexpr int kMinNear = 8;                           // pixels of a neighbour within reach
 constexpr float kTouches_m = 0.06F;  // nearer to the middle depth than that; grows with the distance
-constexpr float kTouchGrowsFrom_m = 1.5F;
 
 }  // namespace
 
@@ -68,7 +68,7 @@ RegionColors::Surroundings RegionColors::around(const RegionSet& regions, const 
     }
   }
   const auto middle_m = static_cast<float>(sum_m / std::max(points, 1));
-  const float touches_m = kTouches_m * std::max(1.0F, middle_m / kTouchGrowsFrom_m);
+  const float touches_m = kTouches_m * std::max(1.0F, middle_m / kOcclusionStepGrowsFrom_m);
 
   cv::Mat1b reached;
   cv::dilate(inside, reached, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, reach_px_);

@@ -15,7 +15,7 @@ constexpr float kMinRimPart = 0.2F;      // of a hollow's outline
 
 /// The outside of a thing is about as wide as its inside, at least; what stands in a plate is not.
 bool couldHold(const RegionExtent& outside, const RegionExtent& hollow) {
-  constexpr float kWider = 1.2F;
+  constexpr float kWider = 1.2F;  // noise, and a rim that is seen aslant
   const auto longest = [](const cv::Rect& box) {
     return static_cast<float>(std::max(box.width, box.height));
   };

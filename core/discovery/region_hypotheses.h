@@ -24,8 +24,8 @@ struct RegionHypothesis {
                                                               const DiscoveryInput& input,
                                                               const DiscoveryParams& params);
 
-inline constexpr float kNearOdds = 3;
+inline constexpr float kNearOdds = 3;          ///< log-odds against: one to twenty
 inline constexpr std::size_t kMaxRegions = 4;  ///< of a set
-inline constexpr std::size_t kMaxSets = 96;
+inline constexpr std::size_t kMaxSets = 96;    ///< bounds the cost of a frame
 
 }  // namespace scantrove

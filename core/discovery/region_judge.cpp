@@ -34,7 +34,7 @@ bool isInView(const OutlineSteps& outline) {
 }
 
 bool isCutOff(const ObjectnessEvidence& evidence) {
-  constexpr float kShown = 0.8F, kCut = 0.3F;
+  constexpr float kShown = 0.8F, kCut = 0.3F;  // more shown and less cut: the image has nearly all of it
   return evidence.shown < kShown || evidence.cut > kCut;
 }
 

@@ -14,7 +14,7 @@ namespace scantrove {
 
 /// Means over regions are as good from every so many-th row and column of an image of that width.
 [[nodiscard]] constexpr int stepOfMeans(int width) {
-  constexpr int kEnough = 320;
+  constexpr int kEnough = 320;  // the width of live frames, which are read pixel by pixel
   return width > kEnough ? width / kEnough : 1;
 }
 

@@ -5,7 +5,7 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kMaxPoints = 512;
+constexpr std::size_t kMaxPoints = 512;  // of a region: enough for box and bulge, evenly chosen
 
 /// Every second of them.
 template <class T>

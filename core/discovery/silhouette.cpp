@@ -12,6 +12,7 @@ namespace scantrove {
 namespace {
 
 constexpr int kFarBeyond_px = 4;  // labels and depth are unsure nearer to an outline
+// Lower steps are noise; behind a thing on a table stands the room, however far.
 constexpr float kMinRelief_m = 0.02F, kMaxRelief_m = 0.5F;
 
 /// Of all pixels on the hull's edge and inside.

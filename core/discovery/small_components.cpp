@@ -42,7 +42,7 @@ class Pieces {
 }  // namespace
 
 void dropSmallComponents(cv::Mat& mask, cv::Rect& box_px) {
-  constexpr int kOverCorners = 8, kOverSides = 4;
+  constexpr int kOverCorners = 8, kOverSides = 4;  // connectivities of OpenCV
   const Pieces parts(mask, kOverCorners);
   if (parts.count() == 0) return;
   int all_px = 0, largest = 1;

@@ -9,6 +9,7 @@
 namespace scantrove {
 namespace {
 
+/// A few voxels: noise keeps a resting thing within its cells, and neighbours on a table differ.
 constexpr float kCell_m = 0.02F;
 /// What passes by is in a cell for some frames; what comes to rest, until it enters the map.
 constexpr int kFramesAtRest = 8;
@@ -17,10 +18,10 @@ constexpr int kForgetsAfterFrames = 150;
 /// Readings of one thing came to rest within so many frames, and are nearer to each other than this.
 constexpr int kAtOnceFrames = 20;
 constexpr float kSameThing_m = 0.03F;
-constexpr float kSameThingSlope = 0.02F;
+constexpr float kSameThingSlope = 0.02F;  // of the depth: pixels lie farther apart there
 /// Fewer readings are noise.
 constexpr std::size_t kSmallestThing_px = 12;
-constexpr int kMaxThings = 255;
+constexpr int kMaxThings = 255;  // numbers of one byte, 0 is none
 
 /// The cell of each reading of a view.
 class CellsOfView {

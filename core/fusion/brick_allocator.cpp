@@ -11,8 +11,8 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kSeenSize = 32768;  // list_missing_bricks.cl
-constexpr std::size_t kFirstListSize = 16384;
+constexpr std::size_t kSeenSize = 32768;       // list_missing_bricks.cl
+constexpr std::size_t kFirstListSize = 16384;  // grows when a frame needs more
 
 // Rays of a 120 degree view are at most twice as long as their depth.
 // The most faces of bricks that the band of a reading can cross along one axis.

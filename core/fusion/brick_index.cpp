@@ -6,7 +6,7 @@
 
 namespace scantrove {
 namespace {
-constexpr std::size_t kFirstCapacity = 1U << 12U;
+constexpr std::size_t kFirstCapacity = 1U << 12U;  // grows with the map
 constexpr BrickEntry kFree{0, 0, 0, BRICK_NONE};
 }  // namespace
 

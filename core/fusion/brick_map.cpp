@@ -11,7 +11,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kFirstSlots = 1 << 14;
+constexpr int kFirstSlots = 1 << 14;  // about what one view of a room needs
 
 bool comesBefore(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);

@@ -20,7 +20,7 @@ namespace scantrove {
 /// through more than about kBricksAtATime bricks, they take turns. One thread, the context's.
 class ColorIntegrator {
  public:
-  static constexpr std::size_t kBricksAtATime = 512;
+  static constexpr std::size_t kBricksAtATime = 512;  ///< bounds the cost of a frame
 
   [[nodiscard]] static Result<ColorIntegrator> create(ComputeContext& compute, const FusionParams& params);
 

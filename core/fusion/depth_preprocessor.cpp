@@ -12,7 +12,7 @@
 namespace scantrove {
 namespace {
 
-constexpr int kLevels = 3;
+constexpr int kLevels = 3;              ///< half the size each: ICP starts with a quarter of the width
 constexpr int kSmallestLevel_px = 16;   ///< no level narrower or lower than this, besides the first
 constexpr float kRangeBase_m = 0.008F;  ///< reach of the filter over depth, at depth 0 ...
 constexpr float kRangeInNoise =

@@ -9,10 +9,10 @@
 namespace scantrove {
 namespace {
 
-constexpr int kViewsPerWitness = 4;
-constexpr std::size_t kWitnesses = 7;
-constexpr int kWitnessesNeeded = 2;
-constexpr float kNoReading_m = 1e6F;
+constexpr int kViewsPerWitness = 4;    // successive views are nearly the same
+constexpr std::size_t kWitnesses = 7;  // times 4 views: about a second
+constexpr int kWitnessesNeeded = 2;    // one view alone may be wrong
+constexpr float kNoReading_m = 1e6F;   // farther than any reading
 
 }  // namespace
 

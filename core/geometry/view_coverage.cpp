@@ -84,8 +84,8 @@ SeenSides sidesOf(const ViewCoverage& coverage, const SideAxes& axes) {
 
 std::optional<Eigen::Vector3f> nextDirection(const SeenSides& seen, const SideAxes& axes,
                                              const Eigen::Vector3f& from) {
-  constexpr float kLowest_deg = 10;
-  constexpr float kHighest_deg = 50;
+  // As a person holds a camera who walks around a table.
+  constexpr float kLowest_deg = 10, kHighest_deg = 50;
   const float height = from.normalized().dot(axes.up);
   const float elevation_deg =
       std::clamp(std::asin(std::clamp(height, -1.0F, 1.0F)) * 180 / kPi, kLowest_deg, kHighest_deg);

@@ -10,7 +10,7 @@ namespace scantrove {
 /// vectors of any length from the thing to the camera, in the world.
 class ViewCoverage {
  public:
-  static constexpr std::size_t kCells = 256;
+  static constexpr std::size_t kCells = 256;  ///< 14 degrees apart: finer than kReach_deg
   using Cells = std::bitset<kCells>;
   /// A look shows about what one from so far aside would.
   static constexpr float kReach_deg = 22.5F;
@@ -36,7 +36,7 @@ class ViewCoverage {
 
 /// What a person has to know of it who walks around a thing: which sides were seen, at whatever height.
 struct SeenSides {
-  static constexpr std::size_t kSides = 12;
+  static constexpr std::size_t kSides = 12;  ///< as the hours of a clock, 30 degrees each
   std::array<bool, kSides> sides{};  ///< counterclockwise from above, the first one towards SideAxes::front
   bool above = false;                ///< seen steeply from above
 

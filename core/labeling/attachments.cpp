@@ -17,11 +17,12 @@ constexpr int kMaxVoxels = 12000;                 // of a thing: 0.4 square metr
 constexpr int kMinOutline = 20, kMinContact = 6;  // steps
 constexpr float kMaxUnseen = 0.35F;               // of the outline: hidden or cut off
 constexpr float kOnlyOne = 0.85F;                 // of what it touches is the other
-constexpr float kNear_m = 0.03F;  // the other's surface is looked at so far from where they touch
-constexpr float kMaxNear_px = 20;
-constexpr std::size_t kPlaces = 16, kDirections = 24;  // that are looked at
-constexpr std::size_t kMinNormals = 6;
-constexpr float kSameDirection = 0.985F;  // cosine of 10 degrees
+constexpr float kNear_m = 0.03F;    // the other's surface is looked at so far from where they touch
+constexpr float kMaxNear_px = 20;   // bounds the cost where the camera is near
+constexpr float kNearest_m = 0.1F;  // no camera has depth nearer than that
+constexpr std::size_t kPlaces = 16, kDirections = 24;  // that are looked at: bounds the cost
+constexpr std::size_t kMinNormals = 6;                 // fewer say nothing of a shape
+constexpr float kSameDirection = 0.985F;               // cosine of 10 degrees
 // So many of the normals point the same way where the other is curved, and where it is flat.
 constexpr float kMaxCurved = 0.27F, kMinFlat = 0.33F;
 
@@ -149,7 +150,7 @@ class FrameOutlines {
 
   void collectNear(const Touch& touch, std::vector<std::size_t>& pixels) const {
     const Eigen::Vector3f place = input_.view.vertices_world[touch.there].head<3>();
-    const float z = std::max(0.1F, depth_of_(input_.view.vertices_world[touch.there]));
+    const float z = std::max(kNearest_m, depth_of_(input_.view.vertices_world[touch.there]));
     const auto reach = static_cast<int>(
         std::min(kMaxNear_px, std::ceil(kNear_m * std::max(input_.view.K.fx, input_.view.K.fy) / z)));
     const int x0 = static_cast<int>(touch.there) % K_.width, y0 = static_cast<int>(touch.there) / K_.width;

@@ -25,8 +25,8 @@ constexpr float kSureAppearance = 5;
 constexpr float kFirstAppearance = 1;  // so many looks mean nothing yet: one frame may be wrong
 /// What it means that one is held by the other alone, likewise; one look that denies it undoes two.
 constexpr float kAttachment = 20;
-constexpr float kSureAttachment = 12;
-constexpr float kDenied = 2;
+constexpr float kSureAttachment = 12;  // so many looks make it sure
+constexpr float kDenied = 2;           // looks that one denial undoes
 /// So many looks mean nothing yet: once the two are one region, nothing can deny it any more.
 constexpr float kFirstAttached = 3;
 constexpr float kFarFrom_m = 2.5F;  // noise grows with z^2: beyond this a look counts for less than half

@@ -12,7 +12,7 @@
 
 namespace scantrove {
 namespace {
-constexpr int kMissingCapacity = 1 << 16;
+constexpr int kMissingCapacity = 1 << 16;  // bricks that one update may find to be missing at a time
 /// Pixels that only confirm what is sure write in one of so many updates, so many neighbours together.
 constexpr std::size_t kTurns = 4, kTurnPixels = 16;
 }  // namespace

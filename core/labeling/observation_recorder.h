@@ -14,7 +14,7 @@ class ObservationRecorder {
  public:
   /// Fewer of an image's pixels are no look: one in so many of the whole image, and so many at least.
   static constexpr int kMinPart = 1500;
-  static constexpr int kMinPixels = 16;
+  static constexpr int kMinPixels = 16;  ///< every fourth is read: means of fewer are noise
 
   /// The next frame's view, with its fragments.
   void record(const RenderedView& view, RegionTable& table);

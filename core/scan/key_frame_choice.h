@@ -6,9 +6,14 @@
 
 namespace scantrove {
 
-/// Which frames show something new: one each 5 degrees or 7.5 cm from all that were taken.
+/// Which frames show something new: those that turned or moved far enough from all that were taken.
 class KeyFrameChoice {
  public:
+  /// A camera that moved less shows the same sides of a thing an arm's length away (75 cm: 5.7 degrees).
+  static constexpr double kMinMotion_m = 0.075;
+  /// 5 degrees: one that turned less shows nine tenths of the same picture.
+  static constexpr double kMinTurn_rad = 0.0873;
+
   KeyFrameChoice() = default;
   explicit KeyFrameChoice(std::vector<Eigen::Isometry3d> taken) : taken_(std::move(taken)) {}
 
@@ -16,7 +21,8 @@ class KeyFrameChoice {
   bool takes(const Eigen::Isometry3d& T_world_camera) {
     const bool is_new = std::ranges::none_of(taken_, [&](const Eigen::Isometry3d& other) {
       const Eigen::Isometry3d motion = other.inverse() * T_world_camera;
-      return motion.translation().norm() < 0.075 && Eigen::AngleAxisd(motion.linear()).angle() < 0.0873;
+      return motion.translation().norm() < kMinMotion_m &&
+             Eigen::AngleAxisd(motion.linear()).angle() < kMinTurn_rad;
     });
     if (is_new) taken_.push_back(T_world_camera);
     return is_new;

@@ -23,7 +23,10 @@ std::vector<int> nearest(int source, int size) {
 constexpr int kSearch_px = 3;  // the band that a raycast misses along depth edges is up to 3 pixels wide
 constexpr float kSameDepth_m = 0.02F;  // beyond it (times z^2 from 1 m on) a surface is another one
 constexpr float kDepthPerPixel_m =
-    0.004F;                           // so much difference in depth weighs as much as one pixel of distance
+    0.004F;  // so much difference in depth weighs as much as one pixel of distance
+// The place of a pixel lies up to half a pixel aside and half a pixel below the nearest one: the half of a
+// diagonal, rounded up.
+constexpr float kHalfDiagonal_px = 0.7072F;
 constexpr float kRounding = 1.0001F;  // so much more than a bound is certainly beyond it
 
 }  // namespace
@@ -32,7 +35,7 @@ std::vector<DepthUpsampler::Offset> DepthUpsampler::searchOrder() {
   std::vector<Offset> order;
   for (int y = -kSearch_px; y <= kSearch_px; ++y) {
     for (int x = -kSearch_px; x <= kSearch_px; ++x) {
-      order.push_back({x, y, std::hypot(static_cast<float>(x), static_cast<float>(y)) - 0.7072F});
+      order.push_back({x, y, std::hypot(static_cast<float>(x), static_cast<float>(y)) - kHalfDiagonal_px});
     }
   }
   std::stable_sort(order.begin(), order.end(), [](const Offset& a, const Offset& b) {

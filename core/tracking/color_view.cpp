@@ -4,13 +4,18 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include "core/fusion/view_depths.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kWidest_px = 640;  // images are made smaller than this before features are looked for
-constexpr int kMaxFeatures = 1000;
-constexpr int kMinContrast = 8;  // grey levels, of a corner
+constexpr int kWidest_px = 640;     // images are made smaller than this before features are looked for
+constexpr int kMaxFeatures = 1000;  // the strongest; bounds the cost of matching
+constexpr int kMinContrast = 8;     // grey levels, of a corner
+// ORB as its authors have it, and OpenCV by default: eight scales 1.2 apart, patches of 31 pixels, two points
+// for each bit.
+constexpr float kScaleFactor = 1.2F;
+constexpr int kScales = 8, kPatch_px = 31, kPointsPerBit = 2;
 // Surface is looked up in cells of so many pixels: as fine as the working resolution.
 constexpr int kCell_px = 2;
 // A feature whose surroundings differ in depth by more sits on an outline: what is seen there is not known.
@@ -43,7 +48,7 @@ SurfaceInView::SurfaceInView(const Intrinsics& K, const Eigen::Isometry3d& T_wor
   for (const cl_float4& vertex : vertices_world) {
     if (!(vertex.s[3] > 0)) continue;
     const Eigen::Vector3f p = T_color_world * toPoint(vertex);
-    if (!(p.z() > 0.05F)) continue;
+    if (!(p.z() > kNearestView_m)) continue;
     const float u = K.fx * p.x() / p.z() + K.cx + 0.5F;
     const float v = K.fy * p.y() / p.z() + K.cy + 0.5F;
     if (!(u >= 0 && v >= 0 && u < static_cast<float>(K.width) && v < static_cast<float>(K.height))) continue;
@@ -82,7 +87,9 @@ ColorView FeatureFinder::find(const GrayView& gray) {
   if (gray.image.empty()) return view;
   view.K = gray.K;
   view.T_color_depth = gray.T_color_depth;
-  if (!orb_) orb_ = cv::ORB::create(kMaxFeatures, 1.2F, 8, 31, 0, 2, cv::ORB::HARRIS_SCORE, 31, kMinContrast);
+  if (!orb_)
+    orb_ = cv::ORB::create(kMaxFeatures, kScaleFactor, kScales, kPatch_px, 0, kPointsPerBit,
+                           cv::ORB::HARRIS_SCORE, kPatch_px, kMinContrast);
   std::vector<cv::KeyPoint> points;
   orb_->detectAndCompute(gray.image, cv::noArray(), points, view.descriptors);
   cv::KeyPoint::convert(points, view.pixels);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/tracking/descriptor_bits.h"
+#include "core/tracking/landmark_term.h"
 
 namespace scantrove {
 namespace {
@@ -117,7 +118,7 @@ std::vector<FeatureMatch> matchNear(const ColorView& view, const Landmarks& land
   for (std::size_t landmark = 0; landmark < known.size(); ++landmark) {
     const cv::Point3f& point = landmarks.points_world[landmark];
     const Eigen::Vector3f p = T_color_world * Eigen::Vector3f(point.x, point.y, point.z);
-    if (!(p.z() > 0.1F)) continue;
+    if (!(p.z() > kNearestLandmark_m)) continue;
     const cv::Point2f expected(view.K.fx * p.x() / p.z() + view.K.cx, view.K.fy * p.y() / p.z() + view.K.cy);
     near.clear();
     of_near.clear();

@@ -10,13 +10,16 @@
 namespace scantrove {
 namespace {
 
-constexpr std::size_t kMaxCorners = 300;
-constexpr std::size_t kEnoughCorners = 150;
-constexpr int kMinStep = 10;          // grey levels, of FAST
-constexpr double kMinQuality = 0.01;  // of the best corner's
-constexpr int kApart_px = 12;
+constexpr std::size_t kMaxCorners = 300;     // bounds the cost of a frame
+constexpr std::size_t kEnoughCorners = 150;  // with fewer the slower search for faint corners pays
+constexpr int kMinStep = 10;                 // grey levels, of FAST
+constexpr double kMinQuality = 0.01;         // of the best corner's
+constexpr int kApart_px = 12;                // spreads them over the image: half a window
+// Of the optical flow: window and halvings are OpenCV's own, by which a corner may move some dozens of
+// pixels. Its search ends after 20 steps, or when it moves by 1/50 pixel: the depths are no finer.
 const cv::Size kWindow(21, 21);
-constexpr int kLevels = 3;
+constexpr int kLevels = 3, kMaxFlowSteps = 20;
+constexpr double kFlowConverged_px = 0.02;
 constexpr float kWayBack_px = 0.5F;  // a corner that does not come back to where it was is another one
 
 /// The strongest points first, none so near to a stronger one.
@@ -72,7 +75,7 @@ SeenLandmarks followCorners(const GrayView& last, const SurfaceInView& surface, 
     const auto point = surface.at(corner);
     if (!point) continue;
     const Eigen::Vector3f p = T_color_world * *point;
-    if (!(p.z() > 0.1F)) continue;
+    if (!(p.z() > kNearestLandmark_m)) continue;
     from.push_back(corner);
     to.emplace_back(now.K.fx * p.x() / p.z() + now.K.cx, now.K.fy * p.y() / p.z() + now.K.cy);
     points.push_back(point->cast<double>());
@@ -80,7 +83,8 @@ SeenLandmarks followCorners(const GrayView& last, const SurfaceInView& surface, 
   if (from.empty()) return seen;
   std::vector<cv::Point2f> back = from;
   std::vector<std::uint8_t> is_found, is_back;
-  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.02);
+  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kMaxFlowSteps,
+                               kFlowConverged_px);
   const std::vector<cv::Mat> before = pyramidOf(last.image), after = pyramidOf(now.image);
   cv::calcOpticalFlowPyrLK(before, after, from, to, is_found, cv::noArray(), kWindow, kLevels, until,
                            cv::OPTFLOW_USE_INITIAL_FLOW);

@@ -12,8 +12,8 @@ namespace {
 // A core with vectors does long runs without a group; a GPU needs many short ones. A float sum holds at most
 // group * run terms.
 constexpr int kLongRun_px = 640;
-constexpr int kShortRuns = 32;  // of a group
-constexpr int kShortRun_px = 8;
+constexpr int kShortRuns = 32;   // of a group
+constexpr int kShortRun_px = 8;  // of a work-item
 
 // Standard deviation of a right model's surface from the true one: half a voxel, and what is left in the
 // camera's calibration.

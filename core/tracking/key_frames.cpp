@@ -9,12 +9,19 @@
 namespace scantrove {
 namespace {
 
+// A view from farther away, or turned by more, shows a fifth of something else: features are lost from there
+// on.
 constexpr ViewReach kNewKeyFrame{.angle_rad = 0.22, .distance_m = 0.20};
 constexpr double kNear = 3;  ///< times that: near enough to have much in common
 const cv::Size kThumbnail(40, 30);
 constexpr std::size_t kByThumbnail = 24;  // key frames whose features are compared: bounds the cost
 constexpr int kProbes = 200;              // features that are compared
-constexpr int kAlikeBits = 50;
+constexpr int kAlikeBits = 50;            // of 256: descriptors with fewer different ones are of one place
+// Of a thumbnail without colour; nearer readings are none.
+constexpr float kNearestReading_m = 0.1F;
+// The blur of a thumbnail: a place is to be known although the camera stands a little aside.
+const cv::Size kBlur(5, 5);
+constexpr double kBlurSigma_px = 1.5;
 
 /// How many of the view's strongest features the key frame has.
 int sharedFeatures(const ColorView& view, const Landmarks& landmarks) {
@@ -34,11 +41,11 @@ cv::Mat thumbnailOf(const RgbdFrame& frame) {
   } else {
     cv::resize(frame.depth, small, kThumbnail, 0, 0, cv::INTER_NEAREST);
     small.convertTo(small, CV_32F, static_cast<double>(frame.meters_per_unit));
-    const cv::Mat none = small < 0.1F;
-    small = 1 / cv::max(small, 0.1F);
+    const cv::Mat none = small < kNearestReading_m;
+    small = 1 / cv::max(small, kNearestReading_m);
     small.setTo(0, none);
   }
-  cv::GaussianBlur(small, small, {5, 5}, 1.5);
+  cv::GaussianBlur(small, small, kBlur, kBlurSigma_px);
   small -= cv::mean(small)[0];
   const double length = cv::norm(small);
   if (!(length > 1e-3)) return {};

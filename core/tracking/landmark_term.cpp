@@ -7,10 +7,8 @@
 
 namespace scantrove {
 namespace {
-constexpr double kOutlier_px = 2.0;
-constexpr double kNearest_m = 0.1;
-constexpr int kColumns = 8;
-constexpr int kRows = 6;
+constexpr double kOutlier_px = 2.0;     // larger errors weigh less than with their square: mismatches
+constexpr int kColumns = 8, kRows = 6;  // of cells of 80 x 80 pixels of a usual image
 }  // namespace
 
 void SeenLandmarks::append(const SeenLandmarks& others) {
@@ -34,8 +32,8 @@ double SeenLandmarks::errorPx(const Eigen::Isometry3d& T_world_depth) const {
   for (std::size_t i = 0; i < points_world.size(); ++i) {
     const Eigen::Vector3d q = T_color_world * points_world[i];
     const Eigen::Vector2d seen_at = f.cwiseProduct(q.head<2>()) / q.z() + c;
-    errors.push_back(q.z() > kNearest_m ? (pixels[i] - seen_at).norm()
-                                        : std::numeric_limits<double>::infinity());
+    errors.push_back(q.z() > double{kNearestLandmark_m} ? (pixels[i] - seen_at).norm()
+                                                        : std::numeric_limits<double>::infinity());
   }
   if (errors.empty()) return std::numeric_limits<double>::infinity();
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
@@ -53,7 +51,7 @@ LandmarkTerm LandmarkTerm::of(const SeenLandmarks& seen, const Eigen::Isometry3d
   const Eigen::Vector2d columns(1, fy / fx);
   for (std::size_t i = 0; i < seen.points_world.size(); ++i) {
     const Eigen::Vector3d q = T_color_world * seen.points_world[i];
-    if (q.z() < kNearest_m) continue;
+    if (q.z() < double{kNearestLandmark_m}) continue;
     const Eigen::Vector2d direction((seen.pixels[i].x() - static_cast<double>(seen.K.cx)) / fx,
                                     (seen.pixels[i].y() - static_cast<double>(seen.K.cy)) / fy);
     const Eigen::Vector2d error = columns.cwiseProduct(q.z() * direction - q.head<2>());

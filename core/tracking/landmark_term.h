@@ -7,6 +7,10 @@
 
 namespace scantrove {
 
+/// Landmarks nearer to the colour camera than this are left out: no camera has depth there, and the least
+/// error in depth moves their pixels far.
+inline constexpr float kNearestLandmark_m = 0.1F;
+
 /// Landmarks that a colour image shows, and where.
 struct SeenLandmarks {
   Intrinsics K;

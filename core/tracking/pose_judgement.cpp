@@ -30,6 +30,9 @@ struct Evidence {
   double inlier_fraction;
   double residual;  ///< IcpSystem::fit_residual_m / FusionParams::depth_noise_m
 };
+// What a pose must show to be trusted. The less was known of where the camera is, the more: after a small
+// motion least, after a search most. Where little of the map is in view, or a key frame was found, as after a
+// far motion. Landmarks that agree stand for much of the surface.
 constexpr Evidence kAfterSmallMotion{.inlier_fraction = 0.50, .residual = 7.6};
 constexpr Evidence kAfterFarMotion{.inlier_fraction = 0.70, .residual = 6.0};
 constexpr Evidence kAfterSearch{.inlier_fraction = 0.78, .residual = 4.6};
@@ -38,7 +41,7 @@ constexpr Evidence kAtLandmarks{.inlier_fraction = 0.40, .residual = 20};
 constexpr Evidence kAtKeyFrame{.inlier_fraction = 0.70, .residual = 6.0};
 // Landmarks that are seen so near to where the pose has them agree with it.
 constexpr double kLandmarksAgree_px = 3;
-constexpr double kFar_rad = 0.07;
+constexpr double kFar_rad = 0.07;  // motions in one frame from here on are far
 constexpr double kFar_m = 0.08;
 
 const Evidence& requiredEvidence(PoseOrigin origin, bool on_little, double angle_rad, double distance_m) {

@@ -12,6 +12,7 @@ constexpr std::size_t kKeyFramesToTry = 3;
 /// Level of the pyramid that is kept of what was seen.
 constexpr std::size_t kStoredLevel = 1;
 
+/// A key frame that shows so many is as good as the last frame.
 constexpr std::size_t kManyLandmarks = 100;
 /// Landmarks by which a pose may be believed, if the map agrees.
 bool isWellFounded(const LandmarkPose& pose) {
@@ -20,7 +21,7 @@ bool isWellFounded(const LandmarkPose& pose) {
 
 /// Corners by which a camera can be followed from one frame to the next.
 constexpr std::size_t kFewestCorners = 10;
-constexpr int kFewestCells = 4;
+constexpr int kFewestCells = 4;  // of 48: corners in one spot tell no turn
 
 }  // namespace
 

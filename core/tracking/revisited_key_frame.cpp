@@ -13,12 +13,13 @@ namespace {
 constexpr std::size_t kNewest = 8;
 /// Of those before, the likeliest.
 constexpr std::size_t kKeyFramesToAsk = 3;
+/// Landmarks that must be seen again, and in so many of 48 cells: a poster of the same kind is in few.
 constexpr std::size_t kFewestSeen = 50;
 constexpr int kCellsSeen = 6;
 /// Of the way since then. A map that has drifted farther is none; what looks the same there is another door,
 /// another poster of the kind.
 constexpr double kMaxDriftPerMeter = 0.1;
-constexpr double kMinToJudge_m = 0.1;
+constexpr double kMinToJudge_m = 0.1;  // poses by landmarks alone are that uncertain
 
 double medianOf(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

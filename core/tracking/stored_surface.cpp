@@ -6,7 +6,7 @@
 namespace scantrove {
 namespace {
 
-constexpr float kUnit_m = 0.000125F;
+constexpr float kUnit_m = 0.000125F;  // an eighth of a millimetre: 16 bits reach to 8.1 m
 /// Neighbours farther apart in depth than this part of it are of two surfaces.
 constexpr float kJump = 0.03F;
 

@@ -12,7 +12,7 @@ namespace {
 
 // From the finest level to the coarsest; coarser pyramids use the first entries.
 constexpr std::array<int, 3> kPasses{6, 8, 14};
-constexpr std::array<float, 3> kDistance_m{0.05F, 0.07F, 0.10F};
+constexpr std::array<float, 3> kDistance_m{0.05F, 0.07F, 0.10F};  // IcpGates::distance_m
 // A level has converged when a step is smaller than this, in radians and metres.
 constexpr std::array<double, 3> kSmallStep{1e-4, 2e-4, 4e-4};
 // Weighted mean squared cosine between the normals and a direction of motion below which the direction counts
@@ -22,7 +22,7 @@ constexpr double kSmallestEigenvalue = 0.004;
 // Readings whose partner changes with every pass throw the pose to and fro between two places. When steps no
 // longer shrink to this part of the one before, the rest of them is taken by half, and by half again.
 constexpr double kShrinking = 0.7;
-constexpr double kSmallestShare = 0.25;
+constexpr double kSmallestShare = 0.25;  // less would hardly move any more
 // Predictions closer to each other than this lead to the same pose.
 constexpr double kSameGuess_rad = 0.005;
 constexpr double kSameGuess_m = 0.005;

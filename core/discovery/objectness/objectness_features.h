@@ -14,7 +14,7 @@ namespace objectness {
 inline constexpr float kCertain = 4;
 
 inline float longestSide_m(const ObjectnessEvidence& e) {
-  constexpr float kShortest_m = 0.01F;
+  constexpr float kShortest_m = 0.01F;  // a divisor: no object is shorter
   return std::max(e.known_size_m[0], kShortest_m);
 }
 
