@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+
 #include "core/fusion/view_depths.h"
 
 namespace scantrove {

@@ -121,7 +121,8 @@ class LayerRules {
         "core/fusion/rendered_view.h",   "core/labeling/kernels/label_voxel.h",
         "core/meshing/surface_mesh.h",   "core/discovery/candidate.h",
         "core/discovery/region_set.h",   "core/catalogue/object_record.h",
-        "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h"};
+        "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h",
+        "core/fusion/view_depths.h"};
     const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
     return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
   }

@@ -31,8 +31,8 @@ TEST(BendBetween, IsPositiveInAFold_NegativeOverARidge) {
 }
 
 TEST(BendBetween, OppositeNormalsAreHalfATurnApart) {
-  constexpr float kPi = std::numbers::pi_v<float>;
-  EXPECT_NEAR(std::abs(bendBetween(normalAt(0), normalAt(kPi), {1, 0, 0})), kPi, 1e-3F);
+  constexpr float kHalfTurn = std::numbers::pi_v<float>;
+  EXPECT_NEAR(std::abs(bendBetween(normalAt(0), normalAt(kHalfTurn), {1, 0, 0})), kHalfTurn, 1e-3F);
 }
 
 }  // namespace
