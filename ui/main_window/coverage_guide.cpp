@@ -97,7 +97,7 @@ void CoverageGuide::update() {
   }
   scene_.overlay()->setSeenSides(shown_, shown_ ? sidesInWords(*shown_) : QString());
   if (!leads_to_) scene_.view()->scene().hideArrow();
-  if (had_arrow || leads_to_) scene_.view()->redraw();
+  if (had_arrow || leads_to_) scene_.view()->drawing().redraw();
   placeLabel();
 }
 

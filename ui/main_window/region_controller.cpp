@@ -71,7 +71,7 @@ void RegionController::connectFrames() {
     point(at);
     frames_.setTag(tagOf(at.region));
   });
-  connect(&frames_, &FramePanels::pointerMoved, scene_.view(), &SceneView::notePointing);
+  connect(&frames_, &FramePanels::pointerMoved, &scene_.view()->drawing(), &SceneDrawing::notePointing);
   connect(&frames_, &FramePanels::pointerLeft, this, [this] { selection_.hover({}); });
   connect(&frames_, &FramePanels::clicked, this, &RegionController::click);
   connect(&frames_, &FramePanels::doubleClicked, this,
@@ -117,7 +117,8 @@ void RegionController::connectScene() {
   connect(view, &SceneView::menuRequested, this, [this, view](const QPointF& place, const QPoint& on_screen) {
     openMenu(view->at(place), on_screen);
   });
-  connect(view, &SceneView::bandChanged, this, [this, view] { scene_.overlay()->setBand(view->band()); });
+  connect(view, &SceneView::bandChanged, this,
+          [this, view] { scene_.overlay()->setBand(view->input().band()); });
   connect(view, &SceneView::bandDrawn, this, [this, view](const QRectF& band) {
     const cv::Mat& ids = view->regionIds();
     if (ids.empty()) return;

@@ -27,7 +27,7 @@ RegionSplitter::RegionSplitter(ScenePane& scene, FramePanels& frames, const Regi
   connect(view, &SceneView::strokeAt, this, &RegionSplitter::addPlace);
   connect(view, &SceneView::strokeEnded, this, &RegionSplitter::endStroke);
   connect(view, &SceneView::strokeChanged, this,
-          [this, view] { scene_.overlay()->setStroke(view->stroke(), color()); });
+          [this, view] { scene_.overlay()->setStroke(view->input().stroke(), color()); });
   // Not while it is being drawn.
   connect(view, &SceneView::drawn, this, &RegionSplitter::placeMarksInScene, Qt::QueuedConnection);
   connect(&frames_, &FramePanels::strokeAt, this, &RegionSplitter::addPlace);
@@ -111,7 +111,7 @@ void RegionSplitter::setStep(Step step) {
   }
   scene_.overlay()->setHint(hint);
   scene_.view()->setCursor(expectsStroke() ? Qt::CrossCursor : Qt::ArrowCursor);
-  scene_.view()->setDrawsStrokes(expectsStroke());
+  scene_.view()->input().setDrawsStrokes(expectsStroke());
   frames_.setStrokeColor(expectsStroke() ? std::optional(color()) : std::nullopt);
   if (step == Step::no) split_ = Operation{};
   showMarks();

@@ -94,7 +94,7 @@ void ScanDisplay::showState(ScanState state) {
   const bool is_over = state == ScanState::finished || state == ScanState::failed;
   parts_.status->showState(window_.onStartPage() && is_over ? ScanState::idle : state);
   parts_.progress->showState(state);
-  parts_.scene->view()->setScanning(state == ScanState::scanning);
+  parts_.scene->view()->drawing().setScanning(state == ScanState::scanning);
   parts_.actions->enableFor(state, window_.controller().hasSource());
 }
 

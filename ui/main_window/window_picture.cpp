@@ -10,11 +10,11 @@ namespace scantrove {
 
 Result<void> saveWindowPicture(MainWindow& window, const QString& file) {
   SceneView* view = window.parts().scene->view();
-  view->setFullDetail(true);
+  view->drawing().setFullDetail(true);
   view->update();
   QCoreApplication::processEvents();
   const QPixmap picture = window.grab();
-  view->setFullDetail(false);
+  view->drawing().setFullDetail(false);
   if (picture.save(file)) return {};
   return fail("Cannot write the picture " + file.toStdString() + ".",
               "Check that the folder exists and may be written to, and that the name ends in .png.");

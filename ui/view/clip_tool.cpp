@@ -21,7 +21,7 @@ void ClipTool::setActive(bool active) {
   label_->setVisible(false);
   active ? view_->scene().setClipDistance(behind_target_m_) : view_->scene().setClipDistance(std::nullopt);
   showLabel();
-  view_->redraw();
+  view_->drawing().redraw();
 }
 
 void ClipTool::move(float steps) {
@@ -29,7 +29,7 @@ void ClipTool::move(float steps) {
   behind_target_m_ = std::max(behind_target_m_ + 0.04F * steps * viewpoint.distance(), -viewpoint.distance());
   view_->scene().setClipDistance(behind_target_m_);
   showLabel();
-  view_->redraw(true);
+  view_->drawing().redraw(true);
 }
 
 void ClipTool::showLabel() {

@@ -114,7 +114,7 @@ void MeasureTool::showLine() {
   if (under_mouse_) line.push_back(*under_mouse_);
   view_->scene().showMeasure(line);
   placeLabels();
-  view_->redraw();
+  view_->drawing().redraw();
 }
 
 void MeasureTool::placeLabels() {

@@ -1,20 +1,16 @@
 #include "ui/view/scene_view.h"
 
+#include <QPainter>
 #include <algorithm>
-#include <utility>
-
-#include "ui/view/qt_render_window.h"
 
 namespace scantrove {
 namespace {
 
-constexpr int kSettle_ms = 350;
 constexpr double kTakeOver_ms = 15;  ///< at a time
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent)
-    : QWidget(parent), window_(std::make_unique<QtRenderWindow>(scene_.renderer())) {
+SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
@@ -24,106 +20,102 @@ SceneView::SceneView(QWidget* parent)
   setMouseTracking(true);
   arrival_timer_.setSingleShot(true);
   connect(&arrival_timer_, &QTimer::timeout, this, &SceneView::takeOver);
-  draw_timer_.setSingleShot(true);
-  connect(&draw_timer_, &QTimer::timeout, this, &SceneView::drawUnlessPointing);
-  settle_timer_.setSingleShot(true);
-  settle_timer_.setInterval(kSettle_ms);
-  connect(&settle_timer_, &QTimer::timeout, this, [this] {
-    moving_ = false;
-    resizing_ = false;
-    schedule();
+  connect(&drawing_, &SceneDrawing::drawn, this, [this](const QSize& pixels) {
+    pointing_.setDrawn(pixels, devicePixelRatioF());
+    emit drawn();
   });
-  since_draw_.start();
 }
 
 SceneView::~SceneView() {
   // VTK frees its OpenGL objects while the context still lives.
-  window_->makeCurrent();
+  drawing_.makeCurrent();
   scene_.clear();
 }
 
+void SceneView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  drawing_.paint(painter);
+}
+
+void SceneView::resizeEvent(QResizeEvent* /*event*/) { drawing_.redrawResized(); }
+
 void SceneView::clearScene() {
-  window_->makeCurrent();
+  drawing_.makeCurrent();
   arrivals_.clear();
   scene_.clear();
   emit followingChanged(scene_.following());
   emit cleared();
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::showSnapshot(const std::shared_ptr<const ScanSnapshot>& snapshot) {
   arrivals_.add(snapshot);
   const auto isByPerson = [](const auto& change) { return change.by_person; };
-  is_awaited_ = is_awaited_ || std::ranges::any_of(snapshot->changed_regions, isByPerson) ||
-                std::ranges::any_of(snapshot->changed_bricks, isByPerson);
+  const bool is_awaited = std::ranges::any_of(snapshot->changed_regions, isByPerson) ||
+                          std::ranges::any_of(snapshot->changed_bricks, isByPerson);
   takeOver();
-  if (is_awaited_) draw_timer_.start(0);
+  if (is_awaited) drawing_.drawAwaited();
 }
 
 void SceneView::takeOver() {
   if (!arrivals_.takeOver(kTakeOver_ms)) arrival_timer_.start(0);
-  schedule();
-}
-
-void SceneView::setScanning(bool scanning) {
-  scanning_ = scanning;
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::setColors(const LabelCloudScene::Colors& colors) {
   scene_.setColors(colors);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::setFollowing(bool following) {
   if (following == scene_.following()) return;
   scene_.setFollowing(following);
   emit followingChanged(following);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::fitAll() {
   scene_.fitAll(static_cast<float>(width()) / static_cast<float>(std::max(1, height())));
   emit followingChanged(false);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::turn(float yaw) {
   scene_.viewpoint().orbit(yaw, 0);
-  scanning_ ? schedule() : redraw(true);
+  drawing_.isScanning() ? drawing_.schedule() : drawing_.redraw(true);
 }
 
 void SceneView::setGridVisible(bool visible) {
   scene_.setGridVisible(visible);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::setColoring(Coloring coloring) {
   scene_.setColoring(coloring);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::setBackground(const std::set<RegionId>& regions, BackgroundStyle look) {
   scene_.setBackground(regions, look);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::setSelected(const std::set<RegionId>& regions) {
   scene_.setSelected(regions);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::lookFrom(StandardView from) {
   scene_.lookFrom(from);
   emit followingChanged(false);
-  schedule();
+  drawing_.schedule();
 }
 
 void SceneView::fit(const Eigen::AlignedBox3f& box) {
   if (box.isEmpty()) return;
   scene_.fit(box, static_cast<float>(width()) / static_cast<float>(std::max(1, height())));
   emit followingChanged(false);
-  schedule();
+  drawing_.schedule();
 }
 
 const cv::Mat& SceneView::regionIds() { return pointing_.regionIds(); }

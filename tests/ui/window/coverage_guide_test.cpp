@@ -74,7 +74,7 @@ TEST_F(CoverageGuideTest, TheArrowIsLabeledWhereItIsInThePicture) {
   show(thingSeen(1, fromInFront_));
   window_->regions().selection().select(kThing);
   window_->parts().scene->view()->scene().viewpoint().lookAt({0, -2, -3}, {0, 0, 1.5F});
-  window_->parts().scene->view()->redraw();
+  window_->parts().scene->view()->drawing().redraw();
   ASSERT_TRUE(QTest::qWaitFor([&] { return overlay()->mark().has_value(); }, 4000));
   EXPECT_TRUE(QRectF(overlay()->rect()).contains(*overlay()->mark()));
   window_->regions().selection().select(RegionId{});

@@ -1,14 +1,16 @@
-// When the 3D view draws, how much of the scene, and how it gets to the screen.
+#include "ui/view/scene_drawing.h"
+
 #include <QPainter>
+#include <QWidget>
 #include <algorithm>
 #include <utility>
 
 #include "ui/view/qt_render_window.h"
-#include "ui/view/scene_view.h"
 
 namespace scantrove {
 namespace {
 
+constexpr int kSettle_ms = 350;
 constexpr double kTimeShareWhileScanning = 0.15;
 constexpr double kTimeShareWhileArriving = 0.4;
 constexpr int kShortestInterval_ms = 150;  ///< while something comes in
@@ -23,22 +25,53 @@ double millisecondsOf(const QElapsedTimer& timer) { return static_cast<double>(t
 
 }  // namespace
 
-void SceneView::redraw(bool moving) {
+SceneDrawing::SceneDrawing(QWidget& view, LabelCloudScene& scene, SnapshotArrivals& arrivals)
+    : view_(view),
+      scene_(scene),
+      arrivals_(arrivals),
+      window_(std::make_unique<QtRenderWindow>(scene.renderer())) {
+  draw_timer_.setSingleShot(true);
+  connect(&draw_timer_, &QTimer::timeout, this, &SceneDrawing::drawUnlessPointing);
+  settle_timer_.setSingleShot(true);
+  settle_timer_.setInterval(kSettle_ms);
+  connect(&settle_timer_, &QTimer::timeout, this, [this] {
+    moving_ = false;
+    resizing_ = false;
+    schedule();
+  });
+  since_draw_.start();
+}
+
+SceneDrawing::~SceneDrawing() = default;
+
+void SceneDrawing::makeCurrent() { window_->makeCurrent(); }
+
+QSize SceneDrawing::pixels() const { return view_.size() * view_.devicePixelRatioF(); }
+
+void SceneDrawing::setScanning(bool scanning) {
+  scanning_ = scanning;
+  schedule();
+}
+
+void SceneDrawing::drawAwaited() {
+  is_awaited_ = true;
+  draw_timer_.start(0);
+}
+
+void SceneDrawing::redrawResized() {
+  // Quickly, until it has the size that it is to have.
+  resizing_ = true;
+  redraw(true);
+}
+
+void SceneDrawing::redraw(bool moving) {
   if (!moving) return schedule();
   moving_ = true;
   settle_timer_.start();
   draw_timer_.start(0);
 }
 
-void SceneView::interacted() {
-  if (scene_.following()) {
-    scene_.setFollowing(false);
-    emit followingChanged(false);
-  }
-  redraw(true);
-}
-
-void SceneView::schedule() {
+void SceneDrawing::schedule() {
   if (in_parts_ == InParts::still) in_parts_ = InParts::none;  // it is of something that is no more
   if (draw_timer_.isActive()) return;
   int wait_ms = 0;
@@ -51,7 +84,7 @@ void SceneView::schedule() {
   draw_timer_.start(wait_ms);
 }
 
-void SceneView::drawUnlessPointing() {
+void SceneDrawing::drawUnlessPointing() {
   // A drawing holds the window up: not between two steps of the pointer, who wants to see what it points at.
   const bool is_pointing = scanning_ && !moving_ && !is_awaited_ && since_pointed_.isValid() &&
                            since_pointed_.elapsed() < kPointing_ms &&
@@ -62,16 +95,16 @@ void SceneView::drawUnlessPointing() {
   }
   is_awaited_ = false;
   if (!hurries() || moving_) is_prepared_ = false;
-  if (!hurries() && isVisible()) return drawStill();
+  if (!hurries() && view_.isVisible()) return drawStill();
   if (in_parts_ == InParts::still) in_parts_ = InParts::none;
-  if (!moving_ && !full_detail_ && isVisible()) return drawArriving();
+  if (!moving_ && !full_detail_ && view_.isVisible()) return drawArriving();
   in_parts_ = InParts::none;
   is_old_ = true;
-  update();
+  view_.update();
 }
 
-void SceneView::drawArriving() {
-  const QSize pixels = size() * devicePixelRatioF();
+void SceneDrawing::drawArriving() {
+  const QSize pixels = this->pixels();
   if (in_parts_ != InParts::arriving && !is_prepared_) {
     prepareHastily(pixels, kRebuildInAStepPoints);
     is_prepared_ = is_complete_ || ++preparing_steps_ == kMaxSteps;
@@ -86,29 +119,29 @@ void SceneView::drawArriving() {
   }
   if (drawPart(pixels)) return;
   budget().learn(scene_.cloud().drawnPointCount(), parts_ms_);
-  update();
+  view_.update();
   if (!is_complete_) schedule();
 }
 
-void SceneView::prepareHastily(const QSize& pixels, std::size_t rebuild_points) {
+void SceneDrawing::prepareHastily(const QSize& pixels, std::size_t rebuild_points) {
   scene_.setOverlap(SplatOverlap::quick);
   is_complete_ = scene_.prepare(pixels.width(), pixels.height(), budget().points(), rebuild_points);
 }
 
-bool SceneView::hurries() const { return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty(); }
+bool SceneDrawing::hurries() const { return moving_ || scanning_ || full_detail_ || !arrivals_.isEmpty(); }
 
-PointBudget& SceneView::budget() {
-  if (resizing_) return resizing_budget_;
-  return scanning_ && !moving_ ? scanning_budget_ : moving_budget_;
+PointBudget& SceneDrawing::budget() {
+  if (resizing_) return budgets_.resizing;
+  return scanning_ && !moving_ ? budgets_.scanning : budgets_.moving;
 }
 
-PointBudget& SceneView::partBudget() { return hurries() ? arriving_part_budget_ : part_budget_; }
+PointBudget& SceneDrawing::partBudget() { return hurries() ? budgets_.arriving_part : budgets_.part; }
 
-void SceneView::drawStill() {
-  const QSize pixels = size() * devicePixelRatioF();
+void SceneDrawing::drawStill() {
+  const QSize pixels = this->pixels();
   if (in_parts_ != InParts::still) {
     scene_.setOverlap(SplatOverlap::exact);
-    if (!scene_.prepare(pixels.width(), pixels.height(), still_budget_.points(), kRebuildInAStepPoints)) {
+    if (!scene_.prepare(pixels.width(), pixels.height(), budgets_.still.points(), kRebuildInAStepPoints)) {
       draw_timer_.start(0);  // the next chunks, when the window has done what else it has to do
       return;
     }
@@ -116,18 +149,18 @@ void SceneView::drawStill() {
     return;
   }
   if (drawPart(pixels)) return;
-  still_budget_.learn(scene_.cloud().drawnPointCount(), parts_ms_);
-  update();
+  budgets_.still.learn(scene_.cloud().drawnPointCount(), parts_ms_);
+  view_.update();
 }
 
-void SceneView::beginParts(InParts what) {
+void SceneDrawing::beginParts(InParts what) {
   scene_.beginParts(partBudget().points());
   in_parts_ = what;
   parts_ms_ = 0;
   draw_timer_.start(0);
 }
 
-bool SceneView::drawPart(const QSize& pixels) {
+bool SceneDrawing::drawPart(const QSize& pixels) {
   QElapsedTimer timer;
   timer.start();
   window_->draw(pixels);
@@ -145,40 +178,32 @@ bool SceneView::drawPart(const QSize& pixels) {
   return false;
 }
 
-void SceneView::takePicture(const QSize& pixels, double took_ms) {
+void SceneDrawing::takePicture(const QSize& pixels, double took_ms) {
   QElapsedTimer timer;
   timer.start();
   picture_ = window_->picture(pixels);
-  picture_.setDevicePixelRatio(devicePixelRatioF());
+  picture_.setDevicePixelRatio(view_.devicePixelRatioF());
   is_old_ = false;
   draw_ms_ += 0.3 * (took_ms + millisecondsOf(timer) - draw_ms_);
   since_draw_.start();
-  pointing_.setDrawn(pixels, devicePixelRatioF());
-  emit drawn();
+  emit drawn(pixels);
 }
 
-void SceneView::resizeEvent(QResizeEvent* /*event*/) {
-  // Quickly, until it has the size that it is to have.
-  resizing_ = true;
-  redraw(true);
-}
-
-void SceneView::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
+void SceneDrawing::paint(QPainter& painter) {
   if (!window_->works()) {
-    painter.fillRect(rect(), palette().window());
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+    painter.fillRect(view_.rect(), view_.palette().window());
+    painter.drawText(view_.rect(), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("The 3D view needs OpenGL 3.2, which this display does not offer.\n"
                         "All else works; Mesa's llvmpipe draws on any machine."));
     return;
   }
-  const QSize pixels = size() * devicePixelRatioF();
+  const QSize pixels = this->pixels();
   // When something that lies over the view changed, the picture is there already.
   if (is_old_ || pixels != picture_.size()) drawNow(pixels);
   painter.drawImage(0, 0, picture_);
 }
 
-void SceneView::drawNow(const QSize& pixels) {
+void SceneDrawing::drawNow(const QSize& pixels) {
   QElapsedTimer timer;
   timer.start();
   in_parts_ = InParts::none;
