@@ -174,6 +174,30 @@ TEST_F(ScanWorkerTest, ANewStartEndsTheOldScan) {
   EXPECT_EQ(std::count(states.begin(), states.end(), ScanState::starting), 2);
 }
 
+TEST_F(ScanWorkerTest, RefusesEditsAndExportsWhileNothingIsOpen) {
+  worker_.post(EditRegions{UndoEdit{}});
+  ASSERT_NO_FATAL_FAILURE(log_.await<EditFailed>());
+  worker_.post(PreviewExport{});
+  worker_.post(SampleExport{});
+  worker_.post(ExportDataset{});
+  ASSERT_NO_FATAL_FAILURE(log_.await<ExportFailed>(3));
+  EXPECT_EQ(worker_.state(), ScanState::idle);
+}
+
+TEST_F(ScanWorkerTest, PassesEveryEditOnBeforeItCloses) {
+  ScanRequest paused = request(40);
+  paused.start_paused = true;
+  worker_.post(StartScan{std::move(paused)});
+  worker_.post(StepScan{});
+  ASSERT_TRUE(awaitSnapshot(1));
+  for (int i = 0; i < 3; ++i) worker_.post(EditRegions{UndoEdit{}});
+  worker_.post(CloseScan{});
+  worker_.wait();
+  EXPECT_EQ(log_.all<EditFailed>().size(), 3U) << "there is nothing to undo";
+  EXPECT_EQ(log_.states(),
+            (std::vector{ScanState::starting, ScanState::paused, ScanState::finishing, ScanState::finished}));
+}
+
 TEST_F(ScanWorkerTest, GivenPosesAreRefusedWhereThereAreNone) {
   ScanRequest given = request(3);
   given.source = "camera:Dummy";
