@@ -25,14 +25,14 @@ using namespace std::chrono_literals;
 
 constexpr const char* kLock = "BEGIN IMMEDIATE";
 
-class SlowCatalogue : public test::ObjectCollectorFixture {
+class SlowCatalogueTest : public test::ObjectCollectorFixture {
  protected:
   /// Takes news until `condition` holds of all that came; false: not for a minute.
   template <class Condition>
   bool awaitNews(FrameObjects& all, Condition&& condition) {
     for (int i = 0; i < 6000 && !condition(all); ++i) {
       std::this_thread::sleep_for(10ms);
-      addNews(all);
+      addEvents(all);
     }
     return condition(all);
   }
@@ -64,7 +64,7 @@ class SlowCatalogue : public test::ObjectCollectorFixture {
   }
 };
 
-TEST_F(SlowCatalogue, ALockDelaysWhatIsStoredAndNoFrame) {
+TEST_F(SlowCatalogueTest, LockDelaysStoring_NotFrames) {
   static_cast<void>(study({box_}));
   waits_ = false;
   FrameObjects all;
@@ -82,7 +82,7 @@ TEST_F(SlowCatalogue, ALockDelaysWhatIsStoredAndNoFrame) {
     EXPECT_THAT(all.catalogue_failure->message(), AllOf(HasSubstr(file()), HasSubstr("locked")));
     all.catalogue_failure.reset();
     for (int i = 0; i < 40; ++i) {
-      addNews(all);
+      addEvents(all);
       std::this_thread::sleep_for(200ms);
     }
     EXPECT_FALSE(all.catalogue_failure) << "said once, whenever it is tried again";
@@ -98,7 +98,7 @@ TEST_F(SlowCatalogue, ALockDelaysWhatIsStoredAndNoFrame) {
   EXPECT_EQ(objects()[0].views, 2) << "the view of the box waited, too";
 }
 
-TEST_F(SlowCatalogue, WhatWaitsIsMetLikeWhatIsStored) {
+TEST_F(SlowCatalogueTest, WaitingObjectIsFound_LikeAStoredOne) {
   waits_ = false;
   OtherProgram other(file());
   settle();
@@ -109,7 +109,7 @@ TEST_F(SlowCatalogue, WhatWaitsIsMetLikeWhatIsStored) {
   other.execute("ROLLBACK");
   settle();
   FrameObjects all;
-  addNews(all);
+  addEvents(all);
   EXPECT_EQ(all.added.size(), 1U) << "under another region it is the same thing";
   EXPECT_EQ(all.new_views.size(), 1U);
   ASSERT_EQ(objects().size(), 1U);
@@ -117,7 +117,7 @@ TEST_F(SlowCatalogue, WhatWaitsIsMetLikeWhatIsStored) {
   EXPECT_EQ(collector_->objects().idOf(RegionId{77}), objects()[0].id);
 }
 
-TEST_F(SlowCatalogue, TheSameScanGivesTheSameCatalogueWhenItIsLockedForAWhile) {
+TEST_F(SlowCatalogueTest, SameScanGivesTheSameCatalogue_WhenItWasLocked) {
   scanTable();
   ASSERT_TRUE(collector_->settle(60s));
   const std::string waiting_for_each = contents(file());
@@ -144,7 +144,7 @@ TEST_F(SlowCatalogue, TheSameScanGivesTheSameCatalogueWhenItIsLockedForAWhile) {
   EXPECT_THAT(waiting_for_each, HasSubstr("1 Obj_1")) << "the question finds something";
 }
 
-TEST_F(SlowCatalogue, AViewOfWhatWasDeletedBeforeItIsStoredIsDropped) {
+TEST_F(SlowCatalogueTest, ViewIsDropped_WhenItsObjectIsDeletedFirst) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   waits_ = false;
   FrameObjects seen;
@@ -160,7 +160,7 @@ TEST_F(SlowCatalogue, AViewOfWhatWasDeletedBeforeItIsStoredIsDropped) {
   }
   settle();
   waits_ = true;
-  addNews(seen);
+  addEvents(seen);
   EXPECT_TRUE(seen.new_views.empty());
   EXPECT_FALSE(seen.seen[0].object);
   for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(look({mug_}, 25 * frame).added.empty());
@@ -169,7 +169,7 @@ TEST_F(SlowCatalogue, AViewOfWhatWasDeletedBeforeItIsStoredIsDropped) {
   EXPECT_TRUE(collector_->objects().list().empty());
 }
 
-TEST_F(SlowCatalogue, ObjectsThatAPersonSettlesBeforeTheirMergeIsStoredStayTwo) {
+TEST_F(SlowCatalogueTest, ObjectsStayTwo_WhenUsersEditThemBeforeTheirMerge) {
   const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   waits_ = false;
@@ -187,7 +187,7 @@ TEST_F(SlowCatalogue, ObjectsThatAPersonSettlesBeforeTheirMergeIsStoredStayTwo) 
     other.execute("COMMIT");
   }
   settle();
-  addNews(seen);
+  addEvents(seen);
   EXPECT_TRUE(seen.merged.empty());
   EXPECT_EQ(objects().size(), 2U);
   EXPECT_TRUE(collected(mug).confirmed);
@@ -195,7 +195,7 @@ TEST_F(SlowCatalogue, ObjectsThatAPersonSettlesBeforeTheirMergeIsStoredStayTwo) 
   EXPECT_EQ(collector_->objects().list().size(), 2U);
 }
 
-TEST_F(SlowCatalogue, ACatalogueThatCannotBeReadEndsNothing) {
+TEST_F(SlowCatalogueTest, ScanContinues_WhenTheCatalogueCannotBeRead) {
   static_cast<void>(study({box_}));
   waits_ = false;
   FrameObjects all;
@@ -211,7 +211,7 @@ TEST_F(SlowCatalogue, ACatalogueThatCannotBeReadEndsNothing) {
   EXPECT_TRUE(awaitNews(all, [](const FrameObjects& news) { return news.added.size() == 1; }));
 }
 
-TEST_F(SlowCatalogue, TheEndSaysWhatIsNotStoredAndWhy) {
+TEST_F(SlowCatalogueTest, FinishReportsWhatIsNotStored) {
   writer_.patience = 100ms;
   beginScan();
   static_cast<void>(study({box_}));
@@ -232,7 +232,7 @@ TEST_F(SlowCatalogue, TheEndSaysWhatIsNotStoredAndWhy) {
 }
 
 // It would wait an hour.
-TEST_F(SlowCatalogue, TheEndDoesNotWaitForALock_WhenItIsUrgent) {
+TEST_F(SlowCatalogueTest, FinishDoesNotWaitForALock_WhenItIsUrgent) {
   writer_.patience = std::chrono::hours(1);
   beginScan();
   static_cast<void>(study({box_}));
@@ -248,7 +248,7 @@ TEST_F(SlowCatalogue, TheEndDoesNotWaitForALock_WhenItIsUrgent) {
   EXPECT_THAT(finished.error().message(), HasSubstr("has not got"));
 }
 
-TEST_F(SlowCatalogue, TheEndWaitsForALock) {
+TEST_F(SlowCatalogueTest, FinishWaitsForALock) {
   waits_ = false;
   auto other = std::make_unique<OtherProgram>(file());
   settle();
@@ -269,7 +269,7 @@ TEST_F(SlowCatalogue, TheEndWaitsForALock) {
   EXPECT_EQ(collector_->objects().list()[0].views, 1);
 }
 
-TEST_F(SlowCatalogue, NewObjectsAreNeverDroppedForWantOfRoom) {
+TEST_F(SlowCatalogueTest, NewObjectsAreStored_WhenThereIsNoRoomForViews) {
   const std::size_t view = sizeof(ObjectView) + std::size_t{80 * 100 * 6};
   writer_.most_bytes = 5 * view / 2;
   writer_.room_patience = 10ms;
@@ -288,7 +288,7 @@ TEST_F(SlowCatalogue, NewObjectsAreNeverDroppedForWantOfRoom) {
     other.execute("ROLLBACK");
     settle();
     FrameObjects all;
-    addNews(all);
+    addEvents(all);
     EXPECT_EQ(all.added.size(), 2U);
     EXPECT_TRUE(all.new_views.empty());
   }
@@ -301,7 +301,7 @@ TEST_F(SlowCatalogue, NewObjectsAreNeverDroppedForWantOfRoom) {
 }
 
 /// Without a collector: what is given is what is stored.
-class CatalogueWriterTest : public SlowCatalogue {
+class CatalogueWriterTest : public SlowCatalogueTest {
  protected:
   void SetUp() override {
     moveIn(person_, ObjectDatabase::open(file()));
@@ -321,7 +321,7 @@ class CatalogueWriterTest : public SlowCatalogue {
   std::unique_ptr<CatalogueWriter> store_;
 };
 
-TEST_F(CatalogueWriterTest, AnImageThatNobodyCanEncodeCostsOnlyItself) {
+TEST_F(CatalogueWriterTest, OtherViewsAreStored_WhenOneCannotBeEncoded) {
   const ObjectId bad{1U << 31U}, good{bad.value + 1};
   ASSERT_TRUE(store_->addObject(view(bad, {1000001, 1})));  // wider than a PNG may be
   store_->addView(view(bad, {10, 10}));
@@ -337,7 +337,7 @@ TEST_F(CatalogueWriterTest, AnImageThatNobodyCanEncodeCostsOnlyItself) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(CatalogueWriterTest, EachWriteThatFailsIsTriedAgain) {
+TEST_F(CatalogueWriterTest, FailedWritesAreRepeated) {
   ASSERT_TRUE(store_->settle(60s));
   OtherProgram other(file());
   other.execute("CREATE TRIGGER broken BEFORE INSERT ON views BEGIN SELECT RAISE(FAIL, 'broken'); END");
@@ -356,7 +356,7 @@ TEST_F(CatalogueWriterTest, EachWriteThatFailsIsTriedAgain) {
   EXPECT_TRUE(store_->finish());
 }
 
-TEST_F(CatalogueWriterTest, NothingIsSaidToBeStoredInAFileThatIsGone) {
+TEST_F(CatalogueWriterTest, NothingIsStored_WhenTheFileIsGone) {
   ASSERT_TRUE(store_->settle(60s));
   const std::filesystem::path moved = folder_ / "moved.sqlite";
   std::filesystem::rename(file(), moved);
@@ -372,7 +372,7 @@ TEST_F(CatalogueWriterTest, NothingIsSaidToBeStoredInAFileThatIsGone) {
   EXPECT_TRUE(store_->finish());
 }
 
-TEST_F(CatalogueWriterTest, ACatalogueThatCannotBeOpenedIsAnError) {
+TEST_F(CatalogueWriterTest, StartFails_WhenTheCatalogueCannotBeOpened) {
   writer_.database = folder_.path().string();
   const auto other = CatalogueWriter::start(writer_, {});
   ASSERT_FALSE(other);

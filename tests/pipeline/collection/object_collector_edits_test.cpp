@@ -7,9 +7,9 @@ namespace scantrove {
 namespace {
 
 using test::Thing;
-using ObjectCollectorEdits = test::ObjectCollectorFixture;
+using ObjectCollectorEditsTest = test::ObjectCollectorFixture;
 
-TEST_F(ObjectCollectorEdits, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUndo) {
+TEST_F(ObjectCollectorEditsTest, DeletedObjectIsNotAddedAgain_AndReturnsWhenRestored) {
   const ObjectId mug = study({mug_, box_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
   const Thing under_a_new_region{mug_.seed, mug_.place, RegionId{77}};
@@ -32,7 +32,7 @@ TEST_F(ObjectCollectorEdits, WhatAPersonDeletedIsNotAddedAgainAndComesBackWithUn
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorEdits, NamesAndConfirmationsOfAPersonAreSeenInTheNextFrame) {
+TEST_F(ObjectCollectorEditsTest, NamesAndConfirmationsShow_InTheNextFrame) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->rename(mug, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
@@ -41,7 +41,7 @@ TEST_F(ObjectCollectorEdits, NamesAndConfirmationsOfAPersonAreSeenInTheNextFrame
   EXPECT_TRUE(seen.seen[0].confirmed);
 }
 
-TEST_F(ObjectCollectorEdits, AMergeByAPersonIsFollowedAndSoIsItsUndo) {
+TEST_F(ObjectCollectorEditsTest, MergeByAUserIsFollowed_AndItsUndo) {
   const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   const Result<ObjectMerge> merge = person_->merge(std::array{mug, box});
@@ -59,7 +59,7 @@ TEST_F(ObjectCollectorEdits, AMergeByAPersonIsFollowedAndSoIsItsUndo) {
   EXPECT_EQ(collector_->objects().list().size(), 2U);
 }
 
-TEST_F(ObjectCollectorEdits, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBack) {
+TEST_F(ObjectCollectorEditsTest, JoinedRegionsMerge_UnlessAUserUndidThat) {
   const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   collector_->joinRegions(mug_.region, box_.region);
@@ -78,7 +78,7 @@ TEST_F(ObjectCollectorEdits, RegionsThatJoinMakeOneObjectUnlessAPersonTookThatBa
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorEdits, RegionsThatFramesJoinMakeOneObjectOnceThatHasHeld) {
+TEST_F(ObjectCollectorEditsTest, RegionsJoinedByFramesMerge_OnceThatHasHeld) {
   static_cast<void>(study({mug_, box_}));
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   for (int i = 0; i < IdentityResolver::kFramesToMerge - 1; ++i)
@@ -89,7 +89,7 @@ TEST_F(ObjectCollectorEdits, RegionsThatFramesJoinMakeOneObjectOnceThatHasHeld) 
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorEdits, RegionsThatPartAgainWereTwoObjectsAllTheTime) {
+TEST_F(ObjectCollectorEditsTest, RegionsJoinedByFramesStayTwoObjects_WhenTheySplitAgain) {
   const FrameObjects first = study({mug_, box_});
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   for (int i = 0; i < 20; ++i) static_cast<void>(look({mug_}));
@@ -102,7 +102,7 @@ TEST_F(ObjectCollectorEdits, RegionsThatPartAgainWereTwoObjectsAllTheTime) {
   EXPECT_EQ(collector_->objects().idOf(box_again.region), first.added.at(1).id);
 }
 
-TEST_F(ObjectCollectorEdits, AnObjectOfWhichOnlyAPartIsJoinedToAnotherStaysOne) {
+TEST_F(ObjectCollectorEditsTest, ObjectStays_WhenOnlyAPartOfItIsJoined) {
   const RegionId handle{14};
   Candidate mug = mug_.candidate();
   mug.regions.add(handle);
@@ -114,7 +114,7 @@ TEST_F(ObjectCollectorEdits, AnObjectOfWhichOnlyAPartIsJoinedToAnotherStaysOne) 
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorEdits, RegionsThatAreJoinedWhenTheScanEndsMakeOneObject) {
+TEST_F(ObjectCollectorEditsTest, JoinedRegionsMerge_WhenTheScanEnds) {
   static_cast<void>(study({mug_, box_}));
   collector_->joinRegions(mug_.region, box_.region, ObjectCollector::JoinedBy::frames);
   static_cast<void>(look({mug_}));
@@ -122,7 +122,7 @@ TEST_F(ObjectCollectorEdits, RegionsThatAreJoinedWhenTheScanEndsMakeOneObject) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorEdits, ObjectsThatAPersonSettledStayTwoWhenTheirRegionsJoin) {
+TEST_F(ObjectCollectorEditsTest, ObjectsThatUsersEditedStayTwo_WhenTheirRegionsJoin) {
   const FrameObjects first = study({mug_, box_, cup_});
   ASSERT_TRUE(person_->rename(first.added.at(0).id, "my mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{first.added.at(1).id}, true));
@@ -135,7 +135,7 @@ TEST_F(ObjectCollectorEdits, ObjectsThatAPersonSettledStayTwoWhenTheirRegionsJoi
   EXPECT_EQ(collected(collector_->objects().idOf(cup_.region)).name, "my mug");
 }
 
-TEST_F(ObjectCollectorEdits, AJoinedRegionOfADeletedObjectIsTheOtherOne) {
+TEST_F(ObjectCollectorEditsTest, JoinedRegionIsTheOtherObject_WhenItsOwnWasDeleted) {
   const FrameObjects first = study({mug_, box_});
   ASSERT_TRUE(person_->remove(std::array{first.added.at(0).id}));
   static_cast<void>(look({}));
@@ -144,7 +144,7 @@ TEST_F(ObjectCollectorEdits, AJoinedRegionOfADeletedObjectIsTheOtherOne) {
   EXPECT_EQ(collector_->objects().idOf(mug_.region), first.added.at(1).id);
 }
 
-TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognized) {
+TEST_F(ObjectCollectorEditsTest, ObjectOfAnotherProgramIsRecognized) {
   static_cast<void>(study({box_}));
   const Candidate candidate = mug_.candidate();
   RgbdFrame frame;
@@ -160,7 +160,7 @@ TEST_F(ObjectCollectorEdits, WhatAnotherProgramAddsIsRecognized) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorEdits, PartsOfADeletedObjectAreNotAdded) {
+TEST_F(ObjectCollectorEditsTest, PartsOfADeletedObjectAreNotAdded) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
   static_cast<void>(look({mug_}));

@@ -11,7 +11,7 @@ using test::kSize;
 using test::Thing;
 using ObjectCollectorTest = test::ObjectCollectorFixture;
 
-TEST_F(ObjectCollectorTest, AddsTheUnknownOnceAndKeepsNewDirections) {
+TEST_F(ObjectCollectorTest, AddsUnknownObjectsOnce_AndViewsFromNewDirections) {
   FrameObjects first = study({mug_, box_});
   ASSERT_EQ(first.added.size(), 2U);
   EXPECT_TRUE(first.recognized.empty());
@@ -28,7 +28,7 @@ TEST_F(ObjectCollectorTest, AddsTheUnknownOnceAndKeepsNewDirections) {
   EXPECT_FALSE(collector_->objects().idOf(RegionId{99}));
 }
 
-TEST_F(ObjectCollectorTest, AnObjectHasSoManyViewsAndNoMore) {
+TEST_F(ObjectCollectorTest, StoresNoMoreViews_ThanTheParameterAllows) {
   DetectionParams few = params();
   few.max_views = 3;
   collector_->setParams(few);
@@ -37,7 +37,7 @@ TEST_F(ObjectCollectorTest, AnObjectHasSoManyViewsAndNoMore) {
   EXPECT_EQ(objects().at(0).views, 3);
 }
 
-TEST_F(ObjectCollectorTest, RecognizesWhatAnEarlierScanAddedAndSaysSoOnce) {
+TEST_F(ObjectCollectorTest, ReportsARecognizedObjectOnce) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   beginScan();
   const FrameObjects first = study({mug_, box_});
@@ -52,7 +52,7 @@ TEST_F(ObjectCollectorTest, RecognizesWhatAnEarlierScanAddedAndSaysSoOnce) {
   EXPECT_EQ(met[1].recognized_from, "");
 }
 
-TEST_F(ObjectCollectorTest, TheSameThingUnderANewRegionIsTheSameObject) {
+TEST_F(ObjectCollectorTest, FindsTheObjectAtItsPlace_UnderANewRegion) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(look({}));
   const Thing again{7, mug_.place, RegionId{77}};  // even when it looks like another
@@ -60,7 +60,7 @@ TEST_F(ObjectCollectorTest, TheSameThingUnderANewRegionIsTheSameObject) {
   EXPECT_EQ(collector_->objects().idOf(again.region), mug);
 }
 
-TEST_F(ObjectCollectorTest, WhatIsOnlyHiddenHasNotLeft) {
+TEST_F(ObjectCollectorTest, ObjectIsNotMissing_WhenItIsHidden) {
   static_cast<void>(study({mug_}));
   for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 0.3F);   // somebody before it
   for (int i = 0; i < 5; ++i) lookAtPlaceOf(mug_, 1.01F);  // a reading of itself
@@ -69,7 +69,7 @@ TEST_F(ObjectCollectorTest, WhatIsOnlyHiddenHasNotLeft) {
   EXPECT_EQ(study({other}).added.size(), 1U) << "another of the kind";
 }
 
-TEST_F(ObjectCollectorTest, WhatWasTakenAwayIsTheSameWhereItIsPut) {
+TEST_F(ObjectCollectorTest, RecognizesAMissingObject_AtAnotherPlace) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
   const Thing put{mug_.seed, 2, RegionId{77}};
@@ -78,7 +78,7 @@ TEST_F(ObjectCollectorTest, WhatWasTakenAwayIsTheSameWhereItIsPut) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayLookALittleOtherwise) {
+TEST_F(ObjectCollectorTest, RecognizesAMissingObject_WhenItAppearsALittleDifferent) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6};
   Candidate here = put.candidate();
   const auto timesAdded = [&] {
@@ -93,7 +93,7 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayLookALittleOtherwise) {
   EXPECT_EQ(collector_->objects().idOf(put.region), mug);
 }
 
-TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
+TEST_F(ObjectCollectorTest, RecognizesAMissingObject_WhenItAppearsInPart) {
   const Thing put{mug_.seed, 2, RegionId{77}};
   Candidate part = put.candidate();
   part.size_m *= 0.55F;
@@ -107,7 +107,7 @@ TEST_F(ObjectCollectorTest, WhatComesInsteadOfWhatLeftMayBeOnTheMapInPart) {
   EXPECT_EQ(collector_->objects().idOf(put.region), mug);
 }
 
-TEST_F(ObjectCollectorTest, WhereOneIsMissingWhatComesMayLookQuiteOtherwise) {
+TEST_F(ObjectCollectorTest, LittleLikenessIsEnough_WhenOneObjectIsMissing) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
   here.has_appeared = true;
@@ -117,7 +117,7 @@ TEST_F(ObjectCollectorTest, WhereOneIsMissingWhatComesMayLookQuiteOtherwise) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorTest, WhereSeveralAreMissingItMustLookLikeOneOfThem) {
+TEST_F(ObjectCollectorTest, MoreLikenessIsNeeded_WhenSeveralObjectsAreMissing) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0, true};
   Candidate here = put.candidate();
   here.has_appeared = true;
@@ -127,7 +127,7 @@ TEST_F(ObjectCollectorTest, WhereSeveralAreMissingItMustLookLikeOneOfThem) {
   EXPECT_EQ(objects().size(), 3U);
 }
 
-TEST_F(ObjectCollectorTest, WhatIsSeenMissingOnlyLaterIsWhatCameBefore) {
+TEST_F(ObjectCollectorTest, MergesAppearedObject_WhenTheMissingOneIsNoticedLater) {
   static_cast<void>(study({mug_}));
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6};
   Candidate here = put.candidate();
@@ -140,7 +140,7 @@ TEST_F(ObjectCollectorTest, WhatIsSeenMissingOnlyLaterIsWhatCameBefore) {
   EXPECT_EQ(collector_->objects().idOf(put.region), collector_->objects().idOf(mug_.region));
 }
 
-TEST_F(ObjectCollectorTest, WhatMovedIsNotWhatItWasPutBeside) {
+TEST_F(ObjectCollectorTest, MovedObjectStays_WhenItsRegionIsJoined) {
   const Thing box{box_.seed, 2, box_.region}, put{mug_.seed, 1, RegionId{77}};
   static_cast<void>(study({mug_, box}));
   for (int i = 0; i < 3; ++i) lookAtPlaceOf(mug_, 1.2F);
@@ -151,7 +151,7 @@ TEST_F(ObjectCollectorTest, WhatMovedIsNotWhatItWasPutBeside) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorTest, ARestThatIsCountedToSomethingElseDoesNotMakeThatTheObject) {
+TEST_F(ObjectCollectorTest, RegionIsNoObject_WhenARestOfOneIsJoinedToIt) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const RegionId beside{50};
   collector_->joinRegions(beside, mug_.region, ObjectCollector::JoinedBy::frames);
@@ -165,14 +165,14 @@ TEST_F(ObjectCollectorTest, ARestThatIsCountedToSomethingElseDoesNotMakeThatTheO
   EXPECT_EQ(collector_->objects().idOf(beside), mug) << "what a person spoke of is followed";
 }
 
-TEST_F(ObjectCollectorTest, WhatAPersonMadeAnObjectIsFollowedIntoWhatItIsCountedTo) {
+TEST_F(ObjectCollectorTest, RequestedObjectFollowsItsRegion_WhenThatIsJoined) {
   collector_->requests().request(mug_.region, "");
   const ObjectId mug = look({mug_}).added.at(0).id;
   collector_->joinRegions(RegionId{50}, mug_.region, ObjectCollector::JoinedBy::frames);
   EXPECT_EQ(collector_->objects().idOf(RegionId{50}), mug);
 }
 
-TEST_F(ObjectCollectorTest, WhatIsDoubtedStandsThereAllTheSame) {
+TEST_F(ObjectCollectorTest, MismatchedObjectIsStillThere) {
   static_cast<void>(study({mug_}));
   Candidate larger = mug_.candidate();
   larger.size_m *= 1.5F;
@@ -185,7 +185,7 @@ TEST_F(ObjectCollectorTest, WhatIsDoubtedStandsThereAllTheSame) {
   EXPECT_EQ(objects().size(), 2U) << "another of the kind";
 }
 
-TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOrNothingCame) {
+TEST_F(ObjectCollectorTest, AddsAnObject_WhenNothingIsMissingOrNothingAppeared) {
   const Thing put{mug_.seed, 2, RegionId{77}, 0.6}, later{mug_.seed, 2, RegionId{78}, 0.6};
   const ObjectId mug = study({mug_}).added.at(0).id;
   Candidate here = put.candidate();
@@ -201,7 +201,7 @@ TEST_F(ObjectCollectorTest, WhatLooksALittleOtherwiseIsAnotherWhereNothingLeftOr
   EXPECT_NE(collector_->objects().idOf(later.region), mug);
 }
 
-TEST_F(ObjectCollectorTest, ARegionThatIsClearlyLargerThanItsObjectIsAnother) {
+TEST_F(ObjectCollectorTest, AddsAnObject_WhenARegionIsClearlyLargerThanItsObject) {
   const ObjectId rim = study({mug_}).added.at(0).id;
   Candidate whole = mug_.candidate();
   whole.size_m *= 1.5F;
@@ -211,7 +211,7 @@ TEST_F(ObjectCollectorTest, ARegionThatIsClearlyLargerThanItsObjectIsAnother) {
   EXPECT_EQ(objects()[0].views, 1) << "the first has no more views of what it is not";
 }
 
-TEST_F(ObjectCollectorTest, ALookFromElsewhereMayShowAnotherSize) {
+TEST_F(ObjectCollectorTest, AcceptsAnotherSize_FromAnotherSide) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   Candidate with_another_face = mug_.candidate();
   with_another_face.size_m *= 1.35F;
@@ -221,7 +221,7 @@ TEST_F(ObjectCollectorTest, ALookFromElsewhereMayShowAnotherSize) {
   EXPECT_EQ(objects().size(), 1U) << "nor does it raise doubts";
 }
 
-TEST_F(ObjectCollectorTest, WhatIsInViewUnderItsOwnRegionIsNotMetUnderAnother) {
+TEST_F(ObjectCollectorTest, FindsNoObjectUnderANewRegion_WhileItsOwnIsInView) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing on_top{7, mug_.place, RegionId{77}};
   for (int i = 0; i < 20; ++i) static_cast<void>(look({}));
@@ -232,7 +232,7 @@ TEST_F(ObjectCollectorTest, WhatIsInViewUnderItsOwnRegionIsNotMetUnderAnother) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(ObjectCollectorTest, WhatStandsWhereTwoDoIsNeither) {
+TEST_F(ObjectCollectorTest, AddsAnObject_AtThePlaceOfTwo) {
   const Candidate left = mug_.candidate();
   Candidate right = box_.candidate(), both = cup_.candidate();  // which looks like neither
   right.centroid_world = left.centroid_world + Eigen::Vector3f(0.06F, 0, 0);
@@ -253,7 +253,7 @@ TEST_F(ObjectCollectorTest, WhatStandsWhereTwoDoIsNeither) {
   EXPECT_EQ(merged, 0U);
 }
 
-TEST_F(ObjectCollectorTest, LooksThatAreNotClearRaiseNoDoubt) {
+TEST_F(ObjectCollectorTest, UnclearCandidatesAreNoMismatch) {
   static_cast<void>(study({mug_}));
   Candidate unclear = mug_.candidate();
   unclear.size_m *= 1.5F;
@@ -262,7 +262,7 @@ TEST_F(ObjectCollectorTest, LooksThatAreNotClearRaiseNoDoubt) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorTest, WhatAPersonConfirmedIsNotDoubted) {
+TEST_F(ObjectCollectorTest, ConfirmedObjectHasNoMismatch) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
   Candidate larger = mug_.candidate();
@@ -272,7 +272,7 @@ TEST_F(ObjectCollectorTest, WhatAPersonConfirmedIsNotDoubted) {
   EXPECT_EQ(collector_->objects().idOf(mug_.region), mug);
 }
 
-TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
+TEST_F(ObjectCollectorTest, AddsAnEqualObject_WhileTheFirstIsInPlace) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   const Thing other{mug_.seed, 2, RegionId{77}};
   const FrameObjects seen = study({mug_, other});
@@ -280,7 +280,7 @@ TEST_F(ObjectCollectorTest, AnotherOfTheKindIsAnotherWhileTheFirstStands) {
   EXPECT_NE(seen.added[0].id, mug);
 }
 
-TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
+TEST_F(ObjectCollectorTest, IncompleteCandidateIsAdded_WhenAUserRequestsIt) {
   Candidate part = mug_.candidate();
   part.is_complete = false;
   FrameObjects seen;
@@ -297,13 +297,13 @@ TEST_F(ObjectCollectorTest, WhatIsNotWholeStaysACandidateUntilAPersonWantsIt) {
   EXPECT_TRUE(lookAt({part}, {mug_}).added.empty()) << "once";
 }
 
-TEST_F(ObjectCollectorTest, SaysUnknownOnlyAfterSeveralLooks) {
+TEST_F(ObjectCollectorTest, AddsUnknownObject_AfterSeveralFrames) {
   int frames = 0;
   while (look({mug_}).added.empty()) ASSERT_LT(++frames, 100);
   EXPECT_GE(frames, (RecognitionHistory::kAttemptsToGiveUp - 1) * RecognitionHistory::kFramesApart);
 }
 
-TEST_F(ObjectCollectorTest, OfCandidatesThatShareRegionsTheKnownOneIsTaken) {
+TEST_F(ObjectCollectorTest, PrefersTheKnownCandidate_WhenTwoShareRegions) {
   Candidate both = mug_.candidate();
   both.regions.add(box_.region);
   both.odds = 1;  // likelier than its parts
@@ -314,7 +314,7 @@ TEST_F(ObjectCollectorTest, OfCandidatesThatShareRegionsTheKnownOneIsTaken) {
   EXPECT_EQ(std::ranges::count(seen.seen, mug, &SeenObject::object), 1);
 }
 
-TEST_F(ObjectCollectorTest, WhatStandsWithAnObjectInALargerSetStaysFree) {
+TEST_F(ObjectCollectorTest, RegionsOfALargerSetStayFree_WhenOneIsAnObject) {
   ASSERT_EQ(study({mug_}).added.size(), 1U);
   Candidate both = mug_.candidate();
   both.regions.add(box_.region);
@@ -324,7 +324,7 @@ TEST_F(ObjectCollectorTest, WhatStandsWithAnObjectInALargerSetStaysFree) {
   EXPECT_EQ(study({mug_, box_}).added.size(), 1U) << "the box is an object of its own";
 }
 
-TEST_F(ObjectCollectorTest, RegionsOfASetThatWasNotTakenStayFree) {
+TEST_F(ObjectCollectorTest, RegionsOfARejectedSetStayFree) {
   ASSERT_EQ(study({mug_}).added.size(), 1U);
   for (int i = 0; i < 20; ++i)
     static_cast<void>(look({}));         // so long that it may be back under other regions
@@ -337,7 +337,7 @@ TEST_F(ObjectCollectorTest, RegionsOfASetThatWasNotTakenStayFree) {
   EXPECT_EQ(study({box_}).added.size(), 1U) << "the box is an object of its own";
 }
 
-TEST_F(ObjectCollectorTest, TwoEntriesThatAreOnePlaceBecomeOne) {
+TEST_F(ObjectCollectorTest, MergesTwoObjects_AtOnePlace) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   // Met again after a long time under another region, and 0.3 of its size away: a second entry.
   Candidate beside = mug_.candidate();
@@ -361,7 +361,7 @@ TEST_F(ObjectCollectorTest, TwoEntriesThatAreOnePlaceBecomeOne) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(ObjectCollectorTest, ThingsThatWereSeenSideBySideStayTwo) {
+TEST_F(ObjectCollectorTest, ObjectsSeenInOneFrameStayTwo) {
   const FrameObjects first = study({mug_, box_});
   ASSERT_EQ(first.added.size(), 2U);
   Candidate moved = box_.candidate();

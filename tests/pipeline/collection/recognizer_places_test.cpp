@@ -11,7 +11,7 @@ namespace {
 using test::Thing;
 
 /// Four things that stand in a room, of which another scan knows all.
-class KnownAgainByPlace : public test::ObjectCollectorFixture {
+class RecognizerPlacesTest : public test::ObjectCollectorFixture {
  protected:
   struct Placed {
     Thing thing;
@@ -58,7 +58,7 @@ class KnownAgainByPlace : public test::ObjectCollectorFixture {
   ObjectId jar_id_;
 };
 
-TEST_F(KnownAgainByPlace, WhatStandsWhereItStoodNeedsToBeLessLikeItself) {
+TEST_F(RecognizerPlacesTest, LessLikenessIsEnough_AtTheExpectedPlace) {
   EXPECT_EQ(studyPlaced(three_, T_now_then_).recognized.size(), 3U);
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   EXPECT_TRUE(found.added.empty());
@@ -66,19 +66,19 @@ TEST_F(KnownAgainByPlace, WhatStandsWhereItStoodNeedsToBeLessLikeItself) {
   EXPECT_EQ(found.recognized[0].id, jar_id_);
 }
 
-TEST_F(KnownAgainByPlace, ElsewhereItIsAnother) {
+TEST_F(RecognizerPlacesTest, AddsANewObject_AtAnotherPlace) {
   static_cast<void>(studyPlaced(three_, T_now_then_));
   Placed elsewhere = jarInOtherLight();
   elsewhere.at.x() += 0.4F;
   EXPECT_EQ(studyPlaced({elsewhere}, T_now_then_).added.size(), 1U);
 }
 
-TEST_F(KnownAgainByPlace, WithoutThePlaceItIsAnother) {
+TEST_F(RecognizerPlacesTest, AddsANewObject_WhenTwoObjectsTellNoPlace) {
   static_cast<void>(studyPlaced({three_[0], three_[1]}, T_now_then_));
   EXPECT_EQ(studyPlaced({jarInOtherLight()}, T_now_then_).added.size(), 1U) << "two tell no place";
 }
 
-TEST_F(KnownAgainByPlace, SomethingElseInItsPlaceIsNew) {
+TEST_F(RecognizerPlacesTest, AddsANewObject_WhenAppearanceOrSizeDiffers) {
   static_cast<void>(studyPlaced(three_, T_now_then_));
   Placed other = jar_;
   other.thing.seed = 6;
@@ -92,12 +92,11 @@ TEST_F(KnownAgainByPlace, SomethingElseInItsPlaceIsNew) {
   EXPECT_NE(collector_->objects().idOf(larger.thing.region), jar_id_);
 }
 
-TEST_F(KnownAgainByPlace, APlaceThatIsKnownOnlyInTheEndStillTells) {
+TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyInTheEnd) {
   const ObjectId taken_for_new = studyPlaced({jarInOtherLight()}, T_now_then_).added.at(0).id;
   static_cast<void>(studyPlaced(three_, T_now_then_));
   collector_->beginRefinement();
-  rate(frame_, {jar_.thing.candidate()});
-  settleComplete();
+  collector_->settleComplete({}, [](RegionId) { return false; });
   const FrameObjects found = studyPlaced({jarInOtherLight()}, T_now_then_);
   ASSERT_EQ(found.recognized.size(), 1U) << "which is said";
   EXPECT_EQ(found.recognized[0].id, jar_id_);

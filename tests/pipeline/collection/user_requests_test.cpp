@@ -1,4 +1,4 @@
-// What the catalogue gets of a region that a person named.
+// What a collector does when users name regions, or say that they are objects.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -14,7 +14,7 @@ using test::Thing;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class NamedRegions : public test::ObjectCollectorFixture {
+class UserRequestsTest : public test::ObjectCollectorFixture {
  protected:
   /// As the pipeline does it when a region gets a name.
   void name(const Thing& thing, const std::string& name) {
@@ -39,7 +39,7 @@ class NamedRegions : public test::ObjectCollectorFixture {
   }
 };
 
-TEST_F(NamedRegions, AnObjectGetsTheNameOfItsRegionAndLosesItByUndo) {
+TEST_F(UserRequestsTest, ObjectIsNamed_UntilTheNameIsUndone) {
   const ObjectId mug = study({mug_, box_}).added.at(0).id;
   name(mug_, "blue mug");
   const FrameObjects seen = look({mug_, box_});
@@ -54,7 +54,7 @@ TEST_F(NamedRegions, AnObjectGetsTheNameOfItsRegionAndLosesItByUndo) {
   EXPECT_EQ(objects().size(), 2U);
 }
 
-TEST_F(NamedRegions, AnUndoLeavesWhatSomebodySaidSince) {
+TEST_F(UserRequestsTest, UndoKeepsAnotherName_GivenSince) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   name(mug_, "mug");
   settle();
@@ -64,7 +64,7 @@ TEST_F(NamedRegions, AnUndoLeavesWhatSomebodySaidSince) {
   EXPECT_EQ(record(mug).name, "jug");
 }
 
-TEST_F(NamedRegions, ARedoLeavesWhatOthersMadeOfTheObject) {
+TEST_F(UserRequestsTest, RedoKeepsAnotherName_WhenOthersMergedTheObject) {
   const FrameObjects found = study({mug_, box_});
   const ObjectId mug = found.added.at(0).id, box = found.added.at(1).id;
   name(box_, "cup");
@@ -83,7 +83,7 @@ TEST_F(NamedRegions, ARedoLeavesWhatOthersMadeOfTheObject) {
   EXPECT_EQ(objects().size(), 1U);
 }
 
-TEST_F(NamedRegions, WhatIsNoObjectYetBecomesOneWhenItIsSeenWholeOrNot) {
+TEST_F(UserRequestsTest, NamedRegionBecomesAnObject_WhenItIsSeenInPart) {
   name(mug_, "mug");
   for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(look({}).added.empty());
   const FrameObjects seen = lookAt({part(mug_)}, {mug_});
@@ -96,7 +96,7 @@ TEST_F(NamedRegions, WhatIsNoObjectYetBecomesOneWhenItIsSeenWholeOrNot) {
   EXPECT_EQ(collector_->objects().idOf(mug_.region), objects()[0].id);
 }
 
-TEST_F(NamedRegions, ANameGoesWithTheRegionThatItsOwnBecomesPartOf) {
+TEST_F(UserRequestsTest, RequestFollowsItsRegion_WhenThatIsJoined) {
   name(mug_, "mug");
   collector_->joinRegions(box_.region, mug_.region);
   static_cast<void>(lookAt({part(box_)}, {box_}));
@@ -104,14 +104,14 @@ TEST_F(NamedRegions, ANameGoesWithTheRegionThatItsOwnBecomesPartOf) {
   EXPECT_EQ(objects()[0].name, "mug");
 }
 
-TEST_F(NamedRegions, WhatIsNotToBeOneAnyMoreIsNotAdded) {
+TEST_F(UserRequestsTest, NothingIsAdded_WhenTheRequestIsCancelled) {
   name(mug_, "mug");
   collector_->requests().cancel(mug_.region);
   for (int frame = 0; frame < 3; ++frame) static_cast<void>(lookAt({part(mug_)}, {mug_}));
   EXPECT_TRUE(objects().empty());
 }
 
-TEST_F(NamedRegions, ThereIsOneObjectOfAName) {
+TEST_F(UserRequestsTest, RegionJoinsTheObjectOfThatName) {
   static_cast<void>(study({mug_}));
   name(mug_, "mug");
   static_cast<void>(look({mug_}));
@@ -133,7 +133,7 @@ TEST_F(NamedRegions, ThereIsOneObjectOfAName) {
   EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
 }
 
-TEST_F(NamedRegions, AnUndoTakesWhatWasMadeForANameAndNothingElse) {
+TEST_F(UserRequestsTest, UndoRemovesOnlyObjects_MadeForTheName) {
   const ObjectId box = study({box_}).added.at(0).id;
   name(box_, "box");
   name(mug_, "mug");
@@ -149,7 +149,7 @@ TEST_F(NamedRegions, AnUndoTakesWhatWasMadeForANameAndNothingElse) {
   EXPECT_EQ(objects().size(), 2U) << "frames find it by themselves";
 }
 
-TEST_F(NamedRegions, AnUndoTakesWhatWasMadeBecauseAPersonCalledItAnObject) {
+TEST_F(UserRequestsTest, UndoRemovesTheObject_MadeForTheRequest) {
   collector_->requests().request(mug_.region, "");
   static_cast<void>(lookAt({part(mug_)}, {mug_}));
   ASSERT_EQ(objects().size(), 1U);
@@ -159,7 +159,7 @@ TEST_F(NamedRegions, AnUndoTakesWhatWasMadeBecauseAPersonCalledItAnObject) {
   EXPECT_TRUE(objects().empty());
 }
 
-TEST_F(NamedRegions, AreTakenBackInALaterScan) {
+TEST_F(UserRequestsTest, NamingsOfAnEarlierScanAreUndone) {
   name(mug_, "mug");
   static_cast<void>(lookAt({part(mug_)}, {mug_}));
   collector_->requests().request(box_.region, "");
@@ -182,7 +182,7 @@ TEST_F(NamedRegions, AreTakenBackInALaterScan) {
   EXPECT_TRUE(collector_->requests().storedNamings().empty());
 }
 
-TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
+TEST_F(UserRequestsTest, NamingsOfAnotherCatalogueAreNotUndone) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   name(mug_, "mug");
   settle();
@@ -197,7 +197,7 @@ TEST_F(NamedRegions, OfAnotherCatalogueAreNotTakenBack) {
   EXPECT_EQ(record(mug).name, "mug");
 }
 
-TEST_F(NamedRegions, AFoundOneBecomesPartOfTheOneOfThatName) {
+TEST_F(UserRequestsTest, ObjectIsMerged_WhenAnotherHasItsName) {
   const FrameObjects first = study({mug_, box_});
   const ObjectId mug = first.added.at(0).id, box = first.added.at(1).id;
   name(mug_, "thing");
@@ -212,7 +212,7 @@ TEST_F(NamedRegions, AFoundOneBecomesPartOfTheOneOfThatName) {
   EXPECT_EQ(record(box).name, "Obj_2");
 }
 
-TEST_F(NamedRegions, APartOfAnObjectThatIsCalledOtherwiseIsAnObjectOfItsOwn) {
+TEST_F(UserRequestsTest, RegionBecomesAnObjectOfItsOwn_WhenItsObjectIsCalledOtherwise) {
   Candidate both = mug_.candidate();
   both.regions = {mug_.region, box_.region};
   for (int frame = 0; frame < 20; ++frame) static_cast<void>(lookAt({both}, {mug_}));
@@ -227,7 +227,7 @@ TEST_F(NamedRegions, APartOfAnObjectThatIsCalledOtherwiseIsAnObjectOfItsOwn) {
   EXPECT_EQ(collector_->objects().idOf(box_.region), objects()[1].id);
 }
 
-TEST_F(NamedRegions, WhatAPersonKnowsIsNotTheOtherOneThatAPersonKnows) {
+TEST_F(UserRequestsTest, RegionChangesItsObject_WhenUsersNamedBoth) {
   const FrameObjects first = study({mug_, box_});
   name(mug_, "mug");
   name(box_, "box");
@@ -241,7 +241,7 @@ TEST_F(NamedRegions, WhatAPersonKnowsIsNotTheOtherOneThatAPersonKnows) {
   EXPECT_EQ(collector_->objects().idOf(box_.region), first.added.at(1).id);
 }
 
-TEST_F(NamedRegions, WhatWasDeletedComesByANameAsAnotherOne) {
+TEST_F(UserRequestsTest, NameMakesANewObject_WhenTheOldOneWasDeleted) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   ASSERT_TRUE(person_->remove(std::array{mug}));
   static_cast<void>(look({mug_}));
@@ -252,7 +252,7 @@ TEST_F(NamedRegions, WhatWasDeletedComesByANameAsAnotherOne) {
   EXPECT_EQ(objects()[0].name, "mug");
 }
 
-TEST_F(NamedRegions, ANameThatIsNoneForTheCatalogueIsSaidOnce) {
+TEST_F(UserRequestsTest, RefusedNameIsReportedOnce) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   name(mug_, "12");
   const FrameObjects seen = look({mug_});
@@ -262,7 +262,7 @@ TEST_F(NamedRegions, ANameThatIsNoneForTheCatalogueIsSaidOnce) {
   EXPECT_EQ(record(mug).name, "Obj_1");
 }
 
-TEST_F(NamedRegions, ALockDelaysNamesAndTheyHoldMeanwhile) {
+TEST_F(UserRequestsTest, NamesHold_WhileTheCatalogueIsLocked) {
   static_cast<void>(study({mug_, box_}));
   waits_ = false;
   {
@@ -286,7 +286,7 @@ TEST_F(NamedRegions, ALockDelaysNamesAndTheyHoldMeanwhile) {
   EXPECT_TRUE(objects()[1].confirmed);
 }
 
-TEST_F(NamedRegions, TheEndSaysWhichNamesAreNotStored) {
+TEST_F(UserRequestsTest, FinishReportsNames_ThatAreNotStored) {
   writer_.patience = std::chrono::milliseconds(100);
   beginScan();
   static_cast<void>(study({mug_}));
@@ -300,7 +300,7 @@ TEST_F(NamedRegions, TheEndSaysWhichNamesAreNotStored) {
   other.execute("ROLLBACK");
 }
 
-TEST_F(NamedRegions, AreKeptForTheSession) {
+TEST_F(UserRequestsTest, NamingsAreStoredInTheSession) {
   const ObjectId mug = study({mug_}).added.at(0).id;
   name(mug_, "mug");
   static_cast<void>(look({mug_}));
@@ -314,6 +314,19 @@ TEST_F(NamedRegions, AreKeptForTheSession) {
   EXPECT_EQ(read[0].naming.name, "mug");
   EXPECT_EQ(read[0].earlier, mug);
   EXPECT_TRUE(namingsFromJson("[{]").empty());
+}
+
+TEST_F(UserRequestsTest, RegionIsFixed_WhenAUserEditedOrDeletedItsObject) {
+  const RegionId deleted{77}, unknown{999};
+  static_cast<void>(study({mug_, box_, Thing{33, 2, deleted}}));
+  ASSERT_TRUE(person_->rename(collector_->objects().idOf(box_.region), "my box"));
+  ASSERT_TRUE(person_->remove(std::array{collector_->objects().idOf(deleted)}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  EXPECT_TRUE(collector_->requests().isFixed(box_.region));
+  EXPECT_TRUE(collector_->requests().isFixed(deleted)) << "or its parts would be found again";
+  EXPECT_FALSE(collector_->requests().isFixed(mug_.region));
+  EXPECT_FALSE(collector_->requests().isFixed(unknown));
 }
 
 }  // namespace

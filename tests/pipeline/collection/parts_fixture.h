@@ -1,0 +1,81 @@
+#pragma once
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/collection/identity_resolver.h"
+#include "core/collection/object_tracks.h"
+#include "core/collection/user_requests.h"
+#include "core/collection/view_keeper.h"
+#include "tests/pipeline/collection/table_fixture.h"
+
+namespace scantrove::test {
+
+/// The parts of an ObjectCollector, each to be called by itself, and the catalogue that they write to. The
+/// parts know objects by keys; idOf() gives the number in the database, once it is stored.
+class PartsFixture : public TableFixture {
+ protected:
+  void SetUp() override {
+    TableFixture::SetUp();
+    Result<Detector> detector = Detector::create(*compute_);
+    ASSERT_TRUE(detector) << detector.error().message();
+    catalogue_.emplace(std::move(*detector));
+    const Result<CataloguePosition> position = catalogue_->load(*database_);
+    ASSERT_TRUE(position) << position.error().message();
+    CatalogueWriter::Options options;
+    options.database = file();
+    options.source = "table";
+    moveIn(writer_, CatalogueWriter::start(options, *position));
+    tracks_.emplace(*catalogue_);
+    requests_.emplace(*catalogue_, *writer_, *tracks_);
+    identities_.emplace(*catalogue_, *writer_, *tracks_, *requests_);
+    views_.emplace(*catalogue_, *writer_, *tracks_, *requests_, *identities_);
+    DetectionParams params;
+    params.new_view_angle_deg = 20;
+    views_->setParams(params);
+  }
+
+  /// Makes the thing an object, by a view from that direction. Returns its key.
+  ObjectId add(const Thing& thing, double degrees = 0) {
+    const Shot shot = shoot({thing}, degrees);
+    const ObjectId object = views_->addObject(thing.candidate(), shot.observed());
+    EXPECT_TRUE(object);
+    tracks_->observe(object, thing.candidate(), shot.frame.index);
+    tracks_->viewsOf(object).keep(shot.observed().directionOf(thing.candidate()));
+    return object;
+  }
+  /// Another view of it.
+  void addView(ObjectId object, const Thing& thing, const Candidate& candidate, double degrees) {
+    views_->addView(object, candidate, shoot({thing}, degrees).observed());
+  }
+  /// Compares all views with that map.
+  void compareWith(const RenderedView& map) {
+    for (const int frame : views_->framesOfViews()) views_->compare(frame, map, kDepthNoise_m);
+  }
+  /// Removes outdated views, and waits until that is stored.
+  void removeOutdated() {
+    views_->removeOutdated();
+    store();
+  }
+  /// Waits until all is stored, and learns what others did to the catalogue.
+  void store() {
+    writer_->follow();
+    ASSERT_TRUE(writer_->settle(std::chrono::seconds(60)));
+    for (const CatalogueNews& event : writer_->takeNews()) catalogue_->apply(event);
+  }
+  [[nodiscard]] ObjectId idOf(ObjectId key) const { return catalogue_->idOf(key); }
+  [[nodiscard]] ObjectId rootOf(RegionId region) const {
+    return catalogue_->mergeRootOf(tracks_->objectOf(region));
+  }
+
+  std::optional<CatalogueMirror> catalogue_;
+  std::unique_ptr<CatalogueWriter> writer_;
+  std::optional<ObjectTracks> tracks_;
+  std::optional<UserRequests> requests_;
+  std::optional<IdentityResolver> identities_;
+  std::optional<ViewKeeper> views_;
+};
+
+}  // namespace scantrove::test

@@ -1,0 +1,209 @@
+// What ObjectCollector adds and recognizes while a scan is refined.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+
+#include "tests/pipeline/collection/object_collector_fixture.h"
+
+namespace scantrove {
+namespace {
+
+using test::Thing;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class RefinementTest : public test::ObjectCollectorFixture {
+ protected:
+  /// The thing as a candidate that is rated.
+  static Candidate rated(const Thing& thing, float objectness) {
+    Candidate candidate = thing.candidate();
+    candidate.is_complete = false;
+    candidate.objectness = objectness;
+    return candidate;
+  }
+  /// The scene consists of these sets.
+  void begin(const std::vector<CompleteSet>& complete) {
+    collector_->beginRefinement();
+    collector_->settleComplete(complete, [](RegionId) { return false; });
+  }
+  void begin(const std::vector<Thing>& complete) {
+    std::vector<CompleteSet> sets;
+    for (const Thing& thing : complete) sets.push_back({{thing.region}, kBestFrame});
+    begin(sets);
+  }
+  void collectFrom(int frame_index, const std::vector<Candidate>& candidates,
+                   const std::vector<Thing>& things) {
+    frame_ = frame_index;
+    static_cast<void>(lookAt(candidates, things));
+  }
+  void compareWith(const RenderedView& map) {
+    for (const int frame : collector_->views().framesOfViews())
+      collector_->views().compare(frame, map, kDepthNoise_m);
+  }
+  void end() {
+    collector_->endRefinement();
+    settle();
+    static_cast<void>(collector_->followCatalogue());
+  }
+  [[nodiscard]] ObjectId objectOf(const Thing& thing) const {
+    return collector_->objects().idOf(thing.region);
+  }
+
+  static constexpr int kBestFrame = 3;
+  static constexpr int kFrames = 6;  // enough to look at everything
+};
+
+TEST_F(RefinementTest, AddsCompleteSetInTheLastPass_FromItsBestFrame) {
+  begin({CompleteSet{{mug_.region}, 4}});
+  collectFrom(5, {rated(mug_, 2)}, {mug_});
+  EXPECT_THAT(objects(), IsEmpty()) << "it may yet be recognised";
+  EXPECT_THAT(collector_->beginLastPass(), ElementsAre(4));
+  collectFrom(5, {rated(mug_, 2)}, {mug_});
+  EXPECT_THAT(objects(), IsEmpty()) << "not the best frame";
+  collectFrom(4, {rated(mug_, 3)}, {mug_});
+  end();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_THAT(framesOfViews(objects()[0].id), ElementsAre(4));
+}
+
+TEST_F(RefinementTest, StoresCutOffView_OnlyInTheLastPass) {
+  Candidate mug = rated(mug_, 3), box = rated(box_, 3), half_a_box = rated(box_, 4);
+  mug.is_cut_off = half_a_box.is_cut_off = true;
+  begin({CompleteSet{{mug_.region}, 3}, CompleteSet{{box_.region}, 4}});
+  for (int frame = 3; frame < 9; ++frame) collectFrom(frame, {mug, half_a_box}, {mug_, box_});
+  EXPECT_THAT(objects(), IsEmpty());
+  EXPECT_THAT(collector_->beginLastPass(), ElementsAre(3, 4));
+  collectFrom(3, {mug, half_a_box}, {mug_, box_});
+  collectFrom(4, {mug, box}, {mug_, box_});
+  end();
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_THAT(framesOfViews(objectOf(mug_)), ElementsAre(3));
+  EXPECT_THAT(framesOfViews(objectOf(box_)), ElementsAre(4));
+}
+
+TEST_F(RefinementTest, IgnoresRatedCandidates_OutsideOfCompleteSets) {
+  begin(std::vector<Thing>{});
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(mug_, -2)}, {mug_}));
+  EXPECT_THAT(collector_->beginLastPass(), IsEmpty());
+  end();
+  EXPECT_THAT(objects(), IsEmpty());
+}
+
+TEST_F(RefinementTest, AddsCandidatesThatAreNotRated) {
+  begin(std::vector<Thing>{});
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(look({mug_, box_}));
+  end();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(RefinementTest, StoresViewsOfTheCompleteSet_NotOfItsParts) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  Candidate both = rated(mug_, 3);
+  both.regions.add(RegionId{77});
+  begin({CompleteSet{both.regions, kBestFrame}});
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(mug_, 1)}, {mug_}, 60));
+  EXPECT_EQ(framesOfViews(mug).size(), 1U);
+  static_cast<void>(lookAt({both}, {mug_}, 60));
+  end();
+  EXPECT_EQ(objects().size(), 1U);
+  EXPECT_EQ(framesOfViews(mug).size(), 2U);
+}
+
+TEST_F(RefinementTest, StoresBestView_HoweverPoor_WhenNoOtherIsValid) {
+  constexpr float kPoor = 0.3F;
+  static_cast<void>(study({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  const std::vector<int> before = framesOfViews(objects()[0].id);
+  begin({mug_});
+  compareWith(mapWith(mug_, 0.3));
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(mug_, kPoor)}, {mug_}));
+  EXPECT_THAT(collector_->beginLastPass(), ElementsAre(kBestFrame));
+  collectFrom(kBestFrame, {rated(mug_, kPoor)}, {mug_});
+  end();
+  ASSERT_EQ(objects().size(), 1U);
+  EXPECT_THAT(framesOfViews(objects()[0].id), testing::AllOf(ElementsAre(kBestFrame), testing::Ne(before)));
+}
+
+TEST_F(RefinementTest, AddsNothing_WhenAUserDeletedTheObject) {
+  static_cast<void>(study({mug_}));
+  ASSERT_EQ(objects().size(), 1U);
+  ASSERT_TRUE(person_->remove(std::array{objects()[0].id}));
+  settle();
+  static_cast<void>(collector_->followCatalogue());
+  begin({mug_});
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(mug_, 4)}, {mug_}));
+  static_cast<void>(collector_->beginLastPass());
+  collectFrom(kBestFrame, {rated(mug_, 4)}, {mug_});
+  end();
+  EXPECT_THAT(objects(), IsEmpty());
+}
+
+TEST_F(RefinementTest, NeighboringSetsStayTwoObjects) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing book{5, mug_.place, RegionId{90}};  // books in a row are as near
+  begin({mug_, book});
+  for (int i = 0; i < 2 * kFrames; ++i) static_cast<void>(lookAt({rated(book, 3)}, {book}));
+  for (int i = 0; i < 3; ++i) static_cast<void>(lookAt({rated(mug_, 4)}, {mug_}));
+  EXPECT_EQ(objectOf(mug_), mug);
+  EXPECT_TRUE(objectOf(book));
+  EXPECT_NE(objectOf(book), mug);
+  end();
+  EXPECT_EQ(objects().size(), 2U) << "never seen in one frame, and yet two";
+}
+
+TEST_F(RefinementTest, EqualObjectsStayTwo_HoweverFarApartTheyAreSeen) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  for (int i = 0; i < 200; ++i) static_cast<void>(look({}));
+  const Thing other{mug_.seed, 2, RegionId{77}};
+  begin(std::vector<Thing>{});
+  compareWith(mapWith(mug_, 1));
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(look({other}));
+  end();
+  EXPECT_EQ(objects().size(), 2U);
+  EXPECT_NE(objectOf(other), mug);
+}
+
+TEST_F(RefinementTest, RecognizesWhatTheScanTookForNew_ByOneClearView) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing unlike{9, mug_.place, mug_.region}, another{10, 1, box_.region};
+  beginScan();
+  ASSERT_EQ(study({unlike, another}).added.size(), 2U) << "as the first frames show them";
+  begin({mug_, another});
+  for (int i = 0; i < kFrames; ++i)
+    static_cast<void>(lookAt({rated(mug_, 3), rated(another, 3)}, {mug_, another}));
+  EXPECT_EQ(objectOf(mug_), mug);
+  EXPECT_NE(objectOf(another), mug);
+  end();
+  ASSERT_EQ(objects().size(), 2U);
+  EXPECT_EQ(objects()[0].id, mug) << "it keeps its number";
+}
+
+TEST_F(RefinementTest, RecognizesNoObject_ThatTheMapHasElsewhere) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing unlike{9, 1, box_.region}, second{mug_.seed, 1, box_.region};
+  beginScan();
+  collector_->bind(mug_.region, mug);  // a scan that continues, and has not been back there yet
+  ASSERT_EQ(study({unlike}).added.size(), 1U);
+  begin({second});
+  for (int i = 0; i < kFrames; ++i) static_cast<void>(lookAt({rated(second, 3)}, {second}));
+  EXPECT_NE(objectOf(second), mug);
+  end();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+TEST_F(RefinementTest, RecognizesOneOfTwoEqualObjects) {
+  const ObjectId mug = study({mug_}).added.at(0).id;
+  const Thing unlike{9, 0, mug_.region}, another{10, 1, box_.region}, second{mug_.seed, 1, box_.region};
+  beginScan();
+  ASSERT_EQ(study({unlike, another}).added.size(), 2U);
+  begin({mug_, second});
+  for (int i = 0; i < kFrames; ++i)
+    static_cast<void>(lookAt({rated(mug_, 3), rated(second, 3)}, {mug_, second}));
+  EXPECT_TRUE((objectOf(mug_) == mug) != (objectOf(second) == mug));
+  end();
+  EXPECT_EQ(objects().size(), 2U);
+}
+
+}  // namespace
+}  // namespace scantrove
