@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scan/open_session.h"
+
+namespace scantrove {
+
+/// Of `scantrove session ...`, all its commands.
+struct SessionArguments {
+  std::string folder;
+  std::string device;
+  bool json = false;
+  std::vector<std::uint32_t> regions;
+  std::string name;
+  std::optional<std::string> category;
+  bool undo = false;
+  bool without_catalogue = false;
+  int steps = 1;
+  int frame = 0;
+  std::string pixel;
+  std::vector<std::string> here, there;
+};
+
+/// What a pixel shows: "N:x,y", or "x,y" of `frame`. Error: it is written otherwise, or as OpenSession::at().
+[[nodiscard]] Result<OpenSession::Place> placeOf(OpenSession& session, const std::string& text, int frame);
+
+}  // namespace scantrove

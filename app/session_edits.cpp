@@ -1,0 +1,120 @@
+#include "app/session_edits.h"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "app/command.h"
+#include "app/json_output.h"
+#include "core/base/text.h"
+#include "core/scan/session_catalogue.h"
+
+namespace scantrove {
+namespace {
+
+/// Says what an operation was about, by its regions as they are now.
+Result<void> report(const Result<RegionEditor::Outcome>& outcome, const SessionArguments& arguments) {
+  if (!outcome) return fail(outcome.error());
+  Json regions = Json::array();
+  for (const RegionId region : outcome->regions) regions.push_back(region.value);
+  if (arguments.json) {
+    printJson({{"regions", regions}});
+    return {};
+  }
+  const char* separator = "";
+  for (const RegionId region : outcome->regions) {
+    std::cout << separator << region.value;
+    separator = " ";
+  }
+  std::cout << '\n';
+  return {};
+}
+
+Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
+  Operation operation;
+  operation.kind = kind;
+  operation.name = arguments.name;
+  operation.category = arguments.category.value_or("");
+  operation.on = !arguments.undo;
+  for (const std::uint32_t region : arguments.regions) operation.regions.push_back(RegionId{region});
+  return operation;
+}
+
+/// The session has it; that its catalogue has it not is worth a sentence, and no failure.
+void notifyCatalogue(OpenSession& session, const SessionArguments& arguments) {
+  if (arguments.without_catalogue || catalogueFileOf(session).empty()) return;
+  if (const Result<void> told = followInCatalogue(session); !told)
+    std::cerr << "scantrove: The session has it, but not its catalogue: "
+              << forTerminal(told.error().message()) << '\n';
+}
+
+/// Error: fewer than `steps` operations are in that state. All steps are taken or none.
+Result<void> checkSteps(const OpenSession& session, OperationLog::State state, int steps, const char* verb) {
+  const auto available = std::ranges::count(session.history().entries(), state, &OperationLog::Entry::state);
+  if (available == 0 || available >= steps) return {};  // for none, the operation itself has a message
+  return fail(
+      "Only " + std::to_string(available) + " of " + std::to_string(steps) + " operations can be " + verb +
+          "; nothing was changed.",
+      "Give --steps " + std::to_string(available) + " or fewer; 'scantrove session history' lists them.");
+}
+
+}  // namespace
+
+Result<void> editSession(OpenSession& session, const SessionArguments& arguments, OperationKind kind) {
+  Operation operation = operationOn(kind, arguments);
+  // A new name leaves the category alone unless one is given.
+  if (isNaming(kind) && !arguments.category && !trimmed(arguments.name).empty() && !operation.regions.empty())
+    operation.category = session.noteOf(operation.regions.front()).category;
+  for (const RegionId region : operation.regions) {
+    if (isNaming(kind))
+      session.setMetadata(sessionOnlyKeyOf(region), arguments.without_catalogue ? operation.name : "");
+  }
+  const auto outcome = session.edit(operation);
+  if (outcome) notifyCatalogue(session, arguments);
+  return report(outcome, arguments);
+}
+
+Result<void> cutRegion(OpenSession& session, const SessionArguments& arguments) {
+  Operation operation;
+  operation.kind = OperationKind::cut;
+  for (const auto& [texts, places] : {std::pair(&arguments.here, &operation.here_world),
+                                      std::pair(&arguments.there, &operation.there_world)}) {
+    for (const std::string& text : *texts) {
+      const auto place = placeOf(session, text, arguments.frame);
+      if (!place) return fail(place.error());
+      if (!place->region)
+        return fail("At " + text + " there is no region.", "Point at something that has one.");
+      if (operation.regions.empty()) operation.regions = {place->region};
+      if (operation.regions.front() != place->region) {
+        return fail("At " + text + " there is region " + std::to_string(place->region.value) +
+                        ", not region " + std::to_string(operation.regions.front().value) +
+                        ": they are two already.",
+                    "Point at two places of one region.");
+      }
+      places->push_back(place->point_world);
+    }
+  }
+  return report(session.edit(operation), arguments);
+}
+
+Result<void> undoEdits(OpenSession& session, const SessionArguments& arguments) {
+  SCANTROVE_TRY(checkSteps(session, OperationLog::State::done, arguments.steps, "undone"));
+  Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
+  for (int i = 0; i < arguments.steps && outcome; ++i) {
+    outcome = session.undo();
+    if (outcome) notifyCatalogue(session, arguments);
+  }
+  return report(outcome, arguments);
+}
+
+Result<void> redoEdits(OpenSession& session, const SessionArguments& arguments) {
+  SCANTROVE_TRY(checkSteps(session, OperationLog::State::undone, arguments.steps, "redone"));
+  Result<RegionEditor::Outcome> outcome = RegionEditor::Outcome{};
+  for (int i = 0; i < arguments.steps && outcome; ++i) {
+    outcome = session.redo();
+    if (outcome) notifyCatalogue(session, arguments);
+  }
+  return report(outcome, arguments);
+}
+
+}  // namespace scantrove
