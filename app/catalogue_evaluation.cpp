@@ -56,7 +56,7 @@ Result<std::vector<Entry>> readEntries(ObjectDatabase& database, std::int64_t& s
   session = 0;
   for (const ObjectRecord& record : *records) {
     Entry entry{record, {}};
-    SCANTROVE_TRY(moveInto(entry.views, database.views(record.id)));
+    SCANTROVE_TRY(moveInto(entry.views, database.views().of(record.id)));
     for (const ObjectView& view : entry.views) session = std::max(session, view.session);
     entries.push_back(std::move(entry));
   }

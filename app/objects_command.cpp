@@ -95,7 +95,7 @@ Result<void> list(ObjectDatabase& database, const ObjectsCommand& command) {
 Result<void> show(ObjectDatabase& database, const ObjectsCommand& command) {
   const auto object = findObject(database, command.object);
   if (!object) return fail(object.error());
-  const auto views = database.views(object->id);
+  const auto views = database.views().of(object->id);
   if (!views) return fail(views.error());
   if (command.json) {
     Json json = toJson(*object);

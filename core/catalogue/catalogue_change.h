@@ -1,51 +1,42 @@
 #pragma once
 #include <cstdint>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/catalogue/object_record.h"
 
 namespace scantrove {
 
-/// What can happen to the catalogue, by a scan, a person or another program.
-namespace change {
-struct Added {
-  ObjectId object;
-};
-struct ViewAdded {
-  ObjectId object;  ///< who held the view when it was stored
-  std::int64_t view = 0;
-};
-struct Renamed {
-  ObjectId object;
-  std::string name;
-};
-struct Confirmed {
-  ObjectId object;
-  bool confirmed = false;
-};
-struct Removed {
-  ObjectId object;
-};
-struct Restored {
-  ObjectId object;
-};
-struct Merged {
-  ObjectId into, from;
-};
-struct Unmerged {
-  ObjectId into, from;
-};
-/// Some of its views are no longer of it.
-struct ViewsDiscarded {
-  ObjectId object;
-};
-}  // namespace change
+/// One change of one object. CatalogueModel decides changes, the database keeps them as its events, running
+/// scans and the window follow them.
+struct CatalogueChange {
+  enum class Kind : std::uint8_t {
+    added,
+    view_added,
+    renamed,
+    confirmed,
+    unconfirmed,
+    removed,
+    restored,
+    merged,
+    unmerged,
+    views_discarded  ///< some of its views are no longer of it
+  };
+  Kind kind = Kind::added;
+  ObjectState before, after;  ///< of one object; of added objects and of views no more than the id is known
+  std::int64_t view = 0;      ///< of view_added
+  ObjectId part = {};         ///< of views_discarded by an unmerge: what they are of now
 
-using CatalogueChange =
-    std::variant<change::Added, change::ViewAdded, change::Renamed, change::Confirmed, change::Removed,
-                 change::Restored, change::Merged, change::Unmerged, change::ViewsDiscarded>;
+  [[nodiscard]] ObjectId object() const { return after.id; }
+  /// The other object of merged and unmerged; none: there is no other.
+  [[nodiscard]] ObjectId mergeTarget() const {
+    return kind == Kind::unmerged ? before.merged_into : after.merged_into;
+  }
+  /// Views have changed hands, or an object was deleted or restored.
+  [[nodiscard]] bool movesViews() const {
+    return kind == Kind::removed || kind == Kind::restored || kind == Kind::merged || kind == Kind::unmerged;
+  }
+};
 
 /// Changes in the order in which the database took them.
 struct CatalogueChanges {

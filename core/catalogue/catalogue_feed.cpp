@@ -1,61 +1,40 @@
 #include "core/catalogue/catalogue_feed.h"
 
-#include <variant>
+#include <algorithm>
 #include <vector>
 
 namespace scantrove {
 
-/// What some changes ask for.
-struct CatalogueFeed::Effects {
+/// What some changes of the database are about. What the scan did itself is taken out.
+struct CatalogueFeed::Following {
   const CatalogueFeed& feed;
   std::set<ObjectId> first_views = feed.first_views_;                          ///< that are still to come
   std::multiset<std::pair<ObjectId, ObjectId>> own_merges = feed.own_merges_;  ///< likewise
-  std::set<ObjectId> changed = {};  ///< whose records are to be read again
-  std::vector<ObjectId> regrouped = {};
-  bool merge_roots = false;  ///< views have gone from one object to another, or to none
-  bool views = false;        ///< there are more
   std::vector<std::int64_t> own_first_views = {};
-  std::vector<ObjectId> added = {};
-  std::vector<std::pair<ObjectId, ObjectId>> unmerged = {};
+  std::vector<CatalogueChange> changes = {};  ///< by others
 
-  void operator()(const change::Added& e) {
-    if (feed.own_objects_.contains(e.object)) return;
-    changed.insert(e.object);
-    added.push_back(e.object);
-  }
-  void operator()(const change::ViewAdded& e) {
-    if (first_views.erase(e.object) > 0) {  // stored with the object
-      own_first_views.push_back(e.view);
-      return;
-    }
-    if (feed.own_views_.contains(e.view)) return;
-    changed.insert(e.object);
-    views = true;
-  }
-  void operator()(const change::Renamed& e) { changed.insert(e.object); }
-  void operator()(const change::Confirmed& e) { changed.insert(e.object); }
-  void operator()(const change::ViewsDiscarded& e) { changed.insert(e.object); }
-  void operator()(const change::Removed& e) { regroup(e.object); }
-  void operator()(const change::Restored& e) { regroup(e.object); }
-  void operator()(const change::Merged& e) {
-    if (const auto own = own_merges.find({e.into, e.from}); own != own_merges.end()) {
-      own_merges.erase(own);
-      return;
-    }
-    regroup(e.into);
-    regroup(e.from);
-  }
-  void operator()(const change::Unmerged& e) {
-    regroup(e.into);
-    regroup(e.from);
-    unmerged.push_back(std::minmax(e.into, e.from));
+  void operator()(const CatalogueChange& change) {
+    if (!isOwn(change)) changes.push_back(change);
   }
 
  private:
-  void regroup(ObjectId object) {
-    changed.insert(object);
-    regrouped.push_back(object);
-    merge_roots = true;
+  bool isOwn(const CatalogueChange& change) {
+    switch (change.kind) {
+      case CatalogueChange::Kind::added:
+        return feed.own_objects_.contains(change.object());
+      case CatalogueChange::Kind::view_added:
+        if (first_views.erase(change.object()) == 0) return feed.own_views_.contains(change.view);
+        own_first_views.push_back(change.view);  // stored with the object
+        return true;
+      case CatalogueChange::Kind::merged: {
+        const auto own = own_merges.find({change.mergeTarget(), change.object()});
+        if (own == own_merges.end()) return false;
+        own_merges.erase(own);
+        return true;
+      }
+      default:
+        return false;
+    }
   }
 };
 
@@ -64,23 +43,31 @@ void CatalogueFeed::expectMerge(const ObjectMerge& merge) {
 }
 
 Result<CatalogueEdits> CatalogueFeed::follow() {
-  const Result<CatalogueChanges> news = database_.changesAfter(position_.event);
-  if (!news) return fail(news.error());
-  Effects effects{*this};
-  for (const CatalogueChange& change : news->changes) std::visit(effects, change);
+  const Result<CatalogueChanges> changes = database_.changesAfter(position_.event);
+  if (!changes) return fail(changes.error());
+  Following following{*this};
+  for (const CatalogueChange& change : changes->changes) following(change);
   CatalogueEdits edits;
-  CataloguePosition now{news->last_event, position_.view};
-  if (effects.merge_roots) SCANTROVE_TRY(moveInto(edits.merge_roots, database_.mergeRoots()));
-  for (const ObjectId object : effects.changed) SCANTROVE_TRY(readRecord(object, edits));
-  own_views_.insert(effects.own_first_views.begin(), effects.own_first_views.end());
-  if (effects.views) SCANTROVE_TRY(readViews(edits, now.view));
-  edits.added = std::move(effects.added);
-  edits.unmerged = std::move(effects.unmerged);
-  edits.regrouped = std::move(effects.regrouped);
+  edits.changes = std::move(following.changes);
+  CataloguePosition now{changes->last_event, position_.view};
+  if (std::ranges::any_of(edits.changes, &CatalogueChange::movesViews)) SCANTROVE_TRY(readObjects(edits));
+  std::set<ObjectId> changed;
+  bool has_views = false;
+  for (const CatalogueChange& change : edits.changes) {
+    changed.insert(change.object());
+    if (change.mergeTarget()) changed.insert(change.mergeTarget());
+    has_views = has_views || change.kind == CatalogueChange::Kind::view_added;
+  }
+  for (const ObjectId object : changed) SCANTROVE_TRY(readRecord(object, edits));
+  own_views_.insert(following.own_first_views.begin(), following.own_first_views.end());
+  if (has_views) SCANTROVE_TRY(readViews(edits, now.view));
   // All was read: from here on nothing fails.
-  kept_apart_.insert(edits.unmerged.begin(), edits.unmerged.end());
-  first_views_ = std::move(effects.first_views);
-  own_merges_ = std::move(effects.own_merges);
+  for (const CatalogueChange& change : edits.changes) {
+    if (change.kind == CatalogueChange::Kind::unmerged)
+      kept_apart_.insert(std::minmax(change.object(), change.mergeTarget()));
+  }
+  first_views_ = std::move(following.first_views);
+  own_merges_ = std::move(following.own_merges);
   std::erase_if(own_views_, [&](std::int64_t view) { return view <= now.view; });
   position_ = now;
   return edits;
@@ -88,7 +75,7 @@ Result<CatalogueEdits> CatalogueFeed::follow() {
 
 Result<CatalogueEdits> CatalogueFeed::reread(std::span<const ObjectId> objects) {
   CatalogueEdits edits;
-  SCANTROVE_TRY(moveInto(edits.merge_roots, database_.mergeRoots()));
+  SCANTROVE_TRY(readObjects(edits));
   for (const ObjectId object : objects) SCANTROVE_TRY(readRecord(object, edits));
   return edits;
 }
@@ -100,16 +87,22 @@ Result<void> CatalogueFeed::readRecord(ObjectId object, CatalogueEdits& edits) {
     return {};
   }
   // It cannot be read because it is hidden?
-  const Result<ObjectId> root = database_.resolve(object);
-  if (!root || *root == object) return fail(record.error());
-  edits.hidden.push_back(object);
+  const Result<ObjectId> root = database_.mergeRoot(object);
+  return root && *root != object ? Result<void>() : fail(record.error());
+}
+
+Result<void> CatalogueFeed::readObjects(CatalogueEdits& edits) {
+  const Result<CatalogueModel> model = database_.model();
+  if (!model) return fail(model.error());
+  for (const auto& [id, object] : model->objects()) edits.objects.push_back(object);
   return {};
 }
 
 Result<void> CatalogueFeed::readViews(CatalogueEdits& edits, std::int64_t& last_view) {
-  return moveInto(last_view, database_.forEachDescriptor(last_view, [&](const StoredDescriptor& view) {
-    if (!own_views_.contains(view.view)) edits.views.push_back(view);
-  }));
+  return moveInto(last_view,
+                  database_.views().forEachDescriptor(last_view, [&](const StoredDescriptor& view) {
+                    if (!own_views_.contains(view.view)) edits.views.push_back(view);
+                  }));
 }
 
 }  // namespace scantrove

@@ -26,24 +26,26 @@ class CatalogueFeed {
   void expectView(std::int64_t view) { own_views_.insert(view); }
   void expectMerge(const ObjectMerge& merge);
 
-  /// Far below a millisecond when nothing happened, or when a person renamed or confirmed. On an error
+  /// Far below a millisecond when nothing happened, or when a user renamed or confirmed. On an error
   /// nothing is lost: the next call goes on.
   [[nodiscard]] Result<CatalogueEdits> follow();
 
   /// How far the catalogue was followed.
   [[nodiscard]] CataloguePosition position() const { return position_; }
 
-  /// Who holds what, and the records of some objects, as they are now.
+  /// The states of all objects and the records of some, as they are now.
   [[nodiscard]] Result<CatalogueEdits> reread(std::span<const ObjectId> objects);
 
-  /// A person took a merge of these two back (by what was followed).
+  /// A user undid a merge of these two (by what was followed).
   [[nodiscard]] bool areKeptApart(ObjectId a, ObjectId b) const {
     return kept_apart_.contains(std::minmax(a, b));
   }
 
  private:
-  struct Effects;
+  struct Following;
+  /// Nothing of a hidden object.
   [[nodiscard]] Result<void> readRecord(ObjectId object, CatalogueEdits& edits);
+  [[nodiscard]] Result<void> readObjects(CatalogueEdits& edits);
   [[nodiscard]] Result<void> readViews(CatalogueEdits& edits, std::int64_t& last_view);
 
   ObjectDatabase& database_;

@@ -72,7 +72,7 @@ ObjectId CatalogueJobs::idOf(ObjectId object) const {
 Result<CatalogueJobs::News> CatalogueJobs::execute(const job::BeginSession& /*job*/) {
   session_ = options_.session;
   if (session_ != 0) return News{};
-  SCANTROVE_TRY(moveInto(session_, database_->beginSession(options_.source, options_.camera)));
+  SCANTROVE_TRY(moveInto(session_, database_->sessions().begin(options_.source, options_.camera)));
   return News{};
 }
 
@@ -95,7 +95,7 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(job::AddView& job) {
   ObjectId root;
   bool is_deleted = false;
   const auto check = [&]() -> Result<void> {
-    SCANTROVE_TRY(moveInto(root, database_->resolve(object)));
+    SCANTROVE_TRY(moveInto(root, database_->mergeRoot(object)));
     is_deleted = !root;
     return is_deleted ? Result<void>(fail("Its object was deleted.")) : Result<void>();
   };
@@ -148,7 +148,7 @@ Result<std::vector<ObjectId>> CatalogueJobs::mergeRootsOf(const job::Merge& job)
   for (const ObjectId key : {job.a, job.b}) {
     const ObjectId object = idOf(key);
     if (!object) continue;
-    const Result<ObjectId> root = database_->resolve(object);
+    const Result<ObjectId> root = database_->mergeRoot(object);
     if (!root) return fail(root.error());
     if (*root && (merge_roots.empty() || merge_roots.front() != *root)) merge_roots.push_back(*root);
   }
@@ -161,12 +161,9 @@ Result<bool> CatalogueJobs::mayMerge(const std::vector<ObjectId>& pair) {
   if (!edits) return fail(edits.error());
   if (!edits->isEmpty()) notify_({news::Edited{std::move(*edits)}});
   if (feed_->areKeptApart(pair[0], pair[1])) return false;
-  for (const ObjectId object : pair) {
-    const Result<ObjectRecord> record = database_->object(object);
-    if (!record) return fail(record.error());
-    if (!isSettled(*record)) return true;
-  }
-  return false;
+  const Result<CatalogueModel> catalogue = database_->model();
+  if (!catalogue) return fail(catalogue.error());
+  return catalogue->mayMerge(pair[0], pair[1]);
 }
 
 CatalogueJobs::News CatalogueJobs::withRecords(CatalogueNews news, std::span<const ObjectId> objects) {
@@ -179,12 +176,12 @@ CatalogueJobs::News CatalogueJobs::withRecords(CatalogueNews news, std::span<con
 Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Name& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{news::NameDropped{job.object, std::nullopt}};
-  const Result<ObjectId> root = database_->resolve(object);
+  const Result<ObjectId> root = database_->mergeRoot(object);
   if (!root) return fail(root.error());
   if (!*root) return News{news::NameDropped{job.object, std::nullopt}};
   if (overruled_.contains(job.again))
     return withRecords(news::NameDropped{job.object, std::nullopt}, std::array{object, *root});
-  const Result<ObjectNaming> naming = database_->nameByPerson(*root, job.name);
+  const Result<ObjectNaming> naming = database_->nameByUser(*root, job.name);
   if (!naming) return fail(naming.error());
   if (!naming->object) {
     return withRecords(
@@ -204,7 +201,7 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(const job::TakeNameBack& job)
   const auto found = namings_.find(job.naming);
   if (found == namings_.end()) return News{};  // it was dropped
   const ObjectNaming naming = found->second;
-  const Result<bool> done = database_->takeNameBack(naming);
+  const Result<bool> done = database_->revertNaming(naming);
   if (!done) return fail(done.error());
   if (!*done) overruled_.insert(job.naming);
   namings_.erase(found);
@@ -227,7 +224,7 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Withdraw& job) {
 Result<CatalogueJobs::News> CatalogueJobs::execute(const job::DiscardViews& job) {
   const ObjectId object = idOf(job.object);
   if (!object) return News{};
-  const Result<ObjectId> root = database_->resolve(object);
+  const Result<ObjectId> root = database_->mergeRoot(object);
   if (!root) return fail(root.error());
   if (!*root) return News{};  // it was deleted
   const Result<bool> is_removed = database_->discardViews(object, session_, job.frames);
@@ -237,7 +234,7 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(const job::DiscardViews& job)
 }
 
 Result<CatalogueJobs::News> CatalogueJobs::execute(const job::EndSession& /*job*/) {
-  SCANTROVE_TRY(database_->endSession(session_));
+  SCANTROVE_TRY(database_->sessions().end(session_));
   // The last word on what this scan did; what cannot be read now is as it was known.
   News news;
   Result<CatalogueEdits> edits = feed_->follow();

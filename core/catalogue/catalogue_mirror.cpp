@@ -6,6 +6,7 @@
 
 namespace scantrove {
 namespace {
+
 /// Room for what a long scan adds, so that nothing is copied in the middle of it.
 constexpr int kViewsOfAScan = 2048;
 
@@ -17,34 +18,26 @@ float middleOf(std::vector<float>& values) {
   return (below + values[half]) / 2;
 }
 
-/// As ObjectDatabase::merge chooses who holds the views of both.
-bool holdsBoth(const ObjectRecord& first, const ObjectRecord& second) {
-  const auto said = [](const ObjectRecord& record) {
-    return std::pair(record.named_by == NamedBy::person, record.confirmed);
-  };
-  return said(first) != said(second) ? said(first) > said(second) : first.id < second.id;
-}
-
 }  // namespace
 
-void CatalogueMirror::continueSession(Continued from) {
-  session_ = from.session;
-  next_key_ = from.next_key;
-  for (const auto& [key, id] : from.ids) {
+CatalogueMirror::Continued CatalogueMirror::continued() const {
+  return {session_, next_key_, {ids_.begin(), ids_.end()}, model_.keptApart(), regrouped_};
+}
+
+void CatalogueMirror::continueSession(Continued earlier) {
+  session_ = earlier.session;
+  next_key_ = earlier.next_key;
+  for (const auto& [key, id] : earlier.ids) {
     ids_[key] = id;
     keys_[id] = key;
   }
-  kept_apart_ = std::move(from.kept_apart);
-  regrouped_ = std::move(from.regrouped);
-}
-
-CatalogueMirror::Continued CatalogueMirror::continued() const {
-  return {session_, next_key_, {ids_.begin(), ids_.end()}, kept_apart_, regrouped_};
+  for (const auto& [a, b] : earlier.kept_apart) model_.keepApart(a, b);
+  regrouped_ = std::move(earlier.regrouped);
 }
 
 Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
   CataloguePosition position;
-  // What happens while this reads is told again by the changes after this one.
+  // What happens while this reads is among the changes after this one again.
   SCANTROVE_TRY(moveInto(position.event, database.lastEvent()));
   Result<std::vector<ObjectRecord>> objects = database.objects();
   if (!objects) return fail(objects.error());
@@ -53,15 +46,16 @@ Result<CataloguePosition> CatalogueMirror::load(ObjectDatabase& database) {
     record.id = keyOf(record.id);
     records_.emplace(record.id, std::move(record));
   }
-  const Result<std::vector<MergeRoot>> merge_roots = database.mergeRoots();
-  if (!merge_roots) return fail(merge_roots.error());
-  for (const MergeRoot& entry : *merge_roots) setMergeRoot(keyOf(entry.object), keyOf(entry.root));
-  const Result<int> views = database.viewCount();
+  const Result<CatalogueModel> model = database.model();
+  if (!model) return fail(model.error());
+  for (const auto& [id, object] : model->objects()) put(object);
+  updateRoots();
+  const Result<int> views = database.views().count();
   if (!views) return fail(views.error());
   detector_.reserve(*views + kViewsOfAScan);
-  SCANTROVE_TRY(moveInto(position.view, database.forEachDescriptor(0, [this](const StoredDescriptor& view) {
-    addDescriptor(view);
-  })));
+  SCANTROVE_TRY(moveInto(
+      position.view,
+      database.views().forEachDescriptor(0, [this](const StoredDescriptor& view) { addDescriptor(view); })));
   return position;
 }
 
@@ -90,14 +84,40 @@ ObjectId CatalogueMirror::keyOf(ObjectId id) const {
   return found == keys_.end() ? id : found->second;
 }
 
-void CatalogueMirror::setMergeRoot(ObjectId object, ObjectId root) {
-  objects_.insert(object);
-  detector_.setMergeRoot({object, root});
+void CatalogueMirror::put(const ObjectState& of_database) {
+  ObjectState object = of_database;
+  object.id = keyOf(object.id);
+  object.merged_into = keyOf(object.merged_into);
+  model_.put(std::move(object));
 }
 
-void CatalogueMirror::regroup(ObjectId from, ObjectId into) {
-  for (const ObjectId object : objects_) {
-    if (mergeRootOf(object) == from) detector_.setMergeRoot({object, into});
+void CatalogueMirror::setHidden(ObjectId object) {
+  ObjectState hidden;
+  hidden.id = object;
+  hidden.hidden = true;
+  model_.put(std::move(hidden));
+  detector_.setMergeRoot({object, {}});
+  records_.erase(object);
+}
+
+void CatalogueMirror::updateRoots() {
+  for (const auto& [object, state] : model_.objects())
+    detector_.setMergeRoot({object, model_.mergeRoot(object)});
+}
+
+void CatalogueMirror::followModel() {
+  for (const CatalogueChange& change : model_.takeChanges()) {
+    const ObjectState& object = change.after;
+    if (change.kind == CatalogueChange::Kind::merged) {
+      join(object.merged_into, object.id);
+    } else if (object.hidden) {
+      detector_.setMergeRoot({object.id, {}});
+      records_.erase(object.id);
+    } else if (const auto found = records_.find(object.id); found != records_.end()) {
+      found->second.name = object.name;
+      found->second.named_by = object.named_by;
+      found->second.confirmed = object.confirmed;
+    }
   }
 }
 
@@ -137,7 +157,10 @@ int CatalogueMirror::viewsToCome(ObjectId root) const {
 
 void CatalogueMirror::add(const ObjectView& first_view) {
   const ObjectId key = first_view.object;
-  setMergeRoot(key, key);
+  ObjectState object;
+  object.id = key;
+  model_.put(std::move(object));
+  detector_.setMergeRoot({key, key});
   ObjectRecord record;
   record.id = key;
   record.size_m = first_view.size_m;
@@ -157,25 +180,25 @@ void CatalogueMirror::addView(const ObjectView& view) {
 
 void CatalogueMirror::merge(ObjectId a, ObjectId b) {
   merges_to_come_.emplace_back(a, b);
-  const bool first_holds = holdsBoth(records_.at(a), records_.at(b));
-  join(first_holds ? a : b, first_holds ? b : a);
+  static_cast<void>(model_.merge(std::array{a, b}));
+  followModel();
 }
 
 void CatalogueMirror::join(ObjectId into, ObjectId from) {
-  const ObjectRecord other = records_.at(from);
-  regroup(from, into);
-  records_.erase(from);
-  ObjectRecord& record = records_.at(into);
-  record.views += other.views;
-  record.confirmed = record.confirmed || other.confirmed;
+  for (const auto& [object, state] : model_.objects()) {
+    if (mergeRootOf(object) == from) detector_.setMergeRoot({object, into});
+  }
+  const auto other = records_.extract(from);
+  const auto found = records_.find(into);
+  if (found == records_.end()) return;
+  ObjectRecord& record = found->second;
+  if (!other.empty()) record.views += other.mapped().views;
   if (const Eigen::Vector3f size_m = sizeOf(into); !size_m.isZero()) record.size_m = size_m;
 }
 
 const ObjectRecord* CatalogueMirror::named(const std::string& name) const {
-  for (const auto& [key, record] : records_) {
-    if (record.name == name) return &record;
-  }
-  return nullptr;
+  const ObjectState* object = model_.named(name);
+  return object != nullptr ? record(object->id) : nullptr;
 }
 
 void CatalogueMirror::name(ObjectId object, const std::string& name) {
@@ -183,31 +206,26 @@ void CatalogueMirror::name(ObjectId object, const std::string& name) {
   applyName(object, name);
 }
 
+void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
+  if (!mergeRootOf(object)) return;
+  static_cast<void>(model_.nameByUser(object, name));
+  followModel();
+}
+
 void CatalogueMirror::withdraw(ObjectId object) {
-  const bool holds_others = std::ranges::any_of(
-      objects_, [&](ObjectId other) { return other != object && mergeRootOf(other) == object; });
-  if (holds_others || mergeRootOf(object) != object) return;
-  setMergeRoot(object, {});
-  records_.erase(object);
+  const ObjectState* named = model_.visible(object);
+  if (named == nullptr) return;
+  const ObjectState before = *named;
+  ObjectState made = before;
+  made.named_by = NamedBy::program;
+  made.confirmed = false;
+  model_.put(std::move(made));
+  if (!model_.withdraw(object).value_or(false)) return model_.put(before);
+  followModel();
   std::erase_if(names_to_come_, [object](const auto& name) { return name.first == object; });
 }
 
-void CatalogueMirror::applyName(ObjectId object, const std::string& name) {
-  auto own = records_.find(mergeRootOf(object));
-  if (own == records_.end()) return;
-  const ObjectRecord* other = named(name);
-  if (other != nullptr && other->id != own->first) {
-    if (isSettled(own->second)) return;
-    const ObjectId into = other->id;
-    join(into, own->first);
-    own = records_.find(into);
-  }
-  own->second.name = name;
-  own->second.named_by = NamedBy::person;
-  own->second.confirmed = true;
-}
-
-/// One piece of news.
+/// One event of the writer.
 struct CatalogueMirror::Applied {
   CatalogueMirror& mirror;
 
@@ -221,12 +239,16 @@ struct CatalogueMirror::Applied {
       found->second.first_session = e.record.first_session;
       found->second.first_session_name = e.record.first_session_name;
     }
+    if (const ObjectState* known = mirror.model_.find(e.key)) {
+      ObjectState object = *known;
+      object.name = e.record.name;
+      mirror.model_.put(std::move(object));
+    }
     mirror.applyToCome();
     settleView(e.key);
   }
   void operator()(const news::ObjectRefused& e) const {
-    mirror.setMergeRoot(e.key, {});
-    mirror.records_.erase(e.key);
+    mirror.setHidden(e.key);
     mirror.views_to_come_.erase(e.key);
   }
   void operator()(const news::ViewStored& e) const { settleView(e.key); }
@@ -242,14 +264,17 @@ struct CatalogueMirror::Applied {
       const ObjectId from = mirror.keyOf(from_id);
       const bool is_into_here = mirror.record(into) != nullptr, is_from_here = mirror.record(from) != nullptr;
       if (is_into_here && is_from_here) {  // an edit came in between
+        hide(from, into);
         mirror.join(into, from);
+        mirror.records_.at(into).confirmed = mirror.model_.find(into)->confirmed;
       } else if (is_from_here && e.root) {  // the database chose the other one
-        mirror.regroup(from, into);
-        mirror.records_.erase(from);
+        hide(from, into);
         ObjectRecord record = *e.root;
         record.id = into;
-        record.views += mirror.viewsToCome(into);
-        mirror.records_[into] = std::move(record);
+        mirror.putRecord(std::move(record));
+        mirror.updateRoots();
+        mirror.records_.erase(from);
+        mirror.records_.at(into).views += mirror.viewsToCome(into);
       }
     }
   }
@@ -262,6 +287,18 @@ struct CatalogueMirror::Applied {
   void operator()(const news::Failed&) const {}
 
  private:
+  /// `from` is part of `into`, as the database says.
+  void hide(ObjectId from, ObjectId into) const {
+    ObjectState part = *mirror.model_.find(from);
+    part.hidden = true;
+    part.merged_into = into;
+    if (const ObjectState* known = mirror.model_.visible(into); known != nullptr && part.confirmed) {
+      ObjectState root = *known;
+      root.confirmed = true;
+      mirror.model_.put(std::move(root));
+    }
+    mirror.model_.put(std::move(part));
+  }
   void settleView(ObjectId key) const {
     const auto found = mirror.views_to_come_.find(key);
     if (found != mirror.views_to_come_.end() && --found->second == 0) mirror.views_to_come_.erase(found);
@@ -276,29 +313,45 @@ struct CatalogueMirror::Applied {
 
 void CatalogueMirror::apply(const CatalogueNews& news) { std::visit(Applied{*this}, news); }
 
+void CatalogueMirror::putRecord(ObjectRecord record) {
+  model_.put({record.id, record.name, record.named_by, record.confirmed, false, {}});
+  records_[record.id] = std::move(record);
+}
+
 void CatalogueMirror::edit(const CatalogueEdits& edits) {
-  for (const ObjectId object : edits.added) setMergeRoot(keyOf(object), keyOf(object));
-  for (const MergeRoot& entry : edits.merge_roots) setMergeRoot(keyOf(entry.object), keyOf(entry.root));
-  for (const ObjectId object : edits.hidden) records_.erase(keyOf(object));
+  for (const CatalogueChange& change : edits.changes) {
+    const ObjectId object = keyOf(change.object()), other = keyOf(change.mergeTarget());
+    if (change.kind == CatalogueChange::Kind::added) {
+      put(change.after);
+      detector_.setMergeRoot({object, object});
+    }
+    if (change.kind == CatalogueChange::Kind::unmerged) model_.keepApart(object, other);
+    if (!change.movesViews()) continue;
+    regrouped_.insert(object);
+    if (other) regrouped_.insert(other);
+  }
+  for (const ObjectState& object : edits.objects) put(object);
+  if (!edits.objects.empty()) {
+    updateRoots();
+    std::erase_if(records_, [this](const auto& entry) { return model_.visible(entry.first) == nullptr; });
+  }
   for (const StoredDescriptor& view : edits.views) addDescriptor(view);
   for (const ObjectRecord& read : edits.records) {
     ObjectRecord record = read;
     record.id = keyOf(read.id);
     if (mergeRootOf(record.id) != record.id) continue;  // merged here, and not yet there
     record.views += viewsToCome(record.id);
-    records_[record.id] = std::move(record);
+    putRecord(std::move(record));
   }
-  for (const auto& [a, b] : edits.unmerged) kept_apart_.insert(std::minmax(keyOf(a), keyOf(b)));
-  for (const ObjectId object : edits.regrouped) regrouped_.insert(keyOf(object));
   applyToCome();
 }
 
 void CatalogueMirror::applyToCome() {
   for (const auto& [a, b] : merges_to_come_) {
-    const ObjectRecord *first = record(mergeRootOf(a)), *second = record(mergeRootOf(b));
-    if (first == nullptr || second == nullptr || first == second) continue;
-    const bool first_holds = holdsBoth(*first, *second);
-    join(first_holds ? first->id : second->id, first_holds ? second->id : first->id);
+    const ObjectId first = mergeRootOf(a), second = mergeRootOf(b);
+    if (!first || !second || first == second) continue;
+    static_cast<void>(model_.merge(std::array{first, second}));
+    followModel();
   }
   for (const auto& [object, name] : names_to_come_) applyName(object, name);
 }

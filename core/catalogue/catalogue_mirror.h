@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_model.h"
 #include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/detector.h"
 #include "core/catalogue/known_layouts.h"
@@ -15,9 +16,10 @@
 
 namespace scantrove {
 
-/// The catalogue as a scan knows it: the visible objects' records, who holds what, and all views in the
-/// detector. Read once; then what the scan finds is here at once, and stored by another thread
-/// (CatalogueWriter), whose news say what became of it and what others did. One thread, the worker's.
+/// The catalogue as a running scan knows it: a CatalogueModel of all objects, the records of the visible
+/// ones, and all views in the detector. Read once; then what the scan finds is here at once, and stored by
+/// another thread (CatalogueWriter), whose events say what became of it and what others did. One thread, the
+/// worker's.
 ///
 /// An object that this scan finds has a key of its own for as long as the scan lasts, whenever the database
 /// gives it an id: what a scan does never depends on when that is. All ids here are such keys; for objects
@@ -37,28 +39,25 @@ class CatalogueMirror {
     std::set<ObjectId> regrouped;                        ///< users brought back, merged or split
   };
   /// Before load().
-  void continueSession(Continued from);
+  void continueSession(Continued earlier);
   /// Of this scan, so far; but for its session.
   [[nodiscard]] Continued continued() const;
 
-  /// Reads all of `database`; returns where the news go on.
+  /// Reads all of `database`; returns where its events go on.
   [[nodiscard]] Result<CataloguePosition> load(ObjectDatabase& database);
 
+  [[nodiscard]] const CatalogueModel& model() const { return model_; }
   /// The record of a visible object, or null. Its id is the key.
   [[nodiscard]] const ObjectRecord* record(ObjectId object) const;
-  /// The record of who holds the object, or null.
+  /// The record of what the object is now, after merges, or null.
   [[nodiscard]] const ObjectRecord* currentRecord(ObjectId object) const {
     return record(mergeRootOf(object));
   }
   /// The visible objects that this scan has not found, rising.
   [[nodiscard]] std::vector<ObjectId> ofBefore() const;
-  /// Who holds what was this object's; none: it was deleted.
+  /// CatalogueModel::mergeRoot(), by index.
   [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const { return detector_.mergeRootOf(object); }
-  /// A person took a merge of these two back.
-  [[nodiscard]] bool areKeptApart(ObjectId a, ObjectId b) const {
-    return kept_apart_.contains(std::minmax(a, b));
-  }
-  /// Others brought it back, merged it, or took it apart.
+  /// Others deleted, restored or merged it, or undid a merge.
   [[nodiscard]] bool isRegrouped(ObjectId object) const { return regrouped_.contains(object); }
   [[nodiscard]] Detector& detector() { return detector_; }
   /// Where earlier scans saw what is in it.
@@ -77,23 +76,19 @@ class CatalogueMirror {
   [[nodiscard]] ObjectId nextKey() { return ObjectId{next_key_++}; }
   /// An unknown object, by the key `first_view.object`.
   void add(const ObjectView& first_view);
-  /// Another view of view.object, which somebody holds.
+  /// Another view of view.object, or of what that was merged into.
   void addView(const ObjectView& view);
-  /// Two visible objects are one. Who holds the views is what the database will say, unless somebody changes
-  /// one of the two just now.
+  /// Two visible objects are one.
   void merge(ObjectId a, ObjectId b);
-
-  /// A person calls the object so, which confirms it. Where another one that the catalogue has is called so,
-  /// it becomes part of that, unless persons said what each is: then nothing changes.
+  /// CatalogueModel::nameByUser().
   void name(ObjectId object, const std::string& name);
   /// The visible object of that name, or null.
   [[nodiscard]] const ObjectRecord* named(const std::string& name) const;
-
-  /// An object that was made for something which a person took back is none any more, unless others are part
-  /// of it.
+  /// An object that was made for an operation of a user, who undid it: it is none any more, unless others are
+  /// part of it. Its names were part of that operation.
   void withdraw(ObjectId object);
   /// Whether there is or was such an object.
-  [[nodiscard]] bool hasHad(ObjectId object) const { return objects_.contains(object); }
+  [[nodiscard]] bool hasHad(ObjectId object) const { return model_.find(object) != nullptr; }
 
   /// What the database made of it, and what others did.
   void apply(const CatalogueNews& news);
@@ -101,14 +96,18 @@ class CatalogueMirror {
  private:
   struct Applied;
 
-  void setMergeRoot(ObjectId object, ObjectId root);
-  /// All that `from` holds is `into`'s now.
-  void regroup(ObjectId from, ObjectId into);
+  void put(const ObjectState& of_database);
+  void setHidden(ObjectId object);
+  /// All roots, after states have come from the database.
+  void updateRoots();
+  /// Records and roots follow what the model's operations changed.
+  void followModel();
   void join(ObjectId into, ObjectId from);
   void addDescriptor(const StoredDescriptor& view);
   void addSize(ObjectId object, const Eigen::Vector3f& size_m);
+  void putRecord(ObjectRecord record);
   [[nodiscard]] Eigen::Vector3f sizeOf(ObjectId root) const;
-  /// Views that the holder has and the database does not have yet.
+  /// Views that the object has and the database does not have yet.
   [[nodiscard]] int viewsToCome(ObjectId root) const;
   void edit(const CatalogueEdits& edits);
   void applyName(ObjectId object, const std::string& name);
@@ -117,10 +116,9 @@ class CatalogueMirror {
 
   Detector detector_;
   KnownLayouts places_;
-  std::unordered_map<ObjectId, ObjectRecord> records_;
-  std::set<ObjectId> objects_;                                        // that ever were
+  CatalogueModel model_;
+  std::unordered_map<ObjectId, ObjectRecord> records_;                // of visible objects
   std::unordered_map<ObjectId, std::vector<Eigen::Vector3f>> sizes_;  // of the views, by first object
-  std::set<std::pair<ObjectId, ObjectId>> kept_apart_;                // smaller id first
   std::set<ObjectId> regrouped_;
 
   std::int64_t session_ = 0;  // of the catalogue, that continues; 0: none does

@@ -1,11 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_change.h"
 #include "core/catalogue/object_record.h"
 
 namespace scantrove {
@@ -16,20 +16,14 @@ struct CataloguePosition {
   std::int64_t view = 0;   ///< newest view whose descriptor was read
 };
 
-/// What persons and other programs did to the catalogue, as it is to be known after it.
+/// What users and other programs did to the catalogue, and how it is now.
 struct CatalogueEdits {
-  std::vector<ObjectId> added;                          ///< objects that are new
-  std::vector<MergeRoot> merge_roots;                   ///< of all objects; empty: as before
-  std::vector<ObjectRecord> records;                    ///< of visible objects
-  std::vector<ObjectId> hidden;                         ///< objects without a record
-  std::vector<StoredDescriptor> views;                  ///< that are new
-  std::vector<std::pair<ObjectId, ObjectId>> unmerged;  ///< merges that were taken back; smaller id first
-  std::vector<ObjectId> regrouped;  ///< that were deleted, brought back, merged or taken apart
+  std::vector<CatalogueChange> changes;
+  std::vector<ObjectState> objects;     ///< of all objects; empty: as before, but for `changes`
+  std::vector<ObjectRecord> records;    ///< of visible objects that changed
+  std::vector<StoredDescriptor> views;  ///< that are new
 
-  [[nodiscard]] bool isEmpty() const {
-    return added.empty() && merge_roots.empty() && records.empty() && hidden.empty() && views.empty() &&
-           unmerged.empty();
-  }
+  [[nodiscard]] bool isEmpty() const { return changes.empty() && objects.empty() && records.empty(); }
 };
 
 /// What the catalogue's thread tells the scan. `key`: the id by which the scan asked for it; all others are

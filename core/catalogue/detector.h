@@ -44,7 +44,7 @@ class Detector {
   void add(const StoredDescriptor& view);
   [[nodiscard]] int viewCount() const { return index_.size(); }
 
-  /// Views of an object without a holder match nothing.
+  /// Views of an object without a root match nothing.
   void setMergeRoot(const MergeRoot& entry) { index_.setMergeRoot(entry); }
   [[nodiscard]] ObjectId mergeRootOf(ObjectId object) const { return index_.mergeRootOf(object); }
 

@@ -1,9 +1,11 @@
 #include "core/catalogue/object_database.h"
 
-#include <QDateTime>
+#include <type_traits>
+#include <utility>
 
+#include "core/base/label_name.h"
 #include "core/catalogue/catalogue_schema.h"
-#include "core/catalogue/object_name.h"
+#include "core/catalogue/event_rows.h"
 #include "core/catalogue/object_rows.h"
 #include "core/catalogue/view_rows.h"
 #include "core/database/database_connection.h"
@@ -35,8 +37,6 @@ ObjectRecord toRecord(const QSqlQuery& query) {
 /// Versions of the schema: the oldest with all columns that are read, the first whose sessions have cameras,
 /// and the first with an identity.
 constexpr int kOldestToRead = 3, kFirstWithCameras = 4, kFirstWithIdentity = 6;
-/// Between the beginnings of a session and of its part in the catalogue kernels may be compiled.
-constexpr qint64 kBetweenBeginnings_s = 600;
 
 /// The N of the next Obj_N: above all that were given, and not the name of any object, visible or not.
 Result<int> nextNumber(DatabaseConnection& connection) {
@@ -52,15 +52,35 @@ Result<int> nextNumber(DatabaseConnection& connection) {
   }
 }
 
+/// One operation on objects: reads the rows that it concerns, lets the model decide, and stores that.
+template <class Read, class Operation>
+auto changeObjects(DatabaseConnection& connection, Read&& read, Operation&& operation)
+    -> std::invoke_result_t<Operation, CatalogueModel&> {
+  using Answer = std::invoke_result_t<Operation, CatalogueModel&>;
+  return inTransaction(connection, [&]() -> Answer {
+    ObjectRows rows(connection);
+    SCANTROVE_TRY(read(rows));
+    Answer answer = operation(rows.model());
+    if (answer) SCANTROVE_TRY(rows.store());
+    return answer;
+  });
+}
+
+/// The rows that an unmerge concerns.
+Result<void> readMerge(ObjectRows& rows, const ObjectMerge& merge) {
+  SCANTROVE_TRY(rows.read(merge.into));
+  SCANTROVE_TRY(rows.read(merge.from));
+  return rows.readNamesOf(merge.from);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::open(const std::string& database) {
   Result<std::unique_ptr<DatabaseConnection>> connection = DatabaseConnection::open(database);
   if (!connection) return fail(connection.error());
   SCANTROVE_TRY(schema::migrate(**connection, schema::kCatalogue, schema::catalogueSteps()));
-  std::unique_ptr<ObjectDatabase> result(new ObjectDatabase);
-  result->connection_ = std::move(*connection);
-  return result;
+  const int newest = static_cast<int>(schema::catalogueSteps().size());
+  return std::unique_ptr<ObjectDatabase>(new ObjectDatabase(std::move(*connection), newest));
 }
 
 Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::openToRead(const std::string& database) {
@@ -69,17 +89,18 @@ Result<std::unique_ptr<ObjectDatabase>> ObjectDatabase::openToRead(const std::st
   const auto version =
       schema::versionToRead(**connection, schema::kCatalogue, schema::catalogueSteps(), kOldestToRead);
   if (!version) return fail(version.error());
-  std::unique_ptr<ObjectDatabase> result(new ObjectDatabase);
-  result->connection_ = std::move(*connection);
-  result->has_cameras_ = *version >= kFirstWithCameras;
-  result->has_identity_ = *version >= kFirstWithIdentity;
-  return result;
+  return std::unique_ptr<ObjectDatabase>(new ObjectDatabase(std::move(*connection), *version));
 }
 
-bool ObjectDatabase::isStill() const { return connection_->isStill(); }
+ObjectDatabase::ObjectDatabase(std::unique_ptr<DatabaseConnection> connection, int version)
+    : connection_(std::move(connection)),
+      sessions_(*connection_, version >= kFirstWithCameras),
+      views_(*connection_),
+      has_identity_(version >= kFirstWithIdentity) {}
 
-ObjectDatabase::ObjectDatabase() = default;
 ObjectDatabase::~ObjectDatabase() = default;
+
+bool ObjectDatabase::isStill() const { return connection_->isStill(); }
 
 Result<std::string> ObjectDatabase::identity() {
   if (!has_identity_) return std::string();
@@ -88,64 +109,6 @@ Result<std::string> ObjectDatabase::identity() {
   const std::string identity = row->next() ? row->value(0).toString().toStdString() : std::string();
   if (identity.empty()) return fail(damagedDatabase(connection_->file(), "it has lost its identity"));
   return identity;
-}
-
-Result<bool> ObjectDatabase::hasScanOf(const std::string& begun) {
-  const QDateTime time = QDateTime::fromString(QString::fromStdString(begun), Qt::ISODateWithMs);
-  if (!time.isValid()) return false;
-  const auto text = [&](qint64 later_s) { return time.toUTC().addSecs(later_s).toString(Qt::ISODateWithMs); };
-  Result<QSqlQuery> count =
-      connection_->execute("SELECT count(*) FROM sessions WHERE started BETWEEN ? AND ?",
-                           {text(-kBetweenBeginnings_s), text(kBetweenBeginnings_s)});
-  if (!count) return fail(count.error());
-  return count->next() && count->value(0).toInt() > 0;
-}
-
-Result<std::int64_t> ObjectDatabase::beginSession(const std::string& source,
-                                                  const std::optional<Intrinsics>& camera) {
-  return inTransaction(*connection_, [&]() -> Result<std::int64_t> {
-    const QString name = QString::fromStdString(source);
-    Result<std::int64_t> id = connection_->insert("INSERT INTO sessions (source, started) VALUES (?, ?)",
-                                                  {name, DatabaseConnection::now()});
-    if (!id) return id;
-    if (camera) {
-      SCANTROVE_TRY(
-          connection_->execute("UPDATE sessions SET fx = ?, fy = ?, cx = ?, cy = ?, image_width = ?, "
-                               "image_height = ? WHERE id = ?",
-                               {camera->fx, camera->fy, camera->cx, camera->cy, camera->width, camera->height,
-                                static_cast<qlonglong>(*id)}));
-    }
-    SCANTROVE_TRY(recordEvent(*connection_, event::kSessionBegin, {}, {}, {{"source", name}}, *id));
-    return id;
-  });
-}
-
-Result<void> ObjectDatabase::endSession(std::int64_t session) {
-  return inTransaction(*connection_, [&]() -> Result<void> {
-    const Result<QSqlQuery> done =
-        connection_->execute("UPDATE sessions SET ended = ? WHERE id = ?",
-                             {DatabaseConnection::now(), static_cast<qlonglong>(session)});
-    if (!done) return fail(done.error());
-    if (done->numRowsAffected() != 1) {
-      return fail("The database " + connection_->file() + " holds no session " + std::to_string(session) +
-                  ".");
-    }
-    return recordEvent(*connection_, event::kSessionEnd, {}, {}, {}, session);
-  });
-}
-
-Result<std::map<std::int64_t, Intrinsics>> ObjectDatabase::cameras() {
-  std::map<std::int64_t, Intrinsics> cameras;
-  if (!has_cameras_) return cameras;
-  Result<QSqlQuery> query = connection_->execute(
-      "SELECT id, fx, fy, cx, cy, image_width, image_height FROM sessions WHERE fx IS NOT NULL");
-  if (!query) return fail(query.error());
-  while (query->next()) {
-    const auto number = [&](int column) { return query->value(column).toFloat(); };
-    cameras[query->value(0).toLongLong()] = {
-        number(1), number(2), number(3), number(4), query->value(5).toInt(), query->value(6).toInt()};
-  }
-  return cameras;
 }
 
 Result<std::vector<ObjectRecord>> ObjectDatabase::objects() {
@@ -157,17 +120,41 @@ Result<std::vector<ObjectRecord>> ObjectDatabase::objects() {
 }
 
 Result<ObjectRecord> ObjectDatabase::object(ObjectId id) {
-  const Result<ObjectRow> row = readVisibleRow(*connection_, id);
-  if (!row) return fail(row.error());
   Result<QSqlQuery> query = connection_->execute(QString(kSelectObjects) + "AND o.id = ?", {id.value});
   if (!query) return fail(query.error());
-  if (!query->next())
-    return fail(readVisibleRow(*connection_, id).error());  // hidden by another process just now
-  return toRecord(*query);
+  if (query->next()) return toRecord(*query);
+  ObjectRows rows(*connection_);
+  SCANTROVE_TRY(rows.read(id));
+  if (const Result<ObjectState> row = rows.model().shown(id); !row) return fail(row.error());
+  return fail("The object " + std::to_string(id.value) + " in " + connection_->file() +
+                  " was changed while it was read.",
+              "Read it again.");
 }
 
 Result<ObjectId> ObjectDatabase::findByName(const std::string& name) {
-  return visibleObjectNamed(*connection_, QString::fromStdString(name));
+  ObjectRows rows(*connection_);
+  SCANTROVE_TRY(rows.readNamed(name));
+  const ObjectState* object = rows.model().named(name);
+  return object != nullptr ? object->id : ObjectId{};
+}
+
+Result<ObjectId> ObjectDatabase::mergeRoot(ObjectId id) {
+  ObjectRows rows(*connection_);
+  SCANTROVE_TRY(rows.read(id));
+  if (const Result<ObjectState> object = rows.model().known(id); !object) return fail(object.error());
+  return rows.model().mergeRoot(id);
+}
+
+Result<CatalogueModel> ObjectDatabase::model() {
+  ObjectRows rows(*connection_);
+  SCANTROVE_TRY(rows.readAll());
+  return std::move(rows.model());
+}
+
+Result<std::int64_t> ObjectDatabase::lastEvent() { return scantrove::lastEvent(*connection_); }
+
+Result<CatalogueChanges> ObjectDatabase::changesAfter(std::int64_t event) {
+  return scantrove::changesAfter(*connection_, event);
 }
 
 Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
@@ -185,43 +172,50 @@ Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
     SCANTROVE_TRY(recordEvent(*connection_, event::kAdd, id, {}, {{"name", name}}, first_view.session));
     ObjectView view = first_view;
     view.object = id;
-    SCANTROVE_TRY(insertView(view));
+    SCANTROVE_TRY(views_.insert(view));
     return object(id);  // here: once it is committed, nothing may fail any more
+  });
+}
+
+Result<std::int64_t> ObjectDatabase::addView(const ObjectView& view, const Check& check) {
+  return inTransaction(*connection_, [&]() -> Result<std::int64_t> {
+    SCANTROVE_TRY(check());
+    return views_.insert(view);
   });
 }
 
 Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
                                           std::span<const int> frames) {
   return inTransaction(*connection_, [&]() -> Result<bool> {
-    const Result<ObjectRow> root = mergeRootOf(*connection_, object);
-    if (!root) return fail(root.error());
-    if (root->hidden || root->confirmed || root->named_by == NamedBy::person) return false;
+    ObjectRows rows(*connection_);
+    SCANTROVE_TRY(rows.read(object));
+    if (const Result<ObjectState> known = rows.model().known(object); !known) return fail(known.error());
+    const ObjectId root = rows.model().mergeRoot(object);
+    if (!root || isSettled(*rows.model().find(root))) return false;
     QVariantList views;
     for (const int frame : frames) {
       Result<QSqlQuery> view = connection_->execute(
           "SELECT id FROM views WHERE object = ? AND first_object = ? AND session = ? AND frame_index = ?",
-          {root->id.value, object.value, static_cast<qlonglong>(session), frame});
+          {root.value, object.value, static_cast<qlonglong>(session), frame});
       if (!view) return fail(view.error());
       while (view->next()) views.push_back(view->value(0));
     }
     if (views.empty()) return false;
-    Result<QSqlQuery> all =
-        connection_->execute("SELECT count(*) FROM views WHERE object = ?", {root->id.value});
+    Result<QSqlQuery> all = connection_->execute("SELECT count(*) FROM views WHERE object = ?", {root.value});
     if (!all) return fail(all.error());
     if (all->next() && all->value(0).toInt() == views.size()) {
-      ObjectRow row = *root;
-      row.hidden = true;
-      SCANTROVE_TRY(changeRow(*connection_, event::kRemove, *root, row));
+      SCANTROVE_TRY(rows.model().remove({&root, 1}));
+      SCANTROVE_TRY(rows.store());
       return true;
     }
     const Result<int> number = nextNumber(*connection_);
     if (!number) return fail(number.error());
-    const Result<std::int64_t> left = connection_->insert(
+    const Result<std::int64_t> row = connection_->insert(
         "INSERT INTO objects (number, name, hidden, size_x_m, size_y_m, size_z_m, first_session, created)"
         " VALUES (?, ?, 1, 0, 0, 0, ?, ?)",
         {*number, QString("Obj_%1").arg(*number), orNull(session), DatabaseConnection::now()});
-    if (!left) return fail(left.error());
-    const ObjectId discarded{static_cast<std::uint32_t>(*left)};
+    if (!row) return fail(row.error());
+    const ObjectId discarded{static_cast<std::uint32_t>(*row)};
     for (const QVariant& view : views) {
       SCANTROVE_TRY(connection_->execute("UPDATE views SET object = ?, first_object = ? WHERE id = ?",
                                          {discarded.value, discarded.value, view}));
@@ -229,41 +223,109 @@ Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
                                          {discarded.value, view}));
     }
     SCANTROVE_TRY(refreshObject(*connection_, discarded));
-    SCANTROVE_TRY(refreshObject(*connection_, root->id));
-    SCANTROVE_TRY(recordEvent(*connection_, event::kDiscardViews, root->id, {},
+    SCANTROVE_TRY(refreshObject(*connection_, root));
+    SCANTROVE_TRY(recordEvent(*connection_, event::kDiscardViews, root, {},
                               {{"left_behind", static_cast<qint64>(discarded.value)}}, session));
     return false;
   });
 }
 
 Result<void> ObjectDatabase::rename(ObjectId id, const std::string& name, NamedBy by) {
-  const Result<QString> requested = checkedObjectName(name);
-  if (!requested) return fail(requested.error());
-  return inTransaction(*connection_, [&]() -> Result<void> {
-    const Result<ObjectRow> before = readVisibleRow(*connection_, id);
-    if (!before) return fail(before.error());
-    const Result<ObjectId> other = visibleObjectNamed(*connection_, *requested);
-    if (!other) return fail(other.error());
-    if (*other && *other != id) {
-      return fail("Another object in " + connection_->file() + " is called " + requested->toStdString() + ".",
-                  "Choose another name, or merge the two if they are one.");
-    }
-    ObjectRow row = *before;
-    row.name = *requested;
-    row.named_by = by;
-    if (row.name == before->name && row.named_by == before->named_by) return {};
-    return changeRow(*connection_, event::kRename, *before, row);
-  });
+  const Result<std::string> checked = checkedLabelName(name);
+  if (!checked) return fail(checked.error());
+  return changeObjects(
+      *connection_,
+      [&](ObjectRows& rows) -> Result<void> {
+        SCANTROVE_TRY(rows.read(id));
+        return rows.readNamed(*checked);
+      },
+      [&](CatalogueModel& model) { return model.rename(id, *checked, by); });
 }
 
 Result<void> ObjectDatabase::setConfirmed(std::span<const ObjectId> objects, bool confirmed) {
-  return inTransaction(*connection_, [&]() -> Result<void> {
-    for (const ObjectId id : objects) {
-      const Result<ObjectRow> before = readVisibleRow(*connection_, id);
-      if (!before) return fail(before.error());
-      SCANTROVE_TRY(markConfirmed(*connection_, *before, confirmed));
-    }
-    return {};
+  return changeObjects(
+      *connection_, [&](ObjectRows& rows) { return rows.read(objects); },
+      [&](CatalogueModel& model) { return model.setConfirmed(objects, confirmed); });
+}
+
+Result<ObjectNaming> ObjectDatabase::nameByUser(ObjectId id, const std::string& name) {
+  const Result<std::string> checked = checkedLabelName(name);
+  if (!checked) return fail(checked.error());
+  return changeObjects(
+      *connection_,
+      [&](ObjectRows& rows) -> Result<void> {
+        SCANTROVE_TRY(rows.read(id));
+        return rows.readNamed(*checked);
+      },
+      [&](CatalogueModel& model) { return model.nameByUser(id, *checked); });
+}
+
+Result<bool> ObjectDatabase::revertNaming(const ObjectNaming& naming) {
+  return changeObjects(
+      *connection_,
+      [&](ObjectRows& rows) -> Result<void> {
+        if (naming.merge) SCANTROVE_TRY(readMerge(rows, *naming.merge));
+        SCANTROVE_TRY(rows.read(naming.object));
+        return rows.readNamed(naming.earlier_name);
+      },
+      [&](CatalogueModel& model) { return model.revertNaming(naming); });
+}
+
+Result<ObjectMerge> ObjectDatabase::merge(std::span<const ObjectId> objects, const Check& check) {
+  return changeObjects(
+      *connection_,
+      [&](ObjectRows& rows) -> Result<void> {
+        SCANTROVE_TRY(check());
+        return rows.read(objects);
+      },
+      [&](CatalogueModel& model) { return model.merge(objects); });
+}
+
+Result<void> ObjectDatabase::unmerge(const ObjectMerge& merge) {
+  return changeObjects(
+      *connection_, [&](ObjectRows& rows) { return readMerge(rows, merge); },
+      [&](CatalogueModel& model) { return model.unmerge(merge); });
+}
+
+Result<void> ObjectDatabase::remove(std::span<const ObjectId> objects) {
+  return changeObjects(
+      *connection_, [&](ObjectRows& rows) { return rows.read(objects); },
+      [&](CatalogueModel& model) { return model.remove(objects); });
+}
+
+Result<void> ObjectDatabase::restore(std::span<const ObjectId> objects) {
+  return changeObjects(
+      *connection_,
+      [&](ObjectRows& rows) -> Result<void> {
+        SCANTROVE_TRY(rows.read(objects));
+        return rows.readNamesOf(objects);
+      },
+      [&](CatalogueModel& model) { return model.restore(objects); });
+}
+
+Result<bool> ObjectDatabase::withdraw(ObjectId made) {
+  return changeObjects(
+      *connection_,
+      [&](ObjectRows& rows) -> Result<void> {
+        SCANTROVE_TRY(rows.read(made));
+        return rows.readParts(made);
+      },
+      [&](CatalogueModel& model) { return model.withdraw(made); });
+}
+
+Result<std::string> ObjectDatabase::applyOnce(const std::string& token,
+                                              const std::function<Result<std::string>()>& edit) {
+  const QString key = QString::fromStdString(token);
+  return inTransaction(*connection_, [&]() -> Result<std::string> {
+    Result<QSqlQuery> earlier =
+        connection_->execute("SELECT result FROM applied_edits WHERE token = ?", {key});
+    if (!earlier) return fail(earlier.error());
+    if (earlier->next()) return earlier->value(0).toString().toStdString();
+    Result<std::string> result = edit();
+    if (!result) return result;
+    SCANTROVE_TRY(connection_->execute("INSERT INTO applied_edits (token, result, applied) VALUES (?, ?, ?)",
+                                       {key, QString::fromStdString(*result), DatabaseConnection::now()}));
+    return result;
   });
 }
 

@@ -50,25 +50,38 @@ struct ObjectRecord {
   std::string created;  ///< ISO 8601, UTC
 };
 
-/// A person said what this object is.
-[[nodiscard]] inline bool isSettled(const ObjectRecord& record) {
-  return record.confirmed || record.named_by == NamedBy::person;
+/// What the rules of the catalogue know of an object (CatalogueModel).
+struct ObjectState {
+  ObjectId id;
+  std::string name;
+  NamedBy named_by = NamedBy::program;
+  bool confirmed = false;
+  bool hidden = false;        ///< deleted, or merged into another one
+  ObjectId merged_into = {};  ///< none: not merged
+
+  bool operator==(const ObjectState&) const = default;
+};
+
+/// A user named or confirmed this object.
+template <class Object>
+[[nodiscard]] bool isSettled(const Object& object) {
+  return object.confirmed || object.named_by == NamedBy::person;
 }
 
-/// Who holds the views that were first seen as `object`.
+/// The object that has the views of `object` now.
 struct MergeRoot {
   ObjectId object;
   ObjectId root;  ///< itself, or what it was merged into; none: deleted
 };
 
-/// What a merge did, for taking it back.
+/// What a merge did, to undo it.
 struct ObjectMerge {
   ObjectId into;
   std::vector<ObjectId> from;
   bool has_confirmed = false;  ///< `into` was marked as confirmed because one of `from` was
 };
 
-/// What a person's naming did, for taking it back.
+/// What a user's naming did, to undo it.
 struct ObjectNaming {
   ObjectId object;   ///< that has the name now; none: nothing was done
   std::string name;  ///< without blanks around it

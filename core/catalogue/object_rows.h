@@ -1,68 +1,47 @@
 #pragma once
-#include <QJsonObject>
-#include <QString>
 #include <QVariant>
+#include <span>
+#include <string>
 
 #include "core/base/result.h"
-#include "core/catalogue/object_record.h"
+#include "core/catalogue/catalogue_model.h"
 
 namespace scantrove {
 
 class DatabaseConnection;
 
-/// What operations on objects need to see of one row.
-struct ObjectRow {
-  ObjectId id;
-  QString name;
-  NamedBy named_by = NamedBy::program;
-  bool confirmed = false;
-  bool hidden = false;
-  ObjectId merged_into;  ///< none: not merged
-
-  [[nodiscard]] QJsonObject toJson() const;  ///< for the table `events`
-};
-
-/// What happened, in the table `events`.
-namespace event {
-inline constexpr const char* kSessionBegin = "session-begin";
-inline constexpr const char* kSessionEnd = "session-end";
-inline constexpr const char* kAdd = "add";
-inline constexpr const char* kAddView = "add-view";
-inline constexpr const char* kRename = "rename";
-inline constexpr const char* kConfirm = "confirm";
-inline constexpr const char* kUnconfirm = "unconfirm";
-inline constexpr const char* kRemove = "remove";
-inline constexpr const char* kRestore = "restore";
-inline constexpr const char* kMerge = "merge";
-inline constexpr const char* kUnmerge = "unmerge";
-inline constexpr const char* kDiscardViews = "leave-behind";
-}  // namespace event
-
 /// For binding: null for 0.
 [[nodiscard]] QVariant orNull(std::int64_t id);
 
-/// The row, hidden or not. Error: no such object.
-[[nodiscard]] Result<ObjectRow> readRow(DatabaseConnection& connection, ObjectId id);
-/// The row of an object that people see. Error: also when it was deleted or merged (says into which).
-[[nodiscard]] Result<ObjectRow> readVisibleRow(DatabaseConnection& connection, ObjectId id);
-/// The visible object of that name, or none.
-[[nodiscard]] Result<ObjectId> visibleObjectNamed(DatabaseConnection& connection, const QString& name);
+/// The rows of the table `objects` that one operation concerns: read into a model, and written back as far as
+/// the operation changed them. Inside the caller's transaction.
+class ObjectRows {
+ public:
+  explicit ObjectRows(DatabaseConnection& connection);
 
-/// Stores `row` in place of `before` and notes the event.
-[[nodiscard]] Result<void> changeRow(DatabaseConnection& connection, const char* action,
-                                     const ObjectRow& before, const ObjectRow& row);
+  [[nodiscard]] CatalogueModel& model() { return model_; }
 
-/// Sets or takes the mark of an object; no event when it is so already.
-[[nodiscard]] Result<void> markConfirmed(DatabaseConnection& connection, const ObjectRow& before,
-                                         bool confirmed);
+  [[nodiscard]] Result<void> readAll();
+  /// The object and what it was merged into, to the end. Nothing if there is no such object.
+  [[nodiscard]] Result<void> read(ObjectId id);
+  [[nodiscard]] Result<void> read(std::span<const ObjectId> ids);
+  /// The visible object of that name.
+  [[nodiscard]] Result<void> readNamed(const std::string& name);
+  /// The same for the names of these objects, and the "name (2)" that they would get instead.
+  [[nodiscard]] Result<void> readNamesOf(std::span<const ObjectId> ids);
+  /// What was merged into the object.
+  [[nodiscard]] Result<void> readParts(ObjectId id);
 
-/// One row of `events`; empty JSON objects are stored as null.
-[[nodiscard]] Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,
-                                       const QJsonObject& before, const QJsonObject& after,
-                                       std::int64_t session = 0);
+  /// Writes what the model's operations changed: objects, who has their views, sizes and best views, events.
+  [[nodiscard]] Result<void> store();
 
-/// The object that holds what was once `id`'s: follows merges to the first visible object, or to their end.
-/// Hidden when that one was deleted, or (in a damaged file) when the merges go round in a circle or nowhere.
-[[nodiscard]] Result<ObjectRow> mergeRootOf(DatabaseConnection& connection, ObjectId id);
+ private:
+  [[nodiscard]] Result<void> select(const QString& condition, const QVariantList& values);
+  /// Views that were stored for the object, or for what was merged into it, belong to `owner`.
+  [[nodiscard]] Result<void> moveViews(ObjectId object, ObjectId owner);
+
+  DatabaseConnection& connection_;
+  CatalogueModel model_;
+};
 
 }  // namespace scantrove

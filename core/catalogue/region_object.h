@@ -1,8 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 
-#include "core/catalogue/object_record.h"
+#include "core/catalogue/catalogue_model.h"
 
 namespace scantrove {
 
@@ -10,12 +12,34 @@ namespace scantrove {
 struct RegionObject {
   enum class State : std::uint8_t { none, known, deleted };
   State state = State::none;
-  ObjectId object = {};  ///< who holds it now; none: its number is not known
+  ObjectId object = {};  ///< its merge root; none: its number is not known
   std::string name = {};
   NamedBy named_by = NamedBy::program;
   bool confirmed = false;
   bool is_merged = false;  ///< `object` is another one than the region was taken for
   bool operator==(const RegionObject&) const = default;
 };
+
+/// Of the object `id`; nothing: the catalogue never had it.
+[[nodiscard]] inline RegionObject regionObjectOf(const CatalogueModel& catalogue, ObjectId id) {
+  using State = RegionObject::State;
+  if (catalogue.find(id) == nullptr) return {};
+  const ObjectState* root = catalogue.find(catalogue.mergeRoot(id));
+  if (root == nullptr) return {.state = State::deleted};
+  return {State::known, root->id, root->name, root->named_by, root->confirmed, root->id != id};
+}
+
+/// A user names a region that was taken for `object`. Whether the region is another thing than that: users
+/// gave another name to one of the object's other regions (`names_of_others`), or another object has the name
+/// already and this one is settled.
+[[nodiscard]] inline bool isAnotherThing(const CatalogueModel& catalogue, ObjectId object,
+                                         const std::string& name,
+                                         std::span<const std::string> names_of_others) {
+  const ObjectState* root = catalogue.visible(catalogue.mergeRoot(object));
+  const ObjectState* named = catalogue.named(name);
+  const bool is_taken = root != nullptr && named != nullptr && named != root;
+  return (is_taken && isSettled(*root)) ||
+         std::ranges::any_of(names_of_others, [&](const std::string& other) { return other != name; });
+}
 
 }  // namespace scantrove

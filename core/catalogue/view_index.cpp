@@ -131,16 +131,16 @@ std::vector<int> ViewIndex::shortlist(const Query& query, const Limits& limits) 
   return places;
 }
 
-std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> merge_roots, const Query& query,
+std::vector<int> ViewIndex::viewsOf(std::span<const ObjectId> roots, const Query& query,
                                     const Limits& limits) const {
   std::vector<int> places;
-  if (merge_roots.empty()) return places;
+  if (roots.empty()) return places;
   const float diagonal_m = query.size_m.norm();
   for (int place = 0; place < size(); ++place) {
     const View& view = views_[static_cast<std::size_t>(place)];
     const bool fits = sizesAgree(diagonal_m, view.diagonal_m, limits.size_tolerance) ||
                       isPartOf(diagonal_m, view.diagonal_m);
-    if (fits && std::ranges::find(merge_roots, merge_roots_[view.owner]) != merge_roots.end() &&
+    if (fits && std::ranges::find(roots, merge_roots_[view.owner]) != roots.end() &&
         colorDistance(query.thumbnail.mean_lab, view.mean_lab) < limits.max_distance)
       places.push_back(place);
   }

@@ -44,9 +44,9 @@ class ViewIndex {
   /// Places worth a comparison, nearest first; at most `shortlist` once there are kFewViews views.
   [[nodiscard]] std::vector<int> shortlist(const Query& query, const Limits& limits);
 
-  /// Places of views that are held by one of the `holders`, whose colour could be the query's, and that are
+  /// Places of views that are held by one of the `roots`, whose colour could be the query's, and that are
   /// about as large or up to twice as large.
-  [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> merge_roots, const Query& query,
+  [[nodiscard]] std::vector<int> viewsOf(std::span<const ObjectId> roots, const Query& query,
                                          const Limits& limits) const;
 
   /// What the difference of mean colours adds to the warped distance of a pair.

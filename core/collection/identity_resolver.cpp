@@ -93,7 +93,7 @@ void IdentityResolver::mergeReplaced(std::span<const ObjectId> with_views) {
   for (const ObjectId object : with_views) {
     const ObjectId root = catalogue_.mergeRootOf(object);
     const ObjectId last = catalogue_.mergeRootOf(replacementOf(object));
-    if (canMerge(last, root)) mergeNow(last, root);
+    if (catalogue_.model().mayMerge(last, root)) mergeNow(last, root);
   }
 }
 
@@ -118,7 +118,7 @@ void IdentityResolver::mergeDuplicates(const std::vector<const Candidate*>& obse
       if (!in_view.contains(other) && tracks_.isAt(other, *candidate) &&
           !tracks_.isInViewBeside(other, candidate->regions) && !areSeenTogether(object, other) &&
           !isOtherSet(other, candidate->regions) &&
-          canMerge(catalogue_.mergeRootOf(other), catalogue_.mergeRootOf(object)))
+          catalogue_.model().mayMerge(catalogue_.mergeRootOf(other), catalogue_.mergeRootOf(object)))
         there.push_back(other);
     }
     // A candidate at the place of two objects is neither.
@@ -169,13 +169,6 @@ void IdentityResolver::splitRegion(RegionId from, RegionId part) {
   if (object && !catalogue_.mergeRootOf(object)) tracks_.bind({part}, object);
 }
 
-bool IdentityResolver::canMerge(ObjectId a, ObjectId b) const {
-  const ObjectRecord* first = catalogue_.record(a);
-  const ObjectRecord* second = catalogue_.record(b);
-  if (first == nullptr || second == nullptr || a == b || catalogue_.areKeptApart(a, b)) return false;
-  return !(isSettled(*first) && isSettled(*second));
-}
-
 void IdentityResolver::mergeNow(ObjectId a, ObjectId b) {
   catalogue_.merge(a, b);
   writer_.merge(a, b);
@@ -193,7 +186,7 @@ void IdentityResolver::merge(Which which, int frame) {
     // An object that moved is not one that stayed; and of one with other regions only a part was joined.
     const bool are_one =
         !join->region || (tracks_.hasMoved(a) == tracks_.hasMoved(b) && !tracks_.hasRegions(join->gone));
-    if (!are_one || !canMerge(a, b)) continue;
+    if (!are_one || !catalogue_.model().mayMerge(a, b)) continue;
     const bool is_recognized = tracks_.isObserved(a) != tracks_.isObserved(b);
     mergeNow(a, b);
     const ObjectId root = catalogue_.mergeRootOf(a);

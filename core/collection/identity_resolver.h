@@ -123,7 +123,6 @@ class IdentityResolver {
   [[nodiscard]] bool areSeenTogether(ObjectId a, ObjectId b) const;
   /// The object is another complete set than these regions, and no user merged the two.
   [[nodiscard]] bool isOtherSet(ObjectId object, const RegionSet& regions) const;
-  [[nodiscard]] bool canMerge(ObjectId a, ObjectId b) const;
   void mergeNow(ObjectId a, ObjectId b);
 
   CatalogueMirror& catalogue_;

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/label_name.h"
 #include "core/catalogue/object_database.h"
+#include "core/catalogue/region_object.h"
 
 namespace scantrove {
 
 void UserRequests::request(RegionId region, const std::string& name) {
   if (tracks_.existingObjectOf(region)) return cancel(region);
   tracks_.bind({region}, {});
-  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  const Result<std::string> checked = checkedLabelName(name);
   state_.pending[region] = checked ? *checked : std::string();
 }
 
@@ -41,22 +43,24 @@ void UserRequests::joinRegions(RegionId into, RegionId from) {
   state_.pending.erase(found);
 }
 
-bool UserRequests::isCalledOtherwise(RegionId region, const std::string& name) const {
+std::vector<std::string> UserRequests::namesOfOthers(RegionId region) const {
   const ObjectId root = catalogue_.mergeRootOf(tracks_.existingObjectOf(region));
   std::map<RegionId, std::string> names;  // by now
   for (const Naming& naming : namings_) {
     if (!naming.name.empty()) names[naming.region] = naming.name;
   }
-  return std::ranges::any_of(names, [&](const auto& named) {
-    return named.first != region && named.second != name &&
-           catalogue_.mergeRootOf(tracks_.existingObjectOf(named.first)) == root;
-  });
+  std::vector<std::string> others;
+  for (const auto& [other, name] : names) {
+    if (other != region && catalogue_.mergeRootOf(tracks_.existingObjectOf(other)) == root)
+      others.push_back(name);
+  }
+  return others;
 }
 
 void UserRequests::name(RegionId region, const std::string& name) { applyName(region, name, 0); }
 
 void UserRequests::redoName(RegionId region, const std::string& name) {
-  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  const Result<std::string> checked = checkedLabelName(name);
   const auto newest = std::find_if(undone_.rbegin(), undone_.rend(), [&](const Naming& naming) {
     return naming.region == region && checked && naming.name == *checked;
   });
@@ -66,7 +70,7 @@ void UserRequests::redoName(RegionId region, const std::string& name) {
 }
 
 void UserRequests::applyName(RegionId region, const std::string& name, int again) {
-  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  const Result<std::string> checked = checkedLabelName(name);
   if (!checked) {
     refusals_.push_back(
         {"The catalogue has no object of the name that the region got. " + checked.error().what,
@@ -75,11 +79,7 @@ void UserRequests::applyName(RegionId region, const std::string& name, int again
   }
   const ObjectId object = tracks_.existingObjectOf(region);
   if (!object) return;
-  const ObjectRecord* record = catalogue_.currentRecord(object);
-  const ObjectRecord* called_so = catalogue_.named(*checked);
-  const bool is_other = called_so != nullptr && called_so->id != record->id;
-  if (isCalledOtherwise(region, *checked) || (is_other && isSettled(*record))) {
-    // It is another thing than that.
+  if (isAnotherThing(catalogue_.model(), object, *checked, namesOfOthers(region))) {
     tracks_.bind({region}, {});
     state_.not_objects[region] = object;
     return;
@@ -90,7 +90,7 @@ void UserRequests::applyName(RegionId region, const std::string& name, int again
 }
 
 bool UserRequests::hasNamed(RegionId region, const std::string& name) const {
-  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  const Result<std::string> checked = checkedLabelName(name);
   return checked && std::ranges::any_of(namings_, [&](const Naming& naming) {
            return naming.region == region && naming.name == *checked;
          });
@@ -139,7 +139,7 @@ UserRequests::Namings::iterator UserRequests::newest(RegionId region, const std:
 }
 
 void UserRequests::undoName(RegionId region, const std::string& name) {
-  const Result<std::string> checked = ObjectDatabase::checkedName(name);
+  const Result<std::string> checked = checkedLabelName(name);
   if (!checked) return;
   if (const auto naming = newest(region, *checked); naming != namings_.end()) return undo(naming);
   const auto other = state_.not_objects.find(region);

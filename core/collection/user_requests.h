@@ -99,8 +99,8 @@ class UserRequests {
   using Namings = std::vector<Naming>;
 
   void applyName(RegionId region, const std::string& name, int again);
-  /// Its object is called otherwise, by another of its regions.
-  [[nodiscard]] bool isCalledOtherwise(RegionId region, const std::string& name) const;
+  /// What users call the other regions of its object.
+  [[nodiscard]] std::vector<std::string> namesOfOthers(RegionId region) const;
   [[nodiscard]] Namings::iterator newest(RegionId region, const std::string& name);
   void undo(Namings::iterator naming);
 

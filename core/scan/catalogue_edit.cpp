@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/label_name.h"
 #include "core/base/text.h"
 #include "core/scan/region_views.h"
 #include "core/scan/scan_pipeline.h"
@@ -83,7 +84,7 @@ Result<void> CatalogueEdit::runStep(const CatalogueStep& step) {
 }
 
 Result<void> CatalogueEdit::name(const CatalogueStep& step) {
-  const Result<std::string> checked = ObjectDatabase::checkedName(step.name);
+  const Result<std::string> checked = checkedLabelName(step.name);
   if (!checked) {
     outcome_.refusals.push_back(checked.error());
     return {};
@@ -127,7 +128,7 @@ Result<void> CatalogueEdit::takeName(const CatalogueStep& step) {
     if (newest == namings.rend()) return {};
     removed = newest->naming.name;
   }
-  const Result<std::string> checked = ObjectDatabase::checkedName(removed);
+  const Result<std::string> checked = checkedLabelName(removed);
   const Result<bool> taken = checked ? takeBack(step.region, *checked) : Result<bool>(false);
   if (!taken) return fail(taken.error());
   if (!*taken && objectOf(step.region))
@@ -155,7 +156,7 @@ Result<bool> CatalogueEdit::takeBack(RegionId region, const std::string& name) {
   if (found == namings.rend()) return false;
   StoredNaming newest = *found;
   bool is_as_said = true;
-  if (!name.empty()) SCANTROVE_TRY(moveInto(is_as_said, database_.takeNameBack(newest.naming)));
+  if (!name.empty()) SCANTROVE_TRY(moveInto(is_as_said, database_.revertNaming(newest.naming)));
   ObjectId object = newest.earlier;
   if (newest.made && is_as_said) {
     const Result<bool> is_removed = database_.withdraw(newest.made);
@@ -184,13 +185,13 @@ Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region,
   StoredNaming kept;
   kept.earlier = presentObjectOf(region);
   if (kept.earlier && !isNamedByAnother(region, kept.earlier, name)) {
-    SCANTROVE_TRY(moveInto(kept.naming, database_.nameByPerson(kept.earlier, name)));
+    SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.earlier, name)));
     if (kept.naming.object) return kept;
     // This object and the one of that name are two. The region is not this one, then.
   }
   SCANTROVE_TRY(moveInto(kept.made, objectFor(region)));
   if (!kept.made) return std::nullopt;
-  SCANTROVE_TRY(moveInto(kept.naming, database_.nameByPerson(kept.made, name)));
+  SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.made, name)));
   return kept;
 }
 
@@ -198,7 +199,7 @@ Result<ObjectId> CatalogueEdit::objectFor(RegionId region) {
   const std::string key = removedObjectKeyOf(region);
   const ObjectId gone{static_cast<std::uint32_t>(parseFrameNumber(fact(key)).value_or(0))};
   outcome_.metadata[key] = "";
-  if (gone && database_.restore(std::array{gone}) && database_.resolve(gone).value_or(ObjectId{}) == gone)
+  if (gone && database_.restore(std::array{gone}) && database_.mergeRoot(gone).value_or(ObjectId{}) == gone)
     return gone;
   return makeFromKeyFrames(region);
 }
@@ -216,7 +217,7 @@ Result<ObjectId> CatalogueEdit::makeFromKeyFrames(RegionId region) {
            "Scan on with --resume and show it to the camera.");
     return ObjectId{};
   }
-  const Result<std::int64_t> begun = database_.beginSession(session_.setup().source, session_.setup().K);
+  const Result<std::int64_t> begun = database_.sessions().begin(session_.setup().source, session_.setup().K);
   if (!begun) return fail(begun.error());
   for (ObjectView& view : views) view.session = *begun;
   const Result<ObjectRecord> object = database_.addObject(views.front());
@@ -226,7 +227,7 @@ Result<ObjectId> CatalogueEdit::makeFromKeyFrames(RegionId region) {
     const Result<std::int64_t> added = database_.addView(view);
     if (!added) return fail(added.error());
   }
-  SCANTROVE_TRY(database_.endSession(*begun));
+  SCANTROVE_TRY(database_.sessions().end(*begun));
   return object->id;
 }
 
@@ -242,7 +243,7 @@ bool CatalogueEdit::isNamedByAnother(RegionId region, ObjectId object, const std
 
 ObjectId CatalogueEdit::presentObjectOf(RegionId region) {
   const ObjectId object = objectOf(region);
-  return object ? database_.resolve(object).value_or(ObjectId{}) : ObjectId{};
+  return object ? database_.mergeRoot(object).value_or(ObjectId{}) : ObjectId{};
 }
 
 ObjectId CatalogueEdit::objectOf(RegionId region) const {

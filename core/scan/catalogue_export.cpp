@@ -91,7 +91,7 @@ class CatalogueJob {
     if (!objects) return fail(objects.error());
     if (objects->empty())
       return fail("The catalogue " + name + " has no objects: there is nothing to export.");
-    SCANTROVE_TRY(moveInto(cameras_, database_.cameras()));
+    SCANTROVE_TRY(moveInto(cameras_, database_.sessions().cameras()));
     const int total = static_cast<int>(objects->size());
     ExportJson index = ExportJson::array();
     for (const ObjectRecord& object : *objects) {
@@ -106,7 +106,7 @@ class CatalogueJob {
 
  private:
   Result<void> writeObject(const ObjectRecord& object, ExportJson& index) {
-    const auto views = database_.views(object.id);
+    const auto views = database_.views().of(object.id);
     if (!views) return fail(views.error());
     const std::string folder = safeFileName(object.id.value, object.name);
     std::error_code failure;

@@ -95,7 +95,8 @@ bool turnTo(SavedScan& scan, const CatalogueIdentity& catalogue) {
 Result<CatalogueIdentity> identityOf(ObjectDatabase& database, const SessionMetadata& metadata) {
   CatalogueIdentity identity;
   SCANTROVE_TRY(moveInto(identity.uuid, database.identity()));
-  SCANTROVE_TRY(moveInto(identity.has_session, database.hasScanOf(metadataOf(metadata, kBegunKey))));
+  SCANTROVE_TRY(
+      moveInto(identity.has_session, database.sessions().hasScanOf(metadataOf(metadata, kBegunKey))));
   return identity;
 }
 

@@ -73,7 +73,7 @@ void OpenSession::readCatalogue() {
     const Result<bool> is_other = useCatalogue(**database);
     if (!is_other) return fail(is_other.error());
     if (*is_other) damages_.push_back(isAnotherCatalogue(folder_, file.string()).message());
-    return moveInto(catalogue_, CatalogueObjects::read(**database));
+    return moveInto(catalogue_, (*database)->model());
   };
   std::error_code ignored;
   const bool is_there = !file.empty() && std::filesystem::is_regular_file(file, ignored);
@@ -102,7 +102,7 @@ void OpenSession::readCatalogue() {
 
 RegionObject OpenSession::regionObjectOf(RegionId region, const RememberedObjects& remembered) const {
   const ObjectId object = objectOf(region);
-  if (catalogue_ && object) return catalogue_->of(object);
+  if (catalogue_ && object) return scantrove::regionObjectOf(*catalogue_, object);
   const auto kept = remembered.find(region);
   if (!object) {
     // Of another catalogue: what it was called there is known, and no number.
@@ -183,7 +183,7 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
 void OpenSession::completePendingEdits() {
   std::error_code ignored;
   // Where its catalogue is not there, that is said when it is needed.
-  if (pendingEdits().empty() || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
+  if (!isCataloguePending(*this) || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
   if (const Result<void> followed = followInCatalogue(*this); !followed)
     damages_.push_back("What was said last is not in the catalogue: " + followed.error().message());
 }

@@ -18,6 +18,7 @@
 namespace scantrove {
 
 class ComputeContext;
+class ObjectDatabase;
 class ScanPipeline;
 class SessionRecorder;
 
@@ -133,7 +134,7 @@ class OpenSession {
   SessionSetup setup_;
   SavedScan scan_;
   std::vector<std::string> damages_;
-  std::optional<CatalogueObjects> catalogue_;  // none: it is not there
+  std::optional<CatalogueModel> catalogue_;  // none: it is not there
   std::map<RegionId, RegionObject> region_objects_;
   std::map<RegionId, RegionLabel> labels_;
   std::optional<Error> missing_catalogue_;

@@ -20,6 +20,15 @@ constexpr std::array<std::pair<Kind, std::string_view>, 5> kKinds{{{Kind::name, 
                                                                    {Kind::add, "add"},
                                                                    {Kind::take_object, "take object"}}};
 
+CatalogueStep stepFrom(const PendingJson& json) {
+  const auto word = json.at("do").get<std::string>();
+  const auto kind = std::ranges::find(kKinds, word, &std::pair<Kind, std::string_view>::second);
+  if (kind == kKinds.end()) throw PendingJson::other_error::create(501, "no such step", nullptr);
+  return {kind->first, RegionId{json.at("region").get<std::uint32_t>()}, json.value("name", "")};
+}
+
+}  // namespace
+
 std::string newToken() {
   std::random_device random;
   std::string token;
@@ -30,15 +39,6 @@ std::string newToken() {
   }
   return token;
 }
-
-CatalogueStep stepFrom(const PendingJson& json) {
-  const auto word = json.at("do").get<std::string>();
-  const auto kind = std::ranges::find(kKinds, word, &std::pair<Kind, std::string_view>::second);
-  if (kind == kKinds.end()) throw PendingJson::other_error::create(501, "no such step", nullptr);
-  return {kind->first, RegionId{json.at("region").get<std::uint32_t>()}, json.value("name", "")};
-}
-
-}  // namespace
 
 std::vector<CatalogueStep> catalogueStepsOf(const Operation& operation, SaidHow how,
                                             const std::function<const RegionNote&(RegionId)>& note_of) {

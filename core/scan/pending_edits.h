@@ -45,6 +45,9 @@ inline constexpr const char* kPendingEditsKey = "pending edits";
 [[nodiscard]] std::vector<CatalogueStep> catalogueStepsOf(
     const Operation& operation, SaidHow how, const std::function<const RegionNote&(RegionId)>& note_of);
 
+/// Random: no two edits of any sessions share one.
+[[nodiscard]] std::string newToken();
+
 /// With a new token.
 [[nodiscard]] PendingEdit pendingEditOf(std::vector<CatalogueStep> steps);
 

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/catalogue/object_database.h"
-
 namespace scantrove {
 namespace {
 
@@ -50,26 +48,6 @@ void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<Region
     if (of_object != classes.end() && (is_merged || label.category.empty()))
       label.category = of_object->second;
   }
-}
-
-Result<CatalogueObjects> CatalogueObjects::read(ObjectDatabase& database) {
-  CatalogueObjects objects;
-  const auto merge_roots = database.mergeRoots();
-  if (!merge_roots) return fail(merge_roots.error());
-  for (const MergeRoot& entry : *merge_roots) objects.merge_roots_[entry.object] = entry.root;
-  auto records = database.objects();
-  if (!records) return fail(records.error());
-  for (ObjectRecord& record : *records) objects.records_.emplace(record.id, std::move(record));
-  return objects;
-}
-
-RegionObject CatalogueObjects::of(ObjectId id) const {
-  const auto root = merge_roots_.find(id);
-  if (!id || root == merge_roots_.end()) return {};
-  const auto record = records_.find(root->second);
-  if (record == records_.end()) return {.state = State::deleted};
-  const ObjectRecord& known = record->second;
-  return {State::known, known.id, known.name, known.named_by, known.confirmed, known.id != id};
 }
 
 std::string rememberedToText(const RememberedObjects& objects) {

@@ -1,16 +1,11 @@
 #pragma once
-#include <cstdint>
 #include <map>
 #include <string>
 
-#include "core/base/result.h"
-#include "core/catalogue/object_record.h"
 #include "core/catalogue/region_object.h"
 #include "core/editing/region_notes.h"
 
 namespace scantrove {
-
-class ObjectDatabase;
 
 /// What there is to say of a region. Lists, label maps, pictures and data sets all say this.
 struct RegionLabel {
@@ -30,18 +25,6 @@ struct RegionLabel {
 
 /// Regions that were merged into the object of others are of the class of those.
 void shareClasses(std::map<RegionId, RegionLabel>& labels, const std::map<RegionId, RegionObject>& objects);
-
-/// All objects of a catalogue at one moment.
-class CatalogueObjects {
- public:
-  [[nodiscard]] static Result<CatalogueObjects> read(ObjectDatabase& database);
-  /// Of the object `id`; none: no object has that number.
-  [[nodiscard]] RegionObject of(ObjectId id) const;
-
- private:
-  std::map<ObjectId, ObjectId> merge_roots_;  // none: deleted
-  std::map<ObjectId, ObjectRecord> records_;
-};
 
 /// What a session keeps of its regions' objects, for when their catalogue is not there.
 struct RememberedObject {

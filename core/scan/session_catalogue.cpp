@@ -35,13 +35,17 @@ std::filesystem::path catalogueFileOf(const OpenSession& session) {
   return databaseFileOf(session.setup(), session.folder());
 }
 
+bool isCataloguePending(const OpenSession& session) {
+  return !session.pendingEdits().empty() || areJoinsPending(session);
+}
+
 Result<void> followInCatalogue(OpenSession& session) {
   return guarded("telling the catalogue", [&]() -> Result<void> {
-    FirstError first;
-    first.note(mergeJoinedObjects(session));
-    if (session.pendingEdits().empty()) return first.result();
+    if (!isCataloguePending(session)) return {};
     const auto database = openCatalogueOf(session);
     if (!database) return fail(database.error());
+    FirstError first;
+    first.note(mergeJoinedObjects(session, **database));
     for (const PendingEdit& edit : session.pendingEdits()) {
       const Result<CatalogueOutcome> outcome = CatalogueEdit(session, **database).carryOut(edit);
       if (!outcome) return fail(outcome.error());

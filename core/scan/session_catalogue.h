@@ -12,6 +12,9 @@ namespace scantrove {
 /// The catalogue of the session: a file that may be missing; empty: it had none.
 [[nodiscard]] std::filesystem::path catalogueFileOf(const OpenSession& session);
 
+/// Whether an edit has something left to do in the catalogue.
+[[nodiscard]] bool isCataloguePending(const OpenSession& session);
+
 /// The catalogue does what operations of the session wait for (OpenSession::pendingEdits), each as a whole
 /// and once, however often this is tried:
 /// - A region that was named is an object of that name, confirmed: the one that it is already, made one with

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <system_error>
 
 #include "core/catalogue/object_database.h"
 #include "core/scan/first_error.h"
 #include "core/scan/open_session.h"
-#include "core/scan/session_catalogue.h"
+#include "core/scan/pending_edits.h"
 
 namespace scantrove {
 namespace {
@@ -35,62 +33,40 @@ std::optional<JoinedObjects::State> stateFrom(const std::string& word) {
 
 ObjectId objectFrom(const JoinJson& json) { return ObjectId{json.get<std::uint32_t>()}; }
 
-Result<std::unique_ptr<ObjectDatabase>> openCatalogue(OpenSession& session) {
-  const std::filesystem::path file = catalogueFileOf(session);
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
-    return fail("The catalogue " + file.string() + " of this session is not there.",
-                "Put it back; the next edit tries again.");
-  auto database = ObjectDatabase::open(file.string());
-  if (!database) return database;
-  const Result<bool> is_other = session.useCatalogue(**database);
-  if (!is_other) return fail(is_other.error());
-  return database;
-}
-
-/// The merge that made one of the two; none: they are two, or one was deleted.
-Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a, ObjectId b) {
-  std::array<ObjectId, 2> merge_roots;
-  SCANTROVE_TRY(moveInto(merge_roots[0], database.resolve(a)));
-  SCANTROVE_TRY(moveInto(merge_roots[1], database.resolve(b)));
-  if (!merge_roots[0] || !merge_roots[1]) return std::nullopt;
-  if (merge_roots[0] == merge_roots[1])  // an interruption left it so
-    return ObjectMerge{merge_roots[0], {merge_roots[0] == a ? b : a}, false};
-  const auto first = database.object(merge_roots[0]), second = database.object(merge_roots[1]);
-  if (!first) return fail(first.error());
-  if (!second) return fail(second.error());
-  if (isSettled(*first) && isSettled(*second)) {
-    return fail("The objects " + first->name + " and " + second->name +
-                    " stay two in the catalogue, for a person said what each is.",
-                "'scantrove objects merge' makes one of them.");
+/// The merge that made one of the two; none: they are one already, one was deleted, or users settled both.
+Result<std::optional<ObjectMerge>> mergeTwo(ObjectDatabase& database, ObjectId a, ObjectId b,
+                                            FirstError& refusals) {
+  const Result<CatalogueModel> catalogue = database.model();
+  if (!catalogue) return fail(catalogue.error());
+  const std::array<ObjectId, 2> roots{catalogue->mergeRoot(a), catalogue->mergeRoot(b)};
+  if (!roots[0] || !roots[1] || roots[0] == roots[1]) return std::nullopt;
+  if (!catalogue->mayMerge(roots[0], roots[1])) {
+    refusals.note(fail("The objects " + catalogue->find(roots[0])->name + " and " +
+                           catalogue->find(roots[1])->name +
+                           " stay two in the catalogue, for a person said what each is.",
+                       "'scantrove objects merge' makes one of them."));
+    return std::nullopt;
   }
-  const Result<ObjectMerge> merge = database.merge(merge_roots);
-  if (!merge) return fail(merge.error());
-  return *merge;
+  return database.merge(roots).map([](ObjectMerge merge) { return std::optional(std::move(merge)); });
 }
 
-/// Of one operation. Error: the first thing that could not be done; it is not tried again.
-Result<void> carryOut(ObjectDatabase& database, JoinedObjects& joined) {
-  FirstError first;
+/// Does in the catalogue what one operation has left to do; returns what is to be kept of it.
+Result<std::string> carryOut(ObjectDatabase& database, JoinedObjects joined, FirstError& refusals) {
   if (joined.state == JoinedObjects::State::to_merge) {
     for (const auto& [a, b] : std::exchange(joined.pairs, {})) {
-      auto merge = mergeTwo(database, a, b);
-      if (!merge) {
-        first.note(fail(merge.error()));
-      } else if (*merge) {
-        joined.merges.push_back(std::move(**merge));
-      }
+      Result<std::optional<ObjectMerge>> merge = mergeTwo(database, a, b, refusals);
+      if (!merge) return fail(merge.error());
+      if (*merge) joined.merges.push_back(std::move(**merge));
     }
     joined.state = JoinedObjects::State::done;
-  } else {
-    for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge) {
-      const Result<ObjectId> root = database.resolve(merge->from.front());
-      // Others may have parted them, or deleted them, since.
-      if (root && *root == merge->into) first.note(database.unmerge(*merge));
-    }
-    joined = {};
+    return joinedToText(joined);
   }
-  return first.result();
+  for (auto merge = joined.merges.rbegin(); merge != joined.merges.rend(); ++merge) {
+    const Result<ObjectId> root = database.mergeRoot(merge->from.front());
+    // Others may have parted them, or deleted them, since.
+    if (root && *root == merge->into) SCANTROVE_TRY(database.unmerge(*merge));
+  }
+  return std::string();
 }
 
 }  // namespace
@@ -100,6 +76,7 @@ std::string joinKeyOf(int operation) { return "join " + std::to_string(operation
 std::string joinedToText(const JoinedObjects& joined) {
   if (joined.before.empty()) return {};
   JoinJson json{{"state", wordFor(joined.state)},
+                {"token", joined.token},
                 {"before", JoinJson::object()},
                 {"pairs", JoinJson::array()},
                 {"merges", JoinJson::array()}};
@@ -121,6 +98,7 @@ JoinedObjects joinedFrom(const std::string& text) {
     const JoinJson json = JoinJson::parse(text);
     JoinedObjects joined;
     joined.state = stateFrom(json.at("state").get<std::string>()).value_or(JoinedObjects::State::done);
+    joined.token = json.value("token", "");
     for (const auto& [region, object] : json.at("before").items())
       joined.before[RegionId{static_cast<std::uint32_t>(std::stoul(region))}] = objectFrom(object);
     for (const JoinJson& pair : json.at("pairs"))
@@ -154,23 +132,32 @@ JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectI
       std::ranges::any_of(joined.before, [](const auto& entry) { return bool(entry.second); });
   if (!is_any) return {};
   if (!joined.pairs.empty()) joined.state = JoinedObjects::State::to_merge;
+  joined.token = newToken();
   return joined;
 }
 
-Result<void> mergeJoinedObjects(OpenSession& session) {
-  FirstError first;
+bool areJoinsPending(const OpenSession& session) {
+  return std::ranges::any_of(session.history().entries(), [&](const OperationLog::Entry& entry) {
+    return joinedFrom(session.fact(joinKeyOf(entry.number))).state != JoinedObjects::State::done;
+  });
+}
+
+Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database) {
+  FirstError refusals;
   for (const OperationLog::Entry& entry : session.history().entries()) {
-    const std::string name = joinKeyOf(entry.number);
-    if (joinedFrom(session.fact(name)).state == JoinedObjects::State::done) continue;
-    const auto database = openCatalogue(session);
-    if (!database) return fail(database.error());
-    JoinedObjects joined = joinedFrom(session.fact(name));  // none, where the catalogue is another one
+    const std::string key = joinKeyOf(entry.number);
+    const JoinedObjects joined = joinedFrom(session.fact(key));
     if (joined.state == JoinedObjects::State::done) continue;
-    first.note(carryOut(**database, joined));
-    session.setMetadata(name, joinedToText(joined));
+    // Sessions of earlier versions kept no token.
+    const std::string token = (joined.token.empty() ? newToken() : joined.token) +
+                              (joined.state == JoinedObjects::State::to_part ? " undone" : "");
+    const Result<std::string> left =
+        database.applyOnce(token, [&] { return carryOut(database, joined, refusals); });
+    if (!left) return fail(left.error());
+    session.setMetadata(key, *left);
     SCANTROVE_TRY(session.saveMetadata());
   }
-  return first.result();
+  return refusals.result();
 }
 
 }  // namespace scantrove

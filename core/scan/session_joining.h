@@ -10,12 +10,14 @@
 
 namespace scantrove {
 
+class ObjectDatabase;
 class OpenSession;
 
 /// What one operation that joined regions did to their objects, as the session keeps it.
 struct JoinedObjects {
   enum class State { to_merge, done, to_part };
   State state = State::done;
+  std::string token = {};                            // by which the catalogue knows whether it did it
   std::map<RegionId, ObjectId> before;               // of the joined regions; none: it was no object
   std::vector<std::pair<ObjectId, ObjectId>> pairs;  // that are to be one
   std::vector<ObjectMerge> merges;                   // done in the catalogue
@@ -30,9 +32,11 @@ struct JoinedObjects {
 /// Joined regions are what any of them was; what to merge in the catalogue for that. `objects` follow.
 [[nodiscard]] JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectId>& objects);
 
-/// Does in the catalogue what joins, and undone joins, have left to do there: two objects become one, as in a
-/// running scan, unless persons said what each is. Thread of the session. Error: the catalogue cannot be
-/// reached, and the next call tries again; or persons named both.
-[[nodiscard]] Result<void> mergeJoinedObjects(OpenSession& session);
+/// Whether joins, or undone joins, have something left to do in the catalogue.
+[[nodiscard]] bool areJoinsPending(const OpenSession& session);
+
+/// Does it, each operation once: two objects become one, as in a running scan, unless users settled both.
+/// Thread of the session. Error: the catalogue failed, and the next call tries again; or users settled both.
+[[nodiscard]] Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database);
 
 }  // namespace scantrove

@@ -58,7 +58,7 @@ class Entries {
     database_ = std::move(*ObjectDatabase::open(file));
     beginSession();
   }
-  void beginSession() { session_ = *database_->beginSession("truth"); }
+  void beginSession() { session_ = *database_->sessions().begin("truth"); }
   /// An entry with a view in frames 0, 1, 2 ... of each of the boxes, of an image of 640 x 480.
   void add(const std::vector<cv::Rect>& boxes) {
     ObjectId object;

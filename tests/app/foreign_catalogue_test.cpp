@@ -42,7 +42,7 @@ void makeForeignCatalogue(const fs::path& file) {
     const auto object = (*database)->addObject(strangersView(i));
     ASSERT_TRUE(object);
     if (i % 2 == 0) continue;  // some that nobody has named
-    ASSERT_TRUE((*database)->nameByPerson(object->id, "stranger " + std::to_string(i)));
+    ASSERT_TRUE((*database)->nameByUser(object->id, "stranger " + std::to_string(i)));
   }
 }
 

@@ -120,10 +120,10 @@ void BM_OpenAndReadDescriptors(benchmark::State& state) {
     ::malloc_trim(0);
     const double before_mb = residentMegabytes();
     const auto database = ObjectDatabase::open(file).value();
-    const auto merge_roots = database->mergeRoots();
+    const auto model = database->model();
     std::int64_t views = 0;
-    const auto last = database->forEachDescriptor(0, [&](const StoredDescriptor&) { ++views; });
-    SCANTROVE_CHECK(merge_roots && last && views == state.range(0));
+    const auto last = database->views().forEachDescriptor(0, [&](const StoredDescriptor&) { ++views; });
+    SCANTROVE_CHECK(model && last && views == state.range(0));
     growth_mb = residentMegabytes() - before_mb;
   }
   state.counters["memory_mb"] = growth_mb;
@@ -138,7 +138,7 @@ void BM_DescribeOlderViews(benchmark::State& state) {
     state.PauseTiming();
     SCANTROVE_CHECK(connection->execute("UPDATE view_summaries SET object_pixels = NULL"));
     state.ResumeTiming();
-    SCANTROVE_CHECK(database->forEachDescriptor(0, [](const StoredDescriptor&) {}));
+    SCANTROVE_CHECK(database->views().forEachDescriptor(0, [](const StoredDescriptor&) {}));
   }
 }
 
@@ -149,7 +149,7 @@ void BM_ListObjects(benchmark::State& state) {
 
 void BM_ListPicture(benchmark::State& state) {
   const auto database = ObjectDatabase::open(catalogue(static_cast<int>(state.range(0)))).value();
-  for (auto _ : state) benchmark::DoNotOptimize(database->picture(ObjectId{3}));
+  for (auto _ : state) benchmark::DoNotOptimize(database->views().picture(ObjectId{3}));
 }
 
 void BM_Rename(benchmark::State& state) {

@@ -129,7 +129,7 @@ class GapWatch {
 void fillCatalogue(const std::string& file, int objects) {
   auto database = ObjectDatabase::open(file);
   if (!database) throw std::runtime_error(database.error().message());
-  const auto session = (*database)->beginSession("earlier");
+  const auto session = (*database)->sessions().begin("earlier");
   for (int i = 0; i < objects; ++i) {
     ObjectView view;
     view.session = session.value();

@@ -29,14 +29,14 @@ const TemporaryFolder& folder() {
 }
 
 void readWhole(ObjectDatabase& database) {
-  (void)database.mergeRoots();
+  (void)database.model();
   (void)database.changesAfter(0);
-  (void)database.forEachDescriptor(0, [](const StoredDescriptor&) {});
+  (void)database.views().forEachDescriptor(0, [](const StoredDescriptor&) {});
   const auto objects = database.objects();
   for (const ObjectRecord& object : objects.value_or(std::vector<ObjectRecord>())) {
-    (void)database.resolve(object.id);
-    (void)database.picture(object.id);
-    const auto views = database.views(object.id);
+    (void)database.mergeRoot(object.id);
+    (void)database.views().picture(object.id);
+    const auto views = database.views().of(object.id);
     for (const ObjectView& view : views.value_or(std::vector<ObjectView>())) {
       require(view.color.empty() || view.mask.empty() || view.color.size() == view.mask.size(),
               "images of a view belong together");
@@ -73,9 +73,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::require(database || !database.error().what.empty(), "an error has words");
   if (!database) return 0;
   test::readWhole(**database);
-  const auto session = (*database)->beginSession("input");
+  const auto session = (*database)->sessions().begin("input");
   const auto added = (*database)->addObject(test::someView(7));
   if (added) (void)(*database)->rename(added->id, "mug");
-  if (session) (void)(*database)->endSession(*session);
+  if (session) (void)(*database)->sessions().end(*session);
   return 0;
 }

@@ -87,7 +87,7 @@ std::vector<ObjectRecord> CatalogueEditor::objects() {
 Result<std::optional<ObjectRecord>> CatalogueEditor::mergeRootOf(ObjectId object) {
   std::optional<ObjectRecord> record;
   if (!isOpen()) return record;
-  const Result<ObjectId> holder = database_->resolve(object);
+  const Result<ObjectId> holder = database_->mergeRoot(object);
   if (!holder) return fail(holder.error());
   if (*holder) SCANTROVE_TRY(moveInto(record, database_->object(*holder)));
   return record;
@@ -100,13 +100,14 @@ Result<std::optional<ObjectRecord>> CatalogueEditor::object(ObjectId object) {
 }
 
 QImage CatalogueEditor::picture(ObjectId object) {
-  return isOpen() ? toImage(valueOr(database_->picture(object), {})) : QImage();
+  return isOpen() ? toImage(valueOr(database_->views().picture(object), {})) : QImage();
 }
 
 std::vector<QImage> CatalogueEditor::pictures(ObjectId object) {
   std::vector<QImage> images;
   if (!isOpen()) return images;
-  for (const cv::Mat& picture : valueOr(database_->pictures(object), {})) images.push_back(toImage(picture));
+  for (const cv::Mat& picture : valueOr(database_->views().pictures(object), {}))
+    images.push_back(toImage(picture));
   return images;
 }
 

@@ -4,25 +4,11 @@
 #include <cmath>
 #include <iterator>
 #include <utility>
-#include <variant>
 
 namespace scantrove {
 namespace {
 
 constexpr int kPictureCache_bytes = 32 << 20;
-
-/// The objects that a change is about.
-std::vector<ObjectId> objectsOf(const CatalogueChange& change) {
-  return std::visit(
-      [](const auto& what) -> std::vector<ObjectId> {
-        if constexpr (requires { what.into; }) {
-          return {what.into, what.from};
-        } else {
-          return {what.object};
-        }
-      },
-      change);
-}
 
 QString sizeText(const ObjectRecord& record) {
   const auto cm = [](float meters) { return QString::number(std::lround(100 * meters)); };
@@ -120,7 +106,8 @@ void ObjectListModel::readAll() {
 void ObjectListModel::follow(const CatalogueChanges& changes) {
   std::set<ObjectId> touched;
   for (const CatalogueChange& change : changes.changes) {
-    for (const ObjectId object : objectsOf(change)) touched.insert(object);
+    touched.insert(change.object());
+    if (change.mergeTarget()) touched.insert(change.mergeTarget());
   }
   emit aboutToFollow();
   std::vector<ObjectId> gone;
@@ -136,9 +123,9 @@ void ObjectListModel::follow(const CatalogueChanges& changes) {
     }
   }
   for (const CatalogueChange& change : changes.changes) {
-    const auto* both = std::get_if<change::Merged>(&change);
-    if (both != nullptr && std::binary_search(gone.begin(), gone.end(), both->from))
-      emit merged(both->into, both->from);
+    if (change.kind == CatalogueChange::Kind::merged &&
+        std::binary_search(gone.begin(), gone.end(), change.object()))
+      emit merged(change.mergeTarget(), change.object());
   }
   for (const ObjectId object : gone) take(object);
   emit followed();

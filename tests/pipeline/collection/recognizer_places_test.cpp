@@ -104,7 +104,7 @@ TEST_F(RecognizerPlacesTest, RecognizesByPlace_WhenThePlaceIsKnownOnlyInTheEnd) 
   settle();
   static_cast<void>(collector_->followCatalogue());
   EXPECT_EQ(collector_->objects().idOf(jar_.thing.region), jar_id_);
-  EXPECT_EQ(*person_->resolve(taken_for_new), jar_id_);
+  EXPECT_EQ(*person_->mergeRoot(taken_for_new), jar_id_);
   EXPECT_EQ(objects().size(), 4U);
 }
 

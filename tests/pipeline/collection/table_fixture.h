@@ -121,7 +121,7 @@ class TableFixture : public testing::Test {
   }
   std::vector<int> framesOfViews(ObjectId object) {
     std::vector<int> frames;
-    const std::vector<ObjectView> views = *person_->views(object);
+    const std::vector<ObjectView> views = *person_->views().of(object);
     for (const ObjectView& view : views) frames.push_back(view.frame_index);
     return frames;
   }

@@ -72,7 +72,7 @@ TEST_F(UserRequestsTest, RedoKeepsAnotherName_WhenOthersMergedTheObject) {
   ASSERT_TRUE(person_->rename(mug, "mug"));
   ASSERT_TRUE(person_->setConfirmed(std::array{mug}, true));
   ASSERT_TRUE(person_->merge(std::array{mug, box}));
-  ASSERT_EQ(person_->resolve(box).value_or(ObjectId{}), mug);
+  ASSERT_EQ(person_->mergeRoot(box).value_or(ObjectId{}), mug);
   static_cast<void>(look({mug_, box_}));
   unname(box_, "cup");
   static_cast<void>(look({mug_, box_}));

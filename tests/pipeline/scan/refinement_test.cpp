@@ -82,7 +82,7 @@ Made madeIn(const test::TemporaryFolder& folder) {
   const auto objects = (*database)->objects();
   for (const ObjectRecord& object : *objects) {
     std::string text = object.name + ":";
-    const auto views = (*database)->views(object.id);
+    const auto views = (*database)->views().of(object.id);
     for (const ObjectView& view : *views)
       text += " " + std::to_string(view.frame_index) + "/" + std::to_string(cv::countNonZero(view.mask));
     made.objects.push_back(std::move(text));

@@ -102,7 +102,7 @@ TEST_F(EditsDuringAScan, EndAsThePersonLeftThem) {
   EXPECT_FALSE(record(objects[1]).id);
   EXPECT_FALSE(record(objects[2]).id);
   EXPECT_EQ(record(objects[3]).id, objects[3]);
-  EXPECT_EQ(*person->resolve(objects[1]), objects[0]);
+  EXPECT_EQ(*person->mergeRoot(objects[1]), objects[0]);
 }
 
 TEST_F(EditsDuringAScan, AreSeenWhilePaused) {

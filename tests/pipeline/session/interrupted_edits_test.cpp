@@ -223,5 +223,42 @@ TEST_F(InterruptedEdits, AreCompletedBeforeTheScanGoesOn) {
   EXPECT_EQ(ask(kSession, "SELECT value FROM facts WHERE name = 'pending edits'"), "");
 }
 
+TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
+  std::vector<RegionId> pair{region_};
+  {
+    const auto session = open();
+    ASSERT_TRUE(session);
+    for (const RegionSummary& region : session->regions().value()) {
+      if (region.label.object && pair.size() < 2) pair.push_back(region.region);
+    }
+    ASSERT_EQ(pair.size(), 2U);
+    ASSERT_TRUE(session->edit({.kind = OperationKind::object, .regions = {region_}}));
+    ASSERT_TRUE(followInCatalogue(*session));
+  }
+  const char* visible = "SELECT group_concat(id || ' ' || name || confirmed) FROM objects WHERE hidden = 0";
+  const std::string before = ask(kCatalogue, visible);
+  for (const Obstacle& obstacle :
+       {Obstacle{kCatalogue, "events", "action = 'merge' AND id > N"},
+        Obstacle{kCatalogue, "applied_edits", "token <> '' AND result LIKE '%done%'"},
+        Obstacle{kSession, "facts", "name LIKE 'join %' AND value LIKE '%done%'"}}) {
+    {
+      const Blocked blocked(folder_ / "scan", obstacle);
+      const auto session = open();
+      ASSERT_TRUE(session);
+      ASSERT_TRUE(session->edit({.kind = OperationKind::join, .regions = pair}));
+      EXPECT_FALSE(followInCatalogue(*session)) << obstacle.condition;
+    }
+    const auto session = open();  // what was interrupted is completed
+    ASSERT_TRUE(session);
+    EXPECT_FALSE(isCataloguePending(*session)) << obstacle.condition;
+    EXPECT_NE(ask(kCatalogue, visible), before) << obstacle.condition;
+    ASSERT_TRUE(session->undo());
+    ASSERT_TRUE(followInCatalogue(*session));
+    EXPECT_EQ(ask(kCatalogue, visible), before) << obstacle.condition;
+    for (const RegionId region : pair) EXPECT_TRUE(session->objectOf(region)) << region.value;
+    EXPECT_NE(session->objectOf(pair[0]), session->objectOf(pair[1]));
+  }
+}
+
 }  // namespace
 }  // namespace scantrove

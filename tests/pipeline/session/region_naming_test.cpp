@@ -211,7 +211,7 @@ TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
   ASSERT_TRUE((*other)->rename(mug.id, "mug"));
   ASSERT_TRUE((*other)->setConfirmed(std::array{mug.id}, true));
   ASSERT_TRUE((*other)->merge(std::array{mug.id, cup}));
-  const std::size_t views = (*other)->views(mug.id)->size();
+  const std::size_t views = (*other)->views().of(mug.id)->size();
 
   ASSERT_TRUE(session->undo());
   const Result<void> undone = followInCatalogue(*session);
@@ -222,10 +222,10 @@ TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
 
   ASSERT_TRUE(session->redo());
   EXPECT_TRUE(followInCatalogue(*session));
-  EXPECT_EQ((*other)->resolve(session->objectOf(regions[0])).value_or(ObjectId{}), mug.id);
+  EXPECT_EQ((*other)->mergeRoot(session->objectOf(regions[0])).value_or(ObjectId{}), mug.id);
   EXPECT_EQ(objectsCalled("mug").size(), 1U) << "the other's object keeps its name";
   EXPECT_TRUE(objectsCalled("cup").empty());
-  EXPECT_EQ((*other)->views(mug.id)->size(), views);
+  EXPECT_EQ((*other)->views().of(mug.id)->size(), views);
 }
 
 TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
@@ -245,7 +245,7 @@ TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
   ASSERT_EQ(merge->into, cup) << "a person named it";
   ASSERT_TRUE(session->undo());
   EXPECT_TRUE(followInCatalogue(*session));
-  EXPECT_EQ((*other)->resolve(found.id).value_or(ObjectId{}), cup) << "nothing of others is hidden";
+  EXPECT_EQ((*other)->mergeRoot(found.id).value_or(ObjectId{}), cup) << "nothing of others is hidden";
   EXPECT_TRUE(objectsCalled("cup").empty());
 }
 

@@ -33,7 +33,7 @@ class CatalogueTest : public testing::Test {
     file_ = folder_.filePath(QStringLiteral("catalogue.sqlite"));
     auto database = ObjectDatabase::open(file_.toStdString());
     ASSERT_TRUE(database) << database.error().message();
-    const auto session = (*database)->beginSession("test");
+    const auto session = (*database)->sessions().begin("test");
     ASSERT_TRUE(session);
     for (const cv::Scalar& color : {cv::Scalar(0, 0, 255), cv::Scalar(0, 255, 0), cv::Scalar(255, 0, 0)}) {
       ObjectView view = discView(color);

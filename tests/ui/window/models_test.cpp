@@ -85,7 +85,7 @@ TEST_F(CatalogueEditorTest, SaysOnceWhatOthersDid) {
   ASSERT_EQ(changes.count(), 1);
   const auto said = changes[0][0].value<CatalogueChanges>();
   ASSERT_EQ(said.changes.size(), 1U);
-  EXPECT_EQ(std::get<change::Renamed>(said.changes[0]).object, objects_[1]);
+  EXPECT_EQ(said.changes[0].object(), objects_[1]);
 }
 
 TEST_F(CatalogueEditorTest, KeepsTheOpenCatalogueWhenAnotherCannotBeOpened) {

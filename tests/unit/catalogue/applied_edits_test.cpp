@@ -16,7 +16,7 @@ class AppliedEdits : public CatalogueTest {
  protected:
   /// What a session does when a region is named: several calls that belong together.
   static Result<std::string> nameNewObject(ObjectDatabase& database) {
-    const Result<std::int64_t> session = database.beginSession("a scan");
+    const Result<std::int64_t> session = database.sessions().begin("a scan");
     if (!session) return fail(session.error());
     const Result<ObjectRecord> object = database.addObject(randomView(0));
     if (!object) return fail(object.error());
@@ -24,9 +24,9 @@ class AppliedEdits : public CatalogueTest {
     view.object = object->id;
     const Result<std::int64_t> added = database.addView(view);
     if (!added) return fail(added.error());
-    const Result<ObjectNaming> naming = database.nameByPerson(object->id, "cup");
+    const Result<ObjectNaming> naming = database.nameByUser(object->id, "cup");
     if (!naming) return fail(naming.error());
-    SCANTROVE_TRY(database.endSession(*session));
+    SCANTROVE_TRY(database.sessions().end(*session));
     return std::to_string(object->id.value);
   }
   /// Rows in all tables that an edit writes into.

@@ -43,7 +43,7 @@ class DamagedRows : public test::CatalogueTest {
   }
   static int countDescriptors(ObjectDatabase& database) {
     int count = 0;
-    const auto last = database.forEachDescriptor(0, [&](const StoredDescriptor&) { ++count; });
+    const auto last = database.views().forEachDescriptor(0, [&](const StoredDescriptor&) { ++count; });
     EXPECT_TRUE(last);
     return count;
   }
@@ -54,15 +54,15 @@ class DamagedRows : public test::CatalogueTest {
     forgetSummary();
     const auto database = openOrFail(file());
     ASSERT_NE(database, nullptr);
-    const auto views = database->views(ObjectId{2});
+    const auto views = database->views().of(ObjectId{2});
     ASSERT_TRUE(views);
     EXPECT_TRUE(views->empty());
     EXPECT_THAT(log_.str(), AllOf(HasSubstr("View 2 of object 2"), HasSubstr(file()), HasSubstr(flaw)));
     log_.str({});
     EXPECT_EQ(countDescriptors(*database), 2);
     EXPECT_THAT(log_.str(), AllOf(HasSubstr("View 2 of object 2"), HasSubstr(file()), HasSubstr(flaw)));
-    EXPECT_TRUE(database->picture(ObjectId{2})->empty());
-    EXPECT_EQ(database->views(ObjectId{1})->size(), 1U);
+    EXPECT_TRUE(database->views().picture(ObjectId{2})->empty());
+    EXPECT_EQ(database->views().of(ObjectId{1})->size(), 1U);
     EXPECT_EQ(database->objects()->size(), 3U);
   }
 
@@ -98,27 +98,27 @@ TEST_F(DamagedRows, ImagesThatDoNotDecodeAreLeftOut) {
 TEST_F(DamagedRows, DepthAndPoseAreLookedAtWhereTheyAreRead) {
   const auto database = openOrFail(file());
   setBlob("depth_mm", toPng(cv::Mat(3, 3, CV_16UC1, cv::Scalar(9))));
-  EXPECT_TRUE(database->views(ObjectId{2})->empty());
+  EXPECT_TRUE(database->views().of(ObjectId{2})->empty());
   EXPECT_THAT(log_.str(), HasSubstr("its depth is 3 x 3 pixels"));
   setBlob("depth_mm", toPng(randomView(1).depth_mm));
-  EXPECT_EQ(database->views(ObjectId{2})->size(), 1U);
+  EXPECT_EQ(database->views().of(ObjectId{2})->size(), 1U);
   for (const char* pose : {"1 2 3", "1 0 0 0 0 1 0 0 0 0 1 x", "1 0 0 0 0 1 0 0 0 0 1 nan", ""}) {
     askSqlite(file(), QString("UPDATE views SET pose = '%1' WHERE id = 2").arg(pose));
-    EXPECT_TRUE(database->views(ObjectId{2})->empty()) << pose;
+    EXPECT_TRUE(database->views().of(ObjectId{2})->empty()) << pose;
     EXPECT_THAT(log_.str(), HasSubstr("its pose is not twelve numbers"));
   }
 }
 
 TEST_F(DamagedRows, ABoxThatCannotBeIsNotKnown) {
   const auto database = openOrFail(file());
-  EXPECT_EQ(database->views(ObjectId{2})->front().box_px, cv::Rect(1, 20, 40, 30));
+  EXPECT_EQ(database->views().of(ObjectId{2})->front().box_px, cv::Rect(1, 20, 40, 30));
   for (const char* damage :
        {"box_x = -1", "box_width = 0", "box_y = 470", "frame_width = 30", "box_width = 2147483647",
         "frame_height = NULL", "box_x = 'left'", "box_width = 100000, frame_width = 200000"}) {
     const QString undamaged = "box_x = 1, box_y = 20, box_width = 40, frame_width = 640, frame_height = 480";
     askSqlite(file(), "UPDATE views SET " + undamaged + " WHERE id = 2");
     askSqlite(file(), QString("UPDATE views SET %1 WHERE id = 2").arg(damage));
-    const std::vector<ObjectView> views = *database->views(ObjectId{2});
+    const std::vector<ObjectView> views = *database->views().of(ObjectId{2});
     ASSERT_EQ(views.size(), 1U) << damage << ": the view itself can be used";
     const bool is_known = !views.front().frame_px.empty();
     EXPECT_EQ(is_known, std::string(damage) == "box_x = 'left'") << damage;  // text is 0
@@ -136,7 +136,7 @@ TEST_F(DamagedRows, DescriptorsThatCannotBeAreLeftOut) {
   askSqlite(file(), "UPDATE descriptors SET mean_l = 9e999 WHERE view = 2");
   EXPECT_EQ(countDescriptors(*database), 2);
   setBlob("jpeg", QByteArray("no picture"), "pictures", "view");
-  EXPECT_TRUE(database->picture(ObjectId{2})->empty());
+  EXPECT_TRUE(database->views().picture(ObjectId{2})->empty());
 }
 
 TEST_F(DamagedRows, ImagesThatDoNotBelongTogetherAreNotStored) {

@@ -22,7 +22,7 @@ using ObjectDatabaseTest = CatalogueTest;
 TEST_F(ObjectDatabaseTest, StartsEmpty) {
   const auto database = openOrFail(file());
   EXPECT_TRUE(database->objects()->empty());
-  EXPECT_EQ(*database->forEachDescriptor(0, [](const StoredDescriptor&) { FAIL(); }), 0);
+  EXPECT_EQ(*database->views().forEachDescriptor(0, [](const StoredDescriptor&) { FAIL(); }), 0);
   EXPECT_FALSE(*database->findByName("Obj_1"));
   EXPECT_EQ(askSqlite(file(), "PRAGMA journal_mode"), "wal");
   EXPECT_EQ(askSqlite(file(), "PRAGMA user_version"), "7");
@@ -67,21 +67,21 @@ TEST_F(ObjectDatabaseTest, AnIdentityThatIsGoneIsDamage) {
 
 TEST_F(ObjectDatabaseTest, KnowsWhichScansItHas) {
   const auto database = openOrFail(file());
-  ASSERT_TRUE(database->beginSession("kitchen"));
+  ASSERT_TRUE(database->sessions().begin("kitchen"));
   askSqlite(file(), "UPDATE sessions SET started = '2026-03-01T10:05:00.000Z'");
-  EXPECT_TRUE(*database->hasScanOf("2026-03-01T10:00:00.000Z"));
-  EXPECT_TRUE(*database->hasScanOf("2026-03-01T10:14:59.000Z"));
-  EXPECT_FALSE(*database->hasScanOf("2026-03-01T10:15:01.000Z"));
-  EXPECT_FALSE(*database->hasScanOf("2026-03-02T10:05:00.000Z"));
-  EXPECT_FALSE(*database->hasScanOf(""));
-  EXPECT_FALSE(*database->hasScanOf("yesterday"));
+  EXPECT_TRUE(*database->sessions().hasScanOf("2026-03-01T10:00:00.000Z"));
+  EXPECT_TRUE(*database->sessions().hasScanOf("2026-03-01T10:14:59.000Z"));
+  EXPECT_FALSE(*database->sessions().hasScanOf("2026-03-01T10:15:01.000Z"));
+  EXPECT_FALSE(*database->sessions().hasScanOf("2026-03-02T10:05:00.000Z"));
+  EXPECT_FALSE(*database->sessions().hasScanOf(""));
+  EXPECT_FALSE(*database->sessions().hasScanOf("yesterday"));
 }
 
 TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
   std::int64_t session = 0;
   {
     const auto database = openOrFail(file());
-    session = *database->beginSession("kitchen");
+    session = *database->sessions().begin("kitchen");
     ObjectView first = randomView(0), second = randomView(1, {200, 150});
     first.session = second.session = session;
     const ObjectRecord object = *database->addObject(first);
@@ -91,7 +91,7 @@ TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
     EXPECT_GT(*database->addView(second), 0);
     EXPECT_TRUE(database->rename(object.id, "  blue mug \xC3\xA4 "));
     EXPECT_TRUE(database->setConfirmed({&object.id, 1}, true));
-    EXPECT_TRUE(database->endSession(session));
+    EXPECT_TRUE(database->sessions().end(session));
   }
   const auto database = openOrFail(file());
   const std::vector<ObjectRecord> objects = *database->objects();
@@ -105,7 +105,7 @@ TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
   EXPECT_THAT(objects[0].created, testing::MatchesRegex("20..-..-..T..:..:..\\....Z"));
   EXPECT_EQ(*database->findByName("blue mug \xC3\xA4"), objects[0].id);
 
-  const std::vector<ObjectView> views = *database->views(objects[0].id);
+  const std::vector<ObjectView> views = *database->views().of(objects[0].id);
   ASSERT_EQ(views.size(), 2U);
   for (int i = 0; i < 2; ++i) {
     const ObjectView expected = randomView(i, i == 0 ? cv::Size(31, 17) : cv::Size(200, 150));
@@ -121,7 +121,8 @@ TEST_F(ObjectDatabaseTest, EverythingComesBackAfterReopening) {
     EXPECT_EQ(view.session, session);
     EXPECT_EQ(view.object, objects[0].id);
   }
-  EXPECT_EQ(database->picture(objects[0].id)->size(), cv::Size(128, 96));  // of the view that shows more
+  EXPECT_EQ(database->views().picture(objects[0].id)->size(),
+            cv::Size(128, 96));  // of the view that shows more
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM sessions WHERE ended IS NOT NULL"), "1");
 }
 
@@ -131,7 +132,7 @@ TEST_F(ObjectDatabaseTest, AViewNeedNotSayWhereItWasCut) {
   view.box_px = {};
   view.frame_px = {};
   const ObjectRecord object = *database->addObject(view);
-  EXPECT_TRUE(database->views(object.id)->front().frame_px.empty());
+  EXPECT_TRUE(database->views().of(object.id)->front().frame_px.empty());
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM views WHERE box_x IS NULL AND frame_height IS NULL"),
             "1");
 }
@@ -141,11 +142,11 @@ TEST_F(ObjectDatabaseTest, DepthOnlySourcesHaveNoColor) {
   ObjectView view = randomView(3);
   view.color = cv::Mat();
   const ObjectRecord object = *database->addObject(view);
-  const std::vector<ObjectView> views = *database->views(object.id);
+  const std::vector<ObjectView> views = *database->views().of(object.id);
   ASSERT_EQ(views.size(), 1U);
   EXPECT_TRUE(views[0].color.empty());
   EXPECT_TRUE(sameImage(views[0].mask, view.mask));
-  EXPECT_TRUE(database->picture(object.id)->empty());
+  EXPECT_TRUE(database->views().picture(object.id)->empty());
 }
 
 TEST_F(ObjectDatabaseTest, NumbersAreGivenOnce) {
@@ -221,7 +222,7 @@ TEST_F(ObjectDatabaseTest, UnknownSessionsAndObjectsAreRefusedWhole) {
   ObjectView view = randomView(0);
   view.session = 77;
   EXPECT_FALSE(database->addObject(view));
-  EXPECT_FALSE(database->endSession(77));
+  EXPECT_FALSE(database->sessions().end(77));
   view.session = 0;
   view.object = ObjectId{5};
   EXPECT_FALSE(database->addView(view));

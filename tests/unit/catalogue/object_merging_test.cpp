@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <variant>
 
 #include "catalogue_test_support.h"
 
@@ -56,7 +55,7 @@ TEST_F(ObjectMerging, RemoveAndRestore) {
   const Ids first_two{ids[0], ids[1]};
   EXPECT_TRUE(database_->remove(first_two));
   EXPECT_EQ(database_->objects()->size(), 1U);
-  EXPECT_FALSE(*database_->resolve(ids[0]));
+  EXPECT_FALSE(*database_->mergeRoot(ids[0]));
   const Result<ObjectRecord> removed = database_->object(ids[0]);
   ASSERT_FALSE(removed);
   EXPECT_THAT(removed.error().message(), HasSubstr("deleted"));
@@ -65,8 +64,9 @@ TEST_F(ObjectMerging, RemoveAndRestore) {
   EXPECT_EQ(database_->objects()->size(), 3U);
 }
 
-TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreLeftBehind) {
-  const std::int64_t session = *database_->beginSession("demo"), other = *database_->beginSession("other");
+TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreDiscarded) {
+  const std::int64_t session = *database_->sessions().begin("demo"),
+                     other = *database_->sessions().begin("other");
   const auto view = [&](ObjectId object, int frame, std::int64_t of_session, float size_m) {
     ObjectView made = randomView(frame);
     made.object = object;
@@ -82,22 +82,22 @@ TEST_F(ObjectMerging, ViewsThatShowSomethingElseAreLeftBehind) {
   ASSERT_TRUE(database_->discardViews(mug, session, one));
   EXPECT_EQ(record(mug).views, 3);
   EXPECT_FLOAT_EQ(record(mug).size_m.x(), 0.2F);
-  EXPECT_EQ(database_->views(mug)->front().frame_index, 2);
-  EXPECT_EQ(database_->viewCount().value(), 4) << "nothing is deleted";
+  EXPECT_EQ(database_->views().of(mug)->front().frame_index, 2);
+  EXPECT_EQ(database_->views().count().value(), 4) << "nothing is deleted";
   // They are a removed object of their own.
   const ObjectId left{mug.value + 1};
-  EXPECT_FALSE(*database_->resolve(left));
+  EXPECT_FALSE(*database_->mergeRoot(left));
   ASSERT_TRUE(database_->restore(Ids{left}));
   EXPECT_EQ(record(left).views, 1);
   EXPECT_FLOAT_EQ(record(left).size_m.x(), 0.1F);
   int of_left = 0;
-  ASSERT_TRUE(database_->forEachDescriptor(
+  ASSERT_TRUE(database_->views().forEachDescriptor(
       0, [&](const StoredDescriptor& descriptor) { of_left += descriptor.first_object == left ? 1 : 0; }));
   EXPECT_EQ(of_left, 1) << "recognition takes it for that one, too";
 }
 
 TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
-  const std::int64_t session = *database_->beginSession("demo");
+  const std::int64_t session = *database_->sessions().begin("demo");
   const ObjectId patch = addOf(session, 1), named = addOf(session, 2), confirmed = addOf(session, 3);
   ASSERT_TRUE(database_->rename(named, "mug"));
   ASSERT_TRUE(database_->setConfirmed(Ids{confirmed}, true));
@@ -105,13 +105,13 @@ TEST_F(ObjectMerging, AnObjectOfNothingElseIsRemovedUnlessAPersonKnowsIt) {
   for (const ObjectId object : {patch, named, confirmed, patch})
     ASSERT_TRUE(database_->discardViews(object, session, frames)) << object.value;
   EXPECT_EQ(database_->objects()->size(), 2U);
-  EXPECT_FALSE(*database_->resolve(patch));
+  EXPECT_FALSE(*database_->mergeRoot(patch));
   ASSERT_TRUE(database_->restore(Ids{patch}));
   EXPECT_EQ(record(patch).views, 1);
 }
 
-TEST_F(ObjectMerging, WhatAMergedObjectLeavesBehindGoesFromItsHolder) {
-  const std::int64_t session = *database_->beginSession("demo");
+TEST_F(ObjectMerging, DiscardedViewsOfAMergedObjectLeaveItsRoot) {
+  const std::int64_t session = *database_->sessions().begin("demo");
   const Ids pair{addOf(session, 1), addOf(session, 2)};
   const ObjectMerge merge = *database_->merge(pair);
   const int frames[] = {1, 2};
@@ -187,7 +187,7 @@ TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
   const ObjectMerge first = *database_->merge(Ids{a, b}), second = *database_->merge(Ids{b, c});
   EXPECT_EQ(database_->objects()->size(), 1U);
   EXPECT_EQ(record(c).views, 7);
-  EXPECT_EQ(*database_->resolve(a), c);
+  EXPECT_EQ(*database_->mergeRoot(a), c);
   ObjectView late = randomView(4);  // a scan that still follows `a`
   late.object = a;
   EXPECT_TRUE(database_->addView(late));
@@ -199,11 +199,11 @@ TEST_F(ObjectMerging, ViewsFollowTheirObjectsThroughMergesOfMerges) {
   EXPECT_TRUE(database_->unmerge(second));  // b comes back with what it held of a
   EXPECT_EQ(record(c).views, 4);
   EXPECT_EQ(record(b).views, 4);
-  EXPECT_EQ(*database_->resolve(a), b);
+  EXPECT_EQ(*database_->mergeRoot(a), b);
   EXPECT_TRUE(database_->unmerge(first));
   EXPECT_EQ(record(a).views, 2);
   EXPECT_EQ(record(b).views, 2);
-  EXPECT_TRUE(sameImage(database_->views(a)->front().color, randomView(0).color));
+  EXPECT_TRUE(sameImage(database_->views().of(a)->front().color, randomView(0).color));
 }
 
 TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
@@ -221,8 +221,8 @@ TEST_F(ObjectMerging, SizeAndPictureFollowTheViews) {
   EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
   addView({0, 0, 0}, 10);  // says nothing
   EXPECT_EQ(record(id).size_m, Eigen::Vector3f(0.3F, 0.2F, 0.1F));
-  EXPECT_EQ(database_->picture(id)->size(), cv::Size(60, 60)) << "the look that shows most of it";
-  const auto pictures = database_->pictures(id);
+  EXPECT_EQ(database_->views().picture(id)->size(), cv::Size(60, 60)) << "the look that shows most of it";
+  const auto pictures = database_->views().pictures(id);
   ASSERT_TRUE(pictures);
   ASSERT_EQ(pictures->size(), 4U);
   EXPECT_EQ((*pictures)[0].size(), cv::Size(10, 10)) << "the newest first";
@@ -242,14 +242,14 @@ TEST_F(ObjectMerging, WhatIsPartedFromAPartLeavesItsHolderToo) {
   ASSERT_TRUE(database_->unmerge(*first));
   EXPECT_TRUE(std::ranges::any_of(database_->changesAfter(event)->changes,
                                   [&](const CatalogueChange& change) {
-                                    const auto* left = std::get_if<change::ViewsDiscarded>(&change);
-                                    return left != nullptr && left->object == ids[0];
+                                    return change.kind == CatalogueChange::Kind::views_discarded &&
+                                           change.object() == ids[0];
                                   }))
       << "whoever keeps its record reads it anew";
   EXPECT_EQ(record(ids[0]).views, 2);
   EXPECT_EQ(record(ids[0]).size_m, small);
-  const cv::Mat picture = *database_->picture(ids[0]);
-  EXPECT_TRUE(std::ranges::any_of(*database_->pictures(ids[0]), [&](const cv::Mat& own) {
+  const cv::Mat picture = *database_->views().picture(ids[0]);
+  EXPECT_TRUE(std::ranges::any_of(*database_->views().pictures(ids[0]), [&](const cv::Mat& own) {
     return sameImage(own, picture);
   })) << "of its own views";
   ASSERT_TRUE(database_->unmerge(*second));
@@ -279,7 +279,7 @@ TEST_F(ObjectMerging, WhatIsWithdrawnIsNothingThatAPersonKnows) {
   EXPECT_FALSE(database_->withdraw(ids[4]).value_or(true)) << "once";
 }
 
-TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {
+TEST_F(ObjectMerging, MergeRootsAreKnownForAllObjects) {
   const ObjectId a = add(), b = add(2), c = add(4), d = add();
   ASSERT_TRUE(database_->setConfirmed({&b, 1}, true));
   ASSERT_TRUE(database_->rename(c, "mug"));
@@ -287,9 +287,9 @@ TEST_F(ObjectMerging, HoldersAreKnownForAllObjects) {
   ASSERT_TRUE(database_->merge(Ids{b, c}));
   ASSERT_TRUE(database_->remove({&d, 1}));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-  const auto merge_roots = database_->mergeRoots();
-  ASSERT_TRUE(merge_roots);
-  for (const MergeRoot& entry : *merge_roots) found.emplace_back(entry.object.value, entry.root.value);
+  const Result<CatalogueModel> model = database_->model();
+  ASSERT_TRUE(model);
+  for (const auto& [id, object] : model->objects()) found.emplace_back(id.value, model->mergeRoot(id).value);
   EXPECT_THAT(found, ElementsAre(std::pair(1, 3), std::pair(2, 3), std::pair(3, 3), std::pair(4, 0)));
 }
 
@@ -299,19 +299,17 @@ TEST_F(ObjectMerging, MergesInACircleOrIntoNothingEnd) {
   askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 1 WHERE id = 2");
   askSqlite(file(), "UPDATE objects SET hidden = 1, merged_into = 77 WHERE id = 3");
   askSqlite(file(), "UPDATE objects SET merged_into = 4 WHERE id = 4");
-  EXPECT_FALSE(*database_->resolve(ids[0]));
-  EXPECT_FALSE(*database_->resolve(ids[2]));
-  EXPECT_EQ(*database_->resolve(ids[3]), ids[3]);
-  const auto merge_roots = database_->mergeRoots();
-  ASSERT_TRUE(merge_roots);
-  for (const MergeRoot& entry : *merge_roots) {
-    EXPECT_EQ(entry.root, entry.object == ids[3] ? ids[3] : ObjectId{}) << entry.object.value;
-  }
+  EXPECT_FALSE(*database_->mergeRoot(ids[0]));
+  EXPECT_FALSE(*database_->mergeRoot(ids[2]));
+  EXPECT_EQ(*database_->mergeRoot(ids[3]), ids[3]);
+  const Result<CatalogueModel> model = database_->model();
+  ASSERT_TRUE(model);
+  for (const ObjectId id : ids) EXPECT_EQ(model->mergeRoot(id), id == ids[3] ? id : ObjectId{}) << id.value;
   ObjectView late = randomView(4);
   late.object = ids[0];
   EXPECT_TRUE(database_->addView(late));
   EXPECT_TRUE(database_->unmerge({ids[1], {ids[0]}, false}));
-  EXPECT_EQ(*database_->resolve(ids[1]), ids[0]);
+  EXPECT_EQ(*database_->mergeRoot(ids[1]), ids[0]);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "catalogue_test_support.h"
+#include "core/base/label_name.h"
 #include "core/database/database_connection.h"
 
 namespace scantrove {
@@ -23,7 +24,7 @@ class NamedByPerson : public CatalogueTest {
  protected:
   ObjectId add(int seed) { return database_->addObject(randomView(seed))->id; }
   ObjectNaming name(ObjectId id, const std::string& name) {
-    const Result<ObjectNaming> naming = database_->nameByPerson(id, name);
+    const Result<ObjectNaming> naming = database_->nameByUser(id, name);
     EXPECT_TRUE(naming) << naming.error().message();
     return naming.value_or(ObjectNaming{});
   }
@@ -33,7 +34,7 @@ class NamedByPerson : public CatalogueTest {
     return record.value_or(ObjectRecord{});
   }
   bool takeBack(const ObjectNaming& naming) {
-    const Result<bool> done = database_->takeNameBack(naming);
+    const Result<bool> done = database_->revertNaming(naming);
     EXPECT_TRUE(done) << done.error().message();
     return done.value_or(false);
   }
@@ -84,7 +85,7 @@ TEST_F(NamedByPerson, AnotherOfThatNameGetsTheViews) {
   EXPECT_EQ(database_->objects()->size(), 1U);
   EXPECT_EQ(record(mug).views, 2);
   EXPECT_TRUE(record(mug).confirmed);
-  EXPECT_EQ(*database_->resolve(found), mug);
+  EXPECT_EQ(*database_->mergeRoot(found), mug);
   EXPECT_TRUE(takeBack(naming));
   EXPECT_EQ(record(mug).views, 1);
   EXPECT_FALSE(record(mug).confirmed) << "as it was";
@@ -112,17 +113,18 @@ TEST_F(NamedByPerson, TwoOfWhichPersonsSaidWhatTheyAreStayTwo) {
 
 TEST_F(NamedByPerson, WhatIsNoNameOrNoObjectIsSaid) {
   const ObjectId mug = add(1);
-  EXPECT_THAT(database_->nameByPerson(mug, "12").error().message(), HasSubstr("number alone"));
-  EXPECT_FALSE(ObjectDatabase::checkedName(" \t"));
-  EXPECT_EQ(*ObjectDatabase::checkedName(" a mug "), "a mug");
+  EXPECT_THAT(database_->nameByUser(mug, "12").error().message(), HasSubstr("number alone"));
+  EXPECT_FALSE(checkedLabelName(" \t"));
+  EXPECT_EQ(*checkedLabelName(" a mug "), "a mug");
   ASSERT_TRUE(database_->remove(std::array{mug}));
-  EXPECT_THAT(database_->nameByPerson(mug, "mug").error().message(), HasSubstr("deleted"));
+  EXPECT_THAT(database_->nameByUser(mug, "mug").error().message(), HasSubstr("deleted"));
 }
 
 TEST_F(NamedByPerson, SessionsKnowTheirCamera) {
   const Intrinsics K{500, 501, 320, 240, 640, 480};
-  const std::int64_t with = *database_->beginSession("desk", K), without = *database_->beginSession("desk");
-  const auto cameras = database_->cameras();
+  const std::int64_t with = *database_->sessions().begin("desk", K),
+                     without = *database_->sessions().begin("desk");
+  const auto cameras = database_->sessions().cameras();
   ASSERT_TRUE(cameras);
   EXPECT_EQ(cameras->at(with), K);
   EXPECT_FALSE(cameras->contains(without));
@@ -148,7 +150,7 @@ TEST_F(ReadCatalogue, IsNotChangedAndNothingIsLeftBesideIt) {
     const auto reader = ObjectDatabase::openToRead(file());
     ASSERT_TRUE(reader) << reader.error().message();
     EXPECT_EQ((*reader)->objects()->size(), 1U);
-    EXPECT_EQ((*reader)->views(mug)->size(), 1U);
+    EXPECT_EQ((*reader)->views().of(mug)->size(), 1U);
     EXPECT_TRUE((*reader)->isStill());
     const Result<void> refused = (*reader)->rename(mug, "mug");
     ASSERT_FALSE(refused);
@@ -185,7 +187,7 @@ TEST_F(ReadCatalogue, OfAnOlderVersionHasNoCameras) {
     askSqlite(file(), sql);
   const auto reader = ObjectDatabase::openToRead(file());
   ASSERT_TRUE(reader) << reader.error().message();
-  EXPECT_TRUE((*reader)->cameras()->empty());
+  EXPECT_TRUE((*reader)->sessions().cameras()->empty());
   EXPECT_EQ((*reader)->objects()->size(), 1U);
   askSqlite(file(), "PRAGMA user_version = 1");
   EXPECT_THAT(ObjectDatabase::openToRead(file()).error().message(), HasSubstr("older"));

@@ -17,7 +17,7 @@ class ViewDescriptors : public test::CatalogueTest {
   static std::vector<StoredDescriptor> descriptorsOf(ObjectDatabase& database, std::int64_t after = 0) {
     std::vector<StoredDescriptor> found;
     const Result<std::int64_t> last =
-        database.forEachDescriptor(after, [&](const StoredDescriptor& d) { found.push_back(d); });
+        database.views().forEachDescriptor(after, [&](const StoredDescriptor& d) { found.push_back(d); });
     EXPECT_TRUE(last) << last.error().message();
     EXPECT_EQ(*last, found.empty() ? after : found.back().view);
     return found;
@@ -80,7 +80,7 @@ TEST_F(ViewDescriptors, AreStoredWithTheViewsOfAllObjects) {
 
 TEST_F(ViewDescriptors, SayWhereTheObjectWasInWhichSession) {
   const auto database = openOrFail(file());
-  const std::int64_t session = *database->beginSession("kitchen");
+  const std::int64_t session = *database->sessions().begin("kitchen");
   ObjectView placed = randomView(0), without_session = randomView(1), without_place = randomView(2);
   placed.session = without_place.session = session;
   placed.centroid_world = without_session.centroid_world = Eigen::Vector3f(1.5F, -0.25F, 3);
@@ -127,19 +127,19 @@ TEST_F(ViewDescriptors, ViewsOfTheFirstVersionAreDescribedOnce) {
   ASSERT_EQ(askSqlite(file(), "SELECT count(*) FROM sqlite_master WHERE name = 'descriptors'"), "0");
   const auto database = openOrFail(file());
   ASSERT_NE(database, nullptr);
-  EXPECT_EQ(database->picture(ObjectId{2})->size(), cv::Size(31, 17));  // before anything else asked
+  EXPECT_EQ(database->views().picture(ObjectId{2})->size(), cv::Size(31, 17));  // before anything else asked
   const std::vector<StoredDescriptor> all = descriptorsOf(*database);
   ASSERT_EQ(all.size(), 232U);
   EXPECT_FALSE(all[0].place) << "nobody noted it then";
   for (int i = 0; i < 230; ++i) expectDescribes(all[static_cast<std::size_t>(i)], randomView(i));
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM descriptors"), "232");
   EXPECT_EQ(askSqlite(file(), "SELECT count(*) FROM view_summaries WHERE object_pixels IS NULL"), "0");
-  EXPECT_EQ(database->picture(ObjectId{1})->size(), cv::Size(60, 40));
+  EXPECT_EQ(database->views().picture(ObjectId{1})->size(), cv::Size(60, 40));
   EXPECT_EQ(database->object(ObjectId{1})->named_by, NamedBy::program);
   EXPECT_EQ(database->object(ObjectId{2})->named_by, NamedBy::person);
   EXPECT_EQ(database->object(ObjectId{3})->named_by, NamedBy::program);
   EXPECT_EQ(database->object(ObjectId{1})->size_m, randomView(0).size_m);
-  EXPECT_TRUE(database->views(ObjectId{1})->front().frame_px.empty()) << "where it was cut is not known";
+  EXPECT_TRUE(database->views().of(ObjectId{1})->front().frame_px.empty()) << "where it was cut is not known";
 }
 
 TEST_F(ViewDescriptors, PicturesAreSmallAndDimTheBackground) {

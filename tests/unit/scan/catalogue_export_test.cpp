@@ -27,7 +27,7 @@ class ExportedCatalogue : public testing::Test {
  protected:
   void SetUp() override {
     const auto database = openOrFail(file());
-    const std::int64_t session = *database->beginSession("desk", K_);
+    const std::int64_t session = *database->sessions().begin("desk", K_);
     ObjectView view = randomView(1);
     view.session = session;
     first_ = database->addObject(view)->id;

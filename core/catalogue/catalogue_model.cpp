@@ -1,0 +1,247 @@
+#include "core/catalogue/catalogue_model.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "core/base/label_name.h"
+
+namespace scantrove {
+
+namespace {
+using Kind = CatalogueChange::Kind;
+}  // namespace
+
+const ObjectState* CatalogueModel::find(ObjectId id) const {
+  const auto found = objects_.find(id);
+  return found == objects_.end() ? nullptr : &found->second;
+}
+
+const ObjectState* CatalogueModel::visible(ObjectId id) const {
+  const ObjectState* object = find(id);
+  return object != nullptr && !object->hidden ? object : nullptr;
+}
+
+const ObjectState* CatalogueModel::named(const std::string& name) const {
+  const auto found = std::ranges::find_if(
+      objects_, [&](const auto& entry) { return !entry.second.hidden && entry.second.name == name; });
+  return found == objects_.end() ? nullptr : &found->second;
+}
+
+std::string CatalogueModel::called(const ObjectState& object) const {
+  return "The object " + std::to_string(object.id.value) + " (" + object.name + ") in " + place_;
+}
+
+Result<ObjectState> CatalogueModel::known(ObjectId id) const {
+  const ObjectState* object = find(id);
+  if (object != nullptr) return *object;
+  return fail("The database " + place_ + " holds no object " + std::to_string(id.value) + ".",
+              "List its objects for the numbers there are.");
+}
+
+Result<ObjectState> CatalogueModel::shown(ObjectId id) const {
+  Result<ObjectState> object = known(id);
+  if (!object || !object->hidden) return object;
+  if (object->merged_into) {
+    return fail(
+        called(*object) + " was merged into object " + std::to_string(object->merged_into.value) + ".",
+        "Use that one, or undo the merge.");
+  }
+  return fail(called(*object) + " was deleted.", "Restore it first.");
+}
+
+ObjectId CatalogueModel::viewOwner(ObjectId id) const {
+  const ObjectState* object = find(id);
+  if (object == nullptr) return {};
+  std::set<ObjectId> passed;
+  while (object->hidden && object->merged_into && passed.insert(object->id).second) {
+    const ObjectState* next = find(object->merged_into);
+    if (next == nullptr) break;
+    object = next;
+  }
+  return object->id;
+}
+
+ObjectId CatalogueModel::mergeRoot(ObjectId id) const {
+  const ObjectId owner = viewOwner(id);
+  return visible(owner) != nullptr ? owner : ObjectId{};
+}
+
+bool CatalogueModel::mayMerge(ObjectId a, ObjectId b) const {
+  const ObjectState *first = visible(a), *second = visible(b);
+  if (first == nullptr || second == nullptr || a == b || areKeptApart(a, b)) return false;
+  return !(isSettled(*first) && isSettled(*second));
+}
+
+void CatalogueModel::apply(Kind kind, ObjectState after) {
+  ObjectState& object = objects_.at(after.id);
+  changes_.push_back({kind, std::exchange(object, after), after, 0, {}});
+}
+
+void CatalogueModel::applyConfirmed(ObjectId id, bool confirmed) {
+  ObjectState object = objects_.at(id);
+  if (object.confirmed == confirmed) return;
+  object.confirmed = confirmed;
+  apply(confirmed ? Kind::confirmed : Kind::unconfirmed, std::move(object));
+}
+
+void CatalogueModel::applyName(ObjectId id, const std::string& name, NamedBy by) {
+  ObjectState object = objects_.at(id);
+  if (object.name == name && object.named_by == by) return;
+  object.name = name;
+  object.named_by = by;
+  apply(Kind::renamed, std::move(object));
+}
+
+void CatalogueModel::applyHidden(ObjectId id) {
+  ObjectState object = objects_.at(id);
+  object.hidden = true;
+  apply(Kind::removed, std::move(object));
+}
+
+void CatalogueModel::applyShown(Kind kind, ObjectId id) {
+  const ObjectState& hidden = objects_.at(id);
+  ObjectState object = hidden;
+  for (int copy = 2; named(object.name) != nullptr; ++copy)
+    object.name = hidden.name + " (" + std::to_string(copy) + ")";
+  object.hidden = false;
+  object.merged_into = {};
+  apply(kind, std::move(object));
+}
+
+Result<void> CatalogueModel::rename(ObjectId id, const std::string& name, NamedBy by) {
+  const Result<std::string> checked = checkedLabelName(name);
+  if (!checked) return fail(checked.error());
+  const Result<ObjectState> object = shown(id);
+  if (!object) return fail(object.error());
+  if (const ObjectState* other = named(*checked); other != nullptr && other->id != id) {
+    return fail("Another object in " + place_ + " is called " + *checked + ".",
+                "Choose another name, or merge the two if they are one.");
+  }
+  applyName(id, *checked, by);
+  return {};
+}
+
+Result<void> CatalogueModel::setConfirmed(std::span<const ObjectId> ids, bool confirmed) {
+  for (const ObjectId id : ids) {
+    if (const Result<ObjectState> object = shown(id); !object) return fail(object.error());
+  }
+  for (const ObjectId id : ids) applyConfirmed(id, confirmed);
+  return {};
+}
+
+Result<ObjectNaming> CatalogueModel::nameByUser(ObjectId id, const std::string& name) {
+  const Result<std::string> checked = checkedLabelName(name);
+  if (!checked) return fail(checked.error());
+  if (const Result<ObjectState> object = known(id); !object) return fail(object.error());
+  const Result<ObjectState> own = shown(viewOwner(id));
+  if (!own) return fail(own.error());
+  const ObjectState* other = named(*checked);
+  const bool is_other = other != nullptr && other->id != own->id;
+  if (is_other && isSettled(*own)) return ObjectNaming{};
+  const ObjectState before = is_other ? *other : *own;
+  ObjectNaming naming{before.id, *checked, before.name, before.named_by, before.confirmed};
+  applyName(before.id, *checked, NamedBy::person);  // first: a user's name makes it the root
+  applyConfirmed(before.id, true);
+  if (is_other) SCANTROVE_TRY(moveInto(naming.merge, merge(std::array{before.id, own->id})));
+  return naming;
+}
+
+Result<bool> CatalogueModel::revertNaming(const ObjectNaming& naming) {
+  const Result<ObjectState> object = known(naming.object);
+  if (!object) return fail(object.error());
+  bool is_done = false;
+  if (naming.merge) {
+    const Result<ObjectState> part = known(naming.merge->from.front());
+    if (!part) return fail(part.error());
+    is_done = part->hidden && part->merged_into == naming.object;
+    if (is_done) SCANTROVE_TRY(unmerge(*naming.merge));
+  }
+  const ObjectState& now = objects_.at(naming.object);
+  if (now.hidden || now.name != naming.name || now.named_by != NamedBy::person) return is_done;
+  if (const ObjectState* other = named(naming.earlier_name); other != nullptr && other->id != now.id)
+    return is_done;
+  applyName(naming.object, naming.earlier_name, naming.earlier_named_by);
+  if (!naming.earlier_confirmed) applyConfirmed(naming.object, false);
+  return true;
+}
+
+Result<ObjectMerge> CatalogueModel::merge(std::span<const ObjectId> ids) {
+  const std::set<ObjectId> distinct(ids.begin(), ids.end());
+  if (distinct.size() < 2)
+    return fail("An object cannot be merged with itself.", "Choose two objects or more.");
+  std::vector<ObjectState> ranked;  // the oldest first
+  for (const ObjectId id : distinct) {
+    const Result<ObjectState> object = shown(id);
+    if (!object) return fail(object.error());
+    ranked.push_back(*object);
+  }
+  std::ranges::stable_sort(ranked, std::greater<>(), [](const ObjectState& object) {
+    return std::pair(object.named_by == NamedBy::person, object.confirmed);
+  });
+  const ObjectState& root = ranked.front();
+  ObjectMerge merge{root.id, {}, false};
+  for (ObjectState object : std::span(ranked).subspan(1)) {
+    object.hidden = true;
+    object.merged_into = root.id;
+    merge.from.push_back(object.id);
+    merge.has_confirmed = merge.has_confirmed || (object.confirmed && !root.confirmed);
+    apply(Kind::merged, std::move(object));
+  }
+  if (merge.has_confirmed) applyConfirmed(root.id, true);
+  return merge;
+}
+
+Result<void> CatalogueModel::unmerge(const ObjectMerge& merge) {
+  if (const Result<ObjectState> into = known(merge.into); !into) return fail(into.error());
+  for (const ObjectId id : merge.from) {
+    const Result<ObjectState> object = known(id);
+    if (!object) return fail(object.error());
+    if (!object->hidden || object->merged_into != merge.into) {
+      return fail(called(*object) + " is not merged into object " + std::to_string(merge.into.value) + ".",
+                  "There is nothing to undo.");
+    }
+  }
+  for (const ObjectId id : merge.from) applyShown(Kind::unmerged, id);
+  if (merge.has_confirmed) applyConfirmed(merge.into, false);
+  // It may be part of another one by now, which had these views, too.
+  const ObjectId owner = viewOwner(merge.into);
+  if (owner != merge.into) {
+    const ObjectState& object = objects_.at(owner);
+    changes_.push_back({Kind::views_discarded, object, object, 0, merge.from.front()});
+  }
+  return {};
+}
+
+Result<void> CatalogueModel::remove(std::span<const ObjectId> ids) {
+  const std::set<ObjectId> distinct(ids.begin(), ids.end());
+  for (const ObjectId id : distinct) {
+    if (const Result<ObjectState> object = shown(id); !object) return fail(object.error());
+  }
+  for (const ObjectId id : distinct) applyHidden(id);
+  return {};
+}
+
+Result<void> CatalogueModel::restore(std::span<const ObjectId> ids) {
+  for (const ObjectId id : ids) {
+    const Result<ObjectState> object = known(id);
+    if (!object) return fail(object.error());
+    if (object->hidden && object->merged_into) return fail(shown(id).error());
+  }
+  for (const ObjectId id : ids) {
+    if (objects_.at(id).hidden) applyShown(Kind::restored, id);
+  }
+  return {};
+}
+
+Result<bool> CatalogueModel::withdraw(ObjectId made) {
+  const Result<ObjectState> object = known(made);
+  if (!object) return fail(object.error());
+  const bool has_parts =
+      std::ranges::any_of(objects_, [made](const auto& entry) { return entry.second.merged_into == made; });
+  if (object->hidden || isSettled(*object) || has_parts) return false;
+  applyHidden(made);
+  return true;
+}
+
+}  // namespace scantrove

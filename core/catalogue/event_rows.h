@@ -1,0 +1,33 @@
+#pragma once
+#include <QJsonObject>
+#include <cstdint>
+
+#include "core/base/result.h"
+#include "core/catalogue/catalogue_change.h"
+
+namespace scantrove {
+
+class DatabaseConnection;
+
+/// What happened, in the table `events`, beside the changes of objects.
+namespace event {
+inline constexpr const char* kSessionBegin = "session-begin";
+inline constexpr const char* kSessionEnd = "session-end";
+inline constexpr const char* kAdd = "add";
+inline constexpr const char* kAddView = "add-view";
+inline constexpr const char* kDiscardViews = "leave-behind";
+}  // namespace event
+
+/// One row of `events`; empty JSON objects are stored as null.
+[[nodiscard]] Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,
+                                       const QJsonObject& before, const QJsonObject& after,
+                                       std::int64_t session = 0);
+/// The same for a change that CatalogueModel decided.
+[[nodiscard]] Result<void> recordChange(DatabaseConnection& connection, const CatalogueChange& change);
+
+/// The newest row, 0 when there is none.
+[[nodiscard]] Result<std::int64_t> lastEvent(DatabaseConnection& connection);
+/// The rows after that one. Those that are no change of an object, or make no sense, are left out.
+[[nodiscard]] Result<CatalogueChanges> changesAfter(DatabaseConnection& connection, std::int64_t event);
+
+}  // namespace scantrove
