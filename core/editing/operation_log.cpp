@@ -37,14 +37,6 @@ const OperationLog::Entry* OperationLog::redo() {
   return &*found;
 }
 
-bool OperationLog::canUndo() const {
-  return std::ranges::find(entries_, State::done, &Entry::state) != entries_.end();
-}
-
-bool OperationLog::canRedo() const {
-  return std::ranges::find(entries_, State::undone, &Entry::state) != entries_.end();
-}
-
 void OperationLog::splitOff(FragmentId part, FragmentId fragment) {
   for (std::size_t place = 0; place < entries_.size(); ++place) {
     std::vector<RegionMove>& moves = entries_[place].effect.moves;

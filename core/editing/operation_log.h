@@ -54,8 +54,6 @@ class OperationLog {
   [[nodiscard]] const Entry* redo();
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  [[nodiscard]] bool canUndo() const;
-  [[nodiscard]] bool canRedo() const;
 
   /// `part` was cut out of `fragment` just now: what was done to that was done to it.
   void splitOff(FragmentId part, FragmentId fragment);

@@ -30,7 +30,6 @@ class ViewActions : public QObject {
 
   /// These regions are background.
   void setBackground(const std::set<RegionId>& regions);
-  [[nodiscard]] BackgroundStyle backgroundStyle() const { return background_style_; }
   [[nodiscard]] Coloring coloring() const { return coloring_; }
 
   /// One of each Coloring, in their order.

@@ -174,8 +174,6 @@ QString ExportDialog::proposedFolder() const {
   return folder;
 }
 
-void ExportDialog::setFolder(const QString& folder) { folder_->setText(folder); }
-
 QString ExportDialog::said() const { return message_->text(); }
 
 void ExportDialog::choose() {

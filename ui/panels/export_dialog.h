@@ -29,7 +29,6 @@ class ExportDialog : public QDialog {
   [[nodiscard]] ExportOptions options() const;
   /// As large as its content, where the screen has that room.
   [[nodiscard]] QSize sizeHint() const override;
-  void setFolder(const QString& folder);
   [[nodiscard]] QString said() const;
   [[nodiscard]] ExportSampleView* sampleView() const { return sample_; }
   [[nodiscard]] bool isWorking() const { return is_working_; }
