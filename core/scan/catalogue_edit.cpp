@@ -9,8 +9,8 @@
 
 #include "core/base/label_name.h"
 #include "core/base/text.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/region_views.h"
-#include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
 namespace {
@@ -232,12 +232,12 @@ Result<ObjectId> CatalogueEdit::makeFromKeyFrames(RegionId region) {
 }
 
 bool CatalogueEdit::isNamedByAnother(RegionId region, ObjectId object, const std::string& name) {
-  const ScanPipeline& pipeline = session_.pipeline();
-  const auto& notes = pipeline.editor().notes().all();
+  const MappingPipeline& pipeline = session_.pipeline();
+  const auto& notes = pipeline.labels().editor().notes().all();
   return std::ranges::any_of(notes, [&](const auto& entry) {
     const auto& [other, note] = entry;
     return other != region && !note.name.empty() && note.name != name &&
-           !pipeline.regionTable().fragmentsOf(other).empty() && presentObjectOf(other) == object;
+           !pipeline.labels().table().fragmentsOf(other).empty() && presentObjectOf(other) == object;
   });
 }
 

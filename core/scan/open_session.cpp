@@ -9,9 +9,9 @@
 #include "core/catalogue/object_database.h"
 #include "core/compute/compute_context.h"
 #include "core/compute/guarded.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/catalogue_numbers.h"
 #include "core/scan/refinement_memory.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/scan/session_catalogue.h"
 #include "core/scan/session_joining.h"
 #include "core/scan/session_recorder.h"
@@ -33,10 +33,10 @@ OpenSession::OpenSession(std::filesystem::path folder) : folder_(std::move(folde
 
 OpenSession::~OpenSession() = default;
 
-const OperationLog& OpenSession::history() const { return pipeline_->editor().log(); }
+const OperationLog& OpenSession::history() const { return pipeline_->labels().editor().log(); }
 
 const RegionNote& OpenSession::noteOf(RegionId region) const {
-  return pipeline_->editor().notes().of(region);
+  return pipeline_->labels().editor().notes().of(region);
 }
 
 ObjectId OpenSession::objectOf(RegionId region) const { return recorder_->objectOf(region); }
@@ -81,12 +81,12 @@ void OpenSession::readCatalogue() {
   region_objects_.clear();
   labels_.clear();
   std::set<RegionId> regions;
-  for (const auto& [region, note] : pipeline_->editor().notes().all()) regions.insert(region);
+  for (const auto& [region, note] : pipeline_->labels().editor().notes().all()) regions.insert(region);
   for (const auto& [region, object] : recorder_->objects()) regions.insert(region);
   const RememberedObjects remembered = rememberedFrom(fact(kObjectsKey));
   for (const auto& [region, object] : remembered) regions.insert(region);
   for (const RegionId region : regions) {
-    if (pipeline_->regionTable().fragmentsOf(region).empty()) continue;
+    if (pipeline_->labels().table().fragmentsOf(region).empty()) continue;
     region_objects_[region] = regionObjectOf(region, remembered);
     labels_[region] = scantrove::labelOf(noteOf(region), region_objects_[region],
                                          fact(sessionOnlyKeyOf(region)) == noteOf(region).name);
@@ -170,9 +170,9 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
   SCANTROVE_TRY(moveInto(session->scan_, loadScan(*writer, session->damages_)));
   SCANTROVE_TRY(moveInto(session->setup_, setupFrom(session->scan_.metadata)));
   SCANTROVE_TRY(moveInto(session->compute_, ComputeContext::create({.device = device})));
-  SCANTROVE_TRY(moveInto(
-      session->pipeline_,
-      ScanPipeline::create(*session->compute_, {.K = session->setup_.K, .params = session->setup_.params})));
+  SCANTROVE_TRY(moveInto(session->pipeline_,
+                         MappingPipeline::create(*session->compute_, {.K = session->setup_.K,
+                                                                      .params = session->setup_.params})));
   SCANTROVE_TRY(restoreScan(*session->pipeline_, nullptr, *writer, session->scan_, false, session->damages_));
   session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
   session->readCatalogue();
@@ -192,8 +192,8 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
   readCatalogue();
   std::map<RegionId, RegionSummary> regions;
   std::map<RegionId, Eigen::Vector3d> sums;
-  const RegionTable& table = pipeline_->regionTable();
-  SCANTROVE_TRY(pipeline_->forEachCloudPoint([&](const LabelPoint& point) {
+  const RegionTable& table = pipeline_->labels().table();
+  SCANTROVE_TRY(pipeline_->readout().forEachCloudPoint([&](const LabelPoint& point) {
     if (point.fragment >= table.regions().size()) return;
     const RegionId region = table.regions()[point.fragment];
     if (!region) return;
@@ -208,7 +208,7 @@ Result<std::vector<RegionSummary>> OpenSession::regions() {
     summary.region = region;
     summary.seen_from = table.seenFrom(region);
     summary.centroid_world = (sums.at(region) / static_cast<double>(summary.voxels)).cast<float>();
-    summary.note = pipeline_->editor().notes().of(region);
+    summary.note = pipeline_->labels().editor().notes().of(region);
     summary.label = labelOf(region);
     list.push_back(std::move(summary));
   }
@@ -241,7 +241,7 @@ Result<OpenSession::Place> OpenSession::at(int frame, int x, int y) {
                     std::to_string(K.width) + " x " + std::to_string(K.height) + " pixels of a frame.",
                 "Count from 0,0 at the top left.");
   }
-  const auto view = pipeline_->renderView(saved->T_world_camera);
+  const auto view = pipeline_->readout().renderView(saved->T_world_camera, pipeline_->workingIntrinsics());
   if (!view) return fail(view.error());
   const auto column = static_cast<std::size_t>(x * view->K.width / K.width);
   const auto row = static_cast<std::size_t>(y * view->K.height / K.height);

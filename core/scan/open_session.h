@@ -18,8 +18,8 @@
 namespace scantrove {
 
 class ComputeContext;
+class MappingPipeline;
 class ObjectDatabase;
-class ScanPipeline;
 class SessionRecorder;
 
 /// A region of a session, as a list shows it.
@@ -113,7 +113,7 @@ class OpenSession {
   /// Error: other programs removed, moved or replaced files of the session since it was opened.
   [[nodiscard]] Result<void> findDisturbance();
 
-  [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
+  [[nodiscard]] MappingPipeline& pipeline() { return *pipeline_; }
 
  private:
   explicit OpenSession(std::filesystem::path folder);
@@ -140,7 +140,7 @@ class OpenSession {
   std::optional<Error> missing_catalogue_;
   bool has_catalogue_ = true;  // that operations are for
   std::unique_ptr<ComputeContext> compute_;
-  std::unique_ptr<ScanPipeline> pipeline_;
+  std::unique_ptr<MappingPipeline> pipeline_;
   std::unique_ptr<SessionRecorder> recorder_;
 };
 

@@ -53,10 +53,10 @@ std::vector<ParamInfo> makeRegistry() {
   using L = LabelingParams;
   using D = DiscoveryParams;
   using C = DetectionParams;
-  const auto f = &ScanParams::fusion;
-  const auto s = &ScanParams::segmentation;
-  const auto l = &ScanParams::labeling;
-  const auto d = &ScanParams::discovery;
+  F ScanParams::*const f = &ScanParams::fusion;
+  S ScanParams::*const s = &ScanParams::segmentation;
+  L ScanParams::*const l = &ScanParams::labeling;
+  D ScanParams::*const d = &ScanParams::discovery;
   const auto c = &ScanParams::detection;
   return {
       number("fusion.voxel_size_m", f, &F::voxel_size_m, "m", 0.001, 0.1, "side of a voxel of the map"),

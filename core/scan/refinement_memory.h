@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/editing/operation_log.h"
-#include "core/scan/refinement_position.h"
+#include "core/refinement/refinement_position.h"
 #include "core/scan/refinement_state.h"
 #include "core/session/saved_scan.h"
 

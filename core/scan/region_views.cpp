@@ -11,9 +11,9 @@
 #include "core/collection/candidate_crop.h"
 #include "core/discovery/region_candidate.h"
 #include "core/geometry/view_sphere.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/key_frame_files.h"
-#include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
 namespace {
@@ -50,7 +50,7 @@ Result<std::vector<Showing>> framesThatShow(OpenSession& session, RegionId regio
     if (found == frames.end() || !found->second->isUsable() || key.color_file.empty()) continue;
     const Eigen::Isometry3d& T_world_camera = found->second->T_world_camera;
     if (!choice.takes(T_world_camera)) continue;
-    const Result<RenderedView> view = session.pipeline().renderView(T_world_camera, small);
+    const Result<RenderedView> view = session.pipeline().readout().renderView(T_world_camera, small);
     if (!view) return fail(view.error());
     const std::optional<Candidate> seen = candidateOf(region, {*view}, kMinPixels);
     if (!seen) continue;
@@ -67,7 +67,7 @@ Result<std::optional<ObjectView>> cropFrom(OpenSession& session, const Showing& 
   const Result<RgbdFrame> frame = readKeyFrame(session.folder(), *showing.images, *showing.frame);
   if (!frame || frame->color.empty()) return std::nullopt;
   const Intrinsics& K = session.pipeline().workingIntrinsics();
-  const Result<RenderedView> view = session.pipeline().renderView(showing.frame->T_world_camera, K);
+  const Result<RenderedView> view = session.pipeline().readout().renderView(showing.frame->T_world_camera, K);
   if (!view) return fail(view.error());
   const std::optional<Candidate> seen = candidateOf(region, {*view}, kMinPixels);
   if (!seen) return std::nullopt;

@@ -6,7 +6,7 @@
 
 #include "core/capture/color_projection.h"
 #include "core/compute/guarded.h"
-#include "core/scan/collector_input.h"
+#include "core/refinement/collector_input.h"
 
 namespace scantrove {
 
@@ -14,8 +14,8 @@ Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameRe
   if (!result.pose.usable()) return FrameObjects{};
   const auto add = [&]() -> Result<FrameObjects> {
     scantrove::follow(*collector_, result.region_events, ObjectCollector::JoinedBy::frames);
-    std::vector<Candidate> candidates = candidatesFor(*collector_, result, pipeline_.editor().notes(),
-                                                      pipeline_.params().discovery.min_points);
+    std::vector<Candidate> candidates = candidatesFor(
+        *collector_, result, pipeline_.labels().editor().notes(), pipeline_.params().discovery.min_points);
     FrameObjects objects = pipeline_.timer().time("detect", [&] {
       return collector_->collect(frame, result.pose.T_world_camera, result.observed.in_color,
                                  std::move(candidates));
@@ -29,11 +29,11 @@ Result<FrameObjects> ScanObjects::addFrame(const RgbdFrame& frame, const FrameRe
 }
 
 void ScanObjects::keepKnown(const FrameObjects& objects) {
-  using Known = ScanPipeline::Known;
+  using Known = MapLabels::Known;
   for (const SeenObject& seen : objects.seen) {
     // What a user confirmed is one thing, of however many regions it was found.
-    pipeline_.setKnown(seen.regions,
-                       seen.confirmed ? Known::one_thing : (seen.recognized ? Known::yes : Known::no));
+    pipeline_.labels().setKnown(
+        seen.regions, seen.confirmed ? Known::one_thing : (seen.recognized ? Known::yes : Known::no));
   }
 }
 
@@ -62,7 +62,7 @@ void ScanObjects::followNames(const Operation& operation, Edit edit) {
     for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {
       collector_->requests().undoName(*region, operation.name);
       // The name that it had before may have waited for the object until now.
-      const std::string& name = pipeline_.editor().notes().of(*region).name;
+      const std::string& name = pipeline_.labels().editor().notes().of(*region).name;
       if (!name.empty() && !collector_->requests().hasNamed(*region, name))
         collector_->requests().name(*region, name);
     }
@@ -70,24 +70,24 @@ void ScanObjects::followNames(const Operation& operation, Edit edit) {
 }
 
 bool ScanObjects::requestNoted(RegionId region) {
-  const RegionNote& note = pipeline_.editor().notes().of(region);
+  const RegionNote& note = pipeline_.labels().editor().notes().of(region);
   const bool is_thing = (note.object || !note.name.empty()) && !note.background && !note.rejected;
-  if (!is_thing || pipeline_.regionTable().fragmentsOf(region).empty()) return false;
+  if (!is_thing || pipeline_.labels().table().fragmentsOf(region).empty()) return false;
   collector_->requests().request(region, note.name);
   return true;
 }
 
 void ScanObjects::requestNoted() {
-  for (const auto& [region, note] : pipeline_.editor().notes().all()) requestNoted(region);
+  for (const auto& [region, note] : pipeline_.labels().editor().notes().all()) requestNoted(region);
 }
 
 std::map<RegionId, RegionLabel> ScanObjects::labels() const {
   std::map<RegionId, RegionObject> objects;
   std::map<RegionId, RegionLabel> labels;
-  for (const RegionId region : pipeline_.regionTable().regions()) {
+  for (const RegionId region : pipeline_.labels().table().regions()) {
     if (!region || labels.contains(region)) continue;
     const RegionObject& object = objects[region] = collector_->objects().describe(region);
-    labels[region] = labelOf(pipeline_.editor().notes().of(region), object);
+    labels[region] = labelOf(pipeline_.labels().editor().notes().of(region), object);
   }
   shareClasses(labels, objects);
   return labels;
@@ -95,7 +95,8 @@ std::map<RegionId, RegionLabel> ScanObjects::labels() const {
 
 Result<void> ScanObjects::addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce) {
   if (!last_seen_ || collector_->requests().pending().empty()) return {};
-  const Result<RenderedView> view = pipeline_.renderView(last_seen_->T_world_camera);
+  const Result<RenderedView> view =
+      pipeline_.readout().renderView(last_seen_->T_world_camera, pipeline_.workingIntrinsics());
   if (!view) return fail(view.error());
   std::vector<Candidate> candidates;
   addRequested(*collector_, {*view}, pipeline_.params().discovery.min_points, candidates);

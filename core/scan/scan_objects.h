@@ -7,8 +7,8 @@
 #include "core/base/result.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/collection/object_collector.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/region_label.h"
-#include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
 
@@ -17,7 +17,7 @@ namespace scantrove {
 class ScanObjects {
  public:
   /// `pipeline` outlives this.
-  ScanObjects(ScanPipeline& pipeline, std::unique_ptr<ObjectCollector> collector)
+  ScanObjects(MappingPipeline& pipeline, std::unique_ptr<ObjectCollector> collector)
       : pipeline_(pipeline), collector_(std::move(collector)) {}
 
   [[nodiscard]] ObjectCollector& collector() { return *collector_; }
@@ -49,7 +49,7 @@ class ScanObjects {
   bool requestNoted(RegionId region);
   [[nodiscard]] Result<void> addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce);
 
-  ScanPipeline& pipeline_;
+  MappingPipeline& pipeline_;
   std::unique_ptr<ObjectCollector> collector_;
   struct Seen {
     RgbdFrame frame;

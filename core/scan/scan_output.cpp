@@ -66,7 +66,7 @@ Result<void> ScanOutput::writeTrajectory() {
   });
 }
 
-Result<void> ScanOutput::finish(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
+Result<void> ScanOutput::finish(MappingPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
                                 const ScanReport& report, const FinalLabelImages::StoreRecord& store) {
   FirstError outcome;
   const auto attempt = [&](const std::string& activity, const auto& work) {
@@ -74,7 +74,7 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const std::map<RegionId,
   };
   attempt("writing the report", [&] { return writeReport(folder_ / "report.json", report); });
   const FrameLabelWriter::RenderView look = [&](const Eigen::Isometry3d& T) {
-    return pipeline.renderView(T);
+    return pipeline.readout().renderView(T, pipeline.workingIntrinsics());
   };
   if (label_images_) attempt("writing the label images", [&] { return label_images_->finish(look); });
   attempt("writing the labelled cloud", [&] { return writeCloud(pipeline, labels); });
@@ -84,12 +84,13 @@ Result<void> ScanOutput::finish(ScanPipeline& pipeline, const std::map<RegionId,
   return outcome.result();
 }
 
-Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels) {
+Result<void> ScanOutput::writeCloud(MappingPipeline& pipeline,
+                                    const std::map<RegionId, RegionLabel>& labels) {
   LabeledCloud points;
   std::map<RegionId, LabelMapEntry> entries;
   FirstError outcome;
   const auto add = [&](const LabelPoint& point) {
-    const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
+    const RegionId region = pipeline.labels().table().regionOf(FragmentId{point.fragment});
     const auto [place, is_new] = entries.try_emplace(region);
     LabelMapEntry& entry = place->second;
     if (is_new) {
@@ -108,7 +109,8 @@ Result<void> ScanOutput::writeCloud(ScanPipeline& pipeline, const std::map<Regio
         {point.x, point.y, point.z, entry.color[0], entry.color[1], entry.color[2], region.value});
   };
   // What could be read until the device or memory fails is written.
-  outcome.note(guarded("reading out the labelled cloud", [&] { return pipeline.forEachCloudPoint(add); }));
+  outcome.note(
+      guarded("reading out the labelled cloud", [&] { return pipeline.readout().forEachCloudPoint(add); }));
   cloud_points_ = points.size();
   std::vector<LabelMapEntry> list;
   for (auto& [region, entry] : entries) list.push_back(std::move(entry));

@@ -5,10 +5,10 @@
 #include "core/base/result.h"
 #include "core/base/stamped_pose.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/final_label_images.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/region_numbers.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_report.h"
 #include "core/session/saved_scan.h"
 
@@ -41,7 +41,7 @@ class ScanOutput {
   /// The other files. Writes what there is; a file that cannot be written keeps no other from being written,
   /// nor does a device that fails: the cloud is what could be read of it. Error: the first that failed (the
   /// others are in the log). `store` keeps the record of the final label images in the session.
-  [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
+  [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const std::map<RegionId, RegionLabel>& labels,
                                     const ScanReport& report, const FinalLabelImages::StoreRecord& store);
   /// What finish() could not draw, for the user.
   [[nodiscard]] const std::vector<Error>& remarks() const { return final_labels_.remarks(); }
@@ -51,7 +51,7 @@ class ScanOutput {
  private:
   explicit ScanOutput(std::filesystem::path folder) : folder_(std::move(folder)), final_labels_(folder_) {}
 
-  [[nodiscard]] Result<void> writeCloud(ScanPipeline& pipeline,
+  [[nodiscard]] Result<void> writeCloud(MappingPipeline& pipeline,
                                         const std::map<RegionId, RegionLabel>& labels);
 
   std::filesystem::path folder_;

@@ -9,8 +9,8 @@
 #include "core/compute/guarded.h"
 #include "core/dataset/dataset_export.h"
 #include "core/fusion/rendered_view.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/key_frame_files.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/scan/session_catalogue.h"
 
 namespace scantrove {
@@ -66,7 +66,7 @@ Result<std::unique_ptr<ScanReview>> ScanReview::open(const ScanRequest& request,
 }
 
 Result<void> ScanReview::showAll() {
-  snapshots_.addBricks(session_->pipeline().allBricks());
+  snapshots_.addBricks(session_->pipeline().readout().allBricks());
   return lookAgain();
 }
 
@@ -79,10 +79,11 @@ Result<void> ScanReview::showKeyFrame(int place) {
 Result<void> ScanReview::lookAgain() {
   session_->readCatalogue();
   if (shown_ < 0) return post();
-  ScanPipeline& pipeline = session_->pipeline();
+  MappingPipeline& pipeline = session_->pipeline();
   const SavedKeyFrame& key = *key_frames_[static_cast<std::size_t>(shown_)];
   const SavedFrame& saved = *session_->frameOf(key);
-  Result<RenderedView> view = pipeline.renderView(saved.T_world_camera);
+  Result<RenderedView> view =
+      pipeline.readout().renderView(saved.T_world_camera, pipeline.workingIntrinsics());
   if (!view) return fail(view.error());
   Result<RgbdFrame> frame = readKeyFrame(session_->folder(), key, saved);
   // Its labels can be seen without its pictures.

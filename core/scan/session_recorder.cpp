@@ -35,7 +35,7 @@ SessionRecorder::SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup se
 }
 
 std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<SessionWriter> writer,
-                                                         ScanPipeline& pipeline, const SavedScan& scan,
+                                                         MappingPipeline& pipeline, const SavedScan& scan,
                                                          bool all_frames) {
   Setup setup{.all_frames = all_frames};
   if (!scan.frames.empty()) setup.frames = scan.frames.back().number + 1;
@@ -45,11 +45,11 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
   }
   auto recorder = std::make_unique<SessionRecorder>(std::move(writer), std::move(setup));
   // What was just read back is on disk.
-  static_cast<void>(pipeline.kept().table.takeChanged(RegionTable::Follower::session));
-  recorder->voxels_.resize(pipeline.regionTable().regions().size(), 0);
+  static_cast<void>(pipeline.labels().table().takeChanged(RegionTable::Follower::session));
+  recorder->voxels_.resize(pipeline.labels().table().regions().size(), 0);
   for (const SavedFragment& one : scan.fragments) recorder->voxels_[one.fragment.value] = one.voxels;
-  for (std::uint32_t fragment = 0; fragment < pipeline.regionTable().regions().size(); ++fragment)
-    recorder->seen_from_.push_back(pipeline.regionTable().seenFrom(FragmentId{fragment}));
+  for (std::uint32_t fragment = 0; fragment < pipeline.labels().table().regions().size(); ++fragment)
+    recorder->seen_from_.push_back(pipeline.labels().table().seenFrom(FragmentId{fragment}));
   for (const SavedRegion& region : scan.regions) {
     recorder->regions_[region.region] = region;
     recorder->objects_[region.region] = region.object;
@@ -61,7 +61,7 @@ std::unique_ptr<SessionRecorder> SessionRecorder::resume(std::unique_ptr<Session
     recorder->remembered_ = rememberedFrom(objects->second);
   if (const auto catalogue = scan.metadata.find(kCatalogueKey); catalogue != scan.metadata.end())
     recorder->catalogue_ = catalogue->second;
-  recorder->view_ = pipeline.kept().bricks.view();
+  recorder->view_ = pipeline.bricks().view();
   return recorder;
 }
 
@@ -155,10 +155,10 @@ ObjectId SessionRecorder::objectOf(RegionId region) const {
   return found == objects_.end() ? ObjectId{} : found->second;
 }
 
-void SessionRecorder::collectRegions(ScanPipeline& pipeline, const ObjectCollector* collector,
+void SessionRecorder::collectRegions(MappingPipeline& pipeline, const ObjectCollector* collector,
                                      SavedDelta& delta) {
-  RegionTable& table = pipeline.kept().table;
-  const std::vector<cl_int>& voxels = pipeline.voxelsOfFragments();
+  RegionTable& table = pipeline.labels().table();
+  const std::vector<cl_int>& voxels = pipeline.labels().voxelsOfFragments();
   std::vector<bool> is_changed(table.regions().size(), false);
   for (const FragmentId fragment : table.takeChanged(RegionTable::Follower::session))
     is_changed[fragment.value] = true;
@@ -173,7 +173,8 @@ void SessionRecorder::collectRegions(ScanPipeline& pipeline, const ObjectCollect
     delta.fragments.push_back({FragmentId{fragment}, table.regions()[fragment], now, seen_from});
   }
   std::map<RegionId, SavedRegion> regions;
-  for (const auto& [region, note] : pipeline.editor().notes().all()) regions[region] = {region, {}, note};
+  for (const auto& [region, note] : pipeline.labels().editor().notes().all())
+    regions[region] = {region, {}, note};
   if (collector == nullptr) {
     // Without a catalogue regions are what they were.
     for (const auto& [region, object] : objects_) {
@@ -213,10 +214,10 @@ void SessionRecorder::collectNamings(const ObjectCollector& collector, SavedDelt
   }
 }
 
-void SessionRecorder::collectObjects(const ScanPipeline& pipeline, const ObjectCollector& collector,
+void SessionRecorder::collectObjects(const MappingPipeline& pipeline, const ObjectCollector& collector,
                                      SavedDelta& delta) {
   std::map<RegionId, RegionObject> now;
-  for (const RegionId region : pipeline.regionTable().regions()) {
+  for (const RegionId region : pipeline.labels().table().regions()) {
     if (region && !now.contains(region)) now[region] = collector.objects().describe(region);
   }
   // What is none here keeps what another catalogue said of it.
@@ -254,7 +255,7 @@ bool SessionRecorder::handSomePages(BrickMap& bricks, std::size_t enough) {
   return pages_.empty();
 }
 
-void SessionRecorder::endPages(ScanPipeline& pipeline, const ObjectCollector* collector) {
+void SessionRecorder::endPages(MappingPipeline& pipeline, const ObjectCollector* collector) {
   hand(collect(pipeline, collector));
   view_ = next_view_;
   saves_pages_ = false;
@@ -265,10 +266,10 @@ bool SessionRecorder::arePagesWaiting() {
   return handed_pages_.size() >= kMaxWaitingPages;
 }
 
-SavedDelta SessionRecorder::collect(ScanPipeline& pipeline, const ObjectCollector* collector) {
+SavedDelta SessionRecorder::collect(MappingPipeline& pipeline, const ObjectCollector* collector) {
   SavedDelta delta;
   delta.metadata = std::exchange(setup_.metadata, {});  // how it ended
-  delta.metadata["last_region"] = std::to_string(pipeline.kept().table.lastRegion().value);
+  delta.metadata["last_region"] = std::to_string(pipeline.labels().table().lastRegion().value);
   delta.frames = std::exchange(frames_, {});
   delta.recordings = std::exchange(recordings_, {});
   collectRegions(pipeline, collector, delta);
@@ -276,13 +277,13 @@ SavedDelta SessionRecorder::collect(ScanPipeline& pipeline, const ObjectCollecto
     collectNamings(*collector, delta);
     collectObjects(pipeline, *collector, delta);
   }
-  if (EvidenceGraph* graph = pipeline.kept().merger.evidence()) {
+  if (EvidenceGraph* graph = pipeline.labels().merger().evidence()) {
     for (const auto& [a, b] : graph->takeChanged()) {
       const BorderEvidence* border = graph->find(a, b);
       delta.borders.push_back({a, b, border != nullptr ? std::optional(*border) : std::nullopt});
     }
   }
-  OperationLog& log = pipeline.kept().editor.log();
+  OperationLog& log = pipeline.labels().editor().log();
   for (const std::size_t place : log.takeChanged()) delta.operations.push_back(log.entries()[place]);
   return delta;
 }
@@ -293,7 +294,7 @@ void SessionRecorder::hand(SavedDelta delta) {
   });
 }
 
-void SessionRecorder::saveWhenDue(ScanPipeline& pipeline, const ObjectCollector& collector) {
+void SessionRecorder::saveWhenDue(MappingPipeline& pipeline, const ObjectCollector& collector) {
   const auto now = std::chrono::steady_clock::now();
   const bool is_due = now - last_save_ >= kBetweenSaves;
   // While the disk does not take it, what changed is kept where it is.
@@ -302,7 +303,7 @@ void SessionRecorder::saveWhenDue(ScanPipeline& pipeline, const ObjectCollector&
     last_save_ = now;
     return writer_->post([](SessionStore& /*store*/) -> Result<void> { return {}; });  // to try again
   }
-  BrickMap& bricks = pipeline.kept().bricks;
+  BrickMap& bricks = pipeline.bricks();
   if (!saves_pages_) {
     if (!is_due) return;
     beginPages(bricks);
@@ -315,17 +316,17 @@ void SessionRecorder::saveWhenDue(ScanPipeline& pipeline, const ObjectCollector&
   endPages(pipeline, &collector);
 }
 
-Result<void> SessionRecorder::save(ScanPipeline& pipeline, const ObjectCollector* collector) {
-  BrickMap& bricks = pipeline.kept().bricks;
+Result<void> SessionRecorder::save(MappingPipeline& pipeline, const ObjectCollector* collector) {
+  BrickMap& bricks = pipeline.bricks();
   beginPages(bricks);
   while (!handSomePages(bricks, kBricksAtOnce)) SCANTROVE_TRY(writer_->flush());
   endPages(pipeline, collector);
   return writer_->flush();
 }
 
-Result<void> SessionRecorder::finish(ScanPipeline& pipeline, const ObjectCollector& collector) {
+Result<void> SessionRecorder::finish(MappingPipeline& pipeline, const ObjectCollector& collector) {
   setMetadata("ended", "yes");
-  const std::optional<CameraMemory> memory = pipeline.cameraMemory();
+  const std::optional<CameraMemory> memory = pipeline.camera().memory();
   SCANTROVE_TRY(save(pipeline, &collector));
   // By itself: where the disk has no room for it, the rest is kept all the same.
   SavedDelta camera;

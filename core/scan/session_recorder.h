@@ -11,8 +11,8 @@
 #include "core/capture/continued_source.h"
 #include "core/collection/object_collector.h"
 #include "core/fusion/stored_page.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/key_frame_choice.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/session/session_writer.h"
 
 namespace scantrove {
@@ -42,8 +42,8 @@ class SessionRecorder {
   SessionRecorder(std::unique_ptr<SessionWriter> writer, Setup setup);
   /// Goes on in a session that `pipeline` was just restored from.
   [[nodiscard]] static std::unique_ptr<SessionRecorder> resume(std::unique_ptr<SessionWriter> writer,
-                                                               ScanPipeline& pipeline, const SavedScan& scan,
-                                                               bool all_frames);
+                                                               MappingPipeline& pipeline,
+                                                               const SavedScan& scan, bool all_frames);
 
   /// The frames from the next one on are of this recording.
   void beginRecording(const std::string& source, const ContinuedSource::Shift& shift);
@@ -52,13 +52,13 @@ class SessionRecorder {
   /// The map is given up for a new one, before anybody did anything to it: the frames so far are lost.
   void beginAnew();
   /// Hands over what changed, or a part of it, if it is time. Device faults: cl::Error.
-  void saveWhenDue(ScanPipeline& pipeline, const ObjectCollector& collector);
+  void saveWhenDue(MappingPipeline& pipeline, const ObjectCollector& collector);
   /// Hands over what changed and waits until it is on disk. Without `collector` objects are what they were.
   /// Error: it is not; what is there stays as it was.
-  [[nodiscard]] Result<void> save(ScanPipeline& pipeline, const ObjectCollector* collector = nullptr);
+  [[nodiscard]] Result<void> save(MappingPipeline& pipeline, const ObjectCollector* collector = nullptr);
   /// The same at the end of the scan. Error: also that other programs removed or replaced files of the
   /// session meanwhile, though they were written anew.
-  [[nodiscard]] Result<void> finish(ScanPipeline& pipeline, const ObjectCollector& collector);
+  [[nodiscard]] Result<void> finish(MappingPipeline& pipeline, const ObjectCollector& collector);
   /// Error: other programs removed, moved or replaced files of the session since it was opened.
   [[nodiscard]] Result<void> findDisturbance();
   /// The frames whose images the session has, in order, and how they are kept. Waits until they are on disk.
@@ -86,17 +86,17 @@ class SessionRecorder {
   using HandedPages = std::vector<std::pair<Eigen::Vector3i, StoredPage>>;
 
   /// All but the map.
-  [[nodiscard]] SavedDelta collect(ScanPipeline& pipeline, const ObjectCollector* collector);
-  void collectRegions(ScanPipeline& pipeline, const ObjectCollector* collector, SavedDelta& delta);
+  [[nodiscard]] SavedDelta collect(MappingPipeline& pipeline, const ObjectCollector* collector);
+  void collectRegions(MappingPipeline& pipeline, const ObjectCollector* collector, SavedDelta& delta);
   void collectNamings(const ObjectCollector& collector, SavedDelta& delta);
   /// What the catalogue says of the objects.
-  void collectObjects(const ScanPipeline& pipeline, const ObjectCollector& collector, SavedDelta& delta);
+  void collectObjects(const MappingPipeline& pipeline, const ObjectCollector& collector, SavedDelta& delta);
   /// From now on pages_ are those of the map that changed since they were handed over.
   void beginPages(const BrickMap& bricks);
   /// Hands over so many bricks of pages_, in whole pages. True: those were the last.
   [[nodiscard]] bool handSomePages(BrickMap& bricks, std::size_t enough);
   /// Hands over all else, now that these were all: so they are part of the session.
-  void endPages(ScanPipeline& pipeline, const ObjectCollector* collector);
+  void endPages(MappingPipeline& pipeline, const ObjectCollector* collector);
   /// As many of them as may wait are not on disk yet.
   [[nodiscard]] bool arePagesWaiting();
   void hand(SavedDelta delta);

@@ -47,20 +47,20 @@ void keepLabels(StoredPage& page, Fragments& fragments) {
   }
 }
 
-void restoreRegions(ScanPipeline::Kept& kept, const SavedScan& scan, Fragments fragments) {
+void restoreRegions(MapLabels& labels, const SavedScan& scan, Fragments fragments) {
   RegionId last;
   if (const auto found = scan.metadata.find("last_region"); found != scan.metadata.end())
     last.value = static_cast<std::uint32_t>(std::strtoul(found->second.c_str(), nullptr, 10));
-  kept.table.restore(std::move(fragments.regions), last);
-  for (const SavedFragment& one : scan.fragments) kept.table.restoreSeen(one.fragment, one.seen_from);
-  kept.cloud.restoreVoxelCounts(std::move(fragments.voxels));
-  if (EvidenceGraph* graph = kept.merger.evidence()) {
+  labels.table().restore(std::move(fragments.regions), last);
+  for (const SavedFragment& one : scan.fragments) labels.table().restoreSeen(one.fragment, one.seen_from);
+  labels.cloud().restoreVoxelCounts(std::move(fragments.voxels));
+  if (EvidenceGraph* graph = labels.merger().evidence()) {
     for (const SavedBorder& border : scan.borders) {
       if (border.evidence) graph->restore(border.a, border.b, *border.evidence);
     }
   }
-  for (const OperationLog::Entry& entry : scan.operations) kept.editor.log().restore(entry);
-  for (const SavedRegion& region : scan.regions) kept.editor.restoreNote(region.region, region.note);
+  for (const OperationLog::Entry& entry : scan.operations) labels.editor().log().restore(entry);
+  for (const SavedRegion& region : scan.regions) labels.editor().restoreNote(region.region, region.note);
 }
 
 Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedScan& scan, Fragments& fragments,
@@ -97,17 +97,17 @@ Result<void> restoreMap(BrickMap& bricks, SessionWriter& session, const SavedSca
 }
 
 /// The camera's way is gone once more: so the same frames become its places, and it has left the same ones.
-void restoreKeyFrames(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
+void restoreKeyFrames(MappingPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
                       std::vector<std::string>& damages) {
   std::map<int, const SavedKeyFrame*> images;
   for (const SavedKeyFrame& key : scan.key_frames) images[key.frame] = &key;
   for (const SavedFrame& frame : scan.frames) {
-    if (!frame.isUsable() || !pipeline.recallPose(frame.T_world_camera)) continue;
+    if (!frame.isUsable() || !pipeline.camera().recallPose(frame.T_world_camera)) continue;
     const auto key = images.find(frame.number);
     if (key == images.end()) continue;
     const Result<RgbdFrame> seen = readKeyFrame(session.folder(), *key->second, frame);
     if (seen) {
-      pipeline.relocalizeNear(*seen, frame.T_world_camera);
+      pipeline.camera().addKeyFrame(*seen, frame.T_world_camera);
     } else {
       damages.push_back(seen.error().message());
     }
@@ -139,7 +139,7 @@ Result<std::optional<CameraMemory>> loadCamera(SessionWriter& session, const Sav
   return is_of_end ? cameraMemoryFrom(camera->words) : std::nullopt;
 }
 
-Result<void> restoreCamera(ScanPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
+Result<void> restoreCamera(MappingPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
                            std::vector<std::string>& damages) {
   std::optional<CameraMemory> memory;
   SCANTROVE_TRY(moveInto(memory, loadCamera(session, scan)));
@@ -148,11 +148,11 @@ Result<void> restoreCamera(ScanPipeline& pipeline, SessionWriter& session, const
                       " is missing or damaged, so the camera may take longer to find its place; the scan "
                       "goes on.");
   }
-  if (memory && pipeline.restoreState(std::move(*memory))) return {};
+  if (memory && pipeline.camera().restoreState(std::move(*memory))) return {};
   restoreKeyFrames(pipeline, session, scan, damages);
   const auto last = std::find_if(scan.frames.rbegin(), scan.frames.rend(),
                                  [](const SavedFrame& frame) { return frame.isUsable(); });
-  if (last != scan.frames.rend()) pipeline.resumeAt(last->T_world_camera);
+  if (last != scan.frames.rend()) pipeline.camera().relocalizeNear(last->T_world_camera);
   return {};
 }
 
@@ -177,14 +177,13 @@ Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& dam
   return scan;
 }
 
-Result<void> restoreScan(ScanPipeline& pipeline, ScanObjects* objects, SessionWriter& session,
+Result<void> restoreScan(MappingPipeline& pipeline, ScanObjects* objects, SessionWriter& session,
                          const SavedScan& scan, bool for_camera, std::vector<std::string>& damages) {
   return guarded("reading the session back", [&]() -> Result<void> {
-    ScanPipeline::Kept kept = pipeline.kept();
     Fragments fragments = fragmentsOf(scan);
-    SCANTROVE_TRY(restoreMap(kept.bricks, session, scan, fragments, damages));
-    if (for_camera) SCANTROVE_TRY(checkHasMap(kept.bricks, session, scan));
-    restoreRegions(kept, scan, std::move(fragments));
+    SCANTROVE_TRY(restoreMap(pipeline.bricks(), session, scan, fragments, damages));
+    if (for_camera) SCANTROVE_TRY(checkHasMap(pipeline.bricks(), session, scan));
+    restoreRegions(pipeline.labels(), scan, std::move(fragments));
     if (objects != nullptr) restoreObjects(*objects, scan);
     return for_camera ? restoreCamera(pipeline, session, scan, damages) : Result<void>();
   });

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/fusion/kernels/color_voxel.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/scan/key_frame_files.h"
-#include "core/scan/scan_pipeline.h"
 
 namespace scantrove {
 SessionScan::SessionScan(OpenSession& session) : session_(session) {
@@ -99,7 +99,7 @@ Result<cv::Mat> SessionScan::depth(int index) {
 }
 
 Result<ViewOfMap> SessionScan::look(const Intrinsics& K, const Eigen::Isometry3d& T_world_camera) {
-  const auto seen = session_.pipeline().renderView(T_world_camera, K);
+  const auto seen = session_.pipeline().readout().renderView(T_world_camera, K);
   if (!seen) return fail(seen.error());
   ViewOfMap view{cv::Mat(K.height, K.width, CV_32SC1), seen->depth().z_m};
   std::ranges::transform(seen->regions, view.regions.begin<int>(),
@@ -108,12 +108,12 @@ Result<ViewOfMap> SessionScan::look(const Intrinsics& K, const Eigen::Isometry3d
 }
 
 std::uint32_t SessionScan::regionOf(std::uint32_t fragment) const {
-  const std::vector<RegionId>& regions = session_.pipeline().regionTable().regions();
+  const std::vector<RegionId>& regions = session_.pipeline().labels().table().regions();
   return fragment < regions.size() ? regions[fragment].value : 0;
 }
 
 Result<LabeledMesh> SessionScan::mesh() {
-  auto surface = session_.pipeline().extractMesh();
+  auto surface = session_.pipeline().readout().extractMesh();
   if (!surface) return fail(surface.error());
   LabeledMesh mesh;
   if (!*surface) return mesh;
@@ -124,7 +124,7 @@ Result<LabeledMesh> SessionScan::mesh() {
 }
 
 Result<void> SessionScan::forEachPoint(const std::function<void(const SurfacePoint&)>& give) {
-  return session_.pipeline().forEachCloudPoint([&](const LabelPoint& point) {
+  return session_.pipeline().readout().forEachCloudPoint([&](const LabelPoint& point) {
     const auto byte = [](unsigned value) { return static_cast<std::uint8_t>(value); };
     give({{point.x, point.y, point.z},
           {point.normal_x, point.normal_y, point.normal_z},

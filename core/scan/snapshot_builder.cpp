@@ -71,7 +71,7 @@ void SnapshotBuilder::measureRate() {
   if (span.count() > 0) fps_ = static_cast<double>(frame_times_.size() - 1) / span.count();
 }
 
-void SnapshotBuilder::addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result,
+void SnapshotBuilder::addFrame(const MappingPipeline& pipeline, RgbdFrame frame, FrameResult result,
                                std::vector<SeenObject> objects) {
   measureRate();
   if (result.pose.usable()) {
@@ -92,34 +92,33 @@ void SnapshotBuilder::addBricks(std::span<const Eigen::Vector3i> bricks) {
   if (has_pictures_) waiting_.add(bricks);
 }
 
-void SnapshotBuilder::beginAnew(const ScanPipeline& given_up) {
-  addBricks(given_up.allBricks());
+void SnapshotBuilder::beginAnew(MappingPipeline& given_up) {
+  addBricks(given_up.readout().allBricks());
   trail_.clear();
 }
 
-void SnapshotBuilder::keepRegionChanges(ScanPipeline& pipeline, bool by_person) {
-  for (RegionChange change : pipeline.takeRegionChanges()) {
-    change.by_person = by_person;
-    region_changes_.push_back(change);
-  }
+void SnapshotBuilder::keepRegionChanges(MappingPipeline& pipeline, bool by_person) {
+  RegionTable& table = pipeline.labels().table();
+  for (const FragmentId fragment : table.takeChanged())
+    region_changes_.push_back({fragment, table.regionOf(fragment), by_person});
 }
 
-void SnapshotBuilder::endEdit(ScanPipeline& pipeline) {
+void SnapshotBuilder::endEdit(MappingPipeline& pipeline) {
   keepRegionChanges(pipeline, true);
-  const std::vector<Eigen::Vector3i> edited = pipeline.takeEditedBricks();
+  const std::vector<Eigen::Vector3i> edited = pipeline.labels().takeEditedBricks();
   if (has_pictures_) waiting_.addByPerson(edited);
 }
 
-Result<void> SnapshotBuilder::postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress) {
+Result<void> SnapshotBuilder::postWhenDue(MappingPipeline& pipeline, const ScanProgress& progress) {
   if (!mailbox_.empty() || std::chrono::steady_clock::now() - last_post_ < kMinInterval) return {};
   return post(pipeline, progress, Bricks::due);
 }
 
-Result<void> SnapshotBuilder::flush(ScanPipeline& pipeline, const ScanProgress& progress) {
+Result<void> SnapshotBuilder::flush(MappingPipeline& pipeline, const ScanProgress& progress) {
   return post(pipeline, progress, Bricks::all);
 }
 
-Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& progress, Bricks which) {
+Result<void> SnapshotBuilder::post(MappingPipeline& pipeline, const ScanProgress& progress, Bricks which) {
   auto snapshot = std::make_shared<ScanSnapshot>();
   snapshot->state = progress.state;
   snapshot->frame_index = frame_.index;
@@ -139,7 +138,7 @@ Result<void> SnapshotBuilder::post(ScanPipeline& pipeline, const ScanProgress& p
   }
   snapshot->fps = fps_;
   snapshot->map_bricks = pipeline.bricks().brickCount();
-  snapshot->map_megabytes = static_cast<double>(pipeline.deviceBytes()) / (1 << 20);
+  snapshot->map_megabytes = static_cast<double>(pipeline.bricks().deviceBytes()) / (1 << 20);
   snapshot->region_count = countRegions(result_.view);
   last_post_ = std::chrono::steady_clock::now();
   mailbox_.post(std::move(snapshot));
@@ -159,7 +158,7 @@ void SnapshotBuilder::addPictures(ScanSnapshot& snapshot) const {
   if (labels_.describe) std::ranges::for_each(snapshot.objects, labels_.describe);
 }
 
-void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const {
+void SnapshotBuilder::addRegions(MappingPipeline& pipeline, ScanSnapshot& snapshot) const {
   if (frame_.color_camera && !result_.view.vertices_world.empty()) {
     snapshot.color_places = locateInColor(frame_.color_camera, result_.view.K, result_.view.T_world_camera,
                                           result_.view.vertices_world)
@@ -170,13 +169,13 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
     ViewCoverage seen_from;
   };
   std::map<RegionId, Whole> regions;
-  const std::vector<RegionId>& region_of = pipeline.regionTable().regions();
-  const std::vector<cl_int>& of_fragment = pipeline.voxelsOfFragments();
+  const std::vector<RegionId>& region_of = pipeline.labels().table().regions();
+  const std::vector<cl_int>& of_fragment = pipeline.labels().voxelsOfFragments();
   for (std::size_t fragment = 1; fragment < std::min(region_of.size(), of_fragment.size()); ++fragment) {
     if (!region_of[fragment] || of_fragment[fragment] <= 0) continue;
     Whole& whole = regions[region_of[fragment]];
     whole.voxels += of_fragment[fragment];
-    whole.seen_from.add(pipeline.regionTable().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
+    whole.seen_from.add(pipeline.labels().table().seenFrom(FragmentId{static_cast<std::uint32_t>(fragment)}));
   }
   const std::map<RegionId, RegionLabel> labels =
       labels_.of_regions ? labels_.of_regions() : std::map<RegionId, RegionLabel>();
@@ -185,12 +184,12 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
   for (const auto& [region, whole] : regions) {
     const auto found = labels.find(region);
     const RegionLabel label = found == labels.end() ? RegionLabel{} : found->second;
-    infos->push_back(
-        {region, whole.voxels, pipeline.editor().notes().of(region), label.object, whole.seen_from, label});
+    infos->push_back({region, whole.voxels, pipeline.labels().editor().notes().of(region), label.object,
+                      whole.seen_from, label});
   }
   snapshot.region_infos = std::move(infos);
   auto operations = std::make_shared<std::vector<DoneOperation>>();
-  for (const OperationLog::Entry& entry : pipeline.editor().log().entries()) {
+  for (const OperationLog::Entry& entry : pipeline.labels().editor().log().entries()) {
     const Operation& operation = entry.operation;
     operations->push_back(
         {entry.number, operation.kind, operation.regions, operation.name, operation.on, entry.state});
@@ -198,13 +197,14 @@ void SnapshotBuilder::addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot)
   snapshot.operations = std::move(operations);
 }
 
-Result<void> SnapshotBuilder::readBricks(ScanPipeline& pipeline, std::span<const WaitingBricks::Brick> bricks,
+Result<void> SnapshotBuilder::readBricks(MappingPipeline& pipeline,
+                                         std::span<const WaitingBricks::Brick> bricks,
                                          std::vector<CloudBrick>& to) {
   if (bricks.empty()) return {};
   std::vector<Eigen::Vector3i> positions;
   positions.reserve(bricks.size());
   for (const WaitingBricks::Brick& brick : bricks) positions.push_back(brick.position);
-  const Result<LabelCloud::Extract> extract = pipeline.extractCloud(positions);
+  const Result<LabelCloud::Extract> extract = pipeline.readout().extractCloud(positions);
   if (!extract) {
     waiting_.add(positions);
     return fail(extract.error());
@@ -226,7 +226,8 @@ Result<void> SnapshotBuilder::readBricks(ScanPipeline& pipeline, std::span<const
   return {};
 }
 
-Result<void> SnapshotBuilder::addChangedBricks(ScanPipeline& pipeline, Bricks which, ScanSnapshot& snapshot) {
+Result<void> SnapshotBuilder::addChangedBricks(MappingPipeline& pipeline, Bricks which,
+                                               ScanSnapshot& snapshot) {
   ++version_;
   std::vector<CloudBrick> changed;
   std::vector<WaitingBricks::Brick> bricks;

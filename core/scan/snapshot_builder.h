@@ -9,8 +9,8 @@
 
 #include "core/base/latest_value.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/region_label.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/scan/scan_snapshot.h"
 #include "core/scan/waiting_bricks.h"
 
@@ -37,21 +37,21 @@ class SnapshotBuilder {
       : mailbox_(mailbox), version_(first_version) {}
 
   /// Call for every frame: remembers it, the objects in it, its place on the trail and the bricks it changed.
-  void addFrame(const ScanPipeline& pipeline, RgbdFrame frame, FrameResult result,
+  void addFrame(const MappingPipeline& pipeline, RgbdFrame frame, FrameResult result,
                 std::vector<SeenObject> objects = {});
 
   /// Bricks that something else than a frame changed.
   void addBricks(std::span<const Eigen::Vector3i> bricks);
 
   /// Another map takes the place of this one: its bricks are shown as they are there.
-  void beginAnew(const ScanPipeline& given_up);
+  void beginAnew(MappingPipeline& given_up);
 
   /// Snapshots hold numbers alone from now on: no images, no regions, no bricks.
   void omitPictures() { has_pictures_ = false; }
   /// Around something that a person does to the regions: what that changes is sent before all else, and
   /// marked.
-  void beginEdit(ScanPipeline& pipeline) { keepRegionChanges(pipeline, false); }
-  void endEdit(ScanPipeline& pipeline);
+  void beginEdit(MappingPipeline& pipeline) { keepRegionChanges(pipeline, false); }
+  void endEdit(MappingPipeline& pipeline);
 
   /// What is looked at when no frames come: see ScanSnapshot. Of earlier frames the way of the camera.
   void setKeyFrames(std::vector<int> key_frames, std::vector<Eigen::Vector3f> trail);
@@ -72,21 +72,23 @@ class SnapshotBuilder {
   void setLabels(Labels labels) { labels_ = std::move(labels); }
 
   /// Posts a snapshot if the last one was collected and is old enough. Error: the device failed.
-  [[nodiscard]] Result<void> postWhenDue(ScanPipeline& pipeline, const ScanProgress& progress);
+  [[nodiscard]] Result<void> postWhenDue(MappingPipeline& pipeline, const ScanProgress& progress);
 
   /// Posts what there is at once, with all bricks that still wait: at a pause, a step, the end.
   /// Error: the device failed.
-  [[nodiscard]] Result<void> flush(ScanPipeline& pipeline, const ScanProgress& progress);
+  [[nodiscard]] Result<void> flush(MappingPipeline& pipeline, const ScanProgress& progress);
 
  private:
   enum class Bricks { due, all };
-  [[nodiscard]] Result<void> post(ScanPipeline& pipeline, const ScanProgress& progress, Bricks which);
-  [[nodiscard]] Result<void> addChangedBricks(ScanPipeline& pipeline, Bricks which, ScanSnapshot& snapshot);
-  [[nodiscard]] Result<void> readBricks(ScanPipeline& pipeline, std::span<const WaitingBricks::Brick> bricks,
+  [[nodiscard]] Result<void> post(MappingPipeline& pipeline, const ScanProgress& progress, Bricks which);
+  [[nodiscard]] Result<void> addChangedBricks(MappingPipeline& pipeline, Bricks which,
+                                              ScanSnapshot& snapshot);
+  [[nodiscard]] Result<void> readBricks(MappingPipeline& pipeline,
+                                        std::span<const WaitingBricks::Brick> bricks,
                                         std::vector<CloudBrick>& to);
-  void keepRegionChanges(ScanPipeline& pipeline, bool by_person);
+  void keepRegionChanges(MappingPipeline& pipeline, bool by_person);
   void addPictures(ScanSnapshot& snapshot) const;
-  void addRegions(ScanPipeline& pipeline, ScanSnapshot& snapshot) const;
+  void addRegions(MappingPipeline& pipeline, ScanSnapshot& snapshot) const;
   void measureRate();
 
   LatestValue<ScanSnapshot>& mailbox_;

@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/param_registry.h"
-#include "core/scan/scan_pipeline.h"
 #include "tests/benchmarks/scene_cache.h"
 
 namespace scantrove::benchmarks {
@@ -68,7 +68,7 @@ inline int withScenes(int argc, char** argv, const std::string& what_for, SceneO
 
 /// What is left of a scan that is done.
 struct SceneScan {
-  std::unique_ptr<ScanPipeline> pipeline;
+  std::unique_ptr<MappingPipeline> pipeline;
   int frames = 0;
   int lost = 0;
   double seconds = 0;
@@ -89,7 +89,7 @@ inline cv::Mat truthIn(const cv::Mat& truth, const Intrinsics& K) {
 
 /// Called with a frame of the recording, what it gave, and its true instances at the recording's resolution.
 using FrameVisit =
-    std::function<void(const ScanPipeline&, const RgbdFrame&, const FrameResult&, const cv::Mat& truth)>;
+    std::function<void(const MappingPipeline&, const RgbdFrame&, const FrameResult&, const cv::Mat& truth)>;
 
 /// Scans a recording of SceneCache; visits every `options.every`-th frame if it has a pose.
 inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const ScanParams& params,
@@ -101,8 +101,9 @@ inline Result<SceneScan> scanScene(const std::filesystem::path& recording, const
   const auto source = openSource(recording.string(), which);
   if (!source) return fail(source.error());
   SceneScan scan;
-  SCANTROVE_TRY(moveInto(scan.pipeline, ScanPipeline::create(compute, {(*source)->info().intrinsics, params,
-                                                                       options.poses == "given"})));
+  SCANTROVE_TRY(moveInto(
+      scan.pipeline,
+      MappingPipeline::create(compute, {(*source)->info().intrinsics, params, options.poses == "given"})));
   const auto start = std::chrono::steady_clock::now();
   std::optional<Eigen::Isometry3d> T_truth_estimate;
   for (FrameRead read = (*source)->next(); read.status == FrameRead::Status::frame;

@@ -96,7 +96,7 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
   std::vector<SegmentationMetrics> single, merged;
   SceneScore score;
   const auto scan = scanScene(recording, params, options.scenes, compute,
-                              [&](const ScanPipeline& pipeline, const RgbdFrame& frame,
+                              [&](const MappingPipeline& pipeline, const RgbdFrame& frame,
                                   const FrameResult& result, const cv::Mat& truth) {
                                 const LabelImages images(result.segments, frame);
                                 single.push_back(evaluateSegmentation(images.of(result.segments.ids), truth));
@@ -107,7 +107,7 @@ Result<SceneScore> scoreOf(const std::filesystem::path& recording, const ScanPar
   if (!scan) return fail(scan.error());
   score.single = averaged(single);
   score.merged = averaged(merged);
-  score.regions = scan->pipeline->regionCount().regions;
+  score.regions = scan->pipeline->readout().regionCount().regions;
   score.merge_ms = mergeMilliseconds(scan->pipeline->timer());
   score.fps = scan->frames / scan->seconds;
   score.lost = scan->lost;

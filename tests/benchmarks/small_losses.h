@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/scan/scan_pipeline.h"
+#include "core/pipeline/mapping_pipeline.h"
 
 namespace scantrove::benchmarks {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/scan/camera_memory.h"
+#include "core/pipeline/camera_memory.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace scantrove::test {

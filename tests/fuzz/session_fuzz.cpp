@@ -8,7 +8,7 @@
 #include "core/database/database_connection.h"
 #include "core/fusion/packed_words.h"
 #include "core/fusion/stored_page.h"
-#include "core/scan/camera_memory.h"
+#include "core/pipeline/camera_memory.h"
 #include "core/scan/session_setup.h"
 #include "core/session/session_list.h"
 #include "core/session/session_store.h"

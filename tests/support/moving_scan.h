@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/evaluation/trajectory_metrics.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/scan_objects.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/synthetic/scene_recipe.h"
 #include "core/synthetic/synthetic_source.h"
 #include "tests/support/temporary_folder.h"
@@ -100,8 +100,8 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
   const std::string file = (folder / "catalogue.sqlite").string();
   const auto database = ObjectDatabase::open(file);
   if (!database) return fail(database.error());
-  std::unique_ptr<ScanPipeline> pipeline;
-  SCANTROVE_TRY(moveInto(pipeline, ScanPipeline::create(compute, {options.K, ScanParams{}})));
+  std::unique_ptr<MappingPipeline> pipeline;
+  SCANTROVE_TRY(moveInto(pipeline, MappingPipeline::create(compute, {options.K, MappingParams{}})));
   auto collector = ObjectCollector::create(compute, **database, {.database = file}, {});
   if (!collector) return fail(collector.error());
   ScanObjects objects(*pipeline, std::move(*collector));
@@ -134,7 +134,7 @@ inline Result<MovingScan> scanMoving(std::uint32_t seed, ComputeContext& compute
   if (poses.size() > 2) scan.ate_m = absoluteTrajectoryError(poses).rmse;
 
   const moving::Truth truth = moving::truthOf(seed);
-  SCANTROVE_TRY(pipeline->forEachCloudPoint([&](const LabelPoint& point) {
+  SCANTROVE_TRY(pipeline->readout().forEachCloudPoint([&](const LabelPoint& point) {
     const Eigen::Vector3d place = T_world_map * Eigen::Vector3d(point.x, point.y, point.z);
     ++scan.points;
     if (truth.at_the_end.isNear(place, 3)) return;

@@ -8,7 +8,7 @@
 
 #include "core/evaluation/segmentation_metrics.h"
 #include "core/evaluation/trajectory_metrics.h"
-#include "core/scan/scan_pipeline.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/segmentation/upsample_segments.h"
 #include "core/synthetic/synthetic_source.h"
 
@@ -25,7 +25,7 @@ class SyntheticScan {
     cv::Mat instances;  ///< truth, CV_32SC1, working resolution
   };
 
-  explicit SyntheticScan(const SyntheticOptions& options, const ScanParams& params = {},
+  explicit SyntheticScan(const SyntheticOptions& options, const MappingParams& params = {},
                          bool poses_given = false) {
     auto source = makeSyntheticSource(options);
     EXPECT_TRUE(source) << (source ? "" : source.error().message());
@@ -33,7 +33,7 @@ class SyntheticScan {
     auto compute = ComputeContext::create({});
     EXPECT_TRUE(compute) << (compute ? "" : compute.error().message());
     compute_ = std::move(*compute);
-    auto pipeline = ScanPipeline::create(*compute_, {options.K, params, poses_given});
+    auto pipeline = MappingPipeline::create(*compute_, {options.K, params, poses_given});
     EXPECT_TRUE(pipeline) << (pipeline ? "" : pipeline.error().message());
     pipeline_ = std::move(*pipeline);
   }
@@ -69,7 +69,8 @@ class SyntheticScan {
 
   /// What the map shows of a frame by now, as labels-final/ has it: surface without label takes the nearest.
   [[nodiscard]] cv::Mat finalRegions(const Frame& frame) const {
-    const auto view = pipeline_->renderView(frame.pose.T_world_camera);
+    const auto view =
+        pipeline_->readout().renderView(frame.pose.T_world_camera, pipeline_->workingIntrinsics());
     EXPECT_TRUE(view) << view.error().message();
     std::vector<std::uint16_t> depth_mm;
     const cv::Mat1f z_m = view->depth().z_m;
@@ -99,7 +100,7 @@ class SyntheticScan {
 
   std::vector<Frame> frames;
   [[nodiscard]] const SyntheticSource& source() const { return *source_; }
-  [[nodiscard]] ScanPipeline& pipeline() { return *pipeline_; }
+  [[nodiscard]] MappingPipeline& pipeline() { return *pipeline_; }
 
  private:
   static int numberOf(std::uint32_t segment) { return static_cast<int>(segment); }
@@ -113,7 +114,7 @@ class SyntheticScan {
 
   std::unique_ptr<SyntheticSource> source_;
   std::unique_ptr<ComputeContext> compute_;
-  std::unique_ptr<ScanPipeline> pipeline_;
+  std::unique_ptr<MappingPipeline> pipeline_;
 };
 
 }  // namespace scantrove::test

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/discovery/objectness/objectness_features.h"
-#include "core/scan/rated_sets.h"
+#include "core/refinement/rated_sets.h"
 #include "tools/train/boosting.h"
 #include "tools/train/models.h"
 

@@ -12,7 +12,7 @@
 #include "core/labeling/graph_merger.h"
 #include "core/labeling/region_partition.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/finer_regions.h"
+#include "core/refinement/finer_regions.h"
 #include "core/scan/key_frame_choice.h"
 #include "core/synthetic/synthetic_source.h"
 

@@ -65,6 +65,41 @@ class LayerRules {
     return findings;
   }
 
+  /// For each module of core those that it may include, one by one. Lowest first; each arrow goes down.
+  static const std::map<std::string, std::set<std::string>>& allowedArrows() {
+    static const std::map<std::string, std::set<std::string>> kArrows{
+        {"base", {}},
+        {"geometry", {"base"}},
+        {"image", {"base"}},
+        {"compute", {"base"}},
+        {"database", {"base"}},
+        {"capture", {"base", "geometry", "image"}},
+        {"evaluation", {"base", "capture"}},
+        {"synthetic", {"base", "geometry", "capture"}},
+        {"exchange", {"base", "image", "capture"}},
+        {"dataset", {"base", "image", "capture", "exchange"}},
+        {"fusion", {"base", "geometry", "compute", "capture"}},
+        {"tracking", {"base", "geometry", "compute", "capture", "fusion"}},
+        {"segmentation", {"base", "geometry", "compute", "fusion"}},
+        {"labeling", {"base", "geometry", "compute", "fusion", "segmentation"}},
+        {"discovery", {"base", "geometry", "capture", "fusion", "labeling"}},
+        {"editing", {"base", "geometry", "labeling"}},
+        {"meshing", {"base", "geometry", "compute", "fusion", "labeling"}},
+        {"catalogue", {"base", "geometry", "image", "compute", "database", "capture"}},
+        {"pipeline",
+         {"base", "geometry", "compute", "capture", "fusion", "tracking", "segmentation", "labeling",
+          "discovery", "editing", "meshing"}},
+        {"collection",
+         {"base", "geometry", "compute", "capture", "fusion", "tracking", "labeling", "discovery", "editing",
+          "catalogue"}},
+        // Sessions keep poses, regions, pages of the map and operations as those modules have them.
+        {"session", {"base", "geometry", "capture", "database", "fusion", "tracking", "labeling", "editing"}},
+        {"refinement",
+         {"base", "geometry", "compute", "capture", "fusion", "labeling", "discovery", "editing", "pipeline",
+          "collection", "session"}}};
+    return kArrows;
+  }
+
  private:
   enum class Toolkit { none, qt_core, qt_sql, qt_gui, vtk };
 
@@ -110,23 +145,6 @@ class LayerRules {
     return is_qt || startsWith(header, "Qt") ? Toolkit::qt_gui : Toolkit::none;
   }
 
-  /// Plain data of one module that other modules may know (everything else of a module is its machinery).
-  static bool isPlainData(const std::string& header) {
-    static const std::set<std::string> kPlainData{
-        "core/capture/instance_name.h",  "core/capture/color_camera.h",
-        "core/capture/frame_source.h",   "core/capture/intrinsics.h",
-        "core/capture/rgbd_frame.h",     "core/fusion/brick_map.h",
-        "core/fusion/depth_pyramid.h",   "core/tracking/pose_estimate.h",
-        "core/fusion/surface_maps.h",    "core/segmentation/segment_map.h",
-        "core/fusion/rendered_view.h",   "core/labeling/kernels/label_voxel.h",
-        "core/meshing/surface_mesh.h",   "core/discovery/candidate.h",
-        "core/discovery/region_set.h",   "core/catalogue/object_record.h",
-        "core/exchange/labeled_point.h", "core/dataset/labelled_scan.h",
-        "core/fusion/view_depths.h"};
-    const bool is_shared_kernel_text = startsWith(header, "core/fusion/kernels/") && !header.ends_with(".cl");
-    return kPlainData.contains(header) || is_shared_kernel_text || header.ends_with("_params.h");
-  }
-
   static std::string whyForbidden(const std::string& file, const std::string& header) {
     const auto [layer, part] = placeOf(file);
     if (isOurs(header)) return whyForbiddenOurs(layer, part, header);
@@ -152,29 +170,11 @@ class LayerRules {
     const auto [to_layer, to_part] = placeOf(header);
     static const std::map<std::string, int> kHeight{{"core", 0}, {"ui", 1}, {"app", 2}};
     if (kHeight.at(to_layer) > kHeight.at(layer)) return "dependencies go app -> ui -> core, never back";
-    if (layer != "core" || part == to_part || part == "scan" || to_part == "base") return {};
-    if (to_part == "scan") return "scan calls the modules, no module knows scan";
-    if (part == "dataset") {
-      return to_part == "capture" || to_part == "exchange" || to_part == "image"
-                 ? ""
-                 : "dataset stands on image, capture and exchange alone";
-    }
-    if (to_part == "dataset" && (part == "capture" || part == "exchange")) return "dataset is above " + part;
-    if (part == "base") return "base stands on nothing";
-    if (part == "geometry") return "geometry stands on base alone";
-    if (part == "image") return "image stands on base alone";
-    if (to_part == "image" || to_part == "geometry") return {};
-    if (to_part == "compute") return {};
-    if (part == "compute") return "compute stands on base alone";
-    // Modules that are built on others.
-    static const std::map<std::string, std::set<std::string>> kStandsOn{
-        {"editing", {"labeling"}},
-        {"catalogue", {"database"}},
-        {"collection", {"discovery", "editing", "catalogue", "labeling", "fusion", "capture"}},
-        {"session", {"database", "editing", "labeling", "fusion"}}};
-    if (const auto found = kStandsOn.find(part); found != kStandsOn.end() && found->second.contains(to_part))
-      return {};
-    return isPlainData(header) ? "" : "modules know each other's plain data, not each other's machinery";
+    // `scan` runs all of them.
+    if (layer != "core" || part == to_part || part == "scan") return {};
+    const auto found = allowedArrows().find(part);
+    if (found == allowedArrows().end()) return part + " is no module with allowed arrows";
+    return found->second.contains(to_part) ? "" : part + " does not stand on " + to_part;
   }
 
   /// All headers of ours and others that compiling `file` pulls in through ours.

@@ -25,8 +25,8 @@ class CloserLook : public testing::Test {
     options.set = test::makeBookRowSet;
     return options;
   }
-  static ScanParams params() {
-    ScanParams params;
+  static MappingParams params() {
+    MappingParams params;
     params.fusion.working_width = 240;  // at 320 the scan alone parts 6 of them
     return params;
   }

@@ -57,7 +57,7 @@ TEST(Coverage, IsThatOfTheTrueViewDirections) {
     }
     const RegionId region = regionOf(scan, id);
     if (observations.empty() || !region) continue;
-    const ViewCoverage coverage = scan.pipeline().regionTable().seenFrom(region);
+    const ViewCoverage coverage = scan.pipeline().labels().table().seenFrom(region);
     const float least = std::cos(ViewCoverage::kReach_deg * static_cast<float>(M_PI) / 180);
     int is_wrong = 0;
     int is_seen = 0;

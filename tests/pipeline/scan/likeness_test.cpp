@@ -52,10 +52,10 @@ synthetic::SceneRecipe makeEqualsSet() {
 }
 
 /// How each region of the map looks.
-std::map<RegionId, RegionAppearance> looksOf(ScanPipeline& pipeline) {
+std::map<RegionId, RegionAppearance> looksOf(MappingPipeline& pipeline) {
   std::map<RegionId, std::vector<AppearancePoint>> points;
-  const RegionTable& table = pipeline.regionTable();
-  const auto done = pipeline.forEachCloudPoint([&](const LabelPoint& point) {
+  const RegionTable& table = pipeline.labels().table();
+  const auto done = pipeline.readout().forEachCloudPoint([&](const LabelPoint& point) {
     AppearancePoint look{{point.x, point.y, point.z}, {}, COLOR_WEIGHT(point.color) > 0};
     look.rgb = {static_cast<std::uint8_t>(COLOR_RED(point.color)),
                 static_cast<std::uint8_t>(COLOR_GREEN(point.color)),

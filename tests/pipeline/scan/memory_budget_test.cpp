@@ -28,8 +28,8 @@ SyntheticOptions walk() {
   return options;
 }
 
-ScanParams paramsWith(int budget_mb) {
-  ScanParams params;
+MappingParams paramsWith(int budget_mb) {
+  MappingParams params;
   params.fusion.voxel_size_m = 0.02F;
   params.fusion.max_depth_m = 3;
   params.fusion.memory_budget_mb = budget_mb;
@@ -38,10 +38,10 @@ ScanParams paramsWith(int budget_mb) {
 
 using Point = std::tuple<float, float, float, std::uint32_t>;
 
-std::vector<Point> cloudOf(ScanPipeline& pipeline) {
+std::vector<Point> cloudOf(MappingPipeline& pipeline) {
   std::vector<Point> cloud;
-  const Result<void> read = pipeline.forEachCloudPoint([&](const LabelPoint& point) {
-    const RegionId region = pipeline.regionTable().regionOf(FragmentId{point.fragment});
+  const Result<void> read = pipeline.readout().forEachCloudPoint([&](const LabelPoint& point) {
+    const RegionId region = pipeline.labels().table().regionOf(FragmentId{point.fragment});
     cloud.emplace_back(point.x, point.y, point.z, region.value);
   });
   EXPECT_TRUE(read) << (read ? "" : read.error().message());
@@ -89,16 +89,16 @@ TEST_F(MemoryBudget, ChangesNoPointLabelOrViewOfTheMap) {
   ASSERT_EQ(with_all_->pipeline().bricks().storedBytes(), 0U);
   SyntheticScan scan(walk(), paramsWith(9), true);
   scan.run();
-  EXPECT_FALSE(scan.pipeline().takeMapFailure());
+  EXPECT_FALSE(scan.pipeline().bricks().takeFailure());
   const BrickMap& bricks = scan.pipeline().bricks();
   EXPECT_EQ(bricks.brickCount(), with_all_->pipeline().bricks().brickCount());
   EXPECT_LT(3 * bricks.bricksHere(), bricks.brickCount()) << "most of the map had room";
   EXPECT_LE(bricks.deviceBytes(), std::size_t{9} << 20U);
-  EXPECT_EQ(scan.pipeline().voxelsOfFragments(), with_all_->pipeline().voxelsOfFragments());
+  EXPECT_EQ(scan.pipeline().labels().voxelsOfFragments(), with_all_->pipeline().labels().voxelsOfFragments());
   EXPECT_GT(cloud_.size(), 100000U);
   EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
-  const auto mesh = scan.pipeline().extractMesh();
-  const auto mesh_with_all = with_all_->pipeline().extractMesh();
+  const auto mesh = scan.pipeline().readout().extractMesh();
+  const auto mesh_with_all = with_all_->pipeline().readout().extractMesh();
   ASSERT_TRUE(mesh && *mesh && mesh_with_all && *mesh_with_all);
   EXPECT_GT((*mesh)->faces.size(), 100000U);
   EXPECT_GT(2 * std::ranges::count((*mesh)->vertices, true, &SurfaceMesh::Vertex::has_color),
@@ -118,10 +118,10 @@ TEST_F(MemoryBudget, WithoutADiskTheScanSaysSoAndGoesOn) {
   const TemporaryFilesIn nowhere((folder.path() / "nowhere").string());
   SyntheticScan scan(walk(), paramsWith(9), true);
   scan.run();
-  const auto failure = scan.pipeline().takeMapFailure();
+  const auto failure = scan.pipeline().bricks().takeFailure();
   ASSERT_TRUE(failure);
   EXPECT_THAT(failure->message(), HasSubstr("nowhere"));
-  EXPECT_FALSE(scan.pipeline().takeMapFailure());
+  EXPECT_FALSE(scan.pipeline().bricks().takeFailure());
   EXPECT_EQ(scan.pipeline().bricks().storedBytes(), 0U);
   EXPECT_TRUE(cloudOf(scan.pipeline()) == cloud_);
 }

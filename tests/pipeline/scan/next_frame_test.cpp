@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "core/scan/scan_pipeline.h"
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/synthetic/synthetic_source.h"
 
 namespace scantrove::test {
@@ -30,7 +30,7 @@ struct Outcome {
 template <class Ahead>
 Outcome scan(ComputeContext& compute, const std::vector<RgbdFrame>& frames, Ahead&& ahead) {
   const Intrinsics K = SyntheticOptions{}.K;
-  const auto pipeline = ScanPipeline::create(compute, {K, ScanParams{}}).value();
+  const auto pipeline = MappingPipeline::create(compute, {K, MappingParams{}}).value();
   Outcome outcome;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     Result<FrameResult> result = pipeline->processFrame(frames[i], [&]() -> std::optional<RgbdFrame> {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/open_session.h"
 #include "core/scan/open_source.h"
-#include "core/scan/scan_pipeline.h"
 #include "core/session/session_store.h"
 #include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"
@@ -87,7 +87,8 @@ TEST_F(SecondRecording, FinalLabelsOfAllFramesShowTheRegionsAtTheEnd) {
     ASSERT_EQ(read.status, FrameRead::Status::frame);
     const SavedFrame& frame = (*session)->frames().at(static_cast<std::size_t>(index));
     if (!frame.isUsable()) continue;
-    const auto view = (*session)->pipeline().renderView(frame.T_world_camera);
+    MappingPipeline& pipeline = (*session)->pipeline();
+    const auto view = pipeline.readout().renderView(frame.T_world_camera, pipeline.workingIntrinsics());
     ASSERT_TRUE(view);
     const auto file = folder_ / "scan" / "labels-final" / labelFileName(index);
     RegionNumbers numbers;

@@ -42,8 +42,8 @@ class SnapshotBuilderTest : public testing::Test {
     makePipeline(options.K, {});
   }
 
-  void makePipeline(const Intrinsics& K, const ScanParams& params) {
-    auto pipeline = ScanPipeline::create(*compute_, {K, params, true});
+  void makePipeline(const Intrinsics& K, const MappingParams& params) {
+    auto pipeline = MappingPipeline::create(*compute_, {K, params, true});
     ASSERT_TRUE(pipeline) << pipeline.error().message();
     pipeline_ = std::move(*pipeline);
   }
@@ -72,7 +72,7 @@ class SnapshotBuilderTest : public testing::Test {
 
   std::unique_ptr<SyntheticSource> source_;
   std::unique_ptr<ComputeContext> compute_;
-  std::unique_ptr<ScanPipeline> pipeline_;
+  std::unique_ptr<MappingPipeline> pipeline_;
   LatestValue<ScanSnapshot> mailbox_;
   SnapshotBuilder builder_{mailbox_};
   ScanProgress progress_{ScanState::scanning, {}, 10};
@@ -135,7 +135,7 @@ TEST_F(SnapshotBuilderTest, WhatAPersonChangedIsSentFirst) {
   for (const CloudBrick& brick : all->changed_bricks) {
     EXPECT_FALSE(brick.by_person);
     for (const CloudBrick::Point& point : brick.points)
-      points[pipeline_->regionTable().regionOf(point.fragment)].push_back(point.center());
+      points[pipeline_->labels().table().regionOf(point.fragment)].push_back(point.center());
   }
   const auto largest =
       std::ranges::max_element(points, {}, [](const auto& entry) { return entry.second.size(); });
@@ -271,7 +271,7 @@ TEST_F(SnapshotBuilderTest, ShowsTheSameWhenMostOfTheMapIsOnDisk) {
   options.at_most = 14;
   std::array<Shown, 2> shown;
   for (const int budget_mb : {0, 6}) {
-    ScanParams params;
+    MappingParams params;
     params.fusion.voxel_size_m = 0.02F;
     params.fusion.max_depth_m = 3;
     params.fusion.memory_budget_mb = budget_mb;
@@ -293,7 +293,7 @@ TEST_F(SnapshotBuilderTest, ShowsTheSameWhenMostOfTheMapIsOnDisk) {
     ASSERT_TRUE(builder.flush(*pipeline_, progress_));
     show(*mailbox_.collect(), of_run);
     EXPECT_EQ(stored > 0, budget_mb > 0);
-    EXPECT_FALSE(pipeline_->takeMapFailure());
+    EXPECT_FALSE(pipeline_->bricks().takeFailure());
   }
   EXPECT_GT(shown[0].size(), 3000U);
   EXPECT_EQ(shown[1], shown[0]);

@@ -1,4 +1,4 @@
-#include "core/scan/camera_memory.h"
+#include "core/pipeline/camera_memory.h"
 
 #include <array>
 #include <cmath>

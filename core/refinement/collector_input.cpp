@@ -1,4 +1,4 @@
-#include "core/scan/collector_input.h"
+#include "core/refinement/collector_input.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "core/scan/editable_cloud.h"
+#include "core/pipeline/editable_cloud.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,12 @@
 #pragma once
-#include <Eigen/Core>
-#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/capture/color_projection.h"
 #include "core/discovery/candidate_finder.h"
-#include "core/fusion/depth_view.h"
 #include "core/fusion/rendered_view.h"
 #include "core/labeling/region_table.h"
+#include "core/pipeline/frame_observation.h"
 #include "core/segmentation/segment_map.h"
 #include "core/tracking/pose_estimate.h"
 #include "core/tracking/revisited_key_frame.h"
@@ -23,27 +20,18 @@ struct LateFrame {
   PoseEstimate pose;
 };
 
-/// A frame's own images beside the map as rendered from there; all but `depth` have the pixels of that view.
-struct FrameObservation {
-  SurfaceInColor in_color;
-  std::vector<Eigen::Vector3f> color_lab;  ///< CIE L*a*b* of the surface, a little blurred; empty: no color
-  DepthView depth;                         ///< the readings, at their own resolution
-  cv::Mat contradicted;                    ///< CV_8UC1, not 0: see contradictedSurface
-};
-
 /// What one frame gave. Maps are empty when the pose was not usable.
 struct FrameResult {
   PoseEstimate pose;
   SegmentMap segments;  ///< S_t
   RenderedView view;    ///< V_t, N_t and S_cloud,t
   FrameObservation observed;
-  RegionEvents region_events;             ///< what this frame changed
-  std::vector<Candidate> candidates;      ///< they may overlap
-  std::vector<RegionId> regions_in_view;  ///< of which the frame shows more than a rest
-  std::vector<LateFrame> late;            ///< earlier ones that were understood with this one
-  bool is_tracking_key_frame = false;     ///< the camera finds its way by this frame from now on
-  std::optional<RevisitedKeyFrame>
-      returned;  ///< a place that the frame before, or one before it, came back to
+  RegionEvents region_events;                 ///< what this frame changed
+  std::vector<Candidate> candidates;          ///< they may overlap
+  std::vector<RegionId> regions_in_view;      ///< of which the frame shows more than a rest
+  std::vector<LateFrame> late;                ///< earlier ones that were understood with this one
+  bool is_tracking_key_frame = false;         ///< the camera finds its way by this frame from now on
+  std::optional<RevisitedKeyFrame> returned;  ///< that the frame before, or one before it, came back to
 
   /// The regions of the view without what the frame's depth contradicts: that is not there, or stands behind
   /// somebody.

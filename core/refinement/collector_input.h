@@ -4,7 +4,7 @@
 #include "core/collection/object_collector.h"
 #include "core/editing/region_notes.h"
 #include "core/labeling/region_table.h"
-#include "core/scan/frame_result.h"
+#include "core/pipeline/frame_result.h"
 
 namespace scantrove {
 

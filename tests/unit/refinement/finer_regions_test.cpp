@@ -1,4 +1,4 @@
-#include "core/scan/finer_regions.h"
+#include "core/refinement/finer_regions.h"
 
 #include <gmock/gmock.h>
 

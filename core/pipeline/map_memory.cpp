@@ -1,4 +1,4 @@
-#include "core/scan/map_memory.h"
+#include "core/pipeline/map_memory.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/scan/rated_sets.h"
+#include "core/refinement/rated_sets.h"
 
 #include <gmock/gmock.h>
 

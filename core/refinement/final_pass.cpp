@@ -1,4 +1,4 @@
-#include "core/scan/final_pass.h"
+#include "core/refinement/final_pass.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,9 @@
 #include <utility>
 
 #include "core/compute/guarded.h"
-#include "core/scan/collector_input.h"
-#include "core/scan/finer_regions.h"
-#include "core/scan/key_frame_files.h"
-#include "core/scan/rated_sets.h"
+#include "core/refinement/collector_input.h"
+#include "core/refinement/finer_regions.h"
+#include "core/refinement/rated_sets.h"
 
 namespace scantrove {
 namespace {
@@ -38,11 +37,10 @@ RefinementPosition::Pass after(RefinementPosition::Pass pass) {
 
 }  // namespace
 
-FinalPass::FinalPass(ScanPipeline& pipeline, ObjectCollector& collector, std::filesystem::path folder,
-                     KeyFrames key_frames, Callbacks callbacks)
+FinalPass::FinalPass(MappingPipeline& pipeline, ObjectCollector& collector, std::vector<KeyFrame> key_frames,
+                     Callbacks callbacks)
     : pipeline_(pipeline),
       collector_(collector),
-      folder_(std::move(folder)),
       key_frames_(evenly(std::move(key_frames), kMaxKeyFrames)),
       callbacks_(std::move(callbacks)) {}
 
@@ -91,9 +89,9 @@ Result<bool> FinalPass::forEach(const std::vector<Task>& tasks,
 
 Result<bool> FinalPass::forEachKeyFrame(const std::vector<const KeyFrame*>& keys, const FrameStep& step) {
   return forEach<const KeyFrame*>(keys, [&](const KeyFrame* key) -> Result<void> {
-    const Result<RgbdFrame> frame = readKeyFrame(folder_, key->images, key->frame);
+    const Result<RgbdFrame> frame = key->read();
     if (!frame) return {};  // whoever opens the key frame is told
-    return step(*frame, key->frame.T_world_camera);
+    return step(*frame, key->T_world_camera);
   });
 }
 
@@ -117,8 +115,9 @@ Result<bool> FinalPass::segment() {
 /// Rates the regions, and finer ones, by all key frames together; the most likely complete objects become
 /// regions.
 Result<bool> FinalPass::rate() {
-  SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
-  const FinerRegions finer(pipeline_.regionTable(), pipeline_.regionMerger(), pipeline_.voxelsOfFragments(),
+  SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
+  MapLabels& labels = pipeline_.labels();
+  const FinerRegions finer(labels.table(), labels.merger(), labels.voxelsOfFragments(),
                            pipeline_.params().labeling,
                            [this](RegionId region) { return collector_.requests().isFixed(region); });
   std::unique_ptr<RegionJudge> finer_judge;
@@ -132,7 +131,7 @@ Result<bool> FinalPass::rate() {
   const auto rateFrame = [&](const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
     return guarded("rating frame " + std::to_string(frame.index), [&]() -> Result<void> {
       FrameResult observed = pipeline_.observe(frame, T_world_camera);
-      std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.regionTable());
+      std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.labels().table());
       if (finer_judge) {
         // All in finer regions.
         for (Candidate& candidate : candidates) candidate.regions = finer.partsOf(candidate.regions);
@@ -148,10 +147,12 @@ Result<bool> FinalPass::rate() {
   if (finer_judge) {
     std::vector<RegionSet> parts;
     for (const RatedSets::Rated& set : rated.disjoint(kComplete)) parts.push_back(set.regions);
-    const RegionEvents events = pipeline_.divide(finer, parts);
-    rated.rename([&](const RegionSet& set) { return finer.regionsOf(set, pipeline_.regionTable()); });
+    RegionEvents events;
+    finer.apply(parts, labels.table(), labels.merger(), labels.voxelsOfFragments(), events);
+    pipeline_.follow(events);
+    rated.rename([&](const RegionSet& set) { return finer.regionsOf(set, pipeline_.labels().table()); });
     follow(collector_, events, ObjectCollector::JoinedBy::frames);
-    if (!events.parted.empty()) SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
+    if (!events.parted.empty()) SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
   }
   std::vector<CompleteSet> complete;
   for (const RatedSets::Rated& set : rated.disjoint(kComplete))
@@ -171,7 +172,7 @@ Result<bool> FinalPass::judgeViews() {
 Result<void> FinalPass::judgeViewsOf(int frame_index) {
   for (const auto& [image_px, T_world_camera] : collector_.views().camerasOfViews(frame_index)) {
     const Intrinsics K = pipeline_.workingIntrinsics().resizedTo(image_px.width, image_px.height);
-    const Result<RenderedView> view = pipeline_.renderView(T_world_camera, K);
+    const Result<RenderedView> view = pipeline_.readout().renderView(T_world_camera, K);
     if (!view) return fail(view.error());
     collector_.views().compare(frame_index, *view, pipeline_.params().fusion.depth_noise_m);
   }
@@ -189,9 +190,8 @@ Result<bool> FinalPass::collect() {
 Result<bool> FinalPass::complete() {
   const std::vector<int> needed = collector_.beginLastPass();
   std::vector<const KeyFrame*> keys = allKeyFrames();
-  std::erase_if(keys, [&](const KeyFrame* key) {
-    return !std::ranges::binary_search(needed, key->frame.source_index);
-  });
+  std::erase_if(keys,
+                [&](const KeyFrame* key) { return !std::ranges::binary_search(needed, key->frame_index); });
   const Result<bool> is_done = forEachKeyFrame(
       keys, [this](const RgbdFrame& frame, const Eigen::Isometry3d& T) { return collectFrom(frame, T); });
   if (is_done && *is_done) collector_.endRefinement();
@@ -200,12 +200,12 @@ Result<bool> FinalPass::complete() {
 
 Result<void> FinalPass::collectFrom(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
   if (!judge_) {  // of a refinement that was settled earlier
-    SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.regionTable())));
+    SCANTROVE_TRY(moveInto(judge_, makeJudge(pipeline_.labels().table())));
   }
   judge_->askOnlyOf([this](const RegionSet& regions) { return collector_.mayBeObject(regions); });
   return guarded("collecting from frame " + std::to_string(frame.index), [&]() -> Result<void> {
     FrameResult observed = pipeline_.observe(frame, T_world_camera);
-    std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.regionTable());
+    std::vector<Candidate> candidates = findCandidates(observed, *judge_, pipeline_.labels().table());
     callbacks_.collected(
         collector_.collect(frame, T_world_camera, observed.observed.in_color, std::move(candidates)));
     return {};
@@ -215,12 +215,12 @@ Result<void> FinalPass::collectFrom(const RgbdFrame& frame, const Eigen::Isometr
 std::vector<Candidate> FinalPass::findCandidates(FrameResult& observed, RegionJudge& judge,
                                                  const RegionTable& table) {
   pipeline_.findCandidates(judge, table, observed);
-  return candidatesFor(collector_, observed, pipeline_.editor().notes(),
+  return candidatesFor(collector_, observed, pipeline_.labels().editor().notes(),
                        pipeline_.params().discovery.min_points);
 }
 
 Result<std::unique_ptr<RegionJudge>> FinalPass::makeJudge(const RegionTable& table) {
-  Result<RegionSamples> known = pipeline_.sampleRegions(table);
+  Result<RegionSamples> known = pipeline_.readout().sampleRegions(table);
   if (!known) return fail(known.error());
   return std::make_unique<RegionJudge>(pipeline_.params().discovery, std::move(*known));
 }

@@ -1,15 +1,15 @@
 #pragma once
-#include <filesystem>
+#include <Eigen/Geometry>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/capture/rgbd_frame.h"
 #include "core/collection/object_collector.h"
 #include "core/discovery/region_judge.h"
-#include "core/scan/refinement_position.h"
-#include "core/scan/scan_pipeline.h"
-#include "core/scan/session_recorder.h"
+#include "core/pipeline/mapping_pipeline.h"
+#include "core/refinement/refinement_position.h"
 
 namespace scantrove {
 
@@ -18,7 +18,11 @@ namespace scantrove {
 /// at any frame and continued from there later. One thread, the worker's.
 class FinalPass {
  public:
-  using KeyFrames = std::vector<SessionRecorder::StoredFrame>;
+  struct KeyFrame {
+    int frame_index = 0;  ///< RgbdFrame::index
+    Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    std::function<Result<RgbdFrame>()> read;  ///< from disk
+  };
   struct Callbacks {
     std::function<bool()> may_continue;  ///< asked before each frame
     std::function<void(int done, int steps)> progress;
@@ -28,9 +32,9 @@ class FinalPass {
   /// Of more key frames only so many are used, evenly spread. One takes as long as six frames of the scan.
   static constexpr std::size_t kMaxKeyFrames = 180;
 
-  /// `folder`: of the session. `pipeline` and `collector` outlive this.
-  FinalPass(ScanPipeline& pipeline, ObjectCollector& collector, std::filesystem::path folder,
-            KeyFrames key_frames, Callbacks callbacks);
+  /// `pipeline` and `collector` outlive this. A key frame that cannot be read is left out.
+  FinalPass(MappingPipeline& pipeline, ObjectCollector& collector, std::vector<KeyFrame> key_frames,
+            Callbacks callbacks);
 
   /// Refines from `begin` to the end, or until `may_continue` says false. Error: the device failed.
   [[nodiscard]] Result<void> run(RefinementPosition begin);
@@ -40,7 +44,6 @@ class FinalPass {
 
  private:
   using Pass = RefinementPosition::Pass;
-  using KeyFrame = SessionRecorder::StoredFrame;
   using FrameStep = std::function<Result<void>(const RgbdFrame&, const Eigen::Isometry3d& T_world_camera)>;
 
   // One pass each. False: stopped before its end.
@@ -68,10 +71,9 @@ class FinalPass {
   [[nodiscard]] int stepsOf(Pass pass) const;
   void reportProgress(std::size_t tasks) const;
 
-  ScanPipeline& pipeline_;
+  MappingPipeline& pipeline_;
   ObjectCollector& collector_;
-  std::filesystem::path folder_;
-  KeyFrames key_frames_;
+  std::vector<KeyFrame> key_frames_;
   Callbacks callbacks_;
   RefinementPosition position_;
   std::unique_ptr<RegionJudge> judge_;  // of the settled regions

@@ -1,0 +1,55 @@
+#include "core/pipeline/camera_continuation.h"
+
+#include <utility>
+
+namespace scantrove {
+
+std::optional<CameraMemory> CameraContinuation::memory() {
+  if (fusion_.surface().vertices_world.size() == 0) return std::nullopt;
+  tracking_.awaitNext();  // it looks at a frame that will not come
+  CameraMemory memory;
+  fusion_.save(memory);
+  if (PoseTracker* tracker = tracking_.tracker()) {
+    memory.tracker = tracker->memory();
+    memory.followed_normals_world = readView(compute_, tracking_.followed()).normals_world;
+  }
+  return memory;
+}
+
+bool CameraContinuation::restoreState(CameraMemory memory) {
+  PoseTracker* tracker = tracking_.tracker();
+  if (tracker != nullptr && !memory.tracker) return false;
+  tracking_.setK(memory.view.K);
+  fusion_.restore(memory);
+  if (tracker == nullptr) return true;
+  memory.view.normals_world = std::move(memory.followed_normals_world);
+  SurfaceMaps followed;
+  writeView(compute_, memory.view, followed);
+  tracking_.follow(followed);
+  tracker->restoreState(std::move(*memory.tracker));
+  return true;
+}
+
+bool CameraContinuation::recallPose(const Eigen::Isometry3d& T_world_camera) {
+  PoseTracker* tracker = tracking_.tracker();
+  return tracker != nullptr && tracker->passBy(T_world_camera);
+}
+
+void CameraContinuation::addKeyFrame(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+  PoseTracker* tracker = tracking_.tracker();
+  if (tracker == nullptr) return;
+  const DepthPyramid& depth = tracking_.prepare(frame);
+  tracking_.setK(depth.levels.front().K);
+  fusion_.raycast(T_world_camera, tracking_.K());
+  tracker->addKeyFrame(frame, depth, fusion_.surface());
+}
+
+void CameraContinuation::relocalizeNear(const Eigen::Isometry3d& T_world_camera) {
+  PoseTracker* tracker = tracking_.tracker();
+  if (tracker == nullptr) return;
+  fusion_.raycast(T_world_camera, tracking_.K());
+  tracking_.follow(fusion_.surface());
+  tracker->resumeAt(T_world_camera);
+}
+
+}  // namespace scantrove

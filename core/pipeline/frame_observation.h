@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/capture/color_projection.h"
+#include "core/capture/rgbd_frame.h"
+#include "core/fusion/depth_view.h"
+#include "core/fusion/rendered_view.h"
+
+namespace scantrove {
+
+/// A frame's own images beside the map as rendered from there; all but `depth` have the pixels of that view.
+struct FrameObservation {
+  SurfaceInColor in_color;
+  std::vector<Eigen::Vector3f> color_lab;  ///< CIE L*a*b* of the surface, a little blurred; empty: no color
+  DepthView depth;                         ///< the readings, at their own resolution
+  cv::Mat contradicted;                    ///< CV_8UC1, not 0: see contradictedSurface
+};
+
+/// `view`: what the map shows where the frame was taken; `in_color`: of its pixels. `depth_noise_m`:
+/// FusionParams. Any thread.
+[[nodiscard]] FrameObservation observe(const RgbdFrame& frame, const RenderedView& view,
+                                       SurfaceInColor in_color, float depth_noise_m);
+
+}  // namespace scantrove

@@ -1,0 +1,84 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/discovery/region_set.h"
+#include "core/editing/region_editor.h"
+#include "core/fusion/rendered_view.h"
+#include "core/labeling/label_cloud.h"
+#include "core/labeling/observation_recorder.h"
+#include "core/labeling/region_merger.h"
+#include "core/labeling/region_table.h"
+#include "core/pipeline/editable_cloud.h"
+
+namespace scantrove {
+
+/// The labels of a map: which fragments its voxels hold, and which regions
+/// these form. One thread, the context's; may throw cl::Error.
+class MapLabels {
+ public:
+  struct Setup {
+    float truncation_vox = 0;  ///< FusionParams
+    LabelingParams::Rule rule = {};
+  };
+  /// `bricks`: the map's; it outlives this.
+  [[nodiscard]] static Result<std::unique_ptr<MapLabels>> create(ComputeContext& compute, BrickMap& bricks,
+                                                                 const Setup& setup);
+
+  /// What the voxels along a surface of the map hold, by pixel.
+  [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface) {
+    return cloud_->project(surface, bricks_);
+  }
+  /// Merges a frame's segments with the regions.
+  [[nodiscard]] RegionMerger::Outcome merge(const SegmentMap& segments, const RenderedView& view,
+                                            std::span<const Eigen::Vector3f> color_lab,
+                                            std::span<const std::uint8_t> newly_appeared,
+                                            const LabelingParams& params);
+  /// The voxels along `surface` take the fragments that it was merged with; the
+  /// bricks that this touched, valid until the next call.
+  std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, const RegionMerger::Outcome& merged,
+                                          const LabelingParams& params);
+  /// Learns from where the frame's regions are seen.
+  void recordDirections(const RenderedView& view) { directions_.record(view, table_); }
+
+  /// Log-odds that two regions of `table` are one thing; lowest where nothing
+  /// speaks for it.
+  [[nodiscard]] float joiningOdds(RegionId a, RegionId b, const RegionTable& table,
+                                  const LabelingParams& params) const;
+  /// Frames neither join nor part a known region; all `regions` of one thing
+  /// become one region.
+  enum class Known { no, yes, one_thing };
+  void setKnown(const RegionSet& regions, Known known);
+  void setRule(LabelingParams::Rule rule);
+
+  [[nodiscard]] const RegionTable& table() const { return table_; }
+  [[nodiscard]] RegionTable& table() { return table_; }
+  [[nodiscard]] const RegionMerger& merger() const { return *merger_; }
+  [[nodiscard]] RegionMerger& merger() { return *merger_; }
+  [[nodiscard]] const RegionEditor& editor() const { return *editor_; }
+  [[nodiscard]] RegionEditor& editor() { return *editor_; }
+  [[nodiscard]] LabelCloud& cloud() { return *cloud_; }
+  /// How many voxels hold each fragment, by fragment number.
+  [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return cloud_->voxelsOfFragments(); }
+  /// Bricks whose labels operations changed since the last call.
+  [[nodiscard]] std::vector<Eigen::Vector3i> takeEditedBricks() { return editable_.takeChanged(); }
+
+ private:
+  MapLabels(BrickMap& bricks, std::unique_ptr<LabelCloud> cloud, const Setup& setup);
+  /// Fragments that no voxel holds any more go; their numbers are used again.
+  void forgetFragments();
+
+  BrickMap& bricks_;
+  std::unique_ptr<LabelCloud> cloud_;
+  RegionTable table_;
+  std::unique_ptr<RegionMerger> merger_;
+  ObservationRecorder directions_;
+  EditableCloud editable_;
+  std::optional<RegionEditor> editor_;
+};
+
+}  // namespace scantrove

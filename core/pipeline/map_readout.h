@@ -1,0 +1,67 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/compute/compute_context.h"
+#include "core/discovery/region_samples.h"
+#include "core/fusion/rendered_view.h"
+#include "core/labeling/label_cloud.h"
+#include "core/meshing/mesh_extractor.h"
+#include "core/pipeline/map_fusion.h"
+#include "core/pipeline/map_labels.h"
+
+namespace scantrove {
+
+/// What can be read out of a map: views, the label cloud, samples of its
+/// regions, the mesh. Changes nothing. One thread, the context's. Error: the
+/// device failed.
+class MapReadout {
+ public:
+  /// All outlive this. `truncation_vox`: FusionParams.
+  MapReadout(ComputeContext& compute, MapFusion& fusion, MapLabels& labels, float truncation_vox)
+      : compute_(compute), fusion_(fusion), labels_(labels), truncation_vox_(truncation_vox) {}
+
+  /// What the map shows from there, with the regions as they are now.
+  [[nodiscard]] Result<RenderedView> renderView(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K);
+  /// The same; `surface` takes it on the device. May throw cl::Error.
+  [[nodiscard]] RenderedView render(const Eigen::Isometry3d& T_world_camera, const Intrinsics& K,
+                                    SurfaceMaps& surface);
+
+  /// Labelled voxels near the surface in some bricks, wherever they are.
+  [[nodiscard]] Result<LabelCloud::Extract> extractCloud(std::span<const Eigen::Vector3i> bricks);
+  /// Of the whole map, those of one page together.
+  [[nodiscard]] std::vector<Eigen::Vector3i> allBricks() const;
+  /// The same of the whole map, point by point, in an order that only depends
+  /// on where they are.
+  [[nodiscard]] Result<void> forEachCloudPoint(const std::function<void(const LabelPoint&)>& visit);
+
+  /// All that the map knows of regions: those of `table`, of the map's
+  /// fragments.
+  [[nodiscard]] Result<RegionSamples> sampleRegions(const RegionTable& table);
+  struct RegionCount {
+    int regions = 0;          ///< of at least kSmallFragmentVoxels voxels
+    int small_fragments = 0;  ///< smaller ones
+  };
+  /// Regions of the whole map that have a surface: of what was taken away,
+  /// voxels may keep labels.
+  [[nodiscard]] RegionCount regionCount();
+
+  /// The surface of the whole map; see core/meshing/mesh_extractor.h. Nothing:
+  /// `may_continue` said false. Error: also that memory ran out.
+  [[nodiscard]] Result<std::optional<SurfaceMesh>> extractMesh(const MeshProgress& may_continue = {});
+
+ private:
+  ComputeContext& compute_;
+  MapFusion& fusion_;
+  MapLabels& labels_;
+  float truncation_vox_;
+};
+
+/// Regions of the fragments that the view shows.
+void setRegions(RenderedView& view, const RegionTable& table);
+
+}  // namespace scantrove

@@ -1,0 +1,225 @@
+#include "core/pipeline/mapping_pipeline.h"
+
+#include <algorithm>
+#include <future>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "core/capture/color_projection.h"
+#include "core/compute/guarded.h"
+#include "core/pipeline/map_memory.h"
+
+namespace scantrove {
+
+Result<std::unique_ptr<MappingPipeline>> MappingPipeline::create(ComputeContext& compute,
+                                                                 const Setup& setup) {
+  const MappingParams& params = setup.params;
+  SCANTROVE_TRY(checkMapFits(params.fusion, setup.K, compute.memory()));
+  std::unique_ptr<MappingPipeline> pipeline(new MappingPipeline(compute, setup));
+  SCANTROVE_TRY(moveInto(pipeline->fusion_, MapFusion::create(compute, pipeline->timer_, params.fusion)));
+  SCANTROVE_TRY(
+      moveInto(pipeline->tracking_, FrameTracking::create(compute, pipeline->fusion_->map(), pipeline->timer_,
+                                                          {setup.K, params.fusion, setup.poses_given})));
+  SCANTROVE_TRY(moveInto(pipeline->segmenter_, GraphSegmenter::create(compute)));
+  SCANTROVE_TRY(
+      moveInto(pipeline->labels_, MapLabels::create(compute, pipeline->fusion_->bricks(),
+                                                    {params.fusion.truncation_vox, params.labeling.rule})));
+  pipeline->finder_ = makeRuleBasedFinder(params.discovery);
+  pipeline->readout_.emplace(compute, *pipeline->fusion_, *pipeline->labels_, params.fusion.truncation_vox);
+  pipeline->camera_.emplace(compute, *pipeline->tracking_, *pipeline->fusion_);
+  return pipeline;
+}
+
+Result<FrameResult> MappingPipeline::processFrame(const RgbdFrame& frame, const NextFrame& next) {
+  ++frames_;
+  return guarded("in frame " + std::to_string(frame.index), [&]() -> Result<FrameResult> {
+    try {
+      return runStages(frame, next);
+    } catch (const cl::Error& error) {
+      if (!isOutOfMemory(error)) throw;
+      return fail(outOfMemory(frame.index));
+    }
+  });
+}
+
+Error MappingPipeline::outOfMemory(int frame_index) const {
+  // What a recording still has to show is taken to be like what it has shown.
+  const double times = frame_count_ ? std::max(1.0, static_cast<double>(*frame_count_) / frames_) : 2.0;
+  std::ostringstream voxels;
+  voxels << voxelSizeFor(times, params_.fusion.voxel_size_m);
+  return {"The OpenCL device " + compute_.deviceName() + " ran out of memory in frame " +
+              std::to_string(frame_index) + ", with " + std::to_string(bricks().bricksHere()) +
+              " bricks of map.",
+          "What was scanned until then is kept. Scan " +
+              std::string(frame_count_ ? "the whole recording" : "twice as much") +
+              " with larger voxels: --set fusion.voxel_size_m=" + voxels.str() + "."};
+}
+
+FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& next) {
+  FrameResult result;
+  touched_ = {};
+  has_pose_ = false;
+  const FrameTracking::Located located = tracking_->locate(frame);
+  const DepthPyramid& depth = located.depth;
+  result.pose = located.pose;
+  has_pose_ = result.pose.usable();
+  if (!has_pose_) return result;
+  const Eigen::Isometry3d& T_world_camera = result.pose.T_world_camera;
+  const Intrinsics& K = tracking_->K();
+  const SurfaceMaps& surface = fusion_->surface();
+
+  fusion_->integrate(depth, T_world_camera);
+  timer_.time("raycast", [&] {
+    fusion_->raycast(depth, T_world_camera, K);
+    if (tracking_->tracker() != nullptr) tracking_->follow(fusion_->settledSurface());
+  });
+  const FrameTracking::Learned learned = tracking_->addKeyFrame(frame, depth, surface);
+  result.is_tracking_key_frame = learned.is_key_frame;
+  result.returned = learned.returned;
+
+  // The partition is one thread's; what does not need it goes on beside it.
+  timer_.time("segment", [&] { segmenter_->weigh(surface, params_.segmentation); });
+  std::future<SegmentMap> segments =
+      std::async(std::launch::async, [this] { return segmenter_->partition(params_.segmentation); });
+  timer_.time("project", [&] {
+    result.view = readView(compute_, surface);
+    result.view.fragments = labels_->project(surface);
+  });
+  SurfaceInColor in_color = timer_.time("color", [&] {
+    return locateInColor(frame.color_camera, K, T_world_camera, result.view.vertices_world);
+  });
+  const cv::Mat hidden = in_color.hidden;
+  std::future<FrameObservation> observed = std::async(std::launch::async, [&] {
+    fusion_->remember(result.view);
+    return scantrove::observe(frame, result.view, std::move(in_color), params_.fusion.depth_noise_m);
+  });
+  timer_.time("color", [&] { fusion_->integrateColor(frame, result.view, depth, hidden); });
+  tracking_->beginNext(next);
+  result.segments = timer_.time("segment", [&] { return segments.get(); });
+  result.observed = timer_.time("color", [&] { return observed.get(); });
+
+  const std::span<const std::uint8_t> newly_appeared = fusion_->newlyAppeared();
+  RegionMerger::Outcome merged = timer_.time("merge", [&] {
+    return labels_->merge(result.segments, result.view, result.observed.color_lab, newly_appeared,
+                          params_.labeling);
+  });
+  touched_ = timer_.time("update", [&] { return labels_->update(surface, merged, params_.labeling); });
+  result.view.fragments = std::move(merged.fragments);
+  result.view.regions = std::move(merged.regions);
+  result.region_events = std::move(merged.events);
+  timer_.time("discover", [&] {
+    labels_->recordDirections(result.view);
+    follow(result.region_events);
+    findCandidates(*finder_, labels_->table(), newly_appeared, result);
+  });
+
+  result.late = tracking_->reconsider(
+      [this](const DepthPyramid& late, const Eigen::Isometry3d& T) { fusion_->integrate(late, T); });
+  timer_.time("integrate", [&] { fusion_->settle(); });
+  return result;
+}
+
+void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable& table,
+                                     std::span<const std::uint8_t> newly_appeared,
+                                     FrameResult& result) const {
+  const std::vector<RegionId> shown = result.shownRegions();
+  DiscoveryInput input = result.inputFor(shown);
+  input.joining_odds = [&](RegionId a, RegionId b) {
+    return labels_->joiningOdds(a, b, table, params_.labeling);
+  };
+  input.appeared = newly_appeared;
+  result.candidates = finder.find(input);
+  constexpr double kMinPart = 0.0005;  // of the image: less may be a rest of something
+  const auto pixels = static_cast<double>(result.view.K.pixels());
+  result.regions_in_view = finder.census().regionsOfSize(kMinPart * pixels);
+}
+
+void MappingPipeline::findCandidates(CandidateSource& finder, const RegionTable& table,
+                                     FrameResult& observed) const {
+  setRegions(observed.view, table);
+  findCandidates(finder, table, {}, observed);
+}
+
+void MappingPipeline::follow(const RegionEvents& events) {
+  for (const auto& [into, from] : events.joined) finder_->regionsJoined(into, from);
+  for (const auto& [from, part] : events.parted) finder_->regionParted(from);
+}
+
+Result<RegionEditor::Outcome> MappingPipeline::edit(const Operation& operation) {
+  Operation numbered = operation;
+  numbered.frame = frames_;
+  return guarded("editing the regions",
+                 [&] { return followed(labels_->editor().apply(numbered, params_.labeling)); });
+}
+
+Result<RegionEditor::Outcome> MappingPipeline::undo() {
+  return guarded("undoing", [&] { return followed(labels_->editor().undo()); });
+}
+
+Result<RegionEditor::Outcome> MappingPipeline::redo() {
+  return guarded("doing it again", [&] { return followed(labels_->editor().redo()); });
+}
+
+Result<RegionEditor::Outcome> MappingPipeline::followed(Result<RegionEditor::Outcome> outcome) {
+  if (outcome) follow(outcome->events);
+  return outcome;
+}
+
+Result<RegionEvents> MappingPipeline::segmentCloser(const RgbdFrame& frame,
+                                                    const Eigen::Isometry3d& T_world_camera) {
+  const auto segment = [&]() -> Result<RegionEvents> {
+    if (params_.labeling.rule != LabelingParams::Rule::graph) return RegionEvents{};
+    const FrameResult seen = observe(frame, T_world_camera);
+    const SegmentMap segments = segmenter_->segment(observed_, params_.segmentation);
+    RegionMerger::Outcome merged =
+        labels_->merge(segments, seen.view, seen.observed.color_lab, {}, params_.labeling);
+    labels_->update(observed_, merged, params_.labeling);
+    follow(merged.events);
+    return std::move(merged.events);
+  };
+  return guarded("segmenting frame " + std::to_string(frame.index) + " more closely", segment);
+}
+
+Intrinsics MappingPipeline::closeCamera(const cv::Size& depth) const {
+  constexpr int kCloser = 2;
+  const Intrinsics& K = tracking_->K();
+  const int width = std::min(depth.width, kCloser * K.width);
+  if (width <= K.width) return K;
+  return K.resizedTo(width, (width * K.height + K.width / 2) / K.width);
+}
+
+FrameResult MappingPipeline::observe(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera) {
+  FrameResult seen;
+  seen.pose.T_world_camera = T_world_camera;
+  seen.view = readout_->render(T_world_camera, closeCamera(frame.depth.size()), observed_);
+  SurfaceInColor in_color =
+      locateInColor(frame.color_camera, seen.view.K, T_world_camera, seen.view.vertices_world);
+  seen.observed = scantrove::observe(frame, seen.view, std::move(in_color), params_.fusion.depth_noise_m);
+  return seen;
+}
+
+Result<SegmentMap> MappingPipeline::segmentAgain() {
+  return guarded("segmenting the frame again", [&]() -> Result<SegmentMap> {
+    return has_pose_ ? segmenter_->segment(fusion_->surface(), params_.segmentation) : SegmentMap{};
+  });
+}
+
+Result<SegmentMap> MappingPipeline::segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
+                                                   const SegmentationParams& params) {
+  return guarded("segmenting a view of the map", [&]() -> Result<SegmentMap> {
+    SurfaceMaps surface;
+    fusion_->map().raycast(T_world_camera, tracking_->K(), surface);
+    return segmenter_->segment(surface, params);
+  });
+}
+
+void MappingPipeline::setParams(const MappingParams& params) {
+  const FusionParams fusion = params_.fusion;
+  if (params.labeling.rule != params_.labeling.rule) labels_->setRule(params.labeling.rule);
+  params_ = params;
+  params_.fusion = fusion;
+  finder_->setParams(params_.discovery);
+}
+
+}  // namespace scantrove

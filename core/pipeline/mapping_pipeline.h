@@ -1,0 +1,121 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/stage_timer.h"
+#include "core/capture/rgbd_frame.h"
+#include "core/compute/compute_context.h"
+#include "core/discovery/candidate_finder.h"
+#include "core/editing/region_editor.h"
+#include "core/pipeline/camera_continuation.h"
+#include "core/pipeline/frame_result.h"
+#include "core/pipeline/frame_tracking.h"
+#include "core/pipeline/map_fusion.h"
+#include "core/pipeline/map_labels.h"
+#include "core/pipeline/map_readout.h"
+#include "core/pipeline/mapping_params.h"
+#include "core/segmentation/graph_segmenter.h"
+
+namespace scantrove {
+
+/// One frame through every stage of the thesis up to the candidates for objects. Knows no catalogue; cost per
+/// frame does not depend on how much was scanned. One thread, the compute context's.
+class MappingPipeline {
+ public:
+  struct Setup {
+    Intrinsics K;  ///< of the recording
+    MappingParams params;
+    bool poses_given = false;             ///< take RgbdFrame::T_world_camera instead of tracking
+    std::optional<int> frame_count = {};  ///< of the recording; empty for a live camera
+  };
+
+  /// `compute` outlives the pipeline. Error: the device has no room for one view of the map, or failed.
+  [[nodiscard]] static Result<std::unique_ptr<MappingPipeline>> create(ComputeContext& compute,
+                                                                       const Setup& setup);
+
+  using NextFrame = FrameTracking::NextFrame;
+  /// Error: the device failed or has no memory left; the scan cannot go on, but what there is can be read
+  /// out. A lost frame is a value, not an error. What is known of `next` by then is found out beside this
+  /// frame's labeling, on another thread; results are the same. Its stages are in timer(); the caller ends
+  /// the frame there.
+  [[nodiscard]] Result<FrameResult> processFrame(const RgbdFrame& frame, const NextFrame& next = {});
+
+  /// Replaces all parameters but those of fusion, which are fixed for the life of the map.
+  void setParams(const MappingParams& params);
+  [[nodiscard]] const MappingParams& params() const { return params_; }
+
+  /// Does to the regions what a user says; it holds for the frames that follow. Error: see RegionEditor; or
+  /// the device failed.
+  [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
+  /// Takes the newest operation back, or does it again. Error: there is none.
+  [[nodiscard]] Result<RegionEditor::Outcome> undo();
+  [[nodiscard]] Result<RegionEditor::Outcome> redo();
+
+  // After a scan.
+
+  /// Segments an earlier frame at the full resolution of its depth and merges it (by the rule `graph`; else
+  /// nothing): that separates structures as narrow as a book spine. Error: the device failed.
+  [[nodiscard]] Result<RegionEvents> segmentCloser(const RgbdFrame& frame,
+                                                   const Eigen::Isometry3d& T_world_camera);
+  /// What the map and an earlier frame show from there, with the regions as they are now and the pixels of
+  /// the frame's depth image, at most twice the working ones along each side. May throw cl::Error.
+  [[nodiscard]] FrameResult observe(const RgbdFrame& frame, const Eigen::Isometry3d& T_world_camera);
+  /// Finds what may be an object in it, with `table` for the regions.
+  void findCandidates(CandidateSource& finder, const RegionTable& table, FrameResult& observed) const;
+  /// Discovery learns what somebody else made of regions.
+  void follow(const RegionEvents& events);
+
+  /// S_t of the last frame anew, by the present parameters; of a frame without a pose: empty. Of what the map
+  /// shows from somewhere. Neither changes map or labels. Error: the device failed.
+  [[nodiscard]] Result<SegmentMap> segmentAgain();
+  [[nodiscard]] Result<SegmentMap> segmentMapFrom(const Eigen::Isometry3d& T_world_camera,
+                                                  const SegmentationParams& params);
+
+  [[nodiscard]] const MapLabels& labels() const { return *labels_; }
+  [[nodiscard]] MapLabels& labels() { return *labels_; }
+  [[nodiscard]] const BrickMap& bricks() const { return fusion_->bricks(); }
+  [[nodiscard]] BrickMap& bricks() { return fusion_->bricks(); }
+  [[nodiscard]] MapReadout& readout() { return *readout_; }
+  [[nodiscard]] CameraContinuation& camera() { return *camera_; }
+  [[nodiscard]] const StageTimer& timer() const { return timer_; }
+  [[nodiscard]] StageTimer& timer() { return timer_; }
+  /// Of the views that frames are worked on with.
+  [[nodiscard]] const Intrinsics& workingIntrinsics() const { return tracking_->K(); }
+  /// Bricks whose labels the last frame may have changed.
+  [[nodiscard]] std::span<const Eigen::Vector3i> touchedBricks() const { return touched_; }
+
+ private:
+  MappingPipeline(ComputeContext& compute, const Setup& setup)
+      : compute_(compute), params_(setup.params), frame_count_(setup.frame_count) {}
+
+  [[nodiscard]] FrameResult runStages(const RgbdFrame& frame, const NextFrame& next);
+  void findCandidates(CandidateSource& finder, const RegionTable& table,
+                      std::span<const std::uint8_t> newly_appeared, FrameResult& result) const;
+  [[nodiscard]] Result<RegionEditor::Outcome> followed(Result<RegionEditor::Outcome> outcome);
+  [[nodiscard]] Intrinsics closeCamera(const cv::Size& depth) const;
+  [[nodiscard]] Error outOfMemory(int frame_index) const;
+
+  ComputeContext& compute_;
+  MappingParams params_;
+  std::optional<int> frame_count_;
+  StageTimer timer_;
+
+  std::unique_ptr<MapFusion> fusion_;
+  std::unique_ptr<GraphSegmenter> segmenter_;
+  std::unique_ptr<MapLabels> labels_;
+  std::unique_ptr<CandidateFinder> finder_;
+  std::unique_ptr<FrameTracking> tracking_;  // uses fusion_ on another thread: goes before it
+  std::optional<MapReadout> readout_;
+  std::optional<CameraContinuation> camera_;
+
+  bool has_pose_ = false;  // the last frame: the surface of fusion_ is of it
+  std::span<const Eigen::Vector3i> touched_;
+  int frames_ = 0;        // given to processFrame
+  SurfaceMaps observed_;  // what observe() saw last
+};
+
+}  // namespace scantrove

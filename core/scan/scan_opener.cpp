@@ -1,0 +1,250 @@
+#include "core/scan/scan_opener.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "core/catalogue/object_database.h"
+#include "core/scan/catalogue_numbers.h"
+#include "core/scan/no_frames.h"
+#include "core/scan/open_session.h"
+#include "core/scan/open_source.h"
+#include "core/scan/output_owner.h"
+#include "core/scan/session_restorer.h"
+#include "core/scan/session_setup.h"
+
+namespace scantrove {
+namespace {
+
+/// The same pixels, and within a hundredth the same lens.
+bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
+  const auto isNear = [](float x, float y, float scale) { return std::abs(x - y) <= 0.01F * scale; };
+  return a.width == b.width && a.height == b.height && isNear(a.fx, b.fx, a.fx) && isNear(a.fy, b.fy, a.fy) &&
+         isNear(a.cx, b.cx, a.fx) && isNear(a.cy, b.cy, a.fy);
+}
+
+}  // namespace
+
+Result<ScanParts> ScanOpener::open(const ScanRequest& request, const ScanListener& listener,
+                                   std::function<void()> on_news) {
+  ScanOpener opener(request, listener);
+  opener.parts_.on_catalogue_news = std::move(on_news);
+  SCANTROVE_TRY(opener.openAll());
+  return std::move(opener.parts_);
+}
+
+Result<void> ScanOpener::openAll() {
+  SCANTROVE_TRY(checkFolder());
+  SCANTROVE_TRY(openFrames());
+  const SourceInfo& info = parts_.source->info();
+  if (parts_.takesGivenPoses() && !info.has_poses) {
+    return fail("The recording " + info.name + " (" + info.kind + ") has no poses.",
+                "Leave out --poses given.");
+  }
+  const ScanRequest& request = parts_.request;
+  SCANTROVE_TRY(moveInto(parts_.compute, ComputeContext::create({.device = request.device,
+                                                                 .profiling = request.profile_kernels,
+                                                                 .on_compiling = [&listener = listener_] {
+                                                                   listener(PreparingDevice{});
+                                                                 }})));
+  SCANTROVE_TRY(openOutput());
+  SCANTROVE_TRY(openSession(info));
+  if (parts_.takesGivenPoses() && !request.refine_session) takePoses();
+  return openMap();
+}
+
+Result<void> ScanOpener::checkFolder() const {
+  const ScanRequest& request = parts_.request;
+  if (!request.output_folder || request.refine_session || request.overwrite) return {};
+  const PlannedResults planned{request.results, request.results && request.label_maps};
+  return request.resume ? checkResultsAreOurs(*request.output_folder, planned)
+                        : checkHoldsOnlyOurs(*request.output_folder, planned);
+}
+
+Result<void> ScanOpener::openFrames() {
+  if (parts_.request.refine_session) return openSessionToRefine();
+  return moveInto(parts_.source, openSource(parts_.request.source, parts_.request.source_options));
+}
+
+Result<void> ScanOpener::openSessionToRefine() {
+  ScanRequest& request = parts_.request;
+  const std::filesystem::path& folder = *request.output_folder;
+  SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
+  SCANTROVE_TRY(loadEarlier());
+  const Result<SessionSetup> setup = setupFrom(earlier_->metadata);
+  if (!setup) return fail(setup.error());
+  request.source = setup->source;
+  request.params = setup->params;
+  // A scan of the window has a session alone.
+  request.results = holdsOurResults(folder);
+  parts_.origin_world = setup->origin_m;
+  request.database = databaseFileOf(*setup, folder).string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(request.database, ignored)) {
+    return fail("The catalogue " + request.database + " of the scan " + folder.string() + " is not there.",
+                "Put it back, then refine the scan.");
+  }
+  request.poses = ScanRequest::Poses::given;  // nothing is tracked any more
+  FrameCounts& frames = parts_.earlier_frames;
+  for (const SavedFrame& frame : earlier_->frames) {
+    ++frames.read;
+    ++(frame.isUsable() ? frames.tracked : frames.lost);
+  }
+  SourceInfo info;
+  info.name = setup->source;
+  info.kind = "session";
+  info.intrinsics = setup->K;
+  info.frame_count = frames.read;
+  info.has_poses = true;
+  parts_.source = std::make_unique<NoFrames>(std::move(info));
+  if (auto memory = refinementMemoryFrom(earlier_->metadata, earlier_->operations))
+    parts_.refinement = std::move(*memory);
+  return {};
+}
+
+Result<void> ScanOpener::openOutput() {
+  const ScanRequest& request = parts_.request;
+  if (!request.output_folder || !request.results) return {};
+  SCANTROVE_TRY(moveInto(parts_.output, ScanOutput::create(*request.output_folder, request.label_maps)));
+  parts_.output->setOrigin(parts_.origin_world);
+  return {};
+}
+
+Result<void> ScanOpener::openSession(const SourceInfo& info) {
+  const ScanRequest& request = parts_.request;
+  if (!request.output_folder || request.refine_session) return {};
+  const std::filesystem::path& folder = *request.output_folder;
+  parts_.keeps_earlier_scan = !request.resume && holdsEarlierScan(folder);
+  if (!request.session) return {};
+  if (request.resume) {
+    SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
+    return readSession(info);
+  }
+  SCANTROVE_TRY(beginSession(info));
+  return checkFolder();  // once more, now that nobody else can begin there
+}
+
+Result<void> ScanOpener::beginSession(const SourceInfo& info) {
+  const ScanRequest& request = parts_.request;
+  SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request.output_folder, SessionWriter::Way::create)));
+  SessionRecorder::Setup setup{.all_frames = request.record_all};
+  setup.metadata = metadataOf({request.source, info.intrinsics, request.params,
+                               storedDatabaseName(request.database, *request.output_folder)});
+  setup.metadata.merge(refinementMetadata(false));
+  if (parts_.output) setup.metadata[kResultsKey] = kResultsBegun;
+  if (parts_.output && request.label_maps) setup.metadata[kLabelImagesKey] = "yes";
+  parts_.recorder = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
+  return {};
+}
+
+Result<void> ScanOpener::readSession(const SourceInfo& info) {
+  ScanRequest& request = parts_.request;
+  SCANTROVE_TRY(loadEarlier());
+  const Result<SessionSetup> setup = setupFrom(earlier_->metadata);
+  if (!setup) return fail(setup.error());
+  if (!isSameCamera(setup->K, info.intrinsics)) {
+    return fail("The session " + request.output_folder->string() +
+                    " was scanned with another camera than that of " + info.name + ".",
+                "Scan into a folder of its own.");
+  }
+  request.params.fusion = setup->params.fusion;
+  parts_.setOrigin(setup->origin_m);
+  if (!request.database.empty()) return {};
+  std::filesystem::path file = databaseFileOf(*setup, *request.output_folder);
+  std::error_code ignored;
+  // Of a session that was taken elsewhere without it.
+  if (!std::filesystem::exists(file, ignored)) file = *request.output_folder / "catalogue.sqlite";
+  request.database = file.string();
+  return {};
+}
+
+Result<void> ScanOpener::loadEarlier() {
+  std::vector<std::string> damages;
+  SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  const auto pending = earlier_->metadata.find(kPendingEditsKey);
+  if (pending != earlier_->metadata.end() && !pending->second.empty()) {
+    const std::filesystem::path folder = session_->folder();
+    session_.reset();  // for one at a time
+    // Opening it does that. What cannot be done by now waits on.
+    if (const auto opened = OpenSession::open(folder, parts_.request.device); !opened)
+      return fail(opened.error());
+    SCANTROVE_TRY(moveInto(session_, SessionWriter::start(folder, SessionWriter::Way::open)));
+    SCANTROVE_TRY(moveInto(earlier_, loadScan(*session_, damages)));
+  }
+  tellDamages(damages);
+  return {};
+}
+
+void ScanOpener::tellDamages(const std::vector<std::string>& damages) const {
+  for (const std::string& damage : damages) listener_(MapFailed{{damage, ""}});
+}
+
+void ScanOpener::takePoses() {
+  std::optional<Eigen::Vector3d> origin;
+  if (earlier_) origin = parts_.origin_world;
+  auto local = std::make_unique<LocalPoses>(std::move(parts_.source), origin);
+  parts_.local_poses = local.get();
+  parts_.source = std::move(local);
+}
+
+Result<void> ScanOpener::openMap() {
+  const std::string& file = parts_.request.database;
+  const Result<std::unique_ptr<ObjectDatabase>> database = ObjectDatabase::open(file);
+  if (!database) return fail(database.error());
+  std::string catalogue;
+  SCANTROVE_TRY(moveInto(catalogue, (*database)->identity()));
+  if (parts_.recorder) parts_.recorder->setCatalogue(catalogue);
+  if (parts_.request.refine_session && isOfAnotherCatalogue(catalogue))
+    return fail(isAnotherCatalogue(*parts_.request.output_folder, file));
+  SCANTROVE_TRY(parts_.makeMap(**database));
+  return earlier_ ? restoreSession(**database) : Result<void>();
+}
+
+bool ScanOpener::isOfAnotherCatalogue(const std::string& catalogue) const {
+  const auto own = earlier_->metadata.find(kCatalogueKey);
+  return own != earlier_->metadata.end() && !own->second.empty() && own->second != catalogue;
+}
+
+Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
+  const ScanRequest& request = parts_.request;
+  const Result<CatalogueIdentity> identity = identityOf(database, earlier_->metadata);
+  if (!identity) return fail(identity.error());
+  const SavedScan on_disk = *earlier_;
+  if (turnTo(*earlier_, *identity))
+    listener_(CatalogueFailed{isAnotherCatalogue(*request.output_folder, request.database)});
+  std::vector<std::string> damages;
+  const bool for_camera = !request.refine_session;
+  SCANTROVE_TRY(
+      restoreScan(*parts_.pipeline, parts_.objects.get(), *session_, *earlier_, for_camera, damages));
+  tellDamages(damages);
+  parts_.recorder =
+      SessionRecorder::resume(std::move(session_), *parts_.pipeline, *earlier_, request.record_all);
+  SessionRecorder& recorder = *parts_.recorder;
+  recorder.rewriteFrom(on_disk, earlier_->metadata);
+  if (request.refine_session) {
+    RegionTable& table = parts_.pipeline->labels().table();
+    for (const RegionId region : parts_.refinement.known) table.setKnown(region, true);
+  } else {
+    recorder.setMetadata("ended", "");  // not this time, yet
+    for (const auto& [name, value] : refinementMetadata(false)) recorder.setMetadata(name, value);
+    continueNumbers(earlier_->frames);
+    if (parts_.output) SCANTROVE_TRY(recorder.keepMetadata(kResultsKey, kResultsBegun));
+    if (parts_.output && request.label_maps) SCANTROVE_TRY(recorder.keepMetadata(kLabelImagesKey, "yes"));
+  }
+  recorder.setMetadata("database", storedDatabaseName(request.database, *request.output_folder));
+  if (parts_.output) parts_.output->begin(*earlier_);
+  return {};
+}
+
+void ScanOpener::continueNumbers(const std::vector<SavedFrame>& earlier) {
+  if (earlier.empty()) return;
+  const int last = std::ranges::max_element(earlier, {}, &SavedFrame::source_index)->source_index;
+  const double last_s = std::ranges::max_element(earlier, {}, &SavedFrame::time_s)->time_s;
+  auto continued = std::make_unique<ContinuedSource>(std::move(parts_.source), last, last_s);
+  parts_.continued = continued.get();
+  parts_.source = std::move(continued);
+}
+
+}  // namespace scantrove

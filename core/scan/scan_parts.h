@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+
+#include "core/base/result.h"
+#include "core/capture/continued_source.h"
+#include "core/capture/frame_source.h"
+#include "core/capture/local_poses.h"
+#include "core/compute/compute_context.h"
+#include "core/pipeline/mapping_pipeline.h"
+#include "core/scan/frame_counts.h"
+#include "core/scan/refinement_memory.h"
+#include "core/scan/scan_objects.h"
+#include "core/scan/scan_output.h"
+#include "core/scan/scan_request.h"
+#include "core/scan/session_recorder.h"
+
+namespace scantrove {
+
+/// What a running scan works with.
+struct ScanParts {
+  ScanRequest request;                      ///< completed by what an earlier scan says
+  std::function<void()> on_catalogue_news;  ///< called on another thread
+  std::unique_ptr<FrameSource> source;
+  ContinuedSource* continued = nullptr;                    ///< `source`, if the scan goes on with it
+  LocalPoses* local_poses = nullptr;                       ///< `source` or in it, where its poses are taken
+  Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();  ///< of the map, in the recording's world
+  std::unique_ptr<ScanOutput> output;                      ///< null: no results are written
+  std::unique_ptr<ComputeContext> compute;
+  std::unique_ptr<MappingPipeline> pipeline;
+  std::unique_ptr<ScanObjects> objects;       ///< of `pipeline`
+  std::unique_ptr<SessionRecorder> recorder;  ///< null: nothing is kept
+  RefinementMemory refinement;                ///< where it stops, or has stopped
+  FrameCounts earlier_frames;                 ///< of a session that is only refined
+  bool keeps_earlier_scan = false;            ///< the folder's, until this one has a usable frame
+
+  [[nodiscard]] bool takesGivenPoses() const { return request.poses == ScanRequest::Poses::given; }
+  void setOrigin(const Eigen::Vector3d& origin);
+  /// A new map takes the place of the one that there is, if any, and a new collector. Error: the catalogue
+  /// cannot be read, or the device has no room; then nothing has changed. `give_up`: told of the old map.
+  [[nodiscard]] Result<void> makeMap(ObjectDatabase& database,
+                                     const std::function<void(MappingPipeline&)>& give_up = {});
+};
+
+}  // namespace scantrove
