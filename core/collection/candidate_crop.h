@@ -2,10 +2,10 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalogue/object_record.h"
 #include "core/discovery/candidate.h"
+#include "core/fusion/color_projection.h"
 
 namespace scantrove {
 

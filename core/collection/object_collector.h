@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/catalogue/catalogue_mirror.h"
 #include "core/catalogue/catalogue_writer.h"
@@ -21,6 +20,7 @@
 #include "core/collection/user_requests.h"
 #include "core/collection/view_keeper.h"
 #include "core/discovery/candidate.h"
+#include "core/fusion/color_projection.h"
 #include "core/fusion/depth_view.h"
 
 namespace scantrove {

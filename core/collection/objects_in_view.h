@@ -2,8 +2,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/capture/color_projection.h"
 #include "core/collection/seen_object.h"
+#include "core/fusion/color_projection.h"
 #include "core/fusion/rendered_view.h"
 
 namespace scantrove {

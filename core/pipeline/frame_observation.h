@@ -3,8 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "core/capture/color_projection.h"
 #include "core/capture/rgbd_frame.h"
+#include "core/fusion/color_projection.h"
 #include "core/fusion/depth_view.h"
 #include "core/fusion/rendered_view.h"
 

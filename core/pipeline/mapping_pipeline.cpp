@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "core/capture/color_projection.h"
 #include "core/compute/guarded.h"
+#include "core/fusion/color_projection.h"
 #include "core/pipeline/map_memory.h"
 
 namespace scantrove {
@@ -86,9 +86,8 @@ FrameResult MappingPipeline::runStages(const RgbdFrame& frame, const NextFrame& 
     result.view = readView(compute_, surface);
     result.view.fragments = labels_->project(surface);
   });
-  SurfaceInColor in_color = timer_.time("color", [&] {
-    return locateInColor(frame.color_camera, K, T_world_camera, result.view.vertices_world);
-  });
+  SurfaceInColor in_color =
+      timer_.time("color", [&] { return locateInColor(frame.color_camera, result.view); });
   const cv::Mat hidden = in_color.hidden;
   std::future<FrameObservation> observed = std::async(std::launch::async, [&] {
     fusion_->remember(result.view);
@@ -193,8 +192,7 @@ FrameResult MappingPipeline::observe(const RgbdFrame& frame, const Eigen::Isomet
   FrameResult seen;
   seen.pose.T_world_camera = T_world_camera;
   seen.view = readout_->render(T_world_camera, closeCamera(frame.depth.size()), observed_);
-  SurfaceInColor in_color =
-      locateInColor(frame.color_camera, seen.view.K, T_world_camera, seen.view.vertices_world);
+  SurfaceInColor in_color = locateInColor(frame.color_camera, seen.view);
   seen.observed = scantrove::observe(frame, seen.view, std::move(in_color), params_.fusion.depth_noise_m);
   return seen;
 }

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/capture/color_projection.h"
 #include "core/catalogue/thumbnail.h"
 #include "core/collection/candidate_crop.h"
 #include "core/discovery/region_candidate.h"
+#include "core/fusion/color_projection.h"
 #include "core/geometry/view_sphere.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/key_frame_choice.h"
@@ -71,8 +71,7 @@ Result<std::optional<ObjectView>> cropFrom(OpenSession& session, const Showing& 
   if (!view) return fail(view.error());
   const std::optional<Candidate> seen = candidateOf(region, {*view}, kMinPixels);
   if (!seen) return std::nullopt;
-  const SurfaceInColor in_color =
-      locateInColor(frame->color_camera, K, view->T_world_camera, view->vertices_world);
+  const SurfaceInColor in_color = locateInColor(frame->color_camera, *view);
   std::optional<ObjectView> cut = cropView(*frame, view->T_world_camera, in_color, *seen);
   if (cut) cut->descriptor = makeThumbnail(cut->color, cut->mask);
   return cut;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/capture/color_projection.h"
 #include "core/compute/guarded.h"
+#include "core/fusion/color_projection.h"
 #include "core/refinement/collector_input.h"
 
 namespace scantrove {
@@ -100,8 +100,7 @@ Result<void> ScanObjects::addRequestedAtEnd(const std::function<void(const Frame
   if (!view) return fail(view.error());
   std::vector<Candidate> candidates;
   addRequested(*collector_, {*view}, pipeline_.params().discovery.min_points, candidates);
-  const SurfaceInColor in_color =
-      locateInColor(last_seen_->frame.color_camera, view->K, view->T_world_camera, view->vertices_world);
+  const SurfaceInColor in_color = locateInColor(last_seen_->frame.color_camera, *view);
   announce(collector_->addRequested(last_seen_->frame, view->T_world_camera, in_color, candidates));
   return {};
 }

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "core/base/overloaded.h"
-#include "core/capture/color_projection.h"
 #include "core/collection/objects_in_view.h"
 #include "core/compute/guarded.h"
 #include "core/dataset/dataset_export.h"
+#include "core/fusion/color_projection.h"
 #include "core/fusion/rendered_view.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/key_frame_files.h"
@@ -103,8 +103,7 @@ Result<void> ScanReview::lookAgain() {
 
 std::vector<SeenObject> ScanReview::objectsIn(const FrameResult& result, const RgbdFrame& frame) const {
   const RenderedView& view = result.view;
-  const SurfaceInColor in_color =
-      locateInColor(frame.color_camera, view.K, view.T_world_camera, view.vertices_world);
+  const SurfaceInColor in_color = locateInColor(frame.color_camera, view);
   std::vector<SeenObject> seen = objectsInView(
       view, in_color, [this](RegionId region) { return session_->labelOf(region).object; },
       static_cast<int>(kMinPart * static_cast<double>(view.K.pixels())));

@@ -160,9 +160,7 @@ void SnapshotBuilder::addPictures(ScanSnapshot& snapshot) const {
 
 void SnapshotBuilder::addRegions(MappingPipeline& pipeline, ScanSnapshot& snapshot) const {
   if (frame_.color_camera && !result_.view.vertices_world.empty()) {
-    snapshot.color_places = locateInColor(frame_.color_camera, result_.view.K, result_.view.T_world_camera,
-                                          result_.view.vertices_world)
-                                .places;
+    snapshot.color_places = locateInColor(frame_.color_camera, result_.view).places;
   }
   struct Whole {
     std::int64_t voxels = 0;

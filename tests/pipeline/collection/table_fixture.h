@@ -6,10 +6,10 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/capture/color_projection.h"
 #include "core/catalogue/object_database.h"
 #include "core/collection/observed_frame.h"
 #include "core/compute/compute_context.h"
+#include "core/fusion/color_projection.h"
 #include "core/fusion/rendered_view.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
@@ -90,9 +90,7 @@ class TableFixture : public testing::Test {
     shot.in_color = inColor();
     return shot;
   }
-  static SurfaceInColor inColor() {
-    return locateInColor(std::nullopt, kWorking, Eigen::Isometry3d::Identity(), {});
-  }
+  static SurfaceInColor inColor() { return locateInColor(std::nullopt, {kWorking}); }
 
   /// What the map shows from a frame in the end: the thing's region where its view had it, or in a part of
   /// that only; a surface `surface_m` ahead.

@@ -50,7 +50,7 @@ Candidate candidateAt(const cv::Rect& box) {
   return candidate;
 }
 
-SurfaceInColor registered() { return locateInColor(std::nullopt, kWorking, kOrigin, {}); }
+SurfaceInColor registered() { return locateInColor(std::nullopt, {kWorking}); }
 
 TEST(CutView, TakesTheBoxOutOfTheFullResolution) {
   const auto view =
@@ -181,10 +181,10 @@ struct StagedFrame {
     return candidate;
   }
   [[nodiscard]] SurfaceInColor inColor(const Eigen::Isometry3d& T_world_camera) const {
-    std::vector<Eigen::Vector4f> vertices_world;
+    RenderedView view{kWorking, T_world_camera};
     for (const Eigen::Vector4f& v : vertices)
-      vertices_world.push_back(T_world_camera.matrix().cast<float>() * v);
-    return locateInColor(frame.color_camera, kWorking, T_world_camera, vertices_world);
+      view.vertices_world.push_back(T_world_camera.matrix().cast<float>() * v);
+    return locateInColor(frame.color_camera, view);
   }
 };
 

@@ -23,7 +23,7 @@ class ObjectsInView : public testing::Test {
     fill({2, 3, 3, 4}, kBody);
     fill({5, 4, 1, 2}, kHandle);
     fill({8, 1, 1, 1}, kCrumb);
-    in_color_ = locateInColor(std::nullopt, view_.K, view_.T_world_camera, {});
+    in_color_ = locateInColor(std::nullopt, view_);
   }
   void fill(const cv::Rect& pixels, RegionId region) {
     for (int v = pixels.y; v < pixels.br().y; ++v) {

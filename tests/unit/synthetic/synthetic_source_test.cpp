@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "core/capture/color_projection.h"
+#include "core/fusion/color_projection.h"
 #include "core/synthetic/bumpy_shape.h"
 #include "core/synthetic/synthetic_source.h"
 #include "tests/support/film_sets.h"
@@ -264,7 +264,8 @@ TEST(SyntheticSource, ColorOfACameraOfItsOwnIsSeenFromThere) {
   ASSERT_TRUE(frame.color_camera);
   ASSERT_EQ(frame.color.size(), cv::Size(320, 256));
   EXPECT_EQ(cv::countNonZero(frame.depth != straight.depth), 0);
-  std::vector<Eigen::Vector4f> vertices;
+  RenderedView view{options.K};
+  std::vector<Eigen::Vector4f>& vertices = view.vertices_world;
   for (int v = 0; v < options.K.height; ++v) {
     for (int u = 0; u < options.K.width; ++u) {
       const float z = static_cast<float>(frame.depth.at<std::uint16_t>(v, u)) * frame.meters_per_unit;
@@ -274,8 +275,7 @@ TEST(SyntheticSource, ColorOfACameraOfItsOwnIsSeenFromThere) {
             options.K.backProject(static_cast<float>(u), static_cast<float>(v), z).homogeneous();
     }
   }
-  const SurfaceInColor seen =
-      locateInColor(frame.color_camera, options.K, Eigen::Isometry3d::Identity(), vertices);
+  const SurfaceInColor seen = locateInColor(frame.color_camera, view);
   cv::Mat looked_up, shown, off;
   cv::remap(frame.color, looked_up, pixelsOf(seen.places, frame.color.size()), {}, cv::INTER_LINEAR);
   cv::absdiff(looked_up, straight.color, off);

@@ -1,11 +1,9 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 #include <optional>
-#include <span>
 
 #include "core/capture/color_camera.h"
-#include "core/capture/intrinsics.h"
+#include "core/fusion/rendered_view.h"
 
 namespace scantrove {
 
@@ -17,11 +15,9 @@ struct SurfaceInColor {
   cv::Mat hidden;  ///< h x w, CV_8UC1, 255 = the colour image ends before it, or shows something nearer there
 };
 
-/// `vertices_world`: the surface by pixel of `K`, w = 0: none; not read when colour is registered (no
-/// `camera`).
-[[nodiscard]] SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const Intrinsics& K,
-                                           const Eigen::Isometry3d& T_world_depth,
-                                           std::span<const Eigen::Vector4f> vertices_world);
+/// Where the surface of `view` is seen. Its vertices are not read when colour is registered (no `camera`).
+[[nodiscard]] SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera,
+                                           const RenderedView& view);
 
 /// Places as CV_32FC2 pixels of an image of `size` (centres at integers) that shows what the colour image
 /// does.

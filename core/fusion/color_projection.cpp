@@ -1,9 +1,11 @@
-#include "core/capture/color_projection.h"
+#include "core/fusion/color_projection.h"
 
 #include <algorithm>
 #include <limits>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "core/fusion/view_depths.h"
 
 namespace scantrove {
 namespace {
@@ -11,7 +13,6 @@ namespace {
 /// A surface this much farther than what the colour camera sees beside it is hidden. Steep surfaces change
 /// by less from pixel to pixel.
 constexpr float kHidingStep = 1.05F;
-constexpr float kNearest_m = 0.05F;
 
 cv::Mat evenPlaces(int width, int height) {
   cv::Mat places(height, width, CV_32FC2);
@@ -35,7 +36,7 @@ Eigen::Matrix3f toPlaces(const Intrinsics& K) {
 
 /// Outside the image, and no farther away than arithmetic on pixels bears.
 cv::Vec2f placeOf(const Eigen::Vector3f& p) {
-  if (p.z() < kNearest_m) return {-1, -1};
+  if (p.z() < kNearestView_m) return {-1, -1};
   const float per_depth = 1 / p.z();
   return {std::clamp(p.x() * per_depth, -1.0F, 2.0F), std::clamp(p.y() * per_depth, -1.0F, 2.0F)};
 }
@@ -79,9 +80,8 @@ void markHidden(SurfaceInColor& seen, const cv::Mat& depths_m) {
 
 }  // namespace
 
-SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const Intrinsics& K,
-                             const Eigen::Isometry3d& T_world_depth,
-                             std::span<const Eigen::Vector4f> vertices_world) {
+SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const RenderedView& view) {
+  const Intrinsics& K = view.K;
   SurfaceInColor seen;
   seen.hidden = cv::Mat::zeros(K.height, K.width, CV_8UC1);
   if (!camera) {
@@ -89,14 +89,14 @@ SurfaceInColor locateInColor(const std::optional<ColorCamera>& camera, const Int
     return seen;
   }
   const Eigen::Matrix3f to_places = toPlaces(camera->K);
-  const Eigen::Isometry3d T_color_world = camera->T_color_depth * T_world_depth.inverse();
+  const Eigen::Isometry3d T_color_world = camera->T_color_depth * view.T_world_camera.inverse();
   Eigen::Matrix4f from_world = Eigen::Matrix4f::Zero();
   from_world.topRows<3>() = to_places * T_color_world.matrix().topRows<3>().cast<float>();
   const Eigen::Matrix3f from_ray = to_places * camera->T_color_depth.linear().cast<float>();
   seen.places.create(K.height, K.width, CV_32FC2);
   cv::Mat depths_m = cv::Mat::zeros(K.height, K.width, CV_32FC1);
   cv::parallel_for_({0, K.height}, [&](const cv::Range& rows) {
-    const Eigen::Vector4f* vertex = vertices_world.data() + std::ptrdiff_t{rows.start} * K.width;
+    const Eigen::Vector4f* vertex = view.vertices_world.data() + std::ptrdiff_t{rows.start} * K.width;
     for (int v = rows.start; v < rows.end; ++v) {
       auto* places = seen.places.ptr<cv::Vec2f>(v);
       auto* row = depths_m.ptr<float>(v);

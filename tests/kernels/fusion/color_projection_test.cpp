@@ -1,4 +1,4 @@
-#include "core/capture/color_projection.h"
+#include "core/fusion/color_projection.h"
 
 #include <gtest/gtest.h>
 
@@ -18,15 +18,16 @@ ColorCamera besides() {
 }
 
 /// A wall 1 m ahead and before its right half one at 0.5 m.
-std::vector<Eigen::Vector4f> halfHidden() {
-  std::vector<Eigen::Vector4f> vertices;
+RenderedView halfHidden() {
+  RenderedView view{kDepth};
   for (int v = 0; v < kDepth.height; ++v) {
     for (int u = 0; u < kDepth.width; ++u) {
       const float z = u >= 160 ? 0.5F : 1.0F;
-      vertices.push_back(kDepth.backProject(static_cast<float>(u), static_cast<float>(v), z).homogeneous());
+      view.vertices_world.push_back(
+          kDepth.backProject(static_cast<float>(u), static_cast<float>(v), z).homogeneous());
     }
   }
-  return vertices;
+  return view;
 }
 
 cv::Point2f pixelAt(const SurfaceInColor& seen, const cv::Size& size, int u, int v) {
@@ -35,9 +36,10 @@ cv::Point2f pixelAt(const SurfaceInColor& seen, const cv::Size& size, int u, int
 }
 
 TEST(LocateInColor, ProjectsTheSurfaceIntoTheColorCamera) {
-  std::vector<Eigen::Vector4f> vertices(kPixels, Eigen::Vector4f::Zero());
-  vertices[320 * 90 + 200] = {0.1F, -0.05F, 2, 1};
-  const SurfaceInColor seen = locateInColor(besides(), kDepth, Eigen::Isometry3d::Identity(), vertices);
+  RenderedView view{kDepth};
+  view.vertices_world.assign(kPixels, Eigen::Vector4f::Zero());
+  view.vertices_world[320 * 90 + 200] = {0.1F, -0.05F, 2, 1};
+  const SurfaceInColor seen = locateInColor(besides(), view);
   const cv::Point2f pixel = pixelAt(seen, {1280, 1024}, 200, 90);
   EXPECT_NEAR(pixel.x, 1050 * (0.1 - 0.025) / 2 + 640, 1e-3);  // 679.375
   EXPECT_NEAR(pixel.y, 1040 * -0.05 / 2 + 512, 1e-3);          // 486
@@ -52,27 +54,27 @@ TEST(LocateInColor, ProjectsTheSurfaceIntoTheColorCamera) {
 TEST(LocateInColor, TurnsAndPosesAreTakenIn) {
   ColorCamera camera = besides();
   camera.T_color_depth.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  Eigen::Isometry3d T_world_depth = Eigen::Isometry3d::Identity();
-  T_world_depth.translation() << 5, 6, 7;
-  T_world_depth.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  std::vector<Eigen::Vector4f> vertices(kPixels, Eigen::Vector4f::Zero());
+  RenderedView view{kDepth};
+  view.T_world_camera.translation() << 5, 6, 7;
+  view.T_world_camera.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  view.vertices_world.assign(kPixels, Eigen::Vector4f::Zero());
   // (0.1, -0.05, 2) of the depth camera: y to z, z to -y of the world.
-  vertices[0] = {5.1F, 6 - 2.0F, 7 - 0.05F, 1};
-  const SurfaceInColor seen = locateInColor(camera, kDepth, T_world_depth, vertices);
+  view.vertices_world[0] = {5.1F, 6 - 2.0F, 7 - 0.05F, 1};
+  const SurfaceInColor seen = locateInColor(camera, view);
   // x to y, y to -x of the colour camera: (0.05 - 0.025, 0.1, 2).
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 0, 0).x, 1050 * 0.025 / 2 + 640, 1e-2);
   EXPECT_NEAR(pixelAt(seen, {1280, 1024}, 0, 0).y, 1040 * 0.1 / 2 + 512, 1e-2);
 }
 
 TEST(LocateInColor, RegisteredColorShowsWhatDepthShowsScaled) {
-  const SurfaceInColor seen = locateInColor(std::nullopt, kDepth, Eigen::Isometry3d::Identity(), {});
+  const SurfaceInColor seen = locateInColor(std::nullopt, {kDepth});
   EXPECT_NEAR(pixelAt(seen, {640, 480}, 100, 50).x, 200.5, 1e-4);
   EXPECT_NEAR(pixelAt(seen, {640, 480}, 100, 50).y, 100.5, 1e-4);
   EXPECT_EQ(cv::countNonZero(seen.hidden), 0);
 }
 
 TEST(LocateInColor, WhatSomethingNearerCoversIsHidden) {
-  const SurfaceInColor seen = locateInColor(besides(), kDepth, Eigen::Isometry3d::Identity(), halfHidden());
+  const SurfaceInColor seen = locateInColor(besides(), halfHidden());
   // The near edge is seen at (0 - 0.025) / 0.5 = -0.05, where the far wall has x - 0.025 = -0.05: what lies
   // between x = -0.025 and 0 is hidden, 7.5 pixels of depth.
   for (const int v : {20, 120, 220}) {
@@ -88,13 +90,11 @@ TEST(LocateInColor, WhatSomethingNearerCoversIsHidden) {
 TEST(LocateInColor, WhatTheColorImageDoesNotReachIsHidden) {
   ColorCamera camera = besides();
   camera.K.cx = -100;  // its left edge at x / z = 100 / 1050
-  const SurfaceInColor seen = locateInColor(camera, kDepth, Eigen::Isometry3d::Identity(), halfHidden());
+  const SurfaceInColor seen = locateInColor(camera, halfHidden());
   EXPECT_EQ(seen.hidden.at<std::uint8_t>(120, 160 + 40), 255);  // 40 / 300 - 0.05 = 0.083
   EXPECT_EQ(seen.hidden.at<std::uint8_t>(120, 160 + 48), 0);    // 48 / 300 - 0.05 = 0.11
   camera.T_color_depth.translation().z() = -3;                  // all lies behind it
-  EXPECT_EQ(
-      cv::countNonZero(locateInColor(camera, kDepth, Eigen::Isometry3d::Identity(), halfHidden()).hidden),
-      static_cast<int>(kPixels));
+  EXPECT_EQ(cv::countNonZero(locateInColor(camera, halfHidden()).hidden), static_cast<int>(kPixels));
 }
 
 }  // namespace
