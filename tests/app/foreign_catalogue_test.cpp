@@ -6,9 +6,8 @@
 
 #include "core/catalogue/object_database.h"
 #include "core/database/database_connection.h"
-#include "tests/app/scantrove_program.h"
+#include "tests/app/demo_scan.h"
 #include "tests/support/qt_main_thread.h"
-#include "tests/support/temporary_folder.h"
 
 namespace scantrove::test {
 namespace {
@@ -46,47 +45,10 @@ void makeForeignCatalogue(const fs::path& file) {
   }
 }
 
-/// Made once: its folder is copied by those who change it.
-const fs::path& scanWithCatalogue() {
-  static const TemporaryFolder folder;
-  static const fs::path path = [] {
-    const Finished run = scantrove({"scan", "demo", "--frames", "40", "--out", folder / "scan"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return folder / "scan";
-  }();
-  return path;
-}
-
-class ForeignCatalogue : public testing::Test {
+class ForeignCatalogue : public DemoScanTest {
  protected:
-  ForeignCatalogue() { fs::copy(scanWithCatalogue(), scan_, fs::copy_options::recursive); }
-
-  Finished tell(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "session");
-    arguments.insert(arguments.begin() + 2, scan_);
-    return scantrove(arguments);
-  }
-  std::vector<Json> regions() {
-    const Finished run = tell({"regions", "--json"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    std::vector<Json> all = Json::parse(run.out);
-    std::sort(all.begin(), all.end(), [](const Json& a, const Json& b) { return a["voxels"] > b["voxels"]; });
-    return all;
-  }
-  Json region(const std::string& id) {
-    for (const Json& one : regions()) {
-      if (std::to_string(one["id"].get<int>()) == id) return one;
-    }
-    return {};
-  }
   /// A large region without an object.
-  std::string plainRegion(std::size_t place = 0) {
-    std::vector<std::string> plain;
-    for (const Json& one : regions()) {
-      if (one["object"].is_null()) plain.push_back(std::to_string(one["id"].get<int>()));
-    }
-    return plain.at(place);
-  }
+  [[nodiscard]] std::string plainRegion(std::size_t place = 0) const { return plainRegions().at(place); }
   Json objects() const { return jsonOf(scantrove({"objects", "list", "--database", catalogue_, "--json"})); }
   /// The first objects of the catalogue: those that were there before.
   Json strangers() const {
@@ -111,10 +73,6 @@ class ForeignCatalogue : public testing::Test {
         fs::rename(folder_ / (std::string("own-") + file), scan_ / file);
     }
   }
-
-  const TemporaryFolder folder_;
-  const fs::path scan_ = folder_ / "scan";
-  const std::string catalogue_ = scan_ / "catalogue.sqlite";
 };
 
 TEST_F(ForeignCatalogue, UndoAndRedoTouchNoStranger) {

@@ -3,8 +3,7 @@
 
 #include <filesystem>
 
-#include "tests/app/scantrove_program.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/app/demo_scan.h"
 
 namespace scantrove::test {
 namespace {
@@ -13,26 +12,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-/// Made once: its folder is copied by those who change it.
-const fs::path& scanToLabel() {
-  static const TemporaryFolder folder;
-  static const fs::path path = [] {
-    const Finished run = scantrove({"scan", "demo", "--frames", "40", "--out", folder / "scan"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return folder / "scan";
-  }();
-  return path;
-}
-
-class ObjectWords : public testing::Test {
+class ObjectWords : public DemoScanTest {
  protected:
-  ObjectWords() { fs::copy(scanToLabel(), scan_, fs::copy_options::recursive); }
-
-  Finished tell(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "session");
-    arguments.insert(arguments.begin() + 2, scan_);
-    return scantrove(arguments);
-  }
   void name(const std::string& region, const std::string& name, const std::string& category = "") {
     const Finished run = tell({"name", "--region", region, "--name", name, "--class", category});
     ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -44,27 +25,6 @@ class ObjectWords : public testing::Test {
     return scantrove(arguments);
   }
   Json objectList() const { return jsonOf(objects({"list", "--json"})); }
-  std::vector<Json> regions() {
-    const Finished run = tell({"regions", "--json"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    std::vector<Json> all = Json::parse(run.out);
-    std::sort(all.begin(), all.end(), [](const Json& a, const Json& b) { return a["voxels"] > b["voxels"]; });
-    return all;
-  }
-  Json region(const std::string& id) {
-    for (const Json& one : regions()) {
-      if (std::to_string(one["id"].get<int>()) == id) return one;
-    }
-    return {};
-  }
-  /// Large regions without an object.
-  std::vector<std::string> plainRegions() {
-    std::vector<std::string> plain;
-    for (const Json& one : regions()) {
-      if (one["object"].is_null()) plain.push_back(std::to_string(one["id"].get<int>()));
-    }
-    return plain;
-  }
   /// labels.json of a data set of masks: what it says of its regions, by number.
   Json dataset(std::string* said = nullptr) {
     const fs::path out = folder_ / ("masks" + std::to_string(++datasets_));
@@ -82,9 +42,6 @@ class ObjectWords : public testing::Test {
     return names;
   }
 
-  const TemporaryFolder folder_;
-  const fs::path scan_ = folder_ / "scan";
-  const std::string catalogue_ = scan_ / "catalogue.sqlite";
   int datasets_ = 0;
 };
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tests/app/scantrove_program.h"
+#include "tests/app/demo_scan.h"
 
 namespace scantrove::test {
 namespace {
@@ -11,47 +11,18 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
 
-/// A scan of the demo, made once: its folder is copied by those who change it.
-const fs::path& demoScan() {
-  static const TemporaryFolder folder;
-  static const fs::path path = [] {
-    const Finished run = scantrove({"scan", "demo", "--frames", "40", "--out", folder / "scan"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return folder / "scan";
-  }();
-  return path;
-}
-
-class Session : public testing::Test {
+class Session : public DemoScanTest {
  protected:
-  Session() { fs::copy(demoScan(), scan_, fs::copy_options::recursive); }
-  Json ask(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "session");
-    arguments.insert(arguments.begin() + 2, scan_);
+  Json ask(std::vector<std::string> arguments) const {
     arguments.emplace_back("--json");
-    return jsonOf(scantrove(arguments));
-  }
-  Finished tell(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "session");
-    arguments.insert(arguments.begin() + 2, scan_);
-    return scantrove(arguments);
-  }
-  std::string regions() {
-    const Finished run = tell({"regions", "--json"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return run.out;
+    return jsonOf(tell(arguments));
   }
   /// Numbers of the largest regions, largest first.
-  std::vector<int> largest() {
-    std::vector<Json> all = Json::parse(regions());
-    std::sort(all.begin(), all.end(), [](const Json& a, const Json& b) { return a["voxels"] > b["voxels"]; });
+  [[nodiscard]] std::vector<int> largest() const {
     std::vector<int> numbers;
-    for (const Json& region : all) numbers.push_back(region["id"]);
+    for (const Json& one : regions()) numbers.push_back(one["id"]);
     return numbers;
   }
-
-  const TemporaryFolder folder_;
-  const fs::path scan_ = folder_ / "scan";
 };
 
 TEST_F(Session, ShowsWhatWasScanned) {
@@ -78,7 +49,7 @@ TEST_F(Session, APixelShowsTheRegionThatTheLabelImageShows) {
 TEST_F(Session, UndoingAndDoingAgainGivesTheSameTableByteForByte) {
   const std::vector<int> r = largest();
   const auto number = [&](std::size_t i) { return std::to_string(r.at(i)); };
-  const std::string before = regions();
+  const std::string before = regionTable();
   ASSERT_EQ(
       tell({"name", "--region", number(2), "--name", "M\xC3\xBCsli / \"x\"", "--category", "food"}).exit_code,
       0);
@@ -86,12 +57,12 @@ TEST_F(Session, UndoingAndDoingAgainGivesTheSameTableByteForByte) {
   ASSERT_EQ(tell({"join", number(2), number(4)}).exit_code, 0);
   ASSERT_EQ(tell({"background", number(0)}).exit_code, 0);
   ASSERT_EQ(tell({"finer", number(1)}).exit_code, 0);
-  const std::string after = regions();
+  const std::string after = regionTable();
   EXPECT_NE(after, before);
   ASSERT_EQ(tell({"undo", "--steps", "5"}).exit_code, 0);
-  EXPECT_EQ(regions(), before);
+  EXPECT_EQ(regionTable(), before);
   ASSERT_EQ(tell({"redo", "--steps", "5"}).exit_code, 0);
-  EXPECT_EQ(regions(), after);
+  EXPECT_EQ(regionTable(), after);
   expectJobFailure(tell({"redo"}), {"nothing"});
   const Json history = ask({"history"});
   ASSERT_EQ(history.size(), 5U);
@@ -101,28 +72,28 @@ TEST_F(Session, UndoingAndDoingAgainGivesTheSameTableByteForByte) {
 
 TEST_F(Session, RefusesNames_WhenTheCatalogueWould) {
   const std::string region = std::to_string(largest().at(3));
-  const std::string before = regions();
+  const std::string before = regionTable();
   for (const std::string& name : {std::string("two\nlines"), std::string(300, 'x')})
     expectJobFailure(tell({"name", "--region", region, "--name", name}), {"name"});
   // What is no UTF-8 is no argument of any command.
   expectWrongUsage(tell({"name", "--region", region, "--name", "\xFF"}), {"name"});
-  EXPECT_EQ(regions(), before);
+  EXPECT_EQ(regionTable(), before);
 }
 
 TEST_F(Session, RenamingKeepsTheClass_WhenNoneIsGiven) {
   const std::string region = std::to_string(largest().at(3));
   ASSERT_EQ(tell({"name", "--region", region, "--name", "mug", "--class", "cup"}).exit_code, 0);
   ASSERT_EQ(tell({"name", "--region", region, "--name", "red mug"}).exit_code, 0);
-  EXPECT_THAT(regions(), testing::AllOf(testing::HasSubstr("red mug"), testing::HasSubstr("\"cup\"")));
+  EXPECT_THAT(regionTable(), testing::AllOf(testing::HasSubstr("red mug"), testing::HasSubstr("\"cup\"")));
 }
 
 TEST_F(Session, UndoChangesNothing_WhenFewerStepsAreThere) {
   const std::string region = std::to_string(largest().at(3));
   ASSERT_EQ(tell({"name", "--region", region, "--name", "mug"}).exit_code, 0);
   ASSERT_EQ(tell({"background", std::to_string(largest().at(0))}).exit_code, 0);
-  const std::string before = regions();
+  const std::string before = regionTable();
   expectJobFailure(tell({"undo", "--steps", "5"}), {"2 of 5", "nothing was changed"});
-  EXPECT_EQ(regions(), before);
+  EXPECT_EQ(regionTable(), before);
 }
 
 TEST_F(Session, RemovingANameTakesItFromTheCatalogue) {
@@ -151,7 +122,7 @@ TEST_F(Session, GoesOnInAnEarlierScan) {
   EXPECT_EQ(shown["operations"], 2);
   EXPECT_EQ(shown["ended"], true);
   bool is_kept = false;
-  for (const Json& region : Json::parse(regions())) {
+  for (const Json& region : Json::parse(regionTable())) {
     is_kept = is_kept || region["name"] == "kept";
     EXPECT_NE(region["id"], r.at(4)) << "it was joined";
   }
@@ -163,14 +134,14 @@ TEST_F(Session, GoesOnInAnEarlierScan) {
 
 TEST_F(Session, LeavesAsDataSets) {
   ASSERT_EQ(tell({"name", "--region", std::to_string(largest().at(3)), "--name", "thing"}).exit_code, 0);
-  const std::string before = regions();
+  const std::string before = regionTable();
   for (const char* format : {"coco", "bop", "yolo", "masks", "ply", "pcd", "mesh", "tum", "scannet"}) {
     const fs::path out = folder_ / (std::string("as_") + format);
     const Finished run = scantrove({"export", scan_, "--format", format, "--out", out});
     EXPECT_EQ(run.exit_code, 0) << format << ": " << run.err;
     EXPECT_FALSE(fs::is_empty(out)) << format;
   }
-  EXPECT_EQ(regions(), before) << "an export changes nothing";
+  EXPECT_EQ(regionTable(), before) << "an export changes nothing";
   const Json coco = Json::parse(readText(folder_ / "as_coco" / "annotations" / "instances.json"));
   EXPECT_GE(coco["images"].size(), 1U);
   EXPECT_GE(coco["annotations"].size(), 1U);
@@ -185,14 +156,14 @@ TEST_F(Session, ANamedRegionIsAnObjectOfTheCatalogue) {
     return jsonOf(scantrove({"objects", "list", "--database", catalogue, "--json"}));
   };
   const auto regionCalled = [&](const std::string& name) {
-    for (const Json& region : Json::parse(regions())) {
+    for (const Json& region : Json::parse(regionTable())) {
       if (region["name"] == name) return region;
     }
     return Json();
   };
   const Json before = objects();
   std::string unbound, bound;
-  std::vector<Json> all = Json::parse(regions());
+  std::vector<Json> all = Json::parse(regionTable());
   std::sort(all.begin(), all.end(), [](const Json& a, const Json& b) { return a["voxels"] > b["voxels"]; });
   for (const Json& region : all) {
     std::string& first = region["object"].is_null() ? unbound : bound;
@@ -245,7 +216,7 @@ TEST_F(Session, ANameHoldsWithoutTheCatalogue) {
                                         testing::HasSubstr(catalogue)));
   EXPECT_EQ(std::count(named.err.begin(), named.err.end(), '\n'), 1);
   EXPECT_FALSE(fs::exists(catalogue)) << "none is made";
-  EXPECT_THAT(regions(), testing::HasSubstr("\"mug\""));
+  EXPECT_THAT(regionTable(), testing::HasSubstr("\"mug\""));
 }
 
 TEST_F(Session, LeavesItsCatalogueAsCrops) {

@@ -51,9 +51,10 @@ struct PlyFile {
     };
     for (std::size_t i = 0; i < counts["vertex"]; ++i) {
       for (const auto& [type, name] : layout) {
-        values[name].push_back(type == "float"  ? static_cast<double>(take(0.0F))
-                               : type == "uint" ? static_cast<double>(take(std::uint32_t{}))
-                                                : static_cast<double>(take(std::uint8_t{})));
+        values[name].push_back(type == "float"    ? static_cast<double>(take(0.0F))
+                               : type == "double" ? take(0.0)
+                               : type == "uint"   ? static_cast<double>(take(std::uint32_t{}))
+                                                  : static_cast<double>(take(std::uint8_t{})));
       }
     }
     for (std::size_t i = 0; i < counts["face"]; ++i) {

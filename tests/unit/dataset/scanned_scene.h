@@ -90,6 +90,7 @@ class ScannedScene : public LabeledScan {
   float meters_per_unit = 0.001F;
   int frames = 3;
   std::string scan_name = "kitchen table";
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of all places and poses, in the recording's world
   std::vector<LabeledRegion> labels = standardLabels();
   MapFaults faults;
   std::set<int> without_color, with_damaged_color, with_damaged_depth;
@@ -124,6 +125,7 @@ class ScannedScene : public LabeledScan {
   }
 
   [[nodiscard]] std::string name() const override { return scan_name; }
+  [[nodiscard]] Eigen::Vector3d origin() const override { return origin_m; }
   [[nodiscard]] Result<std::vector<LabeledRegion>> regions() override { return labels; }
   [[nodiscard]] Result<std::vector<KeyFrameInfo>> keyFrames(bool all_frames) override {
     std::vector<KeyFrameInfo> infos;
