@@ -50,8 +50,7 @@ FrameTracking::Located FrameTracking::locate(const RgbdFrame& frame) {
 }
 
 void FrameTracking::beginNext(const NextFrame& next) {
-  // A frame that is reconsidered needs the same buffers, and a profile one
-  // kernel after the other.
+  // A frame that is reconsidered needs the same buffers, and a profile one kernel after the other.
   if (!next || !tracker_ || tracker_->hasUncertain() || compute_.isProfiling()) return;
   const std::optional<RgbdFrame> frame = next();
   if (!frame) return;

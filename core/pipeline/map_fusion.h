@@ -44,7 +44,7 @@ class MapFusion {
   /// `view`: of surface(); `hidden`: SurfaceInColor.
   void integrateColor(const RgbdFrame& frame, const RenderedView& view, const DepthPyramid& depth,
                       const cv::Mat& hidden);
-  /// MergeInput::came of the frame that was integrated last; valid until the next one.
+  /// MergeInput::appeared of the frame that was integrated last; valid until the next one.
   [[nodiscard]] std::span<const std::uint8_t> newlyAppeared();
   /// Ends the frame: DenseMap::settle.
   void settle() { map_->settle(); }
