@@ -7,7 +7,7 @@ namespace scantrove {
 struct Clarity {
   float least_outline;  ///< that is the candidate's own
   float most_hidden;
-  float least_objectness;  ///< of a candidate that is rated (Candidate::wholeness) and not cut off
+  float least_objectness;  ///< of a candidate that is rated (Candidate::objectness) and not cut off
 };
 /// To add a new object; and to store one more view, of which there are many to choose from.
 constexpr Clarity kForObject{.least_outline = 0.85F, .most_hidden = 0.30F, .least_objectness = 0.7F};

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/discovery/candidate_finder.h"
+#include "core/discovery/objectness/objectness_evidence.h"
 #include "core/discovery/region_hypotheses.h"
 #include "core/discovery/region_samples.h"
-#include "core/discovery/objectness/objectness_evidence.h"
 
 namespace scantrove {
 
@@ -29,7 +29,7 @@ class RegionJudge final : public CandidateSource {
   /// All that are no larger than things are, and of which enough is in view to say. `input.joining_odds` is
   /// asked by several threads at once.
   [[nodiscard]] std::vector<Judged> judge(const DiscoveryInput& input);
-  /// The same as candidates, with Candidate::wholeness.
+  /// The same as candidates, with Candidate::objectness.
   [[nodiscard]] std::vector<Candidate> find(const DiscoveryInput& input) override;
   [[nodiscard]] const RegionCensus& census() const override { return census_; }
 

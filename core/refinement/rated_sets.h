@@ -18,20 +18,20 @@ class RatedSets {
  public:
   struct Rated {
     RegionSet regions;
-    /// Sum of the best eight Candidate::wholeness, by one more than these are; less for what is large.
+    /// Sum of the best eight Candidate::objectness, by one more than these are; less for what is large.
     float objectness = 0;
     int frame_index = 0;  ///< of the best look: that shows them entirely, if one does
   };
 
   /// What one frame shows.
   void add(int frame_index, std::span<const Candidate> candidates);
-  /// The sets of at least that wholeness, but those that share a region with a more likely one. Most likely
+  /// The sets of at least that objectness, but those that share a region with a more likely one. Most likely
   /// first.
   [[nodiscard]] std::vector<Rated> disjoint(float least_objectness) const;
   using Rename = std::function<std::optional<RegionSet>(const RegionSet&)>;
   /// Each set is called as `rename` says; none: it is forgotten. No two are called the same.
   void rename(const Rename& rename);
-  /// It was seen, but as no part of anything of that wholeness.
+  /// It was seen, but as no part of anything of that objectness.
   [[nodiscard]] bool isUnlikely(RegionId region, float least_objectness) const;
 
  private:
@@ -42,7 +42,7 @@ class RatedSets {
     [[nodiscard]] bool isBetterThan(const Look& other) const;
   };
   struct Observations {
-    std::vector<float> best;  ///< Candidate::wholeness, falling; at most eight
+    std::vector<float> best;  ///< Candidate::objectness, falling; at most eight
     float longest_m = 0;      ///< Candidate::size_m, its longest side
     std::optional<Look> to_show;
     [[nodiscard]] float together() const;
