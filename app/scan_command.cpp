@@ -57,6 +57,7 @@ void printSummary(const ScanReport& report, const std::string& out) {
 }
 
 Result<void> scan(const ScanArguments& command, ScanRequest request) {
+  const CoreApplication qt;  // the check of the folder reads its session
   const std::string& out = command.resume.empty() ? command.out : command.resume;
   request.resume = !command.resume.empty();
   request.overwrite = command.overwrite;
@@ -72,7 +73,6 @@ Result<void> scan(const ScanArguments& command, ScanRequest request) {
   request.label_maps = command.label_maps;
   const KernelCacheUse kernels;
   request.skip_refinement = command.skip_refinement;
-  const CoreApplication qt;
   const auto report = runToEnd(request);
   if (!report) return fail(report.error());
   SCANTROVE_TRY(checkFramesWereUsed(*report, request.source_options, request.resume));

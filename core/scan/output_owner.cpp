@@ -27,18 +27,6 @@ bool holdsOurReport(const fs::path& folder) {
          report.contains("params") && report.contains("frames");
 }
 
-/// What earlier scans wrote in a folder, as its session and its report have it.
-PlannedResults ownResults(const fs::path& folder) {
-  const SessionMetadata metadata = readSessionMetadata(folder);
-  const auto has = [&](const char* key) {
-    const auto found = metadata.find(key);
-    return found != metadata.end() && !found->second.empty();
-  };
-  const bool has_report = holdsOurReport(folder);
-  // Sessions of earlier versions, and scans without one, do not say whether they wrote label images.
-  return {has(kResultsKey) || has_report, has(kLabelImagesKey) || (has_report && !has(kResultsKey))};
-}
-
 std::optional<fs::path> findResultFile(const fs::path& folder) {
   std::error_code ignored;
   for (const char* name : {"trajectory.txt", "labels.json", "cloud.ply", "cloud.pcd", "report.json"}) {
@@ -58,8 +46,8 @@ std::optional<fs::path> findFilled(const fs::path& folder, std::initializer_list
 }
 
 /// What a scan of these results would replace, in the folder of an earlier scan.
-std::optional<fs::path> findForeignResult(const fs::path& folder, const PlannedResults& planned) {
-  const PlannedResults own = ownResults(folder);
+std::optional<fs::path> findForeignResult(const fs::path& folder, const ScanResults& planned) {
+  const ScanResults own = ownResults(folder);
   std::optional<fs::path> foreign;
   if (planned.files && !own.files) foreign = findResultFile(folder);
   if (!foreign && planned.label_images && !own.label_images)
@@ -75,13 +63,22 @@ Result<void> refuse(const std::optional<fs::path>& foreign) {
 
 }  // namespace
 
-bool holdsOurResults(const fs::path& folder) { return ownResults(folder).files; }
+ScanResults ownResults(const fs::path& folder) {
+  const SessionMetadata metadata = readSessionMetadata(folder);
+  const auto has = [&](const char* key) {
+    const auto found = metadata.find(key);
+    return found != metadata.end() && !found->second.empty();
+  };
+  const bool has_report = holdsOurReport(folder);
+  // Sessions of earlier versions, and scans without one, do not say whether they wrote label images.
+  return {has(kResultsKey) || has_report, has(kLabelImagesKey) || (has_report && !has(kResultsKey))};
+}
 
 bool holdsEarlierScan(const fs::path& folder) {
   return SessionStore::isSession(folder) || holdsOurReport(folder);
 }
 
-Result<void> checkHoldsOnlyOurs(const fs::path& folder, const PlannedResults& planned) {
+Result<void> checkHoldsOnlyOurs(const fs::path& folder, const ScanResults& planned) {
   if (const std::optional<fs::path> foreign = findForeignFile(folder)) return refuse(foreign);
   if (holdsEarlierScan(folder)) return checkResultsAreOurs(folder, planned);
   // Nothing in it is ours.
@@ -89,7 +86,7 @@ Result<void> checkHoldsOnlyOurs(const fs::path& folder, const PlannedResults& pl
   return refuse(findFilled(folder, {"labels", "segments", "labels-final", "map", "keyframes"}));
 }
 
-Result<void> checkResultsAreOurs(const fs::path& folder, const PlannedResults& planned) {
+Result<void> checkResultsAreOurs(const fs::path& folder, const ScanResults& planned) {
   return refuse(findForeignResult(folder, planned));
 }
 

@@ -58,7 +58,7 @@ Result<void> ScanOpener::openAll() {
 Result<void> ScanOpener::checkFolder() const {
   const ScanRequest& request = parts_.request;
   if (!request.output_folder || request.refine_session || request.overwrite) return {};
-  const PlannedResults planned{request.results, request.results && request.label_maps};
+  const ScanResults planned{request.results, request.results && request.label_maps};
   return request.resume ? checkResultsAreOurs(*request.output_folder, planned)
                         : checkHoldsOnlyOurs(*request.output_folder, planned);
 }
@@ -78,7 +78,7 @@ Result<void> ScanOpener::openSessionToRefine() {
   request.source = setup->source;
   request.params = setup->params;
   // A scan of the window has a session alone.
-  request.results = holdsOurResults(folder);
+  request.results = ownResults(folder).files;
   parts_.origin_world = setup->origin_m;
   request.database = databaseFileOf(*setup, folder).string();
   std::error_code ignored;
@@ -128,13 +128,16 @@ Result<void> ScanOpener::openSession(const SourceInfo& info) {
 
 Result<void> ScanOpener::beginSession(const SourceInfo& info) {
   const ScanRequest& request = parts_.request;
+  const ScanResults own = ownResults(*request.output_folder);
   SCANTROVE_TRY(moveInto(session_, SessionWriter::start(*request.output_folder, SessionWriter::Way::create)));
   SessionRecorder::Setup setup{.all_frames = request.record_all};
   setup.metadata = metadataOf({request.source, info.intrinsics, request.params,
                                storedDatabaseName(request.database, *request.output_folder)});
   setup.metadata.merge(refinementMetadata(false));
-  if (parts_.output) setup.metadata[kResultsKey] = kResultsBegun;
-  if (parts_.output && request.label_maps) setup.metadata[kLabelImagesKey] = "yes";
+  // What an earlier scan wrote and this one does not replace stays this program's.
+  const bool writes_labels = parts_.output && request.label_maps;
+  if (parts_.output || own.files) setup.metadata[kResultsKey] = kResultsBegun;
+  if (writes_labels || own.label_images) setup.metadata[kLabelImagesKey] = "yes";
   parts_.recorder = std::make_unique<SessionRecorder>(std::move(session_), std::move(setup));
   return {};
 }

@@ -56,6 +56,8 @@ TEST_F(ForeignResults, AreKept_WhenTheScanWroteNoLabelImages) {
 TEST_F(ForeignResults, AreToldFromThoseOfAScan) {
   for (const Into into : {Into::new_session, Into::same_session, Into::new_session})
     EXPECT_EQ(scan(into, true, true), ScanState::finished) << log_.failure();
+  EXPECT_EQ(scan(Into::new_session, true, false), ScanState::finished) << log_.failure();
+  EXPECT_EQ(scan(Into::new_session, true, true), ScanState::finished) << "label images of the scan before";
   // As a scan leaves it that was killed before it wrote its report.
   fs::remove(folder_ / "scan" / "report.json");
   EXPECT_EQ(scan(Into::same_session, true, true), ScanState::finished) << log_.failure();
