@@ -81,6 +81,9 @@ Result<RegionSamples> MapReadout::sampleRegions(const RegionTable& table) {
   return samples;
 }
 
+/// Fragments without a surface are not counted, and not freed either. Voxels beside the surface still hold
+/// them, and show them again when depth moves the surface back. They are part of regions, borders and the
+/// history of edits, so freeing them would change the labels of later frames.
 MapReadout::RegionCount MapReadout::regionCount() {
   const std::vector<RegionId>& regions = labels_.table().regions();
   std::unordered_set<RegionId> with_surface;
