@@ -42,7 +42,9 @@ void WindowCommand::addTo(CLI::App& app) {
       ->check(CLI::IsMember({"dark", "light"}))
       ->type_name("dark|light");
   app.add_option("--window-size", size_, "in pixels")->type_name("WxH");
-  app.add_option("--screenshot", screenshot_, "when SOURCE ends, save a picture of the window there and quit")
+  app.add_option("--screenshot", screenshot_,
+                 "when SOURCE ends, save a picture of the window in this new file and quit")
+      ->check(CLI::NonexistentPath)
       ->type_name("FILE");
 }
 

@@ -141,6 +141,13 @@ TEST(Usage, LinksThatGoInCirclesAreNamedWhereverAPathIsGiven) {
                    {labels + "/1.png", "symbolic links"});
 }
 
+TEST(Usage, RefusesAPictureInTheFileOfSomebody) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("picture.png", "a person's");
+  expectWrongUsage(scantrove({"demo", "--screenshot", file}), {"--screenshot", file});
+  EXPECT_EQ(readText(file), "a person's");
+}
+
 TEST(Usage, OutputThatCannotBeWrittenIsAFailure) {
   for (const std::string arguments :
        {"params", "params --json", "devices", "--help", "scan --help", "--version"}) {
