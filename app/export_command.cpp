@@ -10,7 +10,7 @@
 #include "core/dataset/centred_mesh.h"
 #include "core/dataset/dataset_export.h"
 #include "core/scan/catalogue_export.h"
-#include "core/scan/session_scan.h"
+#include "core/session/session_scan.h"
 
 namespace scantrove {
 namespace {

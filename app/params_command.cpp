@@ -4,7 +4,7 @@
 #include "app/command.h"
 #include "app/json_output.h"
 #include "app/scan_options.h"
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 
 namespace scantrove {
 namespace {

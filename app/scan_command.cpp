@@ -10,7 +10,7 @@
 #include "app/scan_runner.h"
 #include "app/text_check.h"
 #include "core/exchange/atomic_file.h"
-#include "core/scan/output_owner.h"
+#include "core/session/output_owner.h"
 
 namespace scantrove {
 namespace {
@@ -64,7 +64,8 @@ Result<void> scan(const ScanArguments& command, ScanRequest request) {
   request.record_all = command.record;
   request.session = !command.no_session;
   // Before anything is opened: nobody wants to learn this at the end of a scan.
-  if (!request.resume && !command.overwrite) SCANTROVE_TRY(checkHoldsOnlyOurs(out, {true, command.label_maps}));
+  if (!request.resume && !command.overwrite)
+    SCANTROVE_TRY(checkHoldsOnlyOurs(out, {true, command.label_maps}));
   SCANTROVE_TRY(prepareOutputFolder(out));
   request.output_folder = out;
   request.database = command.database;

@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/capture/color_registration.h"
 #include "core/capture/source_options.h"
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 
 namespace scantrove {
 namespace {

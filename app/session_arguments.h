@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 
 namespace scantrove {
 

@@ -7,7 +7,7 @@
 #include "app/command.h"
 #include "app/json_output.h"
 #include "core/base/text.h"
-#include "core/scan/session_catalogue.h"
+#include "core/session/session_catalogue.h"
 
 namespace scantrove {
 namespace {

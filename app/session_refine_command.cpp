@@ -9,7 +9,7 @@
 #include "app/json_output.h"
 #include "app/kernel_cache_use.h"
 #include "app/scan_runner.h"
-#include "core/scan/refinement_state.h"
+#include "core/session/refinement_state.h"
 #include "core/session/session_store.h"
 
 namespace scantrove {

@@ -9,8 +9,8 @@
 #include "core/base/checksum.h"
 #include "core/base/regular_file.h"
 #include "core/exchange/atomic_file.h"
-#include "core/scan/key_frame_files.h"
 #include "core/scan/open_source.h"
+#include "core/session/key_frame_files.h"
 
 namespace scantrove {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/base/result.h"
 #include "core/capture/rgbd_frame.h"
-#include "core/scan/final_label_record.h"
 #include "core/scan/frame_label_writer.h"
 #include "core/scan/region_numbers.h"
+#include "core/session/final_label_record.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {

@@ -10,7 +10,7 @@
 #include "core/exchange/label_image_writer.h"
 #include "core/exchange/part_name.h"
 #include "core/image/png_encoder.h"
-#include "core/scan/first_error.h"
+#include "core/base/first_error.h"
 #include "core/segmentation/upsample_segments.h"
 
 namespace scantrove {

@@ -9,7 +9,7 @@
 #include "core/editing/operation_log.h"
 #include "core/editing/region_notes.h"
 #include "core/geometry/view_coverage.h"
-#include "core/scan/region_label.h"
+#include "core/session/region_label.h"
 
 namespace scantrove {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/exchange/atomic_file.h"
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 
 namespace scantrove {
 namespace {

@@ -16,8 +16,6 @@ class ScanAdvisor {
   static constexpr int kYoungMapFrames = 5;
   /// A second of a camera with 30 frames a second.
   static constexpr int kLostFrames = 30;
-  /// Of a young map; with those that were understood late.
-  static constexpr std::size_t kRememberedFrames = 64;
 
   /// `max_depth_m`: readings beyond it are not used.
   explicit ScanAdvisor(float max_depth_m) : max_depth_m_(max_depth_m) {}

@@ -4,8 +4,8 @@
 
 #include "core/dataset/dataset_export.h"
 #include "core/editing/operation.h"
-#include "core/scan/scan_params.h"
 #include "core/scan/scan_request.h"
+#include "core/session/scan_params.h"
 
 namespace scantrove {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/catalogue/stored_namings.h"
 #include "core/compute/guarded.h"
 #include "core/fusion/color_projection.h"
 #include "core/refinement/collector_input.h"
@@ -77,7 +78,13 @@ bool ScanObjects::requestNoted(RegionId region) {
   return true;
 }
 
-void ScanObjects::requestNoted() {
+void ScanObjects::restore(const SavedScan& scan) {
+  for (const SavedRegion& region : scan.regions) {
+    if (collector_->objects().idOf(region.region) != region.object)
+      collector_->bind(region.region, region.object);
+    if (const auto namings = scan.metadata.find(namingsKeyOf(region.region)); namings != scan.metadata.end())
+      collector_->requests().restoreNamings(region.region, namingsFromJson(namings->second));
+  }
   for (const auto& [region, note] : pipeline_.labels().editor().notes().all()) requestNoted(region);
 }
 

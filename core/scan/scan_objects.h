@@ -8,7 +8,8 @@
 #include "core/capture/rgbd_frame.h"
 #include "core/collection/object_collector.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/region_label.h"
+#include "core/session/region_label.h"
+#include "core/session/saved_scan.h"
 
 namespace scantrove {
 
@@ -27,12 +28,13 @@ class ScanObjects {
   /// reached is a value.
   [[nodiscard]] Result<FrameObjects> addFrame(const RgbdFrame& frame, const FrameResult& result);
 
+  /// The regions' objects, as an earlier scan of this map found out, and what users said of regions in it:
+  /// things that are no objects of the catalogue become such when they are seen.
+  void restore(const SavedScan& scan);
+
   enum class Edit { done, undone, redone };
   /// After a user edited regions.
   void follow(const RegionEditor::Outcome& outcome, Edit edit);
-  /// What users said of regions in an earlier scan of this map holds for the catalogue, too: things that are
-  /// no objects of it become such when they are seen.
-  void requestNoted();
   /// What there is to say of each region: by users here, and by the catalogue.
   [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
 

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "core/catalogue/object_database.h"
-#include "core/scan/catalogue_numbers.h"
 #include "core/scan/no_frames.h"
-#include "core/scan/open_session.h"
 #include "core/scan/open_source.h"
-#include "core/scan/output_owner.h"
-#include "core/scan/session_restorer.h"
-#include "core/scan/session_setup.h"
+#include "core/session/catalogue_numbers.h"
+#include "core/session/open_session.h"
+#include "core/session/output_owner.h"
+#include "core/session/session_restorer.h"
+#include "core/session/session_setup.h"
 
 namespace scantrove {
 namespace {
@@ -219,8 +219,8 @@ Result<void> ScanOpener::restoreSession(ObjectDatabase& database) {
     listener_(CatalogueFailed{isAnotherCatalogue(*request.output_folder, request.database)});
   std::vector<std::string> damages;
   const bool for_camera = !request.refine_session;
-  SCANTROVE_TRY(
-      restoreScan(*parts_.pipeline, parts_.objects.get(), *session_, *earlier_, for_camera, damages));
+  SCANTROVE_TRY(restoreScan(*parts_.pipeline, *session_, *earlier_, for_camera, damages));
+  parts_.objects->restore(*earlier_);
   tellDamages(damages);
   parts_.recorder =
       SessionRecorder::resume(std::move(session_), *parts_.pipeline, *earlier_, request.record_all);

@@ -12,7 +12,7 @@
 #include "core/exchange/label_map_writer.h"
 #include "core/exchange/region_palette.h"
 #include "core/exchange/trajectory_writer.h"
-#include "core/scan/first_error.h"
+#include "core/base/first_error.h"
 #include "core/scan/report_json.h"
 
 namespace scantrove {

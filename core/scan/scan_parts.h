@@ -10,11 +10,11 @@
 #include "core/compute/compute_context.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/scan/frame_counts.h"
-#include "core/scan/refinement_memory.h"
+#include "core/refinement/refinement_memory.h"
 #include "core/scan/scan_objects.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_request.h"
-#include "core/scan/session_recorder.h"
+#include "core/session/session_recorder.h"
 
 namespace scantrove {
 

@@ -10,7 +10,7 @@
 #include "core/collection/collector_memory.h"
 #include "core/compute/guarded.h"
 #include "core/refinement/final_pass.h"
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_files.h"
 
 namespace scantrove {
 

@@ -7,7 +7,7 @@
 #include "core/base/stage_timer.h"
 #include "core/collection/collected_object.h"
 #include "core/scan/frame_counts.h"
-#include "core/scan/scan_params.h"
+#include "core/session/scan_params.h"
 
 namespace scantrove {
 

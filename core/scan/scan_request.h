@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/capture/frame_source.h"
-#include "core/scan/scan_params.h"
+#include "core/session/scan_params.h"
 
 namespace scantrove {
 

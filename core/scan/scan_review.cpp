@@ -10,8 +10,8 @@
 #include "core/fusion/color_projection.h"
 #include "core/fusion/rendered_view.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/key_frame_files.h"
-#include "core/scan/session_catalogue.h"
+#include "core/session/key_frame_files.h"
+#include "core/session/session_catalogue.h"
 
 namespace scantrove {
 namespace {

@@ -3,11 +3,11 @@
 #include <stop_token>
 
 #include "core/base/latest_value.h"
-#include "core/scan/open_session.h"
 #include "core/scan/scan_event.h"
 #include "core/scan/scan_request.h"
-#include "core/scan/session_scan.h"
 #include "core/scan/snapshot_builder.h"
+#include "core/session/open_session.h"
+#include "core/session/session_scan.h"
 
 namespace scantrove {
 

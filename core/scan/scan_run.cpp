@@ -10,9 +10,9 @@
 #include "core/base/overloaded.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
-#include "core/scan/first_error.h"
+#include "core/base/first_error.h"
 #include "core/scan/scan_opener.h"
-#include "core/scan/session_setup.h"
+#include "core/session/session_setup.h"
 
 namespace scantrove {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/scan/scan_advisor.h"
+#include "core/session/session_recorder.h"
 
 namespace scantrove {
 namespace {
@@ -29,7 +29,7 @@ std::optional<Error> ScanTally::addFrame(const FrameResult& result, int frame_in
     --frames_.lost;
     ++frames_.tracked;
     std::erase(lost_frames_, late.index);
-    if (first_usable_.size() < ScanAdvisor::kRememberedFrames) first_usable_.push_back(late.index);
+    if (first_usable_.size() < SessionRecorder::kFirstFrames) first_usable_.push_back(late.index);
   }
   if (!result.pose.usable()) {
     ++frames_.lost;
@@ -37,7 +37,7 @@ std::optional<Error> ScanTally::addFrame(const FrameResult& result, int frame_in
     return std::nullopt;
   }
   ++frames_.tracked;
-  if (first_usable_.size() < ScanAdvisor::kRememberedFrames) first_usable_.push_back(frame_index);
+  if (first_usable_.size() < SessionRecorder::kFirstFrames) first_usable_.push_back(frame_index);
   if (result.pose.state == TrackingState::relocalized) ++frames_.relocalized;
   return measureDrift(result, frame_index);
 }

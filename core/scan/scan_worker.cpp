@@ -9,7 +9,7 @@
 #include "core/base/check.h"
 #include "core/base/overloaded.h"
 #include "core/compute/guarded.h"
-#include "core/scan/first_error.h"
+#include "core/base/first_error.h"
 #include "core/scan/scan_review.h"
 #include "core/scan/scan_run.h"
 

@@ -10,9 +10,9 @@
 #include "core/base/latest_value.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/region_label.h"
 #include "core/scan/scan_snapshot.h"
 #include "core/scan/waiting_bricks.h"
+#include "core/session/region_label.h"
 
 namespace scantrove {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 #include "tests/benchmarks/scene_cache.h"
 
 namespace scantrove::benchmarks {

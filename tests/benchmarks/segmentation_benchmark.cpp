@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "core/evaluation/segmentation_metrics.h"
-#include "core/scan/param_registry.h"
 #include "core/segmentation/upsample_segments.h"
+#include "core/session/param_registry.h"
 #include "tests/benchmarks/scene_scan.h"
 #include "tests/benchmarks/small_losses.h"
 

@@ -9,8 +9,8 @@
 #include "core/fusion/packed_words.h"
 #include "core/fusion/stored_page.h"
 #include "core/pipeline/camera_memory.h"
-#include "core/scan/session_setup.h"
 #include "core/session/session_list.h"
+#include "core/session/session_setup.h"
 #include "core/session/session_store.h"
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 // Configuration files, and the same text as a setting of the command line.
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace scantrove::test {

@@ -13,7 +13,7 @@
 #include "core/labeling/region_partition.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/refinement/finer_regions.h"
-#include "core/scan/key_frame_choice.h"
+#include "core/session/key_frame_choice.h"
 #include "core/synthetic/synthetic_source.h"
 
 namespace scantrove::train {

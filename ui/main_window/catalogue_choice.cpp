@@ -3,8 +3,8 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "core/scan/session_setup.h"
 #include "core/session/session_list.h"
+#include "core/session/session_setup.h"
 #include "ui/main_window/scan_controller.h"
 #include "ui/models/catalogue_editor.h"
 

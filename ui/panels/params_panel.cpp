@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 
 namespace scantrove {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scan/scan_params.h"
+#include "core/session/scan_params.h"
 
 class QFormLayout;
 class QLabel;

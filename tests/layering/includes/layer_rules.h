@@ -92,8 +92,9 @@ class LayerRules {
         {"collection",
          {"base", "geometry", "compute", "capture", "fusion", "tracking", "labeling", "discovery", "editing",
           "catalogue"}},
-        // Sessions keep poses, regions, pages of the map and operations as those modules have them.
-        {"session", {"base", "geometry", "capture", "database", "fusion", "tracking", "labeling", "editing"}},
+        {"session",
+         {"base", "geometry", "image", "compute", "database", "capture", "exchange", "dataset", "fusion",
+          "tracking", "labeling", "discovery", "editing", "catalogue", "pipeline", "collection"}},
         {"refinement",
          {"base", "geometry", "compute", "capture", "fusion", "labeling", "discovery", "editing", "pipeline",
           "collection", "session"}}};

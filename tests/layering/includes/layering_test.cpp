@@ -40,7 +40,7 @@ TEST(LayerRules, ModulesIncludeAllowedModulesOnly) {
   };
   EXPECT_THAT(finding("core/base/a.h", "core/compute/b.h"), ElementsAre(HasSubstr("base does not stand on")));
   EXPECT_THAT(finding("core/compute/a.h", "core/capture/intrinsics.h"), ElementsAre(HasSubstr("capture")));
-  EXPECT_THAT(finding("core/catalogue/a.h", "core/scan/scan_params.h"), ElementsAre(HasSubstr("scan")));
+  EXPECT_THAT(finding("core/catalogue/a.h", "core/session/scan_params.h"), ElementsAre(HasSubstr("scan")));
   EXPECT_THAT(finding("core/labeling/kernels/a.cl", "core/tracking/kernels/b.clh"),
               ElementsAre(HasSubstr("labeling does not stand on tracking")));
   EXPECT_THAT(finding("core/pipeline/a.cpp", "core/catalogue/object_record.h"),

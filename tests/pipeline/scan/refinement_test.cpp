@@ -9,8 +9,8 @@
 #include <opencv2/core.hpp>
 
 #include "core/catalogue/object_database.h"
-#include "core/scan/open_session.h"
-#include "core/scan/refinement_memory.h"
+#include "core/refinement/refinement_memory.h"
+#include "core/session/open_session.h"
 #include "core/session/session_store.h"
 #include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"

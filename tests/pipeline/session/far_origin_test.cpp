@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/capture/pose_files.h"
-#include "core/scan/open_session.h"
-#include "core/scan/session_scan.h"
+#include "core/session/open_session.h"
+#include "core/session/session_scan.h"
 #include "tests/support/filmed_recording.h"
 #include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"

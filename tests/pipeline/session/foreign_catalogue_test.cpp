@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/catalogue/object_database.h"
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 #include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/catalogue/object_database.h"
-#include "core/scan/open_session.h"
-#include "core/scan/session_catalogue.h"
+#include "core/session/open_session.h"
+#include "core/session/session_catalogue.h"
 #include "tests/pipeline/session/scan_worker_fixture.h"
 #include "tests/support/other_program.h"
 

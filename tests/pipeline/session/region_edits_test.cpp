@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
-#include "core/scan/open_session.h"
 #include "core/scan/scan_worker.h"
+#include "core/session/open_session.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 

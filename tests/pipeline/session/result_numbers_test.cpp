@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/exchange/label_image_writer.h"
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 #include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove {

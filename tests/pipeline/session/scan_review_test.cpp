@@ -6,7 +6,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 #include "tests/pipeline/session/scan_worker_fixture.h"
 
 namespace scantrove::test {

@@ -1,4 +1,4 @@
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_files.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "core/scan/key_frame_choice.h"
+#include "core/session/key_frame_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Images of key frames as a session stores them.
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

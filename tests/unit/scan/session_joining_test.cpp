@@ -1,4 +1,4 @@
-#include "core/scan/session_joining.h"
+#include "core/session/session_joining.h"
 
 #include <gmock/gmock.h>
 

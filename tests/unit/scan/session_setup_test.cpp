@@ -1,4 +1,4 @@
-#include "core/scan/session_setup.h"
+#include "core/session/session_setup.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "core/scan/catalogue_numbers.h"
+#include "core/session/catalogue_numbers.h"
 
 #include <algorithm>
 #include <array>

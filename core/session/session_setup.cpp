@@ -1,4 +1,4 @@
-#include "core/scan/session_setup.h"
+#include "core/session/session_setup.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "core/base/text.h"
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 #include "core/session/row_checks.h"
 
 namespace scantrove {

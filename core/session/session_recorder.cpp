@@ -1,14 +1,13 @@
-#include "core/scan/session_recorder.h"
-#include "core/scan/session_restorer.h"
+#include "core/session/session_recorder.h"
+#include "core/session/session_restorer.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "core/labeling/evidence_graph.h"
-#include "core/scan/catalogue_numbers.h"
-#include "core/scan/key_frame_files.h"
-#include "core/scan/scan_advisor.h"
+#include "core/session/catalogue_numbers.h"
+#include "core/session/key_frame_files.h"
 
 namespace scantrove {
 namespace {
@@ -134,7 +133,7 @@ void SessionRecorder::addFrame(const RgbdFrame& frame, const FrameResult& result
 }
 
 void SessionRecorder::keepFirst(const SavedFrame& frame) {
-  if (frame.isUsable() && first_usable_.size() < ScanAdvisor::kRememberedFrames)
+  if (frame.isUsable() && first_usable_.size() < kFirstFrames)
     first_usable_.push_back(frame);
 }
 

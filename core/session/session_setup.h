@@ -4,8 +4,8 @@
 
 #include "core/base/result.h"
 #include "core/capture/intrinsics.h"
-#include "core/scan/scan_params.h"
 #include "core/session/saved_scan.h"
+#include "core/session/scan_params.h"
 
 namespace scantrove {
 

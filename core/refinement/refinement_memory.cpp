@@ -1,24 +1,18 @@
-#include "core/scan/refinement_memory.h"
+#include "core/refinement/refinement_memory.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "core/base/byte_stream.h"
 #include "core/session/packed_text.h"
+#include "core/session/refinement_state.h"
 
 namespace scantrove {
 namespace {
 
 constexpr std::uint32_t kRefinementVersion = 1;
-constexpr const char* kStateKey = "refinement";
 constexpr const char* kMemoryKey = "refinement memory";
-constexpr const char* kDone = "done";
-constexpr const char* kPending = "pending";
-
-std::string metadataIn(const SessionMetadata& metadata, const char* name) {
-  const auto found = metadata.find(name);
-  return found == metadata.end() ? std::string() : found->second;
-}
 
 /// How many operations there are, and how many of them are done.
 std::pair<int, int> countsOf(std::span<const OperationLog::Entry> operations) {
@@ -29,7 +23,7 @@ std::pair<int, int> countsOf(std::span<const OperationLog::Entry> operations) {
 }  // namespace
 
 SessionMetadata refinementMetadata(bool is_done) {
-  return {{kStateKey, is_done ? kDone : kPending}, {kMemoryKey, ""}};
+  return {{kRefinementKey, is_done ? kRefinementDone : kRefinementPending}, {kMemoryKey, ""}};
 }
 
 SessionMetadata refinementMetadata(const RefinementMemory& memory,
@@ -42,18 +36,13 @@ SessionMetadata refinementMetadata(const RefinementMemory& memory,
   to.put(done);
   to.putList(std::span<const std::uint32_t>(memory.collector));
   to.putList(std::span<const RegionId>(memory.known));
-  return {{kStateKey, kPending}, {kMemoryKey, packedText(to.take())}};
-}
-
-bool canBeRefined(const SessionMetadata& metadata) {
-  const std::string state = metadataIn(metadata, kStateKey);
-  // Earlier versions kept nothing, and refined every scan that came to its end.
-  return state.empty() ? metadataIn(metadata, "ended").empty() : state != kDone;
+  return {{kRefinementKey, kRefinementPending}, {kMemoryKey, packedText(to.take())}};
 }
 
 std::optional<RefinementMemory> refinementMemoryFrom(const SessionMetadata& metadata,
                                                      std::span<const OperationLog::Entry> operations) {
-  const auto words = wordsFromText(metadataIn(metadata, kMemoryKey));
+  const auto text = metadata.find(kMemoryKey);
+  const auto words = wordsFromText(text == metadata.end() ? std::string() : text->second);
   if (!words) return std::nullopt;
   ByteReader from(*words);
   if (from.get<std::uint32_t>() != kRefinementVersion) return std::nullopt;

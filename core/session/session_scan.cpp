@@ -1,4 +1,4 @@
-#include "core/scan/session_scan.h"
+#include "core/session/session_scan.h"
 
 #include <algorithm>
 #include <map>
@@ -7,8 +7,8 @@
 
 #include "core/fusion/kernels/color_voxel.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/key_frame_choice.h"
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_choice.h"
+#include "core/session/key_frame_files.h"
 
 namespace scantrove {
 SessionScan::SessionScan(OpenSession& session) : session_(session) {

@@ -1,4 +1,4 @@
-#include "core/scan/output_owner.h"
+#include "core/session/output_owner.h"
 
 #include <fstream>
 #include <initializer_list>
@@ -7,9 +7,9 @@
 #include <string>
 #include <system_error>
 
-#include "core/scan/session_setup.h"
 #include "core/session/session_files.h"
 #include "core/session/session_list.h"
+#include "core/session/session_setup.h"
 #include "core/session/session_store.h"
 
 namespace scantrove {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/scan/scan_params.h"
+#include "core/session/scan_params.h"
 
 namespace scantrove {
 

@@ -1,4 +1,4 @@
-#include "core/scan/session_joining.h"
+#include "core/session/session_joining.h"
 
 #include <algorithm>
 #include <array>
@@ -6,26 +6,26 @@
 #include <optional>
 
 #include "core/catalogue/object_database.h"
-#include "core/scan/first_error.h"
-#include "core/scan/open_session.h"
-#include "core/scan/pending_edits.h"
+#include "core/base/first_error.h"
+#include "core/session/open_session.h"
+#include "core/session/pending_edits.h"
 
 namespace scantrove {
 namespace {
 
 using JoinJson = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<JoinedObjects::State, const char*>, 3> kStates{
+constexpr std::array<std::pair<JoinedObjects::State, const char*>, 3> kJoinStates{
     {{JoinedObjects::State::to_merge, "to merge"},
      {JoinedObjects::State::done, "done"},
      {JoinedObjects::State::to_part, "to part"}}};
 
-const char* wordFor(JoinedObjects::State state) {
-  return std::ranges::find(kStates, state, &std::pair<JoinedObjects::State, const char*>::first)->second;
+const char* wordForState(JoinedObjects::State state) {
+  return std::ranges::find(kJoinStates, state, &std::pair<JoinedObjects::State, const char*>::first)->second;
 }
 
-std::optional<JoinedObjects::State> stateFrom(const std::string& word) {
-  for (const auto& [state, known] : kStates) {
+std::optional<JoinedObjects::State> joinStateFrom(const std::string& word) {
+  for (const auto& [state, known] : kJoinStates) {
     if (word == known) return state;
   }
   return std::nullopt;
@@ -75,7 +75,7 @@ std::string joinKeyOf(int operation) { return "join " + std::to_string(operation
 
 std::string joinedToText(const JoinedObjects& joined) {
   if (joined.before.empty()) return {};
-  JoinJson json{{"state", wordFor(joined.state)},
+  JoinJson json{{"state", wordForState(joined.state)},
                 {"token", joined.token},
                 {"before", JoinJson::object()},
                 {"pairs", JoinJson::array()},
@@ -97,7 +97,7 @@ JoinedObjects joinedFrom(const std::string& text) {
   try {
     const JoinJson json = JoinJson::parse(text);
     JoinedObjects joined;
-    joined.state = stateFrom(json.at("state").get<std::string>()).value_or(JoinedObjects::State::done);
+    joined.state = joinStateFrom(json.at("state").get<std::string>()).value_or(JoinedObjects::State::done);
     joined.token = json.value("token", "");
     for (const auto& [region, object] : json.at("before").items())
       joined.before[RegionId{static_cast<std::uint32_t>(std::stoul(region))}] = objectFrom(object);

@@ -1,4 +1,4 @@
-#include "core/scan/catalogue_edit.h"
+#include "core/session/catalogue_edit.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "core/base/label_name.h"
 #include "core/base/text.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/region_views.h"
+#include "core/session/region_views.h"
 
 namespace scantrove {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/scan/region_label.h"
+#include "core/session/region_label.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

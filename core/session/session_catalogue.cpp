@@ -1,4 +1,4 @@
-#include "core/scan/session_catalogue.h"
+#include "core/session/session_catalogue.h"
 
 #include <memory>
 #include <system_error>
@@ -6,9 +6,9 @@
 
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
-#include "core/scan/catalogue_edit.h"
-#include "core/scan/first_error.h"
-#include "core/scan/session_joining.h"
+#include "core/base/first_error.h"
+#include "core/session/catalogue_edit.h"
+#include "core/session/session_joining.h"
 
 namespace scantrove {
 namespace {

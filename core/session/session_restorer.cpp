@@ -1,4 +1,4 @@
-#include "core/scan/session_restorer.h"
+#include "core/session/session_restorer.h"
 
 #include <algorithm>
 #include <map>
@@ -6,11 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/catalogue/stored_namings.h"
 #include "core/compute/guarded.h"
 #include "core/labeling/evidence_graph.h"
 #include "core/labeling/kernels/label_voxel.h"
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_files.h"
 
 namespace scantrove {
 namespace {
@@ -114,17 +113,6 @@ void restoreKeyFrames(MappingPipeline& pipeline, SessionWriter& session, const S
   }
 }
 
-void restoreObjects(ScanObjects& objects, const SavedScan& scan) {
-  ObjectCollector& collector = objects.collector();
-  for (const SavedRegion& region : scan.regions) {
-    if (collector.objects().idOf(region.region) != region.object)
-      collector.bind(region.region, region.object);
-    if (const auto namings = scan.metadata.find(namingsKeyOf(region.region)); namings != scan.metadata.end())
-      collector.requests().restoreNamings(region.region, namingsFromJson(namings->second));
-  }
-  objects.requestNoted();
-}
-
 bool hasEnded(const SavedScan& scan) {
   const auto ended = scan.metadata.find("ended");
   return ended != scan.metadata.end() && !ended->second.empty();
@@ -177,14 +165,13 @@ Result<SavedScan> loadScan(SessionWriter& session, std::vector<std::string>& dam
   return scan;
 }
 
-Result<void> restoreScan(MappingPipeline& pipeline, ScanObjects* objects, SessionWriter& session,
-                         const SavedScan& scan, bool for_camera, std::vector<std::string>& damages) {
+Result<void> restoreScan(MappingPipeline& pipeline, SessionWriter& session, const SavedScan& scan,
+                         bool for_camera, std::vector<std::string>& damages) {
   return guarded("reading the session back", [&]() -> Result<void> {
     Fragments fragments = fragmentsOf(scan);
     SCANTROVE_TRY(restoreMap(pipeline.bricks(), session, scan, fragments, damages));
     if (for_camera) SCANTROVE_TRY(checkHasMap(pipeline.bricks(), session, scan));
     restoreRegions(pipeline.labels(), scan, std::move(fragments));
-    if (objects != nullptr) restoreObjects(*objects, scan);
     return for_camera ? restoreCamera(pipeline, session, scan, damages) : Result<void>();
   });
 }

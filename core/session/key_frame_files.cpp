@@ -1,4 +1,4 @@
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_files.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -30,7 +30,7 @@ std::string readStored(const fs::path& file) {
   return is_kept ? withoutOrientation(std::move(*bytes)) : std::string();
 }
 
-std::uint32_t crcOf(const std::string& bytes) { return crc32Of({bytes.data(), bytes.size()}); }
+std::uint32_t crcOfImage(const std::string& bytes) { return crc32Of({bytes.data(), bytes.size()}); }
 
 std::string stemOf(int number) { return fmt::format("{:06}", number); }
 
@@ -39,14 +39,14 @@ Result<void> writeColor(SessionStore& session, const RgbdFrame& frame, SavedKeyF
   std::string bytes = readStored(frame.color_file);
   if (bytes.empty()) bytes = encodePng(frame.color);
   const std::string extension = bytes.starts_with('\xFF') ? ".jpg" : ".png";
-  key.color_checksum = crcOf(bytes);
+  key.color_checksum = crcOfImage(bytes);
   SCANTROVE_TRY(moveInto(key.color_file, session.claimImage(stemOf(key.frame), ".color" + extension)));
   return writeFileAtomically(session.folder() / key.color_file, bytes, Durability::process);
 }
 
 Result<void> writeDepth(SessionStore& session, const RgbdFrame& frame, SavedKeyFrame& key) {
   const std::string bytes = encodePng(frame.depth);
-  key.depth_checksum = crcOf(bytes);
+  key.depth_checksum = crcOfImage(bytes);
   SCANTROVE_TRY(moveInto(key.depth_file, session.claimImage(stemOf(key.frame), ".depth.png")));
   return writeFileAtomically(session.folder() / key.depth_file, bytes, Durability::process);
 }
@@ -55,7 +55,7 @@ Result<void> writeDepth(SessionStore& session, const RgbdFrame& frame, SavedKeyF
 Result<void> checkFile(const fs::path& file, const std::optional<std::uint32_t>& checksum) {
   if (!checksum) return {};
   const Result<std::string> bytes = readFile(file);
-  if (bytes && crcOf(*bytes) == *checksum) return {};
+  if (bytes && crcOfImage(*bytes) == *checksum) return {};
   return fail("The key frame image " + file.string() + " is missing, or not the one that was written.",
               "That frame is left out; the rest can be used.");
 }

@@ -7,8 +7,8 @@
 #include "core/base/result.h"
 #include "core/catalogue/object_database.h"
 #include "core/catalogue/stored_namings.h"
-#include "core/scan/open_session.h"
-#include "core/scan/pending_edits.h"
+#include "core/session/open_session.h"
+#include "core/session/pending_edits.h"
 
 namespace scantrove {
 

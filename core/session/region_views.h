@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/catalogue/object_record.h"
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 
 namespace scantrove {
 

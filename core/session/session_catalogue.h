@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 
 namespace scantrove {
 

@@ -10,10 +10,10 @@
 #include "core/base/result.h"
 #include "core/editing/region_editor.h"
 #include "core/geometry/view_coverage.h"
-#include "core/scan/pending_edits.h"
-#include "core/scan/region_label.h"
-#include "core/scan/session_setup.h"
+#include "core/session/pending_edits.h"
+#include "core/session/region_label.h"
 #include "core/session/saved_scan.h"
+#include "core/session/session_setup.h"
 
 namespace scantrove {
 

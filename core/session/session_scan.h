@@ -4,7 +4,7 @@
 
 #include "core/capture/rgbd_frame.h"
 #include "core/dataset/labelled_scan.h"
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 
 namespace scantrove {
 

@@ -1,4 +1,4 @@
-#include "core/scan/open_session.h"
+#include "core/session/open_session.h"
 
 #include <algorithm>
 #include <map>
@@ -10,12 +10,12 @@
 #include "core/compute/compute_context.h"
 #include "core/compute/guarded.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/catalogue_numbers.h"
-#include "core/scan/refinement_memory.h"
-#include "core/scan/session_catalogue.h"
-#include "core/scan/session_joining.h"
-#include "core/scan/session_recorder.h"
-#include "core/scan/session_restorer.h"
+#include "core/session/refinement_state.h"
+#include "core/session/catalogue_numbers.h"
+#include "core/session/session_catalogue.h"
+#include "core/session/session_joining.h"
+#include "core/session/session_recorder.h"
+#include "core/session/session_restorer.h"
 
 namespace scantrove {
 namespace {
@@ -173,7 +173,7 @@ Result<std::unique_ptr<OpenSession>> OpenSession::open(const std::filesystem::pa
   SCANTROVE_TRY(moveInto(session->pipeline_,
                          MappingPipeline::create(*session->compute_, {.K = session->setup_.K,
                                                                       .params = session->setup_.params})));
-  SCANTROVE_TRY(restoreScan(*session->pipeline_, nullptr, *writer, session->scan_, false, session->damages_));
+  SCANTROVE_TRY(restoreScan(*session->pipeline_, *writer, session->scan_, false, session->damages_));
   session->recorder_ = SessionRecorder::resume(std::move(writer), *session->pipeline_, session->scan_, false);
   session->readCatalogue();
   session->completePendingEdits();

@@ -1,4 +1,4 @@
-#include "core/scan/pending_edits.h"
+#include "core/session/pending_edits.h"
 
 #include <algorithm>
 #include <array>

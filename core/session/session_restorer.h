@@ -4,8 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/scan_objects.h"
-#include "core/scan/session_setup.h"
+#include "core/session/session_setup.h"
 #include "core/session/session_writer.h"
 
 namespace scantrove {
@@ -16,9 +15,9 @@ namespace scantrove {
 /// Makes a fresh pipeline (of the session's parameters and camera) what it was when the session was saved:
 /// map, labels, regions, what was said of them, and the places by which a camera finds its way back. What is
 /// damaged is left out, with a sentence in `damages`. With `for_camera` false the places are left out: it is
-/// not to be scanned on. `objects`: null: none are collected. Error: the device failed.
-[[nodiscard]] Result<void> restoreScan(MappingPipeline& pipeline, ScanObjects* objects,
-                                       SessionWriter& session, const SavedScan& scan, bool for_camera,
+/// not to be scanned on. Error: the device failed.
+[[nodiscard]] Result<void> restoreScan(MappingPipeline& pipeline, SessionWriter& session,
+                                       const SavedScan& scan, bool for_camera,
                                        std::vector<std::string>& damages);
 
 }  // namespace scantrove

@@ -12,7 +12,7 @@
 #include "core/collection/object_collector.h"
 #include "core/fusion/stored_page.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/key_frame_choice.h"
+#include "core/session/key_frame_choice.h"
 #include "core/session/session_writer.h"
 
 namespace scantrove {
@@ -27,6 +27,9 @@ class SessionRecorder {
  public:
   /// A killed program loses no more than this, and what the disk was slower.
   static constexpr std::chrono::milliseconds kBetweenSaves{4000};
+
+  /// Of a young map, which beginAnew() may give up; with those that were understood late.
+  static constexpr std::size_t kFirstFrames = 64;
 
   struct StoredFrame {
     SavedKeyFrame images;

@@ -1,4 +1,4 @@
-#include "core/scan/final_label_record.h"
+#include "core/session/final_label_record.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -7,7 +7,6 @@
 
 #include "core/editing/operation_log.h"
 #include "core/refinement/refinement_position.h"
-#include "core/scan/refinement_state.h"
 #include "core/session/saved_scan.h"
 
 namespace scantrove {

@@ -1,4 +1,4 @@
-#include "core/scan/param_registry.h"
+#include "core/session/param_registry.h"
 
 // toml++ asserts of a table's name what it tests a line later, with an error for the reader: the error is
 // enough.

@@ -1,4 +1,4 @@
-#include "core/scan/region_views.h"
+#include "core/session/region_views.h"
 
 #include <algorithm>
 #include <functional>
@@ -12,8 +12,8 @@
 #include "core/fusion/color_projection.h"
 #include "core/geometry/view_sphere.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/key_frame_choice.h"
-#include "core/scan/key_frame_files.h"
+#include "core/session/key_frame_choice.h"
+#include "core/session/key_frame_files.h"
 
 namespace scantrove {
 namespace {
