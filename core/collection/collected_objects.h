@@ -21,6 +21,11 @@ class CollectedObjects {
   [[nodiscard]] std::vector<CollectedObject> list() const;
   /// The object that a region is, or none: unknown, not stored yet, or deleted by a user.
   [[nodiscard]] ObjectId idOf(RegionId region) const;
+  /// The scan's key of it, stored or not; and the id of what has that key, none: it is not stored.
+  [[nodiscard]] ObjectId keyOf(RegionId region) const {
+    return catalogue_.mergeRootOf(tracks_.objectOf(region));
+  }
+  [[nodiscard]] ObjectId storedIdOf(ObjectId key) const { return catalogue_.idOf(key); }
   /// The same with what the catalogue says of it.
   [[nodiscard]] RegionObject describe(RegionId region) const;
   /// Fills in the object of `seen.regions`.

@@ -39,6 +39,12 @@ void ScanObjects::keepKnown(const FrameObjects& objects) {
 }
 
 void ScanObjects::follow(const RegionEditor::Outcome& outcome, Edit edit) {
+  const int number = lastOperation(pipeline_.labels().editor().log(), edit == Edit::undone);
+  if (edit == Edit::undone) {
+    joins_.remove(number);
+  } else {
+    joins_.add(number, outcome.events, collector_->objects());
+  }
   scantrove::follow(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
   const Operation& operation = outcome.operation;
   if (isNaming(operation.kind) && !operation.name.empty()) followNames(operation, edit);

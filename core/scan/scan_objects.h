@@ -3,11 +3,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/base/result.h"
 #include "core/capture/rgbd_frame.h"
 #include "core/collection/object_collector.h"
 #include "core/pipeline/mapping_pipeline.h"
+#include "core/scan/scan_joins.h"
 #include "core/session/region_label.h"
 #include "core/session/saved_scan.h"
 
@@ -38,6 +40,11 @@ class ScanObjects {
   /// What there is to say of each region: by users here, and by the catalogue.
   [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
 
+  /// What the catalogue stored of merges.
+  void addMerges(std::span<const ObjectMerge> merges) { joins_.addMerges(merges); }
+  /// ScanJoins::takeChanged().
+  [[nodiscard]] SessionMetadata takeChangedJoins() { return joins_.takeChanged(collector_->objects()); }
+
   /// Adds what users wait for and the last frame shows, and ends the collecting: ObjectCollector::finish.
   [[nodiscard]] Result<void> finish(const std::function<void(const FrameObjects&)>& announce);
 
@@ -53,6 +60,7 @@ class ScanObjects {
 
   MappingPipeline& pipeline_;
   std::unique_ptr<ObjectCollector> collector_;
+  ScanJoins joins_;
   struct Seen {
     RgbdFrame frame;
     Eigen::Isometry3d T_world_camera;

@@ -140,10 +140,12 @@ void ScanRun::keepFrame(const RgbdFrame& frame, const FrameResult& result) {
     recorder.setMetadata(kOriginKey, originToText(parts_.origin_world));
   }
   recorder.addFrame(frame, result);
+  keepJoins();
   recorder.saveWhenDue(*parts_.pipeline, parts_.objects->collector());
 }
 
 void ScanRun::announce(const FrameObjects& objects) {
+  parts_.objects->addMerges(objects.merged);
   for (const ObjectRecord& added : objects.added) listener_(ObjectAdded{added.id, added.name});
   for (const ObjectRecord& known : objects.recognized) listener_(ObjectRecognized{known.id, known.name});
   for (const ObjectId object : objects.new_views) listener_(ViewAdded{object});
@@ -185,10 +187,16 @@ Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
                                    : std::holds_alternative<RedoEdit>(edit) ? ScanObjects::Edit::redone
                                                                             : ScanObjects::Edit::done);
   if (!parts_.recorder) return outcome;
+  keepJoins();
   // It is not said to be done before it is safe.
   SCANTROVE_TRY(guarded("keeping the edit",
                         [&] { return parts_.recorder->save(pipeline, &parts_.objects->collector()); }));
   return outcome;
+}
+
+void ScanRun::keepJoins() {
+  for (const auto& [name, value] : parts_.objects->takeChangedJoins())
+    parts_.recorder->setMetadata(name, value);
 }
 
 void ScanRun::edit(const ScanEdit& edit) {
@@ -248,6 +256,7 @@ Result<ScanReport> ScanRun::finish(const Ending& ending) {
     outcome.note(guarded("keeping the scan", [&] {
       refinement_.keep(parts_);
       if (parts_.output) parts_.recorder->setMetadata(kResultsKey, kResultsCurrent);
+      keepJoins();
       return parts_.recorder->finish(*parts_.pipeline, parts_.objects->collector());
     }));
   }

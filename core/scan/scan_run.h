@@ -74,6 +74,8 @@ class ScanRun {
   [[nodiscard]] ScanProgress progress(ScanState state) const;
   /// Into the session.
   void keepFrame(const RgbdFrame& frame, const FrameResult& result);
+  /// Gives the session what joins did to objects (ScanJoins). There is a recorder.
+  void keepJoins();
   void advise(const Error& advice);
   /// A young map that misled the camera is given up for a new one, where nothing was found in it and nobody
   /// did anything to it.

@@ -9,6 +9,7 @@
 
 #include "core/base/label_name.h"
 #include "core/base/text.h"
+#include "core/catalogue/region_object.h"
 #include "core/pipeline/mapping_pipeline.h"
 #include "core/session/region_views.h"
 
@@ -184,10 +185,11 @@ Result<bool> CatalogueEdit::takeBack(RegionId region, const std::string& name) {
 Result<std::optional<StoredNaming>> CatalogueEdit::nameObjectOf(RegionId region, const std::string& name) {
   StoredNaming kept;
   kept.earlier = presentObjectOf(region);
-  if (kept.earlier && !isNamedByAnother(region, kept.earlier, name)) {
+  const Result<CatalogueModel> catalogue = database_.model();
+  if (!catalogue) return fail(catalogue.error());
+  if (kept.earlier && !isAnotherThing(*catalogue, kept.earlier, name, namesOfOthers(region, kept.earlier))) {
     SCANTROVE_TRY(moveInto(kept.naming, database_.nameByUser(kept.earlier, name)));
-    if (kept.naming.object) return kept;
-    // This object and the one of that name are two. The region is not this one, then.
+    return kept;
   }
   SCANTROVE_TRY(moveInto(kept.made, objectFor(region)));
   if (!kept.made) return std::nullopt;
@@ -231,14 +233,15 @@ Result<ObjectId> CatalogueEdit::makeFromKeyFrames(RegionId region) {
   return object->id;
 }
 
-bool CatalogueEdit::isNamedByAnother(RegionId region, ObjectId object, const std::string& name) {
+std::vector<std::string> CatalogueEdit::namesOfOthers(RegionId region, ObjectId object) {
   const MappingPipeline& pipeline = session_.pipeline();
-  const auto& notes = pipeline.labels().editor().notes().all();
-  return std::ranges::any_of(notes, [&](const auto& entry) {
-    const auto& [other, note] = entry;
-    return other != region && !note.name.empty() && note.name != name &&
-           !pipeline.labels().table().fragmentsOf(other).empty() && presentObjectOf(other) == object;
-  });
+  std::vector<std::string> names;
+  for (const auto& [other, note] : pipeline.labels().editor().notes().all()) {
+    if (other != region && !note.name.empty() && !pipeline.labels().table().fragmentsOf(other).empty() &&
+        presentObjectOf(other) == object)
+      names.push_back(note.name);
+  }
+  return names;
 }
 
 ObjectId CatalogueEdit::presentObjectOf(RegionId region) {

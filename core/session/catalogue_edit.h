@@ -48,8 +48,8 @@ class CatalogueEdit {
   /// A new object for the region; one that was made for it, and went with an undo, comes back. None: refused.
   [[nodiscard]] Result<ObjectId> objectFor(RegionId region);
   [[nodiscard]] Result<ObjectId> makeFromKeyFrames(RegionId region);
-  /// The object is called otherwise, by another of its regions.
-  [[nodiscard]] bool isNamedByAnother(RegionId region, ObjectId object, const std::string& name);
+  /// What users call the other regions of that object.
+  [[nodiscard]] std::vector<std::string> namesOfOthers(RegionId region, ObjectId object);
   /// The object that the region is now; none: it is none, or was deleted.
   [[nodiscard]] ObjectId presentObjectOf(RegionId region);
 

@@ -259,24 +259,10 @@ std::optional<Error> OpenSession::takeFailure() { return recorder_->takeFailure(
 
 Result<void> OpenSession::findDisturbance() { return recorder_->findDisturbance(); }
 
-int OpenSession::lastOperation(SaidHow how) const {
-  const std::vector<OperationLog::Entry>& entries = history().entries();
-  const auto is_done = [](const OperationLog::Entry& entry) {
-    return entry.state == OperationLog::State::done;
-  };
-  const auto last = std::find_if(entries.rbegin(), entries.rend(), is_done);
-  if (how != SaidHow::undone) return last == entries.rend() ? 0 : last->number;
-  // What was undone last is the first that can be done again.
-  const auto undone = std::find_if(last.base(), entries.end(), [](const OperationLog::Entry& entry) {
-    return entry.state == OperationLog::State::undone;
-  });
-  return undone == entries.end() ? 0 : undone->number;
-}
-
 void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, SaidHow how) {
   std::map<RegionId, ObjectId> objects = recorder_->objects();
   JoinedObjects joined = scantrove::joinObjects(outcome.events, objects);
-  const std::string name = joinKeyOf(lastOperation(how));
+  const std::string name = joinKeyOf(lastOperation(history(), how == SaidHow::undone));
   if (how == SaidHow::undone) {
     joined = joinedFrom(fact(name));
     for (const auto& [region, object] : joined.before) objects[region] = object;

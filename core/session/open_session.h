@@ -121,8 +121,6 @@ class OpenSession {
   [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome, SaidHow how);
   /// Objects go with regions that are joined, and come back with an undo.
   void joinObjects(const RegionEditor::Outcome& outcome, SaidHow how);
-  /// Number of the operation that was done or undone last; 0: none.
-  [[nodiscard]] int lastOperation(SaidHow how) const;
   /// What the catalogue has of the region's object, else what the session kept of it.
   [[nodiscard]] RegionObject regionObjectOf(RegionId region, const RememberedObjects& remembered) const;
   /// Keeps what the catalogue says of the objects now.

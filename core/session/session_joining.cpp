@@ -114,6 +114,18 @@ JoinedObjects joinedFrom(const std::string& text) {
   }
 }
 
+int lastOperation(const OperationLog& log, bool is_undone) {
+  using State = OperationLog::State;
+  const std::vector<OperationLog::Entry>& entries = log.entries();
+  const auto done = std::find_if(entries.rbegin(), entries.rend(),
+                                 [](const OperationLog::Entry& entry) { return entry.state == State::done; });
+  if (!is_undone) return done == entries.rend() ? 0 : done->number;
+  // What was undone last is the first that can be done again.
+  const auto undone =
+      std::ranges::find(done.base(), entries.end(), State::undone, &OperationLog::Entry::state);
+  return undone == entries.end() ? 0 : undone->number;
+}
+
 JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectId>& objects) {
   JoinedObjects joined;
   for (const auto& [into, from] : events.joined) {

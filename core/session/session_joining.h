@@ -29,6 +29,9 @@ struct JoinedObjects {
 /// An empty one for what was not written so.
 [[nodiscard]] JoinedObjects joinedFrom(const std::string& text);
 
+/// Number of the operation that was done, or undone, last; 0: none.
+[[nodiscard]] int lastOperation(const OperationLog& log, bool is_undone);
+
 /// Joined regions are what any of them was; what to merge in the catalogue for that. `objects` follow.
 [[nodiscard]] JoinedObjects joinObjects(const RegionEvents& events, std::map<RegionId, ObjectId>& objects);
 

@@ -8,8 +8,10 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
+#include "core/catalogue/object_database.h"
 #include "core/scan/scan_worker.h"
 #include "core/session/open_session.h"
+#include "core/session/session_catalogue.h"
 #include "tests/support/qt_main_thread.h"
 #include "tests/support/temporary_folder.h"
 
@@ -89,6 +91,56 @@ Eigen::Vector3f pointAt(const ScanSnapshot& snapshot, const cv::Point& pixel) {
   return snapshot.pose.T_world_camera.cast<float>() *
          snapshot.K.backProject(static_cast<float>(pixel.x), static_cast<float>(pixel.y),
                                 snapshot.depth_fused_m.at<float>(pixel));
+}
+
+TEST(RegionEdits, LaterRunUndoesJoinOfTwoObjects) {
+  const QtMainThread qt;
+  const TemporaryFolder folder;
+  Ear ear;
+  const std::string catalogue = (folder / "catalogue.sqlite").string();
+  std::vector<RegionId> pair;
+  std::vector<ObjectId> objects;
+  {
+    ScanWorker worker([&](const ScanEvent& event) { ear.hear(event); });
+    ScanRequest request;
+    request.source = "demo";
+    request.source_options.frames = 40;
+    request.output_folder = folder / "scan";
+    request.database = catalogue;
+    request.start_paused = true;
+    request.skip_refinement = true;
+    worker.post(StartScan{request});
+    for (int i = 0; i < 36; ++i) worker.post(StepScan{});
+    const auto snapshot = snapshotAfter(worker, 36);
+    ASSERT_NE(snapshot, nullptr);
+    ASSERT_NE(snapshot->region_infos, nullptr);
+    for (const RegionInfo& info : *snapshot->region_infos) {
+      if (!info.label || !info.label->object || pair.size() == 2) continue;
+      pair.push_back(info.region);
+      objects.push_back(info.label->object);
+    }
+    ASSERT_EQ(pair.size(), 2U);
+    Operation join;
+    join.kind = OperationKind::join;
+    join.regions = pair;
+    worker.post(EditRegions{join});
+    ASSERT_FALSE(ear.edit(1).empty());
+    worker.post(ResumeScan{});
+    worker.wait();
+    ASSERT_EQ(worker.state(), ScanState::finished);
+  }
+  const auto mergeRoot = [&](ObjectId object) {
+    return ObjectDatabase::open(catalogue).value()->mergeRoot(object).value();
+  };
+  EXPECT_EQ(mergeRoot(objects[0]), mergeRoot(objects[1])) << "the scan merged them";
+  auto session = OpenSession::open(folder / "scan");
+  ASSERT_TRUE(session) << session.error().message();
+  ASSERT_TRUE((*session)->undo());
+  ASSERT_TRUE(followInCatalogue(**session));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(mergeRoot(objects[i]), objects[i]);
+    EXPECT_EQ((*session)->objectOf(pair[i]), objects[i]);
+  }
 }
 
 TEST(RegionEdits, HoldToTheEndOfTheScanAndInWhatIsKept) {
