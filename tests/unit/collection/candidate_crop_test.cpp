@@ -52,7 +52,7 @@ Candidate candidateAt(const cv::Rect& box) {
 
 SurfaceInColor registered() { return locateInColor(std::nullopt, {kWorking}); }
 
-TEST(CutView, TakesTheBoxOutOfTheFullResolution) {
+TEST(CropView, CropsTheBoxAtFullResolution) {
   const auto view =
       cropView(frameOf({640, 480}, {640, 480}), kOrigin, registered(), candidateAt({10, 20, 30, 40}));
   ASSERT_TRUE(view);
@@ -74,7 +74,7 @@ TEST(CutView, TakesTheBoxOutOfTheFullResolution) {
   EXPECT_EQ(view->frame_px, cv::Size(640, 480));
 }
 
-TEST(CutView, FollowsColorAndDepthOfTheirOwnResolutions) {
+TEST(CropView, FollowsColorAndDepth_OfOtherResolutions) {
   const auto view =
       cropView(frameOf({500, 300}, {320, 240}), kOrigin, registered(), candidateAt({7, 9, 11, 13}));
   ASSERT_TRUE(view);
@@ -88,7 +88,7 @@ TEST(CutView, FollowsColorAndDepthOfTheirOwnResolutions) {
   EXPECT_EQ(view->frame_px, cv::Size(320, 240));
 }
 
-TEST(CutView, ABoxAtTheBorderStaysInTheImage) {
+TEST(CropView, StaysInTheImage_AtItsBorder) {
   const auto view =
       cropView(frameOf({641, 479}, {641, 479}), kOrigin, registered(), candidateAt({300, 220, 20, 20}));
   ASSERT_TRUE(view);
@@ -98,7 +98,7 @@ TEST(CutView, ABoxAtTheBorderStaysInTheImage) {
   EXPECT_EQ(view->depth_mm.size(), view->color.size());
 }
 
-TEST(CutView, LooksFromTheObjectToTheCamera) {
+TEST(CropView, DirectionPointsToTheCamera) {
   Eigen::Isometry3d T_world_camera = kOrigin;
   T_world_camera.translation() = Eigen::Vector3d(1, 2, 1);
   const auto view =
@@ -193,7 +193,7 @@ double difference(const cv::Mat& mask, const cv::Mat& truth) {
   return static_cast<double>(cv::countNonZero(mask != truth)) / cv::countNonZero(truth);
 }
 
-TEST(CutView, BringsTheRightPixelsOfALargerColorImage) {
+TEST(CropView, CropsTheRightPixels_OfALargerColorImage) {
   const StagedFrame stage;
   RgbdFrame frame = frameOf({1280, 1024}, {640, 480});
   frame.color_camera = besideDepth();
@@ -215,7 +215,7 @@ TEST(CutView, BringsTheRightPixelsOfALargerColorImage) {
   EXPECT_EQ(view->frame_px, cv::Size(640, 480));
 }
 
-TEST(CutView, TheMasksOutlineIsThatInTheColorImage) {
+TEST(CropView, MaskHasTheOutlineOfTheColorImage) {
   const StagedFrame stage;
   Eigen::Isometry3d T_world_camera = kOrigin;
   T_world_camera.translation() << 3, -2, 1;
@@ -232,7 +232,7 @@ TEST(CutView, TheMasksOutlineIsThatInTheColorImage) {
             0.01 * cv::countNonZero(view->mask));
 }
 
-TEST(CutView, WhatHidesTheObjectFromTheColorCameraIsNotInItsMask) {
+TEST(CropView, MaskIsWithoutWhatHidesTheObject_FromTheColorCamera) {
   const StagedFrame stage;
   const Candidate rectangle = stage.candidate(Stage::rectangle);
   const auto view = cropView(stage.frame, kOrigin, stage.inColor(kOrigin), rectangle);
@@ -246,13 +246,13 @@ TEST(CutView, WhatHidesTheObjectFromTheColorCameraIsNotInItsMask) {
   EXPECT_EQ(view->depth_mm.size(), view->color.size());
 }
 
-TEST(CutView, NoViewOfWhatTheColorImageDoesNotShow) {
+TEST(CropView, GivesNoView_WhenTheColorImageDoesNotShowTheObject) {
   StagedFrame stage;
   stage.frame.color_camera->K.cx = -300;
   EXPECT_FALSE(cropView(stage.frame, kOrigin, stage.inColor(kOrigin), stage.candidate(Stage::disc)));
 }
 
-TEST(BoxInColor, SitsOnTheObject) {
+TEST(BoxInColor, SurroundsTheObject) {
   const StagedFrame stage;
   const cv::Rect2f box = boxInColor(stage.inColor(kOrigin), stage.candidate(Stage::disc));
   const double half_pixel = 1.0 / 320;

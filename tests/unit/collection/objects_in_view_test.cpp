@@ -39,7 +39,7 @@ class ObjectsInView : public testing::Test {
   SurfaceInColor in_color_;
 };
 
-TEST_F(ObjectsInView, AreWithAllTheirRegionsInOneRectangle) {
+TEST_F(ObjectsInView, OneRectangleHoldsAllRegions) {
   const std::vector<SeenObject> objects = seen(2);
   ASSERT_EQ(objects.size(), 1U) << "the crumb is too small";
   const SeenObject& mug = objects.front();
@@ -52,14 +52,14 @@ TEST_F(ObjectsInView, AreWithAllTheirRegionsInOneRectangle) {
   EXPECT_NEAR(mug.box.height, 0.5F, 1e-6F);
 }
 
-TEST_F(ObjectsInView, OfOnePixelCountWhereThatIsEnough) {
+TEST_F(ObjectsInView, OnePixelCounts_WhenThatIsEnough) {
   const std::vector<SeenObject> objects = seen(1);
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].object, kTheMug);
   EXPECT_EQ(objects[1].object, kTheCrumb);
 }
 
-TEST_F(ObjectsInView, ReachAsFarAsColorShowsThem) {
+TEST_F(ObjectsInView, RectangleEnds_WhereColorShowsTheObjectNoMore) {
   in_color_.hidden(cv::Rect(5, 0, 1, 8)).setTo(255);  // where the handle is
   const std::vector<SeenObject> objects = seen(2);
   ASSERT_EQ(objects.size(), 1U);
@@ -67,7 +67,7 @@ TEST_F(ObjectsInView, ReachAsFarAsColorShowsThem) {
   EXPECT_NEAR(objects.front().box.width, 0.3F, 1e-6F);
 }
 
-TEST_F(ObjectsInView, AreNoneWhereNoRegionIsAnObject) {
+TEST_F(ObjectsInView, NothingIsInView_WhenNoRegionIsAnObject) {
   EXPECT_TRUE(objectsInView(
                   view_, in_color_, [](RegionId) { return ObjectId{}; }, 1)
                   .empty());

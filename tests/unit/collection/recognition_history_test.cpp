@@ -17,7 +17,7 @@ std::optional<ObjectId> after(const std::vector<std::uint32_t>& named, float dis
   return history.verdict(kThing);
 }
 
-TEST(RecognitionHistory, TwoLooksThatNameTheSameKnow) {
+TEST(RecognitionHistory, Recognizes_WhenTwoAttemptsAgree) {
   EXPECT_FALSE(after({}).has_value());
   EXPECT_FALSE(after({7}).has_value());
   EXPECT_EQ(after({7, 7}), ObjectId{7});
@@ -25,19 +25,19 @@ TEST(RecognitionHistory, TwoLooksThatNameTheSameKnow) {
   EXPECT_EQ(after({7, 0, 8, 0, 7}), ObjectId{7});
 }
 
-TEST(RecognitionHistory, OneVeryGoodLookKnows) {
+TEST(RecognitionHistory, Recognizes_ByOneSureAttempt) {
   EXPECT_EQ(after({7}, 0.2F), ObjectId{7});
   EXPECT_EQ(after({7}, 0.26F), std::nullopt) << "half of what counts";
 }
 
-TEST(RecognitionHistory, GivesUpAfterSeveralLooksOnly) {
+TEST(RecognitionHistory, SaysUnknown_AfterSeveralAttempts) {
   EXPECT_FALSE(after({0, 0, 0}).has_value());
   EXPECT_EQ(after({0, 0, 0, 0}), ObjectId{});
   EXPECT_FALSE(after({0, 7, 0, 0, 0}).has_value()) << "one look named it: it may be the side that is unknown";
   EXPECT_EQ(after({0, 7, 0, 0, 0, 0, 0, 0}), ObjectId{});
 }
 
-TEST(RecognitionHistory, LooksAgainAfterAFewFrames) {
+TEST(RecognitionHistory, NextAttemptIsDue_AfterAFewFrames) {
   RecognitionHistory history;
   EXPECT_TRUE(history.isAttemptDue(kThing, 10));
   history.add(kThing, {}, kMax, 10);
@@ -45,7 +45,7 @@ TEST(RecognitionHistory, LooksAgainAfterAFewFrames) {
   EXPECT_TRUE(history.isAttemptDue(kThing, 10 + RecognitionHistory::kFramesApart));
 }
 
-TEST(RecognitionHistory, ForgetsWhatIsNoMore) {
+TEST(RecognitionHistory, ForgetsOldAndJoinedRegions) {
   RecognitionHistory history;
   history.add(kThing, {}, kMax, 10);
   history.forgetBefore(10);

@@ -1,0 +1,99 @@
+#include "core/collection/collector_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace scantrove {
+namespace {
+
+constexpr ObjectId kMug{7}, kNew{CatalogueMirror::kFirstKey};
+constexpr RegionId kRegion{11}, kHandle{12};
+
+/// Something of everything.
+CollectorState someState() {
+  CollectorState state;
+  state.catalogue = {3, CatalogueMirror::kFirstKey + 1, {{kNew, ObjectId{9}}}, {{kMug, kNew}}, {kMug}};
+  state.last_event = 41;
+  ObjectTrack track;
+  track.centroid_world = {1, 2, 3};
+  track.size_m = {0.2F, 0.1F, 0.1F};
+  track.last_frame = 5;
+  track.frames_empty = 2;
+  track.views.keep({0, 0, 1});
+  state.tracks = {{{kNew, track}}, {{kRegion, kNew}, {kHandle, kMug}}, {kMug}};
+  RecognitionHistory::Tally tally;
+  tally.attempts = 3;
+  tally.last_frame = 4;
+  tally.votes[kMug] = {2, true};
+  state.recognizer.history = RecognitionHistory({{RegionSet{kRegion, kHandle}, tally}});
+  state.recognizer.returned = {kMug};
+  state.recognizer.appeared[kNew][kMug] = 1;
+  state.recognizer.comparisons[kNew] = 2;
+  state.requests = {{{kHandle, "handle"}}, {{kHandle, kMug}}, {kNew}};
+  state.identities.mismatches[RegionSet{kRegion}] = {kMug, 4, 6};
+  state.identities.replaced_by[kMug] = kNew;
+  state.identities.seen_together = {{kMug, kNew}};
+  state.identities.complete[RegionSet{kRegion}] = 8;
+  StoredView view;
+  view.object = kNew;
+  view.frame_index = 6;
+  view.image_px = {8, 6};
+  view.box_px = {2, 1, 3, 2};
+  view.mask = cv::Mat(2, 3, CV_8UC1, cv::Scalar(255));
+  view.z_m = cv::Mat(2, 3, CV_32FC1, cv::Scalar(1.5));
+  view.direction = {0, 0, 1};
+  view.diagonal_m = 0.3F;
+  view.is_of_removed = true;
+  state.views = {view};
+  state.is_refining = true;
+  state.frame = 77;
+  return state;
+}
+
+TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
+  const std::vector<std::uint32_t> words = collectorMemory(someState());
+  const std::optional<CollectorState> read = collectorStateFrom(words);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(collectorMemory(*read), words);
+  EXPECT_EQ(read->catalogue.ids.at(kNew), ObjectId{9});
+  EXPECT_EQ(read->tracks.tracks.at(kNew).frames_empty, 2);
+  EXPECT_EQ(read->tracks.object_of_region.at(kHandle), kMug);
+  EXPECT_EQ(read->recognizer.history.attempts(RegionSet{kRegion, kHandle}), 3);
+  EXPECT_EQ(read->requests.pending.at(kHandle), "handle");
+  EXPECT_EQ(read->identities.mismatches.at(RegionSet{kRegion}).count, 4);
+  ASSERT_EQ(read->views.size(), 1U);
+  EXPECT_EQ(read->views[0].box_px, cv::Rect(2, 1, 3, 2));
+  EXPECT_FLOAT_EQ(read->views[0].z_m.at<float>(1, 2), 1.5F);
+  EXPECT_TRUE(read->views[0].is_of_removed);
+  EXPECT_TRUE(read->is_refining);
+  EXPECT_FALSE(read->is_last_pass);
+  EXPECT_EQ(read->frame, 77);
+}
+
+TEST(CollectorMemory, NothingIsRead_WhenWordsAreMissingOrLeft) {
+  std::vector<std::uint32_t> words = collectorMemory(someState());
+  for (std::size_t size = 0; size < words.size(); ++size)
+    EXPECT_FALSE(collectorStateFrom(std::span(words).first(size))) << size;
+  words.push_back(0);
+  EXPECT_FALSE(collectorStateFrom(words));
+}
+
+TEST(CollectorMemory, NothingIsRead_WhenAViewLiesOutsideOfItsImage) {
+  CollectorState state = someState();
+  state.views[0].box_px.x = 7;
+  EXPECT_FALSE(collectorStateFrom(collectorMemory(state)));
+}
+
+TEST(CollectorMemory, NothingIsRead_WhenANumberIsNotFinite) {
+  CollectorState state = someState();
+  state.tracks.tracks.at(kNew).centroid_world.x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(collectorStateFrom(collectorMemory(state)));
+}
+
+}  // namespace
+}  // namespace scantrove
