@@ -17,10 +17,4 @@ void useSingleArena() {
 #endif
 }
 
-void trimHeap() {
-#ifdef __GLIBC__
-  ::malloc_trim(0);
-#endif
-}
-
 }  // namespace scantrove

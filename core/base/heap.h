@@ -2,15 +2,9 @@
 
 namespace scantrove {
 
-/// All threads allocate from one heap, for the rest of the process: threads come and go with every frame, and
-/// what the heap of one has free is lost to the others (40 MB in a scan). Before other threads start; nothing
-/// where the C library is not GNU's, or when MALLOC_ARENA_MAX says what to do. What is freed stays with the
-/// heap, up to 32 MB at its end: each frame takes what the one before gave back, and the system need not
-/// clear it anew.
+/// All threads allocate from one arena, and up to 32 MB of freed memory stay at its end, for the rest of the
+/// process: a scan of 120 frames of a kitchen took 3.6 % less processor time and 18 MB less memory. Call
+/// before other threads start. MALLOC_ARENA_MAX overrides the arena; other C libraries than GNU's ignore all.
 void useSingleArena();
-
-/// Gives the system what the heap has free: after much was freed that nobody will want again, as when kernels
-/// have been compiled. Some milliseconds; any thread.
-void trimHeap();
 
 }  // namespace scantrove

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <utility>
 
-#include "core/base/heap.h"
 #include "core/base/overloaded.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
@@ -22,9 +21,6 @@ double peakMemoryMegabytes() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // kilobytes on Linux
 }
-
-/// By then all kernels that frames need are built.
-constexpr std::size_t kFramesUntilBuilt = 20;
 
 }  // namespace
 
@@ -83,7 +79,6 @@ Result<void> ScanRun::process(RgbdFrame frame) {
   parts_.pipeline->timer().endFrame();
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   tally_->addFrameTime(elapsed.count());
-  if (tally_->timedFrames() == kFramesUntilBuilt) trimHeap();
   const bool is_usable = result->pose.usable();
   if (const auto drift = tally_->addFrame(*result, frame.index)) listener_(MapDrifted{*drift});
   if (is_usable) parts_.keeps_earlier_scan = false;

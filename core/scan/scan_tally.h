@@ -21,7 +21,6 @@ class ScanTally {
   void addSkipped() { ++frames_.skipped; }
   void addDropped(int frames) { frames_.dropped += frames; }
   void addFrameTime(double ms) { frame_ms_.push_back(ms); }
-  [[nodiscard]] std::size_t timedFrames() const { return frame_ms_.size(); }
   /// The map is given up for a new one: its frames are lost.
   void beginAnew();
 
