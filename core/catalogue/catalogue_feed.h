@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/catalogue/catalogue_news.h"
+#include "core/catalogue/catalogue_event.h"
 #include "core/catalogue/object_database.h"
 
 namespace scantrove {

@@ -42,7 +42,7 @@ Result<CatalogueJobs::Outcome> CatalogueJobs::attempt(CatalogueJob& job) {
   try {
     SCANTROVE_TRY(checkFile());
     Outcome outcome;
-    SCANTROVE_TRY(moveInto(outcome.news, std::visit([this](auto& one) { return execute(one); }, job)));
+    SCANTROVE_TRY(moveInto(outcome.events, std::visit([this](auto& one) { return execute(one); }, job)));
     return outcome;
   } catch (const std::bad_alloc&) {
     return fail(describeCurrentException(kActivity));
@@ -53,14 +53,15 @@ Result<CatalogueJobs::Outcome> CatalogueJobs::attempt(CatalogueJob& job) {
   }
 }
 
-CatalogueJobs::News CatalogueJobs::refuse(const CatalogueJob& job, const Error& error) {
+CatalogueJobs::Events CatalogueJobs::refuse(const CatalogueJob& job, const Error& error) {
   if (const auto* object = std::get_if<job::AddObject>(&job)) {
     ids_[object->view.object] = {};
-    return News{news::ObjectRefused{object->view.object}};
+    return Events{event::ObjectRefused{object->view.object}};
   }
-  if (const auto* view = std::get_if<job::AddView>(&job)) return News{news::ViewDropped{view->view.object}};
-  if (std::holds_alternative<job::Merge>(job)) return News{news::MergeDropped{}};
-  if (const auto* name = std::get_if<job::Name>(&job)) return News{news::NameDropped{name->object, error}};
+  if (const auto* view = std::get_if<job::AddView>(&job))
+    return Events{event::ViewDropped{view->view.object}};
+  if (std::holds_alternative<job::Merge>(job)) return Events{event::MergeDropped{}};
+  if (const auto* name = std::get_if<job::Name>(&job)) return Events{event::NameDropped{name->object, error}};
   return {};
 }
 
@@ -69,29 +70,29 @@ ObjectId CatalogueJobs::idOf(ObjectId object) const {
   return found == ids_.end() ? object : found->second;
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::BeginSession& /*job*/) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::BeginSession& /*job*/) {
   session_ = options_.session;
-  if (session_ != 0) return News{};
+  if (session_ != 0) return Events{};
   SCANTROVE_TRY(moveInto(session_, database_->sessions().begin(options_.source, options_.camera)));
-  return News{};
+  return Events{};
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(job::AddObject& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddObject& job) {
   job.view.session = session_;
   Result<ObjectRecord> added = database_->addObject(job.view);
   if (!added) return fail(added.error());
   ids_[job.view.object] = added->id;
   touched_.insert(added->id);
   feed_->expectObject(added->id);
-  return News{news::ObjectStored{job.view.object, std::move(*added)}};
+  return Events{event::ObjectStored{job.view.object, std::move(*added)}};
 }
 
 // What a person did decides up to the moment in which something is stored: before, a job may have waited for
 // the very transaction in which it was done.
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(job::AddView& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(job::AddView& job) {
   const ObjectId key = job.view.object, object = idOf(key);
-  if (!object) return News{news::ViewDropped{key}};
+  if (!object) return Events{event::ViewDropped{key}};
   ObjectId root;
   bool is_deleted = false;
   const auto check = [&]() -> Result<void> {
@@ -103,14 +104,14 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(job::AddView& job) {
   view.object = object;
   view.session = session_;
   const Result<std::int64_t> stored = database_->addView(view, check);
-  if (is_deleted) return News{news::ViewDropped{key}};
+  if (is_deleted) return Events{event::ViewDropped{key}};
   if (!stored) return fail(stored.error());
   touched_.insert(root);
   feed_->expectView(*stored);
-  return News{news::ViewStored{key, root}};
+  return Events{event::ViewStored{key, root}};
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Merge& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Merge& job) {
   constexpr int kMaxTries = 8;  // by others' edits in between
   for (int i = 0; i < kMaxTries; ++i) {
     const Result<std::vector<ObjectId>> pair = mergeRootsOf(job);
@@ -134,13 +135,13 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Merge& job) {
     touched_.insert(merge->into);
     feed_->expectMerge(*merge);
     const Result<ObjectRecord> root = database_->object(merge->into);
-    return News{news::MergeStored{std::move(*merge), root ? std::optional(*root) : std::nullopt}};
+    return Events{event::MergeStored{std::move(*merge), root ? std::optional(*root) : std::nullopt}};
   }
   const Result<std::vector<ObjectId>> pair = mergeRootsOf(job);
   if (!pair) return fail(pair.error());
   Result<CatalogueEdits> now = feed_->reread(*pair);
   if (!now) return fail(now.error());
-  return News{news::MergeDropped{}, news::Edited{std::move(*now)}};
+  return Events{event::MergeDropped{}, event::Edited{std::move(*now)}};
 }
 
 Result<std::vector<ObjectId>> CatalogueJobs::mergeRootsOf(const job::Merge& job) {
@@ -159,47 +160,47 @@ Result<bool> CatalogueJobs::mayMerge(const std::vector<ObjectId>& pair) {
   // A person may have undone such a merge by now.
   Result<CatalogueEdits> edits = feed_->follow();
   if (!edits) return fail(edits.error());
-  if (!edits->isEmpty()) notify_({news::Edited{std::move(*edits)}});
+  if (!edits->isEmpty()) notify_({event::Edited{std::move(*edits)}});
   if (feed_->areKeptApart(pair[0], pair[1])) return false;
   const Result<CatalogueModel> catalogue = database_->model();
   if (!catalogue) return fail(catalogue.error());
   return catalogue->mayMerge(pair[0], pair[1]);
 }
 
-CatalogueJobs::News CatalogueJobs::withRecords(CatalogueNews news, std::span<const ObjectId> objects) {
-  News all{std::move(news)};
+CatalogueJobs::Events CatalogueJobs::withRecords(CatalogueEvent event, std::span<const ObjectId> objects) {
+  Events all{std::move(event)};
   Result<CatalogueEdits> now = feed_->reread(objects);
-  if (now) all.push_back(news::Edited{std::move(*now)});
+  if (now) all.push_back(event::Edited{std::move(*now)});
   return all;
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Name& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Name& job) {
   const ObjectId object = idOf(job.object);
-  if (!object) return News{news::NameDropped{job.object, std::nullopt}};
+  if (!object) return Events{event::NameDropped{job.object, std::nullopt}};
   const Result<ObjectId> root = database_->mergeRoot(object);
   if (!root) return fail(root.error());
-  if (!*root) return News{news::NameDropped{job.object, std::nullopt}};
+  if (!*root) return Events{event::NameDropped{job.object, std::nullopt}};
   if (overruled_.contains(job.again))
-    return withRecords(news::NameDropped{job.object, std::nullopt}, std::array{object, *root});
+    return withRecords(event::NameDropped{job.object, std::nullopt}, std::array{object, *root});
   const Result<ObjectNaming> naming = database_->nameByUser(*root, job.name);
   if (!naming) return fail(naming.error());
   if (!naming->object) {
     return withRecords(
-        news::NameDropped{job.object,
-                          Error{"Another object in " + options_.database + " is called " + job.name + ".",
-                                "Choose another name, or merge the two if they are one."}},
+        event::NameDropped{job.object,
+                           Error{"Another object in " + options_.database + " is called " + job.name + ".",
+                                 "Choose another name, or merge the two if they are one."}},
         std::array{object, *root});
   }
   touched_.insert(naming->object);
   namings_[job.naming] = *naming;
-  return withRecords(news::NameStored{job.object, job.naming, *naming},
+  return withRecords(event::NameStored{job.object, job.naming, *naming},
                      std::array{object, *root, naming->object});
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::TakeNameBack& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::TakeNameBack& job) {
   if (job.earlier) namings_.try_emplace(job.naming, *job.earlier);
   const auto found = namings_.find(job.naming);
-  if (found == namings_.end()) return News{};  // it was dropped
+  if (found == namings_.end()) return Events{};  // it was dropped
   const ObjectNaming naming = found->second;
   const Result<bool> done = database_->revertNaming(naming);
   if (!done) return fail(done.error());
@@ -207,42 +208,42 @@ Result<CatalogueJobs::News> CatalogueJobs::execute(const job::TakeNameBack& job)
   namings_.erase(found);
   std::vector<ObjectId> changed{naming.object};
   if (naming.merge) changed.insert(changed.end(), naming.merge->from.begin(), naming.merge->from.end());
-  return withRecords(news::NameTakenBack{naming.object}, changed);
+  return withRecords(event::NameTakenBack{naming.object}, changed);
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::Withdraw& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::Withdraw& job) {
   const ObjectId object = idOf(job.object);
-  if (!object) return News{};
+  if (!object) return Events{};
   const Result<bool> is_removed = database_->withdraw(object);
   if (!is_removed) return fail(is_removed.error());
   touched_.insert(object);
   Result<CatalogueEdits> now = feed_->reread(std::array{object});
-  if (!now) return News{};
-  return News{news::Edited{std::move(*now)}};
+  if (!now) return Events{};
+  return Events{event::Edited{std::move(*now)}};
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::DiscardViews& job) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::DiscardViews& job) {
   const ObjectId object = idOf(job.object);
-  if (!object) return News{};
+  if (!object) return Events{};
   const Result<ObjectId> root = database_->mergeRoot(object);
   if (!root) return fail(root.error());
-  if (!*root) return News{};  // it was deleted
+  if (!*root) return Events{};  // it was deleted
   const Result<bool> is_removed = database_->discardViews(object, session_, job.frames);
   if (!is_removed) return fail(is_removed.error());
   touched_.insert(object);
-  return withRecords(news::ViewsDiscarded{*root, *is_removed}, std::array{*root});
+  return withRecords(event::ViewsDiscarded{*root, *is_removed}, std::array{*root});
 }
 
-Result<CatalogueJobs::News> CatalogueJobs::execute(const job::EndSession& /*job*/) {
+Result<CatalogueJobs::Events> CatalogueJobs::execute(const job::EndSession& /*job*/) {
   SCANTROVE_TRY(database_->sessions().end(session_));
   // The last word on what this scan did; what cannot be read now is as it was known.
-  News news;
+  Events events;
   Result<CatalogueEdits> edits = feed_->follow();
-  if (edits && !edits->isEmpty()) news.push_back(news::Edited{std::move(*edits)});
+  if (edits && !edits->isEmpty()) events.push_back(event::Edited{std::move(*edits)});
   const std::vector<ObjectId> touched(touched_.begin(), touched_.end());
   edits = feed_->reread(touched);
-  if (edits) news.push_back(news::Edited{std::move(*edits)});
-  return news;
+  if (edits) events.push_back(event::Edited{std::move(*edits)});
+  return events;
 }
 
 }  // namespace scantrove

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_event.h"
 #include "core/catalogue/catalogue_feed.h"
-#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/object_database.h"
 
 namespace scantrove {
@@ -59,7 +59,7 @@ using CatalogueJob = std::variant<job::BeginSession, job::AddObject, job::AddVie
 /// knows the database. One thread, the writer's, from open() to close().
 class CatalogueJobs {
  public:
-  using News = std::vector<CatalogueNews>;
+  using Events = std::vector<CatalogueEvent>;
 
   struct Options {
     std::string database = {};              ///< as ObjectDatabase::open takes it
@@ -69,7 +69,7 @@ class CatalogueJobs {
     std::map<ObjectId, ObjectId> ids = {};  ///< of the objects that it added, by key
   };
   /// `notify`: is given what comes up in the middle of a job.
-  CatalogueJobs(Options options, std::function<void(News)> notify)
+  CatalogueJobs(Options options, std::function<void(Events)> notify)
       : options_(std::move(options)), notify_(std::move(notify)), ids_(options_.ids) {}
 
   /// Edits are read from `from` on. Error: the catalogue cannot be opened.
@@ -77,7 +77,7 @@ class CatalogueJobs {
   void close();
 
   struct Outcome {
-    News news;
+    Events events;
     std::optional<Error> refusal;  ///< the job would never be done, and is given up
   };
   /// Does one job. Error: the catalogue failed, and the job is to be tried again.
@@ -91,18 +91,18 @@ class CatalogueJobs {
 
  private:
   /// What is reported of a job that is given up.
-  [[nodiscard]] News refuse(const CatalogueJob& job, const Error& error);
-  [[nodiscard]] Result<News> execute(const job::BeginSession& job);
-  [[nodiscard]] Result<News> execute(job::AddObject& job);
-  [[nodiscard]] Result<News> execute(job::AddView& job);
-  [[nodiscard]] Result<News> execute(const job::Merge& job);
-  [[nodiscard]] Result<News> execute(const job::Name& job);
-  [[nodiscard]] Result<News> execute(const job::TakeNameBack& job);
-  [[nodiscard]] Result<News> execute(const job::Withdraw& job);
-  [[nodiscard]] Result<News> execute(const job::DiscardViews& job);
-  [[nodiscard]] Result<News> execute(const job::EndSession& job);
-  /// As they are now, behind `news`. What cannot be read now is as it was known.
-  [[nodiscard]] News withRecords(CatalogueNews news, std::span<const ObjectId> objects);
+  [[nodiscard]] Events refuse(const CatalogueJob& job, const Error& error);
+  [[nodiscard]] Result<Events> execute(const job::BeginSession& job);
+  [[nodiscard]] Result<Events> execute(job::AddObject& job);
+  [[nodiscard]] Result<Events> execute(job::AddView& job);
+  [[nodiscard]] Result<Events> execute(const job::Merge& job);
+  [[nodiscard]] Result<Events> execute(const job::Name& job);
+  [[nodiscard]] Result<Events> execute(const job::TakeNameBack& job);
+  [[nodiscard]] Result<Events> execute(const job::Withdraw& job);
+  [[nodiscard]] Result<Events> execute(const job::DiscardViews& job);
+  [[nodiscard]] Result<Events> execute(const job::EndSession& job);
+  /// As they are now, behind `event`. What cannot be read now is as it was known.
+  [[nodiscard]] Events withRecords(CatalogueEvent event, std::span<const ObjectId> objects);
   [[nodiscard]] ObjectId idOf(ObjectId object) const;
   /// Who holds the two objects of a merge now: two, or fewer when they are one or deleted.
   [[nodiscard]] Result<std::vector<ObjectId>> mergeRootsOf(const job::Merge& job);
@@ -112,7 +112,7 @@ class CatalogueJobs {
   [[nodiscard]] Result<void> checkFile() const;
 
   const Options options_;
-  const std::function<void(News)> notify_;
+  const std::function<void(Events)> notify_;
   std::unique_ptr<ObjectDatabase> database_;
   std::optional<CatalogueFeed> feed_;
   std::int64_t session_ = 0;

@@ -229,7 +229,7 @@ void CatalogueMirror::withdraw(ObjectId object) {
 struct CatalogueMirror::Applied {
   CatalogueMirror& mirror;
 
-  void operator()(const news::ObjectStored& e) const {
+  void operator()(const event::ObjectStored& e) const {
     mirror.ids_[e.key] = e.record.id;
     mirror.keys_[e.record.id] = e.key;
     const auto found = mirror.records_.find(e.key);
@@ -247,17 +247,17 @@ struct CatalogueMirror::Applied {
     mirror.applyToCome();
     settleView(e.key);
   }
-  void operator()(const news::ObjectRefused& e) const {
+  void operator()(const event::ObjectRefused& e) const {
     mirror.setHidden(e.key);
     mirror.views_to_come_.erase(e.key);
   }
-  void operator()(const news::ViewStored& e) const { settleView(e.key); }
-  void operator()(const news::ViewDropped& e) const {
+  void operator()(const event::ViewStored& e) const { settleView(e.key); }
+  void operator()(const event::ViewDropped& e) const {
     settleView(e.key);
     const auto found = mirror.records_.find(mirror.mergeRootOf(e.key));
     if (found != mirror.records_.end()) --found->second.views;
   }
-  void operator()(const news::MergeStored& e) const {
+  void operator()(const event::MergeStored& e) const {
     endMerge();
     const ObjectId into = mirror.keyOf(e.merge.into);
     for (const ObjectId from_id : e.merge.from) {
@@ -278,13 +278,13 @@ struct CatalogueMirror::Applied {
       }
     }
   }
-  void operator()(const news::MergeDropped&) const { endMerge(); }
-  void operator()(const news::NameStored&) const { endName(); }
-  void operator()(const news::NameDropped&) const { endName(); }
-  void operator()(const news::NameTakenBack&) const {}
-  void operator()(const news::ViewsDiscarded&) const {}
-  void operator()(const news::Edited& e) const { mirror.edit(e.edits); }
-  void operator()(const news::Failed&) const {}
+  void operator()(const event::MergeDropped&) const { endMerge(); }
+  void operator()(const event::NameStored&) const { endName(); }
+  void operator()(const event::NameDropped&) const { endName(); }
+  void operator()(const event::NameTakenBack&) const {}
+  void operator()(const event::ViewsDiscarded&) const {}
+  void operator()(const event::Edited& e) const { mirror.edit(e.edits); }
+  void operator()(const event::Failed&) const {}
 
  private:
   /// `from` is part of `into`, as the database says.
@@ -311,7 +311,7 @@ struct CatalogueMirror::Applied {
   }
 };
 
-void CatalogueMirror::apply(const CatalogueNews& news) { std::visit(Applied{*this}, news); }
+void CatalogueMirror::apply(const CatalogueEvent& event) { std::visit(Applied{*this}, event); }
 
 void CatalogueMirror::putRecord(ObjectRecord record) {
   model_.put({record.id, record.name, record.named_by, record.confirmed, false, {}});

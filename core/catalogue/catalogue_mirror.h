@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_event.h"
 #include "core/catalogue/catalogue_model.h"
-#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/detector.h"
 #include "core/catalogue/known_layouts.h"
 #include "core/catalogue/object_database.h"
@@ -91,7 +91,7 @@ class CatalogueMirror {
   [[nodiscard]] bool hasHad(ObjectId object) const { return model_.find(object) != nullptr; }
 
   /// What the database made of it, and what others did.
-  void apply(const CatalogueNews& news);
+  void apply(const CatalogueEvent& event);
 
  private:
   struct Applied;

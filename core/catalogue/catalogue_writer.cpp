@@ -39,7 +39,7 @@ void CatalogueWriter::Losses::count(const CatalogueJob& job) {
 CatalogueWriter::CatalogueWriter(Options options)
     : options_(std::move(options)),
       executor_({options_.database, options_.source, options_.camera, options_.session, options_.ids},
-                [this](News news) { tell(std::move(news)); }) {}
+                [this](Events events) { notify(std::move(events)); }) {}
 
 // --- The scan's thread.
 
@@ -130,9 +130,9 @@ void CatalogueWriter::follow() {
   changed_.notify_all();
 }
 
-CatalogueWriter::News CatalogueWriter::takeNews() {
+CatalogueWriter::Events CatalogueWriter::drainEvents() {
   const std::scoped_lock lock(mutex_);
-  return std::exchange(news_, {});
+  return std::exchange(events_, {});
 }
 
 bool CatalogueWriter::settle(std::chrono::milliseconds limit) {
@@ -143,27 +143,27 @@ bool CatalogueWriter::settle(std::chrono::milliseconds limit) {
                            [this] { return jobs_.empty() && !is_follow_wanted_ && !is_following_; });
 }
 
-Result<void> CatalogueWriter::finish(const std::function<void()>& hear) {
+Result<void> CatalogueWriter::finish(const std::function<void()>& listener) {
   {
     std::unique_lock lock(mutex_);
     enqueue(job::EndSession{});
     std::uint64_t done = done_;
     std::chrono::milliseconds waited{0}, waited_urgently{0};
-    const auto has_appeared = [&] { return jobs_.empty() || done_ != done || !news_.empty(); };
+    const auto has_appeared = [&] { return jobs_.empty() || done_ != done || !events_.empty(); };
     while (!jobs_.empty() && waited < options_.patience && waited_urgently < kUrgentPatience) {
       if (!changed_.wait_for(lock, kLook, has_appeared)) {
         waited += kLook;
         if (isEndUrgent()) waited_urgently += kLook;
       }
       if (std::exchange(done, done_) != done) waited = waited_urgently = std::chrono::milliseconds(0);
-      if (news_.empty()) continue;
+      if (events_.empty()) continue;
       lock.unlock();
-      hear();
+      listener();
       lock.lock();
     }
   }
   close();
-  hear();
+  listener();
   // The thread has ended: all is this one's now.
   Losses losses = refused_;
   for (const CatalogueJob& job : jobs_) losses.count(job);
@@ -228,7 +228,7 @@ void CatalogueWriter::readEdits() {
   }
   Result<CatalogueEdits> edits = guarded("reading the catalogue", [this] { return executor_.readEdits(); });
   if (!edits) noteFailure(edits.error());
-  if (edits && !edits->isEmpty()) tell({news::Edited{std::move(*edits)}});
+  if (edits && !edits->isEmpty()) notify({event::Edited{std::move(*edits)}});
   const std::scoped_lock lock(mutex_);
   if (edits && jobs_.empty()) is_failure_said_ = false;
   is_following_ = false;
@@ -249,7 +249,7 @@ void CatalogueWriter::doFirst() {
     changed_.wait_for(lock, options_.retry, [this] { return is_closed_; });
     return;
   }
-  tell(std::move(done->news));
+  notify(std::move(done->events));
   noteSuccess();
   const std::scoped_lock lock(mutex_);
   if (done->refusal) {
@@ -263,14 +263,14 @@ void CatalogueWriter::doFirst() {
   changed_.notify_all();
 }
 
-void CatalogueWriter::tell(News news) {
-  if (news.empty()) return;
+void CatalogueWriter::notify(Events events) {
+  if (events.empty()) return;
   {
     const std::scoped_lock lock(mutex_);
-    for (CatalogueNews& one : news) news_.push_back(std::move(one));
+    for (CatalogueEvent& one : events) events_.push_back(std::move(one));
     changed_.notify_all();
   }
-  if (options_.on_news) options_.on_news();
+  if (options_.on_events) options_.on_events();
 }
 
 void CatalogueWriter::noteFailure(const Error& error) {
@@ -281,7 +281,7 @@ void CatalogueWriter::noteFailure(const Error& error) {
   if (std::exchange(is_failure_said_, true)) {
     spdlog::debug("{}", error.message());
   } else {
-    tell({news::Failed{{error.what, error.advice + (error.advice.empty() ? "" : " ") + kWaits}}});
+    notify({event::Failed{{error.what, error.advice + (error.advice.empty() ? "" : " ") + kWaits}}});
   }
 }
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_event.h"
 #include "core/catalogue/catalogue_jobs.h"
-#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/object_database.h"
 
 namespace scantrove {
@@ -24,28 +24,28 @@ namespace scantrove {
 /// Stores what a scan finds, on a thread of its own with a connection of its own: SQL and the encoding of
 /// images take nothing from the frames. Jobs are done in the order in which they came, so the same scan gives
 /// the same catalogue; one that fails because the catalogue cannot be written for now (locked, full disk) is
-/// tried again until it is done, and the others wait. What is stored comes back as news, and only then: what
-/// is announced is committed. All functions for one thread, the scan's; none but settle() and finish() waits
-/// for the database (addObject() when very much waits).
+/// tried again until it is done, and the others wait. What is stored comes back as events, and only then:
+/// what is announced is committed. All functions for one thread, the scan's; none but settle() and finish()
+/// waits for the database (addObject() when very much waits).
 ///
 /// Objects that are not stored yet are known by the keys that addObject() was given; all jobs take both keys
 /// and the database's ids.
 class CatalogueWriter {
  public:
   struct Options {
-    std::string database = {};                      ///< as ObjectDatabase::open takes it
-    std::string source = {};                        ///< of the session that is begun
-    std::optional<Intrinsics> camera = {};          ///< its depth camera, where it is known
-    std::int64_t session = 0;                       ///< one that continues; 0: one is begun
-    std::map<ObjectId, ObjectId> ids = {};          ///< of the objects that it added, by key
-    std::function<void()> on_news = {};             ///< news wait to be taken; called on the writer's thread
-    std::chrono::milliseconds retry{500};           ///< after a failure
-    std::chrono::milliseconds patience{20000};      ///< of finish(), while nothing gets done
-    std::chrono::milliseconds room_patience{5000};  ///< of addObject(), while there is no room
+    std::string database = {};                  ///< as ObjectDatabase::open takes it
+    std::string source = {};                    ///< of the session that is begun
+    std::optional<Intrinsics> camera = {};      ///< its depth camera, where it is known
+    std::int64_t session = 0;                   ///< one that continues; 0: one is begun
+    std::map<ObjectId, ObjectId> ids = {};      ///< of the objects that it added, by key
+    std::function<void()> on_events = {};       ///< events wait to be taken; called on the writer's thread
+    std::chrono::milliseconds retry{500};       ///< after a failure
+    std::chrono::milliseconds patience{20000};  ///< of finish(), while nothing gets done
+    std::chrono::milliseconds room_patience{5000};     ///< of addObject(), while there is no room
     std::size_t most_bytes = std::size_t{256} << 20U;  ///< of images that wait; half of it for further views
   };
 
-  /// Opens the catalogue on the new thread; news are what happens after `from`. The session begins with the
+  /// Opens the catalogue on the new thread; events are what happens after `from`. The session begins with the
   /// first job. Error: it cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<CatalogueWriter>> start(const Options& options,
                                                                       CataloguePosition from);
@@ -79,19 +79,19 @@ class CatalogueWriter {
   void follow();
 
   /// What happened since the last call, in order.
-  [[nodiscard]] std::vector<CatalogueNews> takeNews();
+  [[nodiscard]] std::vector<CatalogueEvent> drainEvents();
 
-  /// Waits until all jobs are done and what others did by now is among the news. False: not within `limit`.
+  /// Waits until all jobs are done and what others did by now is among the events. False: not within `limit`.
   [[nodiscard]] bool settle(std::chrono::milliseconds limit);
 
   /// After finish(): the session, and the newest event that is known of the catalogue.
   [[nodiscard]] std::int64_t session() const { return executor_.session(); }
   [[nodiscard]] std::int64_t lastEvent() const { return executor_.lastEvent(); }
 
-  /// Ends the session and the thread, after all jobs. `hear` is called when news have come (for takeNews()),
-  /// and at the end. No other call but takeNews() afterwards. Error: what was not stored, and why;
-  /// Options::patience passed without anything getting done.
-  [[nodiscard]] Result<void> finish(const std::function<void()>& hear = [] {});
+  /// Ends the session and the thread, after all jobs. `listener` is called when events have come (for
+  /// drainEvents()), and at the end. No other call but drainEvents() afterwards. Error: what was not stored,
+  /// and why; Options::patience passed without anything getting done.
+  [[nodiscard]] Result<void> finish(const std::function<void()>& listener = [] {});
 
  private:
   /// Kinds of jobs, for counting.
@@ -99,7 +99,7 @@ class CatalogueWriter {
     int objects = 0, views = 0, merges = 0, names = 0;
     void count(const CatalogueJob& job);
   };
-  using News = CatalogueJobs::News;
+  using Events = CatalogueJobs::Events;
 
   explicit CatalogueWriter(Options options);
 
@@ -113,7 +113,7 @@ class CatalogueWriter {
   void work();
   void readEdits();
   void doFirst();
-  void tell(News news);
+  void notify(Events events);
   void noteFailure(const Error& error);
   void noteSuccess();
 
@@ -131,7 +131,7 @@ class CatalogueWriter {
   bool is_following_ = false;
   bool is_closed_ = false;
   std::uint64_t done_ = 0;  // jobs
-  News news_;
+  Events events_;
   Losses refused_;
   std::optional<Error> last_error_, last_refusal_;
 

@@ -20,7 +20,7 @@ struct FrameObjects {
   std::vector<SeenObject> seen;
   std::vector<ObjectRecord> recognized;  ///< first time in this scan
 
-  bool has_news = false;            ///< the catalogue changed, through this scan or others
+  bool has_events = false;          ///< the catalogue changed, through this scan or others
   std::vector<ObjectRecord> added;  ///< stored
   std::vector<ObjectId> new_views;  ///< objects that got one; stored
   std::vector<ObjectMerge> merged;  ///< their regions turned out to be one; stored

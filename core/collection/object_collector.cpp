@@ -20,20 +20,20 @@ constexpr int kFramesToAlign = 30;
 struct Announced {
   FrameObjects& objects;
 
-  void operator()(const news::ObjectStored& e) const { objects.added.push_back(e.record); }
-  void operator()(const news::ViewStored& e) const { objects.new_views.push_back(e.root); }
-  void operator()(const news::MergeStored& e) const { objects.merged.push_back(e.merge); }
-  void operator()(const news::NameStored& e) const {
+  void operator()(const event::ObjectStored& e) const { objects.added.push_back(e.record); }
+  void operator()(const event::ViewStored& e) const { objects.new_views.push_back(e.root); }
+  void operator()(const event::MergeStored& e) const { objects.merged.push_back(e.merge); }
+  void operator()(const event::NameStored& e) const {
     objects.named.push_back({e.naming.object, e.naming.name});
     if (e.naming.merge) objects.merged.push_back(*e.naming.merge);
   }
-  void operator()(const news::ViewsDiscarded& e) const {
+  void operator()(const event::ViewsDiscarded& e) const {
     if (e.is_removed) objects.left.push_back(e.object);
   }
-  void operator()(const news::NameDropped& e) const {
+  void operator()(const event::NameDropped& e) const {
     if (e.why) objects.catalogue_failure = e.why;
   }
-  void operator()(const news::Failed& e) const { objects.catalogue_failure = e.error; }
+  void operator()(const event::Failed& e) const { objects.catalogue_failure = e.error; }
   void operator()(const auto& /*nothing that anybody waits for*/) const {}
 };
 
@@ -155,19 +155,19 @@ FrameObjects ObjectCollector::addRequested(const RgbdFrame& frame, const Eigen::
 }
 
 void ObjectCollector::applyEvents(FrameObjects& objects) {
-  for (const CatalogueNews& event : writer_->takeNews()) {
+  for (const CatalogueEvent& event : writer_->drainEvents()) {
     catalogue_.apply(event);
     std::visit(Announced{objects}, event);
-    if (const auto* named = std::get_if<news::NameStored>(&event)) requests_.noteStored(*named);
-    objects.has_news = true;
+    if (const auto* named = std::get_if<event::NameStored>(&event)) requests_.noteStored(*named);
+    objects.has_events = true;
   }
   for (ObjectRecord& record : identities_.takeRecognized()) {
     objects.recognized.push_back(std::move(record));
-    objects.has_news = true;
+    objects.has_events = true;
   }
   if (std::optional<Error> refusal = requests_.takeRefusal()) {
     objects.catalogue_failure = std::move(refusal);
-    objects.has_news = true;
+    objects.has_events = true;
   }
   writer_->follow();
 }

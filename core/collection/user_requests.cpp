@@ -96,7 +96,7 @@ bool UserRequests::hasNamed(RegionId region, const std::string& name) const {
          });
 }
 
-void UserRequests::noteStored(const news::NameStored& stored) {
+void UserRequests::noteStored(const event::NameStored& stored) {
   const auto found = std::ranges::find(namings_, stored.number, &Naming::number);
   if (found != namings_.end()) found->stored = stored.naming;
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/catalogue/catalogue_event.h"
 #include "core/catalogue/catalogue_mirror.h"
-#include "core/catalogue/catalogue_news.h"
 #include "core/catalogue/catalogue_writer.h"
 #include "core/catalogue/stored_namings.h"
 #include "core/collection/object_tracks.h"
@@ -73,7 +73,7 @@ class UserRequests {
   /// `from` is now part of `into`.
   void joinRegions(RegionId into, RegionId from);
   /// The database has stored a name.
-  void noteStored(const news::NameStored& stored);
+  void noteStored(const event::NameStored& stored);
   /// The oldest name that the catalogue refuses, once.
   [[nodiscard]] std::optional<Error> takeRefusal();
 

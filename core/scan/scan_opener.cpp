@@ -28,9 +28,9 @@ bool isSameCamera(const Intrinsics& a, const Intrinsics& b) {
 }  // namespace
 
 Result<ScanParts> ScanOpener::open(const ScanRequest& request, const ScanListener& listener,
-                                   std::function<void()> on_news) {
+                                   std::function<void()> on_events) {
   ScanOpener opener(request, listener);
-  opener.parts_.on_catalogue_news = std::move(on_news);
+  opener.parts_.on_catalogue_events = std::move(on_events);
   SCANTROVE_TRY(opener.openAll());
   return std::move(opener.parts_);
 }

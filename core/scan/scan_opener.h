@@ -15,11 +15,11 @@ namespace scantrove {
 /// session that the scan goes on in, or refines, is read back into the map.
 class ScanOpener {
  public:
-  /// `listener` is told what is damaged, and that kernels are compiled; it outlives the parts. `on_news`:
+  /// `listener` is told what is damaged, and that kernels are compiled; it outlives the parts. `on_events`:
   /// there is news of the catalogue; called on another thread. Error: what cannot be opened, or would not fit
   /// the device. The result folder and the catalogue may have been made by then.
   [[nodiscard]] static Result<ScanParts> open(const ScanRequest& request, const ScanListener& listener,
-                                              std::function<void()> on_news);
+                                              std::function<void()> on_events);
 
  private:
   ScanOpener(const ScanRequest& request, const ScanListener& listener) : listener_(listener) {

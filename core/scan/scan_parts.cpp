@@ -19,7 +19,7 @@ Result<void> ScanParts::makeMap(ObjectDatabase& database,
   catalogue.database = request.database;
   catalogue.source = info.name;
   catalogue.camera = info.intrinsics;
-  catalogue.on_news = on_catalogue_news;
+  catalogue.on_events = on_catalogue_events;
   catalogue.patience = request.catalogue_patience;
   std::unique_ptr<ObjectCollector> collector;
   SCANTROVE_TRY(moveInto(collector, ObjectCollector::create(*compute, database, catalogue,

@@ -9,8 +9,8 @@
 #include "core/capture/local_poses.h"
 #include "core/compute/compute_context.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/scan/frame_counts.h"
 #include "core/refinement/refinement_memory.h"
+#include "core/scan/frame_counts.h"
 #include "core/scan/scan_objects.h"
 #include "core/scan/scan_output.h"
 #include "core/scan/scan_request.h"
@@ -20,8 +20,8 @@ namespace scantrove {
 
 /// What a running scan works with.
 struct ScanParts {
-  ScanRequest request;                      ///< completed by what an earlier scan says
-  std::function<void()> on_catalogue_news;  ///< called on another thread
+  ScanRequest request;                        ///< completed by what an earlier scan says
+  std::function<void()> on_catalogue_events;  ///< called on another thread
   std::unique_ptr<FrameSource> source;
   ContinuedSource* continued = nullptr;                    ///< `source`, if the scan goes on with it
   LocalPoses* local_poses = nullptr;                       ///< `source` or in it, where its poses are taken

@@ -6,10 +6,10 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/first_error.h"
 #include "core/base/overloaded.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
-#include "core/base/first_error.h"
 #include "core/scan/scan_opener.h"
 #include "core/session/session_setup.h"
 
@@ -26,11 +26,11 @@ double peakMemoryMegabytes() {
 
 Result<std::unique_ptr<ScanRun>> ScanRun::open(const ScanRequest& request, ScanListener listener,
                                                LatestValue<ScanSnapshot>& mailbox,
-                                               std::function<void()> on_news) {
+                                               std::function<void()> on_events) {
   std::unique_ptr<ScanRun> run(new ScanRun(std::move(listener), mailbox));
   SnapshotBuilder& snapshots = run->snapshots_;
   ScanParts& parts = run->parts_;
-  SCANTROVE_TRY(moveInto(parts, ScanOpener::open(request, run->listener_, std::move(on_news))));
+  SCANTROVE_TRY(moveInto(parts, ScanOpener::open(request, run->listener_, std::move(on_events))));
   run->tally_.emplace(parts.earlier_frames);
   run->advisor_.emplace(parts.request.params.fusion.max_depth_m);
   if (!request.pictures) snapshots.omitPictures();
@@ -160,7 +160,7 @@ void ScanRun::announceMapFailure() {
 bool ScanRun::followCatalogue() {
   const FrameObjects objects = parts_.objects->collector().followCatalogue();
   announce(objects);
-  return objects.has_news;
+  return objects.has_events;
 }
 
 void ScanRun::setParams(const ScanParams& params) {

@@ -20,12 +20,12 @@ namespace scantrove {
 /// snapshots and events out, results at the end. One thread, the worker's.
 class ScanRun {
  public:
-  /// Opens everything that `request` names (ScanOpener). `on_news`: followCatalogue() has something to tell;
-  /// called on another thread.
+  /// Opens everything that `request` names (ScanOpener). `on_events`: followCatalogue() has something to
+  /// tell; called on another thread.
   [[nodiscard]] static Result<std::unique_ptr<ScanRun>> open(const ScanRequest& request,
                                                              ScanListener listener,
                                                              LatestValue<ScanSnapshot>& mailbox,
-                                                             std::function<void()> on_news);
+                                                             std::function<void()> on_events);
 
   enum class Step { frame, nothing_yet, end };
   /// Reads and processes the next frame. Error: the scan cannot go on.
@@ -39,7 +39,7 @@ class ScanRun {
   [[nodiscard]] Result<void> showNow(ScanState state);
 
   /// Learns what became of the catalogue meanwhile and tells it; frames do so by themselves. False: nothing
-  /// new so far; `on_news` of open() says when there is.
+  /// new so far; `on_events` of open() says when there is.
   bool followCatalogue();
   void setParams(const ScanParams& params);
   /// The last frame's segments as the present parameters give them, for the next snapshot; the map stays as

@@ -27,9 +27,9 @@ constexpr const char* kLock = "BEGIN IMMEDIATE";
 
 class SlowCatalogueTest : public test::ObjectCollectorFixture {
  protected:
-  /// Takes news until `condition` holds of all that came; false: not for a minute.
+  /// Takes events until `condition` holds of all that came; false: not for a minute.
   template <class Condition>
-  bool awaitNews(FrameObjects& all, Condition&& condition) {
+  bool awaitEvents(FrameObjects& all, Condition&& condition) {
     for (int i = 0; i < 6000 && !condition(all); ++i) {
       std::this_thread::sleep_for(10ms);
       addEvents(all);
@@ -78,7 +78,8 @@ TEST_F(SlowCatalogueTest, LockDelaysStoring_NotFrames) {
     EXPECT_TRUE(locked.seen[0].object) << "what is known stays known";
     EXPECT_FALSE(locked.seen[1].object);
     EXPECT_EQ(locked.seen[1].name, "");
-    ASSERT_TRUE(awaitNews(all, [](const FrameObjects& news) { return news.catalogue_failure.has_value(); }));
+    ASSERT_TRUE(
+        awaitEvents(all, [](const FrameObjects& events) { return events.catalogue_failure.has_value(); }));
     EXPECT_THAT(all.catalogue_failure->message(), AllOf(HasSubstr(file()), HasSubstr("locked")));
     all.catalogue_failure.reset();
     for (int i = 0; i < 40; ++i) {
@@ -88,7 +89,7 @@ TEST_F(SlowCatalogueTest, LockDelaysStoring_NotFrames) {
     EXPECT_FALSE(all.catalogue_failure) << "said once, whenever it is tried again";
     other.execute("ROLLBACK");
   }
-  ASSERT_TRUE(awaitNews(all, [](const FrameObjects& news) { return news.added.size() == 2; }));
+  ASSERT_TRUE(awaitEvents(all, [](const FrameObjects& events) { return events.added.size() == 2; }));
   settle();
   FrameObjects now = look({box_, mug_, cup_}, 60);
   EXPECT_FALSE(now.catalogue_failure);
@@ -203,12 +204,13 @@ TEST_F(SlowCatalogueTest, ScanContinues_WhenTheCatalogueCannotBeRead) {
     OtherProgram other(file());
     other.execute("ALTER TABLE events RENAME TO gone");
     all = study({box_, mug_});
-    ASSERT_TRUE(awaitNews(all, [](const FrameObjects& news) { return news.catalogue_failure.has_value(); }));
+    ASSERT_TRUE(
+        awaitEvents(all, [](const FrameObjects& events) { return events.catalogue_failure.has_value(); }));
     EXPECT_THAT(all.catalogue_failure->message(), HasSubstr("damaged"));
     EXPECT_TRUE(all.added.empty());
     other.execute("ALTER TABLE gone RENAME TO events");
   }
-  EXPECT_TRUE(awaitNews(all, [](const FrameObjects& news) { return news.added.size() == 1; }));
+  EXPECT_TRUE(awaitEvents(all, [](const FrameObjects& events) { return events.added.size() == 1; }));
 }
 
 TEST_F(SlowCatalogueTest, FinishReportsWhatIsNotStored) {
@@ -221,7 +223,7 @@ TEST_F(SlowCatalogueTest, FinishReportsWhatIsNotStored) {
   static_cast<void>(study({box_, mug_, cup_}, 60));
   std::size_t stored = 0;
   const Result<void> finished = collector_->finish(
-      [&](const FrameObjects& news) { stored += news.added.size() + news.new_views.size(); });
+      [&](const FrameObjects& events) { stored += events.added.size() + events.new_views.size(); });
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().message(),
               AllOf(HasSubstr(file()), HasSubstr("has not got 2 new objects, 1 view."), HasSubstr("locked")));
@@ -257,7 +259,7 @@ TEST_F(SlowCatalogueTest, FinishWaitsForALock) {
   auto end = std::async(std::launch::async, [&] {
     std::size_t added = 0;
     const Result<void> finished =
-        collector_->finish([&](const FrameObjects& news) { added += news.added.size(); });
+        collector_->finish([&](const FrameObjects& events) { added += events.added.size(); });
     EXPECT_TRUE(finished);
     return added;
   });
@@ -329,11 +331,11 @@ TEST_F(CatalogueWriterTest, OtherViewsAreStored_WhenOneCannotBeEncoded) {
   const Result<void> finished = store_->finish();
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().message(), AllOf(HasSubstr(file()), HasSubstr("has not got 1 new object.")));
-  std::vector<CatalogueNews> news = store_->takeNews();
-  ASSERT_GE(news.size(), 3U);
-  EXPECT_EQ(std::get<news::ObjectRefused>(news[0]).key, bad);
-  EXPECT_EQ(std::get<news::ViewDropped>(news[1]).key, bad);
-  EXPECT_EQ(std::get<news::ObjectStored>(news[2]).key, good);
+  std::vector<CatalogueEvent> events = store_->drainEvents();
+  ASSERT_GE(events.size(), 3U);
+  EXPECT_EQ(std::get<event::ObjectRefused>(events[0]).key, bad);
+  EXPECT_EQ(std::get<event::ViewDropped>(events[1]).key, bad);
+  EXPECT_EQ(std::get<event::ObjectStored>(events[2]).key, good);
   EXPECT_EQ(objects().size(), 1U);
 }
 
@@ -345,9 +347,9 @@ TEST_F(CatalogueWriterTest, FailedWritesAreRepeated) {
   ASSERT_TRUE(store_->addObject(view(key, {10, 10})));
   store_->addView(view(key, {10, 10}));
   EXPECT_FALSE(store_->settle(300ms));
-  std::vector<CatalogueNews> news = store_->takeNews();
-  ASSERT_EQ(news.size(), 1U);
-  EXPECT_THAT(std::get<news::Failed>(news[0]).error.message(), HasSubstr("broken"));
+  std::vector<CatalogueEvent> events = store_->drainEvents();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_THAT(std::get<event::Failed>(events[0]).error.message(), HasSubstr("broken"));
   other.execute("DROP TRIGGER broken");
   EXPECT_TRUE(store_->settle(60s));
   ASSERT_EQ(objects().size(), 1U) << "tries that failed left nothing";
@@ -363,9 +365,10 @@ TEST_F(CatalogueWriterTest, NothingIsStored_WhenTheFileIsGone) {
   const ObjectId key{1U << 31U};
   ASSERT_TRUE(store_->addObject(view(key, {10, 10})));
   EXPECT_FALSE(store_->settle(300ms));
-  const std::vector<CatalogueNews> news = store_->takeNews();
-  ASSERT_EQ(news.size(), 1U);
-  EXPECT_THAT(std::get<news::Failed>(news[0]).error.message(), AllOf(HasSubstr(file()), HasSubstr("moved")));
+  const std::vector<CatalogueEvent> events = store_->drainEvents();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_THAT(std::get<event::Failed>(events[0]).error.message(),
+              AllOf(HasSubstr(file()), HasSubstr("moved")));
   std::filesystem::rename(moved, file());
   EXPECT_TRUE(store_->settle(60s));
   EXPECT_EQ(objects().size(), 1U);

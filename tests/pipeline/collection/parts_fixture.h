@@ -63,7 +63,7 @@ class PartsFixture : public TableFixture {
   void store() {
     writer_->follow();
     ASSERT_TRUE(writer_->settle(std::chrono::seconds(60)));
-    for (const CatalogueNews& event : writer_->takeNews()) catalogue_->apply(event);
+    for (const CatalogueEvent& event : writer_->drainEvents()) catalogue_->apply(event);
   }
   [[nodiscard]] ObjectId idOf(ObjectId key) const { return catalogue_->idOf(key); }
   [[nodiscard]] ObjectId rootOf(RegionId region) const {

@@ -26,9 +26,9 @@ struct CatalogueEdits {
   [[nodiscard]] bool isEmpty() const { return changes.empty() && objects.empty() && records.empty(); }
 };
 
-/// What the catalogue's thread tells the scan. `key`: the id by which the scan asked for it; all others are
-/// those of the database.
-namespace news {
+/// What the catalogue's thread reports to the scan. `key`: the id by which the scan asked for it; all others
+/// are those of the database.
+namespace event {
 struct ObjectStored {
   ObjectId key;
   ObjectRecord record;
@@ -78,11 +78,11 @@ struct Edited {
 struct Failed {
   Error error;
 };
-}  // namespace news
+}  // namespace event
 
-using CatalogueNews =
-    std::variant<news::ObjectStored, news::ObjectRefused, news::ViewStored, news::ViewDropped,
-                 news::MergeStored, news::MergeDropped, news::NameStored, news::NameDropped,
-                 news::NameTakenBack, news::ViewsDiscarded, news::Edited, news::Failed>;
+using CatalogueEvent =
+    std::variant<event::ObjectStored, event::ObjectRefused, event::ViewStored, event::ViewDropped,
+                 event::MergeStored, event::MergeDropped, event::NameStored, event::NameDropped,
+                 event::NameTakenBack, event::ViewsDiscarded, event::Edited, event::Failed>;
 
 }  // namespace scantrove
