@@ -43,7 +43,7 @@ Operation operationOn(OperationKind kind, const SessionArguments& arguments) {
 /// The session has it; that its catalogue has it not is worth a sentence, and no failure.
 void notifyCatalogue(OpenSession& session, const SessionArguments& arguments) {
   if (arguments.without_catalogue || catalogueFileOf(session).empty()) return;
-  if (const Result<void> told = followInCatalogue(session); !told)
+  if (const Result<void> told = applyToCatalogue(session); !told)
     std::cerr << "scantrove: The session has it, but not its catalogue: "
               << forTerminal(told.error().message()) << '\n';
 }

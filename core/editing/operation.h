@@ -29,6 +29,9 @@ enum class OperationKind {
 /// name and accept.
 [[nodiscard]] bool isNaming(OperationKind kind);
 
+/// How an operation came to hold, or not to.
+enum class EditDirection { done, undone, redone };
+
 /// An operation as data: what on which regions.
 struct Operation {
   OperationKind kind = OperationKind::name;

@@ -38,17 +38,17 @@ void ScanObjects::keepKnown(const FrameObjects& objects) {
   }
 }
 
-void ScanObjects::follow(const RegionEditor::Outcome& outcome, Edit edit) {
-  const int number = lastOperation(pipeline_.labels().editor().log(), edit == Edit::undone);
-  if (edit == Edit::undone) {
+void ScanObjects::follow(const RegionEditor::Outcome& outcome, EditDirection direction) {
+  const int number = lastOperation(pipeline_.labels().editor().log(), direction == EditDirection::undone);
+  if (direction == EditDirection::undone) {
     joins_.remove(number);
   } else {
     joins_.add(number, outcome.events, collector_->objects());
   }
   scantrove::follow(*collector_, outcome.events, ObjectCollector::JoinedBy::user);
   const Operation& operation = outcome.operation;
-  if (isNaming(operation.kind) && !operation.name.empty()) followNames(operation, edit);
-  if (operation.kind == OperationKind::object && operation.on && edit == Edit::undone) {
+  if (isNaming(operation.kind) && !operation.name.empty()) followNames(operation, direction);
+  if (operation.kind == OperationKind::object && operation.on && direction == EditDirection::undone) {
     for (const RegionId region : operation.regions) collector_->requests().undoObject(region);
   }
   std::vector<RegionId> regions = operation.regions;
@@ -56,14 +56,15 @@ void ScanObjects::follow(const RegionEditor::Outcome& outcome, Edit edit) {
   const bool is_said = isNaming(operation.kind) || operation.kind == OperationKind::object ||
                        operation.kind == OperationKind::background || operation.kind == OperationKind::reject;
   for (const RegionId region : regions) {
-    if (!requestNoted(region) && (is_said || edit == Edit::undone)) collector_->requests().cancel(region);
+    if (!requestNoted(region) && (is_said || direction == EditDirection::undone))
+      collector_->requests().cancel(region);
   }
 }
 
-void ScanObjects::followNames(const Operation& operation, Edit edit) {
-  if (edit == Edit::done) {
+void ScanObjects::followNames(const Operation& operation, EditDirection direction) {
+  if (direction == EditDirection::done) {
     for (const RegionId region : operation.regions) collector_->requests().name(region, operation.name);
-  } else if (edit == Edit::redone) {
+  } else if (direction == EditDirection::redone) {
     for (const RegionId region : operation.regions) collector_->requests().redoName(region, operation.name);
   } else {
     for (auto region = operation.regions.rbegin(); region != operation.regions.rend(); ++region) {

@@ -34,9 +34,8 @@ class ScanObjects {
   /// things that are no objects of the catalogue become such when they are seen.
   void restore(const SavedScan& scan);
 
-  enum class Edit { done, undone, redone };
   /// After a user edited regions.
-  void follow(const RegionEditor::Outcome& outcome, Edit edit);
+  void follow(const RegionEditor::Outcome& outcome, EditDirection direction);
   /// What there is to say of each region: by users here, and by the catalogue.
   [[nodiscard]] std::map<RegionId, RegionLabel> labels() const;
 
@@ -53,7 +52,7 @@ class ScanObjects {
   /// one.
   void keepKnown(const FrameObjects& objects);
   /// The names of the regions that an edit was about.
-  void followNames(const Operation& operation, Edit edit);
+  void followNames(const Operation& operation, EditDirection direction);
   /// The region is waited for if a user takes it for a thing. False: it is not.
   bool requestNoted(RegionId region);
   [[nodiscard]] Result<void> addRequestedAtEnd(const std::function<void(const FrameObjects&)>& announce);

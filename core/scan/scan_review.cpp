@@ -152,7 +152,7 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
   snapshots_.endEdit(session_->pipeline());
   if (const std::optional<Error> failure = session_->takeFailure()) listener_(MapFailed{*failure});
   if (outcome) {
-    const Result<void> told = followInCatalogue(*session_);
+    const Result<void> told = applyToCatalogue(*session_);
     if (!told) listener_(CatalogueFailed{told.error()});
     listener_(Edited{edit, outcome->regions});
   } else {

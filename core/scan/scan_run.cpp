@@ -178,9 +178,9 @@ Result<RegionEditor::Outcome> ScanRun::doEdit(const ScanEdit& edit) {
                  [&](UndoEdit) { return pipeline.undo(); }, [&](RedoEdit) { return pipeline.redo(); }},
       edit);
   if (!outcome) return outcome;
-  parts_.objects->follow(*outcome, std::holds_alternative<UndoEdit>(edit)   ? ScanObjects::Edit::undone
-                                   : std::holds_alternative<RedoEdit>(edit) ? ScanObjects::Edit::redone
-                                                                            : ScanObjects::Edit::done);
+  parts_.objects->follow(*outcome, std::holds_alternative<UndoEdit>(edit)   ? EditDirection::undone
+                                   : std::holds_alternative<RedoEdit>(edit) ? EditDirection::redone
+                                                                            : EditDirection::done);
   if (!parts_.recorder) return outcome;
   keepJoins();
   // It is not said to be done before it is safe.

@@ -72,16 +72,16 @@ Result<void> CatalogueEdit::runStep(const CatalogueStep& step) {
     case CatalogueStep::Kind::name:
       keep(undoneNamingsKeyOf(step.region), {});
       return name(step);
-    case CatalogueStep::Kind::name_again:
-      return nameAgain(step);
-    case CatalogueStep::Kind::take_name:
-      return takeName(step);
+    case CatalogueStep::Kind::redo_name:
+      return redoName(step);
+    case CatalogueStep::Kind::revert_name:
+      return revertName(step);
     case CatalogueStep::Kind::add:
       return add(step.region);
-    case CatalogueStep::Kind::take_object:
+    case CatalogueStep::Kind::revert_object:
       break;
   }
-  return takeBack(step.region, "").map([](bool) {});
+  return revert(step.region, "").map([](bool) {});
 }
 
 Result<void> CatalogueEdit::name(const CatalogueStep& step) {
@@ -100,7 +100,7 @@ Result<void> CatalogueEdit::name(const CatalogueStep& step) {
   return {};
 }
 
-Result<void> CatalogueEdit::nameAgain(const CatalogueStep& step) {
+Result<void> CatalogueEdit::redoName(const CatalogueStep& step) {
   const std::string key = undoneNamingsKeyOf(step.region);
   std::vector<StoredNaming> undone = kept(key);
   if (!undone.empty()) {
@@ -119,7 +119,7 @@ Result<void> CatalogueEdit::nameAgain(const CatalogueStep& step) {
   return name(step);
 }
 
-Result<void> CatalogueEdit::takeName(const CatalogueStep& step) {
+Result<void> CatalogueEdit::revertName(const CatalogueStep& step) {
   std::string removed = step.name;
   if (removed.empty()) {
     // The name that the newest naming gave and nobody took back.
@@ -130,7 +130,7 @@ Result<void> CatalogueEdit::takeName(const CatalogueStep& step) {
     removed = newest->naming.name;
   }
   const Result<std::string> checked = checkedLabelName(removed);
-  const Result<bool> taken = checked ? takeBack(step.region, *checked) : Result<bool>(false);
+  const Result<bool> taken = checked ? revert(step.region, *checked) : Result<bool>(false);
   if (!taken) return fail(taken.error());
   if (!*taken && objectOf(step.region))
     refuse("What the catalogue calls the object stays as it is.", "'scantrove objects rename' changes it.");
@@ -150,7 +150,7 @@ Result<void> CatalogueEdit::add(RegionId region) {
   return {};
 }
 
-Result<bool> CatalogueEdit::takeBack(RegionId region, const std::string& name) {
+Result<bool> CatalogueEdit::revert(RegionId region, const std::string& name) {
   std::vector<StoredNaming> namings = kept(namingsKeyOf(region));
   const auto found = std::find_if(namings.rbegin(), namings.rend(),
                                   [&](const StoredNaming& one) { return one.naming.name == name; });

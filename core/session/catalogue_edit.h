@@ -37,11 +37,11 @@ class CatalogueEdit {
   [[nodiscard]] Result<std::string> run(const PendingEdit& edit);
   [[nodiscard]] Result<void> runStep(const CatalogueStep& step);
   [[nodiscard]] Result<void> name(const CatalogueStep& step);
-  [[nodiscard]] Result<void> nameAgain(const CatalogueStep& step);
-  [[nodiscard]] Result<void> takeName(const CatalogueStep& step);
+  [[nodiscard]] Result<void> redoName(const CatalogueStep& step);
+  [[nodiscard]] Result<void> revertName(const CatalogueStep& step);
   [[nodiscard]] Result<void> add(RegionId region);
   /// Takes the newest entry of that name back. False: there is none.
-  [[nodiscard]] Result<bool> takeBack(RegionId region, const std::string& name);
+  [[nodiscard]] Result<bool> revert(RegionId region, const std::string& name);
 
   /// Names the region's object, or one that is made for it.
   [[nodiscard]] Result<std::optional<StoredNaming>> nameObjectOf(RegionId region, const std::string& name);

@@ -10,8 +10,8 @@
 #include "core/compute/compute_context.h"
 #include "core/compute/guarded.h"
 #include "core/pipeline/mapping_pipeline.h"
-#include "core/session/refinement_state.h"
 #include "core/session/catalogue_numbers.h"
+#include "core/session/refinement_state.h"
 #include "core/session/session_catalogue.h"
 #include "core/session/session_joining.h"
 #include "core/session/session_recorder.h"
@@ -184,7 +184,7 @@ void OpenSession::completePendingEdits() {
   std::error_code ignored;
   // Where its catalogue is not there, that is said when it is needed.
   if (!isCataloguePending(*this) || !std::filesystem::exists(catalogueFileOf(*this), ignored)) return;
-  if (const Result<void> followed = followInCatalogue(*this); !followed)
+  if (const Result<void> followed = applyToCatalogue(*this); !followed)
     damages_.push_back("What was said last is not in the catalogue: " + followed.error().message());
 }
 
@@ -259,29 +259,30 @@ std::optional<Error> OpenSession::takeFailure() { return recorder_->takeFailure(
 
 Result<void> OpenSession::findDisturbance() { return recorder_->findDisturbance(); }
 
-void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, SaidHow how) {
+void OpenSession::joinObjects(const RegionEditor::Outcome& outcome, EditDirection direction) {
   std::map<RegionId, ObjectId> objects = recorder_->objects();
   JoinedObjects joined = scantrove::joinObjects(outcome.events, objects);
-  const std::string name = joinKeyOf(lastOperation(history(), how == SaidHow::undone));
-  if (how == SaidHow::undone) {
+  const std::string name = joinKeyOf(lastOperation(history(), direction == EditDirection::undone));
+  if (direction == EditDirection::undone) {
     joined = joinedFrom(fact(name));
     for (const auto& [region, object] : joined.before) objects[region] = object;
-    joined.state = JoinedObjects::State::to_part;
+    joined.state = JoinedObjects::State::to_unmerge;
     if (joined.merges.empty()) joined = {};
   }
   if (const std::string text = joinedToText(joined); text != fact(name)) setMetadata(name, text);
   recorder_->setObjects(std::move(objects));
 }
 
-Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome, SaidHow how) {
+Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> outcome,
+                                                EditDirection direction) {
   if (!outcome) return outcome;
-  joinObjects(*outcome, how);
+  joinObjects(*outcome, direction);
   if (isNaming(outcome->operation.kind))
     setMetadata(kObjectsKey, withoutRegions(fact(kObjectsKey), outcome->operation.regions));
   if (areResultsCurrent()) setMetadata(kResultsKey, kResultsEdited);
   std::vector<CatalogueStep> steps;
   if (has_catalogue_ && !setup_.database.empty())
-    steps = catalogueStepsOf(outcome->operation, how,
+    steps = catalogueStepsOf(outcome->operation, direction,
                              [this](RegionId region) -> const RegionNote& { return noteOf(region); });
   if (!steps.empty()) {
     std::vector<PendingEdit> pending = pendingEdits();
@@ -293,11 +294,11 @@ Result<RegionEditor::Outcome> OpenSession::keep(Result<RegionEditor::Outcome> ou
 }
 
 Result<RegionEditor::Outcome> OpenSession::edit(const Operation& operation) {
-  return keep(pipeline_->edit(operation), SaidHow::done);
+  return keep(pipeline_->edit(operation), EditDirection::done);
 }
 
-Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo(), SaidHow::undone); }
+Result<RegionEditor::Outcome> OpenSession::undo() { return keep(pipeline_->undo(), EditDirection::undone); }
 
-Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo(), SaidHow::redone); }
+Result<RegionEditor::Outcome> OpenSession::redo() { return keep(pipeline_->redo(), EditDirection::redone); }
 
 }  // namespace scantrove

@@ -34,7 +34,8 @@ struct RegionSummary {
 };
 
 /// A session that is looked at, edited and exported without a camera. What an operation changed is on disk
-/// when it returns. One thread.
+/// when it returns. One thread. More than thirty functions: half of them hand on what command line, window
+/// and exports ask of the parts of a saved scan.
 class OpenSession {
  public:
   /// `device`: as chooseDevice takes it. Error: there is none, another program has it, no device, ...
@@ -72,7 +73,7 @@ class OpenSession {
   /// no pose, the pixel lies outside, or shows no surface.
   [[nodiscard]] Result<Place> at(int frame, int x, int y);
 
-  /// Each is written as a whole before it returns, with what it has to do in the catalogue (followInCatalogue
+  /// Each is written as a whole before it returns, with what it has to do in the catalogue (applyToCatalogue
   /// does that). Error: see RegionEditor; or it could not be written: then it holds until the program ends.
   [[nodiscard]] Result<RegionEditor::Outcome> edit(const Operation& operation);
   [[nodiscard]] Result<RegionEditor::Outcome> undo();
@@ -118,9 +119,10 @@ class OpenSession {
  private:
   explicit OpenSession(std::filesystem::path folder);
   [[nodiscard]] const SavedFrame* frameAt(int source_index) const;
-  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome, SaidHow how);
+  [[nodiscard]] Result<RegionEditor::Outcome> keep(Result<RegionEditor::Outcome> outcome,
+                                                   EditDirection direction);
   /// Objects go with regions that are joined, and come back with an undo.
-  void joinObjects(const RegionEditor::Outcome& outcome, SaidHow how);
+  void joinObjects(const RegionEditor::Outcome& outcome, EditDirection direction);
   /// What the catalogue has of the region's object, else what the session kept of it.
   [[nodiscard]] RegionObject regionObjectOf(RegionId region, const RememberedObjects& remembered) const;
   /// Keeps what the catalogue says of the objects now.

@@ -15,10 +15,10 @@ using Kind = CatalogueStep::Kind;
 using PendingJson = nlohmann::ordered_json;
 
 constexpr std::array<std::pair<Kind, std::string_view>, 5> kKinds{{{Kind::name, "name"},
-                                                                   {Kind::name_again, "name again"},
-                                                                   {Kind::take_name, "take name"},
+                                                                   {Kind::redo_name, "name again"},
+                                                                   {Kind::revert_name, "take name"},
                                                                    {Kind::add, "add"},
-                                                                   {Kind::take_object, "take object"}}};
+                                                                   {Kind::revert_object, "take object"}}};
 
 CatalogueStep stepFrom(const PendingJson& json) {
   const auto word = json.at("do").get<std::string>();
@@ -40,26 +40,26 @@ std::string newToken() {
   return token;
 }
 
-std::vector<CatalogueStep> catalogueStepsOf(const Operation& operation, SaidHow how,
+std::vector<CatalogueStep> catalogueStepsOf(const Operation& operation, EditDirection direction,
                                             const std::function<const RegionNote&(RegionId)>& note_of) {
-  const bool is_undone = how == SaidHow::undone;
+  const bool is_undone = direction == EditDirection::undone;
   const bool is_adding = operation.kind == OperationKind::object && operation.on;
   std::vector<CatalogueStep> steps;
   if (!isNaming(operation.kind) && !is_adding) return steps;
   for (const RegionId region : operation.regions) {
     if (is_adding) {
-      steps.push_back({is_undone ? Kind::take_object : Kind::add, region});
+      steps.push_back({is_undone ? Kind::revert_object : Kind::add, region});
       continue;
     }
     // Removing a name takes the naming back; undoing that names the region again, as its note now says.
     const bool is_removal = operation.name.empty();
     if (is_removal != is_undone) {
-      steps.push_back({Kind::take_name, region, operation.name});
+      steps.push_back({Kind::revert_name, region, operation.name});
       continue;
     }
     const std::string& given = is_removal ? note_of(region).name : operation.name;
     if (!given.empty())
-      steps.push_back({how == SaidHow::redone ? Kind::name_again : Kind::name, region, given});
+      steps.push_back({direction == EditDirection::redone ? Kind::redo_name : Kind::name, region, given});
   }
   if (is_undone) std::ranges::reverse(steps);
   return steps;

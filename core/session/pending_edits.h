@@ -8,17 +8,14 @@
 
 namespace scantrove {
 
-/// How an operation came to hold, or not to.
-enum class SaidHow { done, undone, redone };
-
 /// One thing that the catalogue is to do for a region.
 struct CatalogueStep {
   enum class Kind {
-    name,        ///< its object gets the name; where it is none, it becomes one
-    name_again,  ///< the same, where an undo has taken that back
-    take_name,   ///< the newest naming is taken back: that with `name` or, where that is empty, any
-    add,         ///< it becomes an object
-    take_object  ///< that is taken back
+    name,          ///< its object gets the name; where it is none, it becomes one
+    redo_name,     ///< the same, where an undo has reverted that
+    revert_name,   ///< the newest naming is reverted: that with `name` or, where that is empty, any
+    add,           ///< it becomes an object
+    revert_object  ///< that is reverted
   };
   Kind kind = Kind::name;
   RegionId region;
@@ -43,7 +40,8 @@ inline constexpr const char* kPendingEditsKey = "pending edits";
 /// Of an operation that was done, undone or done again; none: it does not concern the catalogue. `note_of`:
 /// what is said of a region now.
 [[nodiscard]] std::vector<CatalogueStep> catalogueStepsOf(
-    const Operation& operation, SaidHow how, const std::function<const RegionNote&(RegionId)>& note_of);
+    const Operation& operation, EditDirection direction,
+    const std::function<const RegionNote&(RegionId)>& note_of);
 
 /// Random: no two edits of any sessions share one.
 [[nodiscard]] std::string newToken();

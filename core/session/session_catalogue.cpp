@@ -4,9 +4,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/first_error.h"
 #include "core/catalogue/object_database.h"
 #include "core/compute/guarded.h"
-#include "core/base/first_error.h"
 #include "core/session/catalogue_edit.h"
 #include "core/session/session_joining.h"
 
@@ -39,7 +39,7 @@ bool isCataloguePending(const OpenSession& session) {
   return !session.pendingEdits().empty() || areJoinsPending(session);
 }
 
-Result<void> followInCatalogue(OpenSession& session) {
+Result<void> applyToCatalogue(OpenSession& session) {
   return guarded("telling the catalogue", [&]() -> Result<void> {
     if (!isCataloguePending(session)) return {};
     const auto database = openCatalogueOf(session);

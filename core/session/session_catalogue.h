@@ -29,6 +29,6 @@ namespace scantrove {
 /// Error: the catalogue is not there (none is made), cannot be written, or the device failed: then the edit
 /// waits until the next call or until the session is opened again. Or something cannot be done at all, such
 /// as to name a region that no key frame shows: the rest is done.
-[[nodiscard]] Result<void> followInCatalogue(OpenSession& session);
+[[nodiscard]] Result<void> applyToCatalogue(OpenSession& session);
 
 }  // namespace scantrove

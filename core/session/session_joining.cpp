@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/catalogue/object_database.h"
 #include "core/base/first_error.h"
+#include "core/catalogue/object_database.h"
 #include "core/session/open_session.h"
 #include "core/session/pending_edits.h"
 
@@ -18,7 +18,7 @@ using JoinJson = nlohmann::ordered_json;
 constexpr std::array<std::pair<JoinedObjects::State, const char*>, 3> kJoinStates{
     {{JoinedObjects::State::to_merge, "to merge"},
      {JoinedObjects::State::done, "done"},
-     {JoinedObjects::State::to_part, "to part"}}};
+     {JoinedObjects::State::to_unmerge, "to part"}}};
 
 const char* wordForState(JoinedObjects::State state) {
   return std::ranges::find(kJoinStates, state, &std::pair<JoinedObjects::State, const char*>::first)->second;
@@ -162,7 +162,7 @@ Result<void> mergeJoinedObjects(OpenSession& session, ObjectDatabase& database) 
     if (joined.state == JoinedObjects::State::done) continue;
     // Sessions of earlier versions kept no token.
     const std::string token = (joined.token.empty() ? newToken() : joined.token) +
-                              (joined.state == JoinedObjects::State::to_part ? " undone" : "");
+                              (joined.state == JoinedObjects::State::to_unmerge ? " undone" : "");
     const Result<std::string> left =
         database.applyOnce(token, [&] { return carryOut(database, joined, refusals); });
     if (!left) return fail(left.error());

@@ -15,7 +15,7 @@ class OpenSession;
 
 /// What one operation that joined regions did to their objects, as the session keeps it.
 struct JoinedObjects {
-  enum class State { to_merge, done, to_part };
+  enum class State { to_merge, done, to_unmerge };
   State state = State::done;
   std::string token = {};                            // by which the catalogue knows whether it did it
   std::map<RegionId, ObjectId> before;               // of the joined regions; none: it was no object

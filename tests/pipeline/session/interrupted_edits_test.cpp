@@ -98,7 +98,7 @@ class InterruptedEdits : public ScanWorkerTest {
   /// As the program does it, and ends. Whether all of it worked.
   [[nodiscard]] bool nameAndEnd(const std::string& name) const {
     const auto session = open();
-    return session && session->edit(naming(name)) && followInCatalogue(*session);
+    return session && session->edit(naming(name)) && applyToCatalogue(*session);
   }
   void expectOneObjectCalled(const std::string& name) const {
     const auto session = open();  // what was interrupted is completed
@@ -165,7 +165,7 @@ TEST_F(InterruptedEdits, AnInterruptedUndoTakesTheObjectBackOnce) {
   ASSERT_TRUE(nameAndEnd("cup"));
   const auto undoAndEnd = [this] {
     const auto session = open();
-    return session && session->undo() && followInCatalogue(*session);
+    return session && session->undo() && applyToCatalogue(*session);
   };
   {
     const Blocked blocked(folder_ / "scan", {kCatalogue, "events", "action = 'remove' AND id > N"});
@@ -176,7 +176,7 @@ TEST_F(InterruptedEdits, AnInterruptedUndoTakesTheObjectBackOnce) {
   EXPECT_FALSE(session->objectOf(region_));
   EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup'"), "0");
   ASSERT_TRUE(session->redo());
-  ASSERT_TRUE(followInCatalogue(*session));
+  ASSERT_TRUE(applyToCatalogue(*session));
   EXPECT_EQ(rowsOf("objects"), objects_before_ + 1) << "the same one comes back";
   EXPECT_EQ(ask(kCatalogue, "SELECT count(*) FROM objects WHERE name = 'cup' AND hidden = 0"), "1");
 }
@@ -233,7 +233,7 @@ TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
     }
     ASSERT_EQ(pair.size(), 2U);
     ASSERT_TRUE(session->edit({.kind = OperationKind::object, .regions = {region_}}));
-    ASSERT_TRUE(followInCatalogue(*session));
+    ASSERT_TRUE(applyToCatalogue(*session));
   }
   const char* visible = "SELECT group_concat(id || ' ' || name || confirmed) FROM objects WHERE hidden = 0";
   const std::string before = ask(kCatalogue, visible);
@@ -246,14 +246,14 @@ TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
       const auto session = open();
       ASSERT_TRUE(session);
       ASSERT_TRUE(session->edit({.kind = OperationKind::join, .regions = pair}));
-      EXPECT_FALSE(followInCatalogue(*session)) << obstacle.condition;
+      EXPECT_FALSE(applyToCatalogue(*session)) << obstacle.condition;
     }
     const auto session = open();  // what was interrupted is completed
     ASSERT_TRUE(session);
     EXPECT_FALSE(isCataloguePending(*session)) << obstacle.condition;
     EXPECT_NE(ask(kCatalogue, visible), before) << obstacle.condition;
     ASSERT_TRUE(session->undo());
-    ASSERT_TRUE(followInCatalogue(*session));
+    ASSERT_TRUE(applyToCatalogue(*session));
     EXPECT_EQ(ask(kCatalogue, visible), before) << obstacle.condition;
     for (const RegionId region : pair) EXPECT_TRUE(session->objectOf(region)) << region.value;
     EXPECT_NE(session->objectOf(pair[0]), session->objectOf(pair[1]));

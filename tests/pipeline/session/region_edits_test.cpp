@@ -136,7 +136,7 @@ TEST(RegionEdits, LaterRunUndoesJoinOfTwoObjects) {
   auto session = OpenSession::open(folder / "scan");
   ASSERT_TRUE(session) << session.error().message();
   ASSERT_TRUE((*session)->undo());
-  ASSERT_TRUE(followInCatalogue(**session));
+  ASSERT_TRUE(applyToCatalogue(**session));
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(mergeRoot(objects[i]), objects[i]);
     EXPECT_EQ((*session)->objectOf(pair[i]), objects[i]);

@@ -99,7 +99,7 @@ TEST_F(RegionNaming, WhileTheScanRuns) {
   for (int i = 0; i < 4; ++i) {
     const auto undone = session->undo();
     ASSERT_TRUE(undone);
-    EXPECT_TRUE(followInCatalogue(*session)) << i;
+    EXPECT_TRUE(applyToCatalogue(*session)) << i;
   }
   EXPECT_TRUE(objectsCalled("another").empty());
   EXPECT_EQ(objectsCalled("a thing").size(), 1U);
@@ -175,7 +175,7 @@ TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
     ASSERT_TRUE(session);
     const auto named = session->edit(naming(regions[3], "thing"));
     ASSERT_TRUE(named);
-    const Result<void> followed = followInCatalogue(*session);
+    const Result<void> followed = applyToCatalogue(*session);
     ASSERT_TRUE(followed) << followed.error().message();
     EXPECT_TRUE(session->objectOf(regions[3]));
   }
@@ -187,7 +187,7 @@ TEST_F(RegionNaming, InASessionThatIsOpenedLater) {
     EXPECT_EQ(session->objectOf(regions[3]), objectsCalled("thing")[0].id) << "it is kept";
     const auto undone = session->undo();
     ASSERT_TRUE(undone);
-    ASSERT_TRUE(followInCatalogue(*session));
+    ASSERT_TRUE(applyToCatalogue(*session));
   }
   EXPECT_EQ(objects().size(), before);
   EXPECT_TRUE(objectsCalled("thing").empty());
@@ -201,7 +201,7 @@ TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
   const auto session = open();
   ASSERT_TRUE(session);
   ASSERT_TRUE(session->edit(naming(regions[0], "cup")));
-  ASSERT_TRUE(followInCatalogue(*session));
+  ASSERT_TRUE(applyToCatalogue(*session));
   const ObjectId cup = session->objectOf(regions[0]);
   // In another session a person has a mug, and says that the cup is that.
   const ObjectRecord mug = objects().front();
@@ -214,14 +214,14 @@ TEST_F(RegionNaming, UndoneAndDoneAgainLeavesWhatOthersMadeOfItsObject) {
   const std::size_t views = (*other)->views().of(mug.id)->size();
 
   ASSERT_TRUE(session->undo());
-  const Result<void> undone = followInCatalogue(*session);
+  const Result<void> undone = applyToCatalogue(*session);
   ASSERT_FALSE(undone) << "what an undo leaves is said";
   EXPECT_THAT(undone.error().message(), HasSubstr("others"));
   EXPECT_FALSE(session->objectOf(regions[0])) << "as before the naming";
   EXPECT_EQ(objectsCalled("mug").size(), 1U);
 
   ASSERT_TRUE(session->redo());
-  EXPECT_TRUE(followInCatalogue(*session));
+  EXPECT_TRUE(applyToCatalogue(*session));
   EXPECT_EQ((*other)->mergeRoot(session->objectOf(regions[0])).value_or(ObjectId{}), mug.id);
   EXPECT_EQ(objectsCalled("mug").size(), 1U) << "the other's object keeps its name";
   EXPECT_TRUE(objectsCalled("cup").empty());
@@ -235,7 +235,7 @@ TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
   const auto session = open();
   ASSERT_TRUE(session);
   ASSERT_TRUE(session->edit(naming(regions[0], "cup")));
-  ASSERT_TRUE(followInCatalogue(*session));
+  ASSERT_TRUE(applyToCatalogue(*session));
   const ObjectId cup = session->objectOf(regions[0]);
   const ObjectRecord found = objects().front();
   const auto other = ObjectDatabase::open((folder_ / "scan" / "catalogue.sqlite").string());
@@ -244,7 +244,7 @@ TEST_F(RegionNaming, AnUndoneNamingKeepsTheObjectThatOthersMadeTheirsPartOf) {
   ASSERT_TRUE(merge);
   ASSERT_EQ(merge->into, cup) << "a person named it";
   ASSERT_TRUE(session->undo());
-  EXPECT_TRUE(followInCatalogue(*session));
+  EXPECT_TRUE(applyToCatalogue(*session));
   EXPECT_EQ((*other)->mergeRoot(found.id).value_or(ObjectId{}), cup) << "nothing of others is hidden";
   EXPECT_TRUE(objectsCalled("cup").empty());
 }
@@ -257,7 +257,7 @@ TEST_F(RegionNaming, WithoutItsCatalogueIsSaid) {
   const auto session = open();
   ASSERT_TRUE(session);
   ASSERT_TRUE(session->edit(naming(regions[3], "thing")));
-  const Result<void> followed = followInCatalogue(*session);
+  const Result<void> followed = applyToCatalogue(*session);
   ASSERT_FALSE(followed);
   EXPECT_THAT(followed.error().message(), HasSubstr("catalogue.sqlite"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "scan" / "catalogue.sqlite")) << "none is made";

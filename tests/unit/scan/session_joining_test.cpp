@@ -37,14 +37,36 @@ TEST(SessionJoining, NothingIsKept_WhenNoneIsAnObject) {
   EXPECT_EQ(joinedToText(joinObjects(joinOf({kFrom}), objects)), "");
 }
 
+TEST(SessionJoining, EachJoinHasATokenOfItsOwn) {
+  Objects objects{{kFrom, ObjectId{7}}, {kLast, ObjectId{9}}};
+  const JoinedObjects first = joinObjects(joinOf({kFrom}), objects);
+  const JoinedObjects second = joinObjects(joinOf({kLast}), objects);
+  EXPECT_FALSE(first.token.empty());
+  EXPECT_NE(first.token, second.token);
+}
+
+TEST(SessionJoining, LastOperationIsTheOneThatWasDoneOrUndoneLast) {
+  OperationLog log;
+  EXPECT_EQ(lastOperation(log, false), 0);
+  EXPECT_EQ(lastOperation(log, true), 0);
+  for (int i = 0; i < 3; ++i) log.add({}, {});
+  EXPECT_EQ(lastOperation(log, false), 3);
+  ASSERT_TRUE(log.undo());
+  ASSERT_TRUE(log.undo());
+  EXPECT_EQ(lastOperation(log, false), 1);
+  EXPECT_EQ(lastOperation(log, true), 2) << "which can be done again first";
+}
+
 TEST(SessionJoining, ComesBackFromTheSession) {
   JoinedObjects joined;
-  joined.state = JoinedObjects::State::to_part;
+  joined.state = JoinedObjects::State::to_unmerge;
+  joined.token = "0123";
   joined.before = {{kInto, ObjectId{1}}, {kFrom, ObjectId{7}}};
   joined.pairs = {{ObjectId{1}, ObjectId{9}}};
   joined.merges = {{ObjectId{1}, {ObjectId{7}}, true}};
   const JoinedObjects read = joinedFrom(joinedToText(joined));
   EXPECT_EQ(read.state, joined.state);
+  EXPECT_EQ(read.token, "0123");
   EXPECT_EQ(read.before, joined.before);
   EXPECT_EQ(read.pairs, joined.pairs);
   ASSERT_EQ(read.merges.size(), 1U);
