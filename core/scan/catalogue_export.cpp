@@ -81,9 +81,10 @@ ExportJson objectToJson(const ObjectRecord& object, const std::string& folder, s
 }
 
 /// One export on its way into `folder`.
-class CatalogueJob {
+class CatalogueExportJob {
  public:
-  CatalogueJob(ObjectDatabase& database, fs::path folder) : database_(database), folder_(std::move(folder)) {}
+  CatalogueExportJob(ObjectDatabase& database, fs::path folder)
+      : database_(database), folder_(std::move(folder)) {}
 
   Result<CatalogueExportSummary> run(const std::string& name, const ExportProgressCallback& progress,
                                      const std::stop_token& cancel) {
@@ -153,7 +154,7 @@ Result<std::optional<CatalogueExportSummary>> exportOnce(const std::string& data
   auto staged = StagedFolder::create(folder);
   if (!staged) return fail(staged.error());
   Result<CatalogueExportSummary> summary =
-      CatalogueJob(**catalogue, staged->path()).run(database, progress, cancel);
+      CatalogueExportJob(**catalogue, staged->path()).run(database, progress, cancel);
   if (!(*catalogue)->isStill()) return std::nullopt;
   if (!summary) return fail(staged->inFinalWords(summary.error()));
   if (const auto committed = staged->commit(); !committed)
