@@ -29,7 +29,7 @@ enum class ScanState { idle, starting, scanning, paused, finishing, refining, fi
     case finishing:
       return to == refining || to == finished || to == failed;
     case refining:
-      return to == finishing;
+      return to == finishing || to == failed;
     case finished:
       return to == starting || to == failed;  // the review of its session may fail
     case failed:
