@@ -31,6 +31,7 @@ class RegionOperations : public QObject {
   ~RegionOperations() override;
 
   [[nodiscard]] RegionProposals& proposals() { return proposals_; }
+  [[nodiscard]] const RegionProposals& proposals() const { return proposals_; }
   void beginScan();
   void showSnapshot(const ScanSnapshot& snapshot);
 
