@@ -82,7 +82,7 @@ Result<void> exportSession(const ExportCommand& command) {
 
 void addExportCommand(CLI::App& app, CommandOutcome& outcome) {
   auto command = std::make_shared<ExportCommand>();
-  CLI::App* sub = app.add_subcommand("export", "Make a data set of a scan, or of a catalogue");
+  CLI::App* sub = app.add_subcommand("export", "Export a data set of a scan or a catalogue");
   sub->add_option("DIR", command->folder, "the session: a folder that a scan was written to");
   sub->add_option("--database", command->database,
                   "instead of DIR: the views of all objects of this catalogue")

@@ -201,8 +201,7 @@ Result<void> RegionEditor::finer(Work& work) {
     divide(work, divideVoxels(region, graph, part, parts));
     return {};
   }
-  return fail("No finer parts of " + called(region) + " are to be seen.",
-              "Cut it: point at what lies here and at what lies there.");
+  return fail("Nothing splits " + called(region) + " further.", "Split it between two strokes or points.");
 }
 
 Result<void> RegionEditor::coarser(Work& work) {

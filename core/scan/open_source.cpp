@@ -79,7 +79,7 @@ OpenedSource openFolder(const std::filesystem::path& folder, const SourceOptions
                     folder.string() + ".");
   }
   return fail(names->empty() ? "The folder " + folder.string() + " is empty."
-                             : "The folder " + folder.string() + " is no recording that Scantrove knows.",
+                             : "The folder " + folder.string() + " is not a recording in a supported format.",
               kKnownSources + recordingInside(folder, *names));
 }
 
@@ -101,7 +101,7 @@ OpenedSource openPath(const std::filesystem::path& path, const SourceOptions& op
   if (lowerCase(path.extension().string()) == ".oni") {
     return openOniRecording(path, options);
   }
-  return fail(path.string() + " is no recording that Scantrove knows.",
+  return fail(path.string() + " is not a recording in a supported format.",
               "Files: .oni. Folders: 7-Scenes, TUM RGB-D, numbered colour and depth images.");
 }
 

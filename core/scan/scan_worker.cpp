@@ -120,7 +120,7 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
   };
   const auto with_export = [&](auto&& work) {
     if (target.review != nullptr) return work(*target.review);
-    listener_(ExportFailed{{"A data set is made of a scan that has ended.", "Stop the scan first."}});
+    listener_(ExportFailed{{"A running scan cannot be exported.", "Stop the scan first."}});
   };
   std::visit(Overloaded{
                  [](const StartScan&) { /* loop() does it */ },
@@ -134,7 +134,7 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                    changes_.regions = true;
                    if (target.run != nullptr) return target.run->edit(c.edit);
                    if (target.review == nullptr)
-                     listener_(EditFailed{c.edit, {"The scan that it was about has ended.", ""}});
+                     listener_(EditFailed{c.edit, {"That scan is closed.", ""}});
                    with_review([&](ScanReview& review) { return review.edit(c.edit); });
                  },
                  [&](ShowKeyFrame c) {

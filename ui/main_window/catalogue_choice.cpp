@@ -42,8 +42,8 @@ void CatalogueChoice::openAtStart(const QString& given) {
   const QString last = QSettings().value(kChosenKey).toString();
   // The choice stays remembered: the disk with the file may only be absent today.
   if (!last.isEmpty() && !QFileInfo::exists(last)) {
-    emit noted(tr("The catalogue %1, which was open last, is not there. The window uses %2 now. Put the file "
-                  "back and start again, or choose another with File > Open catalogue.")
+    emit noted(tr("The last catalogue %1 is missing. The window uses %2 now. Put the file back and restart, "
+                  "or choose another with File > Open catalogue.")
                    .arg(last, defaultCatalogueFile()));
   } else if (!last.isEmpty() && show(last)) {
     use(last);
@@ -62,9 +62,7 @@ void CatalogueChoice::choose(const QString& file, bool is_scan_shown) {
       emit failed(QString::fromStdString(opened.error().message()));
       return;
     }
-    emit noted(tr("The objects of %1 are shown when this scan is closed, and the next scan uses them. This "
-                  "scan keeps its own catalogue.")
-                   .arg(path));
+    emit noted(tr("This scan keeps its own catalogue. %1 is used from the next scan on.").arg(path));
   } else if (!show(path)) {
     return;
   }
@@ -88,10 +86,9 @@ void CatalogueChoice::showCatalogueOf(const QString& session_folder) {
   if (file.isEmpty()) return editor_.close();
   if (!QFileInfo::exists(file)) {
     editor_.close();
-    emit noted(
-        tr("The catalogue %1 of this scan is not there, so no objects are shown. Put the file back and "
-           "open the scan again.")
-            .arg(file));
+    emit noted(tr("The catalogue %1 of this scan is missing, so no objects are shown. Put the file back and "
+                  "open the scan again.")
+                   .arg(file));
     return;
   }
   if (!show(file)) editor_.close();

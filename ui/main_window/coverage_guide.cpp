@@ -33,7 +33,7 @@ CoverageGuide::CoverageGuide(RegionSelection& selection, ScenePane& scene, Objec
   action_->setCheckable(true);
   action_->setChecked(QSettings().value(kGuideKey, true).toBool());
   action_->setShortcut(QKeySequence(tr("Shift+G")));
-  action_->setToolTip(tr("For what is selected: an arrow to the side that was not seen yet (%1)")
+  action_->setToolTip(tr("Point an arrow at the side of the selection that is still unseen (%1)")
                           .arg(action_->shortcut().toString(QKeySequence::NativeText)));
   connect(action_, &QAction::toggled, this, [this](bool on) {
     QSettings().setValue(kGuideKey, on);

@@ -10,31 +10,31 @@ namespace scantrove {
 
 MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(parent) {
   open_folder =
-      make("folder", tr("Open &folder…"), tr("Ctrl+O"), tr("Open a recording that is a folder of images"));
+      make("folder", tr("Open &folder…"), tr("Ctrl+O"), tr("Open a recording in a folder of images"));
   open_recording =
       make("recording", tr("Open &recording…"), tr("Ctrl+Shift+O"), tr("Open an OpenNI recording (.oni)"));
   open_with_options = make("sliders", tr("Open &with options…"), tr("Ctrl+Alt+O"),
-                           tr("Give intrinsics, depth scale, or a part of the recording"));
+                           tr("Set intrinsics, depth scale, or a part of the recording"));
   open_camera = make("camera", tr("&Camera…"), tr("Ctrl+K"), tr("Scan with a depth camera"));
   open_tabletop = make("table", tr("&Tabletop"), {}, tr("The built-in table with objects"));
   open_room = make("room", tr("&Room"), {}, tr("The built-in room"));
   open_catalogue = make("database", tr("Open c&atalogue…"), {}, tr("Use another file of objects"));
-  open_session = make("clock", tr("Open a &scan…"), {}, tr("Look at a scan that was kept, and label it"));
-  export_data = make("image", tr("Make a &data set…"), tr("Ctrl+E"),
+  open_session = make("clock", tr("Open a &scan…"), {}, tr("Open a saved scan to label it"));
+  export_data = make("image", tr("&Export data set…"), tr("Ctrl+E"),
                      tr("Export the labelled scan (COCO, BOP, meshes, …)"));
-  close_scan = make("close", tr("&Close the scan"), tr("Ctrl+W"),
-                    tr("End it and go back to the first page; it is kept"));
+  close_scan = make("close", tr("&Close scan"), tr("Ctrl+W"),
+                    tr("Close this scan and show the start page; the scan stays saved"));
   quit = make("", tr("&Quit"), tr("Ctrl+Q"), tr("End the program"));
 
-  start = make("start", tr("&Start"), tr("Ctrl+R"), tr("Scan from the beginning, or go on when paused"));
-  pause = make("pause", tr("&Pause"), tr("Space"), tr("Pause or go on"));
-  step = make("step", tr("One &frame"), tr("N"), tr("Process one frame and pause"));
-  stop = make("stop", tr("S&top"), tr("Ctrl+."), tr("End the scan; what was found is kept"));
+  start = make("start", tr("&Start"), tr("Ctrl+R"), tr("Scan from the beginning, or resume"));
+  pause = make("pause", tr("&Pause"), tr("Space"), tr("Pause or resume"));
+  step = make("step", tr("Step one &frame"), tr("N"), tr("Process one frame, then pause"));
+  stop = make("stop", tr("S&top"), tr("Ctrl+."), tr("Stop the scan; its results are saved"));
 
   skip_refinement = make("skip", tr("S&kip refinement"), tr("Ctrl+Shift+S"),
-                         tr("Leave the rest of the refinement for later; what was found is kept"));
+                         tr("Refine later; the results so far are saved"));
   refine = make("refine", tr("&Refine objects"), tr("Ctrl+Shift+R"),
-                tr("Refine the objects of this scan with its key frames, which was skipped"));
+                tr("Refine the objects of this scan with its key frames"));
 
   undo = undo_stack.createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
@@ -42,25 +42,25 @@ MainActions::MainActions(QUndoStack& undo_stack, QObject* parent) : QObject(pare
   redo = undo_stack.createRedoAction(this, tr("Redo"));
   redo->setIcon(icon(QStringLiteral("redo")));
   redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
-  focus_objects =
-      make("search", tr("Go to the object &list"), tr("Ctrl+L"), tr("Puts the keys into the object list"));
+  focus_objects = make("search", tr("Go to the object &list"), tr("Ctrl+L"),
+                       tr("Move the keyboard focus to the object list"));
 
-  theme_system = make("", tr("As the &system"), {}, tr("Dark or light as the desktop says"));
-  theme_light = make("sun", tr("&Light"), {}, tr("Light colours"));
-  theme_dark = make("moon", tr("&Dark"), {}, tr("Dark colours"));
+  theme_system = make("", tr("&System"), {}, tr("Follow the desktop"));
+  theme_light = make("sun", tr("&Light"), {}, tr("Use light colours"));
+  theme_dark = make("moon", tr("&Dark"), {}, tr("Use dark colours"));
   auto* themes = new QActionGroup(this);
   for (QAction* action : {theme_system, theme_light, theme_dark}) {
     action->setCheckable(true);
     themes->addAction(action);
   }
-  next_picture = make("", tr("Next &picture large"), tr("V"), tr("Show the next picture of the frame large"));
-  frame_back = make("", tr("Key frame &before"), tr("PgUp"), tr("Go back by a key frame"));
-  frame_on = make("", tr("Key frame &after"), tr("PgDown"), tr("Go on by a key frame"));
-  present = make("", tr("&Present"), tr("F11"), tr("Full screen, for people to look at; Escape leaves"));
-  reset_layout = make("", tr("&Usual arrangement"), {}, tr("Put all panels back in their places"));
-  help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("What the keys and the mouse do"));
+  next_picture = make("", tr("&Enlarge next image"), tr("V"), tr("Show the next image of the frame large"));
+  frame_back = make("", tr("&Previous key frame"), tr("PgUp"), tr("Go to the previous key frame"));
+  frame_on = make("", tr("Ne&xt key frame"), tr("PgDown"), tr("Go to the next key frame"));
+  present = make("", tr("&Presentation mode"), tr("F11"), tr("Show the scene full screen; Escape leaves"));
+  reset_layout = make("", tr("&Reset layout"), {}, tr("Move all panels back to their default positions"));
+  help_keys = make("help", tr("&Keys and mouse"), tr("?"), tr("Show all keys and mouse actions"));
   help_keys->setShortcuts({QKeySequence(tr("?")), QKeySequence(Qt::Key_F1)});
-  about = make("info", tr("&About Scantrove"), {}, tr("Which version this is"));
+  about = make("info", tr("&About Scantrove"), {}, tr("Show the version"));
   enableFor(ScanState::idle, false);
   enableReview(false);
   enableRefinement(false);
@@ -85,7 +85,7 @@ void MainActions::enableFor(ScanState state, bool has_source) {
   const bool busy = isBusy(state);
   const bool paused = state == ScanState::paused;
   start->setEnabled(has_source && (!busy || paused));
-  start->setText(paused ? tr("&Go on") : tr("&Start"));
+  start->setText(paused ? tr("&Resume") : tr("&Start"));
   pause->setEnabled(state == ScanState::scanning || paused);
   step->setEnabled(state == ScanState::scanning || paused);
   stop->setEnabled(state == ScanState::starting || state == ScanState::scanning || paused);

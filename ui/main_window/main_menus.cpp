@@ -37,13 +37,12 @@ MainMenus::MainMenus(MainWindow& window) : QObject(&window), window_(window), pa
 void MainMenus::makeMenus() {
   const MainActions& actions = *parts_.actions;
   QMenu* file = window_.menuBar()->addMenu(tr("&File"));
-  file->addActions(
-      {actions.open_folder, actions.open_recording, actions.open_with_options});
+  file->addActions({actions.open_folder, actions.open_recording, actions.open_with_options});
   file->addAction(actions.open_session);
   file->addAction(actions.open_camera);
   QMenu* demo = file->addMenu(icon(QStringLiteral("cube")), tr("&Demo"));
   demo->addActions({actions.open_tabletop, actions.open_room});
-  recent_ = file->addMenu(icon(QStringLiteral("clock")), tr("R&ecent"));
+  recent_ = file->addMenu(icon(QStringLiteral("clock")), tr("Scan &again"));
   recent_->setObjectName(QStringLiteral("recentMenu"));
   // Filled as it opens: while it is open nothing moves under the mouse.
   connect(file, &QMenu::aboutToShow, this, &MainMenus::fillRecentMenu);
@@ -55,17 +54,19 @@ void MainMenus::makeMenus() {
   file->addActions({actions.close_scan, actions.quit});
 
   QMenu* scan = window_.menuBar()->addMenu(tr("&Scan"));
-  scan->addActions(
-      {actions.start, actions.pause, actions.step, actions.stop});
+  scan->addActions({actions.start, actions.pause, actions.step, actions.stop});
   scan->addSeparator();
   scan->addActions({actions.refine, actions.skip_refinement});
 
   const ObjectPanel::Actions& objects = parts_.objects->actions();
-  QMenu* edit = window_.menuBar()->addMenu(tr("&Objects"));
-  edit->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
-  connect(edit, &QMenu::aboutToHide, parts_.objects, &ObjectPanel::updateActions, Qt::QueuedConnection);
-  edit->addSeparator();
-  edit->addAction(actions.focus_objects);
+  window_.menuBar()->addMenu(tr("&Edit"))->addActions({actions.undo, actions.redo});
+
+  QMenu* object_menu = window_.menuBar()->addMenu(tr("&Objects"));
+  object_menu->addActions({objects.rename, objects.confirm, objects.merge, objects.remove});
+  connect(object_menu, &QMenu::aboutToHide, parts_.objects, &ObjectPanel::updateActions,
+          Qt::QueuedConnection);
+  object_menu->addSeparator();
+  object_menu->addAction(actions.focus_objects);
 
   RegionActions& of_regions = window_.regions().actions();
   QMenu* regions = window_.menuBar()->addMenu(tr("&Regions"));
@@ -74,8 +75,6 @@ void MainMenus::makeMenus() {
   recent_names->addActions(of_regions.recent);
   regions->addSeparator();
   regions->addActions({of_regions.next, of_regions.previous});
-  regions->addSeparator();
-  regions->addActions({actions.undo, actions.redo});
 
   QMenu* view = window_.menuBar()->addMenu(tr("&View"));
   view->addActions({parts_.scene->followAction(), parts_.scene->fitAction(), parts_.scene->gridAction(),
@@ -88,10 +87,10 @@ void MainMenus::makeMenus() {
   for (const QDockWidget* dock : window_.docks().docks()) view->addAction(dock->toggleViewAction());
   view->addActions({actions.reset_layout, actions.present});
   view->addSeparator();
-  QMenu* theme = view->addMenu(tr("&Colours"));
+  QMenu* theme = view->addMenu(tr("&Theme"));
   theme->addActions({actions.theme_system, actions.theme_light, actions.theme_dark});
   window_.menuBar()->addMenu(tr("&Help"))->addActions({actions.help_keys, actions.about});
-  // What a command does is said beside it; the status line goes on saying how the scan is.
+  // Tooltips describe the commands, because the status line shows the state of the scan.
   for (QMenu* menu : window_.menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 
@@ -110,8 +109,7 @@ void MainMenus::makeToolBar() {
   open_button->setPopupMode(QToolButton::InstantPopup);
   open_button->setToolTip(tr("Open a recording, a camera or the demo"));
   auto* open_menu = new QMenu(open_button);
-  open_menu->addActions(
-      {actions.open_folder, actions.open_recording, actions.open_camera});
+  open_menu->addActions({actions.open_folder, actions.open_recording, actions.open_camera});
   open_menu->addSeparator();
   open_menu->addActions({actions.open_tabletop, actions.open_room});
   open_button->setMenu(open_menu);
@@ -162,9 +160,8 @@ void MainMenus::connectActions() {
   on(actions.help_keys, [this] { window_.dialogs().showHelp(); });
   on(actions.about, [this] { window_.dialogs().showAbout(); });
   const ThemeChoice theme = Theme::instance().choice();
-  (theme == ThemeChoice::dark
-       ? actions.theme_dark
-       : (theme == ThemeChoice::light ? actions.theme_light : actions.theme_system))
+  (theme == ThemeChoice::dark ? actions.theme_dark
+                              : (theme == ThemeChoice::light ? actions.theme_light : actions.theme_system))
       ->setChecked(true);
 
   connect(parts_.start, &StartPage::folderRequested, &window_.dialogs(), &WindowDialogs::openFolder);
@@ -183,7 +180,7 @@ void MainMenus::fillRecentMenu() {
   recent_->setEnabled(!recent_->isEmpty());
   if (recent_->isEmpty()) return;
   recent_->addSeparator();
-  recent_->addAction(tr("Forget these"), this, [this] {
+  recent_->addAction(tr("Clear list"), this, [this] {
     forgetRecentSources();
     parts_.start->setRecent({});
   });

@@ -6,28 +6,31 @@ namespace scantrove {
 
 RegionActions::RegionActions(QObject* parent) : QObject(parent) {
   name = make("rename", tr("&Name…"), {Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2},
-              tr("Say what it is; the catalogue gets an object of that name"));
-  join = make("merge", tr("&Join"), {Qt::Key_J}, tr("The selected regions are one thing"));
-  cut = make("", tr("&Cut…"), {Qt::Key_C}, tr("Two places that you draw over, or click on, are two things"));
-  finer = make("", tr("&Finer"), {Qt::Key_Plus, Qt::Key_Equal}, tr("Take this region apart"));
-  coarser = make("", tr("C&oarser"), {Qt::Key_Minus},
-                 tr("Join it with the neighbour that it most likely belongs to"));
-  background = make("", tr("&Background"), {Qt::Key_B},
-                    tr("Wall, floor, table: not an object, left out of data sets"));
+              tr("Name the region; the catalogue gets an object of that name"));
+  join = make("merge", tr("&Join"), {Qt::Key_J}, tr("Make one region of the selected regions"));
+  cut = make("", tr("&Split…"), {Qt::Key_C}, tr("Split a region between two strokes or clicks"));
+  finer = make("", tr("Split &further"), {Qt::Key_Plus, Qt::Key_Equal},
+               tr("Split this region at its weakest borders"));
+  coarser =
+      make("", tr("&Merge with neighbour"), {Qt::Key_Minus}, tr("Merge it with the most likely neighbour"));
+  background =
+      make("", tr("&Background"), {Qt::Key_B}, tr("Mark as wall, floor or table; data sets leave it out"));
   background->setCheckable(true);
-  object = make("cube", tr("It is an &object"), {Qt::Key_O}, tr("Into the catalogue, whole or not"));
-  reject = make("delete", tr("&Reject"), {Qt::Key_Delete}, tr("Not an object, and not to be proposed again"));
+  object = make("cube", tr("Mark as &object"), {Qt::Key_O}, tr("Add it to the catalogue, complete or not"));
+  reject = make("delete", tr("&Not an object"), {Qt::Key_Delete},
+                tr("Mark as no object, and never suggest it again"));
   reject->setCheckable(true);
-  accept = make("", tr("&Yes"), {Qt::Key_A}, tr("What is proposed bears the name"));
-  accept_all = make("", tr("Yes to &all"), {QKeySequence(Qt::SHIFT | Qt::Key_A)},
-                    tr("All that is proposed bears the name"));
-  not_this = make("", tr("N&o"), {Qt::Key_Backspace}, tr("It is something else, and is not proposed again"));
+  accept = make("", tr("&Accept suggestion"), {Qt::Key_A}, tr("Accept this suggestion"));
+  accept_all = make("", tr("Accept &all suggestions"), {QKeySequence(Qt::SHIFT | Qt::Key_A)},
+                    tr("Accept all suggestions"));
+  not_this = make("", tr("Re&ject suggestion"), {Qt::Key_Backspace}, tr("Reject this suggestion for good"));
   next = make("", tr("Ne&xt region"), {Qt::Key_Tab}, tr("Select the next smaller region"));
   previous = make("", tr("Pre&vious region"), {QKeySequence(Qt::SHIFT | Qt::Key_Tab)},
                   tr("Select the next larger region"));
-  fit = make("fit", tr("&Show it"), {Qt::Key_Period}, tr("Look at what is selected in 3D"));
-  deselect = make("", tr("&Let go"), {Qt::Key_Escape}, tr("Select nothing"));
-  for (int i = 1; i <= 9; ++i) recent << make("", {}, {QKeySequence(Qt::Key_0 + i)}, tr("Give it this name"));
+  fit =
+      make("fit", tr("&Zoom to selection"), {Qt::Key_Period}, tr("Show the selected region in the 3D view"));
+  deselect = make("", tr("&Deselect"), {Qt::Key_Escape}, tr("Clear the selection"));
+  for (int i = 1; i <= 9; ++i) recent << make("", {}, {QKeySequence(Qt::Key_0 + i)}, tr("Use this name"));
   setRecentNames({});
   enableFor(0, false, false);
   enableProposals(false);

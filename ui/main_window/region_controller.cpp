@@ -308,7 +308,7 @@ QString RegionController::sizeOf(RegionId region) {
     const Eigen::Vector3f sides_cm =
         box.isEmpty() ? Eigen::Vector3f::Zero() : Eigen::Vector3f(100 * box.sizes());
     if (sides_cm.maxCoeff() > 0) {
-      size->second = tr("%1 x %2 x %3 cm")
+      size->second = tr("%1 × %2 × %3 cm")
                          .arg(std::lround(sides_cm.x()))
                          .arg(std::lround(sides_cm.y()))
                          .arg(std::lround(sides_cm.z()));

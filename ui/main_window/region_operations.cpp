@@ -227,18 +227,18 @@ QString RegionOperations::inWords(const Operation& operation) const {
   switch (operation.kind) {
     case OperationKind::name:
     case OperationKind::accept:
-      return operation.name.empty() ? tr("Take the name of %1 away").arg(what)
+      return operation.name.empty() ? tr("Remove the name of %1").arg(what)
                                     : tr("Name %1 “%2”").arg(what, QString::fromStdString(operation.name));
     case OperationKind::join:
       return tr("Join %1").arg(what);
     case OperationKind::cut:
-      return tr("Cut %1").arg(what);
+      return tr("Split %1").arg(what);
     case OperationKind::finer:
-      return tr("%1 finer").arg(what);
+      return tr("Split %1 further").arg(what);
     case OperationKind::coarser:
-      return tr("%1 coarser").arg(what);
+      return tr("Merge %1 with its neighbour").arg(what);
     case OperationKind::background:
-      return operation.on ? tr("%1: background").arg(what) : tr("%1: no background").arg(what);
+      return operation.on ? tr("%1: background").arg(what) : tr("%1: not background").arg(what);
     case OperationKind::object:
       return tr("%1: an object").arg(what);
     case OperationKind::reject:

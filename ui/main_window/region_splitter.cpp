@@ -85,7 +85,7 @@ void RegionSplitter::endStroke(Qt::KeyboardModifiers modifiers) {
   if (!std::exchange(has_added_, false)) {
     emit failed(strayed ? tr("These are two regions already: %1 and %2. Draw on one region.")
                               .arg(selection_.title(split_.regions.front()), selection_.title(strayed))
-                        : tr("The camera measured nothing there. Draw where a region lights up."));
+                        : tr("There is no depth at that point. Draw where a region lights up."));
     return;
   }
   showMarks();
@@ -102,12 +102,11 @@ void RegionSplitter::setStep(Step step) {
   step_ = step;
   QString hint;
   if (step == Step::here) {
-    hint =
-        tr("Cut, 1 of 2: draw over the part that comes off, or click on it. Shift: more of it. Escape: no");
+    hint = tr("Split, 1 of 2: draw over one part, or click it. Shift adds strokes, Escape cancels");
   } else if (step == Step::there) {
-    hint = tr("Cut, 2 of 2: now draw over what stays, or click on it. Shift: more of it. Escape: no");
+    hint = tr("Split, 2 of 2: draw over the other part, or click it. Shift adds strokes, Escape cancels");
   } else if (step == Step::shown) {
-    hint = tr("Cut. Return keeps it, Escape takes it back");
+    hint = tr("Split. Return accepts, Escape undoes");
   }
   scene_.overlay()->setHint(hint);
   scene_.view()->setCursor(expectsStroke() ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -119,8 +118,8 @@ void RegionSplitter::setStep(Step step) {
 }
 
 QString RegionSplitter::nextInWords() const {
-  if (step_ == Step::here) return tr("Draw over the part that comes off");
-  return step_ == Step::there ? tr("Draw over what stays") : QString();
+  if (step_ == Step::here) return tr("Draw over one part");
+  return step_ == Step::there ? tr("Draw over the other part") : QString();
 }
 
 void RegionSplitter::showMarks() {

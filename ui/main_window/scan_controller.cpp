@@ -54,8 +54,9 @@ void ScanController::begin() {
   } else if (made_folder_.make(folder)) {
     request_.output_folder = folder.toStdString();
   } else {
-    emit failed(tr("The scan is not kept: %1 cannot be written to. Make it writable, or set XDG_DATA_HOME.")
-                    .arg(sessionsFolder()));
+    emit failed(
+        tr("The scan is not saved, because %1 is not writable. Make it writable, or set XDG_DATA_HOME.")
+            .arg(sessionsFolder()));
   }
   paused_ = request_.start_paused;
   emit opening(source_);

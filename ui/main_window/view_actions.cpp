@@ -44,20 +44,20 @@ ViewActions::ViewActions(SceneView* view, QObject* parent)
       cut_(new ClipTool(view)),
       measure_(new MeasureTool(view)),
       colorings_(new QActionGroup(this)),
-      next_coloring_(new QAction(tr("&Next colouring"), this)),
+      next_coloring_(new QAction(tr("&Next colour mode"), this)),
       background_action_(new QAction(icon(QStringLiteral("backdrop")), {}, this)),
-      clip_action_(new QAction(icon(QStringLiteral("cut")), tr("Cut &open"), this)),
+      clip_action_(new QAction(icon(QStringLiteral("cut")), tr("&Clip plane"), this)),
       measure_action_(new QAction(icon(QStringLiteral("ruler")), tr("&Measure"), this)) {
   makeColorings();
   makeStandardViews();
-  giveKey(background_action_, tr("Shift+B"), tr("Background as all else, dimmed, or hidden"));
+  giveKey(background_action_, tr("Shift+B"), tr("Show, dim or hide the background"));
   background_action_->setCheckable(true);
   connect(background_action_, &QAction::triggered, this, [this] {
     setBackgroundStyle(static_cast<BackgroundStyle>((static_cast<int>(background_style_) + 1) %
                                                     static_cast<int>(kBackgroundWords.size())));
   });
   clip_action_->setCheckable(true);
-  giveKey(clip_action_, tr("X"), tr("Look inside: leave out what is near"));
+  giveKey(clip_action_, tr("X"), tr("Hide what is nearer than the plane"));
   connect(clip_action_, &QAction::toggled, cut_, &ClipTool::setActive);
   measure_action_->setCheckable(true);
   giveKey(measure_action_, tr("T"), tr("Measure between two points of the surface"));
@@ -68,15 +68,15 @@ ViewActions::ViewActions(SceneView* view, QObject* parent)
 }
 
 void ViewActions::makeColorings() {
-  const std::array names{tr("Colours of the &scene"), tr("&Regions"), tr("Scene and regions &blended"),
-                         tr("&Directions of the surface"), tr("&Height")};
+  const std::array names{tr("&Scene colours"), tr("&Regions"), tr("Scene and regions &blended"),
+                         tr("&Surface direction"), tr("&Height")};
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto* action = new QAction(names[i], colorings_);
     action->setCheckable(true);
     giveKey(action, QKeySequence(QStringLiteral("Alt+%1").arg(i + 1)), names[i].simplified().remove('&'));
     connect(action, &QAction::triggered, this, [this, coloring = kColorings[i]] { color(coloring); });
   }
-  giveKey(next_coloring_, tr("R"), tr("Colour the scene by something else"));
+  giveKey(next_coloring_, tr("R"), tr("Switch to the next colour mode"));
   connect(next_coloring_, &QAction::triggered, this,
           [this] { color(kColorings[(static_cast<std::size_t>(coloring_) + 1) % kColorings.size()]); });
 }
@@ -104,8 +104,8 @@ void ViewActions::addTo(QMenu* menu) {
 QToolButton* ViewActions::makeColoringButton() {
   auto* button = new QToolButton;
   button->setIcon(icon(QStringLiteral("palette")));
-  button->setToolTip(tr("What colours the scene (R: the next)"));
-  button->setAccessibleName(tr("What colours the scene"));
+  button->setToolTip(tr("Colour mode (R: next)"));
+  button->setAccessibleName(tr("Colour mode"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
   menu->addActions(colorings_->actions());

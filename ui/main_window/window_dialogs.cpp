@@ -47,7 +47,7 @@ void WindowDialogs::chooseCatalogue() {
 }
 
 void WindowDialogs::chooseSession() {
-  const QString folder = chooseFolder(&window_, tr("Scan that was kept"), ScanController::sessionsFolder());
+  const QString folder = chooseFolder(&window_, tr("Saved scan"), ScanController::sessionsFolder());
   if (!folder.isEmpty()) window_.openSession(folder);
 }
 

@@ -12,7 +12,7 @@ constexpr int kPictureCache_bytes = 32 << 20;
 
 QString sizeText(const ObjectRecord& record) {
   const auto cm = [](float meters) { return QString::number(std::lround(100 * meters)); };
-  return ObjectListModel::tr("%1×%2×%3 cm")
+  return ObjectListModel::tr("%1 × %2 × %3 cm")
       .arg(cm(record.size_m.x()), cm(record.size_m.y()), cm(record.size_m.z()));
 }
 
@@ -83,7 +83,7 @@ QString ObjectListModel::toolTip(const ObjectRecord& record) const {
           QString::fromStdString(record.name).toHtmlEscaped(), sizeText(record), viewsInWords(record.views),
           sides == seen_sides_.end() ? QString() : tr("In this scan %1<br>").arg(sidesInWords(sides->second)),
           QString::fromStdString(record.first_session_name).toHtmlEscaped(),
-          record.confirmed ? tr("Confirmed") : tr("Not yet confirmed: F2 names it, Return confirms it"));
+          record.confirmed ? tr("Confirmed") : tr("Not confirmed: F2 renames, Return confirms"));
 }
 
 QImage ObjectListModel::picture(ObjectId object) const {

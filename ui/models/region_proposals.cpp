@@ -125,7 +125,7 @@ void RegionProposals::save() const {
 
 QString reasonOf(const Proposal& proposal) {
   const auto cm = [&](int axis) { return QString::number(std::lround(100 * proposal.size_m[axis])); };
-  return RegionProposals::tr("%1 %, %2 x %3 x %4 cm")
+  return RegionProposals::tr("%1 %, %2 × %3 × %4 cm")
       .arg(std::lround(100 * proposal.likeness))
       .arg(cm(0), cm(1), cm(2));
 }

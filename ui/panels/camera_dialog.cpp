@@ -36,10 +36,10 @@ CameraDialog::CameraDialog(Lister lister, QWidget* parent)
   advice_->setWordWrap(true);
   advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  open_ = buttons->addButton(tr("&Scan with it"), QDialogButtonBox::AcceptRole);
+  open_ = buttons->addButton(tr("&Start scan"), QDialogButtonBox::AcceptRole);
   open_->setProperty("primary", true);
   open_->setDefault(true);
-  QPushButton* again = buttons->addButton(tr("&Look again"), QDialogButtonBox::ActionRole);
+  QPushButton* again = buttons->addButton(tr("&Refresh"), QDialogButtonBox::ActionRole);
   connect(again, &QPushButton::clicked, this, &CameraDialog::refresh);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -82,7 +82,7 @@ void CameraDialog::refresh() {
   } else {
     advice_->setText(tr("Depth cameras on this computer:"));
   }
-  add(tr("Virtual test camera: a pattern, to try things out"), QStringLiteral("Dummy"));
+  add(tr("Virtual test camera with a test pattern"), QStringLiteral("Dummy"));
   list_->setCurrentRow(0);
 }
 

@@ -38,12 +38,11 @@ void paintBox(QPainter& painter, const QRectF& box, bool selected) {
 }  // namespace
 
 ColorPanel::ColorPanel(QWidget* parent)
-    : ImagePanel(
-          tr("Colour and objects"),
-          tr("The camera's picture. White rectangles: objects found. Cyan names: objects known from the "
-             "catalogue. White names: objects new in this scan. Yellow: selected in the list of objects. "
-             "Dashed: may be an object, but has not been seen well enough; O makes it one."),
-          parent) {}
+    : ImagePanel(tr("Colour and objects"),
+                 tr("The colour image. White rectangles: discovered objects. Cyan names: recognised objects. "
+                    "White names: new objects. Yellow: selected in the object list. Dashed: candidates; O "
+                    "marks one as object."),
+                 parent) {}
 
 void ColorPanel::setFrame(const QImage& picture, const std::vector<SeenObject>& objects) {
   objects_ = objects;
@@ -99,7 +98,7 @@ void ColorPanel::paintGhost(QPainter& painter, const QRectF& rect) const {
   painter.setPen(QPen(kSelected, 2.0, Qt::DashLine));
   painter.drawRect(rect.adjusted(1, 1, -1, -1));
   const QString wish =
-      painter.fontMetrics().elidedText(tr("Lost. Point the camera at this, or at anything it has seen"),
+      painter.fontMetrics().elidedText(tr("Camera lost. Point it at this, or at any place that it has seen"),
                                        Qt::ElideRight, static_cast<int>(rect.width()) - 24);
   const QSizeF chip = chipSize(painter, wish);
   paintChip(painter, {rect.center().x() - chip.width() / 2, rect.top() + 8}, wish, kSelected);

@@ -43,7 +43,7 @@ QString aboutFormat(DatasetFormat format) {
     case DatasetFormat::yolo:
       return ExportDialog::tr("YOLO segments: outlines as polygons (ultralytics)");
     case DatasetFormat::masks:
-      return ExportDialog::tr("Masks: one 16-bit image of region numbers a frame, and a list of names");
+      return ExportDialog::tr("Masks: a 16-bit image of region numbers per frame, and a list of names");
     case DatasetFormat::ply:
       return ExportDialog::tr("PLY: the labelled coloured cloud (CloudCompare, MeshLab)");
     case DatasetFormat::pcd:
@@ -51,7 +51,7 @@ QString aboutFormat(DatasetFormat format) {
     case DatasetFormat::mesh:
       return ExportDialog::tr("Meshes: the scene and each object as PLY, OBJ and GLB (Blender, MeshLab)");
     case DatasetFormat::tum:
-      return ExportDialog::tr("TUM: the way of the camera (evo)");
+      return ExportDialog::tr("TUM: the trajectory of the camera (evo)");
     case DatasetFormat::scannet:
       return ExportDialog::tr("ScanNet: mesh, segments and objects (ScanNet's tools)");
   }
@@ -66,15 +66,15 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
       format_(new QComboBox),
       about_(new QLabel),
       folder_(new QLineEdit),
-      all_frames_(new QCheckBox(tr("All frames that were &kept, not only key frames"))),
-      background_(new QCheckBox(tr("Also &background and what was rejected"))),
+      all_frames_(new QCheckBox(tr("All &stored frames, not only key frames"))),
+      background_(new QCheckBox(tr("Include &background and rejected regions"))),
       sample_(new ExportSampleView),
       message_(new QLabel),
       bar_(new QProgressBar),
       export_(new QPushButton(tr("&Export"))),
       cancel_(new QPushButton(tr("Close"))),
       show_folder_(new QPushButton(tr("Open the &folder"))) {
-  setWindowTitle(tr("Make a data set"));
+  setWindowTitle(tr("Export data set"));
   setMinimumWidth(520);
   for (const std::string& known : datasetFormatNames())
     format_->addItem(QString::fromStdString(known).toUpper());
@@ -97,7 +97,7 @@ ExportDialog::ExportDialog(const QString& name, QWidget* parent)
   folder_row->addWidget(folder_, 1);
   auto* choose_button = new QPushButton(tr("&Choose…"));
   folder_row->addWidget(choose_button);
-  form->addRow(tr("Into"), folder_row);
+  form->addRow(tr("Save to"), folder_row);
   form->addRow(QString(), all_frames_);
   form->addRow(QString(), background_);
   auto* buttons = new QHBoxLayout;
@@ -177,8 +177,7 @@ QString ExportDialog::proposedFolder() const {
 QString ExportDialog::said() const { return message_->text(); }
 
 void ExportDialog::choose() {
-  const QString parent =
-      chooseFolder(this, tr("Where to put the data set"), QFileInfo(folder_->text()).path());
+  const QString parent = chooseFolder(this, tr("Folder of the data set"), QFileInfo(folder_->text()).path());
   if (parent.isEmpty()) return;
   QSettings().setValue(kFolderKey, parent);
   folder_->setText(proposedFolder());
@@ -205,14 +204,12 @@ void ExportDialog::handleEvent(const ScanEvent& event) {
 
 void ExportDialog::showPreview(const ExportPreview& preview) {
   if (is_working_ || !done_folder_.isEmpty()) return;
-  message_->setText(
-      preview.regions == 0
-          ? tr("No region has a name or is an object yet, so there is nothing to export but the "
-               "background. Name some first.")
-          : tr("%1 images, %2 objects, about %3 MB")
-                .arg(preview.images)
-                .arg(preview.regions)
-                .arg(std::max(1L, std::lround(preview.megabytes))));
+  message_->setText(preview.regions == 0 ? tr("No region has a name or is an object yet, so only background "
+                                              "could be exported. Name some regions first.")
+                                         : tr("%1 images, %2 objects, about %3 MB")
+                                               .arg(preview.images)
+                                               .arg(preview.regions)
+                                               .arg(std::max(1L, std::lround(preview.megabytes))));
 }
 
 void ExportDialog::begin() {
@@ -239,7 +236,7 @@ void ExportDialog::showDone(const ExportSummary& summary) {
   if (summary.annotations > 0) what << tr("%1 masks").arg(summary.annotations);
   if (summary.points > 0) what << tr("%1 points").arg(summary.points);
   what << tr("%1 MB").arg(std::max(1L, std::lround(static_cast<double>(summary.bytes) / 1e6)));
-  QString text = tr("Done: %1. It is in %2").arg(what.join(QStringLiteral(", ")), done_folder_);
+  QString text = tr("Exported %1 to %2").arg(what.join(QStringLiteral(", ")), done_folder_);
   if (!summary.skipped.empty())
     text += tr("\n%1 frames were left out: %2")
                 .arg(summary.skipped.size())

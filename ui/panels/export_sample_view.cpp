@@ -26,11 +26,11 @@ ExportSampleView::ExportSampleView(QWidget* parent)
   said_->setAlignment(Qt::AlignCenter);
   said_->setProperty("muted", true);
   back_->setArrowType(Qt::LeftArrow);
-  back_->setToolTip(tr("The image before (Page up)"));
-  back_->setAccessibleName(tr("The image before"));
+  back_->setToolTip(tr("Previous image (Page up)"));
+  back_->setAccessibleName(tr("Previous image"));
   on_->setArrowType(Qt::RightArrow);
-  on_->setToolTip(tr("The image after (Page down)"));
-  on_->setAccessibleName(tr("The image after"));
+  on_->setToolTip(tr("Next image (Page down)"));
+  on_->setAccessibleName(tr("Next image"));
   auto* row = new QHBoxLayout;
   row->addWidget(back_);
   row->addWidget(said_, 1);

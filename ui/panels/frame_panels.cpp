@@ -19,22 +19,18 @@ FramePanels::FramePanels(QWidget* parent)
     : QWidget(parent),
       color_(new ColorPanel(this)),
       depth_raw_(
-          new DepthPanel(tr("Depth, camera"), tr("Distance as the camera measured it in this frame."), this)),
-      depth_fused_(
-          new DepthPanel(tr("Depth, fused"),
-                         tr("Distance to the surface fused from all frames so far, seen from the same place: "
-                            "fewer holes, less noise."),
-                         this)),
-      segments_(new ImagePanel(
-          tr("Segments, this frame"),
-          tr("This frame alone, cut where surfaces bend inwards. Colours mean nothing from one "
-             "frame to the next."),
-          this)),
-      regions_(new ImagePanel(
-          tr("Regions, merged"),
-          tr("Segments merged over all frames. The same colour is the same region, here and in "
-             "the 3D view. While a selected object is in view, the other regions are dark."),
-          this)),
+          new DepthPanel(tr("Depth, camera"), tr("Depth as the camera measured it in this frame."), this)),
+      depth_fused_(new DepthPanel(
+          tr("Depth, fused"),
+          tr("Depth of the fused map from the same pose, with fewer holes and less noise."), this)),
+      segments_(new ImagePanel(tr("Segments, this frame"),
+                               tr("Segments of this frame alone, split at concave edges. Their colours "
+                                  "change from frame to frame."),
+                               this)),
+      regions_(new ImagePanel(tr("Regions, merged"),
+                              tr("Segments merged over all frames. A region has the same colour here and in "
+                                 "the 3D view. A selected object darkens the other regions."),
+                              this)),
       panels_{color_, depth_raw_, depth_fused_, segments_, regions_} {
   for (ImagePanel* panel : panels_) {
     connect(panel, &ImagePanel::activated, this, [this, panel] { feature(panel); });

@@ -8,9 +8,9 @@ namespace scantrove {
 
 HistoryPanel::HistoryPanel(QUndoStack& undo, QWidget* parent) : QWidget(parent) {
   auto* list = new QUndoView(&undo);
-  list->setEmptyLabel(tr("Before the first step"));
-  list->setAccessibleName(tr("What was done"));
-  list->setToolTip(tr("Click on a step to go back to it"));
+  list->setEmptyLabel(tr("Original scan"));
+  list->setAccessibleName(tr("Edits"));
+  list->setToolTip(tr("Click a step to return to it"));
   list->setFrameShape(QFrame::NoFrame);
   list->setProperty("panel", true);
   auto* column = new QVBoxLayout(this);

@@ -41,8 +41,8 @@ ImagePanel::ImagePanel(const QString& title, const QString& explanation, QWidget
 void ImagePanel::setLarge(bool large) {
   setToolTip(QStringLiteral("<b>%1</b><br>%2<br><i>%3</i>")
                  .arg(title_, accessibleDescription(),
-                      large ? tr("Click on the title: the colour image large again")
-                            : tr("Click on the title: show it large")));
+                      large ? tr("Click the title to enlarge the colour image again")
+                            : tr("Click the title to enlarge")));
 }
 
 void ImagePanel::setLit(const QImage& lit) {

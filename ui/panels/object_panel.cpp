@@ -36,9 +36,9 @@ ObjectPanel::ObjectPanel(CatalogueEditor& editor, ObjectListModel& model, QWidge
   connect(menu_, &QMenu::aboutToHide, this, &ObjectPanel::updateActions, Qt::QueuedConnection);
 
   pages_->addWidget(list_);
-  pages_->addWidget(
-      new EmptyNote(QStringLiteral("cube"), tr("No objects yet"),
-                    tr("What a scan discovers appears here,\nwith its views, to name and confirm.")));
+  pages_->addWidget(new EmptyNote(
+      QStringLiteral("cube"), tr("No objects yet"),
+      tr("Objects that a scan discovers appear here,\nwith their views, to name and confirm.")));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 0, 4, 6);
@@ -75,7 +75,7 @@ QWidget* ObjectPanel::makeHead() {
   QSizePolicy policy = to_newest_->sizePolicy();
   policy.setRetainSizeWhenHidden(true);  // the list below keeps its place
   to_newest_->setSizePolicy(policy);
-  to_newest_->setToolTip(tr("Objects of this scan that are further down: go there"));
+  to_newest_->setToolTip(tr("Go to the objects of this scan further down"));
   row->addWidget(to_newest_);
   connect(to_newest_, &QToolButton::clicked, list_, &QAbstractItemView::scrollToBottom);
   const auto update = [this] {
@@ -106,12 +106,12 @@ void ObjectPanel::makeActions() {
         if (selected_.size() == 1) list_->editName(selected_.front());
       });
   actions_.confirm =
-      make("confirm", tr("&Confirm"), tr("Say that this is an object, and that its name is right"),
+      make("confirm", tr("&Confirm"), tr("Confirm that this is an object and its name is right"),
            {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
            [this] { editor_.setConfirmed(selected_, confirms_); });
-  actions_.merge = make("merge", tr("&Merge"), tr("The selected objects are one and the same"),
+  actions_.merge = make("merge", tr("&Merge"), tr("Merge the selected objects into one"),
                         {QKeySequence(Qt::Key_M)}, [this] { editor_.merge(selected_); });
-  actions_.remove = make("delete", tr("&Delete"), tr("Remove the object from the catalogue (can be undone)"),
+  actions_.remove = make("delete", tr("&Delete"), tr("Delete the object from the catalogue (can be undone)"),
                          {QKeySequence(Qt::Key_Delete)}, [this] { editor_.remove(selected_); });
 }
 
@@ -163,7 +163,7 @@ void ObjectPanel::updateActions() {
   const bool any = !selected_.empty();
   actions_.rename->setEnabled(selected_.size() == 1);
   actions_.confirm->setEnabled(any);
-  actions_.confirm->setText(confirms_ || !any ? tr("&Confirm") : tr("Take back &confirmation"));
+  actions_.confirm->setText(confirms_ || !any ? tr("&Confirm") : tr("Un&confirm"));
   actions_.remove->setEnabled(any);
   actions_.merge->setEnabled(selected_.size() > 1);
 }

@@ -72,7 +72,7 @@ ParamsPanel::ParamsPanel(const ScanParams& params, QWidget* parent) : QWidget(pa
   auto* note = new QLabel(tr("* from the next scan on"));
   note->setProperty("muted", true);
   auto* reset = new QPushButton(tr("Defaults"));
-  reset->setToolTip(tr("Set all parameters back to their defaults"));
+  reset->setToolTip(tr("Reset all parameters to their defaults"));
   connect(reset, &QPushButton::clicked, this, &ParamsPanel::setDefaults);
   auto* last_row = new QHBoxLayout;
   last_row->addWidget(note, 1);
@@ -103,8 +103,8 @@ QWidget* ParamsPanel::makeDetailSlider() {
   k_slider_->setPageStep(kStepsPerDecade / 10);
   k_slider_->setAccessibleName(tr("Segment size, k"));
   k_slider_->setToolTip(
-      tr("The one parameter of the segmentation: a larger k gives fewer, larger segments. "
-         "Works at once: on the frames that come, and on the one that a paused or finished scan shows."));
+      tr("A larger k gives fewer, larger segments. It takes effect at once, also on the frame that a paused "
+         "or finished scan shows."));
   layout->addWidget(k_slider_);
   auto* ends = new QHBoxLayout;
   for (const QString& text : {tr("finer"), tr("coarser")}) {

@@ -35,7 +35,7 @@ SavedScansPanel::SavedScansPanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 14, 0, 0);
   column->setSpacing(6);
-  auto* title = new QLabel(tr("Your scans"));
+  auto* title = new QLabel(tr("Saved scans"));
   QFont bold = title->font();
   bold.setWeight(QFont::DemiBold);
   title->setFont(bold);
@@ -58,7 +58,7 @@ void SavedScansPanel::setScans(const std::vector<SavedScanEntry>& scans) {
     cards_->addWidget(makeCard(scans[i]), place / kSavedScanColumns, place % kSavedScanColumns);
   }
   for (int c = 0; c < kSavedScanColumns; ++c) cards_->setColumnStretch(c, 1);
-  more_->setText(tr("and %1 more: File, Open a scan").arg(scans.size() - shown));
+  more_->setText(tr("and %1 more: File > Open scan").arg(scans.size() - shown));
   more_->setVisible(scans.size() > shown);
   setVisible(!scans.empty());
 }

@@ -49,9 +49,9 @@ SourceDialog::SourceDialog(const QString& source, QWidget* parent)
       buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Open with options"));
   setMinimumWidth(520);
-  intrinsics_->setPlaceholderText(tr("as the recording says; or fx, fy, cx, cy in pixels"));
-  depth_scale_->setPlaceholderText(tr("as the recording says; or units per metre"));
-  poses_->addItems({tr("Track the camera"), tr("Use the recording's own poses")});
+  intrinsics_->setPlaceholderText(tr("from the recording; or fx, fy, cx, cy in pixels"));
+  depth_scale_->setPlaceholderText(tr("from the recording; or units per metre"));
+  poses_->addItems({tr("Track the camera"), tr("Use the poses of the recording")});
 
   auto* form = new QFormLayout;
   form->setSpacing(8);

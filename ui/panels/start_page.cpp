@@ -99,8 +99,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   name->setFont(large);
   words->addWidget(name);
   words->addWidget(
-      mutedLabel(tr("Sweep a depth camera over a scene. Objects are found as you move, known ones are "
-                    "recognised, and the rest are collected for you to name and confirm.")));
+      mutedLabel(tr("Sweep a depth camera over a scene. Scantrove discovers its objects, recognises known "
+                    "ones, and collects the others for you to name and confirm.")));
   head->addLayout(words, 1);
   layout->addLayout(head);
   layout->addSpacing(16);
@@ -118,7 +118,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
           this, &StartPage::recordingRequested);
   connect(add(1, 0, "camera", tr("Camera…"), tr("A depth camera on this computer")), &QToolButton::clicked,
           this, &StartPage::cameraRequested);
-  connect(add(1, 1, "table", tr("Demo: tabletop"), tr("A built-in scene; nothing needed")),
+  connect(add(1, 1, "table", tr("Demo: tabletop"), tr("A built-in scene; no camera needed")),
           &QToolButton::clicked, this, [this] { emit sourceChosen(QStringLiteral("demo")); });
   cards->setColumnStretch(0, 1);
   cards->setColumnStretch(1, 1);
@@ -130,7 +130,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* recent_column = new QVBoxLayout(recent_box_);
   recent_column->setContentsMargins(0, 14, 0, 0);
   recent_column->setSpacing(2);
-  auto* recent_title = new QLabel(tr("Recent"));
+  auto* recent_title = new QLabel(tr("Scan again"));
   QFont bold = recent_title->font();
   bold.setWeight(QFont::DemiBold);
   recent_title->setFont(bold);
@@ -141,8 +141,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   layout->addWidget(recent_box_);
 
   layout->addSpacing(10);
-  auto* hint =
-      mutedLabel(tr("Or drop a folder or a recording anywhere on this window. Press ? for the keys."));
+  auto* hint = mutedLabel(tr("Or drop a folder or a recording on this window. Press ? for all keys."));
   layout->addWidget(hint);
   layout->addStretch(3);
 

@@ -22,7 +22,7 @@ QString trackingInWords(TrackingState state) {
     case TrackingState::uncertain:
       return StatusStrip::tr("Uncertain");
     case TrackingState::lost:
-      return StatusStrip::tr("Lost: point it at something it has seen");
+      return StatusStrip::tr("Lost: point the camera at a place that it has seen");
     case TrackingState::relocalized:
       return StatusStrip::tr("Found again");
   }
@@ -83,11 +83,10 @@ StatusStrip::StatusStrip(QWidget* parent)
   layout->addWidget(map_);
   state_label_->setObjectName(QStringLiteral("stateLabel"));
   state_label_->setAccessibleName(tr("Tracking state"));
-  speed_->setToolTip(tr("Frames processed in a second"));
+  speed_->setToolTip(tr("Frames per second"));
   map_->setToolTip(tr("Size of the map, and the number of regions in it"));
   losses_->setToolTip(
-      tr("Frames that could not be used: tracking lost, unreadable, or dropped because the camera was "
-         "faster"));
+      tr("Frames not used: camera lost, unreadable, or dropped because the camera was faster"));
   // The stages give way first when the window is narrow.
   stages_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->setStretchFactor(stages_, 10);
@@ -102,12 +101,11 @@ void StatusStrip::showState(ScanState state) {
   if (state == ScanState::starting || state == ScanState::idle) clear();
   if (state != ScanState::refining) refinement_.clear();
   if (state == ScanState::finishing || state == ScanState::refining) clearSpeed();
-  state_label_->setToolTip(
-      state == ScanState::refining
-          ? tr("The key frames of this scan are used once more: regions are divided more finely, doubtful "
-               "objects and poor views go, and objects that were missed come. It can be skipped, and done "
-               "later.")
-          : QString());
+  state_label_->setToolTip(state == ScanState::refining
+                               ? tr("The key frames are segmented again at full resolution. Regions split "
+                                    "further, unlikely objects and poor views are removed, missed objects "
+                                    "are added. You can skip this and do it later.")
+                               : QString());
   paintState();
 }
 

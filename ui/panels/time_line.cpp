@@ -18,10 +18,9 @@ TimeLine::TimeLine(QWidget* parent)
   row->addWidget(title);
   row->addWidget(slider_, 1);
   row->addWidget(text_);
-  slider_->setAccessibleName(tr("Key frame that is shown"));
+  slider_->setAccessibleName(tr("Shown key frame"));
   slider_->setToolTip(
-      tr("Go through the frames that were kept (Page up, Page down). "
-         "The labels are those that the map has now."));
+      tr("Browse the stored frames (Page up, Page down). The labels are those of the map now."));
   slider_->setPageStep(1);
   connect(slider_, &QSlider::valueChanged, this, [this](int place) {
     showText(place);

@@ -25,7 +25,7 @@ ViewsStrip::ViewsStrip(QWidget* parent) : QWidget(parent) {
   setMaximumHeight(kMaxHeight + 2 * kMargin);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Views of the selected object"));
-  setToolTip(tr("Views of the selected object, newest first. Scroll with the wheel or the arrow keys."));
+  setToolTip(tr("Views of the selected object, newest first. The wheel or the arrow keys scroll."));
 }
 
 void ViewsStrip::setViews(std::vector<QImage> pictures, const QString& note) {

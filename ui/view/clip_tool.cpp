@@ -35,7 +35,7 @@ void ClipTool::move(float steps) {
 void ClipTool::showLabel() {
   if (!active_) return;
   const float distance_m = view_->scene().clipDistance().value_or(0);
-  label_->showBelow(tr("Cut open at %1 m — Ctrl + wheel moves the plane, X closes")
+  label_->showBelow(tr("Clip plane at %1 m — Ctrl + wheel moves it, X removes it")
                         .arg(static_cast<double>(distance_m), 0, 'f', 2),
                     0);
 }

@@ -119,8 +119,8 @@ void MeasureTool::showLine() {
 
 void MeasureTool::placeLabels() {
   if (!active_) return;
-  hint_->showBelow(ends_.size() == 1 ? tr("Measure — click on the other end; Escape ends")
-                                     : tr("Measure — click on one end; Escape ends"),
+  hint_->showBelow(ends_.size() == 1 ? tr("Measure — click the other end; Escape ends")
+                                     : tr("Measure — click one end; Escape ends"),
                    1);
   std::vector<Eigen::Vector3f> line = ends_;
   if (under_mouse_) line.push_back(*under_mouse_);

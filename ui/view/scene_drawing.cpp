@@ -193,8 +193,8 @@ void SceneDrawing::paint(QPainter& painter) {
   if (!window_->works()) {
     painter.fillRect(view_.rect(), view_.palette().window());
     painter.drawText(view_.rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("The 3D view needs OpenGL 3.2, which this display does not offer.\n"
-                        "All else works; Mesa's llvmpipe draws on any machine."));
+                     tr("The 3D view needs OpenGL 3.2, which this display does not offer.\nEverything else "
+                        "works. Mesa's llvmpipe draws on any machine."));
     return;
   }
   const QSize pixels = this->pixels();

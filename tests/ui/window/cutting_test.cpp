@@ -205,10 +205,10 @@ TEST_F(CuttingTest, WhatToDoNextIsSaidBesideThePointer) {
   QTest::mouseMove(panel(0), inPicture(0, 0.8, 0.6));  // a pointer that is there already does not move
   QTest::mouseMove(panel(0), inPicture(0, 0.2, 0.3));
   ASSERT_TRUE(QTest::qWaitFor([&] { return selection().hovered() == RegionId{5}; }, kPatience_ms));
-  EXPECT_EQ(panel(0)->tag().value(2), QStringLiteral("Draw over the part that comes off"));
+  EXPECT_EQ(panel(0)->tag().value(2), QStringLiteral("Draw over one part"));
   drawInPicture(0, {0.1, 0.2}, {0.1, 0.8});
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return panel(0)->tag().value(2) == QStringLiteral("Draw over what stays"); }, kPatience_ms))
+      [&] { return panel(0)->tag().value(2) == QStringLiteral("Draw over the other part"); }, kPatience_ms))
       << "where the stroke ended, before the pointer moves on";
 }
 
