@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/geometry/surface_step.h"
 #include "core/labeling/border_features.h"
 
 namespace scantrove {
