@@ -28,7 +28,7 @@ Result<std::int64_t> CatalogueSessions::begin(const std::string& source,
                               {camera->fx, camera->fy, camera->cx, camera->cy, camera->width, camera->height,
                                static_cast<qlonglong>(*id)}));
     }
-    SCANTROVE_TRY(recordEvent(connection_, event::kSessionBegin, {}, {}, {{"source", name}}, *id));
+    SCANTROVE_TRY(recordEvent(connection_, action::kSessionBegin, {}, {}, {{"source", name}}, *id));
     return id;
   });
 }
@@ -43,7 +43,7 @@ Result<void> CatalogueSessions::end(std::int64_t session) {
       return fail("The database " + connection_.file() + " holds no session " + std::to_string(session) +
                   ".");
     }
-    return recordEvent(connection_, event::kSessionEnd, {}, {}, {}, session);
+    return recordEvent(connection_, action::kSessionEnd, {}, {}, {}, session);
   });
 }
 

@@ -15,8 +15,8 @@ namespace {
 using Kind = CatalogueChange::Kind;
 
 constexpr std::array<std::pair<Kind, const char*>, 10> kActions{
-    {{Kind::added, event::kAdd},
-     {Kind::view_added, event::kAddView},
+    {{Kind::added, action::kAdd},
+     {Kind::view_added, action::kAddView},
      {Kind::renamed, "rename"},
      {Kind::confirmed, "confirm"},
      {Kind::unconfirmed, "unconfirm"},
@@ -24,7 +24,7 @@ constexpr std::array<std::pair<Kind, const char*>, 10> kActions{
      {Kind::restored, "restore"},
      {Kind::merged, "merge"},
      {Kind::unmerged, "unmerge"},
-     {Kind::views_discarded, event::kDiscardViews}}};
+     {Kind::views_discarded, action::kDiscardViews}}};
 
 QVariant textOrNull(const QJsonObject& object) {
   if (object.isEmpty()) return QVariant(QMetaType(QMetaType::QString));

@@ -10,13 +10,13 @@ namespace scantrove {
 class DatabaseConnection;
 
 /// What happened, in the table `events`, beside the changes of objects.
-namespace event {
+namespace action {
 inline constexpr const char* kSessionBegin = "session-begin";
 inline constexpr const char* kSessionEnd = "session-end";
 inline constexpr const char* kAdd = "add";
 inline constexpr const char* kAddView = "add-view";
 inline constexpr const char* kDiscardViews = "leave-behind";
-}  // namespace event
+}  // namespace action
 
 /// One row of `events`; empty JSON objects are stored as null.
 [[nodiscard]] Result<void> recordEvent(DatabaseConnection& connection, const char* action, ObjectId object,

@@ -169,7 +169,7 @@ Result<ObjectRecord> ObjectDatabase::addObject(const ObjectView& first_view) {
          orNull(first_view.session), DatabaseConnection::now()});
     if (!row) return fail(row.error());
     const ObjectId id{static_cast<std::uint32_t>(*row)};
-    SCANTROVE_TRY(recordEvent(*connection_, event::kAdd, id, {}, {{"name", name}}, first_view.session));
+    SCANTROVE_TRY(recordEvent(*connection_, action::kAdd, id, {}, {{"name", name}}, first_view.session));
     ObjectView view = first_view;
     view.object = id;
     SCANTROVE_TRY(views_.insert(view));
@@ -224,7 +224,7 @@ Result<bool> ObjectDatabase::discardViews(ObjectId object, std::int64_t session,
     }
     SCANTROVE_TRY(refreshObject(*connection_, discarded));
     SCANTROVE_TRY(refreshObject(*connection_, root));
-    SCANTROVE_TRY(recordEvent(*connection_, event::kDiscardViews, root, {},
+    SCANTROVE_TRY(recordEvent(*connection_, action::kDiscardViews, root, {},
                               {{"left_behind", static_cast<qint64>(discarded.value)}}, session));
     return false;
   });

@@ -198,8 +198,8 @@ Result<std::int64_t> ViewStore::insert(ObjectView view) {
           values)));
   SCANTROVE_TRY(insertSummary(connection_, view, summarize(view)));
   SCANTROVE_TRY(refreshObject(connection_, owner));
-  SCANTROVE_TRY(recordEvent(connection_, event::kAddView, owner, {}, {{"view", static_cast<qint64>(view.id)}},
-                            view.session));
+  SCANTROVE_TRY(recordEvent(connection_, action::kAddView, owner, {},
+                            {{"view", static_cast<qint64>(view.id)}}, view.session));
   return view.id;
 }
 
