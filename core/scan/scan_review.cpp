@@ -161,41 +161,34 @@ Result<void> ScanReview::edit(const ScanEdit& edit) {
   return lookAgain();
 }
 
-void ScanReview::previewExport(const ExportOptions& options) {
-  SessionScan scan(*session_);
-  const Result<ExportPreview> preview = guarded("looking what the data set would hold",
-                                                [&] { return scantrove::previewExport(scan, options); });
-  if (preview) {
-    listener_(ExportPreviewed{*preview});
+template <class Event, class Value>
+void ScanReview::report(const Result<Value>& outcome) {
+  if (outcome) {
+    listener_(Event{*outcome});
   } else {
-    listener_(ExportFailed{preview.error()});
+    listener_(ExportFailed{outcome.error()});
   }
 }
 
-void ScanReview::sampleExport(const ExportOptions& options, std::optional<int> place) {
+void ScanReview::execute(const PreviewExport& command) {
   SessionScan scan(*session_);
-  const Result<ExportSample> sample = guarded("looking at an image of the data set",
-                                              [&] { return scantrove::sampleExport(scan, options, place); });
-  if (sample) {
-    listener_(ExportSampled{*sample});
-  } else {
-    listener_(ExportFailed{sample.error()});
-  }
+  report<ExportPreviewed>(
+      guarded("looking what the data set would hold", [&] { return previewExport(scan, command.options); }));
 }
 
-void ScanReview::exportDataset(const ExportOptions& options, const std::stop_token& cancel) {
+void ScanReview::execute(const SampleExport& command) {
+  SessionScan scan(*session_);
+  report<ExportSampled>(guarded("looking at an image of the data set",
+                                [&] { return sampleExport(scan, command.options, command.place); }));
+}
+
+void ScanReview::execute(const ExportDataset& command, const std::stop_token& cancel) {
   SessionScan scan(*session_);
   session_->readCatalogue();
   if (session_->missingCatalogue()) listener_(CatalogueFailed{*session_->missingCatalogue()});
-  const Result<ExportSummary> summary = guarded("writing the data set", [&] {
-    return scantrove::exportDataset(
-        scan, options, [&](const ExportProgress& progress) { listener_(ExportStepped{progress}); }, cancel);
-  });
-  if (summary) {
-    listener_(ExportFinished{*summary});
-  } else {
-    listener_(ExportFailed{summary.error()});
-  }
+  const auto step = [&](const ExportProgress& progress) { listener_(ExportStepped{progress}); };
+  report<ExportFinished>(
+      guarded("writing the data set", [&] { return exportDataset(scan, command.options, step, cancel); }));
 }
 
 }  // namespace scantrove

@@ -36,12 +36,9 @@ class ScanReview {
   /// Does what a person says, keeps it in the session, and tells how it went. Error: the device failed.
   [[nodiscard]] Result<void> edit(const ScanEdit& edit);
 
-  /// Tells ExportPreviewed or ExportFailed.
-  void previewExport(const ExportOptions& options);
-  /// Tells ExportSampled or ExportFailed.
-  void sampleExport(const ExportOptions& options, std::optional<int> place);
-  /// Tells ExportStepped, then ExportFinished or ExportFailed.
-  void exportDataset(const ExportOptions& options, const std::stop_token& cancel);
+  void execute(const PreviewExport& command);
+  void execute(const SampleExport& command);
+  void execute(const ExportDataset& command, const std::stop_token& cancel);
 
  private:
   ScanReview(std::unique_ptr<OpenSession> session, ScanListener listener, LatestValue<ScanSnapshot>& mailbox);
@@ -52,6 +49,9 @@ class ScanReview {
   [[nodiscard]] std::vector<SeenObject> objectsIn(const FrameResult& result, const RgbdFrame& frame) const;
   /// S_t of the key frame that is shown: of what the map shows from there.
   [[nodiscard]] Result<void> segment();
+  /// An Event with the value, or ExportFailed.
+  template <class Event, class Value>
+  void report(const Result<Value>& outcome);
 
   std::unique_ptr<OpenSession> session_;
   ScanListener listener_;

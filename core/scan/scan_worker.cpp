@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/first_error.h"
 #include "core/base/overloaded.h"
 #include "core/compute/guarded.h"
-#include "core/base/first_error.h"
 #include "core/scan/scan_review.h"
 #include "core/scan/scan_run.h"
 
@@ -133,21 +133,16 @@ Result<void> ScanWorker::execute(const ScanCommand& command, Target target) {
                  [&](const EditRegions& c) {
                    changes_.regions = true;
                    if (target.run != nullptr) return target.run->edit(c.edit);
-                   if (target.review == nullptr)
-                     listener_(EditFailed{c.edit, {"That scan is closed.", ""}});
+                   if (target.review == nullptr) listener_(EditFailed{c.edit, {"That scan is closed.", ""}});
                    with_review([&](ScanReview& review) { return review.edit(c.edit); });
                  },
                  [&](ShowKeyFrame c) {
                    with_review([&](ScanReview& review) { return review.showKeyFrame(c.place); });
                  },
-                 [&](const PreviewExport& c) {
-                   with_export([&](ScanReview& review) { review.previewExport(c.options); });
-                 },
-                 [&](const SampleExport& c) {
-                   with_export([&](ScanReview& review) { review.sampleExport(c.options, c.place); });
-                 },
+                 [&](const PreviewExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
+                 [&](const SampleExport& c) { with_export([&](ScanReview& review) { review.execute(c); }); },
                  [&](const ExportDataset& c) {
-                   with_export([&](ScanReview& review) { review.exportDataset(c.options, exportStop()); });
+                   with_export([&](ScanReview& review) { review.execute(c, exportStop()); });
                  },
                  [](CancelExport) { /* post() has done it */ },
                  [&](FollowCatalogue) { changes_.catalogue = true; },
