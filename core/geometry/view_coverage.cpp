@@ -1,6 +1,8 @@
 #include "core/geometry/view_coverage.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
