@@ -12,7 +12,7 @@ namespace scantrove {
 namespace {
 
 constexpr ObjectId kMug{7}, kNew{CatalogueMirror::kFirstKey};
-constexpr RegionId kRegion{11}, kHandle{12};
+constexpr RegionId kRegion{11}, kPart{12};
 
 /// Something of everything.
 CollectorState someState() {
@@ -25,16 +25,16 @@ CollectorState someState() {
   track.last_frame = 5;
   track.frames_empty = 2;
   track.views.keep({0, 0, 1});
-  state.tracks = {{{kNew, track}}, {{kRegion, kNew}, {kHandle, kMug}}, {kMug}};
+  state.tracks = {{{kNew, track}}, {{kRegion, kNew}, {kPart, kMug}}, {kMug}};
   RecognitionHistory::Tally tally;
   tally.attempts = 3;
   tally.last_frame = 4;
   tally.votes[kMug] = {2, true};
-  state.recognizer.history = RecognitionHistory({{RegionSet{kRegion, kHandle}, tally}});
+  state.recognizer.history = RecognitionHistory({{RegionSet{kRegion, kPart}, tally}});
   state.recognizer.returned = {kMug};
   state.recognizer.appeared[kNew][kMug] = 1;
   state.recognizer.comparisons[kNew] = 2;
-  state.requests = {{{kHandle, "handle"}}, {{kHandle, kMug}}, {kNew}};
+  state.requests = {{{kPart, "part"}}, {{kPart, kMug}}, {kNew}};
   state.identities.mismatches[RegionSet{kRegion}] = {kMug, 4, 6};
   state.identities.replaced_by[kMug] = kNew;
   state.identities.seen_together = {{kMug, kNew}};
@@ -62,9 +62,9 @@ TEST(CollectorMemory, StateIsTheSame_WhenItIsReadAgain) {
   EXPECT_EQ(collectorMemory(*read), words);
   EXPECT_EQ(read->catalogue.ids.at(kNew), ObjectId{9});
   EXPECT_EQ(read->tracks.tracks.at(kNew).frames_empty, 2);
-  EXPECT_EQ(read->tracks.object_of_region.at(kHandle), kMug);
-  EXPECT_EQ(read->recognizer.history.attempts(RegionSet{kRegion, kHandle}), 3);
-  EXPECT_EQ(read->requests.pending.at(kHandle), "handle");
+  EXPECT_EQ(read->tracks.object_of_region.at(kPart), kMug);
+  EXPECT_EQ(read->recognizer.history.attempts(RegionSet{kRegion, kPart}), 3);
+  EXPECT_EQ(read->requests.pending.at(kPart), "part");
   EXPECT_EQ(read->identities.mismatches.at(RegionSet{kRegion}).count, 4);
   ASSERT_EQ(read->views.size(), 1U);
   EXPECT_EQ(read->views[0].box_px, cv::Rect(2, 1, 3, 2));
