@@ -9,10 +9,9 @@ namespace scantrove {
 
 /// Pixels at an edge may lie between two surfaces: a step looks past the first pixel beyond the outline.
 inline constexpr int kBeyondEdge_px = 2;
-/// Normals are compared up to so many pixels to either side of an outline, where voxels do not mix both
-/// sides.
+/// Normals and segments are compared up to so many pixels to either side: nearer, voxels mix both sides.
 inline constexpr int kBendReach_px = 3;
-/// A surface that turns by more has an edge there: 20 degrees, three times the noise of normals at 2 m.
+/// A surface that turns by more has an edge there: 20 degrees, well above the noise of normals.
 inline constexpr float kClearBend_rad = 0.35F;
 
 /// Depths that differ by more are of surfaces that do not touch: one hides the other. What rises less above

@@ -12,7 +12,6 @@ namespace {
 constexpr float kDistanceFactor = 3;     // d_max of eq. 3.5: factor * z / f ...
 constexpr float kMinDistance_m = 0.01F;  // ... but at least this, for each step
 constexpr int kLongestStep_px = 3;       // over pixels without fragment
-constexpr int kBendReach_px = 3;         // normals and segments are compared so far to either side
 constexpr float kBendGap = 4;            // times d_max: normals farther apart belong to something else
 
 struct Step {
