@@ -104,7 +104,9 @@ TEST_P(FarExports, BopCamerasHaveTheRecordingsCoordinates) {
   // Models have frames of their own, and poses are the camera's.
   EXPECT_EQ(far.text("000001/scene_gt.json"), near.text("000001/scene_gt.json"));
   for (const std::string& name : near.files()) {
-    if (name.starts_with("models/")) EXPECT_TRUE(far.text(name) == near.text(name)) << name;
+    if (name.starts_with("models/")) {
+      EXPECT_TRUE(far.text(name) == near.text(name)) << name;
+    }
   }
 }
 
@@ -114,7 +116,9 @@ TEST_P(FarExports, ScannetFilesSayWhatToAddToTheirFloats) {
   std::vector<Eigen::Vector3d> origins;
   for (const std::string& name : near.files()) {
     const std::string ending = std::filesystem::path(name).extension();
-    if (ending == ".ply") EXPECT_TRUE(far.text(name) == near.text(name)) << name;
+    if (ending == ".ply") {
+      EXPECT_TRUE(far.text(name) == near.text(name)) << name;
+    }
     if (ending != ".txt") continue;
     EXPECT_THAT(near.text(name), testing::Not(testing::HasSubstr("origin")));
     std::istringstream lines(far.text(name));
