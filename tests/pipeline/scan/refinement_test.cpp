@@ -11,6 +11,7 @@
 #include "core/catalogue/object_database.h"
 #include "core/refinement/refinement_memory.h"
 #include "core/session/open_session.h"
+#include "core/session/refinement_state.h"
 #include "core/session/session_store.h"
 #include "tests/support/scan_runner.h"
 #include "tests/support/temporary_folder.h"

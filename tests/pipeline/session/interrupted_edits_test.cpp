@@ -228,7 +228,8 @@ TEST_F(InterruptedEdits, JoinIsCompletedOnce_AndUndoBringsTheObjectBack) {
   {
     const auto session = open();
     ASSERT_TRUE(session);
-    for (const RegionSummary& region : session->regions().value()) {
+    const std::vector<RegionSummary> regions = session->regions().value();
+    for (const RegionSummary& region : regions) {
       if (region.label.object && pair.size() < 2) pair.push_back(region.region);
     }
     ASSERT_EQ(pair.size(), 2U);
