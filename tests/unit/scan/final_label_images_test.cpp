@@ -82,12 +82,14 @@ class FinalLabelImagesTest : public testing::Test {
   [[nodiscard]] std::filesystem::path fileOf(int frame) const {
     return folder_ / "labels-final" / labelFileName(frame);
   }
-  /// The region that a whole image shows; -1: there is no such image.
+  /// The only region that an image shows; -1: there is no such image, or it shows none or several.
   [[nodiscard]] int shownIn(int frame) const {
     const Result<cv::Mat> image = readLabelImage(fileOf(frame));
     if (!image) return -1;
-    const auto value = image->at<std::uint16_t>(0, 0);
-    return cv::countNonZero(*image != value) == 0 ? value : -1;
+    double region = 0;
+    cv::minMaxLoc(*image, nullptr, &region);
+    const int shown_px = cv::countNonZero(*image);
+    return shown_px > 0 && cv::countNonZero(*image == region) == shown_px ? static_cast<int>(region) : -1;
   }
   [[nodiscard]] std::vector<int> shown() const { return {shownIn(0), shownIn(1), shownIn(2)}; }
   [[nodiscard]] std::string remarks() const {
