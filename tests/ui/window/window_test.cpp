@@ -20,6 +20,7 @@
 #include "ui/panels/progress_strip.h"
 #include "ui/panels/proposal_bar.h"
 #include "ui/panels/views_strip.h"
+#include "ui/theme/theme.h"
 
 namespace scantrove {
 namespace {
