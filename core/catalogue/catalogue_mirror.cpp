@@ -196,11 +196,6 @@ void CatalogueMirror::join(ObjectId into, ObjectId from) {
   if (const Eigen::Vector3f size_m = sizeOf(into); !size_m.isZero()) record.size_m = size_m;
 }
 
-const ObjectRecord* CatalogueMirror::named(const std::string& name) const {
-  const ObjectState* object = model_.named(name);
-  return object != nullptr ? record(object->id) : nullptr;
-}
-
 void CatalogueMirror::name(ObjectId object, const std::string& name) {
   names_to_come_.emplace_back(object, name);
   applyName(object, name);

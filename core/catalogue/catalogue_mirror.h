@@ -19,7 +19,8 @@ namespace scantrove {
 /// The catalogue as a running scan knows it: a CatalogueModel of all objects, the records of the visible
 /// ones, and all views in the detector. Read once; then what the scan finds is here at once, and stored by
 /// another thread (CatalogueWriter), whose events say what became of it and what others did. One thread, the
-/// worker's.
+/// worker's. More than thirty functions: each change of the model has to reach records, sizes and detector in
+/// one step, so they are kept together.
 ///
 /// An object that this scan finds has a key of its own for as long as the scan lasts, whenever the database
 /// gives it an id: what a scan does never depends on when that is. All ids here are such keys; for objects
@@ -82,8 +83,6 @@ class CatalogueMirror {
   void merge(ObjectId a, ObjectId b);
   /// CatalogueModel::nameByUser().
   void name(ObjectId object, const std::string& name);
-  /// The visible object of that name, or null.
-  [[nodiscard]] const ObjectRecord* named(const std::string& name) const;
   /// An object that was made for an operation of a user, who undid it: it is none any more, unless others are
   /// part of it. Its names were part of that operation.
   void withdraw(ObjectId object);
