@@ -38,7 +38,7 @@ TEST_F(RegionProposalsTest, WhatLooksAlikeIsProposedLikestFirst) {
   RegionProposals proposals;
   proposals.propose(RegionId{1}, QStringLiteral("book"), {}, threeBooksAndAMug());
   EXPECT_EQ(regionsOf(proposals), (std::vector{RegionId{3}, RegionId{2}}));
-  EXPECT_TRUE(reasonOf(*proposals.first()).contains(QStringLiteral("21 x 8 x 8 cm")));
+  EXPECT_TRUE(reasonOf(*proposals.first()).contains(QStringLiteral("21 × 8 × 8 cm")));
 }
 
 TEST_F(RegionProposalsTest, AcceptedOnesAreGone) {
