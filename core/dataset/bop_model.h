@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/dataset/export_text.h"
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 

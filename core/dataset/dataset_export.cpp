@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
-#include "core/dataset/centred_mesh.h"
+#include "core/dataset/centered_mesh.h"
 #include "core/dataset/dataset_formats.h"
 #include "core/dataset/region_choice.h"
 #include "core/dataset/staged_folder.h"

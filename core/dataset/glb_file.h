@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/dataset/export_text.h"
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 

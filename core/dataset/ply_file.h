@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/dataset/export_text.h"
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 
 namespace scantrove {
 

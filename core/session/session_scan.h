@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/capture/rgbd_frame.h"
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 #include "core/session/open_session.h"
 
 namespace scantrove {

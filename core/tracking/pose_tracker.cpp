@@ -58,7 +58,7 @@ void PoseTracker::registerToModel(TrackingAttempt& attempt, const DepthPyramid& 
   if (attempt.by_surface.state == TrackingState::lost) attempt.by_surface.T_world_camera = guesses.front();
   const bool is_enough = attempt.by_surface.usable() && attempt.is_firm;
   Clues& clues = attempt.clues;
-  if (is_enough || is_lost_ || has_gone_on_ || !clues.gray) return;
+  if (is_enough || is_lost_ || is_restored_ || !clues.gray) return;
   clues.coming_corners =
       beginCorners(*clues.last_gray, *clues.gray, model, attempt.by_surface.T_world_camera);
   Search search{attempt.frame, depth, model, clues};
@@ -121,7 +121,7 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
   if (!is_lost_ && !clues.corners && !clues.coming_corners.valid())
     clues.coming_corners = beginCorners(lastGray(), grayOf(search), search.model, by_surface.T_world_camera);
   const auto by_landmarks = followLandmarks(search, by_surface);
-  if (by_landmarks && !(has_gone_on_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
+  if (by_landmarks && !(is_restored_ && viewDistance(*last_, by_landmarks->T_world_camera, kElsewhere) > 1)) {
     PoseEstimate found = *by_landmarks;
     if (is_lost_) found.state = TrackingState::relocalized;
     return found;
@@ -135,7 +135,7 @@ PoseEstimate PoseTracker::recover(Search& search, const PoseEstimate& by_surface
                                PoseOrigin::search);
     if (found.usable()) return found;
   }
-  is_lost_ = is_lost_ || has_gone_on_;
+  is_lost_ = is_lost_ || is_restored_;
   if (is_lost_) {
     if (const auto found = relocalize(search)) return *found;
   }
@@ -174,7 +174,7 @@ void PoseTracker::remember(const RgbdFrame& frame, const PoseEstimate& pose) {
   before_last_ = pose.usable() && !is_lost_ ? last_ : std::nullopt;
   if (pose.usable()) last_ = pose.T_world_camera;
   is_lost_ = !pose.usable();
-  has_gone_on_ = false;
+  is_restored_ = false;
   last_uncertain_.reset();
   if (pose.state == TrackingState::uncertain && pose.inlier_fraction >= kWorthFollowing)
     last_uncertain_ = pose.T_world_camera;
@@ -202,7 +202,7 @@ PoseEstimate PoseTracker::reconsider(UncertainFrame uncertain, const DepthPyrami
 }
 
 std::optional<PoseTracker::Memory> PoseTracker::memory() {
-  finishLearning();
+  finishAdding();
   if (!last_) return std::nullopt;
   return Memory{*last_, before_last_, is_lost_, lastGray(), key_frames_.all(), seen_.all()};
 }
@@ -211,7 +211,7 @@ void PoseTracker::restoreState(Memory memory) {
   resumeAt(memory.last);
   before_last_ = memory.before_last;
   is_lost_ = memory.is_lost;
-  has_gone_on_ = true;
+  is_restored_ = true;
   last_gray_ = std::move(memory.last_view);
   key_frames_ = KeyFrames(std::move(memory.places));
   asked_ = nullptr;
@@ -220,7 +220,7 @@ void PoseTracker::restoreState(Memory memory) {
 }
 
 void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
-  finishLearning();
+  finishAdding();
   last_ = T_world_camera;
   is_lost_ = true;
   // The place that was learnt last was seen from elsewhere: it says nothing about the surface in view there.
@@ -231,8 +231,8 @@ void PoseTracker::resumeAt(const Eigen::Isometry3d& T_world_camera) {
 }
 
 bool PoseTracker::passBy(const Eigen::Isometry3d& T_world_camera) {
-  finishLearning();
-  seen_.leaveAllExcept(T_world_camera);
+  finishAdding();
+  seen_.markLeftExceptNear(T_world_camera);
   return key_frames_.isDue(T_world_camera);
 }
 

@@ -24,62 +24,62 @@
 
 namespace scantrove {
 
-/// Where the camera is, frame by frame. Owns all that is known about poses. A frame's pose is predicted from
-/// the motion so far, registered by ICP against the map's surface and judged; what is not trusted is
-/// recovered: from landmarks of the last view and of key frames, which find the camera anywhere that it has
-/// been. One thread, the context's; may throw cl::Error. (Others find the features of a new place and ask
-/// whether the camera has come back to it, until learn() is called again.)
+/// Tracks the pose of the camera. Predicts each pose from the last motion, registers it by ICP against the
+/// map's surface, and judges the result. An untrusted pose is recovered from landmarks of the last frame and
+/// of the tracking key frames, so that a lost camera is found at any place that it has seen. One thread, the
+/// context's; may throw cl::Error. Other threads extract the features of a new key frame and detect loop
+/// closures until addKeyFrame() is called again. It is one class of more than 30 functions because all steps
+/// share the state of the last frame.
 class PoseTracker {
  public:
-  /// Fills the map's surface as seen from a pose.
+  /// Renders the map's surface from a pose.
   using ModelView = std::function<void(const Eigen::Isometry3d& T_world_camera, SurfaceMaps& surface)>;
 
   [[nodiscard]] static Result<std::unique_ptr<PoseTracker>> create(ComputeContext& compute,
                                                                    const FusionParams& params,
                                                                    ModelView view_model);
 
-  /// What the colour image of a frame says, as far as it was asked, and what other threads are at.
+  /// Features of a frame's colour image that were computed so far, and those that other threads compute.
   struct Clues {
     std::optional<GrayView> gray = {}, last_gray = {};
     std::optional<ColorView> view = {};
-    std::optional<SeenLandmarks> corners = {};  ///< of the last image, found again in this one
+    std::optional<SeenLandmarks> corners = {};  ///< corners of the last image, found in this one
     std::future<ColorView> coming_view = {};
     std::future<SeenLandmarks> coming_corners = {};
     bool are_landmarks_sought = false;
-    std::optional<LandmarkPose> landmarks = {};  ///< where they have the camera; none: nowhere
-    std::optional<PoseEstimate> verified = {};   ///< that pose, held against the map
+    std::optional<LandmarkPose> landmarks = {};  ///< pose by landmarks; none: they do not determine one
+    std::optional<PoseEstimate> verified = {};   ///< that pose, registered against the map
   };
-  /// What is found out of a frame first: where the surface alone has it, and, where landmarks are likely to
-  /// be needed, where these have it.
+  /// The first part of tracking a frame: its pose by the surface alone and, where landmarks are likely to be
+  /// needed, by landmarks.
   struct TrackingAttempt {
     RgbdFrame frame;
     PoseEstimate by_surface;
     bool is_firm = false;  ///< the surface determines the pose well
     Clues clues;
   };
-  /// Of the frame after the one that track() and learn() were told of last.
+  /// Begins with the frame after the last one of track() and addKeyFrame().
   [[nodiscard]] TrackingAttempt beginAttempt(const RgbdFrame& frame);
-  /// Looks at no more of the map than `model`, as given to learn() last: while hasUncertain() says no, this
-  /// may run on another thread while this one goes on with the frame before and asks nothing of the tracker.
+  /// Reads only `model` of the map, as given to the last addKeyFrame(). While hasUncertain() is false, it may
+  /// run on another thread; the caller must not use the tracker meanwhile.
   void registerToModel(TrackingAttempt& attempt, const DepthPyramid& depth, const SurfaceMaps& model);
-  /// The pose of that frame. `depth` and `model` as above.
+  /// Completes an attempt. `depth` and `model` as above.
   [[nodiscard]] PoseEstimate track(TrackingAttempt attempt, const DepthPyramid& depth,
                                    const SurfaceMaps& model);
 
-  /// All of this in turn. `model`: as given to learn() last; of the first frame it is not read.
+  /// All steps in turn. `model`: as given to the last addKeyFrame(); the first frame does not read it.
   [[nodiscard]] PoseEstimate track(const RgbdFrame& frame, const DepthPyramid& depth,
                                    const SurfaceMaps& model);
-  /// The frame that was tracked last is in the map now, and `model` is the map's surface from its pose.
-  /// Whether the frame became a place: one that the camera finds its way by from now on.
+  /// Call after the last tracked frame was integrated; `model` is the map's surface from its pose. True: the
+  /// frame became a tracking key frame.
   bool addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model);
 
-  /// A place that the camera was found to have come back to since the last call, by learn() of some frame
-  /// before.
+  /// The key frame that the camera revisited since the last call, detected by an earlier addKeyFrame().
   [[nodiscard]] std::optional<RevisitedKeyFrame> takeReturned() {
     return std::exchange(returned_, std::nullopt);
   }
 
-  /// What the next frame's pose is found by, beside the map.
+  /// The state that the next frame needs beside the map.
   struct Memory {
     Eigen::Isometry3d last = Eigen::Isometry3d::Identity();  ///< pose of the last usable frame
     std::optional<Eigen::Isometry3d> before_last;  ///< of the frame before it, if that was usable too
@@ -88,33 +88,33 @@ class PoseTracker {
     std::deque<KeyFrame> places;
     std::deque<SeenSurfaces::View> surfaces;
   };
-  /// None before the first usable frame. Of frames that are uncertain it does not tell.
+  /// None before the first usable frame. It leaves out uncertain frames.
   [[nodiscard]] std::optional<Memory> memory();
-  /// Goes on where a tracker of the same map stopped: a camera that went on, too, is followed as if nothing
-  /// had been; one that is elsewhere is looked for at once.
+  /// Continues from the state of an earlier tracker of the same map. A camera elsewhere is relocalised at
+  /// once.
   void restoreState(Memory memory);
 
-  /// The camera is somewhere on a map that was made earlier, perhaps there. The places of that time are those
-  /// that passBy() and learn() were told of, in the order of their frames.
+  /// Continues on an earlier map, with a guess at the pose. passBy() and addKeyFrame() restore the earlier
+  /// key frames, in the order of their frames.
   void resumeAt(const Eigen::Isometry3d& T_world_camera);
-  /// A camera of that time was there. Whether its frame was a place; then learn() wants to see it.
+  /// Passes an earlier pose. True: its frame was a tracking key frame and must be given to addKeyFrame().
   [[nodiscard]] bool passBy(const Eigen::Isometry3d& T_world_camera);
 
-  /// A frame that was not trusted when it came.
+  /// A frame whose pose was not trusted at first.
   struct UncertainFrame {
     RgbdFrame frame;
     Eigen::Isometry3d T_world_camera;
-    int chances;  ///< how often it may still be looked at again
+    int chances;  ///< how often it may still be tried
   };
   [[nodiscard]] bool hasUncertain() const { return !uncertain_.empty(); }
-  /// A few that may be certain by the map as it is now, the oldest first: none while the camera is lost.
+  /// A few uncertain frames to try again with the present map, oldest first; none while the camera is lost.
   [[nodiscard]] std::vector<UncertainFrame> takeUncertain();
-  /// The pose of such a frame, prepared as `depth`, by the map as it is now. One that is not usable even now
-  /// is kept for as many later frames as it has chances, and then dropped.
+  /// Tracks an uncertain frame, prepared as `depth`, with the present map. A frame that stays unusable is
+  /// dropped when its chances are used up.
   [[nodiscard]] PoseEstimate reconsider(UncertainFrame uncertain, const DepthPyramid& depth);
 
  private:
-  /// The frame whose pose is looked for, and what was found out about it so far.
+  /// A frame and what is known of its pose so far.
   struct Search {
     const RgbdFrame& frame;
     const DepthPyramid& depth;
@@ -126,43 +126,42 @@ class PoseTracker {
       : compute_(compute), params_(params), view_model_(std::move(view_model)) {}
 
   [[nodiscard]] PoseEstimate begin(const DepthPyramid& depth) const;
-  /// Guesses at the pose, the best first.
+  /// Predicted poses, best first.
   [[nodiscard]] std::vector<Eigen::Isometry3d> predict(const SurfaceMaps& model) const;
   [[nodiscard]] PoseEstimate recover(Search& search, const PoseEstimate& by_surface);
-  /// The colour image's features, which recover() asks for in many frames in a row.
+  /// Extracts the features that recover() will need.
   void beginView(TrackingAttempt& attempt);
-  /// What cornersOf() is asked for soon. Not valid: there is no colour.
+  /// Starts what cornersOf() will need. Invalid: there is no colour.
   [[nodiscard]] std::future<SeenLandmarks> beginCorners(const GrayView& last, const GrayView& now,
                                                         const SurfaceMaps& model,
                                                         const Eigen::Isometry3d& guess) const;
-  /// By such corners alone, from a guess nearby.
+  /// Pose by these corners alone, from a guess nearby.
   [[nodiscard]] std::optional<PoseEstimate> followFlow(Search& search, const Eigen::Isometry3d& guess);
-  /// By features of the nearest key frame or the last image.
+  /// Pose by features of the nearest key frame or the last image.
   [[nodiscard]] std::optional<PoseEstimate> followLandmarks(Search& search, const PoseEstimate& by_surface);
-  /// Where these have the camera, into the clues.
+  /// Stores the pose by landmarks in the clues.
   void seekLandmarks(Search& search, const PoseEstimate& by_surface);
   [[nodiscard]] std::optional<LandmarkPose> locateByLandmarks(Search& search, const PoseEstimate& by_surface);
   [[nodiscard]] std::optional<PoseEstimate> relocalize(Search& search);
   /// `guess` sees the surface of `model`.
   [[nodiscard]] bool isInView(const SurfaceMaps& model, const Eigen::Isometry3d& guess) const;
-  /// Registers against the map as seen from `guess`, or near there, with the landmarks, if any, that led
-  /// there.
+  /// Registers against the map rendered near `guess`, together with `landmarks` (may be null).
   [[nodiscard]] PoseEstimate verify(const Search& search, const Eigen::Isometry3d& guess,
                                     const SeenLandmarks* landmarks);
-  /// Where the camera has come back to: by what it saw there then, without the drift of the map since.
+  /// The pose by what the camera saw at a revisited place, without the drift since.
   [[nodiscard]] PoseEstimate withoutDrift(const DepthPyramid& depth, PoseEstimate pose);
   void remember(const RgbdFrame& frame, const PoseEstimate& pose);
 
   [[nodiscard]] PoseEstimate judge(const IcpOutcome& outcome, const Eigen::Isometry3d& begin,
                                    PoseOrigin origin) const;
   [[nodiscard]] const GrayView& lastGray();
-  /// The camera is where it was before it was elsewhere, at a place that was not asked about yet.
-  [[nodiscard]] bool isBack(const Eigen::Isometry3d& T_world_camera);
-  /// What learn() left to other threads is done.
-  void finishLearning();
-  /// As much of it as the next frame may ask for.
+  /// Whether the camera is back at a key frame that was not checked yet.
+  [[nodiscard]] bool isAtUncheckedKeyFrame(const Eigen::Isometry3d& T_world_camera);
+  /// Waits for all that addKeyFrame() started on other threads.
+  void finishAdding();
+  /// Waits for the landmarks that the next frame may need.
   void awaitLandmarks();
-  /// Of the key frame that sees most like the last usable frame, or null: none is near.
+  /// Landmarks of the key frame that sees most of what the last usable frame saw; null: none is near.
   [[nodiscard]] const Landmarks* nearestLandmarks() const;
   [[nodiscard]] static const GrayView& grayOf(Search& search);
   [[nodiscard]] const ColorView& viewOf(Search& search);
@@ -175,7 +174,7 @@ class PoseTracker {
   ModelView view_model_;
   std::unique_ptr<SurfaceAligner> aligner_;
   FeatureFinder finder_;
-  SurfaceMaps verified_;  // the map from where a pose was verified
+  SurfaceMaps verified_;  // the map from a verified pose
 
   std::optional<Eigen::Isometry3d> last_;         // pose of the last usable frame
   std::optional<Eigen::Isometry3d> before_last_;  // of the frame before it, if that was usable too
@@ -183,7 +182,7 @@ class PoseTracker {
       last_uncertain_;        // of the frame before, when it was neither trusted nor lost
   bool is_lost_ = false;      // the frame before was not usable
   bool was_firm_ = true;      // the surface determined its pose well
-  bool has_gone_on_ = false;  // the next frame is the first after restoreState()
+  bool is_restored_ = false;  // the next frame is the first after restoreState()
 
   RgbdFrame last_frame_;                     // the last usable one
   Intrinsics K_depth_;                       // of its depth images
@@ -197,16 +196,16 @@ class PoseTracker {
   const SeenSurfaces::View* seen_again_ = nullptr;  // the one that seen_surface_ holds
   SurfaceMaps seen_surface_;
   std::deque<UncertainFrame> uncertain_;  // neither confirmed nor dropped yet
-  const KeyFrame* asked_ = nullptr;       // the place that was last asked whether the camera is back at it
+  const KeyFrame* asked_ = nullptr;       // the last key frame that was checked for a loop closure
   std::optional<RevisitedKeyFrame> returned_;
   struct AddedKeyFrame {
-    std::optional<KeyFrame> place;  // a new one
+    std::optional<KeyFrame> key_frame;  // none: it was not due
     std::optional<RevisitedKeyFrame> returned;
   };
-  bool adds_key_frame_ = false;  // it is that of the last usable frame
+  bool adds_key_frame_ = false;  // whether the last usable frame is one
   std::shared_future<void>
-      coming_landmarks_;                 // last_view_ and last_landmarks_; uses what is above: goes first
-  std::future<AddedKeyFrame> learning_;  // likewise
+      coming_landmarks_;               // last_view_ and last_landmarks_; uses what is above: goes first
+  std::future<AddedKeyFrame> adding_;  // likewise
 };
 
 }  // namespace scantrove

@@ -86,13 +86,13 @@ std::optional<LandmarkPose> PoseTracker::locateByLandmarks(Search& search, const
 }
 
 const Landmarks* PoseTracker::nearestLandmarks() const {
-  if (learning_.valid() && adds_key_frame_) return &*last_landmarks_;
+  if (adding_.valid() && adds_key_frame_) return &*last_landmarks_;
   const KeyFrame* near = key_frames_.nearest(*last_);
   return near != nullptr ? &near->landmarks : nullptr;
 }
 
 std::optional<PoseEstimate> PoseTracker::relocalize(Search& search) {
-  finishLearning();
+  finishAdding();
   const ColorView& view = viewOf(search);
   for (const KeyFrame* place : key_frames_.alike(thumbnailOf(search.frame), view, kKeyFramesToTry)) {
     PoseEstimate pose;
@@ -109,7 +109,7 @@ std::optional<PoseEstimate> PoseTracker::relocalize(Search& search) {
 }
 
 bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth, const SurfaceMaps& model) {
-  finishLearning();
+  finishAdding();
   last_frame_ = frame;
   K_depth_ = depth.K;
   last_gray_ = std::exchange(tracked_gray_, std::nullopt);
@@ -120,7 +120,7 @@ bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
     const DepthPyramid::Level& level = depth.levels[std::min(kStoredLevel, depth.levels.size() - 1)];
     seen_.add(model.T_world_camera, StoredSurface(level.K, level.vertices_camera.read(compute_.queue())));
   }
-  if (!is_new_key_frame && !isBack(model.T_world_camera)) return false;
+  if (!is_new_key_frame && !isAtUncheckedKeyFrame(model.T_world_camera)) return false;
   cv::Mat thumbnail = thumbnailOf(frame);
   if (thumbnail.empty()) return false;
   // Nobody asks for a place's features before the next frame, nor before the one after whether the camera was
@@ -133,29 +133,29 @@ bool PoseTracker::addKeyFrame(const RgbdFrame& frame, const DepthPyramid& depth,
   coming_landmarks_ = std::async(std::launch::async, [this, T_world_camera, vertices] {
     last_landmarks_ = landmarksOf(lastView(), T_world_camera, *vertices);
   });
-  learning_ = std::async(std::launch::async, [this, before = coming_landmarks_, T_world_camera, vertices,
-                                              thumbnail, is_new_key_frame] {
+  adding_ = std::async(std::launch::async, [this, before = coming_landmarks_, T_world_camera, vertices,
+                                            thumbnail, is_new_key_frame] {
     before.get();
     const ColorView& view = *last_view_;
     const SurfaceInView surface(view.K, T_world_camera * view.T_color_depth.inverse(), *vertices);
-    AddedKeyFrame added{.place = {}, .returned = returnedTo(key_frames_, thumbnail, view, surface)};
-    if (is_new_key_frame) added.place = KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
+    AddedKeyFrame added{.key_frame = {}, .returned = returnedTo(key_frames_, thumbnail, view, surface)};
+    if (is_new_key_frame) added.key_frame = KeyFrame{T_world_camera, *last_landmarks_, thumbnail};
     return added;
   });
   return is_new_key_frame;
 }
 
-bool PoseTracker::isBack(const Eigen::Isometry3d& T_world_camera) {
+bool PoseTracker::isAtUncheckedKeyFrame(const Eigen::Isometry3d& T_world_camera) {
   if (seen_.nearestSeenAgain(T_world_camera) == nullptr) return false;
   const KeyFrame* near = key_frames_.nearest(T_world_camera);
   return near != nullptr && std::exchange(asked_, near) != near;
 }
 
-void PoseTracker::finishLearning() {
-  if (!learning_.valid()) return;
+void PoseTracker::finishAdding() {
+  if (!adding_.valid()) return;
   coming_landmarks_ = {};
-  AddedKeyFrame added = learning_.get();
-  if (added.place) key_frames_.add(std::move(*added.place));
+  AddedKeyFrame added = adding_.get();
+  if (added.key_frame) key_frames_.add(std::move(*added.key_frame));
   if (added.returned) returned_ = added.returned;
 }
 

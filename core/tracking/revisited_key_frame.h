@@ -8,19 +8,19 @@
 
 namespace scantrove {
 
-/// A place that the camera has left and sees again.
+/// A loop closure: a key frame that the camera left and sees again.
 struct RevisitedKeyFrame {
-  double drift_m = 0;  ///< so far beside what was seen there then the map has what is seen there now
-  int landmarks = 0;   ///< by which it is known again
+  double drift_m = 0;  ///< distance between the map's surface now and what was seen there then
+  int landmarks = 0;   ///< matched
 };
 
-/// Whether a view, with its thumbnail (thumbnailOf), shows one of the places, the newest ones aside: those
-/// are of the way that the camera has just come. It is recognised by features, wherever the map has them, so
-/// that drift of any size is seen; what the surface says of less than a few centimetres is more exact.
-/// `surface`: that of the map in the view. None: it shows none of them clearly, or only one that the camera
-/// cannot be at, so far as that is from where it is thought to be. Any thread.
-[[nodiscard]] std::optional<RevisitedKeyFrame> returnedTo(const KeyFrames& places, const cv::Mat& thumbnail,
-                                                          const ColorView& view,
+/// Detects a loop closure: whether a view, with its thumbnail (thumbnailOf), shows one of the key frames.
+/// Skips the newest ones, which the camera has just passed. Features find the key frame wherever the map has
+/// it, so that drift of any size is measured; below a few centimetres the surface is more exact. `surface`:
+/// the map's in the view. None: no key frame is matched clearly, or only one implausibly far away. Any
+/// thread.
+[[nodiscard]] std::optional<RevisitedKeyFrame> returnedTo(const KeyFrames& key_frames,
+                                                          const cv::Mat& thumbnail, const ColorView& view,
                                                           const SurfaceInView& surface);
 
 }  // namespace scantrove

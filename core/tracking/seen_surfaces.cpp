@@ -20,7 +20,7 @@ bool SeenSurfaces::isDue(const Eigen::Isometry3d& T_world_camera) const {
   });
 }
 
-void SeenSurfaces::leaveAllExcept(const Eigen::Isometry3d& T_world_camera) {
+void SeenSurfaces::markLeftExceptNear(const Eigen::Isometry3d& T_world_camera) {
   for (View& view : views_) {
     if (!view.is_left) view.is_left = viewDistance(view.T_world_camera, T_world_camera, kAway) > 1;
   }

@@ -7,7 +7,7 @@
 #include "core/fusion/depth_pyramid.h"
 #include "core/fusion/surface_maps.h"
 #include "core/tracking/icp_pass.h"
-#include "core/tracking/pose_judgement.h"
+#include "core/tracking/pose_judgment.h"
 
 namespace scantrove {
 

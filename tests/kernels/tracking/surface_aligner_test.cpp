@@ -9,7 +9,7 @@
 
 #include "core/fusion/depth_preprocessor.h"
 #include "core/tracking/icp_pass.h"
-#include "core/tracking/pose_judgement.h"
+#include "core/tracking/pose_judgment.h"
 #include "tests/kernels/tracking/tracking_test_support.h"
 #include "tests/reference/icp_reference.h"
 #include "tests/support/each_device.h"

@@ -48,7 +48,7 @@ TEST(LayerRules, ModulesIncludeAllowedModulesOnly) {
   EXPECT_THAT(finding("core/collection/a.cpp", "core/pipeline/frame_result.h"),
               ElementsAre(HasSubstr("collection does not stand on pipeline")));
   EXPECT_THAT(finding("core/dataset/a.cpp", "core/fusion/brick_map.h"), ElementsAre(HasSubstr("dataset")));
-  EXPECT_THAT(finding("core/exchange/a.cpp", "core/dataset/labelled_scan.h"),
+  EXPECT_THAT(finding("core/exchange/a.cpp", "core/dataset/labeled_scan.h"),
               ElementsAre(HasSubstr("exchange")));
   EXPECT_THAT(LayerRules::broken({{"core/scan/a.cpp", {"core/fusion/raycaster.h", "core/catalogue/b.h"}},
                                   {"core/refinement/a.cpp", {"core/pipeline/b.h", "core/session/c.h"}},

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/capture/pose_files.h"
-#include "core/dataset/centred_mesh.h"
+#include "core/dataset/centered_mesh.h"
 #include "core/dataset/glb_file.h"
 #include "core/dataset/ply_file.h"
 #include "tests/unit/dataset/exported.h"

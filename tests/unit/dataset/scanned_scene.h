@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dataset/labelled_scan.h"
+#include "core/dataset/labeled_scan.h"
 #include "core/image/image_file.h"
 #include "tests/support/analytic_scene.h"
 #include "tests/support/temporary_folder.h"

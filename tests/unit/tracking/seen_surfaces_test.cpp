@@ -19,9 +19,9 @@ TEST(SeenSurfaces, OneForEachHandsWidth) {
 TEST(SeenSurfaces, SeenAgainIsWhatTheCameraWasAwayFrom) {
   SeenSurfaces seen;
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
-  seen.leaveAllExcept(pose(0, 5, 0, 0, 0, 0));
+  seen.markLeftExceptNear(pose(0, 5, 0, 0, 0, 0));
   EXPECT_EQ(seen.nearestSeenAgain(pose(0, 0, 0, 0, 0, 0)), nullptr) << "it never went away";
-  seen.leaveAllExcept(pose(0, 60, 0, 0, 0, 0));
+  seen.markLeftExceptNear(pose(0, 60, 0, 0, 0, 0));
   EXPECT_NE(seen.nearestSeenAgain(pose(0, 3, 0, 0, 0, 0)), nullptr);
   EXPECT_EQ(seen.nearestSeenAgain(pose(0, 8, 0, 0, 0, 0)), nullptr) << "another view";
 }
@@ -30,7 +30,7 @@ TEST(SeenSurfaces, TheNearestOfThemCounts) {
   SeenSurfaces seen;
   seen.add(pose(0, 0, 0, 0, 0, 0), {});
   seen.add(pose(0, 0, 0, 0.12, 0, 0), {});
-  seen.leaveAllExcept(pose(0, 90, 0, 0, 0, 0));
+  seen.markLeftExceptNear(pose(0, 90, 0, 0, 0, 0));
   const SeenSurfaces::View* again = seen.nearestSeenAgain(pose(0, 0, 0, 0.08, 0, 0));
   ASSERT_NE(again, nullptr);
   EXPECT_TRUE(again->T_world_camera.isApprox(pose(0, 0, 0, 0.12, 0, 0)));

@@ -11,9 +11,9 @@ namespace {
 using test::SyntheticScan;
 
 /// A row of books, seen by a scan whose working width is small for it; and every 6th of its frames.
-class CloserLook : public testing::Test {
+class FullResolutionSegmentation : public testing::Test {
  protected:
-  CloserLook() : scan_(options(), params(), true) {
+  FullResolutionSegmentation() : scan_(options(), params(), true) {
     SyntheticOptions some = options();
     some.stride = 6;
     const auto source = makeSyntheticSource(some).value();
@@ -59,7 +59,7 @@ class CloserLook : public testing::Test {
   std::vector<RgbdFrame> frames_;
 };
 
-TEST_F(CloserLook, PartsWhatIsNarrow) {
+TEST_F(FullResolutionSegmentation, PartsWhatIsNarrow) {
   scan_.run();
   EXPECT_LE(booksThatAreRegions(), 4) << "the scan alone does it: the test shows nothing";
   for (const RgbdFrame& frame : frames_)

@@ -1,4 +1,4 @@
-#include "core/tracking/pose_judgement.h"
+#include "core/tracking/pose_judgment.h"
 
 #include <algorithm>
 #include <cmath>

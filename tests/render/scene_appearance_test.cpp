@@ -6,7 +6,7 @@ namespace {
 using test::kVoxel_m;
 using test::SceneTest;
 
-class SceneLooksTest : public SceneTest {
+class SceneAppearanceTest : public SceneTest {
  protected:
   /// The wall of the fixture as a camera sees one: coloured, with normals towards it, `lift` hundredths of a
   /// voxel behind the voxels' centres.
@@ -23,7 +23,7 @@ class SceneLooksTest : public SceneTest {
   }
 };
 
-TEST_F(SceneLooksTest, ColoringShowsAtOnce) {
+TEST_F(SceneAppearanceTest, ColoringShowsAtOnce) {
   show(seenWall(1, 2), {{0}, {7}, {9}});
   render();
   EXPECT_TRUE(hasHueOf(pixel(100, 120), regionColor(RegionId{7})));
@@ -36,7 +36,7 @@ TEST_F(SceneLooksTest, ColoringShowsAtOnce) {
   EXPECT_TRUE(scene_.cloud().upToDate()) << "nothing was changed";
 }
 
-TEST_F(SceneLooksTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
+TEST_F(SceneAppearanceTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
   scene_.setColoring(Coloring::scene);
   show(seenWall(1, 1), {{0}, {7}});
   for (const Eigen::Vector3f& eye :
@@ -53,7 +53,7 @@ TEST_F(SceneLooksTest, DiscsCloseTheSurfaceSeenAslantAndFromNear) {
   }
 }
 
-TEST_F(SceneLooksTest, AnOutlineNotSeenInColorTakesTheColorBesideIt) {
+TEST_F(SceneAppearanceTest, AnOutlineNotSeenInColorTakesTheColorBesideIt) {
   std::vector<CloudBrick> bricks = seenWall(1, 1);
   for (CloudBrick& brick : bricks) {
     for (std::size_t i = 0; i < brick.points.size(); i += 3) brick.points[i].color = {};
@@ -64,7 +64,7 @@ TEST_F(SceneLooksTest, AnOutlineNotSeenInColorTakesTheColorBesideIt) {
   for (int x = 100; x < 140; ++x) EXPECT_TRUE(hasHueOf(pixel(x, 120), {30, 180, 60})) << x;
 }
 
-TEST_F(SceneLooksTest, BackgroundIsDimmedOrHiddenAndComesBack) {
+TEST_F(SceneAppearanceTest, BackgroundIsDimmedOrHiddenAndComesBack) {
   show(wall(64, 1, 2), {{0}, {7}, {9}});
   render();
   const Rgb usual = pixel(100, 120);
@@ -83,7 +83,7 @@ TEST_F(SceneLooksTest, BackgroundIsDimmedOrHiddenAndComesBack) {
   EXPECT_EQ(pixel(100, 120), usual);
 }
 
-TEST_F(SceneLooksTest, WhatIsNearerThanTheCutIsNotSeen) {
+TEST_F(SceneAppearanceTest, WhatIsNearerThanTheCutIsNotSeen) {
   show(wall(64, 1, 1), {{0}, {7}});
   scene_.setClipDistance(0.05F);
   render();
@@ -95,7 +95,7 @@ TEST_F(SceneLooksTest, WhatIsNearerThanTheCutIsNotSeen) {
   EXPECT_FALSE(scene_.clipDistance());
 }
 
-TEST_F(SceneLooksTest, PointsLieOnTheSurfaceBesideTheirVoxels) {
+TEST_F(SceneAppearanceTest, PointsLieOnTheSurfaceBesideTheirVoxels) {
   // Half a voxel over the surface, whose normal is -z: it lies half a voxel farther along z.
   show(seenWall(1, 1, 50), {{0}, {7}});
   const auto picked = scene_.cloud().pick({0, 0, 0}, {0, 0, 1}, 0.001F);
@@ -103,7 +103,7 @@ TEST_F(SceneLooksTest, PointsLieOnTheSurfaceBesideTheirVoxels) {
   EXPECT_NEAR(picked->z(), kVoxel_m * (std::floor(1 / kVoxel_m) + 0.5F), 1e-4);
 }
 
-TEST_F(SceneLooksTest, TheMiddleOfTheViewIsFinestWithinABudget) {
+TEST_F(SceneAppearanceTest, TheMiddleOfTheViewIsFinestWithinABudget) {
   // Half a metre away a voxel has several pixels: a coarse level would show as blocks.
   show(wall(384, 1, 1), {{0}, {7}});
   scene_.viewpoint().setUp(-Eigen::Vector3f::UnitY());
@@ -113,7 +113,7 @@ TEST_F(SceneLooksTest, TheMiddleOfTheViewIsFinestWithinABudget) {
   EXPECT_GT(scene_.cloud().drawnPointCount(), 384U * 384U / 64);
 }
 
-TEST_F(SceneLooksTest, AMeasuredLineIsSeenThroughTheSurface) {
+TEST_F(SceneAppearanceTest, AMeasuredLineIsSeenThroughTheSurface) {
   show(wall(64, 1, 1), {{0}, {7}});
   scene_.showMeasure({{-0.1F, 0, 1.2F}, {0.1F, 0, 1.2F}});
   render();
