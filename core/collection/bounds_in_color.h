@@ -5,15 +5,16 @@
 
 namespace scantrove {
 
-/// The rectangle around some pixels of a depth camera in the colour image.
+/// The rectangle around some depth pixels, in the colour image.
 class BoundsInColor {
  public:
-  /// `place`: of SurfaceInColor::places.
+  /// Adds a pixel; `place` is its entry of SurfaceInColor::places.
   void add(const cv::Vec2f& place) {
     first_ = {std::min(first_.x, place[0]), std::min(first_.y, place[1])};
     last_ = {std::max(last_.x, place[0]), std::max(last_.y, place[1])};
   }
-  /// In fractions of the colour image, whole pixels of a depth camera of `depth` pixels. Something was added.
+  /// The rectangle in fractions of the colour image, widened to whole pixels of a `depth`-sized image.
+  /// Requires an add().
   [[nodiscard]] cv::Rect2f box(const cv::Size& depth) const {
     const cv::Point2f half_pixel(0.5F / static_cast<float>(depth.width),
                                  0.5F / static_cast<float>(depth.height));

@@ -10,11 +10,12 @@
 namespace scantrove {
 namespace {
 
-/// Pixels around a candidate into which its surface is thought to go on, so that its outline can be drawn
-/// between pixels.
+/// Pixels around a candidate to which its surface is extended, so that its outline can be drawn between
+/// pixels.
 constexpr int kMargin_px = 2;
 
-/// `box` in units of an image, rounded outwards (but for what arithmetic adds) and kept inside the image.
+/// `box` in units of an image, rounded outwards with a tolerance for rounding errors, and clipped to the
+/// image.
 cv::Rect pixelBox(const cv::Rect2d& box, const cv::Size& image) {
   constexpr double kNothing_px = 1e-3;
   const auto down = [](double at) { return static_cast<int>(std::floor(at + kNothing_px)); };
@@ -28,7 +29,7 @@ cv::Rect2d scaled(const cv::Rect2d& box, double sx, double sy) {
   return {box.x * sx, box.y * sy, box.width * sx, box.height * sy};
 }
 
-/// What the pixels of `mask` cover of the colour image, in fractions.
+/// The rectangle that the pixels of `mask` cover in the colour image, in fractions.
 cv::Rect2f bounds(const cv::Mat& places, const cv::Mat& mask, const cv::Size& working) {
   BoundsInColor around;
   for (int y = 0; y < mask.rows; ++y) {
@@ -39,9 +40,9 @@ cv::Rect2f bounds(const cv::Mat& places, const cv::Mat& mask, const cv::Size& wo
   return around.box(working);
 }
 
-/// By how much the surface is shifted in the colour image, in working pixels, against where colour of the
-/// same camera would show it: CV_32FC2 by pixel of `mask`, which is at `origin` of `places`. Outside `mask`
-/// as at the nearest pixel of it.
+/// The shift of the surface in the colour image, in working pixels, relative to colour of the same camera:
+/// CV_32FC2 by pixel of `mask`, which is at `origin` of `places`. Pixels outside `mask` take the value of
+/// its nearest pixel.
 cv::Mat shiftsAround(const cv::Mat& mask, const cv::Mat& places, const cv::Point& origin) {
   cv::Mat distances, nearest;
   cv::distanceTransform(mask == 0, distances, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
@@ -65,11 +66,11 @@ cv::Mat shiftsAround(const cv::Mat& mask, const cv::Mat& places, const cv::Point
   return shifts;
 }
 
-/// For each pixel of `crop` of the colour image the pixel of `shifts` that is shifted there, CV_32FC2.
-/// `to_working`: from pixels of colour to working pixels, of which `origin` is the first of `shifts`.
+/// For each pixel of `crop` in the colour image, the pixel of `shifts` that is shifted there, CV_32FC2.
+/// `to_working`: from colour pixels to working pixels; `origin` is the first of `shifts`.
 cv::Mat undoShifts(const cv::Mat& shifts, const cv::Rect& crop, const cv::Vec2f& to_working,
                    const cv::Point& origin) {
-  constexpr int kRounds = 2;  // each leaves a tenth of the error: shifts change slowly
+  constexpr int kRounds = 2;  // each reduces the error to a tenth, because shifts change slowly
   cv::Mat shifted(crop.size(), CV_32FC2);
   for (int y = 0; y < crop.height; ++y) {
     auto* row = shifted.ptr<cv::Vec2f>(y);

@@ -9,17 +9,18 @@
 
 namespace scantrove {
 
-/// From the candidate to the camera, unit, world.
+/// Unit vector from the candidate to the camera, world.
 [[nodiscard]] Eigen::Vector3f directionOf(const Candidate& candidate,
                                           const Eigen::Isometry3d& T_world_camera);
 
-/// The box of a candidate in fractions of the colour image's width and height; may reach beyond it.
+/// The box of a candidate in fractions of the colour image's width and height; it may reach beyond the
+/// image.
 [[nodiscard]] cv::Rect2f boxInColor(const SurfaceInColor& in_color, const Candidate& candidate);
 
-/// The view of a candidate in one frame: colour and mask at the colour image's own resolution, depth in
-/// millimetres (as the depth camera measured it, laid over colour), pose, direction (thesis 5.1.1). What
-/// something else hides from the colour camera is no part of it. None: the colour image does not show the
-/// candidate at all. `in_color`: of the frame, for the image that the candidate was seen in.
+/// The view of a candidate in one frame (thesis 5.1.1): colour and mask at the colour image's resolution,
+/// measured depth in millimetres registered to colour, pose, direction. Surface that is occluded from the
+/// colour camera is left out. None: the colour image does not show the candidate. `in_color` belongs to the
+/// frame, at the candidate's resolution.
 [[nodiscard]] std::optional<ObjectView> cropView(const RgbdFrame& frame,
                                                  const Eigen::Isometry3d& T_world_camera,
                                                  const SurfaceInColor& in_color, const Candidate& candidate);

@@ -3,13 +3,15 @@
 
 namespace scantrove {
 
-/// How clearly a candidate shows an object.
+/// Thresholds for how clearly a candidate shows an object.
 struct Clarity {
-  float least_outline;  ///< that is the candidate's own
+  float least_outline;  ///< of the candidate's outline that is its own
   float most_hidden;
-  float least_objectness;  ///< of a candidate that is rated (Candidate::objectness) and not cut off
+  float
+      least_objectness;  ///< applies to a rated candidate (Candidate::objectness), which must not be cut off
 };
-/// To add a new object; and to store one more view, of which there are many to choose from.
+/// Thresholds to add a new object, and stricter ones to store a further view, of which there are many to
+/// choose from.
 constexpr Clarity kForObject{.least_outline = 0.85F, .most_hidden = 0.30F, .least_objectness = 0.7F};
 constexpr Clarity kForView{.least_outline = 0.90F, .most_hidden = 0.25F, .least_objectness = 0.5F};
 

@@ -9,26 +9,26 @@
 
 namespace scantrove {
 
-/// What the catalogue says now of the objects that a scan follows, by the ids of the database: for lists,
-/// labels and reports.
+/// The catalogue's current data about the tracked objects, by database id: for lists, labels and reports.
 class CollectedObjects {
  public:
-  /// Both outlive it.
+  /// Both outlive this.
   CollectedObjects(const CatalogueMirror& catalogue, const ObjectTracks& tracks)
       : catalogue_(catalogue), tracks_(tracks) {}
 
-  /// Objects observed in this scan that the catalogue has, by id.
+  /// Objects of the catalogue that this scan has observed, by id.
   [[nodiscard]] std::vector<CollectedObject> list() const;
-  /// The object that a region is, or none: unknown, not stored yet, or deleted by a user.
+  /// The object of the region; none: unknown, not stored yet, or deleted by a user.
   [[nodiscard]] ObjectId idOf(RegionId region) const;
-  /// The scan's key of it, stored or not; and the id of what has that key, none: it is not stored.
+  /// The scan's key of the region's object, stored or not. The next function gives the id for a key; none:
+  /// not stored.
   [[nodiscard]] ObjectId keyOf(RegionId region) const {
     return catalogue_.mergeRootOf(tracks_.objectOf(region));
   }
   [[nodiscard]] ObjectId storedIdOf(ObjectId key) const { return catalogue_.idOf(key); }
-  /// The same with what the catalogue says of it.
+  /// As above, with the catalogue's record.
   [[nodiscard]] RegionObject describe(RegionId region) const;
-  /// Fills in the object of `seen.regions`.
+  /// Fills in `seen.object` and its record from `seen.regions`.
   void describe(SeenObject& seen) const;
 
  private:

@@ -111,7 +111,7 @@ class MemoryWriter {
   }
   template <class K, class V>
   void write(const std::unordered_map<K, V>& all) {
-    writeEach(std::map<K, V>(all.begin(), all.end()));  // in an order that is always the same
+    writeEach(std::map<K, V>(all.begin(), all.end()));  // sorted, so that equal states give equal bytes
   }
   template <class Container>
   void writeEach(const Container& all) {
@@ -122,7 +122,7 @@ class MemoryWriter {
   ByteWriter to_;
 };
 
-/// Refuses what no MemoryWriter wrote.
+/// Rejects words that MemoryWriter did not write.
 class MemoryReader {
  public:
   explicit MemoryReader(std::span<const std::uint32_t> words) : from_(words) {}

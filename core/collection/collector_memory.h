@@ -14,11 +14,11 @@
 
 namespace scantrove {
 
-/// What an ObjectCollector knows beside map, regions and catalogue, as plain data. A collector that is made
-/// with it continues the refinement of a scan in another run of the program as if the first one went on.
+/// The state of an ObjectCollector besides map, regions and catalogue, as plain data. A collector made with
+/// it continues the refinement of a scan in another run of the program without a difference.
 struct CollectorState {
   CatalogueMirror::Continued catalogue;
-  std::int64_t last_event = 0;  ///< of the catalogue, that is known
+  std::int64_t last_event = 0;  ///< newest event of the catalogue that was read
   ObjectTracks::State tracks;
   Recognizer::State recognizer;
   UserRequests::State requests;
@@ -29,12 +29,12 @@ struct CollectorState {
   int frame = 0;
 };
 
-/// As a session keeps it.
+/// Serializes for the session.
 [[nodiscard]] std::vector<std::uint32_t> collectorMemory(const CollectorState& state);
-/// None: the words are not of this version, or damaged.
+/// None: the words are damaged or of another version.
 [[nodiscard]] std::optional<CollectorState> collectorStateFrom(std::span<const std::uint32_t> words);
 
-/// Error: a catalogue that lacks objects which the scan added to it. `catalogue`: loaded.
+/// Error: the `catalogue` lacks objects that the scan added to it. `catalogue` must be loaded.
 [[nodiscard]] Result<void> checkObjects(const CollectorState& state, const CatalogueMirror& catalogue);
 
 }  // namespace scantrove

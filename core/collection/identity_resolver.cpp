@@ -6,12 +6,11 @@
 namespace scantrove {
 namespace {
 
-/// An object that was seen so few frames ago is there under regions of its own.
+/// An object observed within so many frames still has regions of its own.
 constexpr int kFramesToReturn = 10;
-/// An object that was seen elsewhere so few frames ago is not here.
+/// An object seen elsewhere within so many frames is not here.
 constexpr int kFramesToMove = 90;
-/// Clear observations in a row, of another size than the object's, after which the regions are not the
-/// object.
+/// Clear observations of another size in a row, after which the regions are no longer the object.
 constexpr int kMismatches = 10;
 
 }  // namespace
@@ -23,17 +22,18 @@ ObjectId IdentityResolver::identityOf(const Candidate& candidate, std::optional<
   // The same object under a new region.
   const ObjectId before = nearby(candidate, frame);
   if (const ObjectId object = isMismatched(candidate.regions, before) ? ObjectId{} : before) {
-    // What a user deleted is not added again, but on request.
+    // An object that a user deleted is added again only on request.
     if (requested_name == nullptr) return object;
     if (catalogue_.mergeRootOf(object) && !requests_.isExcluded(*candidate.regions.begin(), object))
       return object;
   }
-  if (requested_name != nullptr && !requested_name->empty()) return {};  // its appearance counts for less
+  if (requested_name != nullptr && !requested_name->empty())
+    return {};  // a requested name outweighs the appearance
   const ObjectRecord* known = verdict ? catalogue_.currentRecord(*verdict) : nullptr;
   if (known == nullptr || isMismatched(candidate.regions, known->id) ||
       isOtherSet(known->id, candidate.regions))
     return {};
-  // An object that was seen elsewhere a moment ago is another one of the same appearance.
+  // An object seen elsewhere a moment ago is another object of the same appearance.
   for (const auto& [object, track] : tracks_.all()) {
     if (catalogue_.mergeRootOf(object) == known->id &&
         (is_refining || frame - track.last_frame < kFramesToMove) && !track.isMissing() &&
@@ -121,7 +121,7 @@ void IdentityResolver::mergeDuplicates(const std::vector<const Candidate*>& obse
           catalogue_.model().mayMerge(catalogue_.mergeRootOf(other), catalogue_.mergeRootOf(object)))
         there.push_back(other);
     }
-    // A candidate at the place of two objects is neither.
+    // A candidate at the place of two objects is neither of them.
     const bool is_several = std::ranges::any_of(there, [&](ObjectId a) {
       return std::ranges::any_of(there, [&](ObjectId b) { return areSeenTogether(a, b); });
     });
@@ -145,8 +145,8 @@ void IdentityResolver::joinRegions(RegionId into, RegionId from, JoinedBy by, in
   for (Join& join : joins_) {
     if (join.region == from) join.region = into;
   }
-  // A rest of an object that was taken away says nothing of the region that it is part of now. The object is
-  // found again by its place.
+  // The remnant of a removed object does not identify the region that now contains it. The object is found
+  // again by its place.
   const ObjectId object = tracks_.objectOf(from);
   const ObjectRecord* record = catalogue_.currentRecord(object);
   const bool is_by_user = record != nullptr && (isSettled(*record) || requests_.isRequested(object));
@@ -157,7 +157,7 @@ void IdentityResolver::joinRegions(RegionId into, RegionId from, JoinedBy by, in
   const auto [kept, gone] = tracks_.joinRegions(into, from);
   if (!kept) return;
   if (!catalogue_.mergeRootOf(kept)) {
-    tracks_.bind({into}, gone);  // the other one was deleted
+    tracks_.bind({into}, gone);  // the other object was deleted
   } else {
     joins_.push_back({kept, gone, by == JoinedBy::frames ? into : RegionId{}, frame});
   }
@@ -180,10 +180,10 @@ void IdentityResolver::merge(Which which, int frame) {
   };
   const auto due = std::stable_partition(joins_.begin(), joins_.end(), std::not_fn(isDue));
   for (auto join = joins_.end(); join != due;) {
-    --join;  // the newest first
+    --join;  // newest first
     const ObjectId a = catalogue_.mergeRootOf(join->kept);
     const ObjectId b = catalogue_.mergeRootOf(join->gone);
-    // An object that moved is not one that stayed; and of one with other regions only a part was joined.
+    // A moved object differs from one that stayed. Of an object with other regions only a part was joined.
     const bool are_one =
         !join->region || (tracks_.hasMoved(a) == tracks_.hasMoved(b) && !tracks_.hasRegions(join->gone));
     if (!are_one || !catalogue_.model().mayMerge(a, b)) continue;
@@ -207,15 +207,15 @@ bool IdentityResolver::isOtherSet(ObjectId object, const RegionSet& regions) con
 void IdentityResolver::settle(std::span<const CompleteSet> complete) {
   std::set<ObjectId> taken_roots;
   for (const auto& [regions, best_frame] : complete) {
-    std::vector<ObjectId> objects;  // that its regions were taken for
+    std::vector<ObjectId> objects;  // identified for its regions
     for (const RegionId region : regions) {
       const ObjectId object = tracks_.objectOf(region);
       if (object && !std::ranges::count(objects, object)) objects.push_back(object);
     }
-    // What a user deleted stays deleted.
+    // A deleted object stays deleted.
     if (!std::ranges::all_of(objects, [this](ObjectId object) { return !!catalogue_.mergeRootOf(object); }))
       continue;
-    // What a user edited comes first, and stays apart.
+    // Objects that a user edited come first, and stay separate.
     std::stable_partition(objects.begin(), objects.end(),
                           [this](ObjectId object) { return requests_.isFixed(object); });
     if (objects.size() > 1 && requests_.isFixed(objects[1])) continue;
@@ -226,7 +226,7 @@ void IdentityResolver::settle(std::span<const CompleteSet> complete) {
       return !requests_.isFixed(object) && taken_roots.contains(catalogue_.mergeRootOf(object));
     });
     if (objects.empty()) continue;
-    // A complete object was not replaced by another one.
+    // An object that is complete was not replaced.
     const bool is_with_replacement = std::any_of(objects.begin() + 1, objects.end(), [&](ObjectId object) {
       return replacementOf(object) == replacementOf(objects.front());
     });

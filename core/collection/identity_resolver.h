@@ -14,42 +14,42 @@
 
 namespace scantrove {
 
-/// Regions that are one complete object, and the frame (RgbdFrame::index) that shows it best.
+/// Regions that form one complete object, and the frame (RgbdFrame::index) that shows it best.
 struct CompleteSet {
   RegionSet regions;
   int best_frame = 0;
 };
 
-/// Two objects that are one.
+/// Two entries of one object.
 struct SameObjects {
   ObjectId kept, gone;
 };
 
-/// Decides which candidates and objects are the same: by their regions, their places and what the recogniser
-/// says. Merges objects of joined regions or of one place; an object that repeatedly shows another size is
-/// given up and replaced.
+/// Decides which candidates and objects are the same, by regions, places and the recogniser's verdict.
+/// Merges objects whose regions were joined or that share a place. Replaces an object that repeatedly shows
+/// another size.
 class IdentityResolver {
  public:
-  /// Who joined two regions: what frames say may be otherwise in the next.
+  /// Who joined two regions: a join by frames may be reverted in the next frame.
   enum class JoinedBy { user, frames };
-  /// Frames that a join by frames has to hold before the objects become one.
+  /// Frames that a join by frames must persist before the objects are merged.
   static constexpr int kFramesToMerge = 300;
 
-  /// What a candidate of some regions was taken for, and later observations that contradict it.
+  /// The object that some regions were identified as, and later observations that contradict it.
   struct Mismatch {
     ObjectId object;
     int count = 0;
     int last_frame = 0;
   };
-  /// What a session keeps.
+  /// The part that a session stores.
   struct State {
     std::map<RegionSet, Mismatch> mismatches;
-    std::map<ObjectId, ObjectId> replaced_by;               ///< of objects with a mismatch
+    std::map<ObjectId, ObjectId> replaced_by;               ///< mismatched objects and their replacements
     std::set<std::pair<ObjectId, ObjectId>> seen_together;  ///< in one frame; smaller id first
-    std::map<RegionSet, int> complete;                      ///< CompleteSet, while a scan is refined
+    std::map<RegionSet, int> complete;                      ///< CompleteSet, during refinement
   };
 
-  /// All outlive the resolver.
+  /// All outlive this.
   IdentityResolver(CatalogueMirror& catalogue, CatalogueWriter& writer, ObjectTracks& tracks,
                    const UserRequests& requests, State state = {})
       : catalogue_(catalogue),
@@ -59,28 +59,28 @@ class IdentityResolver {
         state_(std::move(state)) {}
   [[nodiscard]] const State& state() const { return state_; }
 
-  /// The object that the candidate is, as far as is known. `verdict`: of the recogniser. `is_refining`:
+  /// The object that the candidate is, as far as known. `verdict` is the recogniser's. `is_refining`:
   /// nothing moves any more.
   [[nodiscard]] ObjectId identityOf(const Candidate& candidate, std::optional<ObjectId> verdict, int frame,
                                     bool is_refining) const;
-  /// The object that was at the candidate's place, and that may be it.
+  /// An object last observed at the candidate's place that may be the candidate.
   [[nodiscard]] ObjectId nearby(const Candidate& candidate, int frame) const;
 
-  // Mismatches: clear observations of what was taken for an object, but is not as large.
+  // Mismatches: clear observations of an identified object that is not as large as expected.
 
-  /// After several in a row the regions are not the object any more.
+  /// After several mismatches in a row the regions are no longer that object.
   void countMismatch(const Candidate& candidate, ObjectId object, int frame);
   void clearMismatch(const RegionSet& regions) { state_.mismatches.erase(regions); }
-  /// The object that the regions do not match; none: there is none.
+  /// The object that the regions do not match; none: no mismatch.
   [[nodiscard]] ObjectId mismatchOf(const RegionSet& regions) const;
-  /// The new `object` is where the mismatched one was thought to be. If that one is nowhere else, its views
-  /// showed no object, or the same one: the map tells at the end of the scan.
+  /// The new `object` is at the place of the mismatched one. If the mismatched one is not found elsewhere,
+  /// the refinement decides whether its views showed the same object or none.
   void replace(ObjectId mismatched, ObjectId object);
-  /// What replaced the object in the end; the object itself if nothing did.
+  /// The last replacement of the object; the object itself if it was not replaced.
   [[nodiscard]] ObjectId replacementOf(ObjectId object) const;
-  /// They are merged, or one replaced the other, and no user deleted that.
+  /// Whether the two are merged or one replaced the other, and no user deleted the result.
   [[nodiscard]] bool haveOneReplacement(ObjectId a, ObjectId b) const;
-  /// Merges objects, of which valid views exist, with those that replaced them.
+  /// Merges replaced objects that still have valid views with their replacements.
   void mergeReplaced(std::span<const ObjectId> with_views);
   void forgetBefore(int frame);
 
@@ -90,32 +90,32 @@ class IdentityResolver {
   void requestMerge(const SameObjects& same, int frame) {
     joins_.push_back({same.kept, same.gone, {}, frame});
   }
-  /// Two objects at one place are one, the second was found under other regions; objects that were ever seen
-  /// in one frame are two. `observed`: the candidates that are objects in this frame.
+  /// Merges two objects at one place, of which the second was found under other regions. Objects that were
+  /// ever seen in one frame stay two. `observed`: the candidates that are objects in this frame.
   void mergeDuplicates(const std::vector<const Candidate*>& observed, int frame);
-  /// The region `from` is now part of `into`. If `into` was no object, it is the object of `from` if a user
-  /// joined them or edited that; else only the place tells (nearby()).
+  /// The region `from` is now part of `into`. If `into` was no object, it becomes the object of `from` if a
+  /// user joined them or edited that object. Otherwise only the place decides (nearby()).
   void joinRegions(RegionId into, RegionId from, JoinedBy by, int frame);
-  /// `part` was a part of `from` until now. What a user deleted stays deleted in its parts.
+  /// `part` was part of `from` until now. An object that a user deleted stays deleted for its parts.
   void splitRegion(RegionId from, RegionId part);
-  enum class Which { held, all };  ///< joins that have held long enough, or all
+  enum class Which { held, all };  ///< joins that persisted long enough, or all
   void merge(Which which, int frame);
-  /// Objects of earlier scans that newly found ones were merged with, since the last call.
+  /// Objects of earlier scans that new objects were merged with, since the last call.
   [[nodiscard]] std::vector<ObjectRecord> takeRecognized() { return std::exchange(recognized_, {}); }
 
   // Complete sets.
 
-  /// Each set takes the object that its regions were taken for, and none that another set has.
+  /// Each set takes the object that its regions were identified as, unless another set has it.
   void settle(std::span<const CompleteSet> complete);
   void forgetComplete() { state_.complete.clear(); }
-  /// Their best frames.
+  /// Complete sets with their best frames.
   [[nodiscard]] const std::map<RegionSet, int>& complete() const { return state_.complete; }
 
  private:
-  /// Objects whose regions were joined, or that are at one place.
+  /// Objects whose regions were joined, or that share a place.
   struct Join {
     ObjectId kept, gone;
-    RegionId region;  // that holds both; none: they are one for good
+    RegionId region;  // holds both; none: the join is final
     int frame = 0;
   };
 

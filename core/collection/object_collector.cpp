@@ -13,10 +13,10 @@
 namespace scantrove {
 namespace {
 
-/// What was recognised is compared with earlier scans so often.
+/// Frames between comparisons of recognised objects with earlier scans.
 constexpr int kFramesToAlign = 30;
 
-/// What is to be announced of an event of the catalogue.
+/// What an event of the catalogue announces.
 struct Announced {
   FrameObjects& objects;
 
@@ -106,7 +106,7 @@ FrameObjects ObjectCollector::collect(const RgbdFrame& frame, const Eigen::Isome
   std::erase_if(candidates, [this](const Candidate& candidate) {
     return candidate.objectness && !mayBeObject(candidate.regions);
   });
-  if (frame_ == 1) recognizer_.warmUp();  // the first frame has been shown by then
+  if (frame_ == 1) recognizer_.warmUp();  // the first frame is on screen by now
   frame_ += is_refining_ ? RecognitionHistory::kFramesApart : 1;
   applyEvents(objects);
   identities_.merge(IdentityResolver::Which::held, frame_);
@@ -218,7 +218,7 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   const bool is_best_frame =
       is_last_pass_ && set != identities_.complete().end() && set->second == observed.frame.index;
   if (!identity) {
-    const bool is_unknown = recognizer_.verdict(candidate.regions).has_value();  // or is elsewhere
+    const bool is_unknown = recognizer_.verdict(candidate.regions).has_value();  // or the object is elsewhere
     const bool is_found = (is_clear && is_unknown) || is_best_frame;
     if (is_found || requests_.isRequested(candidate.regions))
       addObject(candidate, observed, is_found ? MadeFor::itself : MadeFor::request);
@@ -226,13 +226,13 @@ void ObjectCollector::collectOne(const Candidate& candidate, ObjectId identity, 
   }
   const ObjectRecord* known = catalogue_.currentRecord(identity);
   const bool is_as_large = known == nullptr || views_.matchesSize(*known, candidate, observed);
-  // A set that is much larger than the object holds more than it: its other regions stay free. Of an object
-  // that appeared, a part may not be on the map yet.
+  // A set much larger than the object contains more than the object, so its other regions stay free. The
+  // map may still lack a part of an object that appeared.
   const bool is_requested = requests_.requestedName(candidate) != nullptr;
   const bool has_appeared = candidate.has_appeared && candidate.regions.size() == 1;
   const bool needs_view = is_best_frame && !views_.hasView(identity);
   if (!is_as_large && !is_requested && !has_appeared && !needs_view) {
-    // An object that was put elsewhere is recognised by more than its size.
+    // An object that moved is recognised by more than its size.
     if (!isSettled(*known) && !recognizer_.hasReturned(known->id) && is_clear &&
         views_.contradictsSize(*known, candidate))
       identities_.countMismatch(candidate, identity, frame_);
@@ -268,7 +268,7 @@ void ObjectCollector::merge(const std::vector<SameObjects>& same) {
 void ObjectCollector::beginRefinement() {
   identities_.merge(IdentityResolver::Which::all, frame_);
   is_refining_ = true;
-  // A refinement may begin anew because a user has changed something since.
+  // Refinement may start again because a user has changed something since.
   is_last_pass_ = false;
   identities_.forgetComplete();
   recognizer_.forgetComparisons();

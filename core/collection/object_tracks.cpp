@@ -9,16 +9,16 @@
 namespace scantrove {
 namespace {
 
-/// Two observations of a scan are of one object when their centroids lie within this fraction of its
+/// Two observations in a scan belong to one object if their centroids lie within this fraction of its
 /// diagonal,
 constexpr float kSamePlaceFraction = 0.25F;
 /// and the smaller diagonal is at least this fraction of the larger.
 constexpr float kAsLargeFraction = 0.6F;
 
-/// The depth is read in so many pixels to each side of an object's middle.
+/// Depth is read in so many pixels to each side of an object's centre.
 constexpr int kAroundMiddle_px = 2;
 
-/// Between the centroids, where both are at one place.
+/// Distance between the centroids; none: the two are not at one place.
 std::optional<float> distanceAtOnePlace(const ObjectTrack& track, const Candidate& candidate) {
   if (track.isMissing()) return std::nullopt;
   const float diagonal_m = std::max(track.size_m.norm(), candidate.size_m.norm());
@@ -99,7 +99,7 @@ bool ObjectTracks::isInViewBeside(ObjectId object, const RegionSet& regions) con
 }
 
 void ObjectTracks::observe(ObjectId object, const Candidate& candidate, int frame) {
-  // An object that is found elsewhere under regions of its own has been carried there.
+  // An object found elsewhere under its own regions was moved there.
   if (objectOf(candidate.regions) != object && state_.tracks.contains(object) && !isAt(object, candidate))
     state_.moved.insert(object);
   bind(candidate.regions, object);

@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-/// Of an object, in one image.
+/// What one image shows of an object.
 struct Sight {
   RegionSet regions;
   int pixels = 0;

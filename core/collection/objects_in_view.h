@@ -8,10 +8,9 @@
 
 namespace scantrove {
 
-/// The objects that the regions of a view are, by their numbers, each with its regions there and the
-/// rectangle in the colour image around what that shows of it; what the catalogue says of them is left open.
-/// `object_of`: none: the region is no object. `in_color`: of the same pixels. An object of fewer than
-/// `least_pixels` is left out: that is a rest of something. Any thread.
+/// The objects of a view by number, each with its regions there and their rectangle in the colour image;
+/// catalogue data is not filled in. `object_of` returns none for a region that is no object. `in_color` has
+/// the same pixels. Objects under `least_pixels` are left out as remnants. Any thread.
 [[nodiscard]] std::vector<SeenObject> objectsInView(const RenderedView& view, const SurfaceInColor& in_color,
                                                     const std::function<ObjectId(RegionId)>& object_of,
                                                     int least_pixels);

@@ -6,7 +6,7 @@
 
 namespace scantrove {
 
-/// One frame and where it was taken, as far as cutting views from it needs.
+/// One frame and its pose, as far as cropping views needs them.
 struct ObservedFrame {
   const RgbdFrame& frame;
   const Eigen::Isometry3d& T_world_camera;

@@ -34,7 +34,7 @@ std::optional<ObjectId> RecognitionHistory::verdict(const RegionSet& regions) co
   });
   if (best != tally.votes.end() && (best->second.sure || best->second.attempts >= kAttemptsToKnow))
     return best->first;
-  // A single vote among many look-ups was chance.
+  // A single vote among many comparisons is chance.
   const int needed = tally.votes.empty() ? kAttemptsToGiveUp : 2 * kAttemptsToGiveUp;
   if (tally.attempts < needed) return std::nullopt;
   return ObjectId{};

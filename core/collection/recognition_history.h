@@ -8,15 +8,15 @@
 
 namespace scantrove {
 
-/// Which object of the catalogue some regions are, by several look-ups. One may be wrong, and one from a new
-/// side says little against an object.
+/// Identifies regions by several comparisons with the catalogue. A single one may be wrong, and a failed
+/// one from a new side says little.
 class RecognitionHistory {
  public:
-  static constexpr int kAttemptsToKnow = 2;    ///< that name the same object
-  static constexpr int kAttemptsToGiveUp = 4;  ///< that name none
-  static constexpr int kFramesApart = 4;       ///< between two look-ups
+  static constexpr int kAttemptsToKnow = 2;    ///< that find the same object
+  static constexpr int kAttemptsToGiveUp = 4;  ///< that find none
+  static constexpr int kFramesApart = 4;       ///< between two comparisons
   static constexpr int kMemory = 900;          ///< frames
-  /// One look-up is enough where the distance is below this part of the greatest that counts.
+  /// One comparison is enough if its distance is below this fraction of the threshold.
   static constexpr float kSurePart = 0.5F;
 
   struct Votes {
@@ -34,15 +34,15 @@ class RecognitionHistory {
   explicit RecognitionHistory(Tallies tallies) : tallies_(std::move(tallies)) {}
   [[nodiscard]] const Tallies& tallies() const { return tallies_; }
 
-  /// The regions were looked up in frame `frame`.
+  /// The regions were compared in frame `frame`.
   void add(const RegionSet& regions, const DetectionMatch& match, float max_distance, int frame);
   [[nodiscard]] bool isAttemptDue(const RegionSet& regions, int frame) const;
   [[nodiscard]] int attempts(const RegionSet& regions) const;
 
-  /// The object that they are; none: no object that is known. Empty: more look-ups are needed.
+  /// The object of the regions; none: no known object. Empty: more comparisons are needed.
   [[nodiscard]] std::optional<ObjectId> verdict(const RegionSet& regions) const;
 
-  /// The region is part of another now: earlier look-ups showed something else.
+  /// The region is part of another now: earlier comparisons showed something else.
   void forgetRegion(RegionId region);
   void forgetBefore(int frame);
 

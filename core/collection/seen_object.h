@@ -6,9 +6,9 @@
 
 namespace scantrove {
 
-/// An object or candidate that a frame shows.
+/// An object or candidate in a frame.
 struct SeenObject {
-  ObjectId object;  ///< none while the candidate is still being watched
+  ObjectId object;  ///< none while the candidate is not identified yet
   RegionSet regions;
   std::string name;         ///< empty while `object` is none
   bool recognized = false;  ///< known from the catalogue before this scan, or recognised again

@@ -20,7 +20,7 @@ void UserRequests::cancel(RegionId region) { state_.pending.erase(region); }
 
 bool UserRequests::isRequested(const RegionSet& regions) const {
   return std::ranges::any_of(state_.pending, [&](const auto& request) {
-    // A name is that of the region alone.
+    // A name belongs to the region alone.
     return regions.contains(request.first) && (request.second.empty() || regions.size() == 1);
   });
 }
@@ -45,7 +45,7 @@ void UserRequests::joinRegions(RegionId into, RegionId from) {
 
 std::vector<std::string> UserRequests::namesOfOthers(RegionId region) const {
   const ObjectId root = catalogue_.mergeRootOf(tracks_.existingObjectOf(region));
-  std::map<RegionId, std::string> names;  // by now
+  std::map<RegionId, std::string> names;  // current names
   for (const Naming& naming : namings_) {
     if (!naming.name.empty()) names[naming.region] = naming.name;
   }
@@ -111,7 +111,7 @@ std::optional<Error> UserRequests::takeRefusal() {
 std::map<RegionId, std::vector<StoredNaming>> UserRequests::storedNamings() const {
   std::map<RegionId, std::vector<StoredNaming>> all;
   for (const Naming& naming : namings_) {
-    // An object that was there, and has the name now, is what the region was before.
+    // If the object existed and has the name now, the region was that object before.
     const bool was_there = !naming.earlier && !naming.made && !naming.is_of_earlier_scan;
     const ObjectId earlier = was_there ? tracks_.objectOf(naming.region) : naming.earlier;
     const ObjectId made = catalogue_.idOf(naming.made);
@@ -144,7 +144,7 @@ void UserRequests::undoName(RegionId region, const std::string& name) {
   if (const auto naming = newest(region, *checked); naming != namings_.end()) return undo(naming);
   const auto other = state_.not_objects.find(region);
   if (other == state_.not_objects.end()) return;
-  // The object of that name has not been added yet.
+  // The object of that name is not added yet.
   tracks_.bind({region}, other->second);
   state_.not_objects.erase(other);
 }
@@ -158,7 +158,7 @@ void UserRequests::undo(Namings::iterator naming) {
     writer_.takeNameBack(naming->number, naming->is_of_earlier_scan ? naming->stored : std::nullopt);
   undone_.push_back(*naming);
   if (const ObjectId made = naming->made) {
-    // Frames may find it by themselves, as something new.
+    // Frames may find the region again as a new object.
     writer_.withdraw(made);
     state_.requested.erase(made);
     tracks_.forget(made);
@@ -173,7 +173,7 @@ void UserRequests::complete(const Candidate& candidate, ObjectId object, MadeFor
     const auto found = state_.pending.find(region);
     if (found == state_.pending.end()) continue;
     const std::string name = found->second;
-    if (!name.empty() && candidate.regions.size() > 1) continue;  // until it is seen alone
+    if (!name.empty() && candidate.regions.size() > 1) continue;  // until the region is seen alone
     state_.pending.erase(found);
     state_.requested.insert(object);
     const auto other = state_.not_objects.find(region);

@@ -16,72 +16,72 @@
 
 namespace scantrove {
 
-/// What a user asks of regions: that a region becomes an object, and what it is called. A request waits until
-/// the region is seen; each can be undone.
+/// Requests of users: a region is to become an object, or gets a name. A request waits until the region is
+/// seen; each can be undone.
 class UserRequests {
  public:
-  /// What a session keeps.
+  /// The part that a session stores.
   struct State {
     std::map<RegionId, std::string> pending;   ///< regions that wait to become objects; names, or empty
-    std::map<RegionId, ObjectId> not_objects;  ///< a user said that the region is another than this object
-    std::set<ObjectId> requested;              ///< objects that were waited for
+    std::map<RegionId, ObjectId> not_objects;  ///< a user said that the region is not this object
+    std::set<ObjectId> requested;              ///< objects added by request
   };
 
-  /// All outlive the requests.
+  /// All outlive this.
   UserRequests(CatalogueMirror& catalogue, CatalogueWriter& writer, ObjectTracks& tracks, State state = {})
       : catalogue_(catalogue), writer_(writer), tracks_(tracks), state_(std::move(state)) {}
   [[nodiscard]] const State& state() const { return state_; }
 
-  // What a user does.
+  // Edits of users.
 
-  /// The region is an object. If it is none yet, it is added when it is seen next, complete or not, and gets
+  /// The region is an object. If it is none yet, it is added when it is seen next, complete or not, with
   /// the `name` if there is one.
   void request(RegionId region, const std::string& name);
-  /// The region is no object, or nothing more is asked of it.
+  /// The region is no object, or its request is cancelled.
   void cancel(RegionId region);
-  /// Regions that are waited for.
+  /// Regions with a pending request.
   [[nodiscard]] const std::map<RegionId, std::string>& pending() const { return state_.pending; }
 
-  /// The region is called so: its object gets the name, and is confirmed. If the catalogue has another object
-  /// of that name, the two become one. If the region is no object, only request() makes it one.
+  /// Names the object of the region, which confirms it. If the catalogue has another object of that name,
+  /// the two are merged. A region that is no object becomes one only by request().
   void name(RegionId region, const std::string& name);
-  /// The same for a name that was undone. What others made of its object meanwhile stays.
+  /// Redoes an undone name. Changes that others made to the object meanwhile stay.
   void redoName(RegionId region, const std::string& name);
-  /// Undoes the newest such name() in the catalogue, unless somebody has named the object otherwise since.
+  /// Undoes the newest such name() in the catalogue, unless somebody has renamed the object since.
   void undoName(RegionId region, const std::string& name);
-  /// Undoes that the region is an object: one that was made for that is removed.
+  /// Undoes that the region is an object: removes an object that was made for the request.
   void undoObject(RegionId region);
   /// Whether this scan named the region so, and that was not undone.
   [[nodiscard]] bool hasNamed(RegionId region, const std::string& name) const;
 
-  /// What namings of earlier scans of this session did, so that they can be undone here.
+  /// Namings by earlier scans of this session, so that they can be undone here.
   void restoreNamings(RegionId region, const std::vector<StoredNaming>& stored);
-  /// What namings of regions did, here and in earlier scans, as far as it is stored and not undone.
+  /// Namings of regions by this and earlier scans, as far as they are stored and not undone.
   [[nodiscard]] std::map<RegionId, std::vector<StoredNaming>> storedNamings() const;
 
-  // What becomes of it.
+  // Fulfilment.
 
-  /// A candidate of these regions is waited for.
+  /// A candidate of these regions is requested.
   [[nodiscard]] bool isRequested(const RegionSet& regions) const;
-  /// What the user calls the candidate, if its one region is waited for; null: it is not.
+  /// The requested name of a candidate with one requested region; null: there is no such request.
   [[nodiscard]] const std::string* requestedName(const Candidate& candidate) const;
   /// A user said that the region is not this object.
   [[nodiscard]] bool isExcluded(RegionId region, ObjectId object) const;
   enum class MadeFor { itself, request };
-  /// The candidate is now this object. `made`: whether the object was made only because a user asked for it.
+  /// The candidate is now this object. `made`: the object was added only by request.
   void complete(const Candidate& candidate, ObjectId object, MadeFor made);
   /// `from` is now part of `into`.
   void joinRegions(RegionId into, RegionId from);
   /// The database has stored a name.
   void noteStored(const event::NameStored& stored);
-  /// The oldest name that the catalogue refuses, once.
+  /// The oldest name that the catalogue refused; returned once.
   [[nodiscard]] std::optional<Error> takeRefusal();
 
-  /// A user waited for the object.
+  /// The object was added by request.
   [[nodiscard]] bool isRequested(ObjectId object) const { return state_.requested.contains(object); }
-  /// A user edited the object, or deleted it.
+  /// A user edited or deleted the object.
   [[nodiscard]] bool isEdited(ObjectId object) const;
-  /// The refinement leaves the object as it is: a user edited it, or an earlier scan found it.
+  /// Refinement does not change the object: a user edited it, or an earlier scan found it.
   [[nodiscard]] bool isFixed(ObjectId object) const;
   /// The object of the region is fixed.
   [[nodiscard]] bool isFixed(RegionId region) const;
@@ -90,16 +90,16 @@ class UserRequests {
   struct Naming {
     int number = 0;
     RegionId region;
-    std::string name;  // empty: it is an object
-    ObjectId earlier;  // what the region was before, if it is another object now
-    ObjectId made;     // for this alone; none: it was there
+    std::string name;  // empty: the region becomes an object without a name
+    ObjectId earlier;  // the region's former object, if it has another now
+    ObjectId made;     // the object added for this request; none: it existed
     std::optional<ObjectNaming> stored = {};
     bool is_of_earlier_scan = false;
   };
   using Namings = std::vector<Naming>;
 
   void applyName(RegionId region, const std::string& name, int again);
-  /// What users call the other regions of its object.
+  /// The names that users gave the other regions of its object.
   [[nodiscard]] std::vector<std::string> namesOfOthers(RegionId region) const;
   [[nodiscard]] Namings::iterator newest(RegionId region, const std::string& name);
   void undo(Namings::iterator naming);
@@ -108,8 +108,8 @@ class UserRequests {
   CatalogueWriter& writer_;
   ObjectTracks& tracks_;
   State state_;
-  Namings namings_;  // that are not undone
-  Namings undone_;   // the newest last
+  Namings namings_;  // not undone
+  Namings undone_;   // newest last
   int last_naming_ = 0;
   std::vector<Error> refusals_;
 };

@@ -13,18 +13,18 @@
 namespace scantrove {
 namespace {
 
-/// Of mask and region together both must be this part, or the region has changed since the view was stored.
+/// Minimum overlap of mask and region, as a fraction of their union; below it the region has changed since.
 constexpr float kMinFit = 0.7F;
-/// The same of a complete set of several regions, whose views may be of one of them.
+/// The same for a complete set of several regions, whose views may show only one of them.
 constexpr float kMinFitOfSet = 0.6F;
 
-/// A candidate is as large as an object if the smaller of their sizes is this part of the larger, seen from
-/// one side; from elsewhere another face comes into sight.
+/// A candidate is as large as an object if the smaller size is this fraction of the larger, from one
+/// direction. From elsewhere another face comes into sight.
 constexpr float kAsLargeFromThere = 0.85F, kAsLargeFromElsewhere = 0.7F;
-/// From here on it is elsewhere.
+/// Angle from which on a direction counts as elsewhere.
 constexpr float kElsewhere_deg = 40;
 
-/// The frame's depth at the pixels of the candidate's mask; `image_px`: of the image that it was seen in.
+/// The frame's depth at the pixels of the candidate's mask; `image_px`: size of the candidate's image.
 cv::Mat depthAt(const RgbdFrame& frame, const Candidate& candidate, const cv::Size& image_px) {
   cv::Mat depth, z_m;
   cv::resize(frame.depth, depth, image_px, 0, 0, cv::INTER_NEAREST);
@@ -33,7 +33,7 @@ cv::Mat depthAt(const RgbdFrame& frame, const Candidate& candidate, const cv::Si
   return z_m;
 }
 
-/// What regions a map shows where a view has its mask.
+/// The regions that the map shows under a view's mask.
 class MaskOverlap {
  public:
   struct Pixels {
@@ -66,7 +66,7 @@ class MaskOverlap {
     }
     return together;
   }
-  /// Pixels of both mask and regions, by those of either.
+  /// Intersection over union of mask and regions.
   [[nodiscard]] float fit(const Pixels& pixels) const {
     return pixels.masked / std::max(mask_ + pixels.all - pixels.masked, 1.0F);
   }
@@ -76,7 +76,7 @@ class MaskOverlap {
   float mask_ = 0;
 };
 
-/// Where the view shows its object, most of the surface is gone, or hidden by something else.
+/// Most of the surface under the view's mask is gone or hidden by something else.
 bool wasRemoved(const StoredView& view, const DepthView& surface, float depth_noise_m) {
   int there = 0, gone = 0;
   for (int v = 0; v < view.z_m.rows; ++v) {
@@ -152,7 +152,7 @@ bool ViewKeeper::matchesSize(const ObjectRecord& known, const Candidate& candida
                              const ObservedFrame& observed) const {
   if (!tracks_.isObserved(known.id)) return true;
   const Eigen::Vector3f direction = observed.directionOf(candidate);
-  // Of the views that are not outdated the one from the nearest side.
+  // Compares with the valid view from the nearest direction.
   float known_m = known.size_m.norm(), cosine = -1;
   bool has_view = false, has_outdated = false;
   for (const StoredView& view : views_) {
@@ -167,7 +167,7 @@ bool ViewKeeper::matchesSize(const ObjectRecord& known, const Candidate& candida
   }
   if ((!has_view && has_outdated) || known_m == 0) return true;
   constexpr float kRadians = std::numbers::pi_v<float> / 180;
-  // Of a set that is larger the other regions may be something else.
+  // A larger set may contain other things than the object.
   const bool is_set = candidate.regions.size() > 1;
   const float turned = std::acos(std::clamp(cosine, -1.0F, 1.0F)) / (kElsewhere_deg * kRadians);
   const float elsewhere = is_set ? 0 : std::min(turned, 1.0F);
@@ -237,7 +237,7 @@ void ViewKeeper::compare(int frame_index, const RenderedView& now, float depth_n
     view.is_outdated = true;
     changed.insert(view.object);
   }
-  // From there new views of the object may be stored.
+  // New views of the object may be stored from there.
   for (const ObjectId object : changed) tracks_.viewsOf(object) = {};
   for (const StoredView& view : views_) {
     if (changed.contains(view.object) && !view.is_outdated) tracks_.viewsOf(view.object).keep(view.direction);
@@ -247,7 +247,7 @@ void ViewKeeper::compare(int frame_index, const RenderedView& now, float depth_n
 bool ViewKeeper::isOutdated(const StoredView& view, const RenderedView& now) const {
   if (requests_.isEdited(view.object)) return false;
   const MaskOverlap overlap(view, now);
-  // The largest region of the object, or all of them together: the others are parts.
+  // The largest region of the object, or all of them together; the others are parts.
   MaskOverlap::Pixels together, largest;
   for (const auto& [region, pixels] : overlap.regions()) {
     if (!identities_.haveOneReplacement(tracks_.objectOf(region), view.object)) continue;
@@ -277,8 +277,8 @@ void ViewKeeper::removeOutdated() {
   for (const ObjectId object : objectsInValidViews()) {
     if (!tracks_.hasMoved(object)) are_there.insert(catalogue_.mergeRootOf(object));
   }
-  // If other views still show the object in place, it was not removed. Something else was, that this view
-  // shows with it.
+  // Other views still show the object in place, so it was not removed. This view also contains something
+  // that was removed.
   for (StoredView& view : views_) {
     view.is_outdated =
         view.is_outdated || (view.is_of_removed && are_there.contains(catalogue_.mergeRootOf(view.object)));

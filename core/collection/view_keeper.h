@@ -13,52 +13,53 @@
 
 namespace scantrove {
 
-/// Gives objects and views of them to the catalogue, and knows which views this scan gave. When a scan is
-/// refined, it compares each view with the map, and removes views that do not show their object any more.
+/// Adds objects and views to the catalogue, and knows the views of this scan. Refinement compares each view
+/// with the map and removes views that no longer show their object.
 class ViewKeeper {
  public:
-  /// All outlive the keeper. `views`: that this scan has given so far.
+  /// All outlive this. `views`: those that this scan has added so far.
   ViewKeeper(CatalogueMirror& catalogue, CatalogueWriter& writer, ObjectTracks& tracks,
              const UserRequests& requests, const IdentityResolver& identities,
              std::vector<StoredView> views = {});
   [[nodiscard]] const std::vector<StoredView>& all() const { return views_; }
   void setParams(const DetectionParams& params) { params_ = params; }
 
-  /// Adds the candidate as a new object, by its first view. None: the colour image does not show it, or the
-  /// catalogue has no room now.
+  /// Adds the candidate as a new object with its first view. None: the colour image does not show it, or
+  /// the catalogue has no room now.
   [[nodiscard]] ObjectId addObject(const Candidate& candidate, const ObservedFrame& observed);
-  /// Adds a view of the object if no view shows it from about there.
+  /// Adds a view of the object if no stored view has a similar direction.
   void addView(ObjectId object, const Candidate& candidate, const ObservedFrame& observed);
 
-  /// As far as is known, the object is about as large as this candidate.
+  /// Whether the object is about as large as this candidate, as far as known.
   [[nodiscard]] bool matchesSize(const ObjectRecord& known, const Candidate& candidate,
                                  const ObservedFrame& observed) const;
-  /// The object as a whole has another size, and no view shows it about as large, from wherever.
+  /// The complete object has another size than this candidate, and no view from any direction shows it
+  /// about as large.
   [[nodiscard]] bool contradictsSize(const ObjectRecord& known, const Candidate& candidate) const;
-  /// A view of it is valid, or the refinement leaves the object as it is.
+  /// The object has a valid view, or refinement does not change it.
   [[nodiscard]] bool hasView(ObjectId object) const;
 
   // Refinement.
 
-  /// RgbdFrame::index of the frames of which views were stored, rising.
+  /// Frames (RgbdFrame::index) with stored views, ascending.
   [[nodiscard]] std::vector<int> framesOfViews() const;
-  /// Where that frame was taken, and the size of the image that some views of it are of.
+  /// The pose of that frame, and the size of the image that some of its views come from.
   struct ViewsCamera {
     cv::Size image_px;
     Eigen::Isometry3d T_world_camera;
   };
-  /// Of each size in which views of that frame were stored.
+  /// One entry for each size of the views stored in that frame.
   [[nodiscard]] std::vector<ViewsCamera> camerasOfViews(int frame_index) const;
   void beginRefinement();
   /// Objects of unlikely regions alone lose their views, unless a user edited them.
   void dropUnlikely(const std::function<bool(RegionId)>& is_unlikely);
-  /// Compares views of that frame, of images as large as `now`, with the map. A view that shows its object
-  /// otherwise is outdated. If most of what it shows was removed since, it stays valid, unless the object is
-  /// still there. `now`: what the map shows from there; `depth_noise_m`: FusionParams.
+  /// Compares the views of that frame, of images as large as `now`, with the map. A view that shows its
+  /// object differently is outdated. It stays valid if most of its content was removed since, unless the
+  /// object is still there. `now`: the map rendered from there; `depth_noise_m`: FusionParams.
   void compare(int frame_index, const RenderedView& now, float depth_noise_m);
-  /// Objects with valid views, as the views were stored for them.
+  /// Objects with valid views, by the ids that the views were stored for.
   [[nodiscard]] std::vector<ObjectId> objectsInValidViews() const;
-  /// Outdated views leave the catalogue, and with them the objects that have no other.
+  /// Removes outdated views from the catalogue, and objects that have no others.
   void removeOutdated();
 
  private:
