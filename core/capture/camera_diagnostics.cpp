@@ -29,7 +29,7 @@ Error withoutDriver(const KnownCamera& camera) {
   return {"Debian 12 has no driver for it.", std::string(camera.advice)};
 }
 
-/// A rule of udev that lets the user at the screen and the group plugdev open such devices, as commands.
+/// Commands that add a udev rule for the local user and the group plugdev.
 std::string ruleFor(const UsbDevice& device) {
   const std::string id = device.id();
   const std::string vendor = id.substr(0, 4);
@@ -39,7 +39,7 @@ std::string ruleFor(const UsbDevice& device) {
          vendor + "-" + product + ".rules && sudo udevadm control --reload && sudo udevadm trigger";
 }
 
-/// The group that may read and write the node where root is its owner; empty if there is none but root's own.
+/// The group with read and write access to a node that root owns; empty if only root's own.
 std::string groupOf(const std::filesystem::path& node) {
   struct stat status {};
   constexpr mode_t kBoth = S_IRGRP | S_IWGRP;
@@ -50,7 +50,7 @@ std::string groupOf(const std::filesystem::path& node) {
   return entry == nullptr ? "" : entry->gr_name;
 }
 
-/// Nothing if the user may read and write `node`, which is called `name`.
+/// Checks that the user may read and write `node`, displayed as `name`.
 std::optional<Error> lacksPermission(const UsbDevice& device, const std::filesystem::path& node,
                                      const std::string& name) {
   if (node.empty()) {
@@ -87,11 +87,11 @@ std::optional<Error> isSlow(const UsbDevice& device, const KnownCamera& camera) 
                    " port of the computer itself, with another cable."};
 }
 
-/// The video module of the kernel for the Kinect v1 takes every one that is plugged in. libfreenect takes it
-/// back as it opens the camera, where it may.
+/// The kernel's video module claims every connected Kinect v1. libfreenect reclaims it on opening, with
+/// permission.
 std::optional<Error> isHeldByModule(const UsbDevice& device, const KnownCamera& camera) {
   const auto holds = [&](const char* module) { return std::ranges::count(device.modules, module) > 0; };
-  // Its driver is called "kinect", and that is all that shows where the module is part of the kernel.
+  // A built-in module shows only as its driver, "kinect".
   if (camera.driver != CameraDriver::libfreenect || (!holds("gspca_kinect") && !holds("kinect"))) {
     return std::nullopt;
   }

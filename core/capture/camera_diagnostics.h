@@ -9,24 +9,23 @@
 
 namespace scantrove {
 
-/// What the doctor found about one depth camera that is plugged in.
+/// Diagnosis of one connected depth camera.
 struct CameraDiagnosis {
   UsbDevice device;
   KnownCamera camera;
-  std::filesystem::path node;  ///< as UsbDevice::node(); of the computer itself, whatever root was looked at
+  std::filesystem::path node;  ///< as UsbDevice::node(), on this computer even when `root` is another folder
   bool is_served = false;      ///< this build has a driver for it
-  bool may_be_opened = false;  ///< by this user: its node can be read and written
-  std::vector<Error> problems = {};  ///< what keeps it from working, and the line that helps
-  std::vector<Error> remarks = {};   ///< what may
+  bool may_be_opened = false;  ///< this user can read and write its node
+  std::vector<Error> problems = {};  ///< they prevent the camera from working; the advice helps
+  std::vector<Error> remarks = {};   ///< they may prevent it from working
 
   [[nodiscard]] bool isWell() const { return problems.empty(); }
 };
 
-/// Looks at the depth cameras among the USB devices below `root`/sys and at their nodes below `root`/dev:
-/// driver, permission, kernel module, USB speed, power supply. Opens nothing. Ends after milliseconds; any
-/// thread.
+/// Examines depth cameras among the USB devices below `root`/sys and their nodes below `root`/dev: driver,
+/// permission, kernel module, USB speed, power supply. Opens no device. Takes milliseconds; any thread.
 [[nodiscard]] std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root = "/");
-/// The same for a build with or without libfreenect, whatever this one is.
+/// The same for a build with or without libfreenect, independent of this build.
 [[nodiscard]] std::vector<CameraDiagnosis> examineCameras(const std::filesystem::path& root,
                                                           bool with_libfreenect);
 

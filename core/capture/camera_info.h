@@ -3,7 +3,7 @@
 
 namespace scantrove {
 
-/// A camera that a driver sees now.
+/// A camera that a driver currently reports.
 struct CameraInfo {
   std::string uri;  ///< opens it: `camera:URI`
   std::string name;

@@ -64,7 +64,7 @@ Result<ColorCamera> colorCameraFrom(const nlohmann::json& json, const std::files
   return camera;
 }
 
-/// A 4x4 matrix of a camera, as ScanNet has them.
+/// A 4x4 camera matrix (ScanNet).
 Result<Intrinsics> readProjection(const std::filesystem::path& file) {
   const auto matrix = readMatrixFile(file);
   if (!matrix) return fail(matrix.error().what, "Correct it, or give --intrinsics fx,fy,cx,cy.");
@@ -72,7 +72,7 @@ Result<Intrinsics> readProjection(const std::filesystem::path& file) {
   return Intrinsics{at(0, 0), at(1, 1), at(0, 2), at(1, 2), 0, 0};
 }
 
-/// Where a camera of several is among them; without a file, where all of them are.
+/// The folder that has one of several camera files; without any, a list of all of them.
 Result<Eigen::Isometry3d> readPlace(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return Eigen::Isometry3d::Identity();
@@ -95,7 +95,7 @@ Result<CameraModel> readScannetIntrinsics(const std::filesystem::path& folder) {
   return model;
 }
 
-/// The folder that a folder lies in.
+/// The parent folder.
 std::filesystem::path parentOf(const std::filesystem::path& folder) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(folder, error).lexically_normal();
@@ -103,7 +103,7 @@ std::filesystem::path parentOf(const std::filesystem::path& folder) {
   return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
 }
 
-/// `cam_K.txt`, or ScanNet's files, in `place`.
+/// Finds `cam_K.txt` or ScanNet's files in `place`.
 Result<std::optional<CameraModel>> findOtherIntrinsics(const std::filesystem::path& place) {
   std::error_code error;
   Result<CameraModel> model = CameraModel();

@@ -19,7 +19,7 @@ Result<std::vector<CameraInfo>> listOpenNiCameras() {
   std::vector<CameraInfo> cameras;
   for (int i = 0; i < devices.getSize(); ++i) {
     const openni::DeviceInfo& device = devices[i];
-    // Once opened, the virtual camera and recordings are devices for OpenNI2 too.
+    // OpenNI2 also lists the virtual camera and recordings as devices once they were opened.
     std::error_code error;
     const std::string uri = device.getUri();
     if (uri != "Dummy" && !std::filesystem::is_regular_file(uri, error)) {

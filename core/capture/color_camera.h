@@ -6,16 +6,16 @@
 
 namespace scantrove {
 
-/// A colour camera of its own beside the depth camera, fixed to it.
+/// A separate colour camera, fixed to the depth camera.
 struct ColorCamera {
   Intrinsics K;  ///< of the colour images
   Eigen::Isometry3d T_color_depth = Eigen::Isometry3d::Identity();
 };
 
-/// How the colour images of a recording lie over its depth images, before the images' sizes are known.
+/// Registration of a recording's colour images to its depth images, before the image sizes are known.
 struct ColorRegistration {
-  /// What made the colour images; none: they are registered, that is they show what the depth images show,
-  /// scaled. K for images of K.width x K.height; both 0: for the recording's, whatever their size.
+  /// The separate colour camera; none: colour is registered to depth and scaled. K is for images of K.width x
+  /// K.height; both 0: for the recording's images of any size.
   std::optional<ColorCamera> camera;
 };
 

@@ -63,8 +63,7 @@ Result<std::optional<ColorCamera>> colorCameraFor(const ColorRegistration& regis
                                                   const Intrinsics& depth_K, const std::string& source) {
   const std::string images = "the colour images are " + sizeText(size.width, size.height);
   if (!registration.camera) {
-    // Registered images of one camera have one shape; a smaller colour or depth image is the same view
-    // resized.
+    // Registered images have equal aspect ratios; they may differ in scale only.
     if (haveOneShape(size, depth_K)) return std::optional<ColorCamera>();
     return fail(source + ": " + images + ", the depth images " + sizeText(depth_K.width, depth_K.height) +
                     ", so they cannot be registered.",

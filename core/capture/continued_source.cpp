@@ -8,7 +8,7 @@
 namespace scantrove {
 namespace {
 
-/// Between the last frame of one recording and the first of the next: that of a camera with 30 a second.
+/// Time between two recordings: one frame at 30 Hz.
 constexpr double kBetweenFrames_s = 1.0 / 30;
 
 int orLargest(std::int64_t index) {

@@ -6,17 +6,17 @@
 
 namespace scantrove {
 
-/// Another recording as the next part of a scan: its frame numbers and times go on after the scan's last
-/// ones. A recording that comes later anyway, such as the rest of the same one, keeps its own.
+/// Another recording as the next part of a scan. Shifts frame numbers and times to follow the scan's last
+/// ones. A recording that is already later, such as the rest of the same one, keeps its own.
 class ContinuedSource final : public FrameSource {
  public:
-  /// A frame's place in the scan is its place in the recording plus this.
+  /// Added to a frame's index and time in the recording.
   struct Shift {
     int index = 0;
     double time_s = 0;
   };
 
-  /// `last_index` and `last_time_s`: the largest of the scan so far.
+  /// `last_index` and `last_time_s`: the largest values of the scan so far.
   ContinuedSource(std::unique_ptr<FrameSource> source, int last_index, double last_time_s)
       : source_(std::move(source)), last_index_(last_index), last_time_s_(last_time_s) {}
 

@@ -12,7 +12,7 @@ namespace scantrove {
 /// The names in a folder, sorted, hidden ones left out. Error: names the folder and the system's reason.
 [[nodiscard]] Result<std::vector<std::string>> listFolder(const std::filesystem::path& folder);
 
-/// `frame-000012.depth.png` taken apart.
+/// The parts of `frame-000012.depth.png`.
 struct SevenScenesPart {
   int number = 0;
   std::string_view suffix;  ///< "depth.png"; points into the name
@@ -21,7 +21,7 @@ struct SevenScenesPart {
 /// Empty if `name` is not of the form `frame-<digits>.<suffix>`.
 [[nodiscard]] std::optional<SevenScenesPart> sevenScenesPart(std::string_view name);
 
-/// The folder's own name, also when the path ends in a slash or is ".".
+/// The folder's name, also for paths that end in a slash or are ".".
 [[nodiscard]] std::string folderName(const std::filesystem::path& folder);
 
 /// `text` in lower case (ASCII).

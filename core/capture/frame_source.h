@@ -11,48 +11,48 @@
 
 namespace scantrove {
 
-/// What is known of a source once it is open.
+/// Properties of an open source.
 struct SourceInfo {
-  std::string name;  ///< for people: the folder's name, the camera's name
+  std::string name;  ///< to display: the folder's name, the camera's name
   std::string kind;  ///< "7-Scenes", "TUM RGB-D", "numbered images", "OpenNI2 camera", "OpenNI2 recording",
                      ///< "libfreenect camera", "synthetic"
   Intrinsics intrinsics;
-  std::optional<int> frame_count;  ///< frames that next() will give in all; empty for a live camera
+  std::optional<int> frame_count;  ///< frames that next() will return in total; empty for a live camera
   bool is_live = false;
   bool has_poses = false;
-  std::vector<InstanceName> instances;  ///< of the masks in RgbdFrame::instances, where there are some
+  std::vector<InstanceName> instances;  ///< names of the masks in RgbdFrame::instances; empty without masks
 };
 
-/// What one call of FrameSource::next() gave.
+/// Result of one call of FrameSource::next().
 struct FrameRead {
   enum class Status {
     frame,    ///< `frame` is filled
-    skipped,  ///< one frame could not be used (truncated image, NaN pose); `error` says why; go on reading
-    timeout,  ///< a live camera gave nothing for a second; go on reading
+    skipped,  ///< unusable frame (truncated image, NaN pose); `error` says why; continue reading
+    timeout,  ///< a live camera sent nothing for a second; continue reading
     end,      ///< the recording is over
-    failed,   ///< the source is gone (unplugged, folder removed); `error` says why; stop reading
+    failed,   ///< the source is lost (unplugged, folder removed); `error` says why; stop reading
   };
   Status status = Status::end;
   RgbdFrame frame;
   Error error;
-  int dropped = 0;  ///< frames a live source threw away before this one
+  int dropped = 0;  ///< frames that a live source discarded before this one
 };
 
-/// Gives frames one after the other. Opened by openSource(); used from one thread at a time.
+/// Returns frames in order. Opened by openSource(); one thread at a time.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   [[nodiscard]] virtual const SourceInfo& info() const = 0;
   [[nodiscard]] virtual FrameRead next() = 0;
-  /// The same if it is there already: never waits.
+  /// Returns the next frame if it is ready; never waits.
   [[nodiscard]] virtual std::optional<FrameRead> nextIfReady() { return std::nullopt; }
 };
 
-/// What a person may say about a source when opening it.
+/// User options for opening a source.
 struct SourceOptions {
   int start = 0;              ///< skip this many frames of the recording
   int stride = 1;             ///< then take every stride-th
-  std::optional<int> frames;  ///< at most so many
+  std::optional<int> frames;  ///< maximum number
   std::optional<Intrinsics>
       intrinsics;  ///< fx fy cx cy (width and height are the images'); overrides the source's
   std::optional<double> depth_scale;                    ///< units per metre; overrides the source's

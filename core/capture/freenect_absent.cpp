@@ -1,4 +1,4 @@
-// Instead of freenect_source.cpp where libfreenect is not installed.
+// Replaces freenect_source.cpp where libfreenect is not installed.
 #include "core/capture/freenect_source.h"
 
 namespace scantrove {

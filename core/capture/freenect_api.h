@@ -5,8 +5,8 @@
 
 namespace scantrove {
 
-/// The functions of libfreenect that a camera stands on, under its own names, and the clock: a table, so that
-/// tests can play the camera.
+/// A table of libfreenect's functions, under their own names, and the clock. Tests replace them to simulate a
+/// camera.
 struct FreenectApi {
   decltype(&freenect_init) init;
   decltype(&freenect_shutdown) shutdown;
@@ -31,7 +31,7 @@ struct FreenectApi {
   std::chrono::steady_clock::time_point (*now)();
 };
 
-/// The library itself.
+/// The installed library.
 [[nodiscard]] const FreenectApi& libfreenect();
 
 }  // namespace scantrove

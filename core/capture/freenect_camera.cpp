@@ -14,15 +14,15 @@ namespace {
 
 using std::chrono::microseconds;
 
-/// Of the depth camera, from the constants by which a Kinect v1 computes its depth: 120 mm before a zero
-/// plane of pixels of 0.1042 mm, two of which make one pixel of 640x480: 120 / (2 * 0.1042) pixels.
+/// Focal length of the depth camera from the constants of a Kinect v1's depth formula: zero plane at 120 mm,
+/// pixels of 0.1042 mm, two per pixel of 640x480: 120 / (2 * 0.1042) pixels.
 constexpr Intrinsics kDepthCamera{
     575.8F, 575.8F, 319.5F, 239.5F, FreenectCamera::kWidth, FreenectCamera::kHeight};
 
-constexpr int kInterrupted = -10;  // LIBUSB_ERROR_INTERRUPTED: a signal came; nothing is wrong
+constexpr int kInterrupted = -10;  // LIBUSB_ERROR_INTERRUPTED: a signal, not a failure
 
-// libfreenect tells its reasons and hands its images over within the calls of its functions: what is here is
-// of this thread's call.
+// libfreenect logs and delivers images within its function calls, so this state belongs to the calling
+// thread.
 thread_local std::string first_message;
 thread_local FreenectReceived* receiver = nullptr;
 
@@ -35,7 +35,7 @@ void keepFirstMessage(freenect_context*, freenect_loglevel, const char* message)
 
 std::string reason() { return first_message.empty() ? "no reason given" : first_message; }
 
-/// An exception must not pass through libfreenect: an image that there is no memory for is dropped.
+/// Exceptions must not pass through libfreenect: an image without memory for it is dropped.
 template <class Convert>
 void receive(bool is_depth, const void* data, std::uint32_t ticks, Convert convert) {
   if (receiver == nullptr || data == nullptr) {
@@ -54,7 +54,7 @@ cv::Mat imageAt(const void* data, int type) {
 void receiveDepth(freenect_device*, void* data, std::uint32_t ticks) {
   receive(true, data, ticks, [](const void* pixels) {
     cv::Mat depth = imageAt(pixels, CV_16UC1).clone();
-    // What is too far comes as the greatest value, unless registered.
+    // Unregistered depth reports "too far" as the largest value.
     depth.setTo(FREENECT_DEPTH_MM_NO_VALUE, depth >= FREENECT_DEPTH_MM_MAX_VALUE);
     return depth;
   });
@@ -68,7 +68,7 @@ void receiveColor(freenect_device*, void* data, std::uint32_t ticks) {
   });
 }
 
-/// Whether images of `mode` fill what the callbacks read.
+/// Whether images of `mode` have the size that the callbacks read.
 bool isAsExpected(const freenect_frame_mode& mode, int bytes_per_pixel) {
   return mode.is_valid != 0 && mode.width == FreenectCamera::kWidth &&
          mode.height == FreenectCamera::kHeight &&
@@ -91,7 +91,7 @@ Result<std::unique_ptr<FreenectContext>> FreenectContext::create(const FreenectA
   }
   api.set_log_level(context->context_, FREENECT_LOG_ERROR);
   api.set_log_callback(context->context_, keepFirstMessage);
-  // The motor and the microphones of some models need firmware that Debian has not; nobody asks for them.
+  // The motor and microphones are unused, and some models need firmware for them that Debian lacks.
   api.select_subdevices(context->context_, FREENECT_DEVICE_CAMERA);
   return context;
 }
@@ -135,7 +135,7 @@ Result<void> FreenectCamera::openDevice(const FreenectChoice& choice) {
                                            : api().open_device_by_camera_serial(context_->get(), &device_,
                                                                                 choice.serial.c_str());
   if (status < 0 || device_ == nullptr) {
-    device_ = nullptr;  // where it is half open, the context closes it
+    device_ = nullptr;  // the context closes a half-open device
     return fail(
         choice.name() + " cannot be opened: " + reason() + ".",
         "Is another program using it, and may your user open it? `scantrove devices` says what helps.");
@@ -154,7 +154,7 @@ Result<void> FreenectCamera::start(const std::string& name) {
   first_message.clear();
   api().set_depth_callback(device_, receiveDepth);
   api().set_video_callback(device_, receiveColor);
-  is_started_ = true;  // one of both may be
+  is_started_ = true;  // stop() must end a stream even if only one started
   if (api().set_depth_mode(device_, depth) < 0 || api().set_video_mode(device_, color) < 0 ||
       api().start_depth(device_) < 0 || api().start_video(device_) < 0) {
     return fail(name + " cannot be started: " + reason() + ".",
@@ -206,7 +206,7 @@ DepthColorStreams::Arrival FreenectCamera::nextReceived() {
 }
 
 Intrinsics FreenectCamera::intrinsics() const {
-  // Registered depth lies on the pixels of the colour camera; 525 is what the makers' drivers take for it.
+  // Registered depth uses the colour camera's pixels; the makers' drivers assume 525.
   return is_registered_ ? kPrimeSenseIntrinsics : kDepthCamera;
 }
 

@@ -13,7 +13,7 @@
 
 namespace scantrove {
 
-/// Which Kinect v1: by its place among those that are plugged in, or by its serial number.
+/// Selects a Kinect v1 by index among the connected ones, or by serial number.
 struct FreenectChoice {
   int index = 0;
   std::string serial;  ///< of its camera; empty: by index
@@ -22,10 +22,10 @@ struct FreenectChoice {
   [[nodiscard]] std::string name() const;
 };
 
-/// One use of libfreenect: cameras are counted and opened through it. One thread.
+/// A libfreenect context, which counts and opens cameras. One thread.
 class FreenectContext {
  public:
-  /// Error: libfreenect's words.
+  /// Error: libfreenect's message.
   [[nodiscard]] static Result<std::unique_ptr<FreenectContext>> create(const FreenectApi& api);
   FreenectContext(const FreenectContext&) = delete;
   FreenectContext& operator=(const FreenectContext&) = delete;
@@ -33,7 +33,7 @@ class FreenectContext {
 
   [[nodiscard]] const FreenectApi& api() const { return api_; }
   [[nodiscard]] freenect_context* get() const { return context_; }
-  /// Cameras that are plugged in, those among them that may not be opened.
+  /// Connected cameras, including those without permission to open.
   [[nodiscard]] int count() const;
 
  private:
@@ -43,7 +43,7 @@ class FreenectContext {
   freenect_context* context_ = nullptr;
 };
 
-/// Images that libfreenect has handed over and that wait() has not given yet.
+/// Images that libfreenect delivered and wait() has not returned yet.
 struct FreenectReceived {
   struct Image {
     bool is_depth = false;
@@ -53,16 +53,15 @@ struct FreenectReceived {
   std::deque<Image> images;
 };
 
-/// The depth (mm; 0 = no reading) and colour streams of one Kinect v1, 640x480 at 30 Hz, started. libfreenect
-/// has no thread of its own: it works within wait(), and so this one needs to be called all the time. One
-/// thread at a time.
+/// The started depth (mm; 0 = no reading) and colour streams of one Kinect v1, 640x480 at 30 Hz. libfreenect
+/// has no thread and works only inside wait(), so call wait() continuously. One thread at a time.
 class FreenectCamera final : public DepthColorStreams {
  public:
   static constexpr int kWidth = 640;
   static constexpr int kHeight = 480;
 
-  /// Opens and starts. `is_registered`: depth as the colour camera would see it; else as the depth camera
-  /// does. Error: no camera, not this one, it may not be opened, or it does not give such images; names it.
+  /// Opens and starts. `is_registered`: depth from the colour camera's viewpoint, else from the depth
+  /// camera's. Error: no camera, not the selected one, no permission, or no such image format; names it.
   [[nodiscard]] static Result<std::unique_ptr<FreenectCamera>> open(const FreenectApi& api,
                                                                     const FreenectChoice& choice,
                                                                     bool is_registered);
@@ -74,7 +73,7 @@ class FreenectCamera final : public DepthColorStreams {
   [[nodiscard]] cv::Size colorSize() const override { return {kWidth, kHeight}; }
   [[nodiscard]] Result<Arrival> wait(std::chrono::milliseconds timeout) override;
 
-  /// Of its images; a Kinect v1 does not say its own.
+  /// Nominal intrinsics; a Kinect v1 does not report its own.
   [[nodiscard]] Intrinsics intrinsics() const;
 
  private:

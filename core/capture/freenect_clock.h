@@ -3,16 +3,16 @@
 
 namespace scantrove {
 
-/// Seconds from the time stamps of a Kinect v1: ticks of one clock of 60 MHz for depth and colour, in 32
-/// bits, which begin anew every 71.6 s.
+/// Converts time stamps of a Kinect v1 to seconds: 32-bit ticks of one 60 MHz clock for depth and colour. The
+/// counter wraps every 71.6 s.
 class FreenectClock {
  public:
-  /// Of a depth image; goes on from the depth image before, however often the ticks began anew.
+  /// Time of a depth image; continues from the previous depth image across wraps.
   [[nodiscard]] double depthSeconds(std::uint32_t ticks) {
     depth_ticks_ = unwrapped(ticks);
     return seconds(depth_ticks_);
   }
-  /// Of a colour image: the time nearest to that of the last depth image.
+  /// Time of a colour image: the candidate nearest to the last depth image.
   [[nodiscard]] double colorSeconds(std::uint32_t ticks) const { return seconds(unwrapped(ticks)); }
 
  private:

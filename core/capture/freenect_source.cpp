@@ -12,7 +12,7 @@ namespace scantrove {
 
 namespace {
 
-constexpr std::size_t kMaxIndexDigits = 3;  // a serial number is longer
+constexpr std::size_t kMaxIndexDigits = 3;  // serial numbers are longer
 
 FreenectChoice choiceOf(const std::string& uri) {
   const std::size_t colon = uri.find(':');

@@ -12,25 +12,25 @@ namespace scantrove {
 
 struct FreenectApi;
 
-/// Whether this build has libfreenect; without it the functions below say that it has not.
+/// Whether this build has libfreenect; without it the functions below return an error that says so.
 [[nodiscard]] bool hasFreenect();
 
-/// What opens a Kinect v1: "freenect", "freenect:", "freenect:INDEX", "freenect:SERIAL".
+/// A parsed URI of a Kinect v1: "freenect", "freenect:", "freenect:INDEX", "freenect:SERIAL".
 [[nodiscard]] inline bool isFreenectUri(std::string_view uri) {
   return uri == "freenect" || uri.starts_with("freenect:");
 }
 
-/// The Kinects v1 that are plugged in, those too that the user may not open. Error: libfreenect cannot start.
+/// Connected Kinects v1, including those without permission to open. Error: libfreenect cannot start.
 [[nodiscard]] Result<std::vector<CameraInfo>> listFreenectCameras();
 
-/// Opens a Kinect v1 by a URI as above; without index or serial number the first. Depth in mm, registered to
-/// colour (unless `options` name a colour camera), 640x480; timestamps by the camera's clock. next() waits a
-/// second at most (timeout); an unplugged camera is `failed`. Error: none found, or it cannot be opened; says
-/// what to check. Not tried with a camera so far: none was at hand.
+/// Opens a Kinect v1 by such a URI; without index or serial number the first. Depth in mm, 640x480,
+/// registered to colour unless `options` name a colour camera. Timestamps follow the camera's clock. next()
+/// waits a second at most (timeout); an unplugged camera is `failed`. Error: none found, or it cannot be
+/// opened; says what to check. Not yet tested with a real camera.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openFreenectCamera(const std::string& uri,
                                                                       const SourceOptions& options);
 
-/// The same with another library than the program's: for tests.
+/// The same with a replaced library, for tests.
 [[nodiscard]] Result<std::vector<CameraInfo>> listFreenectCameras(const FreenectApi& api);
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openFreenectCamera(const FreenectApi& api,
                                                                       const std::string& uri,

@@ -13,7 +13,7 @@ namespace scantrove {
 
 namespace {
 
-/// How many frames may be unusable at the start before the folder is refused.
+/// Maximum number of unusable frames at the start before the folder is refused.
 constexpr std::size_t kProbedFrames = 50;
 
 std::string sizeText(cv::Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
@@ -48,7 +48,7 @@ Result<Images> readImages(const ImageSequenceEntry& entry, bool has_color) {
   return images;
 }
 
-/// Whether two cameras may be one, measured twice.
+/// Whether two intrinsics may be calibrations of one camera.
 bool isNear(const Intrinsics& a, const Intrinsics& b) {
   constexpr float kAgree_px = 3;
   return std::abs(a.fx - b.fx) < kAgree_px && std::abs(a.fy - b.fy) < kAgree_px &&
@@ -173,7 +173,8 @@ Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence, c
   const cv::Size size = first->depth.size();
   const cv::Size color_size = sequence.has_color ? first->color.size() : size;
   if (options.intrinsics) {
-    if (!isNear(sequence.camera.K, *options.intrinsics)) sequence.camera.lens.reset();  // of another camera
+    if (!isNear(sequence.camera.K, *options.intrinsics))
+      sequence.camera.lens.reset();  // it belongs to another camera
     sequence.camera.K = *options.intrinsics;
     sequence.camera.K.width = sequence.camera.K.height = 0;
     sequence.camera_origin = "--intrinsics";

@@ -9,7 +9,7 @@
 
 namespace scantrove {
 
-/// One frame of a folder recording, before anything is decoded.
+/// One undecoded frame of a folder recording.
 struct ImageSequenceEntry {
   int index = 0;
   double timestamp_s = 0;
@@ -19,7 +19,7 @@ struct ImageSequenceEntry {
   std::optional<Eigen::Isometry3d> T_world_camera;
 };
 
-/// What a folder's layout says; made by the one file per layout.
+/// Contents of a recording folder; made by the one source file of its layout.
 struct ImageSequence {
   std::string kind;
   std::filesystem::path folder;
@@ -32,10 +32,10 @@ struct ImageSequence {
   ColorRegistration color;  ///< of the layout; `camera` and SourceOptions override it
 };
 
-/// Makes a source of it: selects the frames, and decodes the first usable one to learn the image size, which
-/// decides the intrinsics. Per frame: skipped if an image is missing, damaged, of a wrong type or of another
-/// size than the first frame's; a pose that cannot be used leaves the frame without one. Failed once the
-/// folder is gone. Error: bad options, no frame can be used, colour that does not fit its registration.
+/// Makes a source from the folder: selects the frames and decodes the first usable one, whose image size
+/// decides the intrinsics. A frame is skipped if an image is missing, damaged, of a wrong type, or differs in
+/// size from the first. An unusable pose leaves the frame without pose. Reading fails once the folder is
+/// gone. Error: bad options, no usable frame, colour that does not fit its registration.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openImageSequence(ImageSequence sequence,
                                                                      const SourceOptions& options);
 

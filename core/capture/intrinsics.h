@@ -4,7 +4,7 @@
 
 namespace scantrove {
 
-/// Parameters and thresholds count pixels of an image of 640 x 480; other images have as many in proportion.
+/// Parameters and thresholds in pixels refer to images of 640 x 480 and scale with the image's pixel count.
 inline constexpr double kReferencePixels = 640.0 * 480.0;
 
 /// A pinhole camera without distortion. Pixel centres lie at integer coordinates:
@@ -15,15 +15,15 @@ struct Intrinsics {
   int width = 0, height = 0;
 
   [[nodiscard]] int pixels() const { return width * height; }
-  /// So many pixels there are for each of a reference image.
+  /// Pixels per pixel of a reference image.
   [[nodiscard]] double pixelScale() const { return static_cast<double>(pixels()) / kReferencePixels; }
   [[nodiscard]] bool isInside(int u, int v) const { return u >= 0 && v >= 0 && u < width && v < height; }
-  /// Of pixel (u, v) in an image that is stored row by row.
+  /// Row-major index of pixel (u, v).
   [[nodiscard]] std::size_t indexOf(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
   }
 
-  /// The same camera with images resized to `new_width` x `new_height`.
+  /// The camera scaled to images of `new_width` x `new_height`.
   [[nodiscard]] Intrinsics resizedTo(int new_width, int new_height) const {
     const float sx = static_cast<float>(new_width) / static_cast<float>(width);
     const float sy = static_cast<float>(new_height) / static_cast<float>(height);

@@ -32,8 +32,8 @@ constexpr std::string_view kPrimeSenseAdvice =
     "OpenNI2's drivers do not know this model. If `camera` does not open it, record with its maker's "
     "software.";
 
-// OpenNI2: what Debian's drivers libPS1080 (0500 - 0609) and libPSLink (1250 - 1290) look for. libfreenect:
-// the two cameras that it looks for.
+// OpenNI2: the ids that Debian's drivers libPS1080 (0500 - 0609) and libPSLink (1250 - 1290) accept.
+// libfreenect: the two cameras that it accepts.
 constexpr KnownCamera kTable[] = {
     {kMicrosoft, 0x02ae, "Kinect v1 (Xbox 360)", Part::camera, Driver::libfreenect, kHighSpeed},
     {kMicrosoft, 0x02bf, "Kinect v1 (for Windows)", Part::camera, Driver::libfreenect, kHighSpeed},

@@ -5,32 +5,32 @@
 
 namespace scantrove {
 
-/// What can open a camera on Debian 12.
+/// The driver that opens a camera on Debian 12.
 enum class CameraDriver {
   openni2,      ///< Debian's libopenni2-0
   libfreenect,  ///< Debian's libfreenect0.5
-  none,         ///< Debian 12 has none
+  none,         ///< no driver in Debian 12
 };
 
 /// A USB device of a depth camera.
 struct KnownCamera {
-  /// A camera may be several USB devices; only one of them gives images.
+  /// A camera may consist of several USB devices; only one of them sends images.
   enum class Part {
     camera,
-    motor,  ///< of a Kinect v1: there even without its power supply
-    other,  ///< microphones, hubs and other things that a scan does not need
+    motor,  ///< of a Kinect v1; visible even without its power supply
+    other,  ///< microphones, hubs and other devices that a scan does not need
   };
 
   std::uint16_t vendor = 0;
-  std::uint16_t product = 0;  ///< 0: any that is not in the table itself
+  std::uint16_t product = 0;  ///< 0: any product not listed itself
   std::string_view name;
   Part part = Part::camera;
   CameraDriver driver = CameraDriver::none;
-  double needed_mbps = 0;        ///< the USB speed below which no images come
-  std::string_view advice = {};  ///< what one can do where there is no driver
+  double needed_mbps = 0;        ///< minimum USB speed for images
+  std::string_view advice = {};  ///< for cameras without driver
 };
 
-/// What is known of a USB device; nothing if it is no depth camera that the table has.
+/// Table entry of a USB device; empty if it is no listed depth camera.
 [[nodiscard]] std::optional<KnownCamera> findKnownCamera(std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace scantrove

@@ -6,9 +6,9 @@
 namespace scantrove {
 namespace {
 
-/// No place on earth is farther from another, nor are coordinates of any map.
+/// Exceeds every distance on earth and all map coordinates.
 constexpr double kLargest_m = 1e8;
-/// A recording that was cut: so many frames in a row have to be at the new place.
+/// Number of consecutive frames at a new position that count as a cut in the recording.
 constexpr int kAgreeingFrames = 3;
 
 std::string meters(double value) {

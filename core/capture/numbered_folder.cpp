@@ -16,7 +16,7 @@ namespace scantrove {
 
 namespace {
 
-/// As people count: a run of digits is one number, so that view2 comes before view10.
+/// Natural order: a run of digits is one number, so that view2 precedes view10.
 struct CountingOrder {
   bool operator()(const std::string& a, const std::string& b) const {
     std::size_t i = 0, j = 0;
@@ -33,7 +33,7 @@ struct CountingOrder {
       i += number_a.size(), j += number_b.size();
     }
     if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
-    return a < b;  // 1 and 01 are two names
+    return a < b;  // 1 and 01 are different names
   }
 
  private:
@@ -120,8 +120,8 @@ std::optional<FilesByName> byName(const std::vector<std::filesystem::path>& imag
   return named;
 }
 
-/// The times that names are: plain decimals, with a point or of more digits than a number has. Empty if one
-/// is none.
+/// Parses names as times: plain decimals with a point or more digits than a number has. Empty if a name is no
+/// time.
 std::optional<std::vector<double>> timesInNames(const std::vector<ImageSequenceEntry>& entries) {
   std::vector<double> times;
   bool is_long = false;
@@ -136,7 +136,7 @@ std::optional<std::vector<double>> timesInNames(const std::vector<ImageSequenceE
   return is_long ? std::optional(times) : std::nullopt;
 }
 
-/// By names that are times in order of time, others as people count.
+/// Sorts names that are times by time, others in natural order.
 void orderByName(std::vector<ImageSequenceEntry>& entries, const std::string& source) {
   auto times = timesInNames(entries);
   if (times) {
@@ -154,7 +154,7 @@ void orderByName(std::vector<ImageSequenceEntry>& entries, const std::string& so
   }
 }
 
-/// Files of equal names, whatever they are. `color`: null without colour.
+/// Pairs files by equal names. `color`: null without colour.
 std::vector<ImageSequenceEntry> pairByName(const FilesByName& depth, const FilesByName* color,
                                            const std::string& source) {
   std::vector<ImageSequenceEntry> entries;
@@ -172,8 +172,8 @@ std::vector<ImageSequenceEntry> pairByName(const FilesByName& depth, const Files
   return entries;
 }
 
-/// Whether every name is one time, or is in another order than its number: then the number is a part of it
-/// that starts anew, as the fraction of a second does.
+/// Whether names are times, or their order differs from their numbers' order: then the number is a wrapping
+/// part of the name, such as the fraction of a second.
 bool areNamesBetter(const std::vector<ImageSequenceEntry>& by_number) {
   if (timesInNames(by_number)) return true;
   const auto nameOf = [](const std::filesystem::path& file) { return file.stem().string(); };
@@ -200,7 +200,7 @@ Result<ImageFiles> listImageFiles(const std::filesystem::path& folder,
   return files;
 }
 
-/// By the last number in each name, or the first one; empty if neither pairs any.
+/// Pairs by the last number in each name, else the first; empty if neither works.
 std::vector<ImageSequenceEntry> pairByNumbers(const ImageFiles& files) {
   for (const DigitRun run : {DigitRun::last, DigitRun::first}) {
     const auto depth = byNumber(files.depth, run);
@@ -245,7 +245,7 @@ Result<std::vector<ImageSequenceEntry>> pairImages(const std::filesystem::path& 
   return entries;
 }
 
-/// The log counts frames as the files do, or from 0 while the files start elsewhere.
+/// The log numbers frames like the files, or from 0 while the files start elsewhere.
 void addPoses(ImageSequence& sequence, const std::vector<NumberedPose>& poses) {
   std::map<int, const NumberedPose*> by_number;
   for (const NumberedPose& pose : poses) {

@@ -21,7 +21,7 @@ constexpr std::array<char, 4> kFileMagic = {'N', 'I', '1', '0'};
 constexpr std::array<char, 4> kRecordMagic = {'N', 'I', 'R', '\0'};
 constexpr std::uint64_t kFileHeaderBytes = 24;  // magic, version, time of the last frame, greatest node
 
-/// Every record begins with it; its fields (which count the header in) and its payload follow.
+/// Header of every record, followed by its fields (whose size includes the header) and its payload.
 struct RecordHeader {
   std::array<char, 4> magic;
   std::uint32_t type;
@@ -30,12 +30,11 @@ struct RecordHeader {
   std::uint32_t payload_bytes;
 };
 constexpr std::uint32_t kHeaderBytes =
-    sizeof(RecordHeader) + sizeof(std::uint64_t);  // and its undo record's place
+    sizeof(RecordHeader) + sizeof(std::uint64_t);  // and the offset of its undo record
 constexpr std::uint32_t kEndRecord = 0x0B;
-constexpr std::uint32_t kLargestRecord = 20U << 20;  // what OpenNI2's own reader has room for
+constexpr std::uint32_t kLargestRecord = 20U << 20;  // buffer size of OpenNI2's reader
 
-/// Types whose fields begin with a name, its length in front. Those of properties go on with the length of a
-/// value.
+/// Types whose fields begin with a length-prefixed name. Properties continue with the length of a value.
 constexpr std::uint32_t kFirstProperty = 0x03;
 constexpr std::uint32_t kLastProperty = 0x06;
 constexpr std::array<std::uint32_t, 3> kNodeAdded = {0x02, 0x0C, 0x0D};
@@ -64,8 +63,8 @@ bool isName(const std::string& text) {
          std::all_of(text.begin(), text.end() - 1, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-/// Whether what the fields say of their own lengths is true, and a name is one: OpenNI2 looks names up in a
-/// table by their letters, and reads before it where one is no ASCII.
+/// Whether the lengths in the fields are correct and the name is ASCII. OpenNI2 indexes a table by the name's
+/// letters and reads out of bounds for others.
 bool areFieldsSound(std::ifstream& stream, std::uint64_t at, const RecordHeader& record) {
   const bool is_property = record.type >= kFirstProperty && record.type <= kLastProperty;
   const bool is_node = std::ranges::count(kNodeAdded, record.type) > 0;

@@ -5,9 +5,8 @@
 
 namespace scantrove {
 
-/// Walks the records of an .oni file to its end record and checks their sizes and names: OpenNI2 trusts every
-/// one of them. Values and images are not read. Error: names the file; not regular, no recording, damaged,
-/// truncated.
+/// Checks sizes and names of all records of an .oni file up to its end record, because OpenNI2 trusts them.
+/// Does not read values and images. Error: names the file; not regular, no recording, damaged, truncated.
 [[nodiscard]] Result<void> checkOniFile(const std::filesystem::path& file);
 
 }  // namespace scantrove

@@ -62,7 +62,7 @@ Result<std::unique_ptr<FrameSource>> makeSource(std::unique_ptr<OpenNiStreams> s
 }  // namespace
 
 Result<std::unique_ptr<FrameSource>> openOpenNiCamera(const std::string& uri, const SourceOptions& options) {
-  if (std::error_code error; std::filesystem::exists(uri, error)) {  // OpenNI2 takes a file's path for a URI
+  if (std::error_code error; std::filesystem::exists(uri, error)) {  // OpenNI2 accepts file paths as URIs
     SCANTROVE_TRY(checkOniFile(uri));
   }
   auto streams = std::make_unique<OpenNiStreams>();

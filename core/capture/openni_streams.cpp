@@ -21,7 +21,7 @@ constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 constexpr int kFramesPerSecond = 30;
 
-/// Sets 640x480 at 30 Hz in `format` if the sensor offers it; else leaves the sensor's own mode.
+/// Sets 640x480 at 30 Hz in `format` if the sensor offers it; otherwise keeps the sensor's mode.
 void chooseMode(openni::VideoStream& stream, openni::PixelFormat format) {
   const openni::Array<openni::VideoMode>& modes = stream.getSensorInfo().getSupportedVideoModes();
   for (int i = 0; i < modes.getSize(); ++i) {
@@ -34,7 +34,7 @@ void chooseMode(openni::VideoStream& stream, openni::PixelFormat format) {
   }
 }
 
-/// Empty if the frame has not the bytes that its size needs (a damaged recording).
+/// Empty if the frame's data is shorter than its size requires (a damaged recording).
 cv::Mat viewOf(const openni::VideoFrameRef& frame, int type) {
   const std::int64_t stride = frame.getStrideInBytes();
   const bool is_complete = frame.getWidth() > 0 && frame.getHeight() > 0 &&
@@ -47,7 +47,7 @@ cv::Mat viewOf(const openni::VideoFrameRef& frame, int type) {
           static_cast<std::size_t>(frame.getStrideInBytes())};
 }
 
-/// As BGR; empty if the image is.
+/// Converts to BGR; empty if the image is.
 cv::Mat toBgr(const cv::Mat& image, int conversion) {
   cv::Mat bgr;
   if (!image.empty()) {
@@ -56,7 +56,7 @@ cv::Mat toBgr(const cv::Mat& image, int conversion) {
   return bgr;
 }
 
-/// Empty if the format is none that we know.
+/// Empty if the format is unknown.
 cv::Mat copyColor(const openni::VideoFrameRef& frame) {
   switch (frame.getVideoMode().getPixelFormat()) {
     case openni::PIXEL_FORMAT_RGB888:
@@ -98,13 +98,12 @@ OpenNiStreams::~OpenNiStreams() {
     }
   }
   if (is_virtual || (is_open && isRecording())) {
-    // The virtual camera's threads sleep for a frame's time and then use the stream, stopped or destroyed.
-    // The thread of a recording walks the list of streams without a lock: without pause at the end of the
-    // file, now and then once they are stopped. So they get the time to come to rest.
+    // The virtual camera's threads sleep for a frame's time and then use the stream even if it was stopped or
+    // destroyed.
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   if (is_virtual) {
-    // And even so its streams stay until the process ends.
+    // Its streams still stay alive until the process ends.
     static std::mutex mutex;
     static Handles* kept = nullptr;  // never destroyed
     const std::scoped_lock lock(mutex);
@@ -132,11 +131,11 @@ Result<void> OpenNiStreams::open(const std::string& uri, bool is_to_register) {
     spdlog::warn("{} has no colour stream: depth only.", uri);
   }
   if (isRecording()) {
-    // A file keeps the images as they were made; setting the property would not turn them.
+    // A file stores images as recorded; setting the property would not mirror them.
     is_depth_mirrored_ = handles_->depth.getMirroringEnabled();
     is_color_mirrored_ = hasColor() && handles_->color.getMirroringEnabled();
     handles_->device.getPlaybackControl()->setRepeatEnabled(false);
-    handles_->device.getPlaybackControl()->setSpeed(-1.0F);  // as fast as frames are read
+    handles_->device.getPlaybackControl()->setSpeed(-1.0F);  // without pacing
   } else {
     configureCamera(is_to_register);
   }
@@ -166,8 +165,7 @@ void OpenNiStreams::configureCamera(bool is_to_register) {
   if (handles_->device.isImageRegistrationModeSupported(mode)) {
     handles_->device.setImageRegistrationMode(mode);
   }
-  handles_->device.setDepthColorSyncEnabled(
-      true);  // a camera that cannot says so; frames are paired by time anyway
+  handles_->device.setDepthColorSyncEnabled(true);  // if unsupported, frames are still paired by time
 }
 
 int OpenNiStreams::depthFrameCount() {

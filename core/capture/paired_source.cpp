@@ -18,9 +18,9 @@ using Clock = std::chrono::steady_clock;
 using Status = FrameRead::Status;
 
 constexpr auto kLiveTimeout = 1000ms;
-constexpr auto kRecordingTimeout = 2000ms;  // a recording that gives nothing for so long is over
-constexpr double kColorLag_s = 0.020;       // a little more than half a frame at 30 Hz
-constexpr int kMaxWithoutColor = 30;        // depth images that wait for a first colour image: a second
+constexpr auto kRecordingTimeout = 2000ms;  // a recording that sends nothing for this long has ended
+constexpr double kColorLag_s = 0.020;       // slightly more than half a frame at 30 Hz
+constexpr int kMaxWithoutColor = 30;        // depth images that wait for the first colour image: one second
 
 }  // namespace
 
@@ -46,7 +46,7 @@ bool PairedSource::isSelected(int index) {
 }
 
 bool PairedSource::isOver() const {
-  // ReadAhead ends a live camera, by the frames that were taken from it.
+  // ReadAhead limits live cameras, counting the frames taken.
   const bool enough = !setup_.info.is_live && options_.frames && given_ >= *options_.frames;
   return enough || (setup_.available > 0 && next_index_ >= setup_.available);
 }
@@ -71,8 +71,8 @@ FrameRead PairedSource::readOne() {
       older_color_ = std::move(color_);
       color_ = std::move(arrival->color);
     }
-    // Two clocks may drift apart, or colour be late: depth that was followed by the next, or by nothing,
-    // takes the colour there is.
+    // Two clocks may drift apart, or colour may be late. Depth that was followed by the next depth image, or
+    // by nothing, takes the available colour image.
     if (depth_ && color_ && (arrival->depth || is_late)) {
       return makeFrame(*std::exchange(depth_, std::move(arrival->depth)));
     }
@@ -86,8 +86,8 @@ FrameRead PairedSource::readOne() {
   }
 }
 
-/// A colour image of the same moment is here, or one that is later (none that fits better can follow), or
-/// there is no hope of any.
+/// Whether a colour image of the same moment or a later one has arrived (no better match can follow), or none
+/// is expected.
 bool PairedSource::hasColorFor(const StreamImage& depth) const {
   if (!color_) {
     return !streams_->hasColor() || without_color_ >= kMaxWithoutColor;
@@ -118,7 +118,7 @@ FrameRead PairedSource::makeFrame(const StreamImage& depth) {
   return read;
 }
 
-/// The nearer of the last two; empty if there is none, or it is damaged.
+/// The nearer of the last two colour images; empty if there is none, or it is damaged.
 cv::Mat PairedSource::colorFor(const StreamImage& depth) const {
   const auto distance = [&](const std::optional<StreamImage>& color) {
     return color ? std::abs(color->timestamp_s - depth.timestamp_s) : INFINITY;

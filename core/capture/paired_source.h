@@ -9,20 +9,20 @@
 
 namespace scantrove {
 
-/// What a PairedSource makes of the images that it gets.
+/// Configuration of a PairedSource.
 struct PairedSourceSetup {
   SourceInfo info;
-  Result<std::optional<ColorCamera>> color_camera;  ///< error: colour is of no use
+  Result<std::optional<ColorCamera>> color_camera;  ///< error: colour cannot be used
   double meters_per_unit = 1e-3;
   int available = 0;  ///< depth frames of a recording; 0: live, or unknown
 };
 
-/// Frames from two streams: every depth image with the colour image nearest to it in time. Of a camera next()
-/// waits a second at most (timeout), and one that does not answer any more is `failed`; a recording that
-/// gives nothing for two seconds is over.
+/// Pairs every depth image of two streams with the colour image nearest in time. With a camera, next() waits
+/// a second at most (timeout); a camera that no longer responds is `failed`. A recording that sends nothing
+/// for two seconds has ended.
 class PairedSource final : public FrameSource {
  public:
-  /// start, stride and, of a recording, frames of `options` choose the frames.
+  /// `options`: start, stride and, of a recording, frames select the frames.
   PairedSource(std::unique_ptr<DepthColorStreams> streams, PairedSourceSetup setup,
                const SourceOptions& options);
 
@@ -44,7 +44,7 @@ class PairedSource final : public FrameSource {
   SourceOptions options_;
   int next_index_ = 0;
   int given_ = 0;
-  int without_color_ = 0;  // depth images given up because no colour had come
+  int without_color_ = 0;  // depth images discarded for lack of a colour image
   std::optional<StreamImage> depth_, color_, older_color_;
 };
 

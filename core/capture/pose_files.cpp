@@ -12,7 +12,7 @@ namespace scantrove {
 
 namespace {
 
-constexpr double kRotationTolerance = 0.02;  // 7-Scenes and Redwood matrices are rounded text
+constexpr double kRotationTolerance = 0.02;  // 7-Scenes and Redwood round their matrices
 
 Eigen::Matrix4d rowMajor4x4(std::span<const double> values) {
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());

@@ -9,20 +9,19 @@
 
 namespace scantrove {
 
-/// One pose of an Open3D/Redwood `.log` file: a line of numbers of which the first is the frame's, then a 4x4
+/// One pose of an Open3D/Redwood `.log` file: a line of numbers that starts with the frame's, then a 4x4
 /// matrix.
 struct NumberedPose {
   int number = 0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
 };
 
-/// Reads `t tx ty tz qx qy qz qw` lines (TUM; `#` comments), sorted by time. Lines with NaN or Inf are left
-/// out (the tracker that wrote them was lost). Error: names the file and the line that is something else, or
-/// an empty file.
+/// Reads `t tx ty tz qx qy qz qw` lines (TUM; `#` comments), sorted by time. Skips lines with NaN or Inf,
+/// which a tracker writes while lost. Error: names the file and the malformed line, or an empty file.
 [[nodiscard]] Result<Trajectory> readTumTrajectory(const std::filesystem::path& file);
 
-/// Reads 5-line blocks (Open3D, Redwood; camera-to-world), in file order. Blocks that are no rigid motion are
-/// left out.
+/// Reads 5-line blocks (Open3D, Redwood; camera-to-world), in file order. Skips blocks that are no rigid
+/// motion.
 [[nodiscard]] Result<std::vector<NumberedPose>> readTrajectoryLog(const std::filesystem::path& file);
 
 /// Reads sixteen numbers, row by row, finite or not. Error: names the file.

@@ -10,7 +10,7 @@
 
 namespace scantrove {
 
-/// Reads another source on a thread of its own, so that decoding runs beside the work on the frame before. A
+/// Reads another source on its own thread, so that decoding overlaps with processing of the previous frame. A
 /// recording loses nothing: its thread waits when the queue is full. A live source keeps only the newest
 /// frame and counts the others in FrameRead::dropped. An exception from the source becomes
 /// FrameRead::Status::failed.
@@ -18,7 +18,7 @@ class ReadAhead final : public FrameSource {
  public:
   static constexpr std::size_t kCapacity = 4;
 
-  /// `live_limit`: a live source ends after so many frames were taken by next(); those dropped do not count.
+  /// `live_limit`: a live source ends after next() returned this many frames; dropped ones do not count.
   explicit ReadAhead(std::unique_ptr<FrameSource> source, std::size_t capacity = kCapacity,
                      std::optional<int> live_limit = {});
   ~ReadAhead() override;
@@ -27,16 +27,16 @@ class ReadAhead final : public FrameSource {
 
   [[nodiscard]] const SourceInfo& info() const override { return info_; }
 
-  /// Waits for the next frame. After end or failed, or after cancel(), gives that again (end) without
+  /// Waits for the next frame. After end, failed or cancel(), returns that status (end) again without
   /// waiting.
   [[nodiscard]] FrameRead next() override;
   [[nodiscard]] std::optional<FrameRead> nextIfReady() override;
 
-  /// From any thread: makes a waiting next() return `end`, and stops reading after the frame being read now.
+  /// Any thread: makes a waiting next() return `end`, and stops reading after the current frame.
   void cancel();
 
  private:
-  /// Of queue_, which is not empty; mutex_ is held.
+  /// Pops queue_, which is not empty; mutex_ is held.
   [[nodiscard]] FrameRead takeFirst();
   void readAll(const std::stop_token& stop);
   void postRecorded(FrameRead read, const std::stop_token& stop);
@@ -47,14 +47,14 @@ class ReadAhead final : public FrameSource {
   std::size_t capacity_;
   std::optional<int> live_limit_;
 
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the fields below
   std::condition_variable_any changed_;
   std::deque<FrameRead> queue_;
-  int taken_ = 0;  // frames of a live source
+  int taken_ = 0;  // frames returned from a live source
   bool is_cancelled_ = false;
-  bool is_over_ = false;  // next() has given end or failed, or all that was asked for
+  bool is_over_ = false;  // next() has returned end or failed, or reached the limit
 
-  std::jthread thread_;  // last: stopped and joined before anything it uses goes
+  std::jthread thread_;  // last field: joined before the others are destroyed
 };
 
 }  // namespace scantrove

@@ -7,12 +7,12 @@
 
 namespace scantrove {
 
-/// The `trajectory.log` of a recording: in its folder, else in the first folder in it (by name) that has one;
+/// The `trajectory.log` of a recording: in its folder, else in the first subfolder (by name) that has one;
 /// empty if there is none.
 [[nodiscard]] std::optional<std::filesystem::path> findTrajectoryLog(const std::filesystem::path& folder);
 
-/// The pose at `timestamp_s` in a trajectory sorted by time: between two poses less than 0.1 s apart
-/// interpolated (linear, slerp); else the nearest one within 0.02 s; else nothing.
+/// The pose at `timestamp_s` in a trajectory sorted by time. Interpolates (linear, slerp) between two poses
+/// less than 0.1 s apart; else takes the nearest within 0.02 s; else nothing.
 [[nodiscard]] std::optional<Eigen::Isometry3d> poseAt(const Trajectory& trajectory, double timestamp_s);
 
 }  // namespace scantrove

@@ -13,10 +13,10 @@ namespace {
 
 constexpr Intrinsics kOwnIntrinsics{585, 585, 320, 240, 640, 480};
 
-/// The data set's README says 585 pixels for depth and that colour was not calibrated. These values bring the
-/// outlines of what stands before something else onto edges of the colour images: measured on 71 frames of
-/// the kitchen (180,000 outline pixels), they are off by 0.7 pixels on average over the ninths of the image,
-/// near and far, and by 1.3 at most (kinectColorCamera(): 2.6 and 4.7; taken as registered: 16 and 53).
+/// The data set's README gives 585 pixels for depth and no colour calibration. These values align depth
+/// outlines with edges of the colour images. Measured on 71 frames of the kitchen (180,000 outline pixels):
+/// 0.7 pixels off on average over ninths of the image, near and far, 1.3 at most (kinectColorCamera(): 2.6
+/// and 4.7; as registered: 16 and 53).
 ColorCamera ownColorCamera() {
   ColorCamera camera{{527, 527, 320.5F, 238, 640, 480}};
   camera.T_color_depth =
@@ -24,7 +24,7 @@ ColorCamera ownColorCamera() {
   return camera;
 }
 
-/// Whether they are the data set's own depth camera's, whatever the images' size.
+/// Whether the intrinsics are the data set's own depth camera's, at any image size.
 bool isOwnCamera(Intrinsics K) {
   K.width = kOwnIntrinsics.width;
   K.height = kOwnIntrinsics.height;
@@ -65,7 +65,7 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
   }
   for (auto& [number, entry] : entries) {
     if (entry.depth.empty() && entry.color.empty()) {
-      continue;  // a pose alone is no frame
+      continue;  // a pose without images is no frame
     }
     entry.index = number;
     entry.timestamp_s = number / kFrameRateHz;
@@ -78,7 +78,7 @@ Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path
   const bool is_known = camera && *camera;
   sequence.camera = is_known ? **camera : CameraModel{kOwnIntrinsics, std::nullopt};
   sequence.camera_origin = is_known ? (folder / "camera-intrinsics.txt").string() : "7-Scenes' own";
-  // Folders in the same layout from other cameras are taken as registered.
+  // Folders of other cameras in the same layout count as registered.
   const bool is_given = !is_known && options.intrinsics;
   if (isOwnCamera(is_given ? *options.intrinsics : sequence.camera.K)) {
     sequence.color.camera = ownColorCamera();

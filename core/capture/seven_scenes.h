@@ -12,8 +12,8 @@ namespace scantrove {
 [[nodiscard]] bool isSevenScenesFolder(const std::vector<std::string>& names);
 
 /// A folder of `frame-NNNNNN.{color.jpg|png, depth.png, pose.txt}` (Shotton 2013): depth in mm, 0 and 65535
-/// invalid, pose camera-to-world, `camera-intrinsics.txt` else 585 585 320 240. With these values it is the
-/// data set's own Kinect, whose colour was not registered (see SourceOptions::color_registration). Index =
+/// invalid, pose camera-to-world, `camera-intrinsics.txt` else 585 585 320 240. These default values identify
+/// the data set's Kinect, whose colour was not registered (see SourceOptions::color_registration). Index =
 /// the number in the name, timestamp = index / 30.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openSevenScenes(const std::filesystem::path& folder,
                                                                    const std::vector<std::string>& names,

@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// Elements of one time and one list that have no partner yet: positions `first` to `end`.
+/// Unpaired elements of equal time in one list: positions `first` to `end`.
 struct Group {
   double time_s = 0;
   bool is_of_a = false;
   std::size_t first = 0, end = 0;
-  std::size_t previous = kNone, next = kNone;  ///< neighbours in time that are not empty
+  std::size_t previous = kNone, next = kNone;  ///< non-empty neighbours in time
 };
 
-/// The first elements of two neighbouring groups.
+/// First elements of two neighbouring groups.
 struct Candidate {
   double distance_s = 0;
   std::size_t in_a = 0, in_b = 0;      ///< positions
@@ -30,8 +30,8 @@ struct Candidate {
   }
 };
 
-/// The closest pair lies in two groups without another one between them: what is between would be closer to
-/// one of both. So only neighbours are candidates, at most three new ones for each pair.
+/// The closest pair lies in two adjacent groups: an element between them would be closer to one of both. So
+/// only neighbours are candidates, at most three new ones for each pair.
 class TimeAssociation {
  public:
   TimeAssociation(const std::vector<double>& a, const std::vector<double>& b, double tolerance_s)
@@ -57,7 +57,7 @@ class TimeAssociation {
   }
 
  private:
-  /// Of the elements from `first` on that have this time. Returns the one behind them.
+  /// Adds a group of the elements from `first` on that have this time. Returns the position after them.
   std::size_t addGroup(const std::vector<double>& times, double time_s, std::size_t first, bool is_of_a) {
     std::size_t end = first;
     while (end < times.size() && times[end] == time_s) ++end;
@@ -79,7 +79,7 @@ class TimeAssociation {
     candidates_.push({std::abs(of_a.time_s - of_b.time_s), of_a.first, of_b.first, earlier, later});
   }
 
-  /// Whether both elements are still the first ones of two neighbours.
+  /// Whether both elements are still the first ones of neighbouring groups.
   [[nodiscard]] bool isPresent(const Candidate& candidate) const {
     const Group& one = groups_[candidate.earlier];
     const Group& other = groups_[candidate.later];
@@ -98,7 +98,7 @@ class TimeAssociation {
     if (later_is_left) consider(closest.later, after);
   }
 
-  /// Returns whether the group has elements left; else it is no neighbour any more.
+  /// Returns whether the group has elements left; otherwise it is unlinked.
   bool removeFirst(std::size_t number) {
     Group& group = groups_[number];
     if (++group.first < group.end) return true;

@@ -5,9 +5,9 @@
 
 namespace scantrove {
 
-/// Pairs (position in a, position in b) of two sorted lists of times: the closest pairs first (of equally
-/// close ones that of the smallest positions), none further apart than `tolerance_s`, each element in one
-/// pair at most; sorted by position. Memory grows linearly with the lists, however many times are equal.
+/// Pairs (position in a, position in b) of two sorted lists of times, sorted by position. Assigns the closest
+/// pairs first (ties: smallest positions), at most `tolerance_s` apart, each element to one pair at most.
+/// Memory grows linearly with the lists, also with many equal times.
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> associateTimes(const std::vector<double>& a,
                                                                               const std::vector<double>& b,
                                                                               double tolerance_s);

@@ -12,13 +12,14 @@ constexpr TimeUnit kMilliseconds{1e-3, "milliseconds"};
 constexpr TimeUnit kMicroseconds{1e-6, "microseconds"};
 constexpr TimeUnit kNanoseconds{1e-9, "nanoseconds"};
 
-/// Times since 1970 from here on are milliseconds (of 1973), microseconds, nanoseconds; seconds end in 5138.
+/// Threshold for times since 1970: milliseconds (of 1973), microseconds, nanoseconds; seconds reach it in
+/// 5138.
 constexpr double kMillisecondsSince1970 = 1e11;
 constexpr double kMicrosecondsSince1970 = 1e14;
 constexpr double kNanosecondsSince1970 = 1e17;
 constexpr double kSecondsSince1970 = 1e8;
 
-/// The middle one of the steps between different times; 0 without any.
+/// Median step between different times; 0 without any.
 double middleStep(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) {
@@ -36,7 +37,7 @@ TimeUnit unitSince1970(double time) {
   return time >= kMillisecondsSince1970 ? kMilliseconds : kSeconds;
 }
 
-/// Of two stretches of time: their common part, as a part of both together.
+/// Intersection over union of two time intervals.
 double sharedPart(double first_a, double last_a, double first_b, double last_b) {
   const double common = std::min(last_a, last_b) - std::max(first_a, first_b);
   const double all = std::max(last_a, last_b) - std::min(first_a, first_b);

@@ -46,8 +46,8 @@ Result<Trajectory> readPoses(const fs::path& file) {
   return poses;
 }
 
-/// frame-NNNNNN.pose.txt. Files without a pose (the tracker that wrote them was lost) are left out; files
-/// that are something else are an error.
+/// Reads frame-NNNNNN.pose.txt. Skips files without a pose, which a tracker writes while lost; other contents
+/// are an error.
 Result<Trajectory> readPoseFiles(const fs::path& folder, const std::vector<std::string>& names) {
   Trajectory poses;
   for (const std::string& name : names) {

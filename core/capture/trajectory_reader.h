@@ -6,14 +6,13 @@
 
 namespace scantrove {
 
-/// Reads camera-to-world poses, ordered by time, from what `path` turns out to be:
+/// Reads camera-to-world poses, ordered by time, from a `path` of one of these kinds:
 ///  * a file of TUM lines `t tx ty tz qx qy qz qw` (`#` starts a comment);
 ///  * a .log file of 5-line blocks (Redwood, Open3D), timestamp = frame number / 30;
 ///  * a folder with groundtruth.txt, or 7-Scenes' frame-NNNNNN.pose.txt (timestamp = NNNNNN / 30), or a
 ///    trajectory.txt, or a trajectory.log in it or one folder below.
-/// Times of TUM lines in micro- and nanoseconds, and in milliseconds since 1970, become seconds. Poses that
-/// are not finite are left out. Error: names the file and line, or what was looked for in the
-/// folder.
+/// Micro- and nanoseconds in TUM lines, and milliseconds since 1970, become seconds. Skips poses that are not
+/// finite. Error: names the file and line, or the files missing in the folder.
 [[nodiscard]] Result<Trajectory> readTrajectory(const std::filesystem::path& path);
 
 }  // namespace scantrove

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kPairTolerance_s = 0.02;
 constexpr double kTumUnitsPerMeter = 5000;
-/// The cameras as TUM calibrated them; the third recordings are already free of distortion.
+/// TUM's calibrations; the third camera's recordings are already undistorted.
 struct FreiburgCamera {
   Intrinsics K;
   std::optional<LensDistortion> lens;
@@ -31,9 +31,9 @@ constexpr std::array<FreiburgCamera, 3> kFreiburg = {
      {{520.9F, 521.0F, 325.1F, 249.7F, 640, 480}, LensDistortion{0.2312, -0.7849, -0.0033, -0.0001, 0.9172}},
      {{535.4F, 539.2F, 320.1F, 247.6F, 640, 480}, std::nullopt}}};
 
-/// `rgb.txt` or `depth.txt`.
+/// Contents of `rgb.txt` or `depth.txt`.
 struct ImageList {
-  TimeUnit unit;  ///< of the file
+  TimeUnit unit;  ///< of the times in the file
   std::vector<double> times_s;
   std::vector<std::filesystem::path> files;
   std::string comments;
@@ -72,7 +72,7 @@ Result<ImageList> readImageList(const std::filesystem::path& file) {
   return list;
 }
 
-/// Which of TUM's cameras a text names, 0 based; empty if none.
+/// Index of the TUM camera that a text names, 0 based; empty if none.
 std::optional<std::size_t> freiburgCamera(const std::string& text) {
   const std::string lower = lowerCase(text);
   for (std::size_t camera = 0; camera < kFreiburg.size(); ++camera) {
@@ -104,7 +104,7 @@ void chooseFreiburgCamera(ImageSequence& sequence, const std::string& comments, 
   sequence.camera_origin = "TUM freiburg" + std::to_string(chosen + 1);
 }
 
-/// That of a file in the folder, else the one of TUM's that something names.
+/// The camera of a file in the folder, else the TUM camera that a name mentions.
 Result<void> chooseCamera(ImageSequence& sequence, const std::string& comments, bool is_given) {
   auto camera = findIntrinsics(sequence.folder);
   if (!camera && !is_given) return fail(camera.error());
@@ -117,7 +117,7 @@ Result<void> chooseCamera(ImageSequence& sequence, const std::string& comments, 
   return {};
 }
 
-/// Says it where times are no seconds.
+/// Warns where times are not in seconds.
 void nameUnits(const std::filesystem::path& folder, const ImageList& depth,
                const std::optional<ImageList>& color) {
   const TimeUnit unit = depth.unit == TimeUnit() && color ? color->unit : depth.unit;

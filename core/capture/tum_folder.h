@@ -13,9 +13,9 @@ namespace scantrove {
 
 /// A TUM RGB-D folder: `depth.txt` and `rgb.txt` list timestamped images (depth / 5000 = m), paired within
 /// 0.02 s; `groundtruth.txt` gives poses where present. Without `rgb.txt` depth only. Index = position among
-/// the pairs, timestamp = the depth image's. Times in milli-, micro- and nanoseconds are told by their
-/// spacing (see time_unit.h), with a warning. Intrinsics from a file (see findIntrinsics), else of the camera
-/// that the folder's name or the lists' comments name (freiburg1, 2, 3).
+/// the pairs, timestamp = the depth image's. Milli-, micro- and nanoseconds are recognised by their spacing
+/// (see time_unit.h), with a warning. Intrinsics come from a file (see findIntrinsics), else from the camera
+/// named in the folder's name or the lists' comments (freiburg1, 2, 3).
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openTumFolder(const std::filesystem::path& folder,
                                                                  const SourceOptions& options);
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first line of one of the kernel's small files; empty if it cannot be read.
+/// First line of a kernel attribute file; empty if it cannot be read.
 std::string readLine(const fs::path& file) {
   std::ifstream stream(file);
   std::string line;
@@ -23,7 +23,7 @@ std::string readLine(const fs::path& file) {
   return std::string(trimmed(line));
 }
 
-/// The whole of `text` as a number; 0 if it is none.
+/// `text` as a number; 0 if it is none.
 template <class Number>
 Number numberIn(const std::string& text, int base) {
   Number number = 0;
@@ -31,14 +31,13 @@ Number numberIn(const std::string& text, int base) {
   return error == std::errc{} && end == text.data() + text.size() ? number : Number{0};
 }
 
-/// The last part of the path that a link leads to; empty if there is none.
+/// Last path component of a link's target; empty if there is none.
 std::string targetName(const fs::path& link) {
   std::error_code error;
   return fs::read_symlink(link, error).filename().string();
 }
 
-/// The kernel module that holds an interface: of its driver, or the driver's own name where the module is
-/// part of the kernel.
+/// The kernel module bound to an interface: its driver's module, or the driver's name if built in.
 std::string moduleOf(const fs::path& interface) {
   const std::string module = targetName(interface / "driver" / "module");
   return module.empty() ? targetName(interface / "driver") : module;
