@@ -9,20 +9,20 @@
 
 namespace scantrove {
 
-/// What one look says of two regions that touch: is one a part of the other by the way it is held?
+/// One observation of two touching regions: whether one is supported as a part of the other.
 ///
-/// A thing by itself stands or lies on something, and what it can stand on is flat there. A region that
-/// touches nothing but one other, and that other is curved where they meet, stands on nothing: it grows out
-/// of it, as a head out of its shoulders, a plant out of its pot, a spout out of the can.
+/// An object stands or lies on a surface that is flat at the contact. A region is attached if it touches only
+/// one other region and that region is curved at the contact. Examples are a head on shoulders, a plant in a
+/// pot and the spout of a can.
 struct Attachment {
   RegionId a, b;     ///< a < b
-  bool is_attached;  ///< false: one was seen well enough to say, and none is held by the other alone
-  std::vector<std::pair<FragmentId, FragmentId>> borders;  ///< of a and b, where they touch
+  bool is_attached;  ///< false: one was seen well enough to decide, and neither is attached
+  std::vector<std::pair<FragmentId, FragmentId>> borders;  ///< where a and b touch
 };
 
-/// Of regions no larger than things are, by what is seen of them in one frame: the labels are those of
-/// `merged`, vertices and normals those of `input`. Where too much of an outline is hidden or cut off nothing
-/// is said. Ordered by (a, b).
+/// Attachments between the regions of one frame that are no larger than objects. Labels come from `merged`,
+/// vertices and normals from `input`. Regions with too much of the outline hidden or cut off are left out.
+/// Ordered by (a, b).
 [[nodiscard]] std::vector<Attachment> findAttachments(const MergeInput& input,
                                                       const RegionMerger::Outcome& merged,
                                                       const RegionTable& table);

@@ -11,7 +11,7 @@ namespace scantrove {
 /// A border and the sizes of the fragments on both sides.
 struct SizedBorder {
   const BorderEvidence& evidence;
-  int voxels_a = 0, voxels_b = 0;  ///< which is which does not matter
+  int voxels_a = 0, voxels_b = 0;  ///< in either order
 };
 
 namespace border {
@@ -26,7 +26,7 @@ inline float ofColors(const SizedBorder& b, float ColorComparison::*value) {
 
 }  // namespace border
 
-/// What the border model weighs, by name. Another list needs a model trained anew (tools/train).
+/// Features of the border model, by name. A changed list needs a newly trained model (tools/train).
 inline constexpr auto kBorderFeatures = std::to_array<Feature<SizedBorder>>({
     {"observations", [](const SizedBorder& b) { return b.evidence.observations; }},
     {"same_segment_part", [](const SizedBorder& b) { return b.evidence.shared / border::observations(b); }},

@@ -3,8 +3,8 @@
 
 namespace scantrove {
 
-/// How often colours occur whatever their brightness: a* and b* of CIE L*a*b*. Each colour counts in the four
-/// bins nearest; what is beyond the last bins counts in those.
+/// Histogram of a* and b* of CIE L*a*b*, independent of brightness. Each colour is shared among its four
+/// nearest bins; colours outside the range count in the outermost bins.
 class ChromaHistogram {
  public:
   static constexpr int kSide = 16;       ///< bins of a*, and of b*
@@ -14,7 +14,7 @@ class ChromaHistogram {
   void add(const Eigen::Vector3f& lab);
 
   [[nodiscard]] const Bins& counts() const { return counts_; }
-  /// How far the centre of each bin is from grey.
+  /// Distance of each bin's centre from grey.
   [[nodiscard]] static const Bins& chromas();
 
  private:

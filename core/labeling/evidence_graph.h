@@ -10,7 +10,7 @@
 
 namespace scantrove {
 
-/// Fragments and what is known of the borders between them. One thread.
+/// The graph of fragments, with the evidence of each border. One thread.
 class EvidenceGraph {
  public:
   struct Link {
@@ -18,34 +18,32 @@ class EvidenceGraph {
     std::uint32_t border;  ///< for border()
   };
 
-  /// The border between two fragments; made when it is first asked for. Valid until the next call that
-  /// changes the graph.
+  /// The border between two fragments, created if missing. Valid until the next call that changes the graph.
   [[nodiscard]] BorderEvidence& between(FragmentId a, FragmentId b);
-  /// What is known of that border; null: nothing.
+  /// Null if the border has no evidence.
   [[nodiscard]] const BorderEvidence* find(FragmentId a, FragmentId b) const;
-  /// Borders of a fragment, by the other's number.
+  /// Borders of a fragment, ordered by the other fragment's number.
   [[nodiscard]] std::span<const Link> linksOf(FragmentId fragment) const;
   [[nodiscard]] const BorderEvidence& border(std::uint32_t index) const { return borders_[index]; }
 
-  /// All that is known of a fragment goes.
+  /// Removes the fragment with all its borders.
   void remove(FragmentId fragment);
 
   using Pair = std::pair<FragmentId, FragmentId>;
-  /// Borders, smaller number first and in rising order, that changed, came or went since the last call: for
-  /// one who keeps a copy.
+  /// Borders that were added, changed or removed since the last call. Smaller number first, in rising order.
   [[nodiscard]] std::vector<Pair> takeChanged();
-  /// As it was when it was kept.
+  /// Sets a border to its stored state.
   void restore(FragmentId a, FragmentId b, const BorderEvidence& evidence);
 
   [[nodiscard]] std::size_t borderCount() const { return borders_.size() - free_.size(); }
 
-  /// Says what two fragments are to each other, whatever is seen. Later ones are stronger than earlier ones,
-  /// a person's stronger than the program's, which never replaces one. `none` takes back what was said.
+  /// Sets a constraint, which overrides evidence. Later constraints override earlier ones. The program's
+  /// never replace a person's. `none` removes the constraint.
   void constrain(FragmentId a, FragmentId b, LinkConstraint constraint, bool by_person = true);
   [[nodiscard]] LinkConstraint constraintBetween(FragmentId a, FragmentId b) const;
 
  private:
-  std::vector<std::vector<Link>> links_;  // by fragment; each by the other's number
+  std::vector<std::vector<Link>> links_;  // by fragment; each ordered by the other's number
   std::vector<BorderEvidence> borders_;
   std::vector<std::uint32_t> free_;  // of borders_
   int constraints_ = 0;

@@ -10,39 +10,40 @@
 
 namespace scantrove {
 
-/// Finds fragments that turn out to hold two things: segments cut them along a fold, at the same place in
-/// several looks. The more often one was seen, the more looks that takes: what is seen again and again is not
-/// cut ever finer by the few looks that err alike. One thread.
+/// Finds fragments that hold two objects: segments split them along a fold, at the same place in several
+/// observations. A fragment seen more often needs more observations, so that a few errors at the same place
+/// do not split it ever finer. One thread.
 class FragmentSplitter {
  public:
-  static constexpr int kObservations = 3;  ///< that agree before a cut is made
-  /// Of a fragment that was seen in so many frames.
+  static constexpr int kObservations = 3;  ///< that must agree before a split
+  /// The observations that must agree for a fragment seen in `frames_seen` frames.
   [[nodiscard]] static int observationsNeeded(int frames_seen);
 
   struct Split {
     FragmentId fragment;
-    std::uint32_t segment;    ///< of this frame: the side that becomes a fragment of its own
+    std::uint32_t segment;    ///< of this frame: the side that becomes a new fragment
     FragmentContact contact;  ///< between the two sides; its ids are those of the segments
   };
 
-  /// `owner`: the fragment of each segment. Cuts that this frame completes, by fragment and segment.
+  /// The splits that this frame confirms, ordered by fragment and segment. `owner`: the fragment of each
+  /// segment.
   [[nodiscard]] std::vector<Split> find(const MergeInput& input, const OverlapGraph<FragmentId>& overlaps,
                                         std::span<const FragmentId> owner);
   void forget(FragmentId fragment);
 
  private:
-  /// A side that was cut off in earlier looks.
+  /// A side that earlier observations separated.
   struct Pending {
     Eigen::Vector3f center_world = Eigen::Vector3f::Zero();
     float area_m2 = 0;
     int observations = 0;
-    int age = 0;  ///< frames since the last look
+    int age = 0;  ///< frames since the last observation
   };
   [[nodiscard]] bool isConfirmed(FragmentId fragment, const Eigen::Vector3f& center_world, float area_m2);
   void agePending();
 
   std::map<FragmentId, std::vector<Pending>> pending_;
-  std::vector<int> frames_seen_;  // by fragment: in which it has a side
+  std::vector<int> frames_seen_;  // by fragment: frames in which it has a side
 };
 
 }  // namespace scantrove

@@ -6,13 +6,13 @@
 
 namespace scantrove {
 
-/// Regions that can part again. Voxels hold fragments, which are never joined; each frame says of fragments
-/// that touch whether one segment holds both (EvidenceGraph), and the regions are the parts of the graph that
-/// its evidence holds together (updatePartition).
+/// Merges reversibly. Voxels hold fragments, which are never merged. Each frame adds evidence whether
+/// touching fragments lie in one segment (EvidenceGraph). Regions are the partition of that graph
+/// (updatePartition).
 ///
-/// A segment belongs to the fragment that it shares most pixels with. Its pixels on unlabelled ground take
-/// that fragment, so do those of other fragments that it does not cover: outlines heal, also within a region.
-/// What it covers of other fragments stays theirs. A segment without any founds a fragment.
+/// A segment belongs to the fragment with which it shares most pixels. Its unlabelled pixels take that
+/// fragment, and so do its pixels of fragments that it does not cover: this repairs outlines, also within a
+/// region. Covered fragments keep their pixels. A segment that overlaps no fragment starts a new one.
 class GraphMerger final : public RegionMerger {
  public:
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,
@@ -50,7 +50,7 @@ class GraphMerger final : public RegionMerger {
 
   EvidenceGraph graph_;
   FragmentSplitter cutter_;
-  std::vector<FragmentId> touched_;                 // whose evidence changed since the last partition
+  std::vector<FragmentId> touched_;  // fragments with evidence that changed since the last partition
   std::vector<FragmentId> split_from_, split_off_;  // of this frame, by segment
 };
 

@@ -15,54 +15,51 @@
 
 namespace scantrove {
 
-/// The label cloud (thesis 3.3.3): a fragment in every voxel of the brick map, which keeps them
-/// (BrickMap::labels), and how many voxels hold each, wherever they are. One thread, the context's.
+/// The label cloud (thesis 3.3.3): the fragment of every voxel, stored in the brick map (BrickMap::labels),
+/// and the number of voxels of each fragment, on the device or in the file. The context's thread.
 class LabelCloud {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LabelCloud>> create(ComputeContext& compute);
 
-  /// S_prj,t: the fragment at each vertex of `surface`, row by row. An update() of the same view that follows
-  /// knows from it which voxels are sure.
+  /// S_prj,t: the fragment at each vertex of `surface`, row by row. The next update() of the same view uses
+  /// its confidences.
   [[nodiscard]] std::vector<FragmentId> project(const SurfaceMaps& surface, const BrickMap& bricks);
 
-  /// Writes S_cloud,t into every voxel that Algorithm 1 would write over all of space, and into no other.
-  /// `merged`: the fragment of each pixel of `surface`.
-  /// With `params.voxel_confidence` a voxel that holds another fragment gives way only after as many frames
-  /// as it was sure of; to the fragments `carved` it gives way at once; and pixels that only confirm what is
-  /// sure (project()) have their turn every fourth time. Allocates bricks where such a voxel
-  /// has none. Returns the bricks that were written to.
+  /// Writes S_cloud,t into exactly the voxels that Algorithm 1 would write, visiting only those in view.
+  /// `merged`: the fragment of each pixel of `surface`. With `params.voxel_confidence` a voxel changes its
+  /// fragment only after as many frames as its confidence. It changes to fragments in `split_off` at once.
+  /// Pixels that only confirm voxels of full confidence (project()) are written every fourth time. Allocates
+  /// missing bricks. Returns the bricks that were written to.
   std::span<const Eigen::Vector3i> update(const SurfaceMaps& surface, std::span<const FragmentId> merged,
                                           std::span<const FragmentId> split_off, const LabelingParams& params,
                                           BrickMap& map);
 
-  /// These voxels (brick_layout.h, each once) hold `fragment` from now on, but for those without label.
-  /// Bricks that are in the map's file are brought back.
+  /// Sets these voxels (brick_layout.h, each once) to `fragment`, except unlabelled ones. Bricks in the map's
+  /// file are loaded.
   void relabel(std::span<const Eigen::Vector3i> voxels, FragmentId fragment, BrickMap& map);
-  /// Of the map as it was read back.
+  /// The counts of a map that was loaded.
   void restoreVoxelCounts(std::vector<cl_int> voxels);
 
-  /// How many voxels hold each fragment, by fragment number; shorter than the highest number where none does.
+  /// Voxels of each fragment, by fragment number; may end before the highest number if the rest have none.
   [[nodiscard]] const std::vector<cl_int>& voxelsOfFragments() const { return fragment_voxels_host_; }
 
-  /// Labelled voxels within a voxel of the surface, for some bricks, with the scene's colour, the normal, and
-  /// how far from the surface they are.
+  /// Labelled voxels within one voxel of the surface, with colour, normal and distance from the surface.
   struct Extract {
     std::vector<LabelPoint> points;  ///< of all bricks, brick after brick
     std::vector<std::uint32_t>
         first;  ///< bricks.size() + 1: points of bricks[i] are [first[i], first[i + 1])
   };
-  /// Bricks that are not on the device are read from the map's file and stay there; those of one page are
-  /// best listed together.
+  /// Bricks in the map's file are read and stay there. Listing the bricks of one page together reads it once.
   [[nodiscard]] Extract extract(std::span<const Eigen::Vector3i> bricks, BrickMap& map, float truncation_vox);
 
  private:
   explicit LabelCloud(ComputeContext& compute);
   [[nodiscard]] Result<void> buildKernels();
 
-  /// Room to count the voxels of fragments up to `highest`.
+  /// Makes room for counts of fragments up to `highest`.
   void fitFragments(std::uint32_t highest);
-  /// Writes new_labels_ to all voxels, or only to those of new bricks. Gives the bricks that there are not:
-  /// their voxels have not taken their labels.
+  /// Writes new_labels_ to all voxels, or only to those of new bricks. Returns the missing bricks, whose
+  /// voxels are not written.
   [[nodiscard]] std::vector<Eigen::Vector3i> writeLabels(const SurfaceMaps& surface,
                                                          const LabelingParams& params, bool only_new,
                                                          const BrickMap& map);
@@ -94,7 +91,7 @@ class LabelCloud {
   std::vector<cl_int> pixels_host_;
   cl_int stamp_ = 0;
   std::size_t updates_ = 0;
-  std::optional<Eigen::Isometry3d> projected_view_;  ///< T_world_camera of what projected_host_ holds
+  std::optional<Eigen::Isometry3d> projected_view_;  ///< T_world_camera of projected_host_
 };
 
 }  // namespace scantrove

@@ -5,16 +5,15 @@ namespace scantrove {
 /// Merging of segments over time (thesis 3.3).
 struct LabelingParams {
   enum class Rule {
-    graph,   ///< regions are parts of a graph of evidence between fragments: they join, and part again
-    thesis,  ///< join at once, and for good, where the overlap rule holds (thesis 3.3.2, literal)
+    graph,   ///< regions are parts of a graph of evidence between fragments; joins can be undone
+    thesis,  ///< join at once and for good where the overlap rule holds (thesis 3.3.2, literal)
   };
   Rule rule = Rule::graph;
   float overlap_threshold = 0.3F;  ///< O_thresh
-  /// Log-odds that two fragments are one thing must pass this to join, and fall under its negative to part.
+  /// Log-odds of one object must exceed this to join fragments, and fall below its negative to separate them.
   float hysteresis = 0.5F;
-  float joining_bias = 0;  ///< added to the log-odds of every border: above 0 joins more
-  int min_fragment_px =
-      120;  ///< smaller segments on unlabelled ground found no fragment (640x480 equivalent)
+  float joining_bias = 0;     ///< added to the log-odds of every border: above 0 joins more
+  int min_fragment_px = 120;  ///< smaller segments without overlap start no fragment (640x480 equivalent)
   bool voxel_confidence =
       true;  ///< agree +1, disagree -1, replace at 0; false = overwrite as Algorithm 1 does
   float update_distance_vox = 1.0F;  ///< distthresh in voxels; at least sqrt(3)/2

@@ -2,11 +2,11 @@
 
 namespace scantrove {
 
-/// What was said of two fragments, whatever is seen.
+/// Constraint between two fragments; overrides evidence.
 enum class LinkConstraint {
   none,
-  must_link,   ///< they are of one thing
-  cannot_link  ///< they are of two
+  must_link,   ///< both belong to one object
+  cannot_link  ///< they belong to different objects
 };
 
 }  // namespace scantrove

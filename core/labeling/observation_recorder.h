@@ -8,13 +8,13 @@
 
 namespace scantrove {
 
-/// Learns from each frame from which directions the fragments in it are seen: those from the middle of what
-/// is seen of their region, as they are parts of one thing. One thread; cost: a read of every fourth pixel.
+/// Records from which directions fragments were seen. A frame's direction is taken from the centre of the
+/// visible part of the fragment's region. One thread. Reads every fourth pixel.
 class ObservationRecorder {
  public:
-  /// Fewer of an image's pixels are no look: one in so many of the whole image, and so many at least.
+  /// A region needs one in kMinPart of the image's pixels, and at least kMinPixels, to count as observed.
   static constexpr int kMinPart = 1500;
-  static constexpr int kMinPixels = 16;  ///< every fourth is read: means of fewer are noise
+  static constexpr int kMinPixels = 16;  ///< every fourth is read; means of fewer are noise
 
   /// The next frame's view, with its fragments.
   void record(const RenderedView& view, RegionTable& table);

@@ -29,14 +29,14 @@ struct OverlapGraph {
            overlap > threshold * static_cast<float>(patch_areas_px[edge.patch]);
   }
 
-  /// The segment holds that part of what is seen of the patch.
+  /// The segment holds more than the part `threshold` of the patch's visible pixels.
   [[nodiscard]] bool covers(const Edge& edge, float threshold) const {
     return static_cast<float>(edge.overlap_px) > threshold * static_cast<float>(patch_areas_px[edge.patch]);
   }
 };
 
-/// `projected`: pixel by pixel like `segments.ids`; none = nothing. One pass over the pixels. For FragmentId
-/// and RegionId.
+/// One pass over the pixels. `projected`: pixel by pixel like `segments.ids`; none = no patch. Instantiated
+/// for FragmentId and RegionId.
 template <class PatchId>
 [[nodiscard]] OverlapGraph<PatchId> buildOverlapGraph(const SegmentMap& segments,
                                                       std::span<const PatchId> projected);

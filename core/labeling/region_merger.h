@@ -16,14 +16,13 @@ namespace scantrove {
 
 class EvidenceGraph;
 
-/// What merging looks at in one frame. All images have the pixels of the view.
+/// Input of merging for one frame. All images have the view's size.
 struct MergeInput {
   const SegmentMap& segments;                  ///< S_t
   const RenderedView& view;                    ///< V_t, N_t, and S_prj,t as its fragments
-  std::span<const Eigen::Vector3f> color_lab;  ///< CIE L*a*b*; empty where there is no colour
-  std::span<const int> voxels;                 ///< that hold each fragment, by fragment number
-  /// Which thing came into the scene with the surface of a pixel, as Arrivals has it, 0: it was there before.
-  /// Empty: nothing came.
+  std::span<const Eigen::Vector3f> color_lab;  ///< CIE L*a*b*; empty without colour
+  std::span<const int> voxels;                 ///< voxels of each fragment, by fragment number
+  /// The appeared object at each pixel (AppearedObjects), 0 where none. Empty: no object appeared.
   std::span<const std::uint8_t> appeared = {};
 };
 
@@ -31,40 +30,39 @@ struct MergeInput {
 class RegionMerger {
  public:
   struct Outcome {
-    std::vector<FragmentId> fragments;   ///< S_cloud,t: what the voxels seen in each pixel are to hold
-    std::vector<RegionId> regions;       ///< the same resolved as known at this frame
-    RegionEvents events;                 ///< what this frame changed
-    std::vector<FragmentId> split_off;   ///< cut out of others in this frame: take their voxels at once
-    std::vector<FragmentId> split_from;  ///< of which each of these was a part until now
+    std::vector<FragmentId> fragments;   ///< S_cloud,t: the fragment for the voxels seen in each pixel
+    std::vector<RegionId> regions;       ///< the regions of `fragments` after this frame
+    RegionEvents events;                 ///< changes in this frame
+    std::vector<FragmentId> split_off;   ///< split from others in this frame; voxels change to them at once
+    std::vector<FragmentId> split_from;  ///< the former fragment of each in `split_off`
   };
 
   virtual ~RegionMerger() = default;
   [[nodiscard]] virtual Outcome merge(const MergeInput& input, RegionTable& table,
                                       const LabelingParams& params) = 0;
-  /// No voxel holds the fragment any more; its number may come again for another.
+  /// No voxel holds the fragment any more; its number may be reused.
   virtual void forget(FragmentId fragment) = 0;
 
-  /// Log-odds that two regions are one thing, by all that is known of the borders between them; none where
-  /// nothing is, or what was said keeps them apart.
+  /// Log-odds that two regions are one object, from all borders between them. None without evidence, or if a
+  /// constraint separates them.
   [[nodiscard]] virtual std::optional<float> joiningOdds(RegionId a, RegionId b, const RegionTable& table,
                                                          std::span<const int> voxels,
                                                          const LabelingParams& params) const = 0;
-  /// The regions are one thing whatever is seen; takes effect with the next frame.
+  /// Joins the regions regardless of evidence, from the next frame on.
   virtual void mustBeOne(RegionId a, RegionId b, const RegionTable& table) = 0;
-  /// The fragments are two things whatever is seen, unless a person says otherwise; takes effect with the
-  /// next frame.
+  /// Separates the fragments regardless of evidence, from the next frame on. A person's constraint overrides
+  /// this.
   virtual void mustBeApart(FragmentId a, FragmentId b) = 0;
 
-  /// What is known of borders, for one who keeps it; null: the rule keeps nothing.
+  /// The evidence of borders, for storing; null if the rule has none.
   [[nodiscard]] virtual EvidenceGraph* evidence() = 0;
 
-  /// A person says what two fragments are to each other, whatever is seen; takes effect with the next frame.
+  /// Sets a person's constraint, which overrides evidence from the next frame on.
   virtual void constrain(FragmentId a, FragmentId b, LinkConstraint constraint) = 0;
-  /// What was said of two fragments.
   [[nodiscard]] virtual LinkConstraint constraintBetween(FragmentId a, FragmentId b) const = 0;
-  /// Fragments that were seen to touch this one, rising.
+  /// Fragments observed to touch this one, in rising order.
   [[nodiscard]] virtual std::vector<FragmentId> neighborsOf(FragmentId fragment) const = 0;
-  /// What a region would part into if every border spoke `less` (log-odds) less for joining.
+  /// The parts of a region if the log-odds of every border were lower by `less`.
   [[nodiscard]] virtual std::vector<std::vector<FragmentId>> partsOf(RegionId region, float less,
                                                                      const RegionTable& table,
                                                                      std::span<const int> voxels,

@@ -8,21 +8,20 @@
 
 namespace scantrove {
 
-/// Regions of under so many voxels are slivers: too little to be a thing of their own.
+/// Fragments with fewer voxels are too small to be an object of their own.
 inline constexpr int kSmallFragmentVoxels = 50;
 
-/// Divides the regions of the `touched` fragments (those whose evidence changed) anew by what the graph now
-/// says, and no other. With hysteresis: what is one region stays one until the log-odds fall under minus
-/// `params.hysteresis`, what is two stays two until they pass it. Constraints hold whatever was seen; of
-/// those that contradict one another a person's, and the newest. Regions that a person said to be things of
-/// their own are not joined by evidence with one another or with background. A fragment under
-/// kSmallFragmentVoxels without constraint goes with the fragment that it touches along the longest border.
+/// Repartitions only the regions of the `touched` fragments (those with changed evidence). One region splits
+/// when its log-odds fall below minus `params.hysteresis`; two join when they exceed it. Constraints override
+/// evidence; among contradicting ones a person's win, then the newest. Evidence never joins a region that a
+/// person marked as an object with another such region or with background. A fragment under
+/// kSmallFragmentVoxels without constraint follows the fragment with which it shares the longest border.
 /// `voxels`: by fragment number.
 void updatePartition(std::span<const FragmentId> touched, const EvidenceGraph& graph,
                      std::span<const int> voxels, const LabelingParams& params, RegionTable& table,
                      RegionEvents& events);
 
-/// What the graph would part one region into.
+/// The parts of one region by the graph's evidence.
 [[nodiscard]] std::vector<std::vector<FragmentId>> partsOfRegion(RegionId region, const EvidenceGraph& graph,
                                                                  std::span<const int> voxels,
                                                                  const LabelingParams& params,

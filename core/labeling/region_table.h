@@ -11,86 +11,85 @@
 
 namespace scantrove {
 
-/// What happened to regions in one frame.
+/// Changes of regions in one frame.
 struct RegionEvents {
-  std::vector<std::pair<RegionId, RegionId>> joined;  ///< (into, from): `from` is no more
-  std::vector<std::pair<RegionId, RegionId>> parted;  ///< (from, part): `part` is new, `from` goes on
+  std::vector<std::pair<RegionId, RegionId>> joined;  ///< (into, from): `from` no longer exists
+  std::vector<std::pair<RegionId, RegionId>> parted;  ///< (from, part): `part` is new, `from` remains
 };
 
-/// A fragment goes from one region to another.
+/// A fragment moves from one region to another.
 struct RegionMove {
   FragmentId fragment;
   RegionId before, after;
   bool operator==(const RegionMove&) const = default;
 };
 
-/// What a person said that a region is.
+/// A person's label of a region.
 enum class UserLabel {
   nothing,
-  background,  ///< nothing by itself; it may be joined with others of that kind
-  thing        ///< a thing of its own
+  background,  ///< stuff; may be joined with other background
+  thing        ///< an object of its own
 };
 
-/// Fragment -> region. Voxels hold fragments; joining or parting regions changes entries here and reaches
-/// every voxel, seen or not. One thread.
+/// Fragment -> region. Voxels hold fragments, so joining or splitting regions here affects every voxel, in
+/// view or not. One thread.
 ///
-/// Fragment numbers are used again after free(); region numbers never.
+/// Fragment numbers are reused after free(); region numbers never.
 class RegionTable {
  public:
-  /// A fragment that no voxel holds yet: a region of its own.
+  /// A new fragment without voxels, in a new region.
   FragmentId newFragment();
-  /// A fragment that no voxel holds yet, cut out of `fragment`: of the same region, seen from the same sides.
+  /// A new fragment without voxels, split from `fragment`: same region, same view coverage.
   FragmentId newFragmentBeside(FragmentId fragment);
-  /// A fragment that no voxel holds any more.
+  /// Frees a fragment that no voxel holds any more.
   void free(FragmentId fragment);
 
-  /// Region of a fragment; none for none, and for a fragment that is free.
+  /// Region of a fragment; none for no fragment or a free one.
   [[nodiscard]] RegionId regionOf(FragmentId fragment) const { return regions_.at(fragment.value); }
   /// Region of every fragment, by fragment number, [0] = none.
   [[nodiscard]] const std::vector<RegionId>& regions() const { return regions_; }
-  /// Fragments of a region, in rising order; empty for one that is no more.
+  /// Fragments of a region, in rising order; empty if it no longer exists.
   [[nodiscard]] std::span<const FragmentId> fragmentsOf(RegionId region) const;
 
-  /// The fragment is seen from there: `direction` from it to the camera, world.
+  /// Records that the fragment is seen; `direction`: from it to the camera, world.
   void look(FragmentId fragment, const Eigen::Vector3f& direction) {
     seen_from_.at(fragment.value).look(direction);
   }
-  /// From where it was seen; from nowhere: there is no such fragment.
+  /// View coverage of a fragment; empty if it does not exist.
   [[nodiscard]] ViewCoverage seenFrom(FragmentId fragment) const;
-  /// Of all its fragments.
+  /// View coverage of all its fragments.
   [[nodiscard]] ViewCoverage seenFrom(RegionId region) const;
   void restoreSeen(FragmentId fragment, ViewCoverage seen_from) { seen_from_.at(fragment.value) = seen_from; }
 
-  /// A region that a person or the catalogue knows: it keeps its identity when it is joined with others.
+  /// A known region (of a person or the catalogue) keeps its identity when it is joined with others.
   void setKnown(RegionId region, bool known);
   [[nodiscard]] bool isKnown(RegionId region) const;
-  /// What a person says of a region gives it an identity stronger than any other.
+  /// Sets a person's label, which gives the region the strongest identity in joins.
   void say(RegionId region, UserLabel said);
   [[nodiscard]] UserLabel said(RegionId region) const;
 
-  /// All fragments of `from` become fragments of `into`. False when they are one already, or one is none.
+  /// Moves all fragments of `from` to `into`. False if they are equal or one does not exist.
   bool join(RegionId into, RegionId from);
 
-  /// Divides the fragments of some whole regions anew: `parts` hold each of their fragments once. Of the
-  /// parts of a region the one with most voxels keeps its identity; a part made of several regions takes that
-  /// of one that a person said something of, else of a known one, else of the one that gives it most voxels.
-  /// `voxels`: by fragment number.
+  /// Repartitions complete regions: `parts` hold each of their fragments once. The part with most voxels
+  /// keeps its region's identity. A part made of several regions takes the identity of a region that a person
+  /// labelled, else of a known one, else of the one with most voxels in it. `voxels`: by fragment number.
   void divide(const std::vector<std::vector<FragmentId>>& parts, std::span<const int> voxels,
               RegionEvents& events);
 
-  /// Moves those fragments that are still where `moves` has them before. Regions that were no more may come
-  /// back by that, as the same.
+  /// Moves each fragment that is still in its RegionMove::before. This can restore a former region under its
+  /// old number.
   void move(std::span<const RegionMove> moves, RegionEvents& events);
 
-  /// As it was when it was kept: region of each fragment, by fragment number, [0] = none; the highest region
-  /// that ever was. Nothing is known or said of any.
+  /// Restores a stored table: the region of each fragment, by fragment number, [0] = none, and the highest
+  /// region number ever used. No region is known or labelled afterwards.
   void restore(std::vector<RegionId> regions, RegionId last_region);
-  /// The highest region that ever was.
+  /// The highest region number ever used.
   [[nodiscard]] RegionId lastRegion() const { return RegionId{last_region_}; }
 
-  /// Grows with each change.
+  /// Increases with each change.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Those who keep a copy.
+  /// Consumers that keep a copy.
   enum class Follower { window, session };
   /// Fragments whose region changed since the follower's last call, each once.
   [[nodiscard]] std::vector<FragmentId> takeChanged(Follower follower = Follower::window);
@@ -108,9 +107,9 @@ class RegionTable {
 
   std::vector<RegionId> regions_{RegionId{}};
   std::vector<ViewCoverage> seen_from_{ViewCoverage{}};  // by fragment, as regions_
-  std::vector<FragmentId> free_;                         // to be used again, lowest last
+  std::vector<FragmentId> free_;                         // for reuse, lowest last
   std::map<RegionId, Region> members_;
-  /// What a follower has not taken yet.
+  /// Changes that a follower has not taken yet.
   struct Changes {
     std::vector<FragmentId> fragments;
     std::vector<bool> is_listed;  // by fragment

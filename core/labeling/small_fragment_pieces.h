@@ -6,9 +6,9 @@
 
 namespace scantrove {
 
-/// The fragments of an image, row by row, without specks: pieces of less than `least_px` pixels (that hang
-/// together by their sides) of fragments that have a larger piece in view become none. Where two fragments
-/// meet is not to be told from voxels that took the wrong one's label.
+/// The fragments of an image, row by row, without small components. 4-connected components under `least_px`
+/// pixels become none if their fragment has a larger one in view. They come from voxels with a wrong label
+/// and would falsify contacts.
 [[nodiscard]] std::vector<FragmentId> withoutSmallPieces(std::span<const FragmentId> fragments, int width,
                                                          int least_px);
 

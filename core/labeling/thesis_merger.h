@@ -5,15 +5,15 @@
 namespace scantrove {
 
 /// The literal rule of thesis 3.3.2: the components of the graph of qualifying edges become one region each,
-/// at once and for good. A component is named by its projected region of largest area (segment ids have no
-/// life beyond their frame); one without any is a new fragment. Pixels without segment keep their projected
-/// label.
+/// at once and for good. A component takes its projected region of largest area, because segment ids last one
+/// frame only. A component without projected region becomes a new fragment. Pixels without segment keep their
+/// projected label.
 class ThesisMerger final : public RegionMerger {
  public:
   [[nodiscard]] Outcome merge(const MergeInput& input, RegionTable& table,
                               const LabelingParams& params) override;
   void forget(FragmentId) override {}
-  /// The rule knows no odds, and joins by itself alone.
+  /// The rule has no odds and ignores constraints.
   [[nodiscard]] std::optional<float> joiningOdds(RegionId, RegionId, const RegionTable&, std::span<const int>,
                                                  const LabelingParams&) const override {
     return std::nullopt;
