@@ -62,7 +62,7 @@ class CatalogueWriter {
   void addView(ObjectView view);
   /// Makes one of two objects, unless by the time persons settled both, parted them or deleted one.
   void merge(ObjectId a, ObjectId b);
-  /// A person calls the object so (see ObjectDatabase::nameByPerson), unless it was deleted by the time.
+  /// A person calls the object so (see ObjectDatabase::nameByUser), unless it was deleted by the time.
   /// `naming`: a number for takeNameBack(). `again`: of the naming that was taken back and is done again
   /// here; where others had overruled that, nothing is done.
   void name(int naming, ObjectId object, const std::string& name, int again = 0);

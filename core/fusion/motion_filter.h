@@ -42,7 +42,7 @@ class MotionFilter {
   /// Where it remembers things to have come to rest.
   [[nodiscard]] AppearedObjects& appeared_objects() { return appeared_objects_; }
 
-  /// Readings of the last frame by the thing that they came with, as Arrivals::atRest() has it; smaller than
+  /// Readings of the last frame by the thing that they came with, as AppearedObjects::atRest() has it; smaller than
   /// the frame.
   [[nodiscard]] const cv::Mat& appeared() const { return appeared_; }
 

@@ -47,7 +47,7 @@ inline IncludeTree readIncludes(const std::filesystem::path& root) {
   return tree;
 }
 
-/// What the rules of the house forbid (docs: README, "The house"). Pure functions of an IncludeTree.
+/// What the rules of the house forbid (docs/architecture.md). Pure functions of an IncludeTree.
 class LayerRules {
  public:
   /// One sentence for every broken rule, in order of files.
